@@ -1,0 +1,83 @@
+#include "engine/base/result.h"
+
+#include <array>
+
+namespace spineloft {
+namespace {
+
+struct ErrorText {
+  Error error;
+  std::string_view name;
+  std::string_view sentence;
+};
+
+constexpr std::array kTexts = {
+    ErrorText{Error::StrokeTooShort, "StrokeTooShort",
+              "That line is too short. Draw a longer line along the middle of the object."},
+    ErrorText{Error::StrokeNotFinite, "StrokeNotFinite",
+              "The line has a point without a place. Draw it again."},
+    ErrorText{Error::StrokeOutsidePicture, "StrokeOutsidePicture",
+              "The line lies outside the picture. Draw it on the object in the picture."},
+    ErrorText{Error::StrokeLoops, "StrokeLoops",
+              "The line crosses itself. Draw one line through the object without a loop."},
+    ErrorText{Error::PictureEmpty, "PictureEmpty",
+              "That file is empty. Choose a photo or a drawing."},
+    ErrorText{Error::PictureUnreadable, "PictureUnreadable",
+              "That file is not a picture I can read. Choose a PNG or JPEG picture."},
+    ErrorText{Error::PictureTruncated, "PictureTruncated",
+              "That picture is damaged or cut off. Choose another copy of it."},
+    ErrorText{Error::PictureTooSmall, "PictureTooSmall",
+              "That picture is too small to find anything in. Choose one of at least 16 by 16 "
+              "pixels."},
+    ErrorText{Error::PictureTooLarge, "PictureTooLarge",
+              "That picture is too large to open. Choose one of at most 120 megapixels."},
+    ErrorText{Error::TooFewRibs, "TooFewRibs",
+              "The part has fewer than two ribs. Draw a longer line through the object."},
+    ErrorText{Error::SectionInvalid, "SectionInvalid",
+              "That slice has no shape. Choose or draw a closed shape with at least three "
+              "corners."},
+    ErrorText{Error::MeshInvalid, "MeshInvalid",
+              "A part is not a closed solid, so it cannot be saved. Undo the last change."},
+    ErrorText{Error::NothingToExport, "NothingToExport",
+              "There is no part to save yet. Draw a line through an object first."},
+    ErrorText{Error::NoSuchPart, "NoSuchPart",
+              "That part is not there any more. Choose another one from the list."},
+    ErrorText{Error::NoSuchPicture, "NoSuchPicture",
+              "That picture is not there any more. Open it again."},
+    ErrorText{Error::ValueOutOfRange, "ValueOutOfRange",
+              "That value is out of range. Choose one within the limits shown."},
+    ErrorText{Error::NothingToUndo, "NothingToUndo", "There is nothing to undo."},
+    ErrorText{Error::NothingToRedo, "NothingToRedo", "There is nothing to redo."},
+    ErrorText{Error::FileUnreadable, "FileUnreadable",
+              "The file cannot be read. Check its name and try again."},
+    ErrorText{Error::FileUnwritable, "FileUnwritable",
+              "The file cannot be written. Check the folder and the free space."},
+    ErrorText{Error::JsonInvalid, "JsonInvalid",
+              "The file is not the JSON that was expected. Check its content."},
+    ErrorText{Error::Cancelled, "Cancelled", "Cancelled; nothing was changed."},
+    ErrorText{Error::OutOfMemory, "OutOfMemory",
+              "There is not enough memory for that. Close other pages or use a smaller picture."},
+};
+static_assert(kTexts.size() == static_cast<std::size_t>(Error::kCount),
+              "every Error needs a name and a sentence");
+
+const ErrorText& textOf(Error error) {
+  for (const ErrorText& text : kTexts) {
+    if (text.error == error) return text;
+  }
+  assert(false && "Error without a text");
+  return kTexts.back();
+}
+
+}  // namespace
+
+std::string_view errorSentence(Error error) { return textOf(error).sentence; }
+std::string_view errorName(Error error) { return textOf(error).name; }
+
+std::string failureSentence(const Failure& failure) {
+  std::string sentence(errorSentence(failure.error));
+  if (!failure.detail.empty()) sentence += " (" + failure.detail + ")";
+  return sentence;
+}
+
+}  // namespace spineloft

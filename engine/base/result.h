@@ -1,0 +1,106 @@
+// Result<T>: a value, or the reason why there is none.
+//
+// Three kinds of failure are never mixed in this engine: a bug of ours is an assert; an expected
+// failure (bad stroke, bad file, cancelled work) is a Result with one of the Errors below; a file
+// with small faults is repaired and reported. Nothing throws across an engine header.
+#pragma once
+
+#include <cassert>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace spineloft {
+
+/// Every expected failure of the engine. `errorSentence` puts each into words for a visitor.
+enum class Error {
+  // strokes
+  StrokeTooShort,       ///< fewer than 2 distinct points
+  StrokeNotFinite,      ///< NaN or infinite coordinates
+  StrokeOutsidePicture, ///< no part of the stroke lies on the picture
+  StrokeLoops,          ///< the stroke crosses itself in a loop that is more than a pen hook
+  // pictures
+  PictureEmpty,       ///< zero bytes, or zero pixels
+  PictureUnreadable,  ///< not a picture format that we know
+  PictureTruncated,   ///< begins like a picture, but its data end too early or are damaged
+  PictureTooSmall,    ///< shorter than kMinPictureSide on a side
+  PictureTooLarge,    ///< header declares more pixels than we accept; refused before decoding
+  // shapes
+  TooFewRibs,     ///< a loft needs at least 2 ribs
+  SectionInvalid, ///< cross-section with fewer than 3 distinct points, or not finite
+  MeshInvalid,    ///< a mesh given for export breaks a mesh law
+  NothingToExport, ///< no part to write
+  // document
+  NoSuchPart,
+  NoSuchPicture,
+  ValueOutOfRange, ///< a parameter outside the range of the parameter table
+  NothingToUndo,
+  NothingToRedo,
+  // files and work
+  FileUnreadable, ///< cannot be opened or read
+  FileUnwritable, ///< cannot be written
+  JsonInvalid,    ///< not the JSON that was asked for
+  Cancelled,      ///< the work was cancelled; nothing changed
+  OutOfMemory,
+  kCount ///< number of errors, for tables and tests
+};
+
+/// One sentence for a person, in plain words: what happened and what to do. Never empty.
+std::string_view errorSentence(Error error);
+
+/// The error's name as in the enum ("StrokeTooShort"), for reports and tests.
+std::string_view errorName(Error error);
+
+/// The reason of a failure: an error and, where it helps, a detail such as a file name.
+struct Failure {
+  Error error = Error::Cancelled;
+  std::string detail;
+  bool operator==(const Failure&) const = default;
+};
+
+/// The failure in words, with its detail where there is one.
+std::string failureSentence(const Failure& failure);
+
+/// A T, or a Failure. Construct it from either; ask with `ok()` before you take `value()`.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Failure failure) : state_(std::in_place_index<1>, std::move(failure)) {}
+  Result(Error error, std::string detail = {})
+      : state_(std::in_place_index<1>, Failure{error, std::move(detail)}) {}
+
+  bool ok() const { return state_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  const T& value() const& {
+    assert(ok() && "value() of a failed Result");
+    return *std::get_if<0>(&state_);
+  }
+  T& value() & {
+    assert(ok() && "value() of a failed Result");
+    return *std::get_if<0>(&state_);
+  }
+  T&& value() && {
+    assert(ok() && "value() of a failed Result");
+    return std::move(*std::get_if<0>(&state_));
+  }
+  const Failure& failure() const {
+    assert(!ok() && "failure() of a Result that succeeded");
+    return *std::get_if<1>(&state_);
+  }
+  Error error() const { return failure().error; }
+
+ private:
+  std::variant<T, Failure> state_;
+};
+
+/// For functions that only succeed or fail.
+struct Done {
+  bool operator==(const Done&) const = default;
+};
+using Status = Result<Done>;
+
+}  // namespace spineloft

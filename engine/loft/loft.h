@@ -1,0 +1,52 @@
+// From ribs to a solid (method: "Loft"; SpineLoft 3.4).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "engine/image/image.h"
+#include "engine/loft/section.h"
+#include "engine/mesh/tri_mesh.h"
+#include "engine/ribs/ribs.h"
+
+namespace spineloft::loft {
+
+/// How an end of the part is finished. Values are saved in files: only ever append.
+enum class CapStyle : std::uint8_t {
+  Flat,     ///< cut off at the last rib
+  Round,    ///< a dome beyond the last rib that follows the end fan where there is one
+  Pointed,  ///< runs out into a tip
+  Open,     ///< a hollow mouth: the wall turns inwards at the last rib and closes inside, so that the
+            ///< solid stays closed and printable
+  kCount
+};
+struct CapName {
+  CapStyle style;
+  std::string_view key, label;
+};
+std::span<const CapName> capNames();
+std::optional<CapStyle> capFromKey(std::string_view key);
+std::string_view capKey(CapStyle style);
+
+/// Everything a loft depends on besides its ribs.
+struct LoftParams {
+  SectionPreset section = SectionPreset::Circle;
+  CapStyle startCap = CapStyle::Round, endCap = CapStyle::Round;
+  int sectionPoints = 48;  ///< vertices around, 12…512
+  int capRings = 6;        ///< rings of a round cap, 1…64
+  double centring = 1.0;   ///< smoothing of the centre line in ribs, 0…10; the silhouette never moves
+  bool operator==(const LoftParams&) const = default;
+};
+
+/// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in
+/// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen
+/// from the front the outline passes through every rib end. UV = picture coordinates
+/// ((x + ½) / width, (y + ½) / height), clamped.
+/// Errors: TooFewRibs (fewer than 2 ribs, or all in one point), ValueOutOfRange, SectionInvalid.
+Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
+                               const LoftParams& params);
+
+}  // namespace spineloft::loft

@@ -1,0 +1,79 @@
+// Ribs: what one stroke finds in a picture.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/progress.h"
+#include "engine/base/result.h"
+#include "engine/base/vec.h"
+#include "engine/image/edge_map.h"
+#include "engine/ribs/spine.h"
+
+namespace spineloft::ribs {
+
+/// How sure a rib end is of its place.
+enum class RibState : std::uint8_t {
+  Edge,     ///< it stands on an edge of the picture
+  Bridged,  ///< no edge here, but its neighbours on both sides found one
+  Guessed,  ///< no edge nearby: taken from the other side, or from a default width
+};
+
+/// One rib: two end points on opposite sides of the spine. Picture pixels. `left` is the side to the
+/// left of the drawing direction as seen on the screen. The polyline from `center` to an end along
+/// the gradient curve is not kept: seen from the front only the ends matter.
+struct Rib {
+  PicturePoint center;  ///< on the spine
+  PicturePoint left, right;
+  RibState leftState = RibState::Guessed, rightState = RibState::Guessed;
+  double leftLevel = 0, rightLevel = 0;  ///< d2 at the ends, picture pixels
+  /// Margin to the next-best place, 0 (a toss-up) … 1 (no rival).
+  double leftConfidence = 0, rightConfidence = 0;
+  bool operator==(const Rib&) const = default;
+};
+
+/// The ends of the fan of gradient curves around one end of the spine, from the left rib's side round
+/// to the right's: the outline of a round cap. Empty when the fan was not traced. Picture pixels.
+struct EndFan {
+  std::vector<PicturePoint> points;
+  bool operator==(const EndFan&) const = default;
+};
+
+/// The energy of SpineLoft 3.3.2 by term, summed over all ribs (dimensionless).
+struct EnergyTerms {
+  double distance = 0, neighbour = 0, opposite = 0, prior = 0;
+  double total() const { return distance + neighbour + opposite + prior; }
+  bool operator==(const EnergyTerms&) const = default;
+};
+
+/// Ribs in order along the spine, and the fans around its first and last point.
+struct RibSet {
+  std::vector<Rib> ribs;
+  EndFan startFan, endFan;
+  EnergyTerms energy;
+  bool operator==(const RibSet&) const = default;
+};
+
+/// Everything the search can be told; a RibSet depends on nothing else. The defaults are the ones
+/// the benchmark measures.
+struct RibParams {
+  int levels = 128;  ///< K: labels of the dynamic programme, 16…512
+  double maxLevelShare = 0.5;  ///< largest d2 level as a share of the picture's diagonal, 0.01…1
+  double neighbourWeight = 3.0;     ///< SpineLoft 3.3.2: 3
+  double neighbourFreedom = 0.25;   ///< free slope between neighbours, SpineLoft 3.3.2: ¼
+  double oppositeWeight = 0.25;     ///< SpineLoft 3.3.2: 0.25
+  double priorWeight = 0.05;        ///< pull of flat energy to a middle level (method: measurements)
+  bool operator==(const RibParams&) const = default;
+};
+
+/// Gradient curves from the hull of the spine, the evidence along them, and the exact optimum of the
+/// energy by dynamic programming (method: "Gradient curves", "Rib lengths").
+/// `edges` may be empty (no picture): then every end is Guessed at a default width.
+/// Output coordinates are picture pixels, at most half a pixel outside the picture; ribs of one side
+/// never cross each other.
+/// Errors: StrokeTooShort (fewer than 2 points), ValueOutOfRange (params), Cancelled.
+Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,
+                         const RibParams& params, const Progress& progress);
+
+}  // namespace spineloft::ribs
