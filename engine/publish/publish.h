@@ -2,7 +2,6 @@
 // and io; the page and the command line both export through it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,7 +18,7 @@ namespace spineloft::publish {
 using Bytes = std::vector<std::uint8_t>;
 
 enum class Format : std::uint8_t { Glb, Obj, Stl };
-/// "glb", "obj", "stl"; none for anything else (case does not matter).
+/// "glb", "obj", "stl"; none for anything else.
 std::optional<Format> formatFromKey(std::string_view key);
 std::string_view formatKey(Format format);
 std::string_view mediaType(Format format);
@@ -35,22 +34,23 @@ struct WorldFrame {
 };
 WorldFrame worldFrame(image::Size picture);
 
-/// Bounds of all visible derived parts in WorldSpace; none without a part.
+/// Bounds in WorldSpace of all visible parts that have a shape; none without one.
 struct WorldBounds {
   WorldPoint low, high;
 };
 std::optional<WorldBounds> worldBounds(const document::Document& document,
                                        const pipeline::Derived& derived);
 
-/// All visible parts as one file. GLB: metres, y up, standing on y = 0 and centred in x and z, the
-/// model as tall as Document::height, pictures as base-colour textures. OBJ: WorldSpace scaled in the
-/// same way to millimetres is not what modelling programs expect of an OBJ, so it keeps WorldSpace
-/// units. STL: millimetres, z up.
+/// All visible parts as one file.
+/// - GLB: metres, y up, +z to the viewer, standing on y = 0 and centred in x and z, as tall as
+///   Document::height; one node a part, its picture as base-colour texture where it is textured.
+/// - STL: millimetres, z up, standing on z = 0, as tall as Document::height.
+/// - OBJ: WorldSpace as it is on the screen, one object a part.
 /// Errors: NothingToExport, MeshInvalid, Cancelled, OutOfMemory.
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
                       Format format, const Progress& progress);
 
-/// A file name such as "swan-neck_100mm.glb": the model's name in portable characters and its height.
+/// A file name such as "swan-neck-100mm.glb": the model's name in portable characters and its height.
 std::string fileName(const document::Document& document, Format format);
 
 }  // namespace spineloft::publish
