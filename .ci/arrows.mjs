@@ -1,0 +1,119 @@
+// The house rules that a script can check: which folder may include which, who may know which library, and file length.
+// The picture of the arrows is at the top; `node .ci/arrows.mjs` prints every line that breaks one and exits with 1.
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { root } from './lib/paths.mjs';
+
+/** Each folder and the folders it may include directly; what those may include comes with them. */
+const kArrows = {
+  'engine/base': [],
+  'engine/geometry': ['engine/base'],
+  'engine/mesh': ['engine/geometry'],
+  'engine/image': ['engine/base'],
+  'engine/vision': ['engine/image'],
+  'engine/ribs': ['engine/geometry', 'engine/image'],
+  'engine/loft': ['engine/ribs', 'engine/mesh'],
+  'engine/document': ['engine/loft'],
+  'engine/io': ['engine/document'],
+  'engine/pipeline': ['engine/document', 'engine/vision'],
+  'engine/cli': ['engine/pipeline', 'engine/io'],
+  'web/gl': ['engine/mesh', 'engine/image'],
+  'web/platform': ['engine/image'],
+  'web/app': ['engine/document', 'engine/pipeline', 'engine/io', 'web/gl', 'web/platform', 'web/tools', 'web/panels'],
+  'web/tools': ['engine/document', 'engine/pipeline', 'engine/io', 'web/app'],
+  'web/panels': ['engine/document', 'engine/pipeline', 'engine/io', 'web/app'],
+  'web/main': ['web/app', 'web/tools', 'web/panels', 'web/gl', 'web/platform'],
+};
+
+/** Libraries, and the only folders whose files may include them. */
+const kLibraries = [
+  { name: 'OpenCV', pattern: /^opencv2\//, folders: ['engine/vision'] },
+  { name: 'tinygltf', pattern: /^tiny_?gltf/, folders: ['engine/io'] },
+  { name: 'stb', pattern: /^(stb\/|stb_)/, folders: ['engine/io'] },
+  { name: 'nlohmann json', pattern: /^nlohmann\//, folders: ['engine/io', 'engine/cli'] },
+  { name: 'Emscripten', pattern: /^emscripten/, folders: ['web'] },
+  { name: 'OpenGL', pattern: /^(GL|GLES\d?|EGL|KHR)\//, folders: ['web/gl', 'web/platform', 'web/main'] },
+  { name: 'Dear ImGui', pattern: /^(imgui|backends\/imgui|imconfig|imstb)/, folders: ['web'] },
+  { name: 'GLFW', pattern: /^GLFW\//, folders: ['web'] },
+  { name: 'iostream', pattern: /^iostream$/, folders: ['engine/cli', 'web'] },
+  { name: 'file access', pattern: /^(fstream|filesystem|fcntl\.h|unistd\.h)$/, folders: ['engine/cli', 'web/platform', 'web/main'] },
+];
+
+const kLongestFile = 600;
+const kCounted = /^(engine|web|shaders|tests|\.ci)\/.*\.(h|hpp|cpp|c|ts|js|mjs|css|html|vert|frag|glsl|cmake)$/;
+
+/** The folder of kArrows a repository path belongs to: `engine/ribs/d2.h` is in `engine/ribs`, `web/main.cpp` in `web/main`. */
+function folderOf(path) {
+  const [top, second] = path.split('/');
+  return `${top}/${(second ?? '').replace(/\.[a-z]+$/, '')}`;
+}
+
+function reach(folder, seen = new Set([folder])) {
+  for (const next of kArrows[folder] ?? []) {
+    if (!seen.has(next)) reach(next, seen.add(next));
+  }
+  return seen;
+}
+
+function libraryErrors(path, included) {
+  return kLibraries
+    .filter((library) => library.pattern.test(included))
+    .filter((library) => !library.folders.some((folder) => path.startsWith(`${folder}/`) || folderOf(path) === folder))
+    .map((library) => `${library.name} is for ${library.folders.join(', ')} only`);
+}
+
+function includeErrors(path, quote, included) {
+  const errors = libraryErrors(path, included);
+  if (quote !== '"' || errors.length) return errors;
+  if (!/^(engine|web)\//.test(included)) {
+    return ['includes are written from the repository root: "engine/..." or "web/..."'];
+  }
+  const from = folderOf(path);
+  const to = folderOf(included);
+  if (!kArrows[to]) return [`${to} is not a folder of the house`];
+  return reach(from).has(to) ? [] : [`${from} may not include ${to}`];
+}
+
+/** Every broken rule in `files`, a list of {path, text} with paths from the repository root, as `path:line: what`. */
+export function houseErrors(files) {
+  const errors = [];
+  for (const { path, text } of files) {
+    if (!kCounted.test(path)) continue;
+    const lines = text.split('\n');
+    if (lines.length - 1 > kLongestFile) errors.push(`${path}:1: ${lines.length - 1} lines, at most ${kLongestFile} are allowed`);
+    if (!/^(engine|web)\/.*\.(h|hpp|cpp|c)$/.test(path)) continue;
+    if (!kArrows[folderOf(path)]) errors.push(`${path}:1: ${folderOf(path)} is not a folder of the house`);
+    lines.forEach((line, index) => {
+      const hit = line.match(/^\s*#\s*include\s*([<"])([^>"]+)[>"]/);
+      if (!hit) return;
+      for (const error of includeErrors(path, hit[1], hit[2])) errors.push(`${path}:${index + 1}: ${error}`);
+    });
+  }
+  return errors;
+}
+
+function filesUnder(folder) {
+  return readdirSync(folder).flatMap((name) => {
+    const file = join(folder, name);
+    return statSync(file).isDirectory() ? filesUnder(file) : [file];
+  });
+}
+
+/** All files of the house, as houseErrors wants them. */
+export function houseFiles() {
+  const tops = readdirSync(root).filter((name) => ['engine', 'web', 'shaders', 'tests', '.ci'].includes(name));
+  return tops
+    .flatMap((top) => filesUnder(join(root, top)))
+    .map((file) => relative(root, file))
+    .filter((path) => kCounted.test(path))
+    .map((path) => ({ path, text: readFileSync(join(root, path), 'utf8') }));
+}
+
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const files = houseFiles();
+  const errors = houseErrors(files);
+  for (const error of errors) console.log(error);
+  console.log(`${files.length} files read, ${errors.length} rules broken`);
+  process.exitCode = errors.length ? 1 : 0;
+}

@@ -1,0 +1,65 @@
+// Set-up: everything the builds need, found or made, and written down in build/deps.cmake for CMake.
+// Safe to interrupt and to run again; does nothing that is already done.
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
+import { installGroups } from './lib/debian.mjs';
+import { findEmscripten } from './lib/emscripten.mjs';
+import { installNodePackages } from './lib/node_packages.mjs';
+import { buildDir } from './lib/paths.mjs';
+import { duration, logFile, mainProgram, say } from './lib/run.mjs';
+import { headers, imguiSources, toolchainFile, wasmLibraries } from './lib/wasm_libs.mjs';
+
+function writeIfChanged(file, text) {
+  if (!existsSync(file) || readFileSync(file, 'utf8') !== text) writeFileSync(file, text);
+}
+
+function writeFacts(facts) {
+  const file = join(buildDir, 'deps.cmake');
+  const before = existsSync(file) ? readFileSync(file, 'utf8').matchAll(/^set\(SPINELOFT_(\w+) "(.*)"\)$/gm) : [];
+  const all = { ...Object.fromEntries([...before].map(([, key, value]) => [key, value])), ...facts };
+  const lines = Object.keys(all).sort().map((key) => `set(SPINELOFT_${key} "${all[key]}")`);
+  writeIfChanged(
+    file,
+    ['# Written by .ci/setup.mjs: where the libraries are on this machine.', ...lines, ''].join('\n'),
+  );
+  if (facts.EMSCRIPTEN_TOOLCHAIN) {
+    writeIfChanged(
+      join(buildDir, 'emscripten.cmake'),
+      ['# Written by .ci/setup.mjs: the toolchain file of the wasm presets.', `include("${facts.EMSCRIPTEN_TOOLCHAIN}")`, ''].join('\n'),
+    );
+  }
+}
+
+/**
+ * Prepares the machine for the given parts: native, wasm, browser, node (npm packages).
+ * Parts that were prepared before for this checkout stay prepared.
+ */
+export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
+  const started = Date.now();
+  mkdirSync(buildDir, { recursive: true });
+  rmSync(logFile('setup'), { force: true });
+  await withSetupLock(async () => {
+    removeLeftovers();
+    await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'node')]);
+    if (parts.includes('node')) await installNodePackages();
+    const facts = { DEPS_INCLUDE: await headers() };
+    facts.IMGUI_DIR = await imguiSources();
+    if (parts.includes('wasm')) {
+      const emscripten = await findEmscripten();
+      const libraries = await wasmLibraries(emscripten);
+      facts.EMSCRIPTEN_ROOT = emscripten;
+      facts.EMSCRIPTEN_TOOLCHAIN = toolchainFile(emscripten);
+      facts.ZLIB_WASM_DIR = libraries.zlib;
+      facts.OPENCV_WASM_DIR = libraries.opencv;
+    }
+    writeFacts(facts);
+  });
+  say(`Set-up is complete (${duration(Date.now() - started)}).`);
+}
+
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const parts = process.argv.slice(2);
+  await mainProgram(() => setup(parts.length ? parts : undefined));
+}

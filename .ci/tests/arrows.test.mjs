@@ -1,0 +1,57 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { houseErrors, houseFiles } from '../arrows.mjs';
+
+const of = (path, text) => houseErrors([{ path, text }]);
+
+test('an include against the arrows is caught with its file, line and reason', () => {
+  assert.deepEqual(of('engine/base/hash.h', '#pragma once\n#include "engine/ribs/d2.h"\n'), [
+    'engine/base/hash.h:2: engine/base may not include engine/ribs',
+  ]);
+});
+
+test('an include along the arrows, over several steps or within a folder, is allowed', () => {
+  assert.deepEqual(of('engine/loft/loft.cpp', '#include "engine/loft/loft.h"\n#include "engine/base/vec.h"\n'), []);
+  assert.deepEqual(of('engine/pipeline/derive.cpp', '#include "engine/vision/edges.h"\n#include "engine/mesh/laws.h"\n'), []);
+  assert.deepEqual(of('web/main.cpp', '#include "web/app/app.h"\n#include "engine/base/result.h"\n'), []);
+});
+
+test('siblings without an arrow between them are apart', () => {
+  assert.equal(of('engine/io/glb.cpp', '#include "engine/pipeline/derive.h"\n').length, 1);
+  assert.equal(of('engine/ribs/ribs.cpp', '#include "engine/vision/edges.h"\n').length, 1);
+  assert.equal(of('engine/mesh/laws.cpp', '#include "engine/image/image.h"\n').length, 1);
+  assert.equal(of('web/gl/mesh.cpp', '#include "web/app/app.h"\n').length, 1);
+});
+
+test('nothing in the engine includes the page', () => {
+  assert.equal(of('engine/cli/main.cpp', '#include "web/app/app.h"\n').length, 1);
+});
+
+test('heavy libraries stay in their box', () => {
+  assert.equal(of('engine/ribs/ribs.cpp', '#include <opencv2/core.hpp>\n').length, 1);
+  assert.deepEqual(of('engine/vision/edges.cpp', '#include <opencv2/core.hpp>\n'), []);
+  assert.equal(of('engine/document/document.cpp', '#include <tiny_gltf.h>\n').length, 1);
+  assert.equal(of('web/app/app.cpp', '#include <stb_image.h>\n').length, 1);
+  assert.deepEqual(of('engine/io/glb.cpp', '#include <tiny_gltf.h>\n#include <stb_image.h>\n'), []);
+});
+
+test('the engine knows no browser, window or file', () => {
+  for (const header of ['emscripten.h', 'GLES3/gl3.h', 'imgui.h', 'GLFW/glfw3.h', 'iostream', 'fstream']) {
+    assert.equal(of('engine/loft/loft.cpp', `#include <${header}>\n`).length, 1, header);
+  }
+  assert.deepEqual(of('engine/cli/files.cpp', '#include <fstream>\n#include <iostream>\n'), []);
+});
+
+test('a relative include and an unknown folder are caught', () => {
+  assert.equal(of('engine/base/hash.cpp', '#include "hash.h"\n').length, 1);
+  assert.equal(of('engine/misc/thing.h', '#pragma once\n').length, 1);
+});
+
+test('a file of 601 lines is caught, one of 600 is not', () => {
+  assert.equal(of('tests/unit/long.cpp', 'x\n'.repeat(601)).length, 1);
+  assert.deepEqual(of('tests/unit/long.cpp', 'x\n'.repeat(600)), []);
+});
+
+test('the house itself keeps its rules', () => {
+  assert.deepEqual(houseErrors(houseFiles()), []);
+});
