@@ -17,12 +17,13 @@ const kArrows = {
   'engine/document': ['engine/loft'],
   'engine/io': ['engine/document'],
   'engine/pipeline': ['engine/document', 'engine/vision'],
-  'engine/cli': ['engine/pipeline', 'engine/io'],
+  'engine/publish': ['engine/pipeline', 'engine/io'],
+  'engine/cli': ['engine/publish'],
   'web/gl': ['engine/mesh', 'engine/image'],
   'web/platform': ['engine/image'],
-  'web/app': ['engine/document', 'engine/pipeline', 'engine/io', 'web/gl', 'web/platform', 'web/tools', 'web/panels'],
-  'web/tools': ['engine/document', 'engine/pipeline', 'engine/io', 'web/app'],
-  'web/panels': ['engine/document', 'engine/pipeline', 'engine/io', 'web/app'],
+  'web/app': ['engine/publish', 'web/gl', 'web/platform', 'web/tools', 'web/panels'],
+  'web/tools': ['engine/publish', 'web/app'],
+  'web/panels': ['engine/publish', 'web/app'],
   'web/main': ['web/app', 'web/tools', 'web/panels', 'web/gl', 'web/platform'],
 };
 
