@@ -24,8 +24,15 @@ function stopGroup(child) {
   }
 }
 
+let sayTo = process.stdout;
+
 export function say(line = '') {
-  process.stdout.write(line + '\n');
+  sayTo.write(line + '\n');
+}
+
+/** From now on progress goes to standard error: standard output belongs to the program that is run. */
+export function talkOnStderr() {
+  sayTo = process.stderr;
 }
 
 export function duration(milliseconds) {

@@ -1,0 +1,57 @@
+// What every browser test needs: the built site on a free port, a headless Chromium, and a page that keeps count of
+// console errors, exceptions and requests to elsewhere.
+import { existsSync } from 'node:fs';
+import { chromium } from 'playwright-core';
+import { distDir } from './paths.mjs';
+import { Stop } from './run.mjs';
+import { serveFolder } from './server.mjs';
+
+const kFlags = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+];
+
+/** Serves dist/ on a free port; options as serveFolder's (`isolated: false` for the single-thread build). */
+export function startSite(options = {}) {
+  if (!existsSync(distDir)) throw new Stop('There is no dist/ yet: run npm run build first.');
+  return serveFolder(distDir, options);
+}
+
+/** Debian's Chromium, or the one $SPINELOFT_CHROMIUM names. */
+export function startBrowser() {
+  const executablePath = process.env.SPINELOFT_CHROMIUM ?? '/usr/bin/chromium';
+  if (!existsSync(executablePath)) throw new Stop(`There is no ${executablePath}; the package chromium provides it.`);
+  return chromium.launch({ executablePath, args: kFlags, headless: true });
+}
+
+/**
+ * Opens `url` in a fresh context (`contextOptions` as Playwright's: viewport, hasTouch, deviceScaleFactor ...).
+ * `troubles` collects console errors, uncaught exceptions, failed requests and requests that leave the origin.
+ */
+export async function openPage(browser, url, contextOptions = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...contextOptions });
+  const page = await context.newPage();
+  const troubles = [];
+  const origin = new URL(url).origin;
+  page.on('console', (message) => {
+    if (message.type() === 'error') troubles.push(`console: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => troubles.push(`exception: ${error.message}`));
+  page.on('requestfailed', (request) => troubles.push(`request failed: ${request.url()}`));
+  page.on('response', (response) => {
+    if (response.status() >= 400) troubles.push(`status ${response.status()}: ${response.url()}`);
+  });
+  page.on('request', (request) => {
+    const at = new URL(request.url());
+    if (/^(http|ws)s?:$/.test(at.protocol) && at.origin !== origin) troubles.push(`left the origin: ${request.url()}`);
+  });
+  await page.goto(url, { waitUntil: 'load' });
+  return { page, context, troubles, close: () => context.close() };
+}

@@ -1,0 +1,179 @@
+// Putting the static site together: hashed names, relative addresses, compressed twins, swapped into dist/ at the end.
+import { createHash } from 'node:crypto';
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { basename, dirname, extname, join, relative } from 'node:path';
+import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
+import { presetDir } from './cmake.mjs';
+import { buildDir, distDir, root, shortHash } from './paths.mjs';
+import { Stop } from './run.mjs';
+
+const kHashLength = 10;
+// Files that shrink; pictures and the like are packed already.
+const kCompressed = new Set(['.html', '.js', '.css', '.wasm', '.json', '.svg', '.ttf', '.txt', '.md', '.webmanifest']);
+const kSmallestCompressed = 1024;
+
+function contentHash(bytes) {
+  return createHash('sha256').update(bytes).digest('hex').slice(0, kHashLength);
+}
+
+function hashedName(name, bytes) {
+  const extension = extname(name);
+  return `${name.slice(0, name.length - extension.length)}-${contentHash(bytes)}${extension}`;
+}
+
+/** All files under a folder, as paths from it, sorted. */
+export function filesUnder(folder, at = folder) {
+  if (!existsSync(at)) return [];
+  const found = readdirSync(at).flatMap((name) => {
+    const file = join(at, name);
+    return statSync(file).isDirectory() ? filesUnder(folder, file) : [relative(folder, file)];
+  });
+  return found.sort();
+}
+
+function put(folder, name, bytes) {
+  const file = join(folder, name);
+  mkdirSync(dirname(file), { recursive: true });
+  writeFileSync(file, bytes);
+  return name;
+}
+
+function replaceName(text, from, to) {
+  const parts = text.split(new RegExp(`(?<=["'\`/])${from.replace('.', '\\.')}(?=["'\`])`));
+  if (parts.length < 2) throw new Stop(`The Emscripten loader no longer names ${from}; .ci/lib/site.mjs must learn its new form.`);
+  return parts.join(to);
+}
+
+/** Copies one wasm variant under hashed names; the loader's own references follow. Returns the loader's path. */
+function putVariant(folder, preset, variant) {
+  const places = [join(presetDir(preset), 'web'), presetDir(preset)];
+  const place = places.find((candidate) => existsSync(join(candidate, 'spineloft_web.js')));
+  if (!place) throw new Stop(`${preset} has not built spineloft_web.js.`);
+  const wasm = readFileSync(join(place, 'spineloft_web.wasm'));
+  const wasmName = hashedName(`spineloft-${variant}.wasm`, wasm);
+  let loader = replaceName(readFileSync(join(place, 'spineloft_web.js'), 'utf8'), 'spineloft_web.wasm', wasmName);
+  const loaderName = hashedName(`spineloft-${variant}.js`, loader);
+  // The threads build starts its workers from its own address; the single-thread build does not name itself.
+  if (variant === 'threads') loader = replaceName(loader, 'spineloft_web.js', loaderName);
+  put(folder, `assets/${wasmName}`, wasm);
+  return { js: put(folder, `assets/${loaderName}`, loader), wasm: `assets/${wasmName}` };
+}
+
+/** Copies assets/ under hashed names; a map from `samples/cup.jpg` to `assets/samples/cup-0123456789.jpg`. */
+function putAssets(folder) {
+  const from = join(root, 'assets');
+  const map = {};
+  for (const path of filesUnder(from)) {
+    const bytes = readFileSync(join(from, path));
+    map[path] = put(folder, join('assets', extname(path) === '.md' ? path : hashedName(path, bytes)), bytes);
+  }
+  return map;
+}
+
+async function bundle(folder, entryPoints, define) {
+  const esbuild = await import('esbuild');
+  const result = await esbuild.build({
+    absWorkingDir: root,
+    entryPoints,
+    bundle: true,
+    format: 'esm',
+    target: 'es2022',
+    minify: true,
+    metafile: true,
+    legalComments: 'none',
+    logLevel: 'silent',
+    outdir: join(folder, 'assets'),
+    entryNames: '[name]-[hash]',
+    assetNames: '[name]-[hash]',
+    loader: { '.svg': 'text', '.ttf': 'file', '.woff2': 'file', '.png': 'file', '.jpg': 'file', '.webp': 'file', '.wasm': 'file', '.glsl': 'text' },
+    define,
+  }).catch((error) => {
+    const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);
+    throw new Stop(`esbuild failed:\n${lines.join('\n') || error.message}`);
+  });
+  const outputs = {};
+  for (const [file, about] of Object.entries(result.metafile.outputs)) {
+    if (!about.entryPoint) continue;
+    outputs[relative('web/shell', about.entryPoint)] = {
+      js: relative(folder, join(root, file)),
+      css: about.cssBundle && relative(folder, join(root, about.cssBundle)),
+    };
+  }
+  return outputs;
+}
+
+/** The page with its script, style sheet and asset links under their hashed names. */
+function page(html, main, assets) {
+  let text = html.replace(/(["'])(?:\.\/)?main\.ts\1/, `$1./${main.js}$1`);
+  if (text === html) throw new Stop('web/shell/index.html must load ./main.ts as a module script.');
+  if (main.css) text = text.replace('</head>', `  <link rel="stylesheet" href="./${main.css}">\n</head>`);
+  return text.replace(/(href|src|content)="(?:\.\.\/)+assets\/([^"]+)"/g, (whole, attribute, path) => {
+    if (!assets[path]) throw new Stop(`web/shell/index.html names assets/${path}, which does not exist.`);
+    return `${attribute}="./${assets[path]}"`;
+  });
+}
+
+/** Compressed twins beside each file; they are kept by content, since brotli at its best takes seconds. */
+function compress(folder) {
+  const store = join(buildDir, 'compressed');
+  mkdirSync(store, { recursive: true });
+  const used = new Set();
+  for (const path of filesUnder(folder)) {
+    const bytes = readFileSync(join(folder, path));
+    if (!kCompressed.has(extname(path)) || bytes.length < kSmallestCompressed) continue;
+    const makers = {
+      br: () => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length, [constants.BROTLI_PARAM_LGWIN]: 22 } }),
+      gz: () => gzipSync(bytes, { level: 9 }),
+    };
+    for (const [kind, make] of Object.entries(makers)) {
+      const name = `${contentHash(bytes)}-${bytes.length}.${kind}`;
+      used.add(name);
+      if (!existsSync(join(store, name))) {
+        writeFileSync(join(store, `${name}.new`), make());
+        renameSync(join(store, `${name}.new`), join(store, name));
+      }
+      cpSync(join(store, name), join(folder, `${path}.${kind}`));
+    }
+  }
+  for (const name of readdirSync(store)) if (!used.has(name)) rmSync(join(store, name));
+}
+
+/** Sizes of the wasm files and scripts of a site: raw, gzip, brotli. */
+export function siteSizes(folder = distDir) {
+  const size = (file) => (existsSync(file) ? statSync(file).size : null);
+  return filesUnder(join(folder, 'assets'))
+    .filter((path) => /\.(wasm|js|css)$/.test(path))
+    .map((path) => {
+      const file = join(folder, 'assets', path);
+      return { file: basename(path), raw: size(file), gzip: size(`${file}.gz`), brotli: size(`${file}.br`) };
+    });
+}
+
+/** Assembles dist/ from the built variants, web/shell and assets/. The old site stays until the new one is whole. */
+export async function assembleSite() {
+  const shell = join(root, 'web/shell');
+  const fresh = join(buildDir, 'site');
+  rmSync(fresh, { recursive: true, force: true });
+  mkdirSync(fresh, { recursive: true });
+  const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  const assets = putAssets(fresh);
+  const site = {
+    version,
+    threads: putVariant(fresh, 'wasm-release', 'threads'),
+    single: putVariant(fresh, 'wasm-release-st', 'single'),
+    assets,
+    workers: {},
+  };
+  const workers = readdirSync(shell).filter((name) => name.endsWith('.worker.ts'));
+  if (workers.length) {
+    const built = await bundle(fresh, workers.map((name) => `web/shell/${name}`), { SPINELOFT_SITE: JSON.stringify(site) });
+    for (const [entry, files] of Object.entries(built)) site.workers[entry.replace(/\.worker\.ts$/, '')] = files.js;
+  }
+  const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
+  put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
+  compress(fresh);
+  const old = join(buildDir, `site-old-${shortHash(Date.now())}`);
+  if (existsSync(distDir)) renameSync(distDir, old);
+  renameSync(fresh, distDir);
+  rmSync(old, { recursive: true, force: true });
+}
