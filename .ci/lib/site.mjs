@@ -2,7 +2,8 @@
 import { createHash } from 'node:crypto';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, extname, join, relative } from 'node:path';
-import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
+import { promisify } from 'node:util';
+import { brotliCompress, gzip } from 'node:zlib';
 import { presetDir } from './cmake.mjs';
 import { buildDir, distDir, root, shortHash } from './paths.mjs';
 import { Stop } from './run.mjs';
@@ -11,6 +12,8 @@ const kHashLength = 10;
 // Files that shrink; pictures and the like are packed already.
 const kCompressed = new Set(['.html', '.js', '.css', '.wasm', '.json', '.svg', '.ttf', '.txt', '.md', '.webmanifest']);
 const kSmallestCompressed = 1024;
+
+const makers = { br: promisify(brotliCompress), gz: (bytes) => promisify(gzip)(bytes, { level: 9 }) };
 
 function contentHash(bytes) {
   return createHash('sha256').update(bytes).digest('hex').slice(0, kHashLength);
@@ -114,27 +117,26 @@ function page(html, main, assets) {
 }
 
 /** Compressed twins beside each file; they are kept by content, since brotli at its best takes seconds. */
-function compress(folder) {
+async function compress(folder) {
   const store = join(buildDir, 'compressed');
   mkdirSync(store, { recursive: true });
   const used = new Set();
-  for (const path of filesUnder(folder)) {
+  const jobs = filesUnder(folder).flatMap((path) => {
     const bytes = readFileSync(join(folder, path));
-    if (!kCompressed.has(extname(path)) || bytes.length < kSmallestCompressed) continue;
-    const makers = {
-      br: () => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length, [constants.BROTLI_PARAM_LGWIN]: 22 } }),
-      gz: () => gzipSync(bytes, { level: 9 }),
-    };
-    for (const [kind, make] of Object.entries(makers)) {
+    if (!kCompressed.has(extname(path)) || bytes.length < kSmallestCompressed) return [];
+    return Object.entries(makers).map(async ([kind, make]) => {
       const name = `${contentHash(bytes)}-${bytes.length}.${kind}`;
+      const kept = join(store, name);
       used.add(name);
-      if (!existsSync(join(store, name))) {
-        writeFileSync(join(store, `${name}.new`), make());
-        renameSync(join(store, `${name}.new`), join(store, name));
+      if (!existsSync(kept)) {
+        const unfinished = `${kept}.${process.pid}`;
+        writeFileSync(unfinished, await make(bytes));
+        renameSync(unfinished, kept);
       }
-      cpSync(join(store, name), join(folder, `${path}.${kind}`));
-    }
-  }
+      cpSync(kept, join(folder, `${path}.${kind}`));
+    });
+  });
+  await Promise.all(jobs);
   for (const name of readdirSync(store)) if (!used.has(name)) rmSync(join(store, name));
 }
 
@@ -171,7 +173,7 @@ export async function assembleSite() {
   }
   const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
   put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
-  compress(fresh);
+  await compress(fresh);
   const old = join(buildDir, `site-old-${shortHash(Date.now())}`);
   if (existsSync(distDir)) renameSync(distDir, old);
   renameSync(fresh, distDir);

@@ -1,0 +1,41 @@
+// What the build tells the shell: the hashed names of everything in dist/, relative to index.html.
+// esbuild replaces SPINELOFT_SITE by its value. The page chooses `threads` where `crossOriginIsolated` is true:
+//   const { default: createSpineLoft } = await import(new URL(SPINELOFT_SITE.threads.js, document.baseURI).href);
+// The loaders find their .wasm and start their own workers; neither locateFile nor mainScriptUrlOrBlob is needed.
+
+interface SpineLoftVariant {
+  readonly js: string;
+  readonly wasm: string;
+}
+
+interface SpineLoftSite {
+  readonly version: string;
+  readonly threads: SpineLoftVariant;
+  readonly single: SpineLoftVariant;
+  /** Every file of the repository's assets/ folder: 'samples/cup.jpg' → 'assets/samples/cup-0123456789.jpg'. */
+  readonly assets: Readonly<Record<string, string>>;
+  /** Every web/shell/NAME.worker.ts, bundled on its own: 'NAME' → its path, for new Worker(url, {type: 'module'}). */
+  readonly workers: Readonly<Record<string, string>>;
+}
+
+declare const SPINELOFT_SITE: SpineLoftSite;
+
+// Files that can be imported: SVG as text (lucide-static/icons/NAME.svg), fonts and pictures as their hashed URL,
+// relative to the importing script: new URL(interUrl, import.meta.url).
+declare module '*.svg' {
+  const text: string;
+  export default text;
+}
+declare module '*.ttf' {
+  const url: string;
+  export default url;
+}
+declare module '*.png' {
+  const url: string;
+  export default url;
+}
+declare module '*.jpg' {
+  const url: string;
+  export default url;
+}
+declare module '*.css';
