@@ -1,0 +1,131 @@
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { doctestCounts, nodeTestCounts } from '../lib/counts.mjs';
+import { ownDebianSource } from '../lib/debian.mjs';
+import { lock, root } from '../lib/paths.mjs';
+
+function inFolder(files, work) {
+  const folder = mkdtempSync(join(tmpdir(), 'spineloft-scripts-'));
+  mkdirSync(join(folder, 'sources.list.d'));
+  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
+  try {
+    return work(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+test('doctest summaries are counted, with and without colours', () => {
+  const line = '[doctest] test cases:  12 |  10 passed | 2 failed | 3 skipped';
+  assert.deepEqual(doctestCounts({ text: line, status: 1 }), { passed: 10, failed: 2, note: '' });
+  const coloured = '\x1b[0;36m[doctest] \x1b[0mtest cases:     6 | \x1b[0;32m    6 passed\x1b[0m | \x1b[0m0 failed\x1b[0m |';
+  assert.deepEqual(doctestCounts({ text: coloured, status: 0 }), { passed: 6, failed: 0, note: '' });
+});
+
+test('a test program that crashed, or ran nothing, counts as a failure', () => {
+  assert.equal(doctestCounts({ text: 'Segmentation fault', status: null }).failed, 1);
+  assert.equal(doctestCounts({ text: '[doctest] test cases: 0 | 0 passed | 0 failed | 0 skipped', status: 0 }).failed, 1);
+  assert.equal(doctestCounts({ text: '[doctest] test cases: 5 | 5 passed | 0 failed | 0 skipped', status: 134 }).failed, 1);
+  assert.equal(nodeTestCounts({ text: '', status: 1 }).failed, 1);
+});
+
+test('node:test summaries are counted; a cancelled test has failed', () => {
+  const text = '# tests 5\n# pass 3\n# fail 1\n# cancelled 1\n# skipped 0\n';
+  assert.deepEqual(nodeTestCounts({ text, status: 1 }), { passed: 3, failed: 2, note: '' });
+});
+
+test("the machine's own Debian is found in either format of its sources", () => {
+  const modern = `# a comment
+Types: deb
+URIs: http://mirror.example/debian-security
+Suites: bookworm-security
+Components: main
+
+Types: deb
+# another comment
+URIs: http://mirror.example/debian
+Suites: bookworm bookworm-updates
+Components: main
+Signed-By: /usr/share/keyrings/own.gpg
+`;
+  inFolder({ 'sources.list.d/debian.sources': modern }, (folder) => {
+    assert.deepEqual(ownDebianSource('bookworm', folder), { uri: 'http://mirror.example/debian', signedBy: '/usr/share/keyrings/own.gpg' });
+  });
+  const classic = `# deb http://off.example/debian bookworm main
+deb http://security.example/ bookworm-security main
+deb [arch=amd64 signed-by=/etc/own.gpg] https://mirror.example/debian/ bookworm main contrib
+`;
+  inFolder({ 'sources.list': classic }, (folder) => {
+    assert.deepEqual(ownDebianSource('bookworm', folder), { uri: 'https://mirror.example/debian/', signedBy: '/etc/own.gpg' });
+  });
+  inFolder({ 'sources.list': 'deb http://other.example/x trixie main\n' }, (folder) => {
+    assert.throws(() => ownDebianSource('bookworm', folder), /No Debian source for bookworm/);
+  });
+});
+
+/** Runs a module text in its own process with its own cache folder, so that the real one is left alone. */
+function script(text, cache) {
+  const env = { ...process.env, XDG_CACHE_HOME: cache };
+  const child = spawn(process.execPath, ['--input-type=module', '-e', text], { cwd: root, env, stdio: ['ignore', 'pipe', 'pipe'] });
+  const said = [];
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => said.push(chunk));
+  const done = new Promise((resolve) => child.on('close', (status, signal) => resolve({ status, signal, text: Buffer.concat(said).toString() })));
+  const until = async (pattern) => {
+    while (!pattern.test(Buffer.concat(said).toString())) {
+      if (child.exitCode !== null) throw new Error(Buffer.concat(said).toString());
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+  };
+  return { child, done, until };
+}
+
+const kMake = (body) => `
+import { cached, removeLeftovers, withSetupLock } from './.ci/lib/cache.mjs';
+import { writeFileSync, appendFileSync } from 'node:fs';
+import { join } from 'node:path';
+await withSetupLock(async () => {
+  removeLeftovers();
+  const place = await cached('thing', { what: 'Thing', howLong: 'no time' }, async (folder) => { ${body} });
+  console.log('place ' + place);
+});`;
+
+test('an interrupted making leaves nothing under the final name, and the next run makes it and tidies up', async () => {
+  const cache = mkdtempSync(join(tmpdir(), 'spineloft-cache-'));
+  try {
+    const first = script(kMake(`writeFileSync(join(folder, 'half'), 'x'); console.log('half done'); await new Promise((r) => setTimeout(r, 60000));`), cache);
+    await first.until(/half done/);
+    first.child.kill('SIGKILL');
+    await first.done;
+    assert.ok(!existsSync(join(cache, 'spineloft/thing')));
+    const second = await script(kMake(`writeFileSync(join(folder, 'whole'), 'y');`), cache).done;
+    assert.equal(second.status, 0, second.text);
+    assert.equal(readFileSync(join(cache, 'spineloft/thing/whole'), 'utf8'), 'y');
+    assert.ok(!existsSync(join(cache, 'spineloft/thing/half')));
+    const { readdirSync } = await import('node:fs');
+    assert.deepEqual(readdirSync(join(cache, 'spineloft')).sort(), ['lock', 'thing']);
+  } finally {
+    rmSync(cache, { recursive: true });
+  }
+});
+
+test('two set-ups at once make a thing once; the second waits for the first', async () => {
+  const cache = mkdtempSync(join(tmpdir(), 'spineloft-cache-'));
+  try {
+    const body = `appendFileSync(${JSON.stringify(join(cache, 'made'))}, 'm'); await new Promise((r) => setTimeout(r, 300));`;
+    const runs = [1, 2, 3].map(() => script(kMake(body), cache).done);
+    for (const { status, text } of await Promise.all(runs)) assert.equal(status, 0, text);
+    assert.equal(readFileSync(join(cache, 'made'), 'utf8'), 'm');
+  } finally {
+    rmSync(cache, { recursive: true });
+  }
+});
+
+test('the files of the set-up name no registry and no mirror', () => {
+  assert.doesNotMatch(readFileSync(join(root, 'package-lock.json'), 'utf8'), /"resolved"/);
+  assert.doesNotMatch(readFileSync(join(root, 'emsdk.lock'), 'utf8'), /https?:/);
+  assert.equal(lock.emscripten.version, '3.1.69');
+});
