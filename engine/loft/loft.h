@@ -31,6 +31,17 @@ std::span<const CapName> capNames();
 std::optional<CapStyle> capFromKey(std::string_view key);
 std::string_view capKey(CapStyle style);
 
+/// Height of a dome without a fan, in half widths.
+inline constexpr double kDomeHeight = 0.6;
+/// Length of a point without a fan, in half widths.
+inline constexpr double kPointLength = 2.0;
+/// Thickness of the wall of an open end, in half widths.
+inline constexpr double kWall = 0.2;
+/// How far an open end is hollow, as a share of the part's length.
+inline constexpr double kMouthDepth = 0.9;
+/// Rib ends farther out are brought back to here, picture pixels: beyond it floats are too coarse.
+inline constexpr double kFarthest = 1e6;
+
 /// Everything a loft depends on besides its ribs.
 struct LoftParams {
   SectionPreset section = SectionPreset::Circle;
@@ -45,8 +56,21 @@ struct LoftParams {
 /// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen
 /// from the front the outline passes through every rib end. UV = picture coordinates
 /// ((x + ½) / width, (y + ½) / height), clamped.
+///
+/// Depth: a section reaches as far to the viewer as half the part's true width, measured square to
+/// its smoothed centre line, so a slanted rib across a round bar gives the slanted cut of a round bar.
+/// Ribs at an end without width become a tip, whatever the cap. Round caps without a fan are domes
+/// `kDomeHeight` of the half width high; open ones leave a wall of `kWall` of the half width and reach
+/// `kMouthDepth` of the way to the other end (both ends open: right through, genus 1).
+/// Ribs with a coordinate that is not finite are left out; coordinates are clamped to ±kFarthest.
 /// Errors: TooFewRibs (fewer than 2 ribs, or all in one point), ValueOutOfRange, SectionInvalid.
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params);
+
+/// The same with a section of one's own instead of the preset (`section` and `sectionPoints` of the
+/// params are not read). It must be simple and counter-clockwise, lie in [−1, 1]² and touch x = ±1 (to
+/// 1e-6), else SectionInvalid.
+Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
+                                  const LoftParams& params, const Section& section);
 
 }  // namespace spineloft::loft

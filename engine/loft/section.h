@@ -35,6 +35,9 @@ struct Section {
   bool operator==(const Section&) const = default;
 };
 
+/// How many points a section may have.
+inline constexpr int kMinSectionPoints = 12, kMaxSectionPoints = 512;
+
 /// The preset with its corners kept and about `count` points (12…512) spread evenly in between.
 /// Error: ValueOutOfRange.
 Result<Section> presetSection(SectionPreset preset, int count);

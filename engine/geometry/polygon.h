@@ -1,0 +1,33 @@
+// Closed polygons in a plane: measures and validity. A polygon is a list of corners, the last one
+// not repeated; its space is that of its points. Counter-clockwise means: with x right and y up.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "engine/base/vec.h"
+
+namespace spineloft::geometry {
+
+/// Signed area in square units of the space: positive when counter-clockwise. 0 below 3 corners.
+template <class V>
+double signedArea(std::span<const V> polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  }
+  return twice / 2;
+}
+
+/// Centre of the area; the mean of the corners when the area is 0. ≥ 1 corner.
+SectionPoint centroid(std::span<const SectionPoint> polygon);
+
+/// Whether no two edges touch except neighbours in their common corner, and no edge has length 0.
+/// All coordinates finite. Cost: near linear (a sweep along x).
+bool isSimple(std::span<const SectionPoint> polygon);
+
+/// Whether `p` sees every edge of the counter-clockwise polygon from inside, with at least `margin`
+/// (units of the space) to the line of each edge: then a fan of triangles from `p` fills it.
+bool seesAllEdges(std::span<const SectionPoint> polygon, SectionPoint p, double margin);
+
+}  // namespace spineloft::geometry

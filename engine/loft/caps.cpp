@@ -1,0 +1,138 @@
+#include "engine/loft/caps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spineloft::loft {
+namespace {
+
+/// Slope at `b` of a smooth curve through a, b, c whose parameter is the distance along it.
+PicturePoint slopeAt(PicturePoint a, PicturePoint b, PicturePoint c) {
+  const double before = distance(a, b), after = distance(b, c);
+  if (!(before > 0) || !(after > 0)) return {};
+  return ((b - a) * (after / before) + (c - b) * (before / after)) / (before + after);
+}
+
+/// A smooth curve through all points (cubic Hermite), `steps` pieces between neighbours; the first
+/// and last point only steer.
+std::vector<PicturePoint> throughPoints(std::span<const PicturePoint> points, std::size_t steps) {
+  std::vector<PicturePoint> out;
+  out.reserve((points.size() - 3) * steps + 1);
+  for (std::size_t i = 1; i + 2 < points.size(); ++i) {
+    const PicturePoint a = points[i], b = points[i + 1];
+    const double span = distance(a, b);
+    const PicturePoint ma = slopeAt(points[i - 1], a, b) * span;
+    const PicturePoint mb = slopeAt(a, b, points[i + 2]) * span;
+    for (std::size_t k = 0; k < steps; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(steps), u = 1 - t;
+      out.push_back(a * (u * u * (1 + 2 * t)) + ma * (t * u * u) + b * (t * t * (3 - 2 * t)) -
+                    mb * (t * t * u));
+    }
+  }
+  out.push_back(points[points.size() - 2]);
+  return out;
+}
+
+/// Where the fan is farthest out: its middle.
+PicturePoint middleOf(std::span<const PicturePoint> fan) {
+  const std::size_t half = fan.size() / 2;
+  return fan.size() % 2 == 1 ? fan[half] : (fan[half - 1] + fan[half]) / 2;
+}
+
+/// Takes a chord that may follow the last one, if need be a hair farther out.
+void admit(Chord chord, const CapSite& site, const ChordLimits& limits, Cap& cap) {
+  if (chord.width() < limits.width) return;
+  const Chord& last = cap.chords.empty() ? site.last : cap.chords.back();
+  if (distance(last.left, chord.left) < limits.spacing &&
+      distance(last.right, chord.right) < limits.spacing) {
+    return;
+  }
+  if (!follows(last, chord, limits)) {
+    const PicturePoint hair = normalized(forwardOf(last.across())) * (1.5 * limits.spacing);
+    chord.left += hair;
+    chord.right += hair;
+    if (!follows(last, chord, limits)) return;
+  }
+  cap.chords.push_back(chord);
+}
+
+/// Closes the cap at `tip`, brought to lie ahead of its last chord.
+void closeAt(PicturePoint tip, const CapSite& site, const ChordLimits& limits, Cap& cap) {
+  const Chord& last = cap.chords.empty() ? site.last : cap.chords.back();
+  const PicturePoint forward = normalized(forwardOf(last.across()));
+  const double lead = dot(tip - last.middle(), forward);
+  if (lead < 2 * limits.spacing) tip += forward * (2 * limits.spacing - lead);
+  cap.tip = tip;
+}
+
+/// Fan points that can be used: those that differ from their predecessor and from the rib's ends.
+std::vector<PicturePoint> usableFan(const CapSite& site, const ChordLimits& limits) {
+  std::vector<PicturePoint> fan;
+  PicturePoint last = site.last.left;
+  for (const PicturePoint& p : site.fan) {
+    if (!isFinite(p) || distance(p, last) < limits.spacing ||
+        distance(p, site.last.right) < limits.spacing) {
+      continue;
+    }
+    fan.push_back(p);
+    last = p;
+  }
+  if (fan.empty()) return fan;
+  const PicturePoint forward = normalized(forwardOf(site.last.across()));
+  const double lead = dot(middleOf(fan) - site.last.middle(), forward);
+  if (lead < 2 * limits.spacing) fan.clear();  // it does not lie beyond the end
+  return fan;
+}
+
+Cap fanCap(const CapSite& site, std::span<const PicturePoint> fan, int rings,
+           const ChordLimits& limits) {
+  // An even number of pieces in all makes the middle of the outline one of its points: the tip.
+  const std::size_t gaps = fan.size() + 1, wanted = 2 * static_cast<std::size_t>(rings);
+  std::size_t steps = std::max<std::size_t>(1, (wanted + gaps - 1) / gaps);
+  if (steps * gaps % 2 == 1) ++steps;
+  std::vector<PicturePoint> frame = {site.before.left, site.last.left};
+  frame.insert(frame.end(), fan.begin(), fan.end());
+  frame.push_back(site.last.right);
+  frame.push_back(site.before.right);
+  const std::vector<PicturePoint> outline = throughPoints(frame, steps);
+  Cap cap;
+  const std::size_t half = outline.size() / 2;
+  for (std::size_t k = 1; k < half; ++k) {
+    admit({outline[k], outline[outline.size() - 1 - k]}, site, limits, cap);
+  }
+  closeAt(outline[half], site, limits, cap);
+  return cap;
+}
+
+Cap dome(const CapSite& site, double height, int rings, const ChordLimits& limits) {
+  Cap cap;
+  const PicturePoint middle = site.last.middle(), half = site.last.across() / 2;
+  for (int ring = 1; ring <= rings; ++ring) {
+    const double angle = std::numbers::pi / 2 * ring / (rings + 1);
+    const PicturePoint at = middle + site.travel * (height * std::sin(angle));
+    admit({at - half * std::cos(angle), at + half * std::cos(angle)}, site, limits, cap);
+  }
+  closeAt(middle + site.travel * height, site, limits, cap);
+  return cap;
+}
+
+}  // namespace
+
+Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,
+            CapStyle style) {
+  if (style != CapStyle::Round && style != CapStyle::Pointed) return {};
+  const std::vector<PicturePoint> fan = usableFan(site, limits);
+  const double halfWidth = std::abs(cross(site.last.across(), site.travel)) / 2;
+  if (style == CapStyle::Round) {
+    return fan.empty() ? dome(site, kDomeHeight * halfWidth, params.capRings, limits)
+                       : fanCap(site, fan, params.capRings, limits);
+  }
+  Cap cap;
+  closeAt(
+      fan.empty() ? site.last.middle() + site.travel * (kPointLength * halfWidth) : middleOf(fan),
+      site, limits, cap);
+  return cap;
+}
+
+}  // namespace spineloft::loft

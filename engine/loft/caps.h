@@ -1,0 +1,34 @@
+// How a loft goes on beyond its first and last rib, seen from the front. Internal to loft/.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/loft/chords.h"
+#include "engine/loft/loft.h"
+
+namespace spineloft::loft {
+
+/// One end of a loft: more chords beyond the last one, outwards, and the tip that closes them.
+/// Without a tip the end is cut off at the last chord.
+struct Cap {
+  std::vector<Chord> chords;
+  std::optional<PicturePoint> tip;
+};
+
+/// What a cap continues. For the start of a part, the part is seen from the other end: `flipped`.
+struct CapSite {
+  Chord last, before;   ///< the end's chord and its inner neighbour (the same when there is none)
+  PicturePoint travel;  ///< unit direction of the centre line there, outwards
+  std::span<const PicturePoint> fan;  ///< outline from last.left round to last.right, or empty
+};
+
+/// The same chord for someone who travels the other way.
+inline Chord flipped(const Chord& chord) { return {chord.right, chord.left}; }
+
+/// Chords and tip of a cap; nothing for Flat and Open.
+Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,
+            CapStyle style);
+
+}  // namespace spineloft::loft

@@ -1,0 +1,319 @@
+#include "engine/loft/loft.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/limits.h"
+#include "engine/geometry/polygon.h"
+#include "engine/loft/caps.h"
+#include "engine/loft/chords.h"
+#include "engine/loft/sweep.h"
+
+namespace spineloft::loft {
+namespace {
+
+constexpr std::array kCapNames = {
+    CapName{CapStyle::Flat, "flat", "Flat"},
+    CapName{CapStyle::Round, "round", "Round"},
+    CapName{CapStyle::Pointed, "pointed", "Pointed"},
+    CapName{CapStyle::Open, "open", "Open"},
+};
+static_assert(kCapNames.size() == static_cast<std::size_t>(CapStyle::kCount));
+
+/// A section is never flatter than this share of its width: a rib along the centre line would
+/// otherwise have no depth at all.
+constexpr double kLeastDepth = 0.25;
+
+/// Ribs as chords, ready for repair, in the order and direction in which they sweep a positive
+/// area.
+struct Input {
+  std::vector<Chord> chords;
+  std::vector<PicturePoint> startFan, endFan;
+  double diagonal = 0;  ///< of the box round all rib ends, picture pixels
+  double farthest = 0;  ///< largest absolute coordinate
+};
+
+PicturePoint clamped(PicturePoint p) {
+  return {std::clamp(p.x, -kFarthest, kFarthest), std::clamp(p.y, -kFarthest, kFarthest)};
+}
+
+Input readRibs(const ribs::RibSet& set) {
+  Input input;
+  input.chords.reserve(set.ribs.size());
+  PicturePoint low{kFarthest, kFarthest}, high{-kFarthest, -kFarthest};
+  for (const ribs::Rib& rib : set.ribs) {
+    if (!isFinite(rib.left) || !isFinite(rib.right)) continue;
+    const Chord chord{clamped(rib.left), clamped(rib.right)};
+    input.chords.push_back(chord);
+    for (const PicturePoint& p : {chord.left, chord.right}) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      input.farthest = std::max({input.farthest, std::abs(p.x), std::abs(p.y)});
+    }
+  }
+  if (input.chords.empty()) return input;
+  input.diagonal = distance(low, high);
+  const auto readFan = [](const ribs::EndFan& fan) {
+    std::vector<PicturePoint> points;
+    for (const PicturePoint& p : fan.points) {
+      if (isFinite(p)) points.push_back(clamped(p));
+    }
+    return points;
+  };
+  input.startFan = readFan(set.startFan);
+  input.endFan = readFan(set.endFan);
+  double swept = 0;
+  for (std::size_t i = 1; i < input.chords.size(); ++i) {
+    swept += sweptArea(input.chords[i - 1], input.chords[i]);
+  }
+  if (swept < 0) {  // left and right are swapped throughout
+    for (Chord& chord : input.chords) chord = flipped(chord);
+    std::reverse(input.startFan.begin(), input.startFan.end());
+    std::reverse(input.endFan.begin(), input.endFan.end());
+  }
+  return input;
+}
+
+/// Limits below which float coordinates or the mesh laws would make triangles without area.
+ChordLimits limitsFor(const Input& input, const SweepSection& section, double strictness) {
+  constexpr double kSpacingShare = 2e-5, kWidthShare = 2e-4;  // of the diagonal
+  constexpr double kSteps = 16;  // float steps that a triangle's edge spans at least
+  const double step =
+      input.farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) * kSteps;
+  ChordLimits limits;
+  limits.spacing = strictness * std::max(kSpacingShare * input.diagonal, step);
+  limits.width = strictness * std::max(kWidthShare * input.diagonal,
+                                       step / (section.shortestEdge * kLeastDepth * (1 - kWall)));
+  return limits;
+}
+
+/// Direction of the smoothed centre line at each of `middles`; the raw difference where `reach` is
+/// 0.
+std::vector<PicturePoint> travelAlong(std::span<const PicturePoint> middles, double reach) {
+  const std::size_t n = middles.size();
+  const double sigma = std::max(reach, 0.25);
+  std::vector<double> weights;
+  for (double k = 1; k <= std::max(1.0, std::ceil(3 * sigma)); ++k) {
+    weights.push_back(k * std::exp((1 - k * k) / (2 * sigma * sigma)));
+  }
+  std::vector<PicturePoint> travel(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    PicturePoint sum;
+    for (std::size_t k = 1; k <= weights.size(); ++k) {
+      sum += weights[k - 1] * (middles[std::min(i + k, n - 1)] - middles[i > k ? i - k : 0]);
+    }
+    travel[i] = normalized(sum);
+  }
+  return travel;
+}
+
+/// The stretch between the caps, and the tips that ribs without width made.
+struct Body {
+  std::vector<Chord> chords;
+  std::optional<PicturePoint> startTip, endTip;
+};
+
+Body repairBody(std::vector<Chord> chords, const ChordLimits& limits) {
+  Body body;
+  const auto isTip = [&](const Chord& chord) { return chord.width() < limits.width / 2; };
+  if (chords.size() >= 2 && isTip(chords.front()) && !isTip(chords[1])) {
+    body.startTip = chords.front().middle();
+    chords.erase(chords.begin());
+  }
+  if (chords.size() >= 2 && isTip(chords.back()) && !isTip(chords[chords.size() - 2])) {
+    body.endTip = chords.back().middle();
+    chords.pop_back();
+  }
+  widenChords(chords, limits);
+  body.chords = orderChords(chords, limits);
+  const auto ahead = [&](const Chord& chord, PicturePoint tip) {
+    return dot(tip - chord.middle(), normalized(forwardOf(chord.across()))) > 2 * limits.spacing;
+  };
+  if (body.startTip && !ahead(flipped(body.chords.front()), *body.startTip)) body.startTip.reset();
+  if (body.endTip && !ahead(body.chords.back(), *body.endTip)) body.endTip.reset();
+  return body;
+}
+
+/// A single chord becomes a thin slab.
+void thicken(std::vector<Chord>& chords, const ChordLimits& limits) {
+  const Chord chord = chords.front();
+  const double half = std::max(2 * limits.spacing, 0.05 * chord.width());
+  const PicturePoint step = normalized(forwardOf(chord.across())) * half;
+  chords = {{chord.left - step, chord.right - step}, {chord.left + step, chord.right + step}};
+}
+
+/// A cap's direction: along the centre line, unless that runs along the rib.
+PicturePoint capTravel(const Chord& chord, PicturePoint travel) {
+  constexpr double kSlanted = 0.5;  // cosine: ribs more slanted than 60° are not believed
+  const PicturePoint square = normalized(forwardOf(chord.across()));
+  return dot(square, travel) < kSlanted ? square : travel;
+}
+
+/// All chords of the part in order, and its two ends.
+struct Outline {
+  std::vector<Chord> chords;
+  std::optional<PicturePoint> startTip, endTip;
+  bool startOpen = false, endOpen = false;
+};
+
+std::vector<PicturePoint> middlesOf(const Outline& outline) {
+  std::vector<PicturePoint> middles;
+  middles.reserve(outline.chords.size() + 2);
+  if (outline.startTip) middles.push_back(*outline.startTip);
+  for (const Chord& chord : outline.chords) middles.push_back(chord.middle());
+  if (outline.endTip) middles.push_back(*outline.endTip);
+  return middles;
+}
+
+Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
+                const ChordLimits& limits) {
+  const std::vector<Chord>& chords = body.chords;
+  const std::size_t n = chords.size();
+  Outline outline{chords, body.startTip, body.endTip};
+  const std::vector<PicturePoint> middles = middlesOf(outline);
+  const std::vector<PicturePoint> travel = travelAlong(middles, params.centring);
+  const std::size_t first = body.startTip ? 1 : 0;
+  if (!body.startTip) {
+    const Chord last = flipped(chords.front()),
+                before = flipped(chords[std::min<std::size_t>(1, n - 1)]);
+    std::vector<PicturePoint> fan(input.startFan.rbegin(), input.startFan.rend());
+    const Cap cap = planCap({last, before, capTravel(last, -travel[first]), fan}, params, limits,
+                            params.startCap);
+    std::vector<Chord> all;
+    all.reserve(cap.chords.size() + n);
+    for (auto chord = cap.chords.rbegin(); chord != cap.chords.rend(); ++chord) {
+      all.push_back(flipped(*chord));
+    }
+    all.insert(all.end(), chords.begin(), chords.end());
+    outline.chords = std::move(all);
+    outline.startTip = cap.tip;
+    outline.startOpen = params.startCap == CapStyle::Open;
+  }
+  if (!body.endTip) {
+    const Chord last = chords.back(), before = chords[n >= 2 ? n - 2 : 0];
+    const Cap cap = planCap({last, before, capTravel(last, travel[first + n - 1]), input.endFan},
+                            params, limits, params.endCap);
+    outline.chords.insert(outline.chords.end(), cap.chords.begin(), cap.chords.end());
+    outline.endTip = cap.tip;
+    outline.endOpen = params.endCap == CapStyle::Open;
+  }
+  return outline;
+}
+
+/// Strict repair: every chord clearly ahead of the one before, tips ahead of their chords.
+void spread(Outline& outline, const ChordLimits& limits) {
+  outline.chords = spreadChords(outline.chords, limits);
+  if (outline.chords.size() == 1 && !outline.startTip && !outline.endTip) {
+    thicken(outline.chords, limits);
+  }
+  const auto push = [&](const Chord& chord, std::optional<PicturePoint>& tip) {
+    if (!tip) return;
+    const PicturePoint forward = normalized(forwardOf(chord.across()));
+    const double lead = dot(*tip - chord.middle(), forward);
+    if (lead < 2 * limits.spacing) *tip += forward * (2 * limits.spacing - lead);
+  };
+  push(flipped(outline.chords.front()), outline.startTip);
+  push(outline.chords.back(), outline.endTip);
+}
+
+Sweep sweepOf(const Outline& outline, double centring) {
+  const std::vector<PicturePoint> travel = travelAlong(middlesOf(outline), centring);
+  const std::size_t first = outline.startTip ? 1 : 0;
+  Sweep sweep;
+  sweep.startTip = outline.startTip;
+  sweep.endTip = outline.endTip;
+  sweep.startOpen = outline.startOpen;
+  sweep.endOpen = outline.endOpen;
+  sweep.stations.reserve(outline.chords.size());
+  for (std::size_t i = 0; i < outline.chords.size(); ++i) {
+    const PicturePoint across = outline.chords[i].across();
+    const double square = std::abs(cross(across, travel[first + i]));
+    sweep.stations.push_back({outline.chords[i], std::max(square, kLeastDepth * norm(across)) / 2});
+  }
+  return sweep;
+}
+
+/// Touches x = ±1 and stays in [−1, 1]².
+bool spansTheSquare(const Section& section) {
+  constexpr double kClose = 1e-6;
+  double low = 0, high = 0;
+  for (const SectionPoint& p : section.points) {
+    if (!isFinite(p) || std::abs(p.x) > 1 + kClose || std::abs(p.y) > 1 + kClose) return false;
+    low = std::min(low, p.x);
+    high = std::max(high, p.x);
+  }
+  return low < -1 + kClose && high > 1 - kClose;
+}
+
+Status checkParams(image::Size picture, const LoftParams& params) {
+  if (picture.width < 1 || picture.height < 1) return {Error::ValueOutOfRange, "picture size"};
+  if (params.startCap >= CapStyle::kCount || params.endCap >= CapStyle::kCount) {
+    return {Error::ValueOutOfRange, "cap"};
+  }
+  if (params.capRings < 1 || params.capRings > 64) return {Error::ValueOutOfRange, "cap rings"};
+  if (!(params.centring >= 0 && params.centring <= 10)) return {Error::ValueOutOfRange, "centring"};
+  return Done{};
+}
+
+/// `section` is known to be good.
+Result<mesh::TriMesh> loftChecked(const ribs::RibSet& ribs, image::Size picture,
+                                  const LoftParams& params, const Section& section) {
+  const Input input = readRibs(ribs);
+  if (input.chords.size() < 2) return Error::TooFewRibs;
+  if (input.diagonal < kSamePoint) return {Error::TooFewRibs, "all in one point"};
+  const SweepSection sweepSection = prepareSection(section.points);
+  // Nearly always the first try is lawful. Ribs that touch or lie in one line need the stricter
+  // ones.
+  constexpr std::array kStrictness = {1.0, 1.0, 8.0, 64.0};
+  for (std::size_t attempt = 0; attempt < kStrictness.size(); ++attempt) {
+    const ChordLimits limits = limitsFor(input, sweepSection, kStrictness[attempt]);
+    Body body = repairBody(input.chords, limits);
+    if (body.chords.size() == 1 && !body.startTip && !body.endTip) thicken(body.chords, limits);
+    Outline outline = addCaps(body, input, params, limits);
+    if (attempt > 0) spread(outline, limits);
+    mesh::TriMesh mesh = sweepMesh(sweepOf(outline, params.centring), sweepSection, picture);
+    if (hasSoundTriangles(mesh)) return mesh;
+  }
+  return {Error::SectionInvalid, "too fine for ribs of this size"};
+}
+
+}  // namespace
+
+std::span<const CapName> capNames() { return kCapNames; }
+
+std::optional<CapStyle> capFromKey(std::string_view key) {
+  for (const CapName& name : kCapNames) {
+    if (name.key == key) return name.style;
+  }
+  return std::nullopt;
+}
+
+std::string_view capKey(CapStyle style) {
+  for (const CapName& name : kCapNames) {
+    if (name.style == style) return name.key;
+  }
+  return {};
+}
+
+Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
+                               const LoftParams& params) {
+  if (const Status status = checkParams(picture, params); !status.ok()) return status.failure();
+  const Result<Section> section = presetSection(params.section, params.sectionPoints);
+  if (!section.ok()) return section.failure();
+  return loftChecked(ribs, picture, params, section.value());
+}
+
+Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
+                                  const LoftParams& params, const Section& section) {
+  if (const Status status = checkParams(picture, params); !status.ok()) return status.failure();
+  const std::span<const SectionPoint> points(section.points);
+  if (points.size() < 3) return {Error::SectionInvalid, "fewer than 3 points"};
+  if (!spansTheSquare(section)) return {Error::SectionInvalid, "does not span the square"};
+  if (!geometry::isSimple(points)) return {Error::SectionInvalid, "touches itself"};
+  if (geometry::signedArea(points) <= 0) return {Error::SectionInvalid, "runs clockwise"};
+  return loftChecked(ribs, picture, params, section);
+}
+
+}  // namespace spineloft::loft
