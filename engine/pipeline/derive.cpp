@@ -21,11 +21,16 @@ void mix(Hasher& hasher, const ribs::SpineParams& params) {
   const auto& [ribs, minSpacing, smoothness] = params;
   mixAll(hasher, ribs, minSpacing, smoothness);
 }
+void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
+  const auto& [proximityWeight, contrastWeight, contrastReach] = params;
+  mixAll(hasher, proximityWeight, contrastWeight, contrastReach);
+}
 void mix(Hasher& hasher, const ribs::RibParams& params) {
-  const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, oppositeWeight,
-               priorWeight] = params;
-  mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, oppositeWeight,
-         priorWeight);
+  const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
+               oppositeWeight, priorWeight, evidence] = params;
+  mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
+         oppositeWeight, priorWeight);
+  mix(hasher, evidence);
 }
 void mix(Hasher& hasher, const loft::LoftParams& params) {
   const auto& [section, startCap, endCap, sectionPoints, capRings, centring] = params;

@@ -16,21 +16,42 @@ struct D2Sample {
   PicturePoint gradient;  ///< dimensionless; {0, 0} where d2 is 0
 };
 
-/// The field of one polyline (≥ 2 distinct points; repeated points are skipped). Evaluation costs one
-/// arctangent a segment. A value: copy and move freely.
+/// Σ_i I_i and its gradient, from which every function of d2 follows. Single precision.
+struct D2Integral {
+  float value = 0;                     ///< 1 / picture pixels, > 0; infinite on the polyline
+  float gradientX = 0, gradientY = 0;  ///< 1 / picture pixels²
+};
+
+/// The field of one polyline (≥ 2 distinct points; repeated points are skipped). Evaluation costs
+/// one arctangent a segment. A value: copy and move freely.
 class D2Field {
  public:
   explicit D2Field(std::span<const PicturePoint> polyline);
+  /// The same field of another polyline, in the memory of this one.
+  void assign(std::span<const PicturePoint> polyline);
   /// d2 and ∇d2 at x, in the same pass.
   D2Sample sample(PicturePoint x) const;
   /// d2 alone.
   double distance(PicturePoint x) const;
+  /// Σ I and ∇Σ I at x in single precision, four segments at a time: within 3e-5 of the double
+  /// result for points farther than a pixel from the polyline. The curves are traced with this one.
+  D2Integral integral(PicturePoint x) const;
   /// A: the polyline's length in picture pixels.
   double length() const { return length_; }
 
  private:
   std::vector<PicturePoint> points_;
   double length_ = 0;
+  // The same segments for the vector kernel, relative to the first point so that single precision
+  // is enough, padded to whole lanes with segments of no length: start, unit direction, length.
+  std::vector<float> startX_, startY_, alongX_, alongY_, reach_;
 };
+
+/// The radius at which the perpendicular bisector of a *straight* spine of length `length` has the
+/// given d2, and back: d2² = A ρ / (2 atan(A / 2ρ)). Along a straight part ρ is the Euclidean
+/// distance to the spine where d2 itself grows like its root, so evenly spaced ρ means evenly
+/// spaced points. Level sets of ρ are level sets of d2. All in picture pixels, > 0.
+double d2OfRadius(double radius, double length);
+double radiusOfD2(double d2, double length);
 
 }  // namespace spineloft::ribs

@@ -20,9 +20,9 @@ enum class RibState : std::uint8_t {
   Guessed,  ///< no edge nearby: taken from the other side, or from a default width
 };
 
-/// One rib: two end points on opposite sides of the spine. Picture pixels. `left` is the side to the
-/// left of the drawing direction as seen on the screen. The polyline from `center` to an end along
-/// the gradient curve is not kept: seen from the front only the ends matter.
+/// One rib: two end points on opposite sides of the spine. Picture pixels. `left` is the side to
+/// the left of the drawing direction as seen on the screen. The polyline from `center` to an end
+/// along the gradient curve is not kept: seen from the front only the ends matter.
 struct Rib {
   PicturePoint center;  ///< on the spine
   PicturePoint left, right;
@@ -33,8 +33,9 @@ struct Rib {
   bool operator==(const Rib&) const = default;
 };
 
-/// The ends of the fan of gradient curves around one end of the spine, from the left rib's side round
-/// to the right's: the outline of a round cap. Empty when the fan was not traced. Picture pixels.
+/// The ends of the fan of gradient curves around one end of the spine, from the left rib's side
+/// round to the right's: the outline of a round cap. Empty when the fan was not traced. Picture
+/// pixels.
 struct EndFan {
   std::vector<PicturePoint> points;
   bool operator==(const EndFan&) const = default;
@@ -55,23 +56,33 @@ struct RibSet {
   bool operator==(const RibSet&) const = default;
 };
 
+/// Which evidence counts how much; a weight of 0 switches a term off. See evidence.h.
+struct EvidenceParams {
+  double proximityWeight = 0.5;  ///< nearness to a Canny edge (the paper's only evidence), 0…10
+  double contrastWeight = 0.5;   ///< contrast across the contour, coherent along it, 0…10
+  double contrastReach = 2;      ///< half-length over which contrast is taken, map pixels, 0.5…20
+  bool operator==(const EvidenceParams&) const = default;
+};
+
 /// Everything the search can be told; a RibSet depends on nothing else. The defaults are the ones
 /// the benchmark measures.
 struct RibParams {
-  int levels = 128;  ///< K: labels of the dynamic programme, 16…512
+  int levels = 128;            ///< K: labels of the dynamic programme, 16…512
   double maxLevelShare = 0.5;  ///< largest d2 level as a share of the picture's diagonal, 0.01…1
-  double neighbourWeight = 3.0;     ///< SpineLoft 3.3.2: 3
-  double neighbourFreedom = 0.25;   ///< free slope between neighbours, SpineLoft 3.3.2: ¼
-  double oppositeWeight = 0.25;     ///< SpineLoft 3.3.2: 0.25
-  double priorWeight = 0.05;        ///< pull of flat energy to a middle level (method: measurements)
+  double neighbourWeight = 1.0;  ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), ≥ 0
+  double neighbourFreedom =
+      0.1;                    ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), ≥ 0
+  double neighbourCap = 4.0;  ///< most that one jump between neighbours costs, > 0
+  double oppositeWeight = 0.1;  ///< SpineLoft 3.3.2: 0.25; a spine is rarely quite centred, ≥ 0
+  double priorWeight = 0.05;  ///< pull of flat energy to a middle level (method: measurements), ≥ 0
+  EvidenceParams evidence = {};
   bool operator==(const RibParams&) const = default;
 };
 
-/// Gradient curves from the hull of the spine, the evidence along them, and the exact optimum of the
-/// energy by dynamic programming (method: "Gradient curves", "Rib lengths").
-/// `edges` may be empty (no picture): then every end is Guessed at a default width.
-/// Output coordinates are picture pixels, at most half a pixel outside the picture; ribs of one side
-/// never cross each other.
+/// Gradient curves from the hull of the spine, the evidence along them, and the exact optimum of
+/// the energy by dynamic programming (method: "Gradient curves", "Rib lengths"). `edges` may be
+/// empty (no picture): then every end is Guessed at a default width. Output coordinates are picture
+/// pixels, at most half a pixel outside the picture; ribs of one side never cross each other.
 /// Errors: StrokeTooShort (fewer than 2 points), ValueOutOfRange (params), Cancelled.
 Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,
                          const RibParams& params, const Progress& progress);

@@ -1,0 +1,78 @@
+// Rib lengths: the energy of SpineLoft 3.3.2 over labels, and its exact minimum (method: "Rib
+// lengths: the optimum, not a sample").
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "engine/ribs/ribs.h"
+
+namespace spineloft::ribs {
+
+/// Cost of a label that a curve never reaches.
+inline constexpr float kUnreachable = std::numeric_limits<float>::infinity();
+
+/// One side of the spine. Tables have ribs × levels entries, rib after rib.
+struct SideCosts {
+  /// Distance term plus level prior of every label; kUnreachable where there is no such point.
+  /// At least one label of every rib is finite.
+  std::vector<float> unary;
+  /// Where a label stands on its curve, in the unit in which neighbours are compared (d2 in the
+  /// paper, arc length here): strictly increasing along a rib. Also set where unreachable.
+  std::vector<float> place;
+  /// Distance on the hull between neighbouring ribs, ribs − 1 entries, same unit, > 0.
+  std::vector<float> spacing;
+};
+
+/// The chain of (left, right) label pairs. Energy of labels l, r:
+///   Σ unary_left(i, l_i) + unary_right(i, r_i)
+/// + Σ over neighbours of one side min(cap, weight · max(0, |Δplace| / spacing − freedom))
+/// + Σ opposite(l_i, r_i).
+struct LengthProblem {
+  int ribs = 0, levels = 0;
+  SideCosts left, right;
+  float neighbourWeight = 3, neighbourFreedom = 0.25f;
+  /// Most that a jump may cost: a bottle's shoulder is a step, not a series of errors.
+  float neighbourCap = std::numeric_limits<float>::infinity();
+  /// levels × levels costs, row = left label; empty where opposite sides are independent.
+  std::vector<float> opposite;
+};
+
+/// Labels of both sides, `ribs` entries each.
+struct LengthLabels {
+  std::vector<int> left, right;
+  bool operator==(const LengthLabels&) const = default;
+};
+
+/// SpineLoft's opposite penalty weight · |a − b| / a, made symmetric: 2 |a − b| / (a + b), so that
+/// swapping the sides changes nothing. `values` are the labels' d2 (or radii), increasing from ≥ 0.
+std::vector<float> oppositeTable(const std::vector<double>& values, double weight);
+
+/// The cost between two neighbouring labels standing at places a and b.
+float neighbourCost(const LengthProblem& problem, float a, float b, float spacing);
+
+/// The energy of any labels by term; the unary table counts as `distance`.
+EnergyTerms energyOf(const LengthProblem& problem, const LengthLabels& labels);
+
+/// Memory that the optimiser reuses from call to call.
+struct LengthWorkspace {
+  std::vector<float> table, first, second, columns;
+  std::vector<int> window;
+};
+
+/// The labels of least energy, exactly: dynamic programming along the chain, each step one
+/// min-convolution per side. O(ribs · levels) where the sides are independent, else
+/// O(ribs · levels²). Equal energies are resolved towards smaller labels.
+LengthLabels optimalLabels(const LengthProblem& problem, LengthWorkspace& workspace);
+
+/// The same for one side on its own, whatever the opposite costs: O(ribs · levels). `side` has
+/// problem.ribs × problem.levels entries and need not belong to the problem.
+std::vector<int> optimalSide(const LengthProblem& problem, const SideCosts& side,
+                             LengthWorkspace& workspace);
+
+/// Min-marginals of one side with the other side's labels held: for every rib and label the least
+/// energy of that side's chain through it (ribs × levels). Confidence is read from these.
+std::vector<float> sideMarginals(const LengthProblem& problem, const LengthLabels& labels,
+                                 bool leftSide);
+
+}  // namespace spineloft::ribs

@@ -1,0 +1,242 @@
+#include "engine/ribs/ribs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/ribs/curves.h"
+#include "engine/ribs/evidence.h"
+#include "engine/ribs/rib_lengths.h"
+
+namespace spineloft::ribs {
+namespace {
+
+// Curves of the fan strictly between the outermost ribs of an end.
+constexpr int kFanCurves = 11;
+// A spine is taken to be no thinner than this share of its length on either side at most.
+constexpr double kFarthestPerLength = 1.0;
+// Half width without a picture, or where it shows nothing at all, as a share of the spine's length.
+constexpr double kDefaultHalfWidth = 0.1;
+// A rib end whose distance cost is below this stands on an edge.
+constexpr float kOnEdge = 0.5f;
+// Labels this close (share of the end's own arc length, and labels) are the same place, not a
+// rival.
+constexpr float kRivalShare = 0.1f;
+// How strongly a cap is held to the round shape between its end ribs, against edge costs of 0…1.
+constexpr float kCapWeight = 2.f;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool inRange(const RibParams& p) {
+  return p.levels >= 16 && p.levels <= 512 && p.maxLevelShare >= 0.01 && p.maxLevelShare <= 1 &&
+         p.neighbourWeight >= 0 && p.neighbourFreedom >= 0 && p.neighbourCap > 0 &&
+         p.oppositeWeight >= 0 && p.priorWeight >= 0 && p.evidence.proximityWeight >= 0 &&
+         p.evidence.contrastWeight >= 0 && p.evidence.contrastReach >= 0.5 &&
+         p.evidence.contrastReach <= 20;
+}
+
+// Everything that one search passes from step to step.
+struct Search {
+  Spine spine;
+  RibParams params;
+  D2Field field;
+  Levels levels;
+  GradientCurves curves;
+  std::vector<float> costs;  // of every curve and level
+  LengthProblem problem;
+  LengthWorkspace workspace;
+};
+
+Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Size picture,
+                    const RibParams& params) {
+  const double diagonal = std::hypot(picture.width, picture.height);
+  const double farthest =
+      std::min(params.maxLevelShare * diagonal, kFarthestPerLength * field.length());
+  const double step = edges.empty() ? 1.0 : std::max(edges.scaleX, edges.scaleY);
+  return makeLevels(params.levels, step, farthest, field.length());
+}
+
+// The distance term of every curve; without a picture a gentle pull to the default half width.
+void evidenceCosts(const image::EdgeMap& edges, Search& s) {
+  if (!edges.empty()) {
+    Strip strip;
+    sampleStrip(s.curves, edges, strip);
+    edgeCosts(s.curves, strip, s.params.evidence, std::max(edges.scaleX, edges.scaleY), s.costs);
+    return;
+  }
+  s.costs.resize(s.curves.x.size());
+  const double half = kDefaultHalfWidth * s.field.length();
+  for (std::size_t i = 0; i < s.costs.size(); ++i) {
+    s.costs[i] = 1 + static_cast<float>(std::abs(s.levels.radius[i % s.levels.size()] / half - 1));
+  }
+}
+
+void fillSide(Search& s, bool leftSide) {
+  SideCosts& side = leftSide ? s.problem.left : s.problem.right;
+  const int ribs = s.problem.ribs, count = s.problem.levels;
+  const double middle = 0.5 * (count - 1);
+  side.unary.assign(index(ribs) * index(count), kUnreachable);
+  side.place.resize(side.unary.size());
+  side.spacing.resize(index(ribs - 1));
+  for (int i = 0; i < ribs; ++i) {
+    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const int reached = s.curves.reached[index(curve)];
+    for (int k = 0; k < count; ++k) {
+      const std::size_t at = index(i) * index(count) + index(k);
+      side.place[at] = k < reached ? s.curves.along[s.curves.at(curve, k)] : side.place[at - 1] + 1;
+      // Label 0 is the spine itself: only for a curve that has nowhere else to go.
+      if (k >= reached || (k == 0 && reached > 1)) continue;
+      const double pull = s.params.priorWeight * std::abs(k - middle) / middle;
+      side.unary[at] = s.costs[s.curves.at(curve, k)] + static_cast<float>(pull);
+    }
+    if (i > 0) {
+      side.spacing[index(i - 1)] =
+          static_cast<float>(distance(s.spine.points[index(i - 1)], s.spine.points[index(i)]));
+    }
+  }
+}
+
+void fillProblem(Search& s) {
+  s.problem.ribs = s.curves.layout.ribs;
+  s.problem.levels = s.curves.levels;
+  s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight);
+  s.problem.neighbourFreedom = static_cast<float>(s.params.neighbourFreedom);
+  s.problem.neighbourCap = static_cast<float>(s.params.neighbourCap);
+  fillSide(s, true);
+  fillSide(s, false);
+  s.problem.opposite.clear();
+  if (s.params.oppositeWeight > 0) {
+    s.problem.opposite = oppositeTable(s.levels.d2, s.params.oppositeWeight);
+  }
+}
+
+// Edge where the end stands on one; Bridged between two of those; else Guessed.
+std::vector<RibState> endStates(const Search& s, const std::vector<int>& labels, bool leftSide) {
+  const int ribs = s.problem.ribs;
+  std::vector<RibState> states(index(ribs), RibState::Guessed);
+  int last = -1;
+  for (int i = 0; i < ribs; ++i) {
+    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    if (s.costs[s.curves.at(curve, labels[index(i)])] >= kOnEdge) continue;
+    states[index(i)] = RibState::Edge;
+    if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
+    last = i;
+  }
+  return states;
+}
+
+// 1 − exp(−margin), margin = how much the best rival place costs more than the chosen one.
+std::vector<double> endConfidence(const Search& s, const LengthLabels& labels, bool leftSide) {
+  const std::vector<float> marginals = sideMarginals(s.problem, labels, leftSide);
+  const std::vector<int>& chosen = leftSide ? labels.left : labels.right;
+  const int count = s.problem.levels;
+  std::vector<double> confidence(index(s.problem.ribs));
+  for (int i = 0; i < s.problem.ribs; ++i) {
+    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const int at = chosen[index(i)];
+    const float* row = &marginals[index(i) * index(count)];
+    const float home = s.curves.along[s.curves.at(curve, at)];
+    float rival = kUnreachable;
+    for (int k = 0; k < s.curves.reached[index(curve)]; ++k) {
+      const float away = std::abs(s.curves.along[s.curves.at(curve, k)] - home);
+      if (std::abs(k - at) > 2 && away > kRivalShare * home) rival = std::min(rival, row[k]);
+    }
+    confidence[index(i)] = 1 - std::exp(-std::max(0., static_cast<double>(rival - row[at])));
+  }
+  return confidence;
+}
+
+// The outline of a round cap: a chain of fan curves between the two ribs of an end, whose lengths
+// follow edges but are held to a half circle over the end rib (method: caps overshoot at open ends
+// and spike at closed ones unless their length has a prior of its own).
+EndFan traceFan(Search& s, int leftLabel, int rightLabel, bool atStart) {
+  const CurveLayout& layout = s.curves.layout;
+  const int rib = atStart ? 0 : layout.ribs - 1, count = s.curves.levels;
+  const auto curveOf = [&](int i) {
+    if (i == 0) return layout.left(rib);
+    if (i == layout.fan + 1) return layout.right(rib);
+    return atStart ? layout.startFan(i - 1) : layout.endFan(i - 1);
+  };
+  const float leftLength = s.curves.along[s.curves.at(layout.left(rib), leftLabel)];
+  const float rightLength = s.curves.along[s.curves.at(layout.right(rib), rightLabel)];
+  LengthProblem p;
+  p.ribs = layout.fan + 2;
+  p.levels = count;
+  p.neighbourWeight = s.problem.neighbourWeight;
+  p.left.unary.assign(index(p.ribs) * index(count), kUnreachable);
+  p.left.place.resize(p.left.unary.size());
+  p.left.spacing.assign(index(p.ribs - 1), std::max(1.f, (leftLength + rightLength) * 1.57f /
+                                                             static_cast<float>(p.ribs - 1)));
+  for (int i = 0; i < p.ribs; ++i) {
+    const int curve = curveOf(i);
+    const float share = static_cast<float>(i) / static_cast<float>(p.ribs - 1);
+    const float wanted = std::max(1e-3f, leftLength + (rightLength - leftLength) * share);
+    const int fixed = i == 0 ? leftLabel : i == p.ribs - 1 ? rightLabel : -1;
+    float length = 0;
+    for (int k = 0; k < count; ++k) {
+      const std::size_t at = index(i) * index(count) + index(k);
+      const bool exists = k < s.curves.reached[index(curve)];
+      length = exists ? s.curves.along[s.curves.at(curve, k)] : length + 1;
+      p.left.place[at] = length;
+      if (!exists || (fixed >= 0 && k != fixed) ||
+          (k == 0 && s.curves.reached[index(curve)] > 1 && fixed != 0))
+        continue;
+      p.left.unary[at] =
+          s.costs[s.curves.at(curve, k)] + kCapWeight * std::abs(length / wanted - 1);
+    }
+  }
+  const std::vector<int> labels = optimalSide(p, p.left, s.workspace);
+  EndFan fan;
+  for (int i = 1; i + 1 < p.ribs; ++i)
+    fan.points.push_back(s.curves.point(curveOf(i), labels[index(i)]));
+  return fan;
+}
+
+RibSet readRibs(Search& s, const LengthLabels& labels) {
+  RibSet set;
+  const auto leftStates = endStates(s, labels.left, true);
+  const auto rightStates = endStates(s, labels.right, false);
+  const auto leftConfidence = endConfidence(s, labels, true);
+  const auto rightConfidence = endConfidence(s, labels, false);
+  set.ribs.resize(index(s.problem.ribs));
+  for (int i = 0; i < s.problem.ribs; ++i) {
+    const std::size_t at = index(i);
+    const int l = labels.left[at], r = labels.right[at];
+    set.ribs[at] = {s.spine.points[at],
+                    s.curves.point(s.curves.layout.left(i), l),
+                    s.curves.point(s.curves.layout.right(i), r),
+                    leftStates[at],
+                    rightStates[at],
+                    s.levels.d2[index(l)],
+                    s.levels.d2[index(r)],
+                    leftConfidence[at],
+                    rightConfidence[at]};
+  }
+  set.startFan = traceFan(s, labels.left.front(), labels.right.front(), true);
+  set.endFan = traceFan(s, labels.left.back(), labels.right.back(), false);
+  set.energy = energyOf(s.problem, labels);
+  return set;
+}
+
+}  // namespace
+
+Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,
+                         const RibParams& params, const Progress& progress) {
+  if (!inRange(params)) return Error::ValueOutOfRange;
+  if (spine.points.size() < 2) return Error::StrokeTooShort;
+  Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}};
+  if (!(s.field.length() > 0)) return Error::StrokeTooShort;
+  if (!progress.advance(0.05)) return Error::Cancelled;
+  s.levels = chooseLevels(s.field, edges, picture, params);
+  traceCurves(spine, s.field, s.levels, kFanCurves, picture, s.curves);
+  if (!progress.advance(0.4)) return Error::Cancelled;
+  evidenceCosts(edges, s);
+  fillProblem(s);
+  if (!progress.advance(0.5)) return Error::Cancelled;
+  const LengthLabels labels = optimalLabels(s.problem, s.workspace);
+  if (!progress.advance(0.9)) return Error::Cancelled;
+  RibSet set = readRibs(s, labels);
+  progress.advance(1);
+  return set;
+}
+
+}  // namespace spineloft::ribs

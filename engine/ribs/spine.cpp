@@ -1,0 +1,153 @@
+#include "engine/ribs/spine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/limits.h"
+#include "engine/geometry/polyline.h"
+
+namespace spineloft::ribs {
+namespace {
+
+using Points = std::vector<PicturePoint>;
+
+// Points on which hooks are sought and wobble is smoothed, whatever the stroke's own density.
+constexpr std::size_t kWorkPoints = 512;
+// A crossing that leaves more than this share of the stroke on either side of it is a loop.
+constexpr double kHookShare = 0.15;
+// Hooks that are removed before the stroke is called looped.
+constexpr int kMaxHooks = 8;
+
+bool inRange(const SpineParams& p) {
+  return p.ribs >= 2 && p.ribs <= 800 && p.minSpacing >= 0.1 && p.minSpacing <= 100 &&
+         p.smoothness >= 0 && p.smoothness <= 0.2;
+}
+
+// The part of a→b inside the picture's frame, as shares of the segment (Liang–Barsky).
+bool clip(PicturePoint a, PicturePoint b, image::Size picture, double& from, double& to) {
+  const PicturePoint u = b - a;
+  const double p[4] = {-u.x, u.x, -u.y, u.y};
+  const double q[4] = {a.x + 0.5, picture.width - 0.5 - a.x, a.y + 0.5, picture.height - 0.5 - a.y};
+  from = 0;
+  to = 1;
+  for (int k = 0; k < 4; ++k) {
+    if (p[k] == 0) {
+      if (q[k] < 0) return false;
+      continue;
+    }
+    const double t = q[k] / p[k];
+    if (p[k] < 0) {
+      from = std::max(from, t);
+    } else {
+      to = std::min(to, t);
+    }
+  }
+  return from <= to;
+}
+
+// The longest run of the stroke inside the picture; empty when it never is.
+Points longestInside(const Points& stroke, image::Size picture) {
+  Points best, run;
+  double bestLength = 0, length = 0;
+  const auto finish = [&] {
+    if (length > bestLength) {
+      best = run;
+      bestLength = length;
+    }
+    run.clear();
+    length = 0;
+  };
+  for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+    double from = 0, to = 1;
+    if (!clip(stroke[i], stroke[i + 1], picture, from, to)) {
+      finish();
+      continue;
+    }
+    if (from > 0) finish();
+    const PicturePoint a = lerp(stroke[i], stroke[i + 1], from);
+    const PicturePoint b = to < 1 ? lerp(stroke[i], stroke[i + 1], to) : stroke[i + 1];
+    if (run.empty()) run.push_back(a);
+    run.push_back(b);
+    length += distance(a, b);
+    if (to < 1) finish();
+  }
+  finish();
+  return best;
+}
+
+// Cuts off short ends that cross the rest of the stroke; false when a real loop remains.
+bool removeHooks(Points& points) {
+  for (int round = 0; round <= kMaxHooks; ++round) {
+    const auto crossing = geometry::findCrossing(points);
+    if (!crossing) return true;
+    const auto s = geometry::arcLengths(std::span<const PicturePoint>(points));
+    const double head = s[crossing->second] + distance(points[crossing->second], crossing->at);
+    const double tail =
+        s.back() - s[crossing->first] - distance(points[crossing->first], crossing->at);
+    if (std::min(head, tail) > kHookShare * s.back()) return false;
+    Points kept;
+    if (head <= tail) {
+      kept.assign(points.begin() + static_cast<std::ptrdiff_t>(crossing->second) + 1, points.end());
+    } else {
+      kept.assign(points.begin(),
+                  points.begin() + static_cast<std::ptrdiff_t>(crossing->first) + 1);
+    }
+    if (kept.size() < 2) return false;
+    points = std::move(kept);
+  }
+  return false;
+}
+
+// Whether the stroke reads smaller forwards than backwards: the direction in which it is worked on,
+// so that a stroke and its reverse go through the very same arithmetic.
+bool isCanonical(const Points& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PicturePoint a = points[i], b = points[points.size() - 1 - i];
+    if (a.x != b.x) return a.x < b.x;
+    if (a.y != b.y) return a.y < b.y;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Spine> cleanSpine(std::span<const PicturePoint> stroke, image::Size picture,
+                         const SpineParams& params) {
+  if (!inRange(params)) return Error::ValueOutOfRange;
+  if (!std::ranges::all_of(stroke, [](PicturePoint p) { return isFinite(p); })) {
+    return Error::StrokeNotFinite;
+  }
+  if (stroke.empty()) return Error::StrokeTooShort;
+  Points points(stroke.begin(), stroke.end());
+  const bool forwards = isCanonical(points);
+  if (!forwards) std::ranges::reverse(points);
+  points = geometry::dropRepeats(std::span<const PicturePoint>(points), kSamePoint);
+  if (points.size() < 2) return Error::StrokeTooShort;
+  points = longestInside(points, picture);
+  if (points.size() < 2) return Error::StrokeOutsidePicture;
+
+  points = geometry::resample(std::span<const PicturePoint>(points), kWorkPoints);
+  if (!removeHooks(points)) return Error::StrokeLoops;
+  points = geometry::resample(std::span<const PicturePoint>(points), kWorkPoints);
+  // A wobble of wavelength λ points is halved by the weight (λ / 2π)²: geometry::smooth damps it by
+  // 1 / (1 + weight² (2π/λ)⁴).
+  const double wave = params.smoothness * static_cast<double>(kWorkPoints - 1);
+  points = geometry::smooth(points, std::pow(wave / (2 * std::numbers::pi), 2));
+  if (!removeHooks(points)) return Error::StrokeLoops;
+
+  const double length = geometry::arcLengths(std::span<const PicturePoint>(points)).back();
+  if (!(length > kSamePoint)) return Error::StrokeTooShort;
+  const double fitting = std::floor(length / params.minSpacing) + 1;
+  const int count = std::max(2, static_cast<int>(std::min<double>(params.ribs, fitting)));
+  Spine spine{
+      geometry::resample(std::span<const PicturePoint>(points), static_cast<std::size_t>(count))};
+  for (PicturePoint& p : spine.points) {
+    p.x = std::clamp(p.x, -0.5, picture.width - 0.5);
+    p.y = std::clamp(p.y, -0.5, picture.height - 0.5);
+  }
+  if (!forwards) std::ranges::reverse(spine.points);
+  return spine;
+}
+
+}  // namespace spineloft::ribs

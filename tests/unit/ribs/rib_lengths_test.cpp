@@ -1,0 +1,203 @@
+#include "engine/ribs/rib_lengths.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/rng.h"
+#include "tests/support/algorithm_one.h"
+
+using namespace spineloft;
+using namespace spineloft::ribs;
+
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+void fillSide(SideCosts& side, int ribs, int levels, Rng& rng) {
+  side.unary.clear();
+  side.place.clear();
+  side.spacing.clear();
+  for (int i = 0; i < ribs; ++i) {
+    const int reached = 1 + static_cast<int>(rng.below(static_cast<std::uint32_t>(levels)));
+    double place = rng.uniform(0, 1);
+    for (int k = 0; k < levels; ++k) {
+      const bool exists = k < reached || rng.uniform() < 0.7;
+      side.unary.push_back(exists ? static_cast<float>(rng.uniform()) : kUnreachable);
+      side.place.push_back(static_cast<float>(place));
+      place += rng.uniform(0.2, 3);
+    }
+    if (i > 0) side.spacing.push_back(static_cast<float>(rng.uniform(0.5, 4)));
+  }
+}
+
+LengthProblem randomProblem(int ribs, int levels, bool opposite, Rng& rng) {
+  LengthProblem p;
+  p.ribs = ribs;
+  p.levels = levels;
+  fillSide(p.left, ribs, levels, rng);
+  fillSide(p.right, ribs, levels, rng);
+  p.neighbourWeight = static_cast<float>(rng.uniform(0, 4));
+  p.neighbourFreedom = static_cast<float>(rng.uniform(0, 1));
+  if (rng.uniform() < 0.5) p.neighbourCap = static_cast<float>(rng.uniform(0.2, 2));
+  if (opposite) {
+    std::vector<double> values;
+    for (int k = 0; k < levels; ++k) values.push_back(k + 0.5);
+    p.opposite = oppositeTable(values, rng.uniform(0, 2));
+  }
+  return p;
+}
+
+// A problem like a picture's: two noisy boundaries that follow a wave, clutter, and gaps.
+LengthProblem pictureLikeProblem(int ribs, int levels, Rng& rng) {
+  LengthProblem p = randomProblem(ribs, levels, true, rng);
+  p.neighbourWeight = 3;
+  p.neighbourFreedom = 0.25f;
+  for (SideCosts* side : {&p.left, &p.right}) {
+    for (int i = 0; i < ribs; ++i) {
+      const double truth = levels * (0.5 + 0.2 * std::sin(i * 0.3));
+      const bool gap = rng.uniform() < 0.3;
+      for (int k = 0; k < levels; ++k) {
+        const std::size_t at = index(i * levels + k);
+        const double near = gap ? 0 : std::max(0.0, 1 - std::abs(k - truth) / 3);
+        side->unary[at] = static_cast<float>(std::min(1 - near, rng.uniform() < 0.05 ? 0.2 : 1.0));
+        side->place[at] = static_cast<float>(k);
+      }
+    }
+    std::ranges::fill(side->spacing, 4.f);
+  }
+  return p;
+}
+
+double leastByTrying(const LengthProblem& p) {
+  const int ends = 2 * p.ribs;
+  LengthLabels labels{std::vector<int>(index(p.ribs)), std::vector<int>(index(p.ribs))};
+  double least = std::numeric_limits<double>::infinity();
+  long combinations = 1;
+  for (int e = 0; e < ends; ++e) combinations *= p.levels;
+  for (long code = 0; code < combinations; ++code) {
+    long rest = code;
+    for (int e = 0; e < ends; ++e, rest /= p.levels) {
+      (e < p.ribs ? labels.left[index(e)] : labels.right[index(e - p.ribs)]) =
+          static_cast<int>(rest % p.levels);
+    }
+    least = std::min(least, energyOf(p, labels).total());
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("the optimum is what trying every combination of labels finds") {
+  Rng rng(31);
+  LengthWorkspace workspace;
+  for (int round = 0; round < 120; ++round) {
+    const int ribs = 1 + static_cast<int>(rng.below(3)),
+              levels = 2 + static_cast<int>(rng.below(4));
+    const LengthProblem p = randomProblem(ribs, levels, round % 3 != 0, rng);
+    const double found = energyOf(p, optimalLabels(p, workspace)).total();
+    CHECK(found == doctest::Approx(leastByTrying(p)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("without opposite costs the pair search and the side search agree") {
+  Rng rng(32);
+  LengthWorkspace workspace;
+  for (int round = 0; round < 30; ++round) {
+    LengthProblem p = randomProblem(30, 24, false, rng);
+    const double apart = energyOf(p, optimalLabels(p, workspace)).total();
+    p.opposite.assign(24 * 24, 0.f);
+    CHECK(energyOf(p, optimalLabels(p, workspace)).total() == doctest::Approx(apart).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") {
+  Rng rng(33);
+  LengthWorkspace workspace;
+  int strictlyBetter = 0;
+  for (int round = 0; round < 24; ++round) {
+    const LengthProblem p =
+        round % 2 == 0 ? pictureLikeProblem(40, 32, rng) : randomProblem(25, 20, true, rng);
+    const double ours = energyOf(p, optimalLabels(p, workspace)).total();
+    const double theirs =
+        energyOf(p, support::algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
+    CHECK(std::isfinite(theirs));
+    CHECK(ours <= theirs + 1e-4);
+    strictlyBetter += ours < theirs - 1e-4 ? 1 : 0;
+  }
+  CHECK(strictlyBetter >= 20);
+}
+
+TEST_CASE("swapping the sides swaps the labels' energy for the same value") {
+  Rng rng(34);
+  LengthWorkspace workspace;
+  for (int round = 0; round < 20; ++round) {
+    LengthProblem p = randomProblem(20, 16, true, rng);
+    const double before = energyOf(p, optimalLabels(p, workspace)).total();
+    std::swap(p.left, p.right);
+    CHECK(energyOf(p, optimalLabels(p, workspace)).total() ==
+          doctest::Approx(before).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a gap in the edges is bridged at the level of its neighbours") {
+  Rng rng(35);
+  LengthProblem p = randomProblem(30, 40, false, rng);
+  p.neighbourWeight = 3;
+  p.neighbourFreedom = 0.25f;
+  p.neighbourCap = kUnreachable;
+  for (SideCosts* side : {&p.left, &p.right}) {
+    for (int i = 0; i < 30; ++i) {
+      for (int k = 0; k < 40; ++k) {
+        side->unary[index(i * 40 + k)] = k == 17 && (i < 10 || i > 20) ? 0.f : 1.f;
+        side->place[index(i * 40 + k)] = static_cast<float>(k);
+      }
+    }
+  }
+  LengthWorkspace workspace;
+  const LengthLabels labels = optimalLabels(p, workspace);
+  for (int i = 0; i < 30; ++i) {
+    CHECK(std::abs(labels.left[index(i)] - 17) <= 1);
+    CHECK(std::abs(labels.right[index(i)] - 17) <= 1);
+  }
+}
+
+TEST_CASE("min-marginals are the least energy of the side through every label") {
+  Rng rng(36);
+  LengthWorkspace workspace;
+  for (int round = 0; round < 30; ++round) {
+    const LengthProblem p = randomProblem(4, 5, round % 2 == 0, rng);
+    const LengthLabels best = optimalLabels(p, workspace);
+    const std::vector<float> marginals = sideMarginals(p, best, true);
+    // By brute force over the left side with the right one held.
+    std::vector<double> least(20, std::numeric_limits<double>::infinity());
+    const double rest = [&] {
+      double sum = 0;
+      for (int i = 0; i < 4; ++i) {
+        sum += static_cast<double>(p.right.unary[index(i * 5 + best.right[index(i)])]);
+        if (i == 0) continue;
+        sum += static_cast<double>(neighbourCost(
+            p, p.right.place[index((i - 1) * 5 + best.right[index(i - 1)])],
+            p.right.place[index(i * 5 + best.right[index(i)])], p.right.spacing[index(i - 1)]));
+      }
+      return sum;
+    }();
+    for (int code = 0; code < 625; ++code) {
+      LengthLabels labels = best;
+      for (int i = 0, c = code; i < 4; ++i, c /= 5) labels.left[index(i)] = c % 5;
+      const double energy = energyOf(p, labels).total() - rest;
+      for (int i = 0; i < 4; ++i) {
+        double& slot = least[index(i * 5 + labels.left[index(i)])];
+        slot = std::min(slot, energy);
+      }
+    }
+    for (std::size_t k = 0; k < 20; ++k) {
+      if (std::isfinite(least[k])) {
+        CHECK(static_cast<double>(marginals[k]) == doctest::Approx(least[k]).epsilon(1e-4));
+      } else {
+        CHECK_FALSE(std::isfinite(marginals[k]));
+      }
+    }
+  }
+}

@@ -1,0 +1,155 @@
+#include "engine/ribs/ribs.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/unit/ribs/fixtures.h"
+
+using namespace spineloft;
+using namespace spineloft::ribs;
+using fixtures::Points;
+
+namespace {
+
+constexpr image::Size kPicture{400, 300};
+
+Spine spineOf(const Points& stroke) { return cleanSpine(stroke, kPicture, {.ribs = 60}).value(); }
+
+// The ribs of both ends fan out towards the corners; laws about sides hold between them.
+std::vector<Rib> inner(const RibSet& set) { return {set.ribs.begin() + 4, set.ribs.end() - 4}; }
+
+RibSet trace(const Points& stroke, const image::EdgeMap& map) {
+  const auto ribs = traceRibs(spineOf(stroke), map, kPicture, {}, Progress{});
+  REQUIRE(ribs.ok());
+  return ribs.value();
+}
+
+const image::EdgeMap& barMap() {
+  static const image::EdgeMap map = fixtures::mapOf(
+      kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; });
+  return map;
+}
+
+}  // namespace
+
+TEST_CASE("ribs of a bar end on its sides, on edges, with its width") {
+  const RibSet set = trace({{75, 150}, {325, 150}}, barMap());
+  REQUIRE(set.ribs.size() == 60);
+  for (const Rib& rib : inner(set)) {
+    CHECK(std::abs(rib.left.y - 120) < 2.5);
+    CHECK(std::abs(rib.right.y - 180) < 2.5);
+    CHECK(rib.leftState == RibState::Edge);
+    CHECK(rib.rightState == RibState::Edge);
+    CHECK(rib.leftConfidence > 0.2);
+    CHECK(rib.leftLevel > 0);
+  }
+}
+
+TEST_CASE("a stroke that is off the middle by a quarter of the width finds the same sides") {
+  const RibSet set = trace({{75, 135}, {325, 135}}, barMap());
+  int good = 0;
+  for (const Rib& rib : inner(set)) {
+    good += std::abs(rib.left.y - 120) < 2.5 && std::abs(rib.right.y - 180) < 2.5 ? 1 : 0;
+  }
+  CHECK(good == 52);
+}
+
+TEST_CASE("drawn backwards, left and right are swapped and the order is reversed") {
+  const RibSet there = trace({{75, 147}, {200, 151}, {325, 150}}, barMap());
+  const RibSet back = trace({{325, 150}, {200, 151}, {75, 147}}, barMap());
+  REQUIRE(there.ribs.size() == back.ribs.size());
+  for (std::size_t i = 0; i < there.ribs.size(); ++i) {
+    const Rib& a = there.ribs[i];
+    const Rib& b = back.ribs[back.ribs.size() - 1 - i];
+    CHECK(distance(a.left, b.right) < 1);
+    CHECK(distance(a.right, b.left) < 1);
+  }
+}
+
+TEST_CASE("a piece of outline that is missing is bridged, and says so") {
+  image::EdgeMap map = fixtures::mapOf(
+      kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; });
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 160; x < 240; ++x) {
+      const auto i = static_cast<std::size_t>(y * map.width + x);
+      if (y > 150) continue;
+      map.edges[i] = 0;
+      map.proximity[i] = map.gradientX[i] = map.gradientY[i] = 0;
+      map.lab[3 * i] = 60;
+    }
+  }
+  const RibSet set = trace({{75, 150}, {325, 150}}, map);
+  int bridged = 0;
+  for (const Rib& rib : inner(set)) {
+    CHECK(std::abs(rib.left.y - 120) < 4);
+    bridged += rib.leftState == RibState::Bridged ? 1 : 0;
+  }
+  CHECK(bridged >= 8);
+}
+
+TEST_CASE("without a picture every end is guessed, at the same sensible width on both sides") {
+  const RibSet set = trace({{75, 150}, {325, 150}}, {});
+  const double left = distance(set.ribs[30].center, set.ribs[30].left);
+  CHECK(left > 5);
+  CHECK(left < 120);
+  for (const Rib& rib : set.ribs) {
+    CHECK(rib.leftState == RibState::Guessed);
+    CHECK(rib.rightState == RibState::Guessed);
+    CHECK(distance(rib.center, rib.left) ==
+          doctest::Approx(distance(rib.center, rib.right)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("the end fan goes round from the left rib to the right one, about half a width out") {
+  const RibSet set = trace({{75, 150}, {325, 150}}, barMap());
+  REQUIRE(set.endFan.points.size() >= 3);
+  double out = 0;
+  for (PicturePoint p : set.endFan.points) out = std::max(out, p.x);
+  CHECK(out > 335);
+  CHECK(out < 370);
+  CHECK(set.endFan.points.front().y < set.endFan.points.back().y);
+  CHECK(set.startFan.points.front().y < set.startFan.points.back().y);
+  for (PicturePoint p : set.startFan.points) CHECK(p.x < 80);
+}
+
+TEST_CASE("whatever the picture, ribs stay in the frame and those of one side never cross") {
+  Rng rng(51);
+  for (int round = 0; round < 12; ++round) {
+    image::EdgeMap map = barMap();
+    for (std::size_t i = 0; i < map.proximity.size(); ++i) {
+      map.proximity[i] = static_cast<float>(std::pow(rng.uniform(), 8));
+      map.lab[3 * i] = static_cast<float>(rng.uniform(0, 100));
+      map.gradientX[i] = static_cast<float>(rng.uniform(-20, 20));
+      map.gradientY[i] = static_cast<float>(rng.uniform(-20, 20));
+    }
+    Points stroke;
+    const double bend = rng.uniform(-80, 80);
+    for (int i = 0; i < 40; ++i) stroke.push_back({60 + 7.0 * i, 150 + bend * std::sin(i * 0.12)});
+    const RibSet set = trace(stroke, map);
+    for (std::size_t i = 0; i < set.ribs.size(); ++i) {
+      const Rib& a = set.ribs[i];
+      for (PicturePoint p : {a.left, a.right}) {
+        CHECK((p.x >= -0.501 && p.y >= -0.501 && p.x <= 399.501 && p.y <= 299.501));
+      }
+      CHECK(std::isfinite(a.leftConfidence));
+      CHECK(a.leftConfidence >= 0);
+      CHECK(a.leftConfidence <= 1);
+    }
+  }
+}
+
+TEST_CASE("bad parameters, a spine of one point and cancelled work are refused by name") {
+  const Spine spine = spineOf({{75, 150}, {325, 150}});
+  const auto errorOf = [&](const Spine& s, const RibParams& params, const Progress& progress) {
+    const auto ribs = traceRibs(s, barMap(), kPicture, params, progress);
+    REQUIRE_FALSE(ribs.ok());
+    return ribs.error();
+  };
+  CHECK(errorOf(spine, {.levels = 8}, {}) == Error::ValueOutOfRange);
+  CHECK(errorOf(spine, {.maxLevelShare = 2}, {}) == Error::ValueOutOfRange);
+  CHECK(errorOf({{{5, 5}}}, {}, {}) == Error::StrokeTooShort);
+  Progress cancelled;
+  cancelled.cancel();
+  CHECK(errorOf(spine, {}, cancelled) == Error::Cancelled);
+}
