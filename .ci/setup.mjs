@@ -9,7 +9,7 @@ import { findEmscripten } from './lib/emscripten.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
 import { buildDir } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
-import { headers, imguiSources, toolchainFile, wasmLibraries } from './lib/wasm_libs.mjs';
+import { headers, imguiSources, toolchainFile, wasmLibraries } from './lib/libraries.mjs';
 
 function writeIfChanged(file, text) {
   if (!existsSync(file) || readFileSync(file, 'utf8') !== text) writeFileSync(file, text);

@@ -1,7 +1,10 @@
 // Reading how many tests passed and failed from what the runners print. A runner that crashed, or ran nothing, failed.
 
 function outcome(passed, failed, status, what) {
-  if (passed + failed === 0) return { passed: 0, failed: 1, note: `${what} ran no test` };
+  if (passed + failed === 0) {
+    const why = status === 0 ? 'ran no test' : `ended with exit code ${status} before its summary`;
+    return { passed: 0, failed: 1, note: `${what} ${why}` };
+  }
   if (status !== 0 && failed === 0) return { passed, failed: 1, note: `${what} ended with exit code ${status}` };
   return { passed, failed, note: '' };
 }

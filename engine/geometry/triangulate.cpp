@@ -73,10 +73,13 @@ class EarClipper {
   bool isEar(std::uint32_t i) const {
     const std::uint32_t before = last_[i], after = next_[i];
     const SectionPoint a = points_[before], b = points_[i], c = points_[after];
+    const double slack =
+        -kStraight * std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
     return std::none_of(obstacles_.begin(), obstacles_.end(), [&](std::uint32_t k) {
       if (age_[k] == kGone || k == before || k == i || k == after) return false;
       const SectionPoint p = points_[k];
-      return cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0;
+      return cross(b - a, p - a) >= slack && cross(c - b, p - b) >= slack &&
+             cross(a - c, p - c) >= slack;
     });
   }
 

@@ -1,6 +1,6 @@
-// The libraries the WebAssembly build needs, made once per user: headers, Dear ImGui's sources, zlib and OpenCV.
+// The libraries the builds need, made once per user: headers, Dear ImGui sources, and zlib and OpenCV for WebAssembly.
 import { cpSync, existsSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
-import { basename, dirname, join } from 'node:path';
+import { basename, join } from 'node:path';
 import { cached } from './cache.mjs';
 import { OtherSuite } from './debian.mjs';
 import { lock, shortHash } from './paths.mjs';
@@ -19,17 +19,15 @@ async function unpackSource(folder, name) {
   return source;
 }
 
-/** What the wasm compiler may see of the machine's headers: exactly these, never the whole of /usr/include. */
+/**
+ * What the compilers get from the machine's headers: exactly these, since the wasm one must never see the whole of
+ * /usr/include. stb comes from its pinned source instead: Debian 12's stb_image 2.27 overruns a table on hostile JPEGs.
+ */
 const kHeaders = {
   'doctest-dev': [['/usr/include/doctest', 'doctest']],
   'libeigen3-dev': [
     ['/usr/include/eigen3/Eigen', 'Eigen'],
     ['/usr/include/eigen3/unsupported', 'unsupported'],
-  ],
-  'libstb-dev': [
-    ['/usr/include/stb', 'stb'],
-    ['/usr/include/stb/stb_image.h', 'stb_image.h'],
-    ['/usr/include/stb/stb_image_write.h', 'stb_image_write.h'],
   ],
   'libtinygltf-dev': [['/usr/include/tiny_gltf.h', 'tiny_gltf.h']],
   'nlohmann-json3-dev': [['/usr/include/nlohmann', 'nlohmann']],
@@ -39,7 +37,14 @@ export async function headers() {
   const versions = output('dpkg-query', ['-W', ...Object.keys(kHeaders)]);
   if (versions === null) throw new Stop(`These Debian packages are needed: ${Object.keys(kHeaders).join(' ')}.`);
   const what = { what: 'Header-only libraries', howLong: 'seconds' };
-  return cached(`headers-${shortHash([versions, kHeaders])}`, what, async (folder) => {
+  const key = shortHash([versions, kHeaders, lock.sources.libstb, kRecipe]);
+  return cached(`headers-${key}`, what, async (folder) => {
+    const stb = await unpackSource(folder, 'libstb');
+    for (const name of readdirSync(stb).filter((file) => /^stb_.*\.h$/.test(file))) {
+      cpSync(join(stb, name), join(folder, name));
+      cpSync(join(stb, name), join(folder, 'stb', name));
+    }
+    rmSync(stb, { recursive: true });
     for (const [from, to] of Object.values(kHeaders).flat()) {
       cpSync(from, join(folder, to), { recursive: true, dereference: true });
     }

@@ -1,0 +1,123 @@
+#include "engine/geometry/polygon.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/base/rng.h"
+#include "engine/geometry/triangulate.h"
+
+using namespace spineloft;
+using namespace spineloft::geometry;
+
+namespace {
+
+using Points = std::vector<SectionPoint>;
+
+std::span<const SectionPoint> view(const Points& points) { return points; }
+
+/// A star-shaped polygon with random radii; every third side is cut by extra points on it.
+Points randomPolygon(Rng& rng) {
+  const int corners = 3 + static_cast<int>(rng.below(40));
+  Points points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 6.283185307179586 * i / corners, radius = rng.uniform(0.2, 1);
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    if (i > 0 && rng.below(3) == 0) {
+      const SectionPoint b = points.back();
+      const SectionPoint a = points[points.size() - 2];
+      points.pop_back();
+      for (const double t : {0.25, 0.5, 0.75}) points.push_back(lerp(a, b, t));
+      points.push_back(b);
+    }
+  }
+  return points;
+}
+
+bool simpleBySearch(const Points& p) {
+  const std::size_t n = p.size();
+  const auto side = [](SectionPoint a, SectionPoint b, SectionPoint c) {
+    return cross(b - a, c - a);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;
+      const SectionPoint a = p[i], b = p[i + 1], c = p[j], d = p[(j + 1) % n];
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("triangles fill a polygon: all corners used, none flat, areas add up") {
+  Rng rng(3);
+  for (int round = 0; round < 400; ++round) {
+    Points points = randomPolygon(rng);
+    const double area = signedArea(view(points));
+    if (!isSimple(points) || area <= 0) continue;
+    const auto triangles = triangulate(points);
+    REQUIRE(triangles.size() == points.size() - 2);
+    double sum = 0;
+    std::vector<bool> used(points.size(), false);
+    for (const auto& [a, b, c] : triangles) {
+      const double part = cross(points[b] - points[a], points[c] - points[a]) / 2;
+      CHECK(part > 0);
+      sum += part;
+      used[a] = used[b] = used[c] = true;
+    }
+    CHECK(sum == doctest::Approx(area).epsilon(1e-12));
+    CHECK(std::all_of(used.begin(), used.end(), [](bool u) { return u; }));
+  }
+}
+
+TEST_CASE("straight stretches, spirals and combs are filled without flat triangles") {
+  Points square;
+  for (int side = 0; side < 4; ++side) {
+    const SectionPoint corner[] = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    for (int i = 0; i < 32; ++i) square.push_back(lerp(corner[side], corner[side + 1], i / 32.0));
+  }
+  CHECK(triangulate(square).size() == square.size() - 2);
+  Points comb = {{-1, -1}, {1, -1}};
+  for (int tooth = 10; tooth >= -10; --tooth) {
+    comb.push_back({tooth / 10.0, tooth % 2 == 0 ? 1.0 : -0.9});
+  }
+  CHECK(triangulate(comb).size() == comb.size() - 2);
+  CHECK(triangulate(Points{{0, 0}, {1, 0}}).empty());
+  CHECK(triangulate(Points{{0, 0}, {1, 0}, {2, 0}}).empty());
+  CHECK(triangulate(Points{{0, 0}, {0, 1}, {1, 0}}).empty());
+}
+
+TEST_CASE("simplicity agrees with a search over all pairs of edges") {
+  Rng rng(4);
+  int simple = 0, crossing = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Points points;
+    const int corners = 3 + static_cast<int>(rng.below(6));
+    for (int i = 0; i < corners; ++i) points.push_back({rng.uniform(-1, 1), rng.uniform(-1, 1)});
+    const bool expected = simpleBySearch(points);
+    CHECK(isSimple(points) == expected);
+    (expected ? simple : crossing) += 1;
+  }
+  CHECK(simple > 200);
+  CHECK(crossing > 200);
+  CHECK_FALSE(isSimple(Points{{0, 0}, {1, 0}, {1, 0}, {0, 1}}));
+  CHECK_FALSE(isSimple(Points{{0, 0}, {2, 0}, {1, 0}}));
+  CHECK_FALSE(isSimple(Points{{0, 0}, {1, 0}}));
+}
+
+TEST_CASE("area, centre and sight of a shape with a known answer") {
+  const Points ell = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  CHECK(signedArea(view(ell)) == doctest::Approx(3));
+  CHECK(centroid(ell).x == doctest::Approx(5.0 / 6));
+  CHECK(centroid(ell).y == doctest::Approx(5.0 / 6));
+  CHECK(seesAllEdges(ell, {0.5, 0.5}, 0.4));
+  CHECK_FALSE(seesAllEdges(ell, {0.5, 0.5}, 0.6));
+  CHECK_FALSE(seesAllEdges(ell, {1.5, 0.5}, 0));
+  Points clockwise(ell.rbegin(), ell.rend());
+  CHECK(signedArea(view(clockwise)) == doctest::Approx(-3));
+  CHECK_FALSE(seesAllEdges(clockwise, {0.5, 0.5}, 0));
+}
