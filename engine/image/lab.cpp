@@ -1,5 +1,6 @@
 #include "engine/image/lab.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spineloft::image {
@@ -25,7 +26,7 @@ struct Tables {
   }
   /// f(t) of L*a*b*, t in [0, 1].
   float f(float t) const {
-    const float at = std::fmin(std::fmax(t, 0.0f), 1.0f) * kRootSteps;
+    const float at = std::clamp(t, 0.0f, 1.0f) * kRootSteps;
     const std::size_t i = static_cast<std::size_t>(at);
     return root[i] + (at - static_cast<float>(i)) * (root[i + 1] - root[i]);
   }

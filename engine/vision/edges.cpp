@@ -56,21 +56,25 @@ struct Gradient {
   float x = 0, y = 0;
 };
 Gradient dominantGradient(const cv::Vec3f& dx, const cv::Vec3f& dy) {
-  const double e = dx.dot(dx), f = dx.dot(dy), g = dy.dot(dy);
-  const double root = std::hypot(e - g, 2 * f);
-  const double strength = std::sqrt(std::max(0.0, (e + g + root) / 2));
-  if (!(strength > 0)) return {};
-  const double angle = 0.5 * std::atan2(2 * f, e - g);
-  double x = std::cos(angle), y = std::sin(angle);
-  double along = 0;
-  for (int c = 0; c < 3; ++c) {
-    const double change = dx[c] * x + dy[c] * y;
-    if (c == 0 ? std::abs(change) > 0.1 * strength : std::abs(change) > std::abs(along))
-      along = change;
-    if (c == 0 && along != 0) break;
+  const float e = dx.dot(dx), f = dx.dot(dy), g = dy.dot(dy);
+  const float root = std::sqrt((e - g) * (e - g) + 4 * f * f);
+  const float strongest = (e + g + root) / 2;  // the larger eigenvalue of (e f; f g)
+  if (!(strongest > 0)) return {};
+  // Its eigenvector, from the row that does not vanish.
+  float x = e >= g ? strongest - g : f, y = e >= g ? f : strongest - e;
+  const float length = std::sqrt(x * x + y * y);
+  // Level in all directions (root = 0): any direction will do.
+  x = length > 0 ? x / length : 1.0f, y = length > 0 ? y / length : 0.0f;
+  const float size = std::sqrt(strongest);
+  float along = dx[0] * x + dy[0] * y;
+  if (std::abs(along) <= 0.1f * size) {
+    for (int c = 1; c < 3; ++c) {
+      const float change = dx[c] * x + dy[c] * y;
+      if (std::abs(change) > std::abs(along)) along = change;
+    }
   }
-  if (along < 0) x = -x, y = -y;
-  return {static_cast<float>(strength * x), static_cast<float>(strength * y)};
+  const float signedSize = along < 0 ? -size : size;
+  return {signedSize * x, signedSize * y};
 }
 
 void gradientPlanes(const cv::Mat& lab, image::EdgeMap& map) {
@@ -116,7 +120,9 @@ void dropSpecks(const image::EdgeMap& map, double noise, cv::Mat& edges) {
   for (int y = 0; y < edges.rows; ++y) {
     for (int x = 0; x < edges.cols; ++x, ++i) {
       const std::size_t label = static_cast<std::size_t>(labels.at<int>(y, x));
-      sums[label] += std::hypot(map.gradientX[i], map.gradientY[i]);
+      if (label == 0) continue;
+      sums[label] +=
+          std::sqrt(map.gradientX[i] * map.gradientX[i] + map.gradientY[i] * map.gradientY[i]);
       ++sizes[label];
     }
   }

@@ -38,7 +38,8 @@ Thresholds chooseThresholds(std::span<const float> gradientX, std::span<const fl
   Histogram all{}, changing{};
   const std::size_t count = std::min(gradientX.size(), gradientY.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const double size = std::hypot(gradientX[i], gradientY[i]);
+    const double size = std::sqrt(static_cast<double>(gradientX[i]) * gradientX[i] +
+                                  static_cast<double>(gradientY[i]) * gradientY[i]);
     const std::size_t bin =
         static_cast<std::size_t>(std::min(size * kBinsPerUnit, static_cast<double>(kBins - 1)));
     ++all[bin];

@@ -1,0 +1,72 @@
+#include "engine/cli/program.h"
+
+#include <chrono>
+#include <exception>
+#include <ostream>
+#include <variant>
+
+namespace spineloft::cli {
+namespace {
+
+int finish(const Status& status, std::ostream& err) {
+  if (status.ok()) return kExitSuccess;
+  err << "spineloft: " << sentenceOf(status.failure()) << '\n';
+  return kExitInput;
+}
+
+int runCommand(const Arguments& arguments, Console console) {
+  if (std::holds_alternative<HelpArguments>(arguments)) {
+    console.out << usageText();
+    return kExitSuccess;
+  }
+  if (std::holds_alternative<VersionArguments>(arguments)) {
+    console.out << "spineloft " SPINELOFT_VERSION "\n";
+    return kExitSuccess;
+  }
+  if (const auto* loft = std::get_if<LoftArguments>(&arguments)) {
+    return finish(runLoft(*loft, console.out), console.err);
+  }
+  if (const auto* edges = std::get_if<EdgesArguments>(&arguments)) {
+    return finish(runEdges(*edges, console.out), console.err);
+  }
+  if (const auto* bench = std::get_if<BenchArguments>(&arguments)) {
+    return finish(runBench(*bench, console.out), console.err);
+  }
+  std::string sentence = std::get<UsageProblem>(arguments).sentence;
+  sentence.pop_back();  // the full stop moves behind the hint
+  console.err << "spineloft: " << sentence << " (spineloft --help shows how).\n";
+  return kExitUsage;
+}
+
+}  // namespace
+
+int run(std::span<const std::string_view> words, Console console) {
+  try {
+    return runCommand(parseArguments(words), console);
+  } catch (const std::bad_alloc&) {
+    return finish(Error::OutOfMemory, console.err);
+  } catch (const std::exception& problem) {
+    // File systems may throw where no error code can be asked for.
+    return finish({Error::FileUnreadable, problem.what()}, console.err);
+  }
+}
+
+std::string sentenceOf(const Failure& failure) {
+  std::string_view words = errorSentence(failure.error);
+  words = words.substr(0, words.find(". "));
+  if (words.ends_with('.')) words.remove_suffix(1);
+  std::string sentence(words);
+  if (!failure.detail.empty()) sentence += " (" + failure.detail + ")";
+  // Details may quote file names and messages with line breaks.
+  for (char& c : sentence) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return sentence + '.';
+}
+
+double nowMs() {
+  using Ms = std::chrono::duration<double, std::milli>;
+  return Ms(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace spineloft::cli

@@ -1,0 +1,76 @@
+// The small JSON files of the command line: strokes in, ribs and reports out, cases of a data
+// folder. The JSON library stays inside the .cpp.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/base/vec.h"
+#include "engine/image/image.h"
+#include "engine/mesh/laws.h"
+#include "engine/ribs/ribs.h"
+
+namespace spineloft::io {
+
+/// A stroke in picture pixels. `json` is a list of [x, y] (more numbers a point, such as a
+/// pressure, are ignored), or an object whose `points` is such a list, or an object whose `spines`
+/// maps names to such lists. `name` chooses among `spines`; empty takes the first in the file. A
+/// name with a file that holds no `spines` is an error, so that a misspelt file is noticed. Errors:
+/// JsonInvalid (with what is wrong), StrokeNotFinite (null or NaN for a number), StrokeTooShort (an
+/// empty list), OutOfMemory.
+Result<std::vector<PicturePoint>> readStroke(std::string_view json, std::string_view name);
+
+/// "edge", "bridged" or "guessed".
+std::string_view ribStateKey(ribs::RibState state);
+
+/// {"ribs":[{"center":[x,y],"left":[x,y],"right":[x,y],"leftState","rightState"}]} in picture
+/// pixels.
+std::string writeRibs(const ribs::RibSet& ribs);
+
+/// Names with numbers, in order: milliseconds of stages, counts, means.
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+/// What one run of `spineloft loft` made.
+struct LoftReport {
+  image::Size picture;
+  std::size_t ribs = 0, vertices = 0, triangles = 0;
+  ribs::EnergyTerms energy;
+  mesh::MeshReport mesh;      ///< of the part in ModelSpace: volume in px³, area in px²
+  NamedNumbers milliseconds;  ///< by stage
+};
+/// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
+/// "mesh":{"vertices","triangles","closed","lawful","genus","volume","area"},"milliseconds":{…}}.
+std::string writeReport(const LoftReport& report);
+
+/// A case of a data folder (case.json), as far as scoring needs it.
+struct BenchCase {
+  std::string id, category, image, mask;    ///< image and mask are file names beside case.json
+  double boundaryTolerance = 1;             ///< px
+  std::vector<std::array<double, 3>> axis;  ///< true middle line: x, y, local width
+  std::vector<std::pair<std::string, std::vector<PicturePoint>>>
+      strokes;  ///< `spines`, in file order
+};
+/// Errors: JsonInvalid, StrokeNotFinite, OutOfMemory.
+Result<BenchCase> readBenchCase(std::string_view json);
+
+/// One case × stroke of a benchmark: who it is, and its numbers.
+struct BenchRow {
+  std::string name, category, stroke;
+  NamedNumbers numbers;
+  std::string failure;  ///< empty when the part was made
+};
+/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke",…}]}.
+struct BenchReport {
+  std::vector<std::pair<std::string, NamedNumbers>> summary;
+  std::vector<BenchRow> rows;
+};
+std::string writeBench(const BenchReport& report);
+
+/// An object of named numbers: {"name": number, …}; numbers that are not finite become null.
+std::string writeNumbers(const NamedNumbers& numbers);
+
+}  // namespace spineloft::io
