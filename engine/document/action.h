@@ -25,7 +25,7 @@ struct DrawSpine {
   std::vector<PicturePoint> stroke;
   loft::SectionPreset section = loft::SectionPreset::Circle;
   loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
-  Look look;
+  Look look = {};
 };
 /// A new stroke for an existing part; everything else about the part stays.
 struct RedrawSpine {
@@ -42,7 +42,7 @@ struct SetCaps {
 };
 struct SetLook {
   PartId part;
-  Look look;
+  Look look = {};
 };
 /// One entry of the parameter table (params.h).
 struct SetParameter {

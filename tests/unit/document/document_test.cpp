@@ -1,0 +1,213 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <set>
+#include <string>
+
+#include "engine/document/history.h"
+#include "engine/document/params.h"
+#include "engine/document/update.h"
+#include "tests/support/random_documents.h"
+
+using namespace spineloft;
+using namespace spineloft::document;
+using spineloft::testing::ellipsePicture;
+
+namespace {
+
+const std::vector<PicturePoint> kStroke = {{20, 36}, {48, 36}, {76, 36}};
+
+/// The document after actions that must all succeed.
+Document after(Document document, std::initializer_list<Action> actions) {
+  for (const Action& action : actions) {
+    Result<Document> next = update(document, action);
+    REQUIRE(next.ok());
+    document = std::move(next).value();
+  }
+  return document;
+}
+
+Document onePart() {
+  return after({}, {AddPicture{"cat.png", ellipsePicture(96, 72)},
+                    DrawSpine{PictureId{1}, kStroke, loft::SectionPreset::Star,
+                              loft::CapStyle::Flat, loft::CapStyle::Pointed, {}}});
+}
+
+Error errorOf(const Document& document, const Action& action) {
+  const Result<Document> next = update(document, action);
+  REQUIRE_FALSE(next.ok());
+  return next.error();
+}
+
+}  // namespace
+
+TEST_CASE("drawing a spine makes a part with the stroke, section and caps that were asked for") {
+  const Document document = onePart();
+  REQUIRE(document.parts.size() == 1);
+  const Part& part = document.parts[0];
+  CHECK(part.recipe.stroke == kStroke);
+  CHECK(part.recipe.loft.section == loft::SectionPreset::Star);
+  CHECK(part.recipe.loft.startCap == loft::CapStyle::Flat);
+  CHECK(part.recipe.loft.endCap == loft::CapStyle::Pointed);
+  CHECK(part.name == "Part 1");
+  CHECK(findPart(document, part.id) == &part);
+  CHECK(findPicture(document, PictureId{1})->name == "cat.png");
+  CHECK(findPicture(document, PictureId{9}) == nullptr);
+}
+
+TEST_CASE("each setter changes exactly what it names") {
+  const Document before = onePart();
+  const PartId id = before.parts[0].id;
+  Document expected = before;
+  expected.parts[0].recipe.loft.section = loft::SectionPreset::Gear;
+  CHECK(after(before, {SetSection{id, loft::SectionPreset::Gear}}) == expected);
+  expected = before;
+  expected.parts[0].recipe.loft.startCap = loft::CapStyle::Open;
+  CHECK(after(before, {SetCaps{id, loft::CapStyle::Open, loft::CapStyle::Pointed}}) == expected);
+  expected = before;
+  expected.parts[0].look = {false, {1, 2, 3}};
+  CHECK(after(before, {SetLook{id, {false, {1, 2, 3}}}}) == expected);
+  expected = before;
+  expected.parts[0].name = "Tail";
+  CHECK(after(before, {RenamePart{id, "Tail"}}) == expected);
+  expected = before;
+  expected.parts[0].visible = false;
+  CHECK(after(before, {ShowPart{id, false}}) == expected);
+  expected = before;
+  expected.height = {40};
+  CHECK(after(before, {SetHeight{{40}}}) == expected);
+  expected = before;
+  expected.name = "Dragon";
+  CHECK(after(before, {RenameDocument{"Dragon"}}) == expected);
+  expected = before;
+  expected.parts[0].recipe.stroke = {{10, 30}, {80, 40}};
+  CHECK(after(before, {RedrawSpine{id, {{10, 30}, {80, 40}}}}) == expected);
+}
+
+TEST_CASE("removing a picture takes the parts drawn on it away, and ids are never used again") {
+  Document document = onePart();
+  document = after(document, {AddPicture{"dog.png", ellipsePicture(96, 72, 1)},
+                              DrawSpine{PictureId{2}, kStroke}});
+  document = after(document, {RemovePicture{PictureId{1}}});
+  REQUIRE(document.parts.size() == 1);
+  CHECK(document.parts[0].recipe.picture == PictureId{2});
+  document = after(document, {DeletePart{document.parts[0].id},
+                              DrawSpine{PictureId{2}, kStroke},
+                              AddPicture{"", ellipsePicture(96, 72)}});
+  CHECK(document.parts[0].id == PartId{3});
+  CHECK(document.pictures.back().id == PictureId{3});
+  CHECK(document.pictures.back().name == "Picture 3");
+}
+
+TEST_CASE("a refused action names its reason") {
+  const Document document = onePart();
+  const PartId id = document.parts[0].id, none{77};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(errorOf(document, AddPicture{"x", nullptr}) == Error::PictureEmpty);
+  CHECK(errorOf(document, RemovePicture{PictureId{5}}) == Error::NoSuchPicture);
+  CHECK(errorOf(document, DrawSpine{PictureId{5}, kStroke}) == Error::NoSuchPicture);
+  CHECK(errorOf(document, DrawSpine{PictureId{1}, {{4, 4}}}) == Error::StrokeTooShort);
+  CHECK(errorOf(document, DrawSpine{PictureId{1}, {{4, nan}, {9, 9}}}) == Error::StrokeNotFinite);
+  CHECK(errorOf(document, DrawSpine{PictureId{1}, {{400, 40}, {500, 40}}}) ==
+        Error::StrokeOutsidePicture);
+  CHECK(errorOf(document, RedrawSpine{none, kStroke}) == Error::NoSuchPart);
+  CHECK(errorOf(document, RedrawSpine{id, {}}) == Error::StrokeTooShort);
+  CHECK(errorOf(document, SetSection{none}) == Error::NoSuchPart);
+  CHECK(errorOf(document, SetSection{id, loft::SectionPreset::kCount}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetCaps{id, loft::CapStyle::kCount}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetLook{none, {}}) == Error::NoSuchPart);
+  CHECK(errorOf(document, RenamePart{none, "x"}) == Error::NoSuchPart);
+  CHECK(errorOf(document, ShowPart{none}) == Error::NoSuchPart);
+  CHECK(errorOf(document, DeletePart{none}) == Error::NoSuchPart);
+  CHECK(errorOf(document, SetHeight{{0}}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetHeight{{nan}}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetParameter{id, "no such key", 1}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetParameter{id, "ribs", nan}) == Error::ValueOutOfRange);
+}
+
+TEST_CASE("every parameter can be set to each end of its range and no further") {
+  const Document document = onePart();
+  const PartId id = document.parts[0].id;
+  std::set<std::string_view> keys;
+  for (const ParamInfo& info : paramTable()) {
+    CHECK(keys.insert(info.key).second);
+    CHECK(findParam(info.key) == &info);
+    const std::string key(info.key);
+    for (const double value : {info.low, info.high}) {
+      const Document set = after(document, {SetParameter{id, key, value}});
+      CHECK(info.get(set.parts[0].recipe) == doctest::Approx(value));
+    }
+    const double initial = info.get(LoftRecipe{});
+    CHECK(initial >= info.low);
+    CHECK(initial <= info.high);
+    CHECK(errorOf(document, SetParameter{id, key, info.low - info.step}) == Error::ValueOutOfRange);
+    CHECK(errorOf(document, SetParameter{id, key, info.high + info.step}) ==
+          Error::ValueOutOfRange);
+  }
+}
+
+TEST_CASE("long names are cut between characters and empty ones replaced") {
+  const Document document = onePart();
+  const PartId id = document.parts[0].id;
+  std::string umlauts;
+  for (int i = 0; i < 150; ++i) umlauts += "\xc3\xa4";
+  const std::string cut = after(document, {RenamePart{id, "a" + umlauts}}).parts[0].name;
+  CHECK(cut.size() == 199);
+  CHECK(cut.back() == '\xa4');
+  CHECK(after(document, {RenamePart{id, ""}}).parts[0].name == "Part 1");
+}
+
+TEST_CASE("undo all and redo all give back every document of hundreds of random sessions") {
+  int applied = 0, refused = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Rng rng(seed);
+    History<Document> history;
+    std::vector<Document> states = {history.present()};
+    for (int step = 0; step < 40; ++step) {
+      const Document before = history.present();
+      const Result<Document> next = update(before, testing::randomAction(rng, before));
+      REQUIRE(history.present() == before);
+      if (!next) {
+        ++refused;
+        continue;
+      }
+      ++applied;
+      history.commit(next.value());
+      if (history.present() != before) states.push_back(history.present());
+    }
+    REQUIRE(history.undoSteps() == states.size() - 1);
+    for (std::size_t i = states.size() - 1; i > 0; --i) {
+      REQUIRE(history.present() == states[i]);
+      REQUIRE(history.undo().ok());
+    }
+    REQUIRE(history.present() == states[0]);
+    REQUIRE(history.undo().error() == Error::NothingToUndo);
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      REQUIRE(history.redo().ok());
+      REQUIRE(history.present() == states[i]);
+    }
+    REQUIRE(history.redo().error() == Error::NothingToRedo);
+  }
+  CHECK(applied > 3000);
+  CHECK(refused > 300);
+}
+
+TEST_CASE("a commit after an undo forgets the future, and an equal commit is no step") {
+  History<int> history(1);
+  history.commit(2);
+  history.commit(2);
+  CHECK(history.undoSteps() == 1);
+  CHECK(history.undo().ok());
+  history.commit(3);
+  CHECK(history.redoSteps() == 0);
+  CHECK(history.redo().error() == Error::NothingToRedo);
+  CHECK(history.undo().ok());
+  CHECK(history.present() == 1);
+}
+
+TEST_CASE("pictures with other pixels or sizes have other hashes") {
+  const auto a = ellipsePicture(40, 30), b = ellipsePicture(40, 30, 1), c = ellipsePicture(30, 40);
+  CHECK(contentHash(*a) == contentHash(*ellipsePicture(40, 30)));
+  CHECK(contentHash(*a) != contentHash(*b));
+  CHECK(contentHash(*a) != contentHash(*c));
+}
