@@ -131,6 +131,6 @@ TEST_CASE("file names carry the model's name and size in portable characters") {
   document.name = "///";
   document.height = {12.54};
   CHECK(fileName(document, Format::Stl) == "model-12.5mm.stl");
-  document.name = "K\xc3\xa4fer";
+  document.name = "K\xc3\xa4" "fer";
   CHECK(fileName(document, Format::Obj) == "k\xc3\xa4" "fer-12.5mm.obj");
 }
