@@ -156,6 +156,7 @@ struct Outline {
   std::vector<Chord> chords;
   std::optional<PicturePoint> startTip, endTip;
   bool startOpen = false, endOpen = false;
+  std::size_t bodyBegin = 0, bodyEnd = 0;  ///< the chords that are ribs; none when not known
 };
 
 std::vector<PicturePoint> middlesOf(const Outline& outline) {
@@ -188,9 +189,11 @@ Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
     }
     all.insert(all.end(), chords.begin(), chords.end());
     outline.chords = std::move(all);
+    outline.bodyBegin = cap.chords.size();
     outline.startTip = cap.tip;
     outline.startOpen = params.startCap == CapStyle::Open;
   }
+  outline.bodyEnd = outline.bodyBegin + n;
   if (!body.endTip) {
     const Chord last = chords.back(), before = chords[n >= 2 ? n - 2 : 0];
     const Cap cap = planCap({last, before, capTravel(last, travel[first + n - 1]), input.endFan},
@@ -205,6 +208,7 @@ Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
 /// Strict repair: every chord clearly ahead of the one before, tips ahead of their chords.
 void spread(Outline& outline, const ChordLimits& limits) {
   outline.chords = spreadChords(outline.chords, limits);
+  outline.bodyBegin = outline.bodyEnd = 0;
   if (outline.chords.size() == 1 && !outline.startTip && !outline.endTip) {
     thicken(outline.chords, limits);
   }
@@ -216,6 +220,27 @@ void spread(Outline& outline, const ChordLimits& limits) {
   };
   push(flipped(outline.chords.front()), outline.startTip);
   push(outline.chords.back(), outline.endTip);
+}
+
+/// Ribs wobble by a pixel; seen from the front that is the silhouette, but in depth it would be a
+/// wrinkle. The window shrinks towards the ends, so that steady tapers and both ends stay as they are.
+void smoothDepths(std::span<Station> body, double reach) {
+  std::vector<double> depths(body.size());
+  for (std::size_t i = 0; i < body.size(); ++i) depths[i] = body[i].depth;
+  std::vector<double> weights;
+  for (double k = 0; k <= std::ceil(3 * reach); ++k) {
+    weights.push_back(reach > 0 ? std::exp(-k * k / (2 * reach * reach)) : 1);
+  }
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const std::size_t window = std::min({weights.size() - 1, i, body.size() - 1 - i});
+    double sum = depths[i], total = 1;
+    for (std::size_t k = 1; k <= window; ++k) {
+      sum += weights[k] * (depths[i - k] + depths[i + k]);
+      total += 2 * weights[k];
+    }
+    constexpr double kMost = 1.5;  // a waist between wide ribs must not become a blade
+    body[i].depth = std::clamp(sum / total, depths[i] / kMost, depths[i] * kMost);
+  }
 }
 
 Sweep sweepOf(const Outline& outline, double centring) {
@@ -232,6 +257,8 @@ Sweep sweepOf(const Outline& outline, double centring) {
     const double square = std::abs(cross(across, travel[first + i]));
     sweep.stations.push_back({outline.chords[i], std::max(square, kLeastDepth * norm(across)) / 2});
   }
+  const std::size_t body = outline.bodyEnd - outline.bodyBegin;
+  smoothDepths(std::span(sweep.stations).subspan(outline.bodyBegin, body), centring);
   return sweep;
 }
 

@@ -48,7 +48,7 @@ struct LoftParams {
   CapStyle startCap = CapStyle::Round, endCap = CapStyle::Round;
   int sectionPoints = 48;  ///< vertices around, 12…512
   int capRings = 6;        ///< rings of a round cap, 1…64
-  double centring = 1.0;   ///< smoothing of the centre line in ribs, 0…10; the silhouette never moves
+  double centring = 1.0;   ///< smoothing of centre line and depth in ribs, 0…10; the silhouette never moves
   bool operator==(const LoftParams&) const = default;
 };
 

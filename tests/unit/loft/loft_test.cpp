@@ -103,6 +103,38 @@ TEST_CASE("a bent tube is a piece of a torus of constant depth") {
   }
 }
 
+TEST_CASE("ribs that wobble by a pixel wobble less in depth, and steady tapers stay as they are") {
+  Rng rng(8);
+  std::vector<double> widths;
+  for (int i = 0; i < 60; ++i) widths.push_back(80 + rng.uniform(-2, 2));
+  const auto wobble = straightRibs({100, 400}, {500, 400}, 60, [&](double t) {
+    return widths[static_cast<std::size_t>(std::lround(t * 59))];
+  });
+  const auto taper = straightRibs({100, 400}, {500, 400}, 60, [](double t) { return 90 - 50 * t; });
+  const auto roughness = [](const ribs::RibSet& set, double centring) {
+    LoftParams params = withCaps(CapStyle::Flat, CapStyle::Flat);
+    params.centring = centring;
+    const auto mesh = lofted(set, params);
+    requireLawful(mesh);
+    std::vector<double> depths;
+    for (std::size_t ring = 0; ring < 60; ++ring) {
+      double depth = 0;
+      for (std::size_t k = 0; k < 48; ++k) {
+        depth = std::max<double>(depth, mesh.positions[ring * 48 + k][2]);
+      }
+      depths.push_back(depth);
+    }
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < 60; ++i) {
+      sum += std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
+    }
+    return sum;
+  };
+  CHECK(roughness(wobble, 1) < 0.4 * roughness(wobble, 0));
+  CHECK(roughness(wobble, 4) < 0.2 * roughness(wobble, 0));
+  CHECK(roughness(taper, 4) < 1e-3);
+}
+
 TEST_CASE("slanted ribs across a straight bar give the bar its true depth") {
   for (const double slant : {0.2, -0.6, 0.9}) {
     ribs::RibSet set = cylinderRibs(41);
