@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/mesh/angles.h"
 #include "engine/mesh/topology.h"
 
 namespace spineloft::mesh {
@@ -140,10 +141,8 @@ std::vector<std::array<float, 3>> vertexNormals(const TriMesh& mesh) {
     const Point normal = cross(p[1] - p[0], p[2] - p[0]);
     const double twice = norm(normal);
     if (!(twice > 0)) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Point a = p[(c + 1) % 3] - p[c], b = p[(c + 2) % 3] - p[c];
-      sums[t[c]] += normal * (std::atan2(twice, dot(a, b)) / twice);
-    }
+    const std::array<double, 3> angles = triangleAngles(p[0], p[1], p[2], twice);
+    for (std::size_t c = 0; c < 3; ++c) sums[t[c]] += normal * (angles[c] / twice);
   }
   std::vector<std::array<float, 3>> normals(sums.size());
   for (std::size_t v = 0; v < sums.size(); ++v) {

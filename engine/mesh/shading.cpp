@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/base/vec.h"
+#include "engine/mesh/angles.h"
 #include "engine/mesh/topology.h"
 
 namespace spineloft::mesh {
@@ -16,14 +17,22 @@ Point pointAt(const TriMesh& mesh, std::uint32_t v) {
   return {p[0], p[1], p[2]};
 }
 
-std::vector<Point> triangleNormals(const TriMesh& mesh) {
-  std::vector<Point> normals(mesh.triangles.size());
-  for (std::size_t t = 0; t < normals.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Point origin = pointAt(mesh, a);
-    normals[t] = normalized(cross(pointAt(mesh, b) - origin, pointAt(mesh, c) - origin));
+/// What a triangle gives to the normals of its corners.
+struct Facet {
+  Point normal;
+  std::array<double, 3> angles{};
+};
+
+std::vector<Facet> facetsOf(const TriMesh& mesh) {
+  std::vector<Facet> facets(mesh.triangles.size());
+  for (std::size_t t = 0; t < facets.size(); ++t) {
+    const Point a = pointAt(mesh, mesh.triangles[t][0]), b = pointAt(mesh, mesh.triangles[t][1]),
+                c = pointAt(mesh, mesh.triangles[t][2]);
+    const Point normal = cross(b - a, c - a);
+    const double twice = norm(normal);
+    if (twice > 0) facets[t] = {normal / twice, triangleAngles(a, b, c, twice)};
   }
-  return normals;
+  return facets;
 }
 
 /// Corners (half-edge origins) that share one vertex of the result, as a union-find forest.
@@ -49,25 +58,18 @@ class Patches {
   std::vector<std::uint32_t> parent_;
 };
 
-/// Interior angle of a triangle at a corner, radians.
-double angleAt(const TriMesh& mesh, std::uint32_t corner) {
-  const Point p = pointAt(mesh, cornerVertex(mesh, corner));
-  const Point a = pointAt(mesh, cornerVertex(mesh, nextHalfEdge(corner))) - p;
-  const Point b = pointAt(mesh, cornerVertex(mesh, lastHalfEdge(corner))) - p;
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-
 }  // namespace
 
 ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   const Twins twins = findTwins(mesh);
-  const std::vector<Point> normals = triangleNormals(mesh);
+  const std::vector<Facet> facets = facetsOf(mesh);
   const double cosine = std::cos(creaseAngle);
   const std::uint32_t corners = static_cast<std::uint32_t>(twins.of.size());
   Patches patches(corners);
   for (std::uint32_t h = 0; h < corners; ++h) {
     const std::uint32_t twin = twins.of[h];
-    if (twin == kNone || twin < h || dot(normals[h / 3], normals[twin / 3]) < cosine) continue;
+    if (twin == kNone || twin < h) continue;
+    if (dot(facets[h / 3].normal, facets[twin / 3].normal) < cosine) continue;
     patches.join(h, nextHalfEdge(twin));
     patches.join(nextHalfEdge(h), twin);
   }
@@ -75,6 +77,11 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   shaded.triangles.resize(mesh.triangles.size());
   std::vector<std::uint32_t> vertexOf(corners, kNone);
   std::vector<Point> sums;
+  // Smooth parts keep their vertices; sharp ones a few times as many.
+  for (auto* points : {&shaded.positions, &shaded.normals})
+    points->reserve(2 * mesh.positions.size());
+  if (!mesh.uv.empty()) shaded.uv.reserve(2 * mesh.positions.size());
+  sums.reserve(2 * mesh.positions.size());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
     const std::uint32_t root = patches.root(corner);
     if (vertexOf[root] == kNone) {
@@ -85,7 +92,8 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
       sums.emplace_back();
     }
     shaded.triangles[corner / 3][corner % 3] = vertexOf[root];
-    sums[vertexOf[root]] += normals[corner / 3] * angleAt(mesh, corner);
+    const Facet& facet = facets[corner / 3];
+    sums[vertexOf[root]] += facet.normal * facet.angles[corner % 3];
   }
   shaded.normals.reserve(sums.size());
   for (const Point& sum : sums) {

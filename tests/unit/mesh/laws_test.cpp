@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/mesh/angles.h"
 #include "engine/mesh/shading.h"
 #include "engine/mesh/topology.h"
 #include "tests/support/generators.h"
@@ -133,6 +134,17 @@ TEST_CASE("the normals of a box's corners are its diagonals, whatever the triang
   TriMesh lone;
   lone.positions = {{1, 2, 3}};
   CHECK(vertexNormals(lone)[0] == std::array<float, 3>{0, 0, 1});
+}
+
+TEST_CASE("quick angles are those of the arctangent") {
+  Rng rng(6);
+  for (int round = 0; round < 20000; ++round) {
+    const double angle = rng.uniform(0, 3.14159), length = std::exp(rng.uniform(-20, 20));
+    CHECK(std::abs(quickAngle(length * std::sin(angle), length * std::cos(angle)) - angle) < 1e-7);
+  }
+  CHECK(quickAngle(0, 1) == 0);
+  CHECK(quickAngle(0, -1) == doctest::Approx(3.14159265358979));
+  CHECK(quickAngle(1, 0) == doctest::Approx(3.14159265358979 / 2));
 }
 
 TEST_CASE("bounds hold all vertices and an empty mesh has none") {
