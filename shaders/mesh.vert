@@ -1,0 +1,15 @@
+#version 300 es
+// Parts: from ModelSpace through the world to the screen.
+uniform mat4 toWorld, toClip, toEye;
+in vec3 position;
+in vec3 normal;
+in vec2 uv;
+out vec3 eyeNormal, eyePosition;
+out vec2 at;
+void main() {
+  vec4 world = toWorld * vec4(position, 1.0);
+  eyeNormal = mat3(toEye) * normal;  // toWorld scales evenly: directions stay
+  eyePosition = (toEye * world).xyz;
+  at = uv;
+  gl_Position = toClip * world;
+}

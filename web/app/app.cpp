@@ -1,0 +1,422 @@
+#include "web/app/app.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "engine/base/limits.h"
+#include "web/app/command_actions.h"
+#include "web/app/messages.h"
+#include "web/app/scene.h"
+#include "web/app/state_json.h"
+#include "web/panels/panels.h"
+#include "web/panels/theme.h"
+
+namespace spineloft::app {
+namespace {
+
+constexpr double kPumpMs = 16;         // how often finished work is looked for
+constexpr double kPreviewShare = 0.6;  // of the time may go into shapes under the pen
+constexpr double kTooltipMs = 650;
+constexpr double kLongestStepSeconds = 0.5;
+
+}  // namespace
+
+App::App(Parts parts, const platform::CanvasSize& size)
+    : host_(parts.host),
+      renderer_(std::move(parts.renderer)),
+      fontFiles_(std::move(parts.fonts)),
+      studio_(parts.host, parts.threads) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  panels::applyTheme();
+  ui_.camera = homeCamera({{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}}, {0, 0, 400, 400});
+  resize(size);
+}
+
+void App::touch(int frames) {
+  framesWanted_ = std::max(framesWanted_, frames);
+  if (!lost_) host_.requestFrame();
+}
+
+void App::resize(const platform::CanvasSize& size) {
+  ui_.canvasWidth = std::max(1.0, size.width);
+  ui_.canvasHeight = std::max(1.0, size.height);
+  ui_.dpr = std::clamp(size.dpr, 0.5, 4.0);
+  if (fontDpr_ != ui_.dpr) {
+    fontDpr_ = ui_.dpr;
+    fonts_ = buildFonts(fontFiles_, ui_.dpr);
+    renderer_->fontsChanged();
+  }
+  layout();
+  touch(2);
+}
+
+void App::layout() {
+  const bool hasPanel = !studio_.document().pictures.empty();
+  ui_.layout = layoutFor(ui_.canvasWidth, ui_.canvasHeight, ui_.share, hasPanel);
+  const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
+  if (entry != nullptr && ui_.pictureView.fitted) {
+    ui_.pictureView =
+        fitPicture({entry->picture->width, entry->picture->height}, ui_.layout.picture);
+  }
+}
+
+/// Brings what is selected and shown in line with the document, which undo may have changed.
+void App::settle() {
+  const document::Document& document = studio_.document();
+  if (!document::findPicture(document, ui_.picture)) {
+    ui_.picture = document.pictures.empty() ? PictureId{} : document.pictures.back().id;
+    ui_.pictureView.fitted = true;
+    gestures_.cancel(toolEnv());
+  }
+  if (!document::findPart(document, ui_.selection)) ui_.selection = {};
+  if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
+  if (document.parts.empty()) ui_.cameraTouched = false;
+  layout();
+}
+
+void App::runCalls() {
+  for (const CommandCall& call : sink_.take()) {
+    if (Outcome outcome = runCommand(env(), call.id, call.args)) refused(*outcome);
+  }
+  settle();
+}
+
+void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); }
+
+void App::frame() {
+  if (lost_) return;
+  framesWanted_ = std::max(0, framesWanted_ - 1);
+  if (studio_.threads() > 0) studio_.pump();
+  settle();
+  growPreview();
+  frameNewPart();
+  fly();
+  beginUi();
+  panels::draw({env(), studio_.derived(), fonts_, sink_});
+  ImGui::Render();
+  const bool acted = !sink_.empty();
+  runCalls();
+  buildScene(studio_.document(), studio_.derived(), ui_, scene_);
+  renderer_->draw(scene_);
+  ++frames_;
+  watchWork();
+  announce();
+  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->fresh) || studio_.busy();
+  if (acted) framesWanted_ = std::max(framesWanted_, 2);
+  if (moving || framesWanted_ > 0) host_.requestFrame();
+}
+
+/// The part under the pen: a new shape as often as the time allows, so that the line never lags.
+void App::growPreview() {
+  if (!ui_.preview || ui_.preview->fresh) return;
+  Preview& preview = *ui_.preview;
+  const double now = host_.nowMs();
+  if (now < preview.nextMs) return;
+  preview.fresh = true;
+  document::LoftRecipe recipe;
+  if (const document::Part* part = document::findPart(studio_.document(), ui_.redraw)) {
+    recipe = part->recipe;
+  } else {
+    recipe.loft.section = ui_.section;
+    recipe.loft.startCap = ui_.startCap;
+    recipe.loft.endCap = ui_.endCap;
+  }
+  recipe.picture = ui_.picture;
+  recipe.stroke = preview.stroke;
+  Result<pipeline::PartShape> shape = studio_.preview(recipe);
+  preview.costMs = host_.nowMs() - now;
+  preview.nextMs = host_.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
+  if (!shape) return;  // the last good one stays
+  preview.shape = std::move(shape).value();
+  ++preview.revision;
+}
+
+void App::frameNewPart() {
+  if (!ui_.framePending) return;
+  const pipeline::Derived& derived = studio_.derived();
+  const bool waiting = std::ranges::any_of(derived.parts, &pipeline::DerivedPart::waiting);
+  if (waiting) return;
+  ui_.framePending = false;
+  if (!ui_.cameraTouched) flyTo(env(), studio_.document().parts.size() == 1);
+}
+
+void App::fly() {
+  if (!ui_.flight) return;
+  const CameraFlight flight = *ui_.flight;
+  const double t = std::clamp((host_.nowMs() - flight.startMs) / flight.lengthMs, 0.0, 1.0);
+  ui_.camera = blend(flight.from, flight.to, t * t * (3 - 2 * t));
+  if (t >= 1) ui_.flight.reset();
+}
+
+void App::beginUi() {
+  ImGuiIO& io = ImGui::GetIO();
+  const double now = host_.nowMs();
+  io.DisplaySize = {static_cast<float>(ui_.canvasWidth), static_cast<float>(ui_.canvasHeight)};
+  io.DisplayFramebufferScale = {static_cast<float>(ui_.dpr), static_cast<float>(ui_.dpr)};
+  io.DeltaTime =
+      static_cast<float>(std::clamp((now - lastFrameMs_) / 1000, 1e-4, kLongestStepSeconds));
+  lastFrameMs_ = now;
+  renderer_->beginUi();
+  ImGui::NewFrame();
+}
+
+void App::watchWork() {
+  if (!studio_.busy() || wakePending_) return;
+  wakePending_ = true;
+  host_.wakeAfter(kPumpMs);
+}
+
+void App::wake() {
+  wakePending_ = false;
+  if (studio_.pump()) {
+    settle();
+    studio_.derived();
+  }
+  watchWork();
+  announce();
+  touch(2);
+}
+
+/// Tells the shell when something it shows has changed; cheap to compare, at most once a frame.
+void App::announce() {
+  json_.clear();
+  json_.beginArray().number(static_cast<double>(studio_.revision()));
+  json_.number(ui_.selection.value).number(ui_.redraw.value).number(ui_.picture.value);
+  json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
+  const PictureView& view = ui_.pictureView;
+  json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
+  json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
+  json_.flag(studio_.unsaved()).flag(studio_.busy()).flag(ui_.look.textured);
+  json_.number(studio_.busy() ? std::floor(studio_.activity()->progress.done() * 20) : 0);
+  json_.endArray();
+  if (json_.json() == announced_) return;
+  announced_ = json_.json();
+  sendChanged(host_);
+}
+
+void App::feedPanels(const platform::PointerEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  using platform::PointerKind;
+  io.AddMouseSourceEvent(event.device == platform::Device::Touch ? ImGuiMouseSource_TouchScreen
+                         : event.device == platform::Device::Pen ? ImGuiMouseSource_Pen
+                                                                 : ImGuiMouseSource_Mouse);
+  const bool gone = event.kind == PointerKind::Leave || event.kind == PointerKind::Cancel;
+  if (!gone) io.AddMousePosEvent(static_cast<float>(event.x), static_cast<float>(event.y));
+  if (event.kind == PointerKind::Down) io.AddMouseButtonEvent(0, event.button == 0);
+  if (event.kind == PointerKind::Up || gone) io.AddMouseButtonEvent(0, false);
+  const bool lifted = event.kind == PointerKind::Up && event.device != platform::Device::Mouse;
+  if (gone || lifted) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+}
+
+void App::pointer(const platform::PointerEvent& event) {
+  const Gestures::Target target = gestures_.pointer(event, toolEnv());
+  if (target == Gestures::Target::Panels) {
+    feedPanels(event);
+    touch(4);  // ImGui takes its queued events in over several frames
+    if (!wakePending_ && event.device == platform::Device::Mouse) {
+      wakePending_ = true;
+      host_.wakeAfter(kTooltipMs);
+    }
+  } else if (event.device == platform::Device::Mouse) {
+    ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+    if (!ui_.overlays.empty() || gestures_.active()) touch(gestures_.active() ? 1 : 0);
+  }
+  if (!sink_.empty()) runCalls();
+  if (event.kind != platform::PointerKind::Move || gestures_.active()) touch(2);
+  const std::string_view cursor = gestures_.cursor(toolEnv());
+  if (cursor != cursor_) {
+    cursor_ = cursor;
+    sendCursor(host_, cursor_);
+  }
+}
+
+void App::wheel(const platform::WheelEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (ui_.layout.panel.contains({event.x, event.y})) {
+    io.AddMouseWheelEvent(static_cast<float>(-event.deltaX / 100),
+                          static_cast<float>(-event.deltaY / 100));
+    touch(3);
+    return;
+  }
+  gestures_.wheel(event, toolEnv());
+  touch();
+}
+
+bool App::key(const platform::KeyEvent& event) {
+  if (event.code == "Space") {
+    ui_.spaceHeld = event.down;
+    touch();
+    return true;
+  }
+  if (!event.down) return false;
+  if (event.key == "Escape" && gestures_.active()) {
+    gestures_.cancel(toolEnv());
+    touch();
+    return true;
+  }
+  const Command* command = commandForKey(event);
+  if (command == nullptr) return false;
+  if (!enabled(*command, env())) return (event.modifiers & ~platform::kShift) != 0;
+  sink_.run(command->id);
+  runCalls();
+  touch(2);
+  return true;
+}
+
+const std::string& App::addPicture(image::Picture picture, std::string_view name) {
+  Status status = Done{};
+  const int side = std::min(picture.width, picture.height);
+  if (picture.working.empty() || side <= 0) {
+    status = Error::PictureEmpty;
+  } else if (side < kMinPictureSide ||
+             std::min(picture.working.width, picture.working.height) < 1) {
+    status = Error::PictureTooSmall;
+  } else {
+    std::vector<document::Action> actions;
+    const bool first = studio_.document().pictures.empty() && studio_.document().parts.empty();
+    auto shared = std::make_shared<const image::Picture>(std::move(picture));
+    actions.push_back(document::AddPicture{std::string(name), std::move(shared)});
+    const std::string stem(name.substr(0, name.rfind('.')));
+    if (first && !stem.empty()) actions.push_back(document::RenameDocument{stem});
+    status = studio_.act(actions);
+  }
+  if (!status) return answerWith(refuse(status.failure()));
+  ui_.picture = studio_.document().pictures.back().id;
+  ui_.pictureView.fitted = true;
+  ui_.selection = {};
+  ui_.redraw = {};
+  ui_.focus = Focus::Picture;
+  settle();
+  studio_.derived();
+  watchWork();
+  touch(3);
+  return answerWith({});
+}
+
+const std::string& App::state() {
+  json_.clear();
+  writeState(env(), frames_, json_);
+  return text_ = json_.json();
+}
+
+const std::string& App::commands() {
+  json_.clear();
+  writeCommands(env(), json_);
+  return text_ = json_.json();
+}
+
+const std::string& App::run(std::string_view id, std::string_view argsJson) {
+  Outcome outcome;
+  const std::optional<Json> args = argsJson.empty() ? Json() : Json::parse(argsJson);
+  if (args) {
+    outcome = runCommand(env(), id, *args);
+    settle();
+    studio_.derived();
+    watchWork();
+    touch(2);
+  } else {
+    outcome = refuse({Error::JsonInvalid, {}});
+  }
+  return answerWith(outcome);
+}
+
+const std::string& App::answerWith(const Outcome& outcome) {
+  json_.clear();
+  json_.beginObject().key("ok").flag(!outcome);
+  if (outcome) json_.key("error").text(outcome->error).key("sentence").text(outcome->sentence);
+  json_.endObject();
+  text_ = json_.json();
+  if (outcome) lastError_ = text_;
+  return text_;
+}
+
+const std::string& App::lastError() { return text_ = lastError_; }
+
+const std::string& App::sentence(std::string_view name) {
+  text_.clear();
+  for (int i = 0; i < static_cast<int>(Error::kCount); ++i) {
+    if (errorName(static_cast<Error>(i)) == name) text_ = errorSentence(static_cast<Error>(i));
+  }
+  return text_;
+}
+
+std::span<const std::uint8_t> App::exportModel(std::string_view format) {
+  exported_.clear();
+  Failure failure{Error::ValueOutOfRange, std::string(format)};
+  if (const std::optional<publish::Format> known = publish::formatFromKey(format)) {
+    Result<publish::Bytes> bytes = studio_.publishNow(*known);
+    if (bytes) {
+      exported_ = std::move(bytes).value();
+      return exported_;
+    }
+    failure = bytes.failure();
+  }
+  json_.clear();
+  json_.beginObject().key("ok").flag(false).key("error").text(errorName(failure.error));
+  json_.key("sentence").text(failureSentence(failure)).endObject();
+  lastError_ = json_.json();
+  return {};
+}
+
+Vec2<platform::CanvasSpace> App::imageToCanvas(double x, double y) {
+  settle();
+  const ClientPoint p = ui_.pictureView.toClient({x, y}, ui_.layout.picture);
+  return {p.x, p.y};
+}
+
+void App::contextLost() {
+  lost_ = true;
+  gestures_.cancel(toolEnv());
+  renderer_->contextLost();
+}
+
+void App::contextRestored() {
+  if (!renderer_->contextRestored()) {
+    sendError(host_,
+              "The graphics did not come back. Reload the page; your picture is still here.");
+    return;
+  }
+  lost_ = false;
+  touch(2);
+}
+
+void App::answer(std::string_view id, std::string_view text) {
+  constexpr std::string_view kRename = "rename-part:";
+  if (id == "set-height") {
+    std::string number(text);
+    std::ranges::replace(number, ',', '.');
+    const std::optional<Json> value = Json::parse(number);
+    sink_.run("set-height", Json::Object{{"mm", value && value->number() ? *value : Json(0)}});
+  } else if (id.starts_with(kRename)) {
+    const std::string_view digits = id.substr(kRename.size());
+    std::uint32_t part = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), part);
+    sink_.run("rename-part", Json::Object{{"part", part}, {"name", text}});
+  }
+  runCalls();
+  touch(2);
+}
+
+bool App::idle() {
+  return !studio_.busy() && framesWanted_ == 0 && !ui_.flight &&
+         !(ui_.preview && !ui_.preview->fresh);
+}
+
+void App::cancelWork() {
+  studio_.cancelWork();
+  touch();
+}
+
+void App::markSaved() {
+  studio_.markSaved();
+  touch();
+}
+
+}  // namespace spineloft::app

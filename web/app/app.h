@@ -1,0 +1,101 @@
+// One frame of the page: finished work → shapes → panels → commands → scene. The rest of the world
+// talks to it through platform::Page.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "web/app/action_sink.h"
+#include "web/app/commands.h"
+#include "web/app/fonts.h"
+#include "web/app/gestures.h"
+#include "web/app/json.h"
+#include "web/app/studio.h"
+#include "web/app/ui_state.h"
+#include "web/gl/renderer.h"
+#include "web/platform/host.h"
+#include "web/platform/page.h"
+
+struct ImGuiContext;
+
+namespace spineloft::app {
+
+class App final : public platform::Page {
+ public:
+  struct Parts {
+    platform::Host& host;
+    std::unique_ptr<gl::Renderer> renderer;
+    platform::FontFiles fonts;
+    int threads = 0;
+  };
+  /// Needs a current ImGui context, which it does not own.
+  App(Parts parts, const platform::CanvasSize& size);
+
+  void frame() override;
+  void wake() override;
+  void resize(const platform::CanvasSize& size) override;
+  void pointer(const platform::PointerEvent& event) override;
+  void wheel(const platform::WheelEvent& event) override;
+  bool key(const platform::KeyEvent& event) override;
+  const std::string& addPicture(image::Picture picture, std::string_view name) override;
+  const std::string& state() override;
+  const std::string& commands() override;
+  const std::string& run(std::string_view id, std::string_view argsJson) override;
+  const std::string& lastError() override;
+  const std::string& sentence(std::string_view errorName) override;
+  std::span<const std::uint8_t> exportModel(std::string_view format) override;
+  Vec2<platform::CanvasSpace> imageToCanvas(double x, double y) override;
+  void contextLost() override;
+  void contextRestored() override;
+  void answer(std::string_view id, std::string_view text) override;
+  bool idle() override;
+  void cancelWork() override;
+  void markSaved() override;
+
+  gl::Renderer& renderer() { return *renderer_; }
+  const UiState& ui() const { return ui_; }
+
+ private:
+  CommandEnv env() { return {studio_, ui_, host_}; }
+  tools::ToolEnv toolEnv() { return {studio_.document(), studio_.derived(), ui_, sink_}; }
+  /// Something happened: draw soon, and `frames` times at least.
+  void touch(int frames = 1);
+  /// Runs what tools and panels asked for; refusals become toasts.
+  void runCalls();
+  void settle();
+  void layout();
+  void growPreview();
+  void fly();
+  void frameNewPart();
+  void beginUi();
+  void watchWork();
+  void announce();
+  void refused(const Refusal& refusal);
+  const std::string& answerWith(const Outcome& outcome);
+  void feedPanels(const platform::PointerEvent& event);
+
+  platform::Host& host_;
+  std::unique_ptr<gl::Renderer> renderer_;
+  platform::FontFiles fontFiles_;
+  Fonts fonts_;
+  double fontDpr_ = 0;
+  Studio studio_;
+  UiState ui_;
+  Gestures gestures_;
+  ActionSink sink_;
+  gl::Scene scene_;
+  JsonWriter json_;
+  std::string text_, lastError_ = "null";
+  std::vector<std::uint8_t> exported_;
+  std::string cursor_;
+  std::string announced_;  ///< the state that the shell knows of, in short
+  std::uint64_t frames_ = 0;
+  int framesWanted_ = 0;
+  bool wakePending_ = false;
+  bool lost_ = false;
+  double lastFrameMs_ = 0;
+};
+
+}  // namespace spineloft::app

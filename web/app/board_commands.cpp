@@ -1,0 +1,127 @@
+// Commands about the board, its files and the views.
+#include <algorithm>
+#include <cstdio>
+
+#include "web/app/command_actions.h"
+#include "web/app/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+constexpr double kZoomStep = 1.25;
+constexpr double kNarrowShare =
+    0.34;  ///< what a view keeps when the other has the focus on a phone
+
+publish::WorldBounds boundsFor(Env env) {
+  const auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
+  if (bounds) return *bounds;
+  return {{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}};
+}
+
+Outcome zoomBy(Env env, double factor) {
+  UiState& ui = env.ui;
+  if (ui.focus == Focus::Picture) {
+    zoomPicture(ui.pictureView, ui.layout.picture, ui.layout.picture.centre(), factor);
+  } else {
+    ui.flight.reset();
+    ui.cameraTouched = true;
+    zoomCamera(ui.camera, ui.layout.solid, ui.layout.solid.centre(), factor);
+  }
+  return {};
+}
+
+Outcome save(Env env, publish::Format format) { return outcomeOf(env.studio.save(format)); }
+
+}  // namespace
+
+void flyTo(const CommandEnv& env, bool home) {
+  UiState& ui = env.ui;
+  const publish::WorldBounds bounds = boundsFor(env);
+  const Camera to =
+      home ? homeCamera(bounds, ui.layout.solid) : framed(ui.camera, bounds, ui.layout.solid);
+  if (env.host.reducedMotion() || ui.layout.solid.width < 1) {
+    ui.camera = to;
+    ui.flight.reset();
+  } else if (!(to == ui.camera)) {
+    ui.flight = CameraFlight{ui.camera, to, env.host.nowMs()};
+  }
+}
+
+Outcome openPicture(Env env, const Json&) {
+  sendPickPicture(env.host);
+  return {};
+}
+
+Outcome removePicture(Env env, const Json&) {
+  return outcomeOf(env.studio.act(document::RemovePicture{env.ui.picture}));
+}
+
+Outcome nextPicture(Env env, const Json&) {
+  const auto& pictures = env.studio.document().pictures;
+  if (pictures.empty()) return refuse({Error::NoSuchPicture, {}});
+  auto at = std::ranges::find(pictures, env.ui.picture, &document::PictureEntry::id);
+  if (at == pictures.end() || ++at == pictures.end()) at = pictures.begin();
+  env.ui.picture = at->id;
+  env.ui.selection = {};
+  env.ui.redraw = {};
+  env.ui.pictureView.fitted = true;
+  return {};
+}
+
+Outcome clearBoard(Env env, const Json&) {
+  env.studio.cancelWork();
+  env.studio.clear();
+  env.ui.selection = {};
+  env.ui.redraw = {};
+  env.ui.preview.reset();
+  env.ui.cameraTouched = false;
+  return {};
+}
+
+Outcome saveGlb(Env env, const Json&) { return save(env, publish::Format::Glb); }
+Outcome saveObj(Env env, const Json&) { return save(env, publish::Format::Obj); }
+Outcome saveStl(Env env, const Json&) { return save(env, publish::Format::Stl); }
+
+Outcome setHeight(Env env, const Json& args) {
+  if (const std::optional<double> mm = args.number("mm")) {
+    return outcomeOf(env.studio.act(document::SetHeight{Millimetres{*mm}}));
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", env.studio.document().height.value);
+  sendQuestion(env.host, {"set-height", "How tall?", "Height of the model in millimetres", text});
+  return {};
+}
+
+Outcome homeView(Env env, const Json&) {
+  env.ui.cameraTouched = false;
+  flyTo(env, true);
+  return {};
+}
+
+Outcome fitView(Env env, const Json&) {
+  if (env.ui.focus == Focus::Picture) {
+    env.ui.pictureView.fitted = true;
+  } else {
+    flyTo(env, false);
+  }
+  return {};
+}
+
+Outcome zoomIn(Env env, const Json&) { return zoomBy(env, kZoomStep); }
+Outcome zoomOut(Env env, const Json&) { return zoomBy(env, 1 / kZoomStep); }
+
+Outcome focusPicture(Env env, const Json&) {
+  env.ui.focus = Focus::Picture;
+  if (env.ui.layout.stacked) env.ui.share = 1 - kNarrowShare;
+  return {};
+}
+
+Outcome focusSolid(Env env, const Json&) {
+  env.ui.focus = Focus::Solid;
+  if (env.ui.layout.stacked) env.ui.share = kNarrowShare;
+  return {};
+}
+
+}  // namespace spineloft::app

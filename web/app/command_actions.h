@@ -1,0 +1,49 @@
+// What the commands do, by group; the table (commands.cpp) names them.
+#pragma once
+
+#include "web/app/commands.h"
+
+namespace spineloft::app {
+
+// Board and files.
+Outcome openPicture(const CommandEnv& env, const Json& args);
+Outcome removePicture(const CommandEnv& env, const Json& args);
+Outcome nextPicture(const CommandEnv& env, const Json& args);
+Outcome clearBoard(const CommandEnv& env, const Json& args);
+Outcome saveGlb(const CommandEnv& env, const Json& args);
+Outcome saveObj(const CommandEnv& env, const Json& args);
+Outcome saveStl(const CommandEnv& env, const Json& args);
+Outcome setHeight(const CommandEnv& env, const Json& args);
+
+// Parts.
+Outcome drawSpine(const CommandEnv& env, const Json& args);
+Outcome redrawSpine(const CommandEnv& env, const Json& args);
+Outcome newPart(const CommandEnv& env, const Json& args);
+Outcome redrawMode(const CommandEnv& env, const Json& args);
+Outcome deletePart(const CommandEnv& env, const Json& args);
+Outcome selectPart(const CommandEnv& env, const Json& args);
+Outcome nextPart(const CommandEnv& env, const Json& args);
+Outcome renamePart(const CommandEnv& env, const Json& args);
+Outcome showPart(const CommandEnv& env, const Json& args);
+Outcome setSection(const CommandEnv& env, const Json& args);
+Outcome setCaps(const CommandEnv& env, const Json& args);
+Outcome toggleTexture(const CommandEnv& env, const Json& args);
+Outcome setColour(const CommandEnv& env, const Json& args);
+Outcome setParameter(const CommandEnv& env, const Json& args);
+
+// Views.
+Outcome homeView(const CommandEnv& env, const Json& args);
+Outcome fitView(const CommandEnv& env, const Json& args);
+Outcome zoomIn(const CommandEnv& env, const Json& args);
+Outcome zoomOut(const CommandEnv& env, const Json& args);
+Outcome focusPicture(const CommandEnv& env, const Json& args);
+Outcome focusSolid(const CommandEnv& env, const Json& args);
+
+/// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
+const document::Part* partOf(const CommandEnv& env, const Json& args);
+/// Its look, or the look of the next part when none is selected.
+document::Look currentLook(const CommandEnv& env);
+/// Turns the camera so that it sees every part, from home or from where it looks.
+void flyTo(const CommandEnv& env, bool home);
+
+}  // namespace spineloft::app

@@ -1,0 +1,196 @@
+#include "web/app/gestures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "web/tools/draw_spine.h"
+#include "web/tools/pan_picture.h"
+#include "web/tools/pinch.h"
+#include "web/tools/turn_solid.h"
+
+namespace spineloft::app {
+namespace {
+
+using platform::Device;
+using platform::PointerEvent;
+using platform::PointerKind;
+
+constexpr double kWheelZoom = 0.0016;  // ln of the zoom per CSS pixel of a mouse wheel
+constexpr double kPinchZoom = 0.011;   // the same for a trackpad pinch
+
+ClientPoint pointOf(const PointerEvent& event) { return {event.x, event.y}; }
+
+}  // namespace
+
+Gestures::Place Gestures::placeOf(const UiState& ui, ClientPoint at) const {
+  for (const Rect& overlay : ui.overlays) {
+    if (overlay.contains(at)) return Place::Panels;
+  }
+  const Layout& layout = ui.layout;
+  if (layout.panel.contains(at)) return Place::Panels;
+  Rect bar = layout.splitter;  // a little wider than it looks
+  bar = layout.stacked ? Rect{bar.x, bar.y - 4, bar.width, bar.height + 8}
+                       : Rect{bar.x - 4, bar.y, bar.width + 8, bar.height};
+  if (bar.contains(at)) return Place::Splitter;
+  if (layout.picture.contains(at)) return Place::Picture;
+  return layout.solid.contains(at) ? Place::Solid : Place::Panels;
+}
+
+Gestures::Contact* Gestures::find(int id) {
+  const auto at = std::ranges::find(contacts_, id, &Contact::id);
+  return at == contacts_.end() ? nullptr : &*at;
+}
+
+Gestures::Target Gestures::pointer(const PointerEvent& event, const tools::ToolEnv& env) {
+  env.ui.touch = event.device == Device::Touch;
+  hover_ = pointOf(event);
+  Contact* contact = find(event.id);
+  const Place place = contact ? contact->place : placeOf(env.ui, hover_);
+  switch (event.kind) {
+    case PointerKind::Down:
+      press(event, env);
+      break;
+    case PointerKind::Move:
+      if (contact) move(event, *contact, env);
+      break;
+    case PointerKind::Up:
+      release(event, env);
+      break;
+    case PointerKind::Cancel:
+    case PointerKind::Leave:
+      if (contact) {
+        cancel(env);
+        std::erase_if(contacts_, [&](const Contact& c) { return c.id == event.id; });
+      }
+      break;
+  }
+  return place == Place::Panels ? Target::Panels : Target::Views;
+}
+
+void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
+  const Place place = placeOf(env.ui, hover_);
+  if (Contact* held = find(event.id)) {
+    // A second mouse button: the right one during a stroke takes it back.
+    if (tool_ && toolContact_ == event.id) cancel(env);
+    held->at = hover_;
+    return;
+  }
+  const bool penDown =
+      std::ranges::any_of(contacts_, [](const Contact& c) { return c.device == Device::Pen; });
+  if (event.device == Device::Touch && penDown) return;  // a palm
+  contacts_.push_back({event.id, event.device, place, hover_});
+  if (event.device == Device::Pen) env.ui.penSeen = true;
+  if (place == Place::Panels) return;
+  if (event.device == Device::Touch && contacts_.size() >= 2) {
+    startPinch(env);
+    return;
+  }
+  if (place == Place::Splitter) {
+    splitting_ = true;
+    return;
+  }
+  env.ui.focus = place == Place::Picture ? Focus::Picture : Focus::Solid;
+  tool_ = toolFor(event, place, env.ui);
+  toolContact_ = event.id;
+  tool_->begin(env, hover_);
+}
+
+std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place place,
+                                               const UiState& ui) const {
+  using Mode = tools::TurnSolid::Mode;
+  const bool shift = (event.modifiers & platform::kShift) != 0;
+  const bool plain = event.button == 0 && !ui.spaceHeld;
+  if (place == Place::Solid) {
+    return std::make_unique<tools::TurnSolid>(plain && !shift ? Mode::Orbit : Mode::Pan);
+  }
+  const bool finger = event.device == Device::Touch && ui.penSeen;
+  if (plain && !finger && ui.tool == ToolKind::Draw) return std::make_unique<tools::DrawSpine>();
+  return std::make_unique<tools::PanPicture>();
+}
+
+void Gestures::startPinch(const tools::ToolEnv& env) {
+  if (tool_) tool_->cancel(env);
+  tool_.reset();
+  splitting_ = false;
+  pinching_ = true;
+  pinchPlace_ = contacts_.front().place;
+}
+
+void Gestures::move(const PointerEvent& event, Contact& contact, const tools::ToolEnv& env) {
+  const ClientPoint before = contact.at;
+  contact.at = pointOf(event);
+  if (pinching_ && contacts_.size() >= 2) {
+    const ClientPoint other = &contact == &contacts_[0] ? contacts_[1].at : contacts_[0].at;
+    if (&contact != &contacts_[0] && &contact != &contacts_[1]) return;
+    const tools::FingerPair from{before, other}, to{contact.at, other};
+    if (pinchPlace_ == Place::Picture) {
+      tools::pinchPicture(env, from, to);
+    } else if (pinchPlace_ == Place::Solid) {
+      tools::pinchSolid(env, from, to);
+    }
+  } else if (splitting_) {
+    env.ui.share = shareAt(env.ui.layout, contact.at);
+  } else if (tool_ && toolContact_ == event.id) {
+    tool_->move(env, contact.at);
+  }
+}
+
+void Gestures::release(const PointerEvent& event, const tools::ToolEnv& env) {
+  Contact* contact = find(event.id);
+  if (contact == nullptr) return;
+  if (event.buttons != 0 && event.device == Device::Mouse) return;  // another button is still down
+  if (tool_ && toolContact_ == event.id) {
+    const std::unique_ptr<tools::Tool> tool = std::move(tool_);
+    tool->move(env, pointOf(event));
+    tool->commit(env);
+  }
+  splitting_ = false;
+  std::erase_if(contacts_, [&](const Contact& c) { return c.id == event.id; });
+  if (contacts_.empty()) pinching_ = false;
+}
+
+void Gestures::cancel(const tools::ToolEnv& env) {
+  if (tool_) tool_->cancel(env);
+  tool_.reset();
+  splitting_ = false;
+  if (contacts_.empty()) pinching_ = false;
+}
+
+void Gestures::wheel(const platform::WheelEvent& event, const tools::ToolEnv& env) {
+  const ClientPoint at{event.x, event.y};
+  const Place place = placeOf(env.ui, at);
+  const bool pinch = (event.modifiers & platform::kControl) != 0;
+  const double factor = std::exp(-event.deltaY * (pinch ? kPinchZoom : kWheelZoom));
+  const bool shift = (event.modifiers & platform::kShift) != 0;
+  if (place == Place::Picture) {
+    if (shift) {
+      app::panPicture(env.ui.pictureView, tools::shownPicture(env), env.ui.layout.picture,
+                      {-event.deltaX - event.deltaY, 0});
+    } else {
+      zoomPicture(env.ui.pictureView, env.ui.layout.picture, at, factor);
+    }
+  } else if (place == Place::Solid) {
+    env.ui.flight.reset();
+    env.ui.cameraTouched = true;
+    zoomCamera(env.ui.camera, env.ui.layout.solid, at, factor);
+  }
+}
+
+const char* Gestures::cursor(const tools::ToolEnv& env) const {
+  const UiState& ui = env.ui;
+  if (splitting_) return ui.layout.stacked ? "row-resize" : "col-resize";
+  switch (placeOf(ui, hover_)) {
+    case Place::Splitter:
+      return ui.layout.stacked ? "row-resize" : "col-resize";
+    case Place::Picture:
+      if (ui.tool == ToolKind::Hand || ui.spaceHeld) return tool_ ? "grabbing" : "grab";
+      return "crosshair";
+    case Place::Solid:
+      return tool_ ? "grabbing" : "grab";
+    case Place::Panels:
+      return "default";
+  }
+  return "default";
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,62 @@
+// The icons of the page: their names as the shell and the icon font know them, and their places in
+// the font (lucide 1.62, ISC licence). The font's codepoints never move within a release.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace spineloft::app {
+
+struct Icon {
+  std::string_view name;
+  std::uint16_t code;
+};
+
+inline constexpr std::array kIcons = {
+    Icon{"pencil", 57849},
+    Icon{"hand", 57815},
+    Icon{"plus", 57661},
+    Icon{"undo-2", 58017},
+    Icon{"redo-2", 58016},
+    Icon{"trash-2", 57742},
+    Icon{"image-plus", 57847},
+    Icon{"image-off", 57792},
+    Icon{"house", 57589},
+    Icon{"maximize", 57618},
+    Icon{"zoom-in", 57782},
+    Icon{"zoom-out", 57783},
+    Icon{"eye", 57530},
+    Icon{"eye-off", 57531},
+    Icon{"palette", 57821},
+    Icon{"image", 57590},
+    Icon{"download", 57522},
+    Icon{"ruler", 57675},
+    Icon{"spline", 58251},
+    Icon{"pencil-line", 58608},
+    Icon{"x", 57778},
+    Icon{"shapes", 58547},
+    Icon{"layers", 58665},
+    Icon{"box", 57441},
+    Icon{"arrow-right", 57417},
+    Icon{"refresh-cw", 57669},
+    Icon{"check", 57452},
+    Icon{"circle-dot", 58181},
+    Icon{"list", 57606},
+    Icon{"scan", 57943},
+    Icon{"slice", 58096},
+    Icon{"sliders-horizontal", 58010},
+    Icon{"chevron-right", 57455},
+    Icon{"minus", 57628},
+    Icon{"cylinder", 58661},
+};
+
+/// 0 for a name that is not in the table.
+constexpr std::uint16_t iconCode(std::string_view name) {
+  for (const Icon& icon : kIcons) {
+    if (icon.name == name) return icon.code;
+  }
+  return 0;
+}
+
+}  // namespace spineloft::app

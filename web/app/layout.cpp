@@ -1,0 +1,43 @@
+#include "web/app/layout.h"
+
+#include <cmath>
+
+namespace spineloft::app {
+
+Layout layoutFor(double width, double height, double share, bool hasPanel) {
+  share = std::clamp(share, kMinShare, kMaxShare);
+  Layout out;
+  out.stacked = width < kStackedWidth;
+  out.strip = width < kPanelWidthFrom;
+  Rect views{0, 0, width, height};
+  if (hasPanel && out.strip) {
+    const double strip = std::min(kStripHeight, std::floor(height * 0.4));
+    views.height = height - strip;
+    out.panel = {0, views.height, width, strip};
+  } else if (hasPanel) {
+    views.width = width - kPanelWidth;
+    out.panel = {views.width, 0, kPanelWidth, height};
+  }
+  const double length = out.stacked ? views.height : views.width;
+  const double first = std::round((length - kSplitter) * share);
+  const double second = std::max(0.0, length - kSplitter - first);
+  if (out.stacked) {
+    out.picture = {0, 0, views.width, first};
+    out.splitter = {0, first, views.width, kSplitter};
+    out.solid = {0, first + kSplitter, views.width, second};
+  } else {
+    out.picture = {0, 0, first, views.height};
+    out.splitter = {first, 0, kSplitter, views.height};
+    out.solid = {first + kSplitter, 0, second, views.height};
+  }
+  return out;
+}
+
+double shareAt(const Layout& layout, ClientPoint at) {
+  const double length = layout.stacked ? layout.picture.height + layout.solid.height
+                                       : layout.picture.width + layout.solid.width;
+  const double first = (layout.stacked ? at.y : at.x) - kSplitter / 2;
+  return length > 0 ? std::clamp(first / length, kMinShare, kMaxShare) : 0.5;
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,33 @@
+// A part as seen in the picture: its outline, and which part lies under a point or a ray.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+
+namespace spineloft::app {
+
+/// The closed outline of a part in picture pixels: left rib ends, round the end, right rib ends
+/// back, round the start. Round caps follow the end fans. Appended to `out`, which is cleared
+/// first.
+void outlineOf(const pipeline::PartShape& shape, const loft::LoftParams& params,
+               std::vector<PicturePoint>& out);
+
+/// Even-odd rule.
+bool insidePolygon(std::span<const PicturePoint> polygon, PicturePoint p);
+
+/// The visible part of `picture` under the point, the last one drawn first; none elsewhere. A spine
+/// nearer than `reach` picture pixels counts as well.
+PartId partAt(const document::Document& document, const pipeline::Derived& derived,
+              PictureId picture, PicturePoint p, double reach);
+
+struct Ray {
+  WorldPoint eye, direction;
+};
+/// The visible part whose surface the ray meets first; none when it meets none.
+PartId partUnderRay(const document::Document& document, const pipeline::Derived& derived,
+                    const Ray& ray);
+
+}  // namespace spineloft::app

@@ -1,0 +1,249 @@
+// Commands about parts.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "web/app/command_actions.h"
+#include "web/app/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+Outcome missing(std::string_view what) {
+  return Refusal{"ArgumentMissing", "This needs " + std::string(what) + "."};
+}
+
+/// [[x, y], …]; none when it is anything else. Numbers that are no numbers become NaN, so that the
+/// engine can refuse them by name.
+std::optional<std::vector<PicturePoint>> strokeOf(const Json& args) {
+  const Json* list = args.find("stroke");
+  if (list == nullptr || list->array() == nullptr) return std::nullopt;
+  std::vector<PicturePoint> stroke;
+  for (const Json& entry : *list->array()) {
+    const Json::Array* pair = entry.array();
+    if (pair == nullptr || pair->size() < 2) return std::nullopt;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    stroke.push_back({(*pair)[0].number().value_or(nan), (*pair)[1].number().value_or(nan)});
+  }
+  return stroke;
+}
+
+PartId idFrom(const Json& args, std::string_view key) {
+  const std::optional<double> id = args.number(key);
+  if (!id || !(*id >= 1) || *id > 4e9 || *id != std::floor(*id)) return {};
+  return PartId{static_cast<std::uint32_t>(*id)};
+}
+
+bool namesPart(const Json& args) {
+  return args.find("part") != nullptr || args.find("id") != nullptr;
+}
+
+Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
+
+std::optional<std::array<std::uint8_t, 3>> colourFrom(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    int value = 0;
+    for (std::size_t k = 1 + 2 * i; k < 3 + 2 * i; ++k) {
+      const char c = text[k];
+      const bool digit = c >= '0' && c <= '9', lower = c >= 'a' && c <= 'f',
+                 upper = c >= 'A' && c <= 'F';
+      if (!digit && !lower && !upper) return std::nullopt;
+      value = value * 16 + (digit ? c - '0' : (lower ? c - 'a' : c - 'A') + 10);
+    }
+    colour[i] = static_cast<std::uint8_t>(value);
+  }
+  return colour;
+}
+
+/// Gives a new look to the part that is meant, or to the next part.
+Outcome setLook(Env env, const Json& args, const document::Look& look) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr && namesPart(args)) return noPart();
+  env.ui.look = look;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::SetLook{part->id, look}));
+}
+
+/// A cap named by `key`, `fallback` when it is not named; none for a name that is no cap's.
+std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key,
+                                    loft::CapStyle fallback) {
+  const std::string* name = args.text(key);
+  if (name == nullptr) return fallback;
+  return loft::capFromKey(*name);
+}
+
+}  // namespace
+
+const document::Part* partOf(const CommandEnv& env, const Json& args) {
+  PartId id = env.ui.selection;
+  if (args.find("part") != nullptr) {
+    id = idFrom(args, "part");
+  } else if (args.find("id") != nullptr) {
+    id = idFrom(args, "id");
+  }
+  return document::findPart(env.studio.document(), id);
+}
+
+document::Look currentLook(const CommandEnv& env) {
+  const document::Part* part = partOf(env, Json());
+  return part ? part->look : env.ui.look;
+}
+
+Outcome drawSpine(Env env, const Json& args) {
+  std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
+  if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
+  document::DrawSpine draw{env.ui.picture,  std::move(*stroke), env.ui.section,
+                           env.ui.startCap, env.ui.endCap,      env.ui.look};
+  if (const std::string* key = args.text("section")) {
+    const auto section = loft::sectionFromKey(*key);
+    if (!section) return refuse({Error::ValueOutOfRange, *key});
+    draw.section = *section;
+  }
+  const auto start = capOf(args, "start", draw.startCap), end = capOf(args, "end", draw.endCap);
+  if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
+  draw.startCap = *start;
+  draw.endCap = *end;
+  if (const Status status = env.studio.act(draw); !status) return refuse(status.failure());
+  env.ui.selection = env.studio.document().parts.back().id;
+  env.ui.redraw = {};
+  env.ui.framePending = true;
+  return {};
+}
+
+Outcome redrawSpine(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
+  if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
+  const PartId id = part->id;
+  const Status status = env.studio.act(document::RedrawSpine{id, std::move(*stroke)});
+  if (!status) return refuse(status.failure());
+  env.ui.selection = id;
+  env.ui.redraw = {};
+  env.ui.framePending = true;
+  return {};
+}
+
+Outcome newPart(Env env, const Json&) {
+  env.ui.tool = ToolKind::Draw;
+  env.ui.selection = {};
+  env.ui.redraw = {};
+  sendStatus(env.host, "Draw a line along the middle of the next part.");
+  return {};
+}
+
+Outcome redrawMode(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
+  if (!env.ui.redraw) return {};
+  env.ui.tool = ToolKind::Draw;
+  env.ui.picture = part->recipe.picture;
+  sendStatus(env.host, "Draw the new line of " + part->name + ".");
+  return {};
+}
+
+Outcome deletePart(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  return outcomeOf(env.studio.act(document::DeletePart{part->id}));
+}
+
+Outcome selectPart(Env env, const Json& args) {
+  const Json* id = args.find("id");
+  if (id != nullptr && (id->isNull() || id->number() == 0)) {
+    env.ui.selection = {};
+    return {};
+  }
+  const document::Part* part = namesPart(args) ? partOf(env, args) : nullptr;
+  if (part == nullptr) return noPart();
+  env.ui.selection = part->id;
+  env.ui.picture = part->recipe.picture;
+  env.ui.redraw = {};
+  return {};
+}
+
+Outcome nextPart(Env env, const Json&) {
+  const auto& parts = env.studio.document().parts;
+  if (parts.empty()) return noPart();
+  auto at = std::ranges::find(parts, env.ui.selection, &document::Part::id);
+  if (at == parts.end() || ++at == parts.end()) at = parts.begin();
+  env.ui.selection = at->id;
+  env.ui.picture = at->recipe.picture;
+  env.ui.redraw = {};
+  return {};
+}
+
+Outcome renamePart(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  if (const std::string* name = args.text("name")) {
+    return outcomeOf(env.studio.act(document::RenamePart{part->id, *name}));
+  }
+  const std::string id = "rename-part:" + std::to_string(part->id.value);
+  sendQuestion(env.host, {id, "Rename", "A name for this part", part->name});
+  return {};
+}
+
+Outcome showPart(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  const bool visible = args.flag("visible").value_or(!part->visible);
+  return outcomeOf(env.studio.act(document::ShowPart{part->id, visible}));
+}
+
+Outcome setSection(Env env, const Json& args) {
+  const std::string* key = args.text("section");
+  if (key == nullptr) return missing("the name of a slice");
+  const std::optional<loft::SectionPreset> section = loft::sectionFromKey(*key);
+  if (!section) return refuse({Error::ValueOutOfRange, *key});
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr && namesPart(args)) return noPart();
+  env.ui.section = *section;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::SetSection{part->id, *section}));
+}
+
+Outcome setCaps(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr && namesPart(args)) return noPart();
+  auto start = capOf(args, "start", part ? part->recipe.loft.startCap : env.ui.startCap);
+  auto end = capOf(args, "end", part ? part->recipe.loft.endCap : env.ui.endCap);
+  if (args.text("both") != nullptr) start = end = capOf(args, "both", {});
+  if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
+  env.ui.startCap = *start;
+  env.ui.endCap = *end;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::SetCaps{part->id, *start, *end}));
+}
+
+Outcome toggleTexture(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  document::Look look = part ? part->look : env.ui.look;
+  look.textured = args.flag("textured").value_or(!look.textured);
+  return setLook(env, args, look);
+}
+
+Outcome setColour(Env env, const Json& args) {
+  const std::string* text = args.text("colour");
+  if (text == nullptr) return missing("a colour such as #ec9e5c");
+  const auto colour = colourFrom(*text);
+  if (!colour) return refuse({Error::ValueOutOfRange, *text});
+  return setLook(env, args, {false, *colour});
+}
+
+Outcome setParameter(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  const std::string* key = args.text("key");
+  const std::optional<double> value = args.number("value");
+  if (part == nullptr) return noPart();
+  if (key == nullptr || !value) return missing("a key and a value");
+  return outcomeOf(env.studio.act(document::SetParameter{part->id, *key, *value}));
+}
+
+}  // namespace spineloft::app

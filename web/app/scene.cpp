@@ -1,0 +1,105 @@
+#include "web/app/scene.h"
+
+#include <algorithm>
+
+#include "engine/base/hash.h"
+#include "engine/publish/publish.h"
+
+namespace spineloft::app {
+namespace {
+
+gl::Viewport viewport(const Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
+
+image::Size sizeOf(const document::PictureEntry& entry) {
+  return {entry.picture->width, entry.picture->height};
+}
+
+gl::SceneTexture textureOf(const document::PictureEntry& entry) {
+  return {entry.contentHash | 1u, &entry.picture->working};
+}
+
+gl::Mat4 worldOf(const document::PictureEntry& entry) {
+  const publish::WorldFrame frame = publish::worldFrame(sizeOf(entry));
+  return gl::scaleThenShift(frame.scale, -frame.centre.x * frame.scale,
+                            -frame.centre.y * frame.scale, -frame.centre.z * frame.scale);
+}
+
+gl::SceneMesh meshOf(const document::PictureEntry& entry, const document::Look& look,
+                     const pipeline::PartShape& shape) {
+  gl::SceneMesh mesh;
+  mesh.mesh = &shape.mesh;
+  mesh.toWorld = worldOf(entry);
+  if (look.textured) mesh.texture = textureOf(entry);
+  for (std::size_t i = 0; i < 3; ++i) mesh.colour[i] = static_cast<float>(look.colour[i]) / 255.f;
+  return mesh;
+}
+
+void addParts(const document::Document& document, const pipeline::Derived& derived,
+              const UiState& ui, gl::Scene& scene) {
+  const std::size_t count = std::min(document.parts.size(), derived.parts.size());
+  const PartId replaced = ui.preview && ui.preview->shape ? ui.redraw : PartId{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const document::Part& part = document.parts[i];
+    const auto& shape = derived.parts[i].shape;
+    const document::PictureEntry* entry = document::findPicture(document, part.recipe.picture);
+    if (!shape || !part.visible || entry == nullptr || part.id == replaced) continue;
+    gl::SceneMesh mesh = meshOf(*entry, part.look, *shape);
+    mesh.key = shape->key | 1u;
+    mesh.selected = part.id == ui.selection && document.parts.size() > 1;
+    scene.meshes.push_back(mesh);
+  }
+}
+
+void addPreview(const document::Document& document, const UiState& ui, gl::Scene& scene) {
+  if (!ui.preview || !ui.preview->shape) return;
+  const document::PictureEntry* entry = document::findPicture(document, ui.picture);
+  if (entry == nullptr) return;
+  gl::SceneMesh mesh = meshOf(*entry, ui.look, *ui.preview->shape);
+  mesh.key = Hasher().text("preview").number(ui.preview->revision).value() | 1u;
+  scene.meshes.push_back(mesh);
+}
+
+/// The floor lies just below the lowest part.
+void addFloor(gl::Scene& scene) {
+  if (scene.meshes.empty()) return;
+  WorldPoint low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
+  for (const gl::SceneMesh& mesh : scene.meshes) {
+    const double s = mesh.toWorld.m[0];
+    const WorldPoint shift{mesh.toWorld.m[12], mesh.toWorld.m[13], mesh.toWorld.m[14]};
+    for (const auto& p : mesh.mesh->positions) {
+      const WorldPoint w = WorldPoint{p[0], p[1], p[2]} * s + shift;
+      low = {std::min(low.x, w.x), std::min(low.y, w.y), std::min(low.z, w.z)};
+      high = {std::max(high.x, w.x), std::max(high.y, w.y), std::max(high.z, w.z)};
+    }
+  }
+  if (!(low.x <= high.x)) return;
+  const WorldPoint size = high - low;
+  scene.floorCentre = {(low.x + high.x) / 2, low.y - 0.002, (low.z + high.z) / 2};
+  scene.floorRadius = std::max({size.x, size.z, size.y * 0.7, 0.1}) * 0.95;
+  scene.floorHeadroom = std::max(size.y * 0.9, 0.05);
+}
+
+}  // namespace
+
+void buildScene(const document::Document& document, const pipeline::Derived& derived,
+                const UiState& ui, gl::Scene& scene) {
+  scene.width = ui.canvasWidth;
+  scene.height = ui.canvasHeight;
+  scene.dpr = ui.dpr;
+  scene.pictureView = viewport(ui.layout.picture);
+  scene.solidView = viewport(ui.layout.solid);
+  scene.picture.reset();
+  if (const auto* entry = document::findPicture(document, ui.picture)) {
+    scene.picture = textureOf(*entry);
+    scene.pictureAt = viewport(pictureRect(ui.pictureView, sizeOf(*entry), ui.layout.picture));
+  }
+  scene.view = viewOf(ui.camera);
+  scene.projection = projectionOf(ui.camera, ui.layout.solid);
+  scene.meshes.clear();
+  scene.floorRadius = 0;
+  addParts(document, derived, ui, scene);
+  addPreview(document, ui, scene);
+  addFloor(scene);
+}
+
+}  // namespace spineloft::app

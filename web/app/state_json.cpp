@@ -1,0 +1,130 @@
+#include "web/app/state_json.h"
+
+#include <cstdio>
+
+namespace spineloft::app {
+namespace {
+
+std::string_view stateKey(ribs::RibState state) {
+  switch (state) {
+    case ribs::RibState::Edge:
+      return "edge";
+    case ribs::RibState::Bridged:
+      return "bridged";
+    case ribs::RibState::Guessed:
+      return "guessed";
+  }
+  return "guessed";
+}
+
+void writePoint(JsonWriter& json, std::string_view key, PicturePoint p) {
+  json.key(key).beginArray().number(p.x).number(p.y).endArray();
+}
+
+void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
+  json.key("ribs").beginArray();
+  for (const ribs::Rib& rib : set.ribs) {
+    json.beginObject();
+    writePoint(json, "center", rib.center);
+    writePoint(json, "left", rib.left);
+    writePoint(json, "right", rib.right);
+    json.key("leftState").text(stateKey(rib.leftState));
+    json.key("rightState").text(stateKey(rib.rightState)).endObject();
+  }
+  json.endArray();
+}
+
+void writePart(JsonWriter& json, const document::Part& part, const pipeline::DerivedPart& derived) {
+  static const ribs::RibSet kNoRibs;
+  json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
+  json.key("kind").text("loft").key("section").text(loft::sectionKey(part.recipe.loft.section));
+  json.key("caps").beginObject();
+  json.key("start").text(loft::capKey(part.recipe.loft.startCap));
+  json.key("end").text(loft::capKey(part.recipe.loft.endCap)).endObject();
+  json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
+  char colour[8];
+  std::snprintf(colour, sizeof colour, "#%02x%02x%02x", part.look.colour[0], part.look.colour[1],
+                part.look.colour[2]);
+  json.key("colour").text(colour).key("picture").number(part.recipe.picture.value);
+  json.key("waiting").flag(derived.waiting);
+  json.key("failure");
+  derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
+  writeRibs(json, derived.shape ? derived.shape->ribs : kNoRibs);
+  json.key("triangles");
+  json.number(derived.shape ? static_cast<double>(derived.shape->mesh.triangles.size()) : 0);
+  json.endObject();
+}
+
+void writePicture(JsonWriter& json, const document::PictureEntry* entry) {
+  json.key("picture");
+  if (entry == nullptr) {
+    json.null();
+    return;
+  }
+  json.beginObject().key("width").number(entry->picture->width);
+  json.key("height").number(entry->picture->height).key("name").text(entry->name);
+  json.key("id").number(entry->id.value).endObject();
+}
+
+void writeActivity(JsonWriter& json, const Studio& studio) {
+  json.key("activity");
+  const std::optional<WorkerPool::Activity> activity = studio.activity();
+  if (!activity) {
+    json.null();
+    return;
+  }
+  json.beginObject().key("label").text(activity->label);
+  json.key("done").number(activity->progress.done()).endObject();
+}
+
+void writePreview(JsonWriter& json, const UiState& ui) {
+  json.key("preview");
+  if (!ui.preview) {
+    json.null();
+    return;
+  }
+  const auto& shape = ui.preview->shape;
+  json.beginObject().key("points").number(static_cast<double>(ui.preview->stroke.size()));
+  json.key("ribs").number(shape ? static_cast<double>(shape->ribs.ribs.size()) : 0);
+  json.key("triangles").number(shape ? static_cast<double>(shape->mesh.triangles.size()) : 0);
+  json.key("costMs").number(ui.preview->costMs).endObject();
+}
+
+}  // namespace
+
+void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
+  Studio& studio = env.studio;
+  const UiState& ui = env.ui;
+  const pipeline::Derived& derived = studio.derived();
+  const document::Document& document = studio.document();
+  json.beginObject().key("version").text(SPINELOFT_VERSION);
+  writePicture(json, document::findPicture(document, ui.picture));
+  json.key("pictures").number(static_cast<double>(document.pictures.size()));
+  json.key("parts").beginArray();
+  for (std::size_t i = 0; i < document.parts.size(); ++i) {
+    writePart(json, document.parts[i], derived.parts[i]);
+  }
+  json.endArray().key("selection");
+  ui.selection ? json.number(ui.selection.value) : json.null();
+  json.key("tool").text(ui.tool == ToolKind::Draw ? "draw" : "hand");
+  json.key("redraw");
+  ui.redraw ? json.number(ui.redraw.value) : json.null();
+  json.key("undo").number(static_cast<double>(studio.undoSteps()));
+  json.key("redo").number(static_cast<double>(studio.redoSteps()));
+  json.key("busy").flag(studio.busy()).key("threads").number(studio.threads());
+  const pipeline::StageMs& ms = studio.lastMs();
+  json.key("lastMs").beginObject().key("edges").number(ms.edges).key("ribs").number(ms.ribs);
+  json.key("loft").number(ms.loft).endObject();
+  json.key("unsaved").flag(studio.unsaved());
+  writeActivity(json, studio);
+  writePreview(json, ui);
+  json.key("looks").text(ui.look.textured ? "picture" : "colour");
+  json.key("heightMm").number(document.height.value);
+  json.key("documentName").text(document.name);
+  json.key("view").text(ui.focus == Focus::Picture ? "picture" : "solid");
+  json.key("camera").beginObject().key("yaw").number(ui.camera.yaw);
+  json.key("pitch").number(ui.camera.pitch).key("distance").number(ui.camera.distance).endObject();
+  json.key("frames").number(static_cast<double>(frames)).endObject();
+}
+
+}  // namespace spineloft::app

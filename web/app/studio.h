@@ -1,0 +1,85 @@
+// The document with its history, everything derived from it, and the work going on about it. No
+// drawing, no input: commands and tests talk to it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/base/worker_pool.h"
+#include "engine/document/action.h"
+#include "engine/document/document.h"
+#include "engine/document/history.h"
+#include "engine/pipeline/derive.h"
+#include "engine/publish/publish.h"
+#include "web/platform/host.h"
+
+namespace spineloft::app {
+
+class Studio {
+ public:
+  /// `threads` of the worker pool; 0 works between frames.
+  Studio(platform::Host& host, int threads);
+
+  const document::Document& document() const { return history_.present(); }
+  std::size_t undoSteps() const { return history_.undoSteps(); }
+  std::size_t redoSteps() const { return history_.redoSteps(); }
+
+  /// All actions or none, as one step of undo. Errors: those of document::update.
+  Status act(std::span<const document::Action> actions);
+  Status act(const document::Action& action) { return act({&action, 1}); }
+  Status undo();
+  Status redo();
+  /// An empty board; undo brings the old one back.
+  void clear();
+
+  /// Up to date with the document: derives now if it has to. Starts the search for edges that are
+  /// missing, and reports parts that failed, each once.
+  const pipeline::Derived& derived();
+
+  /// What a stroke would become, with the edges known so far.
+  Result<pipeline::PartShape> preview(const document::LoftRecipe& recipe) const;
+
+  /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
+  Status save(publish::Format format);
+  /// The file, now and here.
+  Result<publish::Bytes> publishNow(publish::Format format);
+
+  /// Takes in what the workers finished. True when something changed.
+  bool pump();
+  bool busy() const { return !pool_.idle(); }
+  int threads() const { return pool_.threads(); }
+  std::optional<WorkerPool::Activity> activity() const { return pool_.activity(); }
+  void cancelWork();
+
+  const pipeline::StageMs& lastMs() const { return lastMs_; }
+  /// There are parts that are in no file yet.
+  bool unsaved() const;
+  void markSaved() { saved_ = document(); }
+  /// Counts the changes of the document and of what is derived from it.
+  std::uint64_t revision() const { return revision_; }
+
+ private:
+  void changed();
+  void findEdges(PictureId id);
+  void report(const pipeline::Derived& derived);
+  void finishSave(Result<publish::Bytes> bytes, publish::Format format,
+                  const document::Document& written);
+
+  platform::Host& host_;
+  document::History<document::Document> history_;
+  document::Document saved_;
+  pipeline::Cache cache_;
+  pipeline::Derived derived_;
+  bool stale_ = false;
+  pipeline::StageMs lastMs_;
+  std::uint64_t revision_ = 0;
+  std::vector<std::uint64_t> searching_;  ///< content hashes whose edges a worker seeks
+  std::vector<std::pair<PartId, Error>> reported_;
+  WorkerPool pool_;  ///< last: its jobs end before the rest goes
+};
+
+}  // namespace spineloft::app

@@ -1,0 +1,69 @@
+// Everything transient: what is selected, where the views look, what the pen is drawing. Never
+// saved, never undone.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/ids.h"
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+#include "web/app/layout.h"
+#include "web/app/views.h"
+
+namespace spineloft::app {
+
+enum class ToolKind : std::uint8_t { Draw, Hand };
+enum class Focus : std::uint8_t { Picture, Solid };
+enum class PanelTab : std::uint8_t { Parts, Slice, Ends, Look };
+
+/// A stroke in the making and what it would become.
+struct Preview {
+  std::vector<PicturePoint> stroke;          ///< picture pixels
+  bool fresh = false;                        ///< `shape` is of this very stroke
+  std::optional<pipeline::PartShape> shape;  ///< of the stroke, or of its beginning
+  std::uint64_t revision = 0;                ///< counts the shapes
+  double costMs = 0;                         ///< what the last shape took
+  double nextMs = 0;                         ///< not before this time is the next one made
+};
+
+/// A camera on its way.
+struct CameraFlight {
+  Camera from, to;
+  double startMs = 0, lengthMs = 300;
+};
+
+struct UiState {
+  Layout layout;
+  double canvasWidth = 0, canvasHeight = 0, dpr = 1;
+  double share = 0.5;  ///< of the views' room that the picture has
+
+  ToolKind tool = ToolKind::Draw;
+  Focus focus = Focus::Picture;
+  PanelTab tab = PanelTab::Slice;
+  PartId selection;
+  PartId hovered;
+  PictureId picture;          ///< the one in the picture view
+  bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
+  PartId redraw;              ///< the next stroke is for this part
+
+  PictureView pictureView;
+  Camera camera;
+  std::optional<CameraFlight> flight;
+  bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
+
+  /// What the next part is made with.
+  loft::SectionPreset section = loft::SectionPreset::Circle;
+  loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
+  document::Look look;
+
+  std::optional<Preview> preview;
+  bool spaceHeld = false;
+  bool touch = false;          ///< the last pointer was a finger: larger targets
+  bool penSeen = false;        ///< a pen was used: fingers no longer draw
+  std::vector<Rect> overlays;  ///< ImGui windows above the views, as of the last frame
+};
+
+}  // namespace spineloft::app

@@ -1,0 +1,28 @@
+// Draws nothing and remembers what it was asked to draw: the whole page runs in unit tests with it.
+#pragma once
+
+#include "web/gl/renderer.h"
+
+namespace spineloft::gl {
+
+class NullRenderer final : public Renderer {
+ public:
+  void beginUi() override {}
+  void draw(const Scene& scene) override {
+    if (lost) return;
+    last = scene;
+    ++draws;
+  }
+  void fontsChanged() override { ++fontUploads; }
+  void contextLost() override { lost = true; }
+  bool contextRestored() override {
+    lost = false;
+    return true;
+  }
+
+  Scene last;  ///< its mesh and image pointers are only valid right after `draw`
+  int draws = 0, fontUploads = 0;
+  bool lost = false;
+};
+
+}  // namespace spineloft::gl

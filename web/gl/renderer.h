@@ -1,0 +1,63 @@
+// What is drawn, as plain values, and who draws it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/image/image.h"
+#include "engine/mesh/tri_mesh.h"
+#include "web/gl/mat4.h"
+
+namespace spineloft::gl {
+
+/// A rectangle in CSS pixels from the canvas' top left corner.
+struct Viewport {
+  double x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Pixels that may lie on the GPU under `key`: equal keys, equal pixels. Never 0.
+struct SceneTexture {
+  std::uint64_t key = 0;
+  const image::Image* image = nullptr;
+};
+
+struct SceneMesh {
+  std::uint64_t key = 0;                 ///< equal keys, equal geometry; never 0
+  const mesh::TriMesh* mesh = nullptr;   ///< alive while the scene is drawn
+  Mat4 toWorld;                          ///< a uniform scale and a shift
+  std::optional<SceneTexture> texture;   ///< else `colour` alone
+  std::array<float, 3> colour{1, 1, 1};  ///< sRGB, 0…1
+  bool selected = false;
+};
+
+/// Everything below the panels of one frame.
+struct Scene {
+  double width = 0, height = 0, dpr = 1;  ///< of the canvas, CSS pixels
+  Viewport pictureView, solidView;
+  std::optional<SceneTexture> picture;
+  Viewport pictureAt;  ///< where the whole picture lies; may reach beyond its view
+  Mat4 view, projection;
+  WorldPoint floorCentre;    ///< a point on the floor
+  double floorRadius = 0;    ///< 0: no floor
+  double floorHeadroom = 1;  ///< height above the floor within which parts cast shadows
+  std::vector<SceneMesh> meshes;
+};
+
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  /// Before ImGui's new frame: makes sure its textures exist.
+  virtual void beginUi() = 0;
+  /// Draws the scene and, above it, ImGui's finished draw data.
+  virtual void draw(const Scene& scene) = 0;
+  /// The font atlas of ImGui was rebuilt.
+  virtual void fontsChanged() = 0;
+  /// Every object on the GPU is gone; nothing is drawn until `contextRestored`.
+  virtual void contextLost() = 0;
+  /// Makes everything again; false when that failed.
+  virtual bool contextRestored() = 0;
+};
+
+}  // namespace spineloft::gl

@@ -1,0 +1,30 @@
+// Pictures on the GPU: sRGB, mipmapped, at most 4096 pixels a side, one upload a key.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "web/gl/handles.h"
+#include "web/gl/renderer.h"
+
+namespace spineloft::gl {
+
+class TextureStore {
+ public:
+  /// The texture's name, uploaded now if it is new.
+  GLuint get(const SceneTexture& texture);
+  /// Deletes what was not asked for since the last call.
+  void endFrame();
+  /// The context is lost: forgets every name.
+  void forgetAll();
+
+ private:
+  struct Slot {
+    std::uint64_t key = 0;
+    Texture texture;
+    bool used = true;
+  };
+  std::vector<Slot> slots_;
+};
+
+}  // namespace spineloft::gl

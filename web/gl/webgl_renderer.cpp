@@ -1,0 +1,284 @@
+#include "web/gl/webgl_renderer.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "web/gl/handles.h"
+#include "web/gl/mesh_store.h"
+#include "web/gl/shader_sources.h"
+#include "web/gl/texture_store.h"
+
+namespace spineloft::gl {
+namespace {
+
+constexpr int kShadowSide = 256;
+
+struct Programs {
+  Program background, picture, mesh, floor, shadow;
+  bool complete() const { return background && picture && mesh && floor && shadow; }
+  void forget() {
+    for (Program* p : {&background, &picture, &mesh, &floor, &shadow}) p->forget();
+  }
+};
+
+Programs makePrograms() {
+  Programs out;
+  out.background = makeProgram(shaders::kQuadVert, shaders::kBackgroundFrag, {"corner"});
+  out.picture = makeProgram(shaders::kQuadVert, shaders::kPictureFrag, {"corner"});
+  out.mesh = makeProgram(shaders::kMeshVert, shaders::kMeshFrag, {"position", "normal", "uv"});
+  out.floor = makeProgram(shaders::kFloorVert, shaders::kFloorFrag, {"corner"});
+  out.shadow = makeProgram(shaders::kShadowVert, shaders::kShadowFrag, {"position"});
+  return out;
+}
+
+/// A height map of the parts seen from above, from which the floor takes its soft shadow.
+struct ShadowMap {
+  Texture texture;
+  Framebuffer framebuffer;
+  void forget() {
+    texture.forget();
+    framebuffer.forget();
+  }
+};
+
+ShadowMap makeShadowMap() {
+  ShadowMap map{Texture::make(), Framebuffer::make()};
+  glBindTexture(GL_TEXTURE_2D, map.texture.name());
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, kShadowSide, kShadowSide);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.texture.name(),
+                         0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return map;
+}
+
+class WebGlRenderer final : public Renderer {
+ public:
+  ~WebGlRenderer() override {
+    if (!lost_) ImGui_ImplOpenGL3_Shutdown();
+  }
+
+  bool build() {
+    programs_ = makePrograms();
+    if (!programs_.complete()) return false;
+    shadowMap_ = makeShadowMap();
+    const float corners[] = {0, 0, 1, 0, 0, 1, 1, 1};
+    quadArray_ = VertexArray::make();
+    quad_ = Buffer::make();
+    glBindVertexArray(quadArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, quad_.name());
+    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glBindVertexArray(0);
+    lost_ = false;
+    return ImGui_ImplOpenGL3_Init("#version 300 es");
+  }
+
+  void beginUi() override {
+    if (!lost_) ImGui_ImplOpenGL3_NewFrame();
+  }
+
+  void draw(const Scene& scene) override {
+    if (lost_) return;
+    drawShadowMap(scene);
+    const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
+    const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.969f, 0.961f, 0.941f, 1);  // paper
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_SCISSOR_TEST);
+    drawPictureView(scene);
+    drawSolidView(scene);
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, width, height);
+    if (ImDrawData* ui = ImGui::GetDrawData()) ImGui_ImplOpenGL3_RenderDrawData(ui);
+    meshes_.endFrame();
+    textures_.endFrame();
+  }
+
+  void fontsChanged() override {
+    if (lost_) return;
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+
+  void contextLost() override {
+    if (lost_) return;
+    lost_ = true;
+    programs_.forget();
+    shadowMap_.forget();
+    quadArray_.forget();
+    quad_.forget();
+    meshes_.forgetAll();
+    textures_.forgetAll();
+    // Deleting names of a lost context is harmless; this also clears the backend's own state.
+    ImGui_ImplOpenGL3_Shutdown();
+  }
+
+  bool contextRestored() override { return !lost_ || build(); }
+
+ private:
+  /// Viewport and scissor to a rectangle of the canvas.
+  void enter(const Scene& scene, const Viewport& at) const {
+    const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
+    const int left = px(at.x), right = px(at.x + at.width);
+    const int bottom = px(scene.height) - px(at.y + at.height), top = px(scene.height) - px(at.y);
+    glViewport(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
+    glScissor(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
+  }
+
+  void drawQuad() const {
+    glBindVertexArray(quadArray_.name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glBindVertexArray(0);
+  }
+
+  GLint uniform(const Program& program, const char* name) const {
+    return glGetUniformLocation(program.name(), name);
+  }
+
+  /// The quad's place within the current viewport, in clip coordinates.
+  void placeQuad(const Program& program, const Viewport& quad, const Viewport& within) const {
+    const double left = (quad.x - within.x) / within.width * 2 - 1;
+    const double top = 1 - (quad.y - within.y) / within.height * 2;
+    glUniform4f(uniform(program, "place"), static_cast<float>(left), static_cast<float>(top),
+                static_cast<float>(quad.width / within.width * 2),
+                static_cast<float>(-quad.height / within.height * 2));
+  }
+
+  void drawPictureView(const Scene& scene) {
+    if (!scene.picture || scene.pictureView.width < 1 || scene.pictureView.height < 1) return;
+    enter(scene, scene.pictureView);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    const GLuint texture = textures_.get(*scene.picture);
+    glUseProgram(programs_.picture.name());
+    placeQuad(programs_.picture, scene.pictureAt, scene.pictureView);
+    glUniform2f(uniform(programs_.picture, "sizeOnScreen"),
+                static_cast<float>(scene.pictureAt.width),
+                static_cast<float>(scene.pictureAt.height));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glUniform1i(uniform(programs_.picture, "picture"), 0);
+    drawQuad();
+  }
+
+  void drawSolidView(const Scene& scene) {
+    if (scene.solidView.width < 1 || scene.solidView.height < 1) return;
+    enter(scene, scene.solidView);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glUseProgram(programs_.background.name());
+    placeQuad(programs_.background, scene.solidView, scene.solidView);
+    drawQuad();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    const Mat4 toClip = scene.projection * scene.view;
+    if (scene.floorRadius > 0) drawFloor(scene, toClip);
+    drawMeshes(scene, toClip);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+  }
+
+  void drawFloor(const Scene& scene, const Mat4& toClip) const {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    const Program& program = programs_.floor;
+    glUseProgram(program.name());
+    glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, toClip.m.data());
+    glUniform4f(uniform(program, "disc"), static_cast<float>(scene.floorCentre.x),
+                static_cast<float>(scene.floorCentre.y), static_cast<float>(scene.floorCentre.z),
+                static_cast<float>(scene.floorRadius));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, shadowMap_.texture.name());
+    glUniform1i(uniform(program, "heights"), 0);
+    drawQuad();
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+
+  void drawMeshes(const Scene& scene, const Mat4& toClip) {
+    const Program& program = programs_.mesh;
+    glUseProgram(program.name());
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, toClip.m.data());
+    glUniformMatrix4fv(uniform(program, "toEye"), 1, GL_FALSE, scene.view.m.data());
+    glUniform1i(uniform(program, "picture"), 0);
+    const GLint toWorld = uniform(program, "toWorld"), colour = uniform(program, "colour"),
+                textured = uniform(program, "textured"), glow = uniform(program, "glow");
+    for (const SceneMesh& item : scene.meshes) {
+      const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
+      const GpuMesh& mesh = meshes_.get(item.key, *item.mesh);
+      glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
+      glUniform3f(colour, item.colour[0], item.colour[1], item.colour[2]);
+      glUniform1f(textured, texture != 0 ? 1.f : 0.f);
+      glUniform1f(glow, item.selected ? 1.f : 0.f);
+      glActiveTexture(GL_TEXTURE0);
+      glBindTexture(GL_TEXTURE_2D, texture);
+      glBindVertexArray(mesh.array.name());
+      glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+    }
+    glBindVertexArray(0);
+  }
+
+  void drawShadowMap(const Scene& scene) {
+    if (scene.floorRadius <= 0) return;
+    const Mat4 fromSky = fromAbove(scene.floorCentre, scene.floorRadius, scene.floorCentre.y - 1e-3,
+                                   scene.floorCentre.y + std::max(1e-3, scene.floorHeadroom));
+    glBindFramebuffer(GL_FRAMEBUFFER, shadowMap_.framebuffer.name());
+    glViewport(0, 0, kShadowSide, kShadowSide);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_BLEND);
+    glBlendEquation(
+        GL_MAX);  // the lowest surface over each place counts: the shader writes 1 − height
+    const Program& program = programs_.shadow;
+    glUseProgram(program.name());
+    glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, fromSky.m.data());
+    const GLint toWorld = uniform(program, "toWorld");
+    for (const SceneMesh& item : scene.meshes) {
+      const GpuMesh& mesh = meshes_.get(item.key, *item.mesh);
+      glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
+      glBindVertexArray(mesh.array.name());
+      glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+    }
+    glBindVertexArray(0);
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+
+  Programs programs_;
+  ShadowMap shadowMap_;
+  VertexArray quadArray_;
+  Buffer quad_;
+  MeshStore meshes_;
+  TextureStore textures_;
+  bool lost_ = true;
+};
+
+}  // namespace
+
+std::unique_ptr<Renderer> makeWebGlRenderer() {
+  auto renderer = std::make_unique<WebGlRenderer>();
+  if (!renderer->build()) return nullptr;
+  return renderer;
+}
+
+}  // namespace spineloft::gl

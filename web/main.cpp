@@ -1,0 +1,31 @@
+// The page's beginning: renderer and App are made here, once the shell calls spl_start; from then
+// on everything happens in callbacks.
+#include <imgui.h>
+
+#include "web/app/app.h"
+#include "web/gl/webgl_renderer.h"
+#include "web/platform/page.h"
+
+namespace spineloft::platform {
+namespace {
+
+#ifdef SPINELOFT_THREADS
+constexpr int kThreads = 2;
+#else
+constexpr int kThreads = 0;
+#endif
+
+}  // namespace
+
+std::unique_ptr<Page> makePage(Host& host, FontFiles fonts, const CanvasSize& size) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  std::unique_ptr<gl::Renderer> renderer = gl::makeWebGlRenderer();
+  if (renderer == nullptr) return nullptr;
+  app::App::Parts parts{host, std::move(renderer), std::move(fonts), kThreads};
+  return std::make_unique<app::App>(std::move(parts), size);
+}
+
+}  // namespace spineloft::platform
+
+int main() { return 0; }

@@ -1,0 +1,106 @@
+// How the two ends of a part are finished.
+#include <imgui.h>
+
+#include <cmath>
+#include <string>
+
+#include "engine/loft/loft.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+/// A part cut lengthwise, with its end on the left (`direction` −1) or on the right (+1).
+void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float direction,
+              ImU32 colour) {
+  const float tail = c.x - direction * r, h = r * 0.62f;
+  const float neck = c.x + direction * r * 0.25f, tip = c.x + direction * r;
+  list.PathClear();
+  list.PathLineTo({tail, c.y - h});
+  switch (style) {
+    case loft::CapStyle::Flat:
+    case loft::CapStyle::Open:
+      list.PathLineTo({tip - direction * 2, c.y - h});
+      list.PathLineTo({tip - direction * 2, c.y + h});
+      break;
+    case loft::CapStyle::Round: {
+      list.PathLineTo({neck, c.y - h});
+      const float sweep = r * 0.75f;
+      for (int i = 1; i < 12; ++i) {
+        const float a = 3.14159265f * static_cast<float>(i) / 12;
+        list.PathLineTo({neck + direction * sweep * std::sin(a), c.y - h * std::cos(a)});
+      }
+      list.PathLineTo({neck, c.y + h});
+      break;
+    }
+    case loft::CapStyle::Pointed:
+      list.PathLineTo({neck - direction * 3, c.y - h});
+      list.PathLineTo({tip, c.y});
+      list.PathLineTo({neck - direction * 3, c.y + h});
+      break;
+    case loft::CapStyle::kCount:
+      break;
+  }
+  list.PathLineTo({tail, c.y + h});
+  list.PathStroke(colour, ImDrawFlags_None, 1.8f);
+  if (style == loft::CapStyle::Open) {
+    list.AddEllipse({tip - direction * 2, c.y}, r * 0.3f, h, colour, 0, 20, 1.8f);
+  }
+}
+
+void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float width) {
+  const float direction = which[0] == 's' ? -1.f : 1.f;
+  const float gap = 6;
+  const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)),
+                    env.ui().layout.strip ? 44.f : 54.f};
+  ImGui::PushID(which);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  bool first = true;
+  for (const loft::CapName& name : loft::capNames()) {
+    if (!first) ImGui::SameLine();
+    first = false;
+    const std::string key(name.key);
+    const auto paint = [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 colour) {
+      paintCap(list, name.style, centre, radius, direction, colour);
+    };
+    const std::string_view text = size.y < 50 ? std::string_view() : name.label;
+    if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen}, paint)) {
+      env.sink.run("set-caps", app::Json::Object{{which, name.key}});
+    }
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void capChooser(const PanelEnv& env, float width) {
+  const document::Part* part = env.selected();
+  const loft::CapStyle start = part ? part->recipe.loft.startCap : env.ui().startCap;
+  const loft::CapStyle end = part ? part->recipe.loft.endCap : env.ui().endCap;
+  if (env.ui().layout.strip) {
+    const float half = (width - 24) / 2;
+    if (half < 240) {
+      row(env, "start", start, width);
+      row(env, "end", end, width);
+    } else {
+      ImGui::BeginGroup();
+      label(env.fonts.small, kMuted, "Where you began");
+      row(env, "start", start, half);
+      ImGui::EndGroup();
+      ImGui::SameLine(0, 24);
+      ImGui::BeginGroup();
+      label(env.fonts.small, kMuted, "Where you stopped");
+      row(env, "end", end, half);
+      ImGui::EndGroup();
+    }
+    return;
+  }
+  label(env.fonts.small, kMuted, "Where you began");
+  row(env, "start", start, width);
+  label(env.fonts.small, kMuted, "Where you stopped");
+  row(env, "end", end, width);
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,43 @@
+#include "web/panels/draw_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spineloft::panels {
+
+ImVec2 onCanvas(const app::UiState& ui, PicturePoint p) {
+  const app::ClientPoint at = ui.pictureView.toClient(p, ui.layout.picture);
+  return {static_cast<float>(at.x), static_cast<float>(at.y)};
+}
+
+void styledLine(ImDrawList& list, ImVec2 a, ImVec2 b, const Pen& pen) {
+  const float dx = b.x - a.x, dy = b.y - a.y;
+  const float length = std::sqrt(dx * dx + dy * dy);
+  if (pen.style == LineStyle::Solid || length < 3) {
+    list.AddLine(a, b, pen.colour, pen.width);
+    return;
+  }
+  const bool dotted = pen.style == LineStyle::Dotted;
+  const float on = dotted ? 1.5f : 5.f, step = dotted ? 4.5f : 9.f;
+  const float ux = dx / length, uy = dy / length;
+  for (float s = 0; s < length; s += step) {
+    const float e = std::min(s + on, length);
+    list.AddLine({a.x + ux * s, a.y + uy * s}, {a.x + ux * e, a.y + uy * e}, pen.colour, pen.width);
+  }
+}
+
+void picturePolyline(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points,
+                     const Pen& pen, bool closed) {
+  if (points.size() < 2) return;
+  if (pen.style != LineStyle::Solid) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      styledLine(list, onCanvas(ui, points[i - 1]), onCanvas(ui, points[i]), pen);
+    }
+    return;
+  }
+  list.PathClear();
+  for (const PicturePoint p : points) list.PathLineTo(onCanvas(ui, p));
+  list.PathStroke(pen.colour, closed ? ImDrawFlags_Closed : ImDrawFlags_None, pen.width);
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,39 @@
+// The panels: free functions that read the document and what is derived from it, and put what the
+// visitor wants into the action sink.
+#pragma once
+
+#include "web/app/action_sink.h"
+#include "web/app/commands.h"
+#include "web/app/fonts.h"
+
+namespace spineloft::panels {
+
+struct PanelEnv {
+  app::CommandEnv env;
+  const pipeline::Derived& derived;
+  const app::Fonts& fonts;
+  app::ActionSink& sink;
+
+  const document::Document& document() const { return env.studio.document(); }
+  app::UiState& ui() const { return env.ui; }
+  /// The selected part or null.
+  const document::Part* selected() const {
+    return document::findPart(document(), env.ui.selection);
+  }
+};
+
+/// Everything above the scene, between ImGui's NewFrame and Render.
+void draw(const PanelEnv& env);
+
+// Its pieces.
+void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
+void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, splitter
+void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
+void drawActivity(const PanelEnv& env);        ///< progress of long work
+
+void partList(const PanelEnv& env);
+void sectionChooser(const PanelEnv& env, float width);
+void capChooser(const PanelEnv& env, float width);
+void lookPanel(const PanelEnv& env, float width);
+
+}  // namespace spineloft::panels

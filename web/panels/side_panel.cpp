@@ -1,0 +1,121 @@
+// Parts, slice, ends and look: a column beside the views, or a strip with tabs below them.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+struct Tab {
+  app::PanelTab tab;
+  const char* label;
+};
+constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"},
+                              Tab{app::PanelTab::Slice, "Slice"}, Tab{app::PanelTab::Ends, "Ends"},
+                              Tab{app::PanelTab::Look, "Look"}};
+
+void column(const PanelEnv& env) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  label(env.fonts.bold, kInk, "Parts");
+  ImGui::SameLine(width - 24);
+  commandButton(env, "new-part", 32);
+  partList(env);
+  heading(env, env.selected() ? "Slice" : "Slice of the next part");
+  sectionChooser(env, width);
+  heading(env, "Ends");
+  capChooser(env, width);
+  heading(env, "Look");
+  lookPanel(env, width);
+  ImGui::Dummy({0, 8});
+}
+
+void tabs(const PanelEnv& env, float width) {
+  const float height = env.ui().touch ? 44.f : 38.f;
+  const float each = std::min(width / static_cast<float>(kTabs.size()), 140.f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  for (std::size_t i = 0; i < kTabs.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(kTabs[i].label, {each, height})) env.ui().tab = kTabs[i].tab;
+    const bool on = env.ui().tab == kTabs[i].tab;
+    ImFont* font = on ? env.fonts.bold : env.fonts.text;
+    ImGui::PushFont(font);
+    const ImVec2 extent = ImGui::CalcTextSize(kTabs[i].label);
+    list.AddText({at.x + (each - extent.x) / 2, at.y + (height - extent.y) / 2 - 1},
+                 on                       ? kAccent
+                 : ImGui::IsItemHovered() ? kInk
+                                          : kMuted,
+                 kTabs[i].label);
+    ImGui::PopFont();
+    if (on) {
+      list.AddRectFilled({at.x + each * 0.2f, at.y + height - 4},
+                         {at.x + each * 0.8f, at.y + height - 1}, kAccent, 2);
+    }
+  }
+  ImGui::PopStyleVar();
+}
+
+void strip(const PanelEnv& env, const app::Rect& at) {
+  const float width = static_cast<float>(at.width) - 20;
+  ImGui::SetCursorPos({10, 0});
+  ImGui::BeginGroup();
+  tabs(env, width);
+  ImGui::EndGroup();
+  ImGui::SetCursorPos({10, env.ui().touch ? 47.f : 43.f});
+  ImGui::BeginChild("content", {width, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  switch (env.ui().tab) {
+    case app::PanelTab::Parts:
+      partList(env);
+      break;
+    case app::PanelTab::Slice:
+      sectionChooser(env, width);
+      break;
+    case app::PanelTab::Ends:
+      capChooser(env, width);
+      break;
+    case app::PanelTab::Look:
+      lookPanel(env, width);
+      break;
+  }
+  dragScroll();
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+void drawSidePanel(const PanelEnv& env) {
+  const app::Layout& layout = env.ui().layout;
+  if (layout.panel.width < 1) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, layout.strip ? ImVec2(0, 0) : ImVec2(14, 8));
+  const ImGuiWindowFlags scroll = layout.strip ? ImGuiWindowFlags_NoScrollWithMouse : 0;
+  ImGui::SetNextWindowPos({static_cast<float>(layout.panel.x), static_cast<float>(layout.panel.y)});
+  ImGui::SetNextWindowSize(
+      {static_cast<float>(layout.panel.width), static_cast<float>(layout.panel.height)});
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | scroll);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  list.AddLine(
+      corner,
+      layout.strip ? ImVec2(corner.x + size.x, corner.y) : ImVec2(corner.x, corner.y + size.y),
+      kLine, 1.5f);
+  if (layout.strip) {
+    strip(env, layout.panel);
+  } else {
+    column(env);
+    dragScroll();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,37 @@
+#include "web/panels/theme.h"
+
+namespace spineloft::panels {
+
+void applyTheme() {
+  ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  ImGui::StyleColorsLight(&style);
+  style.WindowRounding = kRadius;
+  style.ChildRounding = style.FrameRounding = style.PopupRounding = kRadius;
+  style.ScrollbarRounding = style.GrabRounding = 4;
+  style.ScrollbarSize = 10;
+  style.WindowBorderSize = 0;
+  style.ChildBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.WindowPadding = {12, 10};
+  style.FramePadding = {10, 8};
+  style.ItemSpacing = {6, 6};
+  style.AntiAliasedLinesUseTex = true;
+  style.CircleTessellationMaxError = 0.2f;
+  const auto set = [&](ImGuiCol slot, ImU32 colour) {
+    style.Colors[slot] = ImGui::ColorConvertU32ToFloat4(colour);
+  };
+  set(ImGuiCol_Text, kInk);
+  set(ImGuiCol_TextDisabled, kMuted);
+  set(ImGuiCol_WindowBg, kSurface);
+  set(ImGuiCol_ChildBg, rgb(0xffffff, 0));
+  set(ImGuiCol_PopupBg, kInk);
+  set(ImGuiCol_Border, kLine);
+  set(ImGuiCol_ScrollbarBg, rgb(0xffffff, 0));
+  set(ImGuiCol_ScrollbarGrab, rgb(0xd6d1c6));
+  set(ImGuiCol_ScrollbarGrabHovered, rgb(0xbdb7aa));
+  set(ImGuiCol_ScrollbarGrabActive, kMuted);
+  set(ImGuiCol_PlotHistogram, kAccent);
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,192 @@
+// Small things above the views: what each is, zoom and home buttons, the legend of the ribs, the
+// bar between the views, progress.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "web/panels/draw_lines.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr double kMargin = 10;
+
+/// A floating card of buttons; its place is kept from the tools.
+bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
+  env.ui().overlays.push_back(rect);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {4, 4});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
+  return beginFixed(name, rect);
+}
+
+void endCard() {
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+/// Buttons of one view in its lower right corner.
+void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
+             std::span<const std::string_view> ids, app::Focus focus) {
+  const float side = env.ui().touch ? 44.f : 34.f;
+  const double length = static_cast<double>(ids.size()) * (side + 2.) + 6;
+  if (view.width < length + 2 * kMargin || view.height < side + 30) return;
+  const app::Rect card{view.right() - length - kMargin, view.bottom() - side - 8 - kMargin, length,
+                       side + 8.};
+  beginCard(env, name, card);
+  bool first = true;
+  for (const std::string_view id : ids) {
+    if (!first) ImGui::SameLine();
+    first = false;
+    const bool emptyBefore = env.sink.empty();
+    commandButton(env, id, side);
+    if (emptyBefore && !env.sink.empty()) env.ui().focus = focus;
+  }
+  endCard();
+}
+
+void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool focused) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImFont* font = env.fonts.small;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+  const ImVec2 at{static_cast<float>(view.x + kMargin), static_cast<float>(view.y + kMargin)};
+  const ImVec2 end{at.x + extent.x + 20, at.y + extent.y + 10};
+  list.AddRectFilled(at, end, rgb(0xffffff, 235), 20);
+  list.AddRect(at, end, focused ? kAccent : kLine, 20, 0, 1.2f);
+  list.AddText(font, size, {at.x + 10, at.y + 5}, focused ? kAccent : kMuted, text);
+}
+
+struct LegendEntry {
+  const char* text;
+  Pen pen;
+};
+
+/// Colour and line style of the rib ends, in the lower left corner of the picture view.
+void legend(const PanelEnv& env, const app::Rect& view) {
+  const bool shows = env.selected() != nullptr || env.ui().preview.has_value();
+  if (!shows || view.width < 330 || view.height < 200) return;
+  const LegendEntry entries[] = {{"on an edge", {kEdgeRib, 2.2f, LineStyle::Solid}},
+                                 {"bridged", {kBridgedRib, 2.2f, LineStyle::Dashed}},
+                                 {"guessed", {kGuessedRib, 2.4f, LineStyle::Dotted}}};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImFont* font = env.fonts.small;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  float width = 12;
+  for (const LegendEntry& entry : entries) {
+    width += 26 + font->CalcTextSizeA(size, FLT_MAX, 0, entry.text).x + 14;
+  }
+  const bool column = width > view.width - 200;
+  const float line = size + 6;
+  const float height = column ? line * 3 + 8 : line + 8;
+  if (column) width = 118;
+  const ImVec2 at{static_cast<float>(view.x + kMargin),
+                  static_cast<float>(view.bottom() - kMargin) - height};
+  list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xffffff, 235), kRadius);
+  list.AddRect(at, {at.x + width, at.y + height}, kLine, kRadius);
+  ImVec2 pen{at.x + 12, at.y + 4 + line / 2};
+  for (const LegendEntry& entry : entries) {
+    styledLine(list, pen, {pen.x + 20, pen.y}, entry.pen);
+    list.AddText(font, size, {pen.x + 26, pen.y - size / 2}, kMuted, entry.text);
+    if (column) {
+      pen.y += line;
+    } else {
+      pen.x += 26 + font->CalcTextSizeA(size, FLT_MAX, 0, entry.text).x + 14;
+    }
+  }
+}
+
+void splitter(const app::Layout& layout) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const app::Rect& bar = layout.splitter;
+  const ImVec2 at{static_cast<float>(bar.x), static_cast<float>(bar.y)};
+  const ImVec2 end{static_cast<float>(bar.right()), static_cast<float>(bar.bottom())};
+  list.AddRectFilled(at, end, rgb(0xebe7de));
+  const ImVec2 c{(at.x + end.x) / 2, (at.y + end.y) / 2};
+  const ImVec2 half = layout.stacked ? ImVec2(18, 1.6f) : ImVec2(1.6f, 18);
+  list.AddRectFilled({c.x - half.x, c.y - half.y}, {c.x + half.x, c.y + half.y}, rgb(0xb4ad9e), 2);
+}
+
+/// What to do next, while there is nothing to see yet.
+void hint(const PanelEnv& env, const app::Rect& view) {
+  const char* text = nullptr;
+  if (env.ui().redraw) {
+    text = "Draw the new line";
+  } else if (env.document().parts.empty() && !env.ui().preview) {
+    text = "Your solid appears here";
+  }
+  if (text == nullptr) return;
+  const app::Rect& at = env.ui().redraw ? env.ui().layout.picture : view;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImGui::PushFont(env.fonts.text);
+  const ImVec2 extent = ImGui::CalcTextSize(text);
+  const ImVec2 corner{static_cast<float>(at.centre().x) - extent.x / 2,
+                      env.ui().redraw ? static_cast<float>(at.y) + 14
+                                      : static_cast<float>(at.centre().y) - extent.y / 2};
+  if (env.ui().redraw) {
+    list.AddRectFilled({corner.x - 14, corner.y - 6},
+                       {corner.x + extent.x + 14, corner.y + extent.y + 6}, kAccent, 20);
+  }
+  list.AddText(corner, env.ui().redraw ? kSurface : kMuted, text);
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void drawViewChrome(const PanelEnv& env) {
+  const app::Layout& layout = env.ui().layout;
+  if (env.document().pictures.empty()) return;
+  splitter(layout);
+  const bool onPicture = env.ui().focus == app::Focus::Picture;
+  chip(env, layout.picture, "Picture", onPicture);
+  chip(env, layout.solid, "Solid", !onPicture);
+  legend(env, layout.picture);
+  hint(env, layout.solid);
+  constexpr std::string_view kPictureButtons[] = {"draw", "hand"};
+  constexpr std::string_view kZoomButtons[] = {"draw", "hand", "zoom-out", "zoom-in", "fit"};
+  constexpr std::string_view kSolidButtons[] = {"home-view"};
+  constexpr std::string_view kSolidZoom[] = {"zoom-out", "zoom-in", "home-view"};
+  const bool roomy = layout.picture.width >= 330;
+  buttons(env, "picture buttons", layout.picture,
+          roomy ? std::span<const std::string_view>(kZoomButtons) : kPictureButtons,
+          app::Focus::Picture);
+  buttons(env, "solid buttons", layout.solid,
+          layout.solid.width >= 200 ? std::span<const std::string_view>(kSolidZoom) : kSolidButtons,
+          app::Focus::Solid);
+}
+
+void drawActivity(const PanelEnv& env) {
+  const std::optional<WorkerPool::Activity> activity = env.env.studio.activity();
+  if (!activity) return;
+  const app::Rect& view = env.ui().layout.picture;
+  const double width = std::min(300.0, view.width - 20);
+  const app::Rect card{view.centre().x - width / 2, view.y + 44, width, 52};
+  env.ui().overlays.push_back(card);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  beginFixed("activity", card);
+  label(env.fonts.small, kInk, activity->label);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float length = static_cast<float>(width) - 60;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + length, at.y + 6}, kLine, 3);
+  const float done = static_cast<float>(std::clamp(activity->progress.done(), 0.03, 1.0));
+  list.AddRectFilled(at, {at.x + length * done, at.y + 6}, kAccent, 3);
+  ImGui::SetCursorPos({static_cast<float>(width) - 42, 8});
+  if (iconButton(env, {"stop", "x", "Cancel", false, true, 34})) env.env.studio.cancelWork();
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void draw(const PanelEnv& env) {
+  env.ui().overlays.clear();
+  drawPictureOverlay(env);
+  drawViewChrome(env);
+  drawSidePanel(env);
+  drawActivity(env);
+}
+
+}  // namespace spineloft::panels

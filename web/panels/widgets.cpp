@@ -1,0 +1,153 @@
+#include "web/panels/widgets.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "web/app/icons.h"
+#include "web/panels/theme.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr float kDragSlop = 8;
+
+void tooltip(std::string_view tip) {
+  if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
+  if (ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, kSurface);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 7});
+  if (ImGui::BeginTooltip()) {
+    ImGui::TextUnformatted(tip.data(), tip.data() + tip.size());
+    ImGui::EndTooltip();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+/// The first word, when the whole text is too wide.
+std::string_view fitting(ImFont* font, std::string_view text, float width) {
+  const float scale = ImGui::GetIO().FontGlobalScale;
+  const auto widthOf = [&](std::string_view t) {
+    return font->CalcTextSizeA(font->FontSize * scale, FLT_MAX, 0, t.data(), t.data() + t.size()).x;
+  };
+  if (widthOf(text) <= width) return text;
+  return text.substr(0, std::min(text.find(' '), text.find('-')));
+}
+
+}  // namespace
+
+const char* iconText(std::string_view name) {
+  static std::array<char, 4> text;
+  const std::uint16_t code = app::iconCode(name);
+  if (code == 0) return "";
+  text = {static_cast<char>(0xe0 | (code >> 12)), static_cast<char>(0x80 | ((code >> 6) & 0x3f)),
+          static_cast<char>(0x80 | (code & 0x3f)), '\0'};
+  return text.data();
+}
+
+bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra) {
+  ImGui::SetNextWindowPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(rect.width), static_cast<float>(rect.height)});
+  return ImGui::Begin(name, nullptr,
+                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                          ImGuiWindowFlags_NoBringToFrontOnFocus |
+                          ImGuiWindowFlags_NoFocusOnAppearing | extra);
+}
+
+void label(ImFont* font, ImU32 colour, std::string_view text) {
+  ImGui::PushFont(font);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void heading(const PanelEnv& env, std::string_view text) {
+  ImGui::Dummy({0, 2});
+  label(env.fonts.bold, kInk, text);
+  ImGui::Dummy({0, 0});
+}
+
+bool iconButton(const PanelEnv& env, const IconButton& button) {
+  ImGui::BeginDisabled(!button.enabled);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + button.size, at.y + button.size};
+  if (button.active || hovered || held) {
+    list.AddRectFilled(at, end, button.active ? kAccentSoft : held ? kLine : kHover, 8);
+  }
+  const ImU32 ink = button.active ? kAccent : button.enabled ? kInk : rgb(0x5c6474, 110);
+  ImFont* font = env.fonts.icons;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const char* text = iconText(button.icon);
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+  list.AddText(font, size,
+               {at.x + (button.size - extent.x) / 2, at.y + (button.size - extent.y) / 2}, ink,
+               text);
+  ImGui::EndDisabled();
+  tooltip(button.tip);
+  return pressed && button.enabled;
+}
+
+void commandButton(const PanelEnv& env, std::string_view id, float size) {
+  const app::Command* command = app::findCommand(id);
+  if (command == nullptr) return;
+  const std::string name(id);
+  std::string tip(command->label);
+  if (!command->shortcut.empty()) tip += "  (" + std::string(command->shortcut) + ")";
+  const bool active = command->toggled != nullptr && command->toggled(env.env);
+  const bool can = app::enabled(*command, env.env);
+  if (iconButton(env, {name.c_str(), command->icon, tip, active, can, size})) env.sink.run(id);
+}
+
+bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + tile.size.x, at.y + tile.size.y};
+  list.AddRectFilled(at, end, tile.active ? kAccentSoft : hovered ? kHover : rgb(0xfaf9f6), 8);
+  list.AddRect({at.x + 0.5f, at.y + 0.5f}, {end.x - 0.5f, end.y - 0.5f},
+               tile.active ? kAccent : kLine, 8, 0, tile.active ? 1.6f : 1.f);
+  const ImU32 ink = tile.active ? kAccent : kInk;
+  const float textHeight = tile.text.empty() ? 0 : 15.f;
+  const float room = tile.size.y - textHeight;
+  const float radius = std::min(tile.size.x, room) * 0.5f - (tile.text.empty() ? 8.f : 7.f);
+  paint(list, {at.x + tile.size.x / 2, at.y + room / 2 + (tile.text.empty() ? 0.f : 1.f)},
+        std::max(6.f, std::min(radius, 19.f)), ink);
+  if (!tile.text.empty()) {
+    ImFont* font = env.fonts.small;
+    const float size = font->FontSize * ImGui::GetIO().FontGlobalScale * 0.92f;
+    const std::string_view text = fitting(font, tile.text, tile.size.x - 2);
+    const ImVec2 extent =
+        font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
+    list.AddText(font, size,
+                 {std::round(at.x + (tile.size.x - extent.x) / 2), end.y - extent.y - 4},
+                 tile.active ? kAccent : kMuted, text.data(), text.data() + text.size());
+  }
+  tooltip(tile.tip);
+  return pressed;
+}
+
+void dragScroll() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
+    return;
+  }
+  if (!ImGui::IsMouseDragging(0, kDragSlop)) return;
+  if (ImGui::GetScrollMaxX() <= 0 && ImGui::GetScrollMaxY() <= 0) return;
+  ImGui::ClearActiveID();  // it has become a drag: no button is pressed at its end
+  ImGui::SetScrollX(ImGui::GetScrollX() - io.MouseDelta.x);
+  ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+}
+
+float buttonSide(const PanelEnv& env) { return env.ui().touch ? 44.f : 36.f; }
+
+}  // namespace spineloft::panels

@@ -1,0 +1,53 @@
+// The page's own widgets: flat, rounded, and large enough for a finger where a finger is used.
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <string_view>
+
+#include "web/panels/panels.h"
+
+namespace spineloft::panels {
+
+/// An icon of the font as text ("" for an unknown name). Valid until the next call.
+const char* iconText(std::string_view name);
+
+/// A window that covers `rect` and neither moves nor decorates itself.
+bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra = 0);
+
+/// Text in a font of ours.
+void label(ImFont* font, ImU32 colour, std::string_view text);
+/// A small bold heading.
+void heading(const PanelEnv& env, std::string_view text);
+
+struct IconButton {
+  const char* id = "";
+  std::string_view icon;
+  std::string_view tip;
+  bool active = false;
+  bool enabled = true;
+  float size = 36;
+};
+bool iconButton(const PanelEnv& env, const IconButton& button);
+/// The button of a command; runs it when pressed.
+void commandButton(const PanelEnv& env, std::string_view id, float size);
+
+/// A tile with a drawing and, below it, a word.
+struct Tile {
+  const char* id = "";
+  std::string_view text, tip;
+  ImVec2 size{60, 60};
+  bool active = false;
+};
+/// `paint(draw list, centre, radius, colour)` fills the upper part.
+using TilePaint = std::function<void(ImDrawList&, ImVec2, float, ImU32)>;
+bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
+
+/// Scrolls the current window when a finger or the mouse drags its content.
+void dragScroll();
+
+/// The side of a square button: larger for fingers.
+float buttonSide(const PanelEnv& env);
+
+}  // namespace spineloft::panels

@@ -1,0 +1,154 @@
+#include "web/platform/browser_host.h"
+
+#include <GLFW/glfw3.h>
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+// clang-format off
+EM_JS(void, splSend, (const char* json), {
+  const host = Module['host'];
+  if (host && host.onEvent) host.onEvent(UTF8ToString(json));
+});
+
+EM_JS(int, splReducedMotion, (), {
+  return window.matchMedia('(prefers-reduced-motion: reduce)').matches ? 1 : 0;
+});
+
+EM_JS(int, splSoftwareGl, (), {
+  // A context of its own, dropped at once: the page's must know before it is made.
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) return 0;
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  const lose = gl.getExtension('WEBGL_lose_context');
+  if (lose) lose.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name) ? 1 : 0;
+});
+
+EM_JS(void, splDropGlfwListeners, (), {
+  const canvas = Module['canvas'];
+  const drop = (target, names) => {
+    for (const [name, listener] of names) target.removeEventListener(name, listener, true);
+  };
+  drop(window, [['keydown', GLFW.onKeydown], ['keypress', GLFW.onKeyPress],
+                ['keyup', GLFW.onKeyup], ['blur', GLFW.onBlur],
+                ['gamepadconnected', GLFW.onGamepadConnected],
+                ['gamepaddisconnected', GLFW.onGamepadDisconnected]]);
+  drop(canvas, [['touchmove', GLFW.onMousemove], ['touchstart', GLFW.onMouseButtonDown],
+                ['touchcancel', GLFW.onMouseButtonUp], ['touchend', GLFW.onMouseButtonUp],
+                ['mousemove', GLFW.onMousemove], ['mousedown', GLFW.onMouseButtonDown],
+                ['mouseup', GLFW.onMouseButtonUp], ['wheel', GLFW.onMouseWheel],
+                ['mousewheel', GLFW.onMouseWheel], ['mouseenter', GLFW.onMouseenter],
+                ['mouseleave', GLFW.onMouseleave], ['drop', GLFW.onDrop],
+                ['dragover', GLFW.onDragover]]);
+  if (GLFW.devicePixelRatioMQL) {
+    GLFW.devicePixelRatioMQL.removeEventListener('change', GLFW.onDevicePixelRatioChange);
+  }
+  canvas.style.removeProperty('width');
+  canvas.style.removeProperty('height');
+});
+
+EM_JS(void, splSetBackingStore, (int width, int height), {
+  const canvas = Module['canvas'];
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+});
+// clang-format on
+
+namespace spineloft::platform {
+namespace {
+
+constexpr double kMaxDpr = 2;
+constexpr int kSamples = 4;
+
+bool softwareGl() {
+  static const bool software = splSoftwareGl() != 0;
+  return software;
+}
+
+int backing(double css, double dpr) {
+  return std::max(1, static_cast<int>(std::lround(css * dpr)));
+}
+
+void appendQuoted(std::string& json, std::string_view text) {
+  json += '"';
+  for (const char c : text) {
+    if (c == '"' || c == '\\') json += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20) json += c;
+  }
+  json += '"';
+}
+
+}  // namespace
+
+double BrowserHost::nowMs() const { return emscripten_get_now(); }
+
+void BrowserHost::onFrame(void* host) {
+  auto* self = static_cast<BrowserHost*>(host);
+  self->framePending_ = false;
+  if (self->page != nullptr) self->page->frame();
+}
+
+void BrowserHost::requestFrame() {
+  if (framePending_) return;
+  framePending_ = true;
+  emscripten_request_animation_frame(
+      [](double, void* host) {
+        onFrame(host);
+        return EM_FALSE;
+      },
+      this);
+}
+
+void BrowserHost::wakeAfter(double milliseconds) {
+  emscripten_set_timeout(
+      [](void* host) {
+        Page* woken = static_cast<BrowserHost*>(host)->page;
+        if (woken != nullptr) woken->wake();
+      },
+      milliseconds, this);
+}
+
+void BrowserHost::send(std::string_view json) { splSend(std::string(json).c_str()); }
+
+void BrowserHost::sendFile(std::string_view name, std::string_view mediaType,
+                           std::span<const std::uint8_t> bytes) {
+  std::string json = R"({"type":"file","name":)";
+  appendQuoted(json, name);
+  json += R"(,"mediaType":)";
+  appendQuoted(json, mediaType);
+  json += ",\"ptr\":" + std::to_string(reinterpret_cast<std::uintptr_t>(bytes.data()));
+  json += ",\"length\":" + std::to_string(bytes.size()) + "}";
+  splSend(json.c_str());
+}
+
+bool BrowserHost::reducedMotion() const { return splReducedMotion() != 0; }
+
+bool openWindow(const CanvasSize& size) {
+  if (!glfwInit()) return false;
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_ALPHA_BITS, 0);
+  glfwWindowHint(GLFW_DEPTH_BITS, 24);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHint(GLFW_SAMPLES, softwareGl() ? 0 : kSamples);
+  GLFWwindow* window = glfwCreateWindow(
+      backing(size.width, size.dpr), backing(size.height, size.dpr), "SpineLoft", nullptr, nullptr);
+  splDropGlfwListeners();
+  if (window == nullptr) return false;
+  glfwMakeContextCurrent(window);
+  resizeCanvas(size);
+  return true;
+}
+
+void resizeCanvas(const CanvasSize& size) {
+  splSetBackingStore(backing(size.width, size.dpr), backing(size.height, size.dpr));
+}
+
+double usableDpr(double dpr) { return std::clamp(dpr, 0.5, softwareGl() ? 1.0 : kMaxDpr); }
+
+}  // namespace spineloft::platform

@@ -1,0 +1,37 @@
+// The browser as the page sees it.
+#pragma once
+
+#include <memory>
+
+#include "web/platform/host.h"
+#include "web/platform/page.h"
+
+namespace spineloft::platform {
+
+/// Frames and wakes go to `page` once it is set.
+class BrowserHost final : public Host {
+ public:
+  double nowMs() const override;
+  void requestFrame() override;
+  void wakeAfter(double milliseconds) override;
+  void send(std::string_view json) override;
+  void sendFile(std::string_view name, std::string_view mediaType,
+                std::span<const std::uint8_t> bytes) override;
+  bool reducedMotion() const override;
+
+  Page* page = nullptr;
+
+ private:
+  static void onFrame(void* host);
+  bool framePending_ = false;
+};
+
+/// Creates GLFW's window and its WebGL2 context on Module.canvas, and takes GLFW's listeners off
+/// the page: all input comes through the exported functions. False without WebGL2.
+bool openWindow(const CanvasSize& size);
+/// Sets the canvas' backing store. Its size on the page is the style sheet's business.
+void resizeCanvas(const CanvasSize& size);
+/// The density to draw with: at most 2, and 1 where the graphics are made by the processor.
+double usableDpr(double dpr);
+
+}  // namespace spineloft::platform

@@ -1,0 +1,141 @@
+// The functions of the page's contract with the shell. Strings come in as UTF-8; strings that go
+// out live until the next call.
+#include <emscripten.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "web/platform/browser_host.h"
+#include "web/platform/page.h"
+
+namespace {
+
+using namespace spineloft;
+using namespace spineloft::platform;
+
+/// The one page of this module: exported C functions have no other place for it.
+struct Door {
+  BrowserHost host;
+  std::unique_ptr<Page> page;
+};
+Door& door() {
+  static Door instance;
+  return instance;
+}
+Page* page() { return door().page.get(); }
+
+CanvasSize sizeOf(double width, double height, double dpr) {
+  return {std::max(1.0, width), std::max(1.0, height), usableDpr(dpr)};
+}
+
+std::vector<std::uint8_t> bytesOf(const std::uint8_t* data, int length) {
+  if (data == nullptr || length <= 0) return {};
+  return {data, data + length};
+}
+
+const char* text(const char* given) { return given ? given : ""; }
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE int spl_start(const std::uint8_t* font, int fontLength,
+                                   const std::uint8_t* bold, int boldLength,
+                                   const std::uint8_t* icons, int iconsLength, double width,
+                                   double height, double dpr) {
+  if (page() != nullptr) return 1;
+  const CanvasSize size = sizeOf(width, height, dpr);
+  if (!openWindow(size)) return 0;
+  FontFiles fonts{bytesOf(font, fontLength), bytesOf(bold, boldLength),
+                  bytesOf(icons, iconsLength)};
+  door().page = makePage(door().host, std::move(fonts), size);
+  door().host.page = page();
+  return page() != nullptr ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void spl_resize(double width, double height, double dpr) {
+  if (page() == nullptr) return;
+  const CanvasSize size = sizeOf(width, height, dpr);
+  resizeCanvas(size);
+  page()->resize(size);
+  // A resized backing store is blank until the next frame: draw before the browser shows it.
+  page()->frame();
+}
+
+EMSCRIPTEN_KEEPALIVE void spl_pointer(int kind, int id, int device, int button, int buttons,
+                                      double x, double y, double pressure, double timeMs,
+                                      int modifiers) {
+  if (page() == nullptr || kind < 0 || kind > 4 || device < 0 || device > 2) return;
+  page()->pointer({static_cast<PointerKind>(kind), id, static_cast<Device>(device), button, buttons,
+                   x, y, pressure, timeMs, modifiers});
+}
+
+EMSCRIPTEN_KEEPALIVE void spl_wheel(double x, double y, double deltaX, double deltaY,
+                                    int modifiers) {
+  if (page() != nullptr) page()->wheel({x, y, deltaX, deltaY, modifiers});
+}
+
+EMSCRIPTEN_KEEPALIVE int spl_key(const char* code, const char* key, int down, int modifiers) {
+  if (page() == nullptr) return 0;
+  return page()->key({text(code), text(key), down != 0, modifiers}) ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_addPicture(const std::uint8_t* rgba, int width, int height,
+                                                int originalWidth, int originalHeight,
+                                                const char* name) {
+  if (page() == nullptr) return "";
+  image::Picture picture;
+  if (rgba != nullptr && width > 0 && height > 0) {
+    picture.working = {width, height, bytesOf(rgba, static_cast<int>(4LL * width * height))};
+    picture.width = std::max(originalWidth, width);
+    picture.height = std::max(originalHeight, height);
+  }
+  return page()->addPicture(std::move(picture), text(name)).c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_state() { return page() ? page()->state().c_str() : "null"; }
+EMSCRIPTEN_KEEPALIVE const char* spl_commands() {
+  return page() ? page()->commands().c_str() : "[]";
+}
+EMSCRIPTEN_KEEPALIVE const char* spl_run(const char* id, const char* args) {
+  return page() ? page()->run(text(id), text(args)).c_str() : "";
+}
+EMSCRIPTEN_KEEPALIVE const char* spl_lastError() {
+  return page() ? page()->lastError().c_str() : "null";
+}
+EMSCRIPTEN_KEEPALIVE const char* spl_sentence(const char* errorName) {
+  return page() ? page()->sentence(text(errorName)).c_str() : "";
+}
+
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_export(const char* format, std::uint32_t* length) {
+  const std::span<const std::uint8_t> bytes =
+      page() ? page()->exportModel(text(format)) : std::span<const std::uint8_t>();
+  if (length != nullptr) *length = static_cast<std::uint32_t>(bytes.size());
+  return bytes.empty() ? nullptr : bytes.data();
+}
+
+EMSCRIPTEN_KEEPALIVE void spl_imageToClient(double x, double y, double* out) {
+  if (page() == nullptr || out == nullptr) return;
+  const auto at = page()->imageToCanvas(x, y);
+  out[0] = at.x;
+  out[1] = at.y;
+}
+
+EMSCRIPTEN_KEEPALIVE void spl_contextLost() {
+  if (page() != nullptr) page()->contextLost();
+}
+EMSCRIPTEN_KEEPALIVE void spl_contextRestored() {
+  if (page() != nullptr) page()->contextRestored();
+}
+EMSCRIPTEN_KEEPALIVE void spl_answer(const char* id, const char* answer) {
+  if (page() != nullptr) page()->answer(text(id), text(answer));
+}
+EMSCRIPTEN_KEEPALIVE int spl_idle() { return page() == nullptr || page()->idle() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
+  if (page() != nullptr) page()->cancelWork();
+}
+EMSCRIPTEN_KEEPALIVE void spl_markSaved() {
+  if (page() != nullptr) page()->markSaved();
+}
+
+}  // extern "C"

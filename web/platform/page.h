@@ -1,0 +1,88 @@
+// What the world outside asks of the page: the contract of the exported functions, as an interface.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/image/image.h"
+
+namespace spineloft::platform {
+
+class Host;
+
+enum class Device : std::uint8_t { Mouse, Touch, Pen };
+enum class PointerKind : std::uint8_t { Down, Move, Up, Cancel, Leave };
+/// Bits of the `modifiers` of an event.
+enum Modifier : int { kShift = 1, kControl = 2, kAlt = 4, kMeta = 8 };
+
+/// A pointer event in CSS pixels from the canvas' top left corner.
+struct PointerEvent {
+  PointerKind kind = PointerKind::Move;
+  int id = 0;
+  Device device = Device::Mouse;
+  int button = 0;   ///< which button this is about: 0 left or contact, 1 middle, 2 right
+  int buttons = 0;  ///< bits of those that are down now: 1 left, 2 right, 4 middle
+  double x = 0, y = 0;
+  double pressure = 0;  ///< 0…1
+  double timeMs = 0;
+  int modifiers = 0;
+};
+struct WheelEvent {
+  double x = 0, y = 0, deltaX = 0, deltaY = 0;  ///< CSS pixels; down is positive
+  int modifiers = 0;                            ///< control: a pinch on a trackpad
+};
+struct KeyEvent {
+  std::string_view code, key;  ///< as KeyboardEvent names them
+  bool down = true;
+  int modifiers = 0;
+};
+struct CanvasSize {
+  double width = 0, height = 0;  ///< CSS pixels
+  double dpr = 1;                ///< device pixels a CSS pixel
+  bool operator==(const CanvasSize&) const = default;
+};
+struct FontFiles {
+  std::vector<std::uint8_t> text, bold, icons;  ///< TrueType files
+};
+
+class Page {
+ public:
+  virtual ~Page() = default;
+  virtual void frame() = 0;
+  virtual void wake() = 0;
+  virtual void resize(const CanvasSize& size) = 0;
+  virtual void pointer(const PointerEvent& event) = 0;
+  virtual void wheel(const WheelEvent& event) = 0;
+  /// True when the page used the key.
+  virtual bool key(const KeyEvent& event) = 0;
+  /// As `run` answers.
+  virtual const std::string& addPicture(image::Picture picture, std::string_view name) = 0;
+  /// Texts stay valid until the next call that returns one.
+  virtual const std::string& state() = 0;
+  virtual const std::string& commands() = 0;
+  virtual const std::string& run(std::string_view id, std::string_view argsJson) = 0;
+  virtual const std::string& lastError() = 0;
+  /// The sentence of an error by its name; empty for an unknown one.
+  virtual const std::string& sentence(std::string_view errorName) = 0;
+  /// The whole model as a file; empty on failure. Valid until the next call.
+  virtual std::span<const std::uint8_t> exportModel(std::string_view format) = 0;
+  /// Where a point of the picture is on the canvas.
+  virtual Vec2<struct CanvasSpace> imageToCanvas(double x, double y) = 0;
+  virtual void contextLost() = 0;
+  virtual void contextRestored() = 0;
+  virtual void answer(std::string_view id, std::string_view text) = 0;
+  virtual bool idle() = 0;
+  virtual void cancelWork() = 0;
+  virtual void markSaved() = 0;
+};
+
+/// Makes the page; main.cpp defines it. Null when there is no WebGL2.
+std::unique_ptr<Page> makePage(Host& host, FontFiles fonts, const CanvasSize& size);
+
+}  // namespace spineloft::platform

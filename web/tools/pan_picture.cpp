@@ -1,0 +1,27 @@
+#include "web/tools/pan_picture.h"
+
+#include "web/app/outline.h"
+
+namespace spineloft::tools {
+
+image::Size shownPicture(const ToolEnv& env) {
+  const document::PictureEntry* entry = document::findPicture(env.document, env.ui.picture);
+  return entry ? image::Size{entry->picture->width, entry->picture->height} : image::Size{};
+}
+
+void PanPicture::begin(const ToolEnv& env, app::ClientPoint at) { watch_.begin(at, env.ui.touch); }
+
+void PanPicture::move(const ToolEnv& env, app::ClientPoint at) {
+  const app::ClientPoint by = watch_.move(at);
+  if (!watch_.moved()) return;
+  app::panPicture(env.ui.pictureView, shownPicture(env), env.ui.layout.picture, by);
+}
+
+void PanPicture::commit(const ToolEnv& env) {
+  if (watch_.moved()) return;
+  const PicturePoint p = env.ui.pictureView.toPicture(watch_.start(), env.ui.layout.picture);
+  const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
+  env.sink.run("select-part", app::Json::Object{{"id", part.value}});
+}
+
+}  // namespace spineloft::tools

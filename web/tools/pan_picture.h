@@ -1,0 +1,22 @@
+// Drags the picture about. A click selects.
+#pragma once
+
+#include "web/tools/tool.h"
+
+namespace spineloft::tools {
+
+class PanPicture final : public Tool {
+ public:
+  void begin(const ToolEnv& env, app::ClientPoint at) override;
+  void move(const ToolEnv& env, app::ClientPoint at) override;
+  void commit(const ToolEnv& env) override;
+  void cancel(const ToolEnv&) override {}
+
+ private:
+  DragWatch watch_;
+};
+
+/// Size of the shown picture; 0 × 0 without one.
+image::Size shownPicture(const ToolEnv& env);
+
+}  // namespace spineloft::tools

@@ -1,0 +1,29 @@
+#include "web/tools/turn_solid.h"
+
+#include "web/app/outline.h"
+
+namespace spineloft::tools {
+
+void TurnSolid::begin(const ToolEnv& env, app::ClientPoint at) { watch_.begin(at, env.ui.touch); }
+
+void TurnSolid::move(const ToolEnv& env, app::ClientPoint at) {
+  const app::ClientPoint by = watch_.move(at);
+  if (!watch_.moved()) return;
+  env.ui.flight.reset();
+  env.ui.cameraTouched = true;
+  if (mode_ == Mode::Orbit) {
+    app::orbit(env.ui.camera, env.ui.layout.solid, by);
+  } else {
+    app::panCamera(env.ui.camera, env.ui.layout.solid, by);
+  }
+}
+
+void TurnSolid::commit(const ToolEnv& env) {
+  if (watch_.moved()) return;
+  const app::Ray ray{env.ui.camera.eye(),
+                     app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
+  const PartId part = app::partUnderRay(env.document, env.derived, ray);
+  env.sink.run("select-part", app::Json::Object{{"id", part.value}});
+}
+
+}  // namespace spineloft::tools

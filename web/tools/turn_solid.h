@@ -1,0 +1,22 @@
+// Turns or shifts the camera of the solid view. A click selects the part under it.
+#pragma once
+
+#include "web/tools/tool.h"
+
+namespace spineloft::tools {
+
+class TurnSolid final : public Tool {
+ public:
+  enum class Mode { Orbit, Pan };
+  explicit TurnSolid(Mode mode) : mode_(mode) {}
+  void begin(const ToolEnv& env, app::ClientPoint at) override;
+  void move(const ToolEnv& env, app::ClientPoint at) override;
+  void commit(const ToolEnv& env) override;
+  void cancel(const ToolEnv&) override {}
+
+ private:
+  Mode mode_;
+  DragWatch watch_;
+};
+
+}  // namespace spineloft::tools
