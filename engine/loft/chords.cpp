@@ -9,6 +9,9 @@ namespace {
 
 /// How far back a chord looks for one that it may follow.
 constexpr std::size_t kLookBack = 64;
+/// How many chords on either side a chord must not cross: with a short one between them, two that
+/// are not neighbours can cross beyond its end.
+constexpr std::size_t kNear = 8;
 
 bool cross(const Chord& a, const Chord& b) {
   const PicturePoint da = a.across(), db = b.across();
@@ -25,15 +28,47 @@ PicturePoint travel(const Chord& a, const Chord& b) {
   return normalized(forwardOf(normalized(a.across()) + normalized(b.across())));
 }
 
-/// The indices of a longest sequence in which each chord follows the one before.
+/// Whether the chord crosses none of the others.
+bool isClear(const Chord& chord, std::span<const Chord> others) {
+  return std::none_of(others.begin(), others.end(),
+                      [&](const Chord& other) { return cross(chord, other); });
+}
+
+/// The first or last `kNear` chords of a row.
+std::span<const Chord> firstFew(std::span<const Chord> row) {
+  return row.first(std::min(kNear, row.size()));
+}
+std::span<const Chord> lastFew(std::span<const Chord> row) {
+  return row.last(std::min(kNear, row.size()));
+}
+
+bool inOrder(std::span<const Chord> row, const ChordLimits& limits) {
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    if (!follows(row[i - 1], row[i], limits) || !isClear(row[i], lastFew(row.first(i - 1)))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The indices of a long sequence in which each chord follows the one before and crosses none of
+/// the few before that: the longest, if the best ways to the earlier chords are part of it.
 std::vector<std::size_t> longestRun(std::span<const Chord> chords, const ChordLimits& limits) {
   const std::size_t n = chords.size();
   std::vector<std::size_t> length(n, 1), previous(n, n);
   std::size_t best = 0;
+  const auto chainIsClear = [&](std::size_t i, std::size_t j) {
+    for (std::size_t step = 1; step < kNear && previous[j] != n; ++step) {
+      j = previous[j];
+      if (cross(chords[i], chords[j])) return false;
+    }
+    return true;
+  };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t back = 1; back <= std::min(i, kLookBack); ++back) {
       const std::size_t j = i - back;
-      if (length[j] + 1 > length[i] && follows(chords[j], chords[i], limits)) {
+      if (length[j] + 1 > length[i] && follows(chords[j], chords[i], limits) &&
+          chainIsClear(i, j)) {
         length[i] = length[j] + 1;
         previous[i] = j;
       }
@@ -47,10 +82,11 @@ std::vector<std::size_t> longestRun(std::span<const Chord> chords, const ChordLi
 }
 
 /// Chords between a and b that were left out come back where they fit, with the end that is in the
-/// way moved onto the line between the ends of a and b. Appends to `out`, whose last chord is a.
-void fillGap(std::span<const Chord> left, const Chord& b, const ChordLimits& limits,
+/// way moved onto the line between the ends of a and b. Appends to `out`, whose last chord is a;
+/// `ahead` begins with b.
+void fillGap(std::span<const Chord> left, std::span<const Chord> ahead, const ChordLimits& limits,
              std::vector<Chord>& out) {
-  const Chord a = out.back();
+  const Chord a = out.back(), b = ahead.front();
   for (std::size_t k = 0; k < left.size(); ++k) {
     const double t = static_cast<double>(k + 1) / static_cast<double>(left.size() + 1);
     const Chord even{lerp(a.left, b.left, t), lerp(a.right, b.right, t)};
@@ -61,7 +97,8 @@ void fillGap(std::span<const Chord> left, const Chord& b, const ChordLimits& lim
     }
     for (const Chord& way : {left[k], ways[0], ways[1], ways[2]}) {
       if (way.width() < limits.width || !follows(out.back(), way, limits) ||
-          !follows(way, b, limits)) {
+          !follows(way, b, limits) || !isClear(way, lastFew(out)) ||
+          !isClear(way, firstFew(ahead))) {
         continue;
       }
       out.push_back(way);
@@ -153,14 +190,8 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits) {
 }
 
 std::vector<Chord> orderChords(std::span<const Chord> chords, const ChordLimits& limits) {
-  const auto inOrder = [&](std::span<const Chord> row) {
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      if (!follows(row[i - 1], row[i], limits)) return false;
-    }
-    return true;
-  };
   std::vector<Chord> row(chords.begin(), chords.end());
-  if (!inOrder(row)) {
+  if (!inOrder(row, limits)) {
     std::vector<std::size_t> run = longestRun(row, limits);
     if (run.size() * 5 < row.size() * 3) {
       // Not a few that stray but a bend tighter than the part is wide: no majority to follow.
@@ -169,14 +200,16 @@ std::vector<Chord> orderChords(std::span<const Chord> chords, const ChordLimits&
       partEnds(row, limits);
       run = longestRun(row, limits);
     }
-    std::vector<Chord> out;
+    std::vector<Chord> kept, out;
+    kept.reserve(run.size());
     out.reserve(row.size());
+    for (const std::size_t at : run) kept.push_back(row[at]);
     for (std::size_t k = 0; k < run.size(); ++k) {
       if (k > 0 && run[k] - run[k - 1] > 1) {
         const auto gap = std::span(row).subspan(run[k - 1] + 1, run[k] - run[k - 1] - 1);
-        fillGap(gap, row[run[k]], limits, out);
+        fillGap(gap, std::span(kept).subspan(k), limits, out);
       }
-      out.push_back(row[run[k]]);
+      out.push_back(kept[k]);
     }
     row = std::move(out);
   }
