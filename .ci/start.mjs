@@ -1,4 +1,5 @@
 // npm start: set-up, build, and the page on http://localhost:8080 (or the next free port) until Ctrl-C.
+import { existsSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { buildSite } from './build.mjs';
 import { distDir } from './lib/paths.mjs';
@@ -28,6 +29,7 @@ await mainProgram(async () => {
     await setup(['wasm', 'node']);
     await buildSite();
   }
+  if (!existsSync(distDir)) throw new Stop('There is no dist/ to serve: leave --no-build out.');
   const site = await serveFolder(distDir, { port: Number(port), host, isolated: !plain });
   say(`\nSpineLoft is at ${site.url}${plain ? ' (without the isolation headers: single thread)' : ''}\nCtrl-C ends it.`);
   await new Promise((resolve) => process.on('spineloft-stop', resolve));
