@@ -1,0 +1,248 @@
+// The main job, on both engines: one stroke becomes a solid while it is drawn, and leaves as a file that others open.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { validateBytes } from 'gltf-validator';
+import { difference, drawWithMouse, exported, idle, kEngines, onPage, openPicture, pixels, run, state, useSite } from './support/page.mjs';
+import { dataCases, samples, tubePicture } from './support/pictures.mjs';
+import { loadWithThree } from './support/three.mjs';
+
+const kit = useSite();
+const tube = tubePicture();
+
+async function withTube(engine, work) {
+  await onPage(kit, { isolated: engine.isolated }, async (page, opened) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await work(page, opened);
+  });
+}
+
+/** Signed volume and bounding box of the triangles of an OBJ or STL. */
+function measure(triangles) {
+  let volume = 0;
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const [a, b, c] of triangles) {
+    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    for (const point of [a, b, c]) {
+      for (let k = 0; k < 3; ++k) {
+        low[k] = Math.min(low[k], point[k]);
+        high[k] = Math.max(high[k], point[k]);
+      }
+    }
+  }
+  return { volume, size: high.map((value, k) => value - low[k]), triangles: triangles.length };
+}
+
+function parseObj(bytes) {
+  const vertices = [], triangles = [];
+  for (const line of bytes.toString('utf8').split('\n')) {
+    const [key, ...values] = line.trim().split(/\s+/);
+    if (key === 'v') vertices.push(values.slice(0, 3).map(Number));
+    if (key === 'f') {
+      assert.equal(values.length, 3);
+      triangles.push(values.map((value) => vertices[Number.parseInt(value, 10) - 1]));
+    }
+  }
+  return triangles;
+}
+
+function parseStl(bytes) {
+  const count = bytes.readUInt32LE(80);
+  assert.equal(bytes.length, 84 + 50 * count);
+  const point = (at) => [bytes.readFloatLE(at), bytes.readFloatLE(at + 4), bytes.readFloatLE(at + 8)];
+  return Array.from({ length: count }, (_, i) => [0, 1, 2].map((k) => point(84 + 50 * i + 12 + 12 * k)));
+}
+
+async function validated(bytes) {
+  const report = await validateBytes(new Uint8Array(bytes), { maxIssues: 20 });
+  assert.deepEqual(report.issues.messages.filter(({ severity }) => severity <= 1), []);
+  return report.info;
+}
+
+for (const engine of kEngines) {
+  test(`${engine.name}: the page says which engine runs`, () => withTube(engine, async (page) => {
+    const { threads, version } = await state(page);
+    assert.equal(Boolean(threads) && threads !== 1, engine.isolated, `threads: ${threads}`);
+    assert.match(version, /^\d+\.\d+\.\d+/);
+    assert.equal(await page.evaluate(() => crossOriginIsolated), engine.isolated);
+  }));
+
+  test(`${engine.name}: ribs and solid appear while the pen moves`, () => withTube(engine, async (page) => {
+    const view = { x: 0, y: 52, width: 1440, height: 820 };
+    const empty = await pixels(page, view);
+    await drawWithMouse(page, tube.middle, async () => {
+      await page.waitForTimeout(400);
+      const during = await pixels(page, view);
+      // The right-hand half holds nothing before the stroke, and a solid in the middle of it.
+      const half = (shot) => ({ ...shot, data: rightHalf(shot) });
+      assert.ok(difference(half(empty), half(during)) > 0.01, 'a solid grows beside the picture');
+      const left = (shot) => ({ ...shot, data: leftHalf(shot) });
+      assert.ok(difference(left(empty), left(during)) > 0.003, 'ribs grow on the picture');
+    });
+    const { parts, selection, undo, redo, lastMs, busy } = await state(page);
+    assert.equal(parts.length, 1);
+    const [part] = parts;
+    assert.equal(selection, part.id);
+    assert.deepEqual([part.kind, part.section, undo, redo, busy], ['loft', 'circle', true, false, false]);
+    assert.ok(part.triangles > 200 && lastMs.ribs >= 0 && lastMs.loft >= 0 && lastMs.edges > 0);
+    for (const rib of part.ribs.slice(3, -3)) {
+      const width = Math.hypot(rib.left[0] - rib.right[0], rib.left[1] - rib.right[1]);
+      assert.ok(Math.abs(width - 2 * tube.half) < 12, `rib of ${width} px on a tube of ${2 * tube.half}`);
+      assert.deepEqual([rib.leftState, rib.rightState].filter((side) => !['edge', 'bridged', 'guessed'].includes(side)), []);
+    }
+  }));
+
+  test(`${engine.name}: undo and redo by button, key and API`, () => withTube(engine, async (page) => {
+    await drawWithMouse(page, tube.middle);
+    const drawn = (await state(page)).parts;
+    const count = async () => (await state(page)).parts.length;
+    await page.keyboard.press('Control+z');
+    await idle(page);
+    assert.equal(await count(), 0);
+    await page.locator('[data-command=redo]').click();
+    await idle(page);
+    assert.deepEqual((await state(page)).parts, drawn);
+    await page.locator('[data-command=undo]').click();
+    assert.equal(await count(), 0);
+    await run(page, 'redo');
+    await idle(page);
+    assert.deepEqual((await state(page)).parts, drawn);
+    const failure = await page.evaluate(() => window.spineloft.run('redo').then(() => null, (error) => error.code));
+    assert.notEqual(failure, null);
+  }));
+
+  test(`${engine.name}: slice and ends change the solid that is saved`, () => withTube(engine, async (page) => {
+    await drawWithMouse(page, tube.middle);
+    const volume = async () => measure(parseStl(await exported(page, 'stl'))).volume;
+    const round = await volume();
+    await run(page, 'set-section', { section: 'square' });
+    await idle(page);
+    const square = await volume();
+    assert.ok(square > 1.15 * round && square < 1.45 * round, `a square holds 4/π of a circle: ${square / round}`);
+    assert.equal((await state(page)).parts[0].section, 'square');
+    await run(page, 'set-caps', { start: 'flat', end: 'pointed' });
+    await idle(page);
+    assert.deepEqual((await state(page)).parts[0].caps, { start: 'flat', end: 'pointed' });
+    assert.notEqual(await volume(), square);
+    await run(page, 'undo');
+    await run(page, 'undo');
+    await idle(page);
+    assert.equal(await volume(), round);
+  }));
+
+  test(`${engine.name}: GLB passes the validator and loads in three.js; OBJ and STL agree with it`, () => withTube(engine, async (page) => {
+    await drawWithMouse(page, tube.middle);
+    const glb = await exported(page, 'glb');
+    const info = await validated(glb);
+    assert.equal(info.resources.filter((resource) => resource.mimeType?.startsWith('image/')).length, 1, 'the picture is on the part');
+    const loaded = await loadWithThree(kit.browser, glb);
+    const stl = measure(parseStl(await exported(page, 'stl')));
+    const obj = measure(parseObj(await exported(page, 'obj')));
+    assert.equal(loaded.triangles, stl.triangles);
+    assert.equal(obj.triangles, stl.triangles);
+    assert.equal((await state(page)).parts[0].triangles, stl.triangles);
+    assert.ok(stl.volume > 0 && obj.volume > 0 && loaded.volume > 0, 'outward');
+    assert.equal(loaded.textured, true);
+    for (let k = 0; k < 3; ++k) assert.ok(Math.abs(loaded.size[k] * 1000 - stl.size[k]) < 0.01 * stl.size[k], 'metres and millimetres');
+    await run(page, 'set-height', { mm: 250 });
+    await idle(page);
+    const tall = measure(parseStl(await exported(page, 'stl')));
+    assert.ok(Math.abs(tall.size[1] - 250) < 0.5, `height ${tall.size[1]} mm`);
+  }));
+
+  test(`${engine.name}: a plain part has its colour and no picture`, () => withTube(engine, async (page) => {
+    await drawWithMouse(page, tube.middle);
+    await run(page, 'set-colour', { colour: '#2457d6' });
+    await idle(page);
+    const glb = await exported(page, 'glb');
+    const info = await validated(glb);
+    assert.deepEqual((info.resources ?? []).filter((resource) => resource.mimeType?.startsWith('image/')), []);
+    assert.equal((await loadWithThree(kit.browser, glb)).textured, false);
+  }));
+
+  test(`${engine.name}: several parts, each selected, renamed, hidden and deleted`, () => withTube(engine, async (page) => {
+    const middle = Math.floor(tube.middle.length / 2);
+    await drawWithMouse(page, tube.middle.slice(0, middle));
+    await run(page, 'new-part');
+    await drawWithMouse(page, tube.middle.slice(middle));
+    let { parts, selection } = await state(page);
+    assert.equal(parts.length, 2);
+    assert.equal(selection, parts[1].id);
+    await run(page, 'select-part', { id: parts[0].id });
+    await run(page, 'rename-part', { name: 'Häls & tail' });
+    const both = measure(parseStl(await exported(page, 'stl'))).triangles;
+    await run(page, 'show-part', { visible: false });
+    await idle(page);
+    assert.ok(measure(parseStl(await exported(page, 'stl'))).triangles < both, 'hidden parts are not saved');
+    await page.keyboard.press('Delete');
+    await idle(page);
+    ({ parts } = await state(page));
+    assert.equal(parts.length, 1);
+    await run(page, 'undo');
+    await idle(page);
+    assert.equal((await state(page)).parts[0].name, 'Häls & tail');
+    await validated(await exported(page, 'glb'));
+  }));
+
+  for (const picture of [...samples().slice(0, 3).map((s) => ({ ...s, name: s.id })), ...dataCases(['photo_bottle', 'photo_swan_neck'])]) {
+    test(`${engine.name}: "${picture.name}" from one stroke, as a valid GLB`, () => onPage(kit, { isolated: engine.isolated }, async (page) => {
+      await openPicture(page, picture.bytes, picture.name);
+      await drawWithMouse(page, picture.spine);
+      assert.equal((await state(page)).parts.length, 1);
+      await validated(await exported(page, 'glb'));
+    }));
+  }
+}
+
+function halfOf(shot, from, to) {
+  const rows = [];
+  for (let y = 0; y < shot.height; ++y) rows.push(shot.data.subarray(4 * (y * shot.width + from), 4 * (y * shot.width + to)));
+  return Buffer.concat(rows);
+}
+const leftHalf = (shot) => halfOf(shot, 0, Math.floor(shot.width * 0.38));
+const rightHalf = (shot) => halfOf(shot, Math.floor(shot.width * 0.5), Math.floor(shot.width * 0.8));
+
+test('strokes that make no part say why and change nothing', () => onPage(kit, {}, async (page) => {
+  await openPicture(page, tube.png, 'tube.png');
+  const codes = {};
+  const strokes = {
+    StrokeTooShort: [[10, 10]],
+    StrokeOutsidePicture: [[-900, -900], [-800, -900], [-700, -880]],
+    StrokeLoops: Array.from({ length: 60 }, (_, i) => [240 + 90 * Math.cos(i / 6), 180 + 90 * Math.sin(i / 6)]),
+  };
+  for (const [code, stroke] of Object.entries(strokes)) {
+    codes[code] = await page.evaluate((points) => window.spineloft.run('draw-spine', { stroke: points })
+      .then(() => 'no error', (error) => (error.message.length > 10 ? error.code : 'no sentence')), stroke);
+  }
+  assert.deepEqual(codes, { StrokeTooShort: 'StrokeTooShort', StrokeOutsidePicture: 'StrokeOutsidePicture', StrokeLoops: 'StrokeLoops' });
+  const { parts, undo } = await state(page);
+  assert.deepEqual([parts, undo], [[], (await state(page)).undo]);
+  const empty = await page.evaluate(() => window.spineloft.exportModel('glb').then(() => null, (error) => error.code));
+  assert.equal(empty, 'NothingToExport');
+  const unknown = await page.evaluate(() => window.spineloft.exportModel('dwg').then(() => null, (error) => error.code));
+  assert.equal(unknown, 'ValueOutOfRange');
+}));
+
+test('Save offers a file that has the model\'s name, and closing asks only while something is unsaved', () => onPage(kit, {}, async (page) => {
+  await openPicture(page, tube.png, 'tube.png');
+  await drawWithMouse(page, tube.middle);
+  assert.equal((await state(page)).unsaved, true);
+  const coming = page.waitForEvent('download');
+  await page.locator('#bar-save').click();
+  await page.getByRole('menuitem', { name: /GLB/ }).click();
+  const file = await coming;
+  assert.match(file.suggestedFilename(), /\.glb$/);
+  await page.waitForFunction(() => window.spineloft.state().unsaved === false);
+  const asked = await page.evaluate(() => {
+    const event = new Event('beforeunload', { cancelable: true });
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  assert.equal(asked, false);
+  await run(page, 'set-section', { section: 'hexagon' });
+  const askedNow = await page.evaluate(() => {
+    const event = new Event('beforeunload', { cancelable: true });
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  assert.equal(askedNow, true);
+}));

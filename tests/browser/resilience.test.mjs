@@ -1,0 +1,157 @@
+// The page on bad days: lost contexts, odd hosts, missing features; and that it rests when nothing happens.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { startSite } from '../../.ci/lib/browser.mjs';
+import { difference, drawWithMouse, idle, onPage, openPicture, pixels, state, toastText, useSite } from './support/page.mjs';
+import { tubePicture } from './support/pictures.mjs';
+
+const kit = useSite();
+const tube = tubePicture();
+
+test('a lost WebGL context comes back with the same pixels and nothing lost', () => onPage(kit, {}, async (page) => {
+  await openPicture(page, tube.png, 'tube.png');
+  await drawWithMouse(page, tube.middle);
+  await page.mouse.move(5, 880);
+  await page.waitForTimeout(1200);
+  const clip = { x: 0, y: 60, width: 1440, height: 780 };
+  const before = await pixels(page, clip);
+  const partsBefore = (await state(page)).parts;
+  await page.evaluate(async () => {
+    const canvas = document.getElementById('canvas');
+    const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    const restored = new Promise((resolve) => { canvas.addEventListener('webglcontextrestored', resolve, { once: true }); });
+    extension.loseContext();
+    await new Promise((resolve) => { setTimeout(resolve, 300); });
+    extension.restoreContext();
+    await restored;
+  });
+  await idle(page);
+  await page.waitForTimeout(400);
+  assert.ok(difference(before, await pixels(page, clip)) < 0.002);
+  assert.deepEqual((await state(page)).parts, partsBefore);
+}));
+
+test('an idle page draws no frame and runs no timer', () => onPage(kit, {}, async (page) => {
+  await openPicture(page, tube.png, 'tube.png');
+  await drawWithMouse(page, tube.middle);
+  await page.mouse.move(5, 880);
+  await page.waitForTimeout(6000);  // until toasts and camera flights are over
+  await page.evaluate(() => {
+    window.frames_ = { draws: 0, frames: 0 };
+    const context = document.getElementById('canvas').getContext('webgl2');
+    for (const name of ['clear', 'drawElements', 'drawArrays']) {
+      const original = context[name].bind(context);
+      context[name] = (...values) => { window.frames_.draws += 1; return original(...values); };
+    }
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => { window.frames_.frames += 1; return request(callback); };
+  });
+  await page.waitForTimeout(1500);
+  assert.deepEqual(await page.evaluate(() => window.frames_), { draws: 0, frames: 0 });
+  await page.mouse.move(300, 400);
+  await page.mouse.wheel(0, -120);
+  await page.waitForTimeout(600);
+  assert.ok((await page.evaluate(() => window.frames_.draws)) > 0, 'the counter itself works');
+}));
+
+for (const isolated of [true, false]) {
+  test(`the site works from a sub-path of a host ${isolated ? 'with' : 'without'} isolation headers`, async () => {
+    const site = await startSite({ isolated, basePath: '/tools/spine/' });
+    const { page, troubles, close } = await (await import('../../.ci/lib/browser.mjs')).openPage(kit.browser, site.url);
+    try {
+      await page.evaluate(() => window.spineloft.ready);
+      await openPicture(page, tube.png, 'tube.png');
+      await drawWithMouse(page, tube.middle);
+      assert.equal((await state(page)).parts.length, 1);
+      assert.deepEqual(troubles, []);
+    } finally {
+      await close();
+      await site.close();
+    }
+  });
+}
+
+test('the API is there before the engine is, and waits for it', async () => {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    addEventListener('DOMContentLoaded', () => {
+      const early = window.spineloft;
+      window.early_ = early && {
+        state: early.state(), commands: early.commands(), at: early.imageToClient(1, 1), isPromise: early.ready instanceof Promise,
+      };
+    });
+  });
+  await page.goto(kit.sites.true.url);
+  const early = await page.evaluate(() => window.early_);
+  assert.equal(early.state.picture, null);
+  assert.equal(early.state.busy, true);
+  assert.deepEqual(early.commands, []);
+  assert.equal(early.isPromise, true);
+  await page.evaluate(() => window.spineloft.idle());
+  assert.equal(await page.evaluate(() => window.spineloft.state().busy), false);
+  await context.close();
+});
+
+test('?threads=0 asks for the single-thread engine on an isolated page', () => onPage(kit, { query: '?threads=0' }, async (page) => {
+  await openPicture(page, tube.png, 'tube.png');
+  await drawWithMouse(page, tube.middle);
+  const { threads, parts } = await state(page);
+  assert.ok(!threads || threads === 1, `threads: ${threads}`);
+  assert.equal(parts.length, 1);
+}));
+
+for (const [what, spoil, says] of [
+  ['WebGL 2', () => { HTMLCanvasElement.prototype.getContext = () => null; }, /WebGL 2/],
+  ['WebAssembly', () => { delete globalThis.WebAssembly; }, /WebAssembly/],
+]) {
+  test(`a browser without ${what} gets it said in plain words, and ready rejects`, async () => {
+    const context = await kit.browser.newContext();
+    const page = await context.newPage();
+    await page.addInitScript(spoil);
+    await page.goto(kit.sites.true.url);
+    const failure = page.locator('.start-failure');
+    await failure.waitFor();
+    assert.match(await failure.innerText(), says);
+    const code = await page.evaluate(() => window.spineloft.ready.then(() => null, (error) => error.code));
+    assert.match(code, /^No/);
+    await context.close();
+  });
+}
+
+test('an engine that does not arrive is said, not left spinning', async () => {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  await page.route('**/*.wasm', (route) => route.abort());
+  await page.goto(kit.sites.true.url);
+  await page.locator('.start-failure').waitFor();
+  assert.match(await page.locator('.start-failure').innerText(), /did not load completely/);
+  await context.close();
+});
+
+test('a sample that does not load says so and leaves the start page usable', async () => {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  await page.goto(kit.sites.true.url);
+  await page.evaluate(() => window.spineloft.ready);
+  await page.route('**/samples/**', (route) => route.fulfill({ status: 404, body: '' }));
+  await page.locator('.sample-open').first().click();
+  assert.match(await toastText(page), /did not load/);
+  assert.equal(await page.locator('#start').isVisible(), true);
+  await context.close();
+});
+
+test('resizing and zooming keep the drawing crisp: the canvas has one pixel per device pixel', () => onPage(kit, { deviceScaleFactor: 2, viewport: { width: 900, height: 700 } }, async (page) => {
+  await openPicture(page, tube.png, 'tube.png');
+  const sizes = () => page.evaluate(() => {
+    const canvas = document.getElementById('canvas');
+    return { backing: [canvas.width, canvas.height], css: [canvas.clientWidth, canvas.clientHeight], ratio: devicePixelRatio };
+  });
+  for (const viewport of [{ width: 900, height: 700 }, { width: 640, height: 900 }, { width: 1300, height: 600 }]) {
+    await page.setViewportSize(viewport);
+    await page.waitForTimeout(250);
+    await idle(page);
+    const { backing, css, ratio } = await sizes();
+    assert.deepEqual(backing, css.map((side) => Math.round(side * ratio)), JSON.stringify(viewport));
+  }
+}));

@@ -1,0 +1,173 @@
+// Driving the page as a visitor does: real files, real pointers, real keys.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { PNG } from 'pngjs';
+import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs';
+
+/** The two engines, each served as it would be chosen. */
+export const kEngines = [
+  { name: 'threads', isolated: true },
+  { name: 'single thread', isolated: false },
+];
+
+/**
+ * One browser and the site with and without isolation for a test file. `open(options)` opens a ready page;
+ * pages are closed, and checked for troubles, by `check(page)`.
+ */
+export function useSite() {
+  const kit = { browser: null, sites: {}, folder: null };
+  before(async () => {
+    kit.browser = await startBrowser();
+    kit.sites.true = await startSite({ isolated: true });
+    kit.sites.false = await startSite({ isolated: false });
+    kit.folder = mkdtempSync(join(tmpdir(), 'spineloft-'));
+  });
+  after(async () => {
+    await kit.browser?.close();
+    for (const site of Object.values(kit.sites)) await site.close();
+    if (kit.folder) rmSync(kit.folder, { recursive: true });
+  });
+  kit.open = async ({ isolated = true, query = '', ...context } = {}) => {
+    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, context);
+    await opened.page.evaluate(() => window.spineloft.ready);
+    return opened;
+  };
+  kit.file = (name, bytes) => {
+    const path = join(kit.folder, name);
+    writeFileSync(path, bytes);
+    return path;
+  };
+  return kit;
+}
+
+/** Runs `work(page, opened)` on a fresh page and asserts that nothing went wrong behind its back. */
+export async function onPage(kit, options, work) {
+  const opened = await kit.open(options);
+  try {
+    await work(opened.page, opened);
+    assert.deepEqual(opened.troubles, []);
+  } finally {
+    await opened.close();
+  }
+}
+
+export const state = (page) => page.evaluate(() => window.spineloft.state());
+export const idle = (page) => page.evaluate(() => window.spineloft.idle());
+export const run = (page, id, args) => page.evaluate(([name, values]) => window.spineloft.run(name, values), [id, args]);
+
+/** Opens a picture through the API and waits for its edges. */
+export async function openPicture(page, bytes, name = 'picture.png') {
+  await page.evaluate(async ([data, title]) => {
+    const binary = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+    await window.spineloft.openImage(new Blob([binary]), title);
+    await window.spineloft.idle();
+  }, [Buffer.from(bytes).toString('base64'), name]);
+}
+
+/** Client positions of picture points now. */
+export function toClient(page, points) {
+  return page.evaluate((list) => list.map(([x, y]) => window.spineloft.imageToClient(x, y)), points);
+}
+
+/** Draws with the mouse; `midway(page)` is called with the button still down. */
+export async function drawWithMouse(page, points, midway) {
+  const path = await toClient(page, points);
+  await page.mouse.move(path[0].x, path[0].y);
+  await page.mouse.down();
+  for (const [i, at] of path.entries()) {
+    await page.mouse.move(at.x, at.y);
+    if (midway && i === Math.floor(path.length * 0.7)) await midway(page);
+  }
+  await page.mouse.up();
+  await idle(page);
+}
+
+/** Draws with a finger: real touch events. */
+export async function drawWithTouch(page, points) {
+  const path = await toClient(page, points);
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, at) => session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at.x, y: at.y, id: 1 }] : [] });
+  await touch('touchStart', path[0]);
+  for (const at of path.slice(1)) await touch('touchMove', at);
+  await touch('touchEnd');
+  await session.detach();
+  await idle(page);
+}
+
+/** Draws with a pen and its pressure. */
+export async function drawWithPen(page, points, midway) {
+  const path = await toClient(page, points);
+  const session = await page.context().newCDPSession(page);
+  const pen = (type, at, force) => session.send('Input.dispatchMouseEvent', {
+    type, x: at.x, y: at.y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1, pointerType: 'pen', force,
+  });
+  await pen('mousePressed', path[0], 0.4);
+  for (const at of path.slice(1)) await pen('mouseMoved', at, 0.6);
+  if (midway) await midway(page);
+  await pen('mouseReleased', path.at(-1), 0);
+  await session.detach();
+  await idle(page);
+}
+
+/** Taps with several fingers at once. */
+export async function tapWith(page, fingers, at) {
+  const session = await page.context().newCDPSession(page);
+  const touchPoints = Array.from({ length: fingers }, (_, id) => ({ x: at.x + 70 * id, y: at.y, id }));
+  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
+  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await session.detach();
+  await idle(page);
+}
+
+/** Drops files from the system on the page. */
+export async function dropFiles(page, paths, at = { x: 300, y: 300 }) {
+  const session = await page.context().newCDPSession(page);
+  const data = { items: [], files: paths, dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop']) {
+    await session.send('Input.dispatchDragEvent', { type, x: at.x, y: at.y, data });
+  }
+  await session.detach();
+}
+
+/** Waits until the page shows a picture, then until its work is done. */
+export async function waitForPicture(page) {
+  await page.waitForFunction(() => window.spineloft.state().picture !== null, undefined, { timeout: 15000 });
+  await idle(page);
+}
+
+/** The text of the toast that appears with this role. */
+export async function toastText(page, role = 'alert') {
+  const toast = page.locator(`#toasts [role=${role}]`).last();
+  await toast.waitFor({ timeout: 15000 });
+  return toast.locator('p').innerText();
+}
+
+/** Decoded pixels of a part of the screen. */
+export async function pixels(page, clip) {
+  return PNG.sync.read(await page.screenshot(clip ? { clip } : {}));
+}
+
+/** Share of pixels that differ clearly between two screenshots of the same size. */
+export function difference(a, b) {
+  assert.equal(a.data.length, b.data.length);
+  let count = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    const d = Math.abs(a.data[i] - b.data[i]) + Math.abs(a.data[i + 1] - b.data[i + 1]) + Math.abs(a.data[i + 2] - b.data[i + 2]);
+    if (d > 48) count += 1;
+  }
+  return count / (a.data.length / 4);
+}
+
+/** A model file of what is on the page. */
+export async function exported(page, format) {
+  const text = await page.evaluate(async (kind) => {
+    const bytes = await window.spineloft.exportModel(kind);
+    let binary = '';
+    for (let at = 0; at < bytes.length; at += 8192) binary += String.fromCharCode(...bytes.subarray(at, at + 8192));
+    return btoa(binary);
+  }, format);
+  return Buffer.from(text, 'base64');
+}

@@ -1,0 +1,101 @@
+// Pictures that the tests draw themselves, and files that are no good pictures.
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { deflateSync } from 'node:zlib';
+import { PNG } from 'pngjs';
+import { root } from '../../../.ci/lib/paths.mjs';
+
+/** PNG bytes of a picture whose pixel (x, y) is paint(x, y) → [r, g, b, a?]. */
+export function paintedPng(width, height, paint) {
+  const png = new PNG({ width, height });
+  for (let y = 0; y < height; ++y) {
+    for (let x = 0; x < width; ++x) {
+      const [r, g, b, a = 255] = paint(x, y);
+      png.data.set([r, g, b, a], 4 * (y * width + x));
+    }
+  }
+  return PNG.sync.write(png);
+}
+
+/**
+ * A bent tube of the given half width on a light ground: its picture, its middle line and size.
+ * Colours vary along the tube, so that a textured part differs from a plain one.
+ */
+export function tubePicture({ width = 480, height = 360, half = 28, transparent = false } = {}) {
+  const middle = Array.from({ length: 61 }, (_, i) => {
+    const t = i / 60;
+    return [width * (0.15 + 0.7 * t), height * (0.55 - 0.22 * Math.sin(Math.PI * t))];
+  });
+  const distance = (x, y) => {
+    let best = Infinity, at = 0;
+    for (let i = 1; i < middle.length; ++i) {
+      const [ax, ay] = middle[i - 1], [bx, by] = middle[i];
+      const dx = bx - ax, dy = by - ay;
+      const t = Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)));
+      const d = Math.hypot(x - ax - t * dx, y - ay - t * dy);
+      if (d < best) [best, at] = [d, i];
+    }
+    return { best, at };
+  };
+  const png = paintedPng(width, height, (x, y) => {
+    const { best, at } = distance(x, y);
+    if (best > half) return transparent ? [0, 0, 0, 0] : [236, 234, 228];
+    return Math.floor(at / 10) % 2 ? [40, 70, 130] : [60, 110, 90];
+  });
+  return { png, middle: middle.slice(3, -3), width, height, half };
+}
+
+function chunk(type, data) {
+  const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
+  const out = Buffer.alloc(body.length + 8);
+  out.writeUInt32BE(data.length, 0);
+  body.copy(out, 4);
+  out.writeUInt32BE(crc32(body), body.length + 4);
+  return out;
+}
+
+function crc32(bytes) {
+  let value = 0xffffffff;
+  for (const byte of bytes) {
+    value ^= byte;
+    for (let bit = 0; bit < 8; ++bit) value = (value >>> 1) ^ (value & 1 ? 0xedb88320 : 0);
+  }
+  return (value ^ 0xffffffff) >>> 0;
+}
+
+/** A grey PNG of any declared size; `rows` of it are really there (all by default). */
+export function greyPng(width, height, rows = height) {
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set([8, 0, 0, 0, 0], 8);
+  const data = deflateSync(Buffer.alloc((width + 1) * rows, 0));
+  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header), chunk('IDAT', data), chunk('IEND', Buffer.alloc(0))]);
+}
+
+/** A JPEG with an EXIF orientation put in after its start marker. */
+export function withExifOrientation(jpeg, orientation) {
+  const tiff = Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0]);
+  const body = Buffer.concat([Buffer.from('Exif\0\0', 'latin1'), tiff]);
+  const segment = Buffer.concat([Buffer.from([0xff, 0xe1, 0, 0]), body]);
+  segment.writeUInt16BE(body.length + 2, 2);
+  return Buffer.concat([jpeg.subarray(0, 2), segment, jpeg.subarray(2)]);
+}
+
+/** The six samples of the start page, each with its file's bytes. */
+export function samples() {
+  const folder = join(root, 'assets/samples');
+  const list = JSON.parse(readFileSync(join(folder, 'samples.json'), 'utf8'));
+  return list.map((sample) => ({ ...sample, bytes: readFileSync(join(folder, sample.file)) }));
+}
+
+/** A few cases of the data folder, where there is one: picture and careful stroke. */
+export function dataCases(names) {
+  const folder = process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
+  return names
+    .filter((name) => existsSync(join(folder, name, 'case.json')))
+    .map((name) => {
+      const about = JSON.parse(readFileSync(join(folder, name, 'case.json'), 'utf8'));
+      return { name, bytes: readFileSync(join(folder, name, about.image)), width: about.width, height: about.height, spine: about.spines.careful };
+    });
+}

@@ -1,0 +1,116 @@
+// The public API of the page, `window.spineloft`: plain JSON in and out, for tests, embedders and
+// scripts. The README documents it for people; this file is its contract.
+
+/** A point in picture pixels: x to the right, y down, pixel centres at integers. */
+export type PicturePoint = [x: number, y: number];
+
+/** How sure a rib end is: on an edge, bridged between edges, or guessed from its neighbours. */
+export type RibState = 'edge' | 'bridged' | 'guessed';
+
+export interface Rib {
+  center: PicturePoint;
+  left: PicturePoint;
+  right: PicturePoint;
+  leftState: RibState;
+  rightState: RibState;
+}
+
+export interface Part {
+  id: number;
+  name: string;
+  /** How the part was made; 'loft' = one stroke with ribs. */
+  kind: string;
+  /** Key of the slice, such as 'circle' or 'rounded-square'. */
+  section: string;
+  /** Keys of the two ends: 'flat', 'round', 'pointed' or 'open'. */
+  caps: { start: string; end: string };
+  ribs: Rib[];
+  triangles: number;
+}
+
+/** What is on the page now. A copy: changing it changes nothing. */
+export interface State {
+  version: string;
+  /** The picture in view, in original pixels; null on the start page. */
+  picture: { width: number; height: number } | null;
+  parts: Part[];
+  /** Id of the selected part. */
+  selection: number | null;
+  tool: string;
+  /** Whether undo and redo would do something. */
+  undo: boolean;
+  redo: boolean;
+  /** True while work is pending; `idle()` waits for its end. */
+  busy: boolean;
+  /** Whether this engine works with threads. */
+  threads: boolean | number;
+  /** Milliseconds of the last run of each stage. */
+  lastMs: { edges: number; ribs: number; loft: number };
+  /** True when something would be lost by closing the page. */
+  unsaved: boolean;
+  /** Long work in words, with its share done (0…1). */
+  activity: { label: string; done: number } | null;
+  documentName?: string;
+  heightMm?: number;
+}
+
+export interface CommandChoice {
+  value: string | number;
+  label: string;
+  toggled?: boolean;
+}
+
+/** One row of the command table. */
+export interface Command {
+  id: string;
+  label: string;
+  /** Name of a Lucide icon. */
+  icon: string;
+  /** Keys, such as "Ctrl+Z"; empty when there are none. */
+  shortcut: string;
+  enabled: boolean;
+  group: string;
+  /** For switches: on or off; null or absent for plain commands. */
+  toggled?: boolean | null;
+  /** One sentence about what it does. */
+  hint?: string;
+  /** What `run` wants besides the id. */
+  argument?: {
+    key: string;
+    kind?: 'text' | 'number' | 'api';
+    choices?: CommandChoice[];
+  } | null;
+}
+
+export type ExportFormat = 'glb' | 'obj' | 'stl';
+
+/** Every failure of the API rejects with this: a sentence for a person, and a code for a program. */
+export interface SpineLoftFailure extends Error {
+  /** Name of the engine's error, such as "StrokeTooShort" or "PictureTruncated". */
+  code: string;
+}
+
+export interface SpineLoftApi {
+  /** Version of the page. */
+  readonly version: string;
+  /** Resolves when the engine runs; rejects when this browser cannot run it. */
+  readonly ready: Promise<void>;
+  /** Resolves when no work is pending and what is on the screen is up to date. */
+  idle(): Promise<void>;
+  /** Opens a picture file (PNG, JPEG, WebP, GIF, BMP, AVIF) as dropping it would. */
+  openImage(blob: Blob, name?: string): Promise<void>;
+  /** Where a picture pixel is on the page now, in client CSS pixels. */
+  imageToClient(x: number, y: number): { x: number; y: number };
+  state(): State;
+  commands(): Command[];
+  /** Runs a command of the table by its id. */
+  run(id: string, args?: Record<string, unknown>): Promise<void>;
+  /** All visible parts as the bytes of a file. */
+  exportModel(format: ExportFormat): Promise<Uint8Array>;
+}
+
+declare global {
+  interface Window {
+    spineloft: SpineLoftApi;
+  }
+}

@@ -1,0 +1,197 @@
+// The command bar: buttons and menus generated from the engine's command table, so that keyboard and
+// screen-reader users reach everything that the canvas offers.
+import type { Command } from './api.ts';
+import { ariaShortcut, byId, make, setAttribute, shortcutText } from './dom.ts';
+import { icon } from './icons.ts';
+import { toggleMenu } from './menu.ts';
+import type { MenuGroup, MenuItem } from './menu.ts';
+
+type Run = (id: string, args?: Record<string, unknown>) => void;
+
+/** Commands with a button of their own, in order; '|' is a line between groups. */
+const kBar = ['open-picture', '|', 'draw', 'new-part', '|', 'undo', 'redo', '|', 'set-section', 'set-caps', 'delete-part'];
+/** What moves into the More menu first when the bar is too narrow. */
+const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture'];
+const kGroupTitles: Record<string, string> = {
+  file: 'File', picture: 'Picture', draw: 'Draw', tool: 'Tools', edit: 'Edit', history: 'Edit', part: 'Part', slice: 'Slice',
+  section: 'Slice', caps: 'Ends', look: 'Look', view: 'View', model: 'Model', help: 'Help',
+};
+
+function isForPeople(command: Command): boolean {
+  return command.argument?.kind !== 'api';
+}
+
+export class CommandBar {
+  private readonly items = byId('bar-items');
+  private readonly more = byId<HTMLButtonElement>('bar-more');
+  private readonly save = byId<HTMLButtonElement>('bar-save');
+  private readonly toolbar = byId('bar');
+  private readonly buttons = new Map<string, HTMLButtonElement>();
+  private commands: Command[] = [];
+  private hidden = new Set<string>();
+
+  constructor(private readonly run: Run, private readonly showShortcuts: () => void) {
+    this.more.append(icon('ellipsis'), make('span', { class: 'bar-label' }, 'More'));
+    this.save.append(icon('download'), make('span', {}, 'Save'), icon('chevron-down'));
+    this.more.addEventListener('click', () => toggleMenu(this.more, 'More', this.moreGroups()));
+    this.save.addEventListener('click', () => this.openSaveMenu());
+    this.toolbar.addEventListener('keydown', (event) => this.moveFocus(event));
+    this.toolbar.addEventListener('focusin', (event) => this.remember(event.target as HTMLElement));
+    new ResizeObserver(() => this.fit()).observe(this.toolbar);
+  }
+
+  /** Shows the table as it is now; focus and open menus stay. */
+  update(commands: Command[]): void {
+    this.commands = commands;
+    const ids = kBar.filter((id) => id === '|' || commands.some((command) => command.id === id));
+    if (this.items.dataset.ids !== ids.join(' ')) this.rebuild(ids);
+    for (const command of commands) this.updateButton(command);
+    const savable = this.saveCommands().some((command) => command.enabled);
+    setAttribute(this.save, 'aria-disabled', savable ? null : 'true');
+    setAttribute(this.save, 'data-tip', savable ? 'Save the model as a file' : 'Draw a part first, then save it');
+    this.fit();
+  }
+
+  private find(id: string): Command | undefined {
+    return this.commands.find((command) => command.id === id);
+  }
+
+  private rebuild(ids: string[]): void {
+    this.buttons.clear();
+    this.items.replaceChildren(...ids.map((id) => {
+      if (id === '|') return make('span', { class: 'bar-line', role: 'separator', 'aria-orientation': 'vertical' });
+      const button = make('button', { type: 'button', class: 'bar-button', tabindex: '-1', 'data-command': id });
+      button.addEventListener('click', () => this.press(button, id));
+      this.buttons.set(id, button);
+      return button;
+    }));
+    this.items.dataset.ids = ids.join(' ');
+    this.setStop(this.stops()[0]);
+  }
+
+  private updateButton(command: Command): void {
+    const button = this.buttons.get(command.id);
+    if (!button) return;
+    const choices = command.argument?.choices;
+    const shape = `${command.icon}|${command.label}|${choices ? 1 : 0}`;
+    if (button.dataset.shape !== shape) {
+      button.replaceChildren(icon(command.icon), make('span', { class: 'bar-label' }, command.label));
+      if (choices) button.append(icon('chevron-down'));
+      button.dataset.shape = shape;
+    }
+    setAttribute(button, 'aria-label', command.label);
+    setAttribute(button, 'aria-disabled', command.enabled ? null : 'true');
+    setAttribute(button, 'aria-keyshortcuts', command.shortcut ? ariaShortcut(command.shortcut) : null);
+    setAttribute(button, 'data-tip', command.label);
+    setAttribute(button, 'data-keys', command.shortcut ? shortcutText(command.shortcut) : null);
+    if (choices) {
+      setAttribute(button, 'aria-haspopup', 'menu');
+      if (!button.hasAttribute('aria-expanded')) button.setAttribute('aria-expanded', 'false');
+    } else if (typeof command.toggled === 'boolean') {
+      setAttribute(button, 'aria-pressed', String(command.toggled));
+    }
+  }
+
+  private press(button: HTMLElement, id: string): void {
+    const command = this.find(id);
+    if (!command?.enabled) return;
+    if (command.argument?.choices) toggleMenu(button, command.label, [{ title: '', items: this.choiceItems(command) }]);
+    else this.run(id);
+  }
+
+  private choiceItems(command: Command): MenuItem[] {
+    const argument = command.argument;
+    return (argument?.choices ?? []).map((choice) => ({
+      label: choice.label,
+      kind: typeof choice.toggled === 'boolean' ? ('radio' as const) : undefined,
+      checked: choice.toggled,
+      disabled: !command.enabled,
+      run: () => this.run(command.id, { [argument?.key ?? 'value']: choice.value }),
+    }));
+  }
+
+  private saveCommands(): Command[] {
+    return this.commands.filter((command) => command.id.startsWith('save-'));
+  }
+
+  private openSaveMenu(): void {
+    if (this.save.getAttribute('aria-disabled') === 'true') return;
+    const items = this.saveCommands().map((command) => this.plainItem(command, true));
+    toggleMenu(this.save, 'Save', [{ title: '', items }]);
+  }
+
+  private plainItem(command: Command, withHint: boolean): MenuItem {
+    const toggled = typeof command.toggled === 'boolean';
+    return {
+      label: command.label,
+      icon: command.icon,
+      detail: withHint ? command.hint : undefined,
+      shortcut: command.shortcut,
+      disabled: !command.enabled,
+      kind: toggled ? 'checkbox' : undefined,
+      checked: command.toggled ?? undefined,
+      run: () => this.run(command.id),
+    };
+  }
+
+  /** Everything that has no visible button: plain commands by group, choices as groups of their own. */
+  private moreGroups(): MenuGroup[] {
+    const groups: MenuGroup[] = [];
+    const shown = (id: string) => this.buttons.has(id) && !this.hidden.has(id);
+    for (const command of this.commands) {
+      if (shown(command.id) || command.id.startsWith('save-') || !isForPeople(command)) continue;
+      if (command.argument?.choices) {
+        groups.push({ title: command.label, items: this.choiceItems(command) });
+        continue;
+      }
+      const title = kGroupTitles[command.group] ?? command.group;
+      const group = groups.find((candidate) => candidate.title === title);
+      if (group) group.items.push(this.plainItem(command, false));
+      else groups.push({ title, items: [this.plainItem(command, false)] });
+    }
+    groups.push({ title: 'Help', items: [{ label: 'Keys and gestures', icon: 'keyboard', shortcut: '?', run: this.showShortcuts }] });
+    return groups;
+  }
+
+  private fit(): void {
+    this.hidden = new Set();
+    for (const button of this.buttons.values()) button.hidden = false;
+    for (const id of kGivesWay) {
+      if (this.items.scrollWidth <= this.items.clientWidth + 1) break;
+      const button = this.buttons.get(id);
+      if (!button) continue;
+      button.hidden = true;
+      this.hidden.add(id);
+    }
+    const stop = this.toolbar.querySelector<HTMLElement>('[tabindex="0"]');
+    if (!stop || stop.hidden) this.setStop(this.stops()[0]);
+  }
+
+  private stops(): HTMLElement[] {
+    return [...this.toolbar.querySelectorAll<HTMLElement>('button')].filter((button) => !button.hidden);
+  }
+
+  private setStop(stop: HTMLElement | undefined): void {
+    for (const button of this.toolbar.querySelectorAll('button')) button.tabIndex = button === stop ? 0 : -1;
+  }
+
+  private remember(target: HTMLElement): void {
+    if (target instanceof HTMLButtonElement) this.setStop(target);
+  }
+
+  private moveFocus(event: KeyboardEvent): void {
+    const stops = this.stops();
+    const at = stops.indexOf(document.activeElement as HTMLElement);
+    if (at < 0) return;
+    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: stops.length - 1 }[event.key];
+    if (to === undefined) {
+      if (event.key === 'ArrowDown' && document.activeElement?.hasAttribute('aria-haspopup')) {
+        event.preventDefault();
+        (document.activeElement as HTMLElement).click();
+      }
+      return;
+    }
+    event.preventDefault();
+    stops[(to + stops.length) % stops.length]?.focus();
+  }
+}

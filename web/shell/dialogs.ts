@@ -1,0 +1,68 @@
+// Dialogs in the DOM: text entry needs the soft keyboard and input methods, which a canvas lacks.
+import { make, shortcutText } from './dom.ts';
+import { icon } from './icons.ts';
+import type { Command } from './api.ts';
+
+function openDialog(title: string, body: Node[], className: string): HTMLDialogElement {
+  const heading = make('h2', { id: 'dialog-title' }, title);
+  const close = make('button', { type: 'button', class: 'dialog-close', 'aria-label': 'Close' });
+  close.append(icon('x'));
+  const dialog = make('dialog', { class: className, 'aria-labelledby': 'dialog-title' },
+    make('header', {}, heading, close), ...body);
+  close.addEventListener('click', () => dialog.close());
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();  // on the backdrop
+  });
+  dialog.addEventListener('close', () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+  return dialog;
+}
+
+/** Asks for a line of text; null when it was closed without an answer. */
+export function askText(title: string, text: string, value = ''): Promise<string | null> {
+  const input = make('input', { type: 'text', id: 'dialog-input', value, autocomplete: 'off', maxlength: '200' });
+  const form = make('form', { method: 'dialog' },
+    make('label', { for: 'dialog-input' }, text), input,
+    make('div', { class: 'dialog-buttons' },
+      make('button', { type: 'button', class: 'button', value: 'cancel' }, 'Cancel'),
+      make('button', { type: 'submit', class: 'button button-primary' }, 'OK')));
+  const dialog = openDialog(title, [form], 'dialog');
+  input.select();
+  return new Promise((resolve) => {
+    let answer: string | null = null;
+    form.addEventListener('submit', () => {
+      answer = input.value;
+    });
+    form.querySelector('[value=cancel]')?.addEventListener('click', () => dialog.close());
+    dialog.addEventListener('close', () => resolve(answer));
+  });
+}
+
+const kPointerHelp: [string, string][] = [
+  ['Draw', 'Drag with the left button, a finger or a pen on the picture'],
+  ['Turn the solid', 'Drag in the solid view, or Alt + drag'],
+  ['Move the view', 'Shift + middle button, or two fingers'],
+  ['Zoom', 'Wheel, or pinch'],
+  ['Undo, redo', 'Tap with two fingers, three fingers'],
+];
+
+/** The sheet of all shortcuts, from the command table. */
+export function showShortcutSheet(commands: Command[]): void {
+  if (document.querySelector('dialog.sheet')) return;
+  const row = (what: string, keys: Node, hint = '') => make('tr', {}, make('th', { scope: 'row' }, what), make('td', {}, keys), make('td', { class: 'sheet-hint' }, hint));
+  const kbd = (shortcut: string) => {
+    const span = make('span', {});
+    for (const keys of shortcut.split(/,\s*/)) span.append(make('kbd', {}, shortcutText(keys)), ' ');
+    return span;
+  };
+  const keyRows = commands.filter((command) => command.shortcut).map((command) => row(command.label, kbd(command.shortcut), command.hint ?? ''));
+  keyRows.push(row('Draw with keys', kbd('Enter'), 'On the picture: arrows move the pen, Space puts it down and lifts it'));
+  keyRows.push(row('This sheet', kbd('?')));
+  const handRows = kPointerHelp.map(([what, how]) => make('tr', {}, make('th', { scope: 'row' }, what), make('td', { colspan: '2' }, how)));
+  openDialog('Keys and gestures', [
+    make('div', { class: 'sheet-body', tabindex: '0', role: 'region', 'aria-label': 'List of keys and gestures' },
+      make('table', {}, make('caption', {}, 'Keyboard'), make('tbody', {}, ...keyRows)),
+      make('table', {}, make('caption', {}, 'Mouse, finger and pen'), make('tbody', {}, ...handRows))),
+  ], 'dialog sheet');
+}

@@ -1,0 +1,257 @@
+// The engine as the shell sees it: loads one of the two WebAssembly variants and wraps its exported
+// functions. Strings cross as UTF-8 in malloc'ed memory; everything that comes out is copied at once.
+import type { Command, ExportFormat, State } from './api.ts';
+import { Failure } from './failure.ts';
+import type { WorkingCopy } from './picture.ts';
+
+/** What the engine tells the shell; see `Host`. */
+export type EngineEvent =
+  | { type: 'changed' }
+  | { type: 'toast'; level: 'info' | 'error'; text: string }
+  | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
+  | { type: 'pickPicture' }
+  | { type: 'ask'; id: string; title: string; text: string; value?: string }
+  | { type: 'cursor'; css: string }
+  | { type: 'status'; text: string };
+
+type RawEvent = Exclude<EngineEvent, { type: 'file' }> | { type: 'file'; name: string; mediaType: string; ptr: number; length: number };
+
+/** Pointer kinds, devices and modifiers as numbers of the C++ side. */
+export const kPointerKind = { down: 0, move: 1, up: 2, cancel: 3, leave: 4 } as const;
+export const kDevice = { mouse: 0, touch: 1, pen: 2 } as const;
+
+export interface PointerSample {
+  kind: number;
+  id: number;
+  device: number;
+  button: number;
+  buttons: number;
+  x: number;
+  y: number;
+  pressure: number;
+  timeMs: number;
+  modifiers: number;
+}
+
+export interface Size {
+  width: number;
+  height: number;
+  dpr: number;
+}
+
+export interface Fonts {
+  text: Uint8Array;
+  bold: Uint8Array;
+  icons: Uint8Array;
+}
+
+interface Module {
+  wasmMemory: WebAssembly.Memory;
+  _malloc(size: number): number;
+  _free(ptr: number): void;
+  _spl_start(font: number, fontLength: number, bold: number, boldLength: number, icons: number, iconLength: number, width: number, height: number, dpr: number): number;
+  _spl_resize(width: number, height: number, dpr: number): void;
+  _spl_pointer(kind: number, id: number, device: number, button: number, buttons: number, x: number, y: number, pressure: number, timeMs: number, modifiers: number): void;
+  _spl_wheel(x: number, y: number, deltaX: number, deltaY: number, modifiers: number): void;
+  _spl_key(code: number, key: number, down: number, modifiers: number): number;
+  _spl_addPicture(rgba: number, width: number, height: number, originalWidth: number, originalHeight: number, name: number): number;
+  _spl_state(): number;
+  _spl_commands(): number;
+  _spl_run(id: number, args: number): number;
+  _spl_export(format: number, outLength: number): number;
+  _spl_lastError(): number;
+  _spl_sentence(code: number): number;
+  _spl_imageToClient(x: number, y: number, out: number): void;
+  _spl_contextLost(): void;
+  _spl_contextRestored(): void;
+  _spl_answer(id: number, text: number): void;
+  _spl_idle(): number;
+  _spl_cancelWork(): void;
+  _spl_markSaved(): void;
+}
+
+type Factory = (argument: Record<string, unknown>) => Promise<Module>;
+
+interface Outcome {
+  ok: boolean;
+  error?: string;
+  sentence?: string;
+}
+
+/** True where worker threads can share memory and the address does not ask for the other build. */
+export function wantsThreads(): boolean {
+  const asked = new URLSearchParams(location.search).get('threads');
+  return asked !== '0' && globalThis.crossOriginIsolated === true && typeof SharedArrayBuffer === 'function';
+}
+
+/** Loads the variant that fits this page; events arrive in order, never inside a call into the engine. */
+export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: EngineEvent) => void): Promise<Engine> {
+  const files = wantsThreads() ? SPINELOFT_SITE.threads : SPINELOFT_SITE.single;
+  const { default: create } = (await import(new URL(files.js, document.baseURI).href)) as { default: Factory };
+  const queue: EngineEvent[] = [];
+  let module: Module | null = null;
+  const deliver = () => {
+    for (let event = queue.shift(); event; event = queue.shift()) onEvent(event);
+  };
+  const host = {
+    onEvent(json: string) {
+      const raw = JSON.parse(json) as RawEvent;
+      if (queue.length === 0) queueMicrotask(deliver);
+      queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
+    },
+  };
+  module = await create({ canvas, host });
+  return new Engine(module);
+}
+
+function withBytes(raw: Extract<RawEvent, { type: 'file' }>, module: Module): EngineEvent {
+  const bytes = new Uint8Array(module.wasmMemory.buffer).slice(raw.ptr, raw.ptr + raw.length);
+  return { type: 'file', name: raw.name, mediaType: raw.mediaType, bytes };
+}
+
+/** Typed calls into the running engine. */
+export class Engine {
+  private readonly encoder = new TextEncoder();
+  private readonly decoder = new TextDecoder();
+
+  constructor(private readonly module: Module) {}
+
+  start(fonts: Fonts, size: Size): boolean {
+    const parts = [fonts.text, fonts.bold, fonts.icons].map((bytes) => ({ at: this.put(bytes), length: bytes.length }));
+    const [text, bold, icons] = parts as [{ at: number; length: number }, { at: number; length: number }, { at: number; length: number }];
+    try {
+      return this.module._spl_start(text.at, text.length, bold.at, bold.length, icons.at, icons.length, size.width, size.height, size.dpr) === 1;
+    } finally {
+      for (const part of parts) this.module._free(part.at);
+    }
+  }
+
+  resize(size: Size): void {
+    this.module._spl_resize(size.width, size.height, size.dpr);
+  }
+
+  pointer(p: PointerSample): void {
+    this.module._spl_pointer(p.kind, p.id, p.device, p.button, p.buttons, p.x, p.y, p.pressure, p.timeMs, p.modifiers);
+  }
+
+  wheel(x: number, y: number, deltaX: number, deltaY: number, modifiers: number): void {
+    this.module._spl_wheel(x, y, deltaX, deltaY, modifiers);
+  }
+
+  /** True when the engine used the key. */
+  key(code: string, key: string, down: boolean, modifiers: number): boolean {
+    return this.withStrings([code, key], (at) => this.module._spl_key(at[0]!, at[1]!, down ? 1 : 0, modifiers)) === 1;
+  }
+
+  addPicture(picture: WorkingCopy, name: string): void {
+    const pixels = this.put(picture.rgba);
+    try {
+      const outcome = this.withStrings([name], (at) =>
+        this.module._spl_addPicture(pixels, picture.width, picture.height, picture.originalWidth, picture.originalHeight, at[0]!));
+      this.check(this.text(outcome));
+    } finally {
+      this.module._free(pixels);
+    }
+  }
+
+  state(): State {
+    return JSON.parse(this.text(this.module._spl_state())) as State;
+  }
+
+  commands(): Command[] {
+    return JSON.parse(this.text(this.module._spl_commands())) as Command[];
+  }
+
+  /** Runs a command; throws a Failure when the engine refuses. */
+  run(id: string, args: Record<string, unknown> = {}): void {
+    this.check(this.withStrings([id, JSON.stringify(args)], (at) => this.text(this.module._spl_run(at[0]!, at[1]!))));
+  }
+
+  exportModel(format: ExportFormat): Uint8Array {
+    const outLength = this.module._malloc(4);
+    try {
+      const at = this.withStrings([format], (ptr) => this.module._spl_export(ptr[0]!, outLength));
+      if (at === 0) {
+        this.check(this.text(this.module._spl_lastError()));
+        throw new Failure('NothingToExport', this.sentence('NothingToExport'));
+      }
+      const length = new DataView(this.module.wasmMemory.buffer).getUint32(outLength, true);
+      return this.heap().slice(at, at + length);
+    } finally {
+      this.module._free(outLength);
+    }
+  }
+
+  /** The engine's sentence for one of its errors. */
+  sentence(code: string): string {
+    return this.withStrings([code], (at) => this.text(this.module._spl_sentence(at[0]!)));
+  }
+
+  /** Where a picture pixel is on the canvas, in CSS pixels from its top left corner. */
+  imageToCanvas(x: number, y: number): { x: number; y: number } {
+    const out = this.module._malloc(16);
+    try {
+      this.module._spl_imageToClient(x, y, out);
+      const view = new DataView(this.module.wasmMemory.buffer);
+      return { x: view.getFloat64(out, true), y: view.getFloat64(out + 8, true) };
+    } finally {
+      this.module._free(out);
+    }
+  }
+
+  contextLost(): void {
+    this.module._spl_contextLost();
+  }
+
+  contextRestored(): void {
+    this.module._spl_contextRestored();
+  }
+
+  answer(id: string, text: string): void {
+    this.withStrings([id, text], (at) => this.module._spl_answer(at[0]!, at[1]!));
+  }
+
+  isIdle(): boolean {
+    return this.module._spl_idle() === 1;
+  }
+
+  cancelWork(): void {
+    this.module._spl_cancelWork();
+  }
+
+  markSaved(): void {
+    this.module._spl_markSaved();
+  }
+
+  private check(json: string): void {
+    const outcome = JSON.parse(json) as Outcome;
+    if (outcome.ok) return;
+    const code = outcome.error ?? 'Unknown';
+    throw new Failure(code, outcome.sentence ?? this.sentence(code));
+  }
+
+  private heap(): Uint8Array {
+    return new Uint8Array(this.module.wasmMemory.buffer);
+  }
+
+  private put(bytes: ArrayLike<number> & { length: number }): number {
+    const at = this.module._malloc(Math.max(1, bytes.length));
+    if (at === 0) throw new Failure('OutOfMemory', this.sentence('OutOfMemory'));
+    this.heap().set(bytes, at);
+    return at;
+  }
+
+  private withStrings<T>(strings: string[], call: (at: number[]) => T): T {
+    const at = strings.map((text) => this.put(this.encoder.encode(`${text}\0`)));
+    try {
+      return call(at);
+    } finally {
+      for (const ptr of at) this.module._free(ptr);
+    }
+  }
+
+  private text(at: number): string {
+    const heap = this.heap();
+    return this.decoder.decode(heap.slice(at, heap.indexOf(0, at)));
+  }
+}

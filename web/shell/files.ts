@@ -1,0 +1,71 @@
+// Files in and out: drop anywhere, paste, the file picker, the camera, and downloads.
+import { byId, make } from './dom.ts';
+import { isTextField } from './keyboard.ts';
+
+type TakeFiles = (files: File[]) => void;
+
+/** Shows a curtain while files hang over the page and takes them wherever they fall. */
+function connectDrop(take: TakeFiles, refuse: () => void): void {
+  const curtain = byId('drop-curtain');
+  const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+  window.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    if (event.dataTransfer) event.dataTransfer.dropEffect = hasFiles(event) ? 'copy' : 'none';
+    curtain.hidden = !hasFiles(event);
+  });
+  window.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) curtain.hidden = true;
+  });
+  window.addEventListener('drop', (event) => {
+    event.preventDefault();
+    curtain.hidden = true;
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (files.length > 0) take(files);
+    else refuse();
+  });
+}
+
+function connectPaste(take: TakeFiles): void {
+  window.addEventListener('paste', (event) => {
+    if (isTextField(event.target)) return;
+    const files = [...(event.clipboardData?.files ?? [])];
+    if (files.length === 0) return;
+    event.preventDefault();
+    take(files);
+  });
+}
+
+/** The two hidden inputs of the page: any picture file, and the camera of a phone. */
+function connectPickers(take: TakeFiles): void {
+  for (const id of ['file-picker', 'camera-picker']) {
+    const input = byId<HTMLInputElement>(id);
+    input.addEventListener('change', () => {
+      const files = [...(input.files ?? [])];
+      input.value = '';  // the same file can be chosen again
+      if (files.length > 0) take(files);
+    });
+  }
+}
+
+/** All ways in; `refuse` is called when something was dropped that is no file. */
+export function connectFiles(take: TakeFiles, refuse: () => void): void {
+  connectDrop(take, refuse);
+  connectPaste(take);
+  connectPickers(take);
+}
+
+/** Opens the browser's file dialog; needs a user gesture. */
+export function pickPicture(): void {
+  byId<HTMLInputElement>('file-picker').click();
+}
+
+/** Offers bytes as a download. */
+export function download(name: string, mediaType: string, bytes: Uint8Array): void {
+  const address = URL.createObjectURL(new Blob([bytes as BlobPart], { type: mediaType }));
+  const link = make('a', { href: address, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  // Some browsers read the address after the click has returned.
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}

@@ -1,0 +1,92 @@
+// The page starts here: look whether this browser can run it, load the engine, connect everything.
+import './styles/base.css';
+import './styles/chrome.css';
+import './styles/popups.css';
+import './styles/start.css';
+import { byId, make } from './dom.ts';
+import { loadEngine } from './engine.ts';
+import type { Engine, EngineEvent } from './engine.ts';
+import { Failure } from './failure.ts';
+import { connectFiles } from './files.ts';
+import { loadFonts } from './fonts.ts';
+import { connectKeyboard } from './keyboard.ts';
+import { KeyboardPen } from './keyboard_pen.ts';
+import { Page } from './page.ts';
+import { connectPointer } from './pointer.ts';
+import { installApi } from './public_api.ts';
+import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
+import { hasWebGl2, sizeOf, watchContext, watchSize } from './surface.ts';
+import { toast } from './toasts.ts';
+import { connectTooltips } from './tooltip.ts';
+
+const canvas = byId<HTMLCanvasElement>('canvas');
+
+/** Why this browser cannot run the page, or null. */
+function missing(): Failure | null {
+  if (typeof WebAssembly !== 'object') {
+    return new Failure('NoWebAssembly', 'This browser has no WebAssembly, which SpineLoft needs. Update the browser, or open the page in a current Chrome, Edge, Firefox or Safari.');
+  }
+  if (!hasWebGl2()) {
+    return new Failure('NoWebGL2', 'This browser cannot draw in 3D: WebGL 2 is missing or switched off. Switch on graphics acceleration in its settings, or try another browser.');
+  }
+  return null;
+}
+
+async function startEngine(onEvent: (event: EngineEvent) => void): Promise<Engine> {
+  const failure = missing();
+  if (failure) throw failure;
+  try {
+    const [engine, fonts] = await Promise.all([loadEngine(canvas, onEvent), loadFonts()]);
+    if (!engine.start(fonts, sizeOf(canvas))) throw new Error('the engine did not start');
+    return engine;
+  } catch (thrown) {
+    console.warn(thrown);
+    throw new Failure('EngineNotLoaded', 'SpineLoft did not load completely. Check the connection and load the page again.');
+  }
+}
+
+/** The page cannot run: say why in the place of the drop area. */
+function showFailure(failure: Failure): void {
+  const again = make('button', { type: 'button', class: 'button button-primary button-large' }, 'Load again');
+  again.addEventListener('click', () => location.reload());
+  byId('start').replaceChildren(make('div', { class: 'start-failure', role: 'alert' },
+    make('h2', {}, 'SpineLoft cannot start here'), make('p', {}, failure.message), again));
+}
+
+function connect(page: Page, engine: Engine): void {
+  watchSize(canvas, (size) => engine.resize(size));
+  watchContext({ canvas, engine, say: (text) => page.say(text) });
+  connectPointer({ canvas, engine, undo: () => page.run('undo'), redo: () => page.run('redo') });
+  const pen = new KeyboardPen({ canvas, engine, say: (text) => page.say(text) });
+  connectKeyboard({ engine, pen, showShortcuts: () => page.showShortcuts(), isQuiet: () => page.isOnStartPage });
+  window.addEventListener('beforeunload', (event) => {
+    if (page.hasUnsavedWork) event.preventDefault();
+  });
+}
+
+function main(): void {
+  const page = new Page();
+  let engine: Engine | null = null;
+  const starting = startEngine((event) => page.handle(event));
+  const ready = starting.then((started) => {
+    engine = started;
+    connect(page, started);
+    page.attach(started);
+    document.body.dataset.engine = 'ready';
+  });
+  installApi({ engine: () => engine, canvas, ready, openImage: (blob, name) => page.openImage(blob, name), isBusy: () => page.isBusy });
+  ready.catch((failure: Failure) => showFailure(failure));
+
+  // Whatever is chosen before the engine runs is opened as soon as it does.
+  const whenReady = (action: () => void) => void ready.then(action, () => undefined);
+  connectFiles(
+    (files) => whenReady(() => void page.openFiles(files)),
+    () => toast('That was not a picture file. Drop a PNG or JPEG picture from your device.', 'error'),
+  );
+  buildStartPage((sample) => {
+    whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));
+  });
+  connectTooltips(byId('bar'));
+}
+
+main();

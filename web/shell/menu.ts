@@ -1,0 +1,119 @@
+// A popup menu after the ARIA menu-button pattern: arrows, Home, End, first letters, Escape.
+import { make, shortcutText } from './dom.ts';
+import { icon } from './icons.ts';
+
+export interface MenuItem {
+  label: string;
+  icon?: string | undefined;
+  detail?: string | undefined;
+  shortcut?: string | undefined;
+  disabled?: boolean | undefined;
+  /** Makes it a radio or a checkbox item. */
+  checked?: boolean | undefined;
+  kind?: 'radio' | 'checkbox' | undefined;
+  run(): void;
+}
+
+/** Items under a heading; an empty title shows only a line. */
+export interface MenuGroup {
+  title: string;
+  items: MenuItem[];
+}
+
+let openMenu: { close(refocus: boolean): void; anchor: HTMLElement } | null = null;
+
+/** Closes the open menu, if any. */
+export function closeMenu(): void {
+  openMenu?.close(false);
+}
+
+function itemElement(item: MenuItem): HTMLElement {
+  const role = item.kind ? `menuitem${item.kind}` : 'menuitem';
+  const element = make('div', {
+    class: 'menu-item',
+    role,
+    tabindex: '-1',
+    'aria-disabled': item.disabled ? 'true' : undefined,
+    'aria-checked': item.kind ? String(item.checked === true) : undefined,
+  });
+  if (item.icon) element.append(icon(item.icon));
+  const words = make('span', { class: 'menu-words' }, make('span', { class: 'menu-label' }, item.label));
+  if (item.detail) words.append(make('span', { class: 'menu-detail' }, item.detail));
+  element.append(words);
+  if (item.shortcut) element.append(make('kbd', {}, shortcutText(item.shortcut)));
+  return element;
+}
+
+function place(menu: HTMLElement, anchor: HTMLElement): void {
+  const at = anchor.getBoundingClientRect();
+  const room = 8;
+  const left = Math.min(at.left, innerWidth - menu.offsetWidth - room);
+  menu.style.left = `${Math.max(room, left)}px`;
+  menu.style.top = `${at.bottom + 6}px`;
+  menu.style.maxHeight = `${Math.max(160, innerHeight - at.bottom - 6 - room)}px`;
+}
+
+function handleKeys(event: KeyboardEvent, elements: HTMLElement[], close: (refocus: boolean) => void): void {
+  const at = elements.indexOf(document.activeElement as HTMLElement);
+  const go = (index: number) => elements[(index + elements.length) % elements.length]?.focus();
+  switch (event.key) {
+    case 'ArrowDown': go(at + 1); break;
+    case 'ArrowUp': go(at - 1); break;
+    case 'Home': go(0); break;
+    case 'End': go(elements.length - 1); break;
+    case 'Escape': close(true); break;
+    case 'Tab': close(true); return;
+    case 'Enter':
+    case ' ': elements[at]?.click(); break;
+    default: {
+      if (event.key.length !== 1 || event.ctrlKey || event.metaKey) return;
+      const order = [...elements.slice(at + 1), ...elements.slice(0, at + 1)];
+      order.find((element) => element.textContent?.trim().toLowerCase().startsWith(event.key.toLowerCase()))?.focus();
+    }
+  }
+  event.preventDefault();
+  event.stopPropagation();
+}
+
+/** Opens a menu under its button, or closes it when it is open there. */
+export function toggleMenu(anchor: HTMLElement, label: string, groups: MenuGroup[]): void {
+  const same = openMenu?.anchor === anchor;
+  closeMenu();
+  if (same) return;
+  const menu = make('div', { class: 'menu', role: 'menu', 'aria-label': label });
+  const elements: HTMLElement[] = [];
+  const close = (refocus: boolean) => {
+    menu.remove();
+    anchor.setAttribute('aria-expanded', 'false');
+    document.removeEventListener('pointerdown', outside, true);
+    openMenu = null;
+    if (refocus) anchor.focus();
+  };
+  const outside = (event: Event) => {
+    const target = event.target as Node;
+    if (!menu.contains(target) && !anchor.contains(target)) close(false);
+  };
+  for (const group of groups.filter((candidate) => candidate.items.length > 0)) {
+    const box = make('div', { role: 'group', class: 'menu-group', 'aria-label': group.title || undefined });
+    if (group.title) box.append(make('div', { class: 'menu-title', 'aria-hidden': 'true' }, group.title));
+    for (const item of group.items) {
+      const element = itemElement(item);
+      element.addEventListener('click', () => {
+        if (item.disabled) return;
+        close(true);
+        item.run();
+      });
+      element.addEventListener('pointerenter', () => element.focus({ preventScroll: true }));
+      elements.push(element);
+      box.append(element);
+    }
+    menu.append(box);
+  }
+  menu.addEventListener('keydown', (event) => handleKeys(event, elements, close));
+  document.body.append(menu);
+  place(menu, anchor);
+  anchor.setAttribute('aria-expanded', 'true');
+  document.addEventListener('pointerdown', outside, true);
+  openMenu = { close, anchor };
+  (elements.find((element) => element.getAttribute('aria-checked') === 'true') ?? elements[0])?.focus();
+}

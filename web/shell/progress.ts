@@ -1,0 +1,42 @@
+// Progress of anything that takes longer than a blink, with a way to stop it.
+import { byId } from './dom.ts';
+
+const kBlinkMs = 200;
+
+/** What is going on: words, share done (null = not known), and how to stop it. */
+export interface Activity {
+  label: string;
+  done: number | null;
+  cancel(): void;
+}
+
+export class ProgressBar {
+  private readonly box = byId('progress');
+  private readonly bar = byId<HTMLProgressElement>('progress-bar');
+  private readonly label = byId('progress-label');
+  private activity: Activity | null = null;
+  private timer = 0;
+
+  constructor() {
+    byId('progress-cancel').addEventListener('click', () => this.activity?.cancel());
+  }
+
+  /** Shows the activity once it has lasted longer than a blink; null ends it. */
+  set(activity: Activity | null): void {
+    this.activity = activity;
+    if (!activity) {
+      clearTimeout(this.timer);
+      this.timer = 0;
+      this.box.hidden = true;
+      return;
+    }
+    if (this.label.textContent !== activity.label) this.label.textContent = activity.label;
+    if (activity.done === null) this.bar.removeAttribute('value');
+    else this.bar.value = activity.done;
+    if (this.timer === 0) {
+      this.timer = window.setTimeout(() => {
+        this.box.hidden = false;
+      }, kBlinkMs);
+    }
+  }
+}

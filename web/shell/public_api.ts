@@ -1,0 +1,71 @@
+// window.spineloft: installed before the engine runs, so that a script can wait for `ready`.
+import type { Command, ExportFormat, SpineLoftApi, State } from './api.ts';
+import type { Engine } from './engine.ts';
+import { Failure } from './failure.ts';
+
+const kPollMs = 12;
+const kFormats: ExportFormat[] = ['glb', 'obj', 'stl'];
+
+export interface ApiPage {
+  /** Null until the engine runs. */
+  engine(): Engine | null;
+  canvas: HTMLCanvasElement;
+  ready: Promise<void>;
+  /** Decodes and opens a picture; rejects with a Failure. */
+  openImage(blob: Blob, name: string): Promise<void>;
+  /** True while the shell itself has work, such as decoding a picture. */
+  isBusy(): boolean;
+}
+
+const kBeforeReady: State = {
+  version: SPINELOFT_SITE.version, picture: null, parts: [], selection: null, tool: 'draw', undo: false, redo: false, busy: true,
+  threads: false, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null,
+};
+
+function wait(milliseconds: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
+
+/** Puts the API on the window. */
+export function installApi(page: ApiPage): void {
+  const running = async (): Promise<Engine> => {
+    await page.ready;
+    const engine = page.engine();
+    if (!engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    return engine;
+  };
+  const api: SpineLoftApi = {
+    version: SPINELOFT_SITE.version,
+    ready: page.ready,
+    async idle() {
+      const engine = await running();
+      // Twice in a row: finished work may start the next stage.
+      for (let quiet = 0; quiet < 2; ) {
+        quiet = engine.isIdle() && !page.isBusy() ? quiet + 1 : 0;
+        await wait(kPollMs);
+      }
+    },
+    async openImage(blob, name = 'Picture') {
+      await running();
+      await page.openImage(blob, name);
+    },
+    imageToClient(x, y) {
+      const box = page.canvas.getBoundingClientRect();
+      const at = page.engine()?.imageToCanvas(x, y) ?? { x: 0, y: 0 };
+      return { x: at.x + box.left, y: at.y + box.top };
+    },
+    state: () => page.engine()?.state() ?? structuredClone(kBeforeReady),
+    commands: (): Command[] => page.engine()?.commands() ?? [],
+    async run(id, args) {
+      (await running()).run(id, args);
+    },
+    async exportModel(format) {
+      const engine = await running();
+      if (!kFormats.includes(format)) {
+        throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj or stl.`);
+      }
+      return engine.exportModel(format);
+    },
+  };
+  Object.defineProperty(window, 'spineloft', { value: Object.freeze(api), enumerable: true });
+}

@@ -1,0 +1,54 @@
+// The canvas as a surface: its size in CSS pixels, the device pixel ratio, and the WebGL context's life.
+import type { Engine, Size } from './engine.ts';
+
+/** Browsers on tablets refuse canvases beyond this many pixels. */
+const kMostPixels = 16_000_000;
+
+/** Size of the canvas now; the ratio is lowered where the backing store would be too large. */
+export function sizeOf(canvas: HTMLCanvasElement): Size {
+  const width = Math.max(1, canvas.clientWidth);
+  const height = Math.max(1, canvas.clientHeight);
+  const dpr = Math.min(window.devicePixelRatio || 1, Math.sqrt(kMostPixels / (width * height)));
+  return { width, height, dpr };
+}
+
+/** True when this browser can draw with WebGL 2. */
+export function hasWebGl2(): boolean {
+  const probe = document.createElement('canvas');
+  const context = probe.getContext('webgl2');
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return context !== null;
+}
+
+/** Watches size, zoom and screen changes. */
+export function watchSize(canvas: HTMLCanvasElement, onSize: (size: Size) => void): void {
+  const tell = () => onSize(sizeOf(canvas));
+  new ResizeObserver(tell).observe(canvas);
+  const watchRatio = () => {
+    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener('change', () => {
+      tell();
+      watchRatio();
+    }, { once: true });
+  };
+  watchRatio();
+}
+
+export interface ContextPage {
+  canvas: HTMLCanvasElement;
+  engine: Engine;
+  /** Says it to the visitor: the drawing comes back by itself. */
+  say(text: string): void;
+}
+
+/** The document lives in the engine, so a lost context costs nothing but the pixels. */
+export function watchContext({ canvas, engine, say }: ContextPage): void {
+  canvas.addEventListener('webglcontextlost', (event) => {
+    event.preventDefault();  // asks the browser to restore it
+    engine.contextLost();
+    say('The graphics paused; your work is kept.');
+  });
+  canvas.addEventListener('webglcontextrestored', () => {
+    engine.contextRestored();
+    say('The graphics are back.');
+  });
+}
