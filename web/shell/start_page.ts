@@ -36,7 +36,7 @@ function card(sample: Sample, isFirst: boolean, open: (sample: Sample) => void):
   const isDrawing = sample.file.endsWith('.png');
   const picture = make('img', { src: sampleAddress(sample), alt: sample.alt, width: String(sample.width), height: String(sample.height), decoding: 'async' });
   const frame = make('span', { class: 'sample-frame' }, picture);
-  const button = make('button', { type: 'button', class: 'sample-open', 'aria-label': `Try it with: ${sample.title}` }, frame,
+  const button = make('button', { type: 'button', class: 'sample-open' }, frame,
     make('span', { class: 'sample-title' }, sample.title));
   button.addEventListener('click', () => open(sample));
   const credit = make('p', { class: 'sample-credit' },
