@@ -61,7 +61,7 @@ async function validated(bytes) {
 for (const engine of kEngines) {
   test(`${engine.name}: the page says which engine runs`, () => withTube(engine, async (page) => {
     const { threads, version } = await state(page);
-    assert.equal(Boolean(threads) && threads !== 1, engine.isolated, `threads: ${threads}`);
+    assert.equal(threads > 0, engine.isolated, `threads: ${threads}`);
     assert.match(version, /^\d+\.\d+\.\d+/);
     assert.equal(await page.evaluate(() => crossOriginIsolated), engine.isolated);
   }));
@@ -71,6 +71,8 @@ for (const engine of kEngines) {
     const empty = await pixels(page, view);
     await drawWithMouse(page, tube.middle, async () => {
       await page.waitForTimeout(400);
+      const { preview } = await state(page);
+      assert.ok(preview.ribs > 5 && preview.triangles > 100, JSON.stringify(preview));
       const during = await pixels(page, view);
       // The right-hand half holds nothing before the stroke, and a solid in the middle of it.
       const half = (shot) => ({ ...shot, data: rightHalf(shot) });
@@ -82,7 +84,7 @@ for (const engine of kEngines) {
     assert.equal(parts.length, 1);
     const [part] = parts;
     assert.equal(selection, part.id);
-    assert.deepEqual([part.kind, part.section, undo, redo, busy], ['loft', 'circle', true, false, false]);
+    assert.deepEqual([part.kind, part.section, undo > 0, redo, busy], ['loft', 'circle', true, 0, false]);
     assert.ok(part.triangles > 200 && lastMs.ribs >= 0 && lastMs.loft >= 0 && lastMs.edges > 0);
     for (const rib of part.ribs.slice(3, -3)) {
       const width = Math.hypot(rib.left[0] - rib.right[0], rib.left[1] - rib.right[1]);
@@ -203,6 +205,7 @@ const rightHalf = (shot) => halfOf(shot, Math.floor(shot.width * 0.5), Math.floo
 
 test('strokes that make no part say why and change nothing', () => onPage(kit, {}, async (page) => {
   await openPicture(page, tube.png, 'tube.png');
+  const before = await state(page);
   const codes = {};
   const strokes = {
     StrokeTooShort: [[10, 10]],
@@ -215,7 +218,7 @@ test('strokes that make no part say why and change nothing', () => onPage(kit, {
   }
   assert.deepEqual(codes, { StrokeTooShort: 'StrokeTooShort', StrokeOutsidePicture: 'StrokeOutsidePicture', StrokeLoops: 'StrokeLoops' });
   const { parts, undo } = await state(page);
-  assert.deepEqual([parts, undo], [[], (await state(page)).undo]);
+  assert.deepEqual([parts, undo], [[], before.undo]);
   const empty = await page.evaluate(() => window.spineloft.exportModel('glb').then(() => null, (error) => error.code));
   assert.equal(empty, 'NothingToExport');
   const unknown = await page.evaluate(() => window.spineloft.exportModel('dwg').then(() => null, (error) => error.code));

@@ -1,7 +1,7 @@
 // Every way a picture comes in, and every file that must be refused in plain words.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { drawWithMouse, dropFiles, idle, onPage, openPicture, state, toastText, useSite, waitForPicture } from './support/page.mjs';
+import { drawWithMouse, dropFiles, idle, onPage, openPicture, pictureSize, state, toastText, useSite, waitForPicture } from './support/page.mjs';
 import { greyPng, paintedPng, samples, tubePicture, withExifOrientation } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -10,7 +10,7 @@ const tube = tubePicture();
 test('a picture dropped from the system opens', () => onPage(kit, {}, async (page) => {
   await dropFiles(page, [kit.file('tube.png', tube.png)]);
   await waitForPicture(page);
-  assert.deepEqual((await state(page)).picture, { width: tube.width, height: tube.height });
+  assert.deepEqual(await pictureSize(page), { width: tube.width, height: tube.height });
   assert.equal(await page.locator('#start').isVisible(), false);
   assert.match(await page.locator('#status').innerText(), /480 by 360/);
 }));
@@ -20,11 +20,12 @@ test('a picture chosen in the file dialog opens', () => onPage(kit, {}, async (p
   await page.getByRole('button', { name: 'Choose a picture' }).click();
   await (await chooser).setFiles({ name: 'tube.png', mimeType: 'image/png', buffer: tube.png });
   await waitForPicture(page);
-  assert.deepEqual((await state(page)).picture, { width: tube.width, height: tube.height });
+  assert.deepEqual(await pictureSize(page), { width: tube.width, height: tube.height });
 }));
 
 test('Ctrl+O opens the file dialog too', () => onPage(kit, {}, async (page) => {
   const chooser = page.waitForEvent('filechooser');
+  await state(page);  // the driver listens from here on
   await page.keyboard.press('Control+o');
   await (await chooser).setFiles({ name: 'tube.png', mimeType: 'image/png', buffer: tube.png });
   await waitForPicture(page);
@@ -37,7 +38,7 @@ test('a picture pasted from the clipboard opens', () => onPage(kit, { permission
   }, tube.png.toString('base64'));
   await page.keyboard.press('Control+v');
   await waitForPicture(page);
-  assert.deepEqual((await state(page)).picture, { width: tube.width, height: tube.height });
+  assert.deepEqual(await pictureSize(page), { width: tube.width, height: tube.height });
 }));
 
 for (const [index, sample] of samples().entries()) {
@@ -47,7 +48,7 @@ for (const [index, sample] of samples().entries()) {
     assert.equal(await image.evaluate(async (element) => { await element.decode(); return element.naturalWidth; }), sample.width);
     await page.locator('.sample-open').nth(index).click();
     await waitForPicture(page);
-    assert.deepEqual((await state(page)).picture, { width: sample.width, height: sample.height });
+    assert.deepEqual(await pictureSize(page), { width: sample.width, height: sample.height });
     await drawWithMouse(page, sample.spine);
     const { parts } = await state(page);
     assert.equal(parts.length, 1);
@@ -73,9 +74,9 @@ test('the EXIF turn is applied: a lying photo stands up', () => onPage(kit, {}, 
     return canvas.toDataURL('image/jpeg', 0.9).split(',')[1];
   }, tube.png.toString('base64')), 'base64');
   await openPicture(page, jpeg, 'lying.jpg');
-  assert.deepEqual((await state(page)).picture, { width: 480, height: 360 });
+  assert.deepEqual(await pictureSize(page), { width: 480, height: 360 });
   await openPicture(page, withExifOrientation(jpeg, 6), 'standing.jpg');
-  assert.deepEqual((await state(page)).picture, { width: 360, height: 480 });
+  assert.deepEqual(await pictureSize(page), { width: 360, height: 480 });
   // The tube's middle (x, y) is now at (height − 1 − y, x).
   await drawWithMouse(page, tube.middle.map(([x, y]) => [359 - y, x]));
   const [part] = (await state(page)).parts;
@@ -87,7 +88,7 @@ test('the EXIF turn is applied: a lying photo stands up', () => onPage(kit, {}, 
 test('a large photo keeps its own coordinates', () => onPage(kit, {}, async (page) => {
   const large = tubePicture({ width: 3000, height: 2250, half: 180 });
   await openPicture(page, large.png);
-  assert.deepEqual((await state(page)).picture, { width: 3000, height: 2250 });
+  assert.deepEqual(await pictureSize(page), { width: 3000, height: 2250 });
   await drawWithMouse(page, large.middle);
   const [part] = (await state(page)).parts;
   const rib = part.ribs[Math.floor(part.ribs.length / 2)];
@@ -166,7 +167,8 @@ test('pictures of every common format open', () => onPage(kit, {}, async (page) 
       const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
       canvas.getContext('2d').drawImage(bitmap, 0, 0);
       await window.spineloft.openImage(await canvas.convertToBlob({ type: kind }), kind);
-      return window.spineloft.state().picture;
+      const { width, height } = window.spineloft.state().picture;
+      return { width, height };
     }, [png.toString('base64'), type]);
     assert.deepEqual(size, { width: 64, height: 48 }, type);
   }

@@ -26,32 +26,47 @@ export interface Part {
   caps: { start: string; end: string };
   ribs: Rib[];
   triangles: number;
+  visible: boolean;
+  /** True with the picture on it, else it has the plain colour '#rrggbb'. */
+  textured: boolean;
+  colour: string;
+  /** Id of the picture that it was drawn on. */
+  picture: number;
+  /** True while its shape waits for the edges of its picture. */
+  waiting: boolean;
+  /** Name of the error that left it without a shape. */
+  failure: string | null;
 }
 
 /** What is on the page now. A copy: changing it changes nothing. */
 export interface State {
   version: string;
   /** The picture in view, in original pixels; null on the start page. */
-  picture: { width: number; height: number } | null;
+  picture: { width: number; height: number; name: string; id: number } | null;
+  /** Number of pictures on the board. */
+  pictures: number;
   parts: Part[];
   /** Id of the selected part. */
   selection: number | null;
+  /** 'draw', or 'hand' for moving the picture. */
   tool: string;
-  /** Whether undo and redo would do something. */
-  undo: boolean;
-  redo: boolean;
+  /** Steps that undo and redo could go. */
+  undo: number;
+  redo: number;
   /** True while work is pending; `idle()` waits for its end. */
   busy: boolean;
-  /** Whether this engine works with threads. */
-  threads: boolean | number;
+  /** Worker threads of the engine; 0 in the single-thread build. */
+  threads: number;
   /** Milliseconds of the last run of each stage. */
   lastMs: { edges: number; ribs: number; loft: number };
   /** True when something would be lost by closing the page. */
   unsaved: boolean;
   /** Long work in words, with its share done (0…1). */
   activity: { label: string; done: number } | null;
-  documentName?: string;
-  heightMm?: number;
+  /** The stroke in hand: its points, and the ribs and triangles it has so far. */
+  preview: { points: number; ribs: number; triangles: number; costMs: number } | null;
+  documentName: string;
+  heightMm: number;
 }
 
 export interface CommandChoice {

@@ -4,8 +4,10 @@ import { byId } from './dom.ts';
 import { ghostHand } from './ghost_hand.ts';
 import type { Sample } from './start_page.ts';
 
-/** CSS pixels around the hint, and what the view's title needs at the top. */
-const kGap = 12, kTitleRoom = 44;
+/** CSS pixels: around the hint, beside the view's title, over the view's buttons. */
+const kGap = 12, kTitleRoom = 72, kToolsRoom = 56;
+/** Under this width the views are stacked. */
+const kStackedWidth = 700;
 
 type ToCanvas = (x: number, y: number) => { x: number; y: number };
 
@@ -40,13 +42,16 @@ export class Guide {
 
   private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {
     const box = byId('canvas');
-    const half = this.hint.offsetWidth / 2 + 8;
-    const x = Math.max(half, Math.min((topLeft.x + bottomRight.x) / 2, box.clientWidth - half));
-    const below = bottomRight.y + kGap, above = topLeft.y - kGap - this.hint.offsetHeight;
-    const fitsBelow = below + this.hint.offsetHeight + kGap <= box.clientHeight;
-    // On a picture that fills the view the hint covers its foot rather than nothing at all.
-    const y = fitsBelow ? below : above >= kTitleRoom ? above : Math.min(bottomRight.y, box.clientHeight) - kGap - this.hint.offsetHeight;
-    this.hint.style.transform = `translate(${Math.round(x - this.hint.offsetWidth / 2)}px, ${Math.round(y)}px)`;
+    const { offsetWidth, offsetHeight } = this.hint;
+    const stacked = box.clientWidth < kStackedWidth;
+    const left = stacked ? kTitleRoom : kGap, right = box.clientWidth - kGap;
+    const middle = (topLeft.x + bottomRight.x) / 2 - offsetWidth / 2;
+    const x = Math.max(left, Math.min(middle, right - offsetWidth));
+    // Under the picture where nothing else is, otherwise beside the view's title.
+    const below = bottomRight.y + kGap;
+    const fitsBelow = !stacked && below + offsetHeight + kToolsRoom <= box.clientHeight;
+    const y = fitsBelow ? below : kGap;
+    this.hint.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
   private placeGhost(sample: Sample, topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {

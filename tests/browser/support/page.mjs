@@ -55,6 +55,10 @@ export async function onPage(kit, options, work) {
 }
 
 export const state = (page) => page.evaluate(() => window.spineloft.state());
+export const pictureSize = (page) => page.evaluate(() => {
+  const { picture } = window.spineloft.state();
+  return picture && { width: picture.width, height: picture.height };
+});
 export const idle = (page) => page.evaluate(() => window.spineloft.idle());
 export const run = (page, id, args) => page.evaluate(([name, values]) => window.spineloft.run(name, values), [id, args]);
 
