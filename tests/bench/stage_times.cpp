@@ -1,0 +1,107 @@
+// Stage times on made-up inputs, as JSON on standard output: native, and as wasm under Node.
+// Nothing is asserted about times; a run that cannot make its part ends with 1.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/loft/loft.h"
+#include "engine/pipeline/derive.h"
+#include "engine/pipeline/silhouette.h"
+#include "engine/vision/edges.h"
+#include "tests/bench/scene.h"
+
+using namespace spineloft;
+
+namespace {
+
+double nowMs() {
+  using Ms = std::chrono::duration<double, std::milli>;
+  return Ms(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <class T>
+T must(Result<T> result) {
+  if (!result.ok()) {
+    std::cerr << "spineloft_bench: " << failureSentence(result.failure()) << '\n';
+    std::exit(1);
+  }
+  return std::move(result).value();
+}
+
+/// Writes one JSON object, stage by stage.
+class Report {
+ public:
+  Report() { std::cout << "{\n"; }
+  ~Report() { std::cout << "\n}\n"; }
+  /// `work(i)` is run `runs` times after two warm-up runs.
+  void stage(const std::string& name, int runs, const std::function<void(int)>& work) {
+    std::vector<double> times;
+    for (int i = -2; i < runs; ++i) {
+      const double started = nowMs();
+      work(std::max(0, i));
+      if (i >= 0) times.push_back(nowMs() - started);
+    }
+    std::sort(times.begin(), times.end());
+    const auto at = [&](double share) {
+      return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1) + 0.5)];
+    };
+    std::cout << (first_ ? "" : ",\n") << "  \"" << name << "\": {\"median_ms\": " << at(0.5)
+              << ", \"p95_ms\": " << at(0.95) << ", \"runs\": " << runs << "}" << std::flush;
+    first_ = false;
+  }
+
+ private:
+  bool first_ = true;
+};
+
+/// Part of a stroke, as it is while the pen moves: from a fifth of it to all.
+std::vector<PicturePoint> begun(const std::vector<PicturePoint>& stroke, int step, int steps) {
+  const std::size_t count = stroke.size() / 5 + stroke.size() * 4 / 5 *
+                                                    static_cast<std::size_t>(step + 1) /
+                                                    static_cast<std::size_t>(steps);
+  return {stroke.begin(),
+          stroke.begin() + static_cast<std::ptrdiff_t>(std::min(count, stroke.size()))};
+}
+
+}  // namespace
+
+int main() {
+  const image::Size size{1024, 768}, photo{2304, 1728};
+  const image::Picture picture = bench::tubePicture(size), large = bench::tubePicture(photo);
+  const Progress progress;
+  const image::EdgeMap edges = must(vision::detectEdges(picture, {}, progress));
+
+  Report report;
+  report.stage("edges 1024x768", 15,
+               [&](int) { must(vision::detectEdges(picture, {}, progress)); });
+  report.stage("edges of a 4-megapixel picture", 9,
+               [&](int) { must(vision::detectEdges(large, {}, progress)); });
+  document::LoftRecipe recipe;
+  recipe.stroke = bench::tubeStroke(size, 200);
+  for (const int ribs : {50, 100, 200}) {
+    recipe.spine.ribs = ribs;
+    const ribs::Spine spine = must(ribs::cleanSpine(recipe.stroke, size, recipe.spine));
+    report.stage("ribs " + std::to_string(ribs), 21,
+                 [&](int) { must(ribs::traceRibs(spine, edges, size, recipe.ribs, progress)); });
+  }
+  recipe.spine.ribs = 100;
+  const pipeline::PartShape shape = must(pipeline::shapePart(recipe, edges, size, progress));
+  loft::LoftParams params;
+  params.sectionPoints = 64;
+  report.stage("loft 100x64", 51, [&](int) { must(loft::loftRibs(shape.ribs, size, params)); });
+  report.stage("silhouette", 21, [&](int) {
+    if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);
+  });
+  constexpr int kMoves = 60;
+  report.stage("pen move to mesh", kMoves, [&](int move) {
+    document::LoftRecipe moving = recipe;
+    moving.stroke = begun(recipe.stroke, move, kMoves);
+    must(pipeline::shapePart(moving, edges, size, progress));
+  });
+  return 0;
+}
