@@ -38,9 +38,9 @@ inline constexpr double kNoiseFactor = 2.5;
 inline constexpr double kFaintest = 0.35;  ///< Lab units a pixel
 inline constexpr double kStrongest = 4.0;  ///< Lab units a pixel
 inline constexpr double kLowShare = 0.5;
-/// Mean gradient, in s, of the contours that the thresholds find in pure noise.
+/// Gradient, in s, that the mean along a contour must exceed.
 inline constexpr double kNoiseLevel = 2.2;
-inline constexpr double kDoubt = 4.0;
+inline constexpr double kDoubt = 2.5;
 /// Fewer map pixels than this are a speck, not an outline.
 inline constexpr int kShortestContour = 8;
 
