@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "engine/document/document.h"
+#include "engine/io/json_values.h"
+#include "engine/io/picture_file.h"
 #include "engine/loft/loft.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
@@ -68,9 +72,27 @@ std::vector<PicturePoint> begun(const std::vector<PicturePoint>& stroke, int ste
           stroke.begin() + static_cast<std::ptrdiff_t>(std::min(count, stroke.size()))};
 }
 
-}  // namespace
+std::string fileText(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
 
-int main() {
+/// One line of JSON a stroke.
+void printRibs(const std::string& folder) {
+  const io::BenchCase one = must(io::readBenchCase(fileText(folder + "/case.json")));
+  const std::string text = fileText(folder + "/" + one.image);
+  const io::Bytes bytes(text.begin(), text.end());
+  const image::Picture picture = must(io::decodePicture(bytes, Progress()));
+  const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
+  for (const auto& [name, stroke] : one.strokes) {
+    document::LoftRecipe recipe;
+    recipe.stroke = stroke;
+    const image::Size size{picture.width, picture.height};
+    std::cout << io::writeRibs(must(pipeline::shapePart(recipe, edges, size, Progress())).ribs);
+  }
+}
+
+void printStageTimes() {
   const image::Size size{1024, 768}, photo{2304, 1728};
   const image::Picture picture = bench::tubePicture(size), large = bench::tubePicture(photo);
   const Progress progress;
@@ -103,5 +125,18 @@ int main() {
     moving.stroke = begun(recipe.stroke, move, kMoves);
     must(pipeline::shapePart(moving, edges, size, progress));
   });
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count == 3 && std::string(words[1]) == "--ribs") {
+    printRibs(words[2]);
+  } else if (count == 1) {
+    printStageTimes();
+  } else {
+    std::cerr << "spineloft_bench: no words, or --ribs and a case folder\n";
+    return 2;
+  }
   return 0;
 }
