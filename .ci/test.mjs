@@ -33,8 +33,7 @@ async function doctest(preset, command, args, env = {}) {
 }
 
 async function native() {
-  const targets = existsSync(join(root, 'engine/cli')) ? ['spineloft_tests', 'spineloft'] : ['spineloft_tests'];
-  await buildTargets('native-release', targets);
+  await buildTargets('native-release', ['spineloft_tests', 'spineloft', 'spineloft_bench']);
   return doctest('native-release', join(presetDir('native-release'), 'spineloft_tests'), []);
 }
 
@@ -48,7 +47,7 @@ async function asan() {
 }
 
 async function wasm(preset) {
-  await buildTargets(preset, ['spineloft_tests']);
+  await buildTargets(preset, ['spineloft_tests', 'spineloft_bench']);
   return doctest(preset, process.execPath, [join(presetDir(preset), 'spineloft_tests.js')]);
 }
 
