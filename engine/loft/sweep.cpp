@@ -109,7 +109,7 @@ class Builder {
 
   /// A cone from a ring to a point of the picture plane; `before`: the point comes first.
   void tip(std::uint32_t ring, PicturePoint at, bool before) {
-    fan(ring, vertex({at.x, -at.y, 0}), !before);
+    fan(ring, vertex({at.x, -at.y, 0}, at), !before);
   }
 
   /// A flat lid on a ring; `before`: it closes the start of the path.
@@ -137,13 +137,19 @@ class Builder {
   std::uint32_t place(const Ring& ring, SectionPoint p) {
     const Chord& chord = ring.station.chord;
     const PicturePoint at = chord.middle() + chord.across() * (p.x / 2);
-    return vertex({at.x, -at.y, ring.station.depth * p.y});
+    const PicturePoint paint = chord.middle() + chord.across() * (paintedAt(p.x) / 2);
+    return vertex({at.x, -at.y, ring.station.depth * p.y}, paint);
   }
 
-  std::uint32_t vertex(ModelPoint p) {
+  /// Where across the rib (−1…1) the picture is taken from for the surface at x. The fourth power
+  /// leaves the front as it is and turns inwards only near the rim.
+  static double paintedAt(double x) { return x * (1 - kRimInset * x * x * x * x); }
+
+  /// `paint`: the point of the picture that colours the vertex.
+  std::uint32_t vertex(ModelPoint p, PicturePoint paint) {
     mesh_.positions.push_back(
         {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-    const double u = (p.x + 0.5) * uPerPixel_, v = (-p.y + 0.5) * vPerPixel_;
+    const double u = (paint.x + 0.5) * uPerPixel_, v = (paint.y + 0.5) * vPerPixel_;
     mesh_.uv.push_back(
         {static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
