@@ -10,7 +10,7 @@ inline constexpr double kStackedWidth = 700;
 /// From it on the panel stands at the right side; between the two it is a strip below the views.
 inline constexpr double kPanelWidthFrom = 1000;
 inline constexpr double kPanelWidth = 240;
-inline constexpr double kStripHeight = 148;
+inline constexpr double kStripHeight = 152;
 inline constexpr double kSplitter = 8;  ///< width of the bar between the views
 inline constexpr double kMinShare = 0.22, kMaxShare = 0.78;
 

@@ -6,6 +6,7 @@
 namespace spineloft::app {
 namespace {
 
+constexpr double kButtonRow = 54;  // CSS pixels at the foot of the view
 constexpr double kFitMargin = 28;  // CSS pixels round a fitted picture
 constexpr double kMinZoom = 0.01, kMaxZoom = 64;
 constexpr double kInSight = 48;  // CSS pixels of the picture that cannot be pushed out
@@ -27,12 +28,14 @@ double distanceFor(double radius, const Rect& view) {
 PictureView fitPicture(image::Size picture, const Rect& view) {
   PictureView out;
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
-  const double margin = std::min(kFitMargin, 0.06 * std::min(view.width, view.height));
-  const Rect inner = view.inset(margin);
+  const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
+  Rect inner = view.inset(margin);
+  if (inner.height > 4 * kButtonRow) inner.height -= kButtonRow - margin;
   if (picture.width > 0 && picture.height > 0 && inner.width > 0 && inner.height > 0) {
     out.zoom = std::clamp(std::min(inner.width / picture.width, inner.height / picture.height),
                           kMinZoom, kMaxZoom);
   }
+  out.centre.y += (view.centre().y - inner.centre().y) / out.zoom;
   return out;
 }
 

@@ -26,7 +26,7 @@ struct PictureView {
   }
 };
 
-/// The whole picture in the middle of the view with a small margin.
+/// The whole picture in the middle of the view with a small margin, above the buttons at its foot.
 PictureView fitPicture(image::Size picture, const Rect& view);
 /// Where the picture's outer edge lies.
 Rect pictureRect(const PictureView& view, image::Size picture, const Rect& at);

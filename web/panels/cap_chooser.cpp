@@ -53,7 +53,7 @@ void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float wi
   const float direction = which[0] == 's' ? -1.f : 1.f;
   const float gap = 6;
   const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)),
-                    env.ui().layout.strip ? 44.f : 54.f};
+                    env.ui().layout.strip ? 44.f : 52.f};
   ImGui::PushID(which);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   bool first = true;

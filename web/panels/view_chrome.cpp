@@ -111,28 +111,42 @@ void splitter(const app::Layout& layout) {
   list.AddRectFilled({c.x - half.x, c.y - half.y}, {c.x + half.x, c.y + half.y}, rgb(0xb4ad9e), 2);
 }
 
-/// What to do next, while there is nothing to see yet.
-void hint(const PanelEnv& env, const app::Rect& view) {
-  const char* text = nullptr;
-  if (env.ui().redraw) {
-    text = "Draw the new line";
-  } else if (env.document().parts.empty() && !env.ui().preview) {
-    text = "Your solid appears here";
-  }
-  if (text == nullptr) return;
-  const app::Rect& at = env.ui().redraw ? env.ui().layout.picture : view;
+struct Pill {
+  const char* text = "";
+  ImU32 fill = 0, ink = 0;
+};
+
+/// A line of text with round ends, centred at (x, y).
+void pill(const PanelEnv& env, ImVec2 centre, const Pill& what) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImGui::PushFont(env.fonts.text);
-  const ImVec2 extent = ImGui::CalcTextSize(text);
-  const ImVec2 corner{static_cast<float>(at.centre().x) - extent.x / 2,
-                      env.ui().redraw ? static_cast<float>(at.y) + 14
-                                      : static_cast<float>(at.centre().y) - extent.y / 2};
-  if (env.ui().redraw) {
-    list.AddRectFilled({corner.x - 14, corner.y - 6},
-                       {corner.x + extent.x + 14, corner.y + extent.y + 6}, kAccent, 20);
-  }
-  list.AddText(corner, env.ui().redraw ? kSurface : kMuted, text);
+  const ImVec2 extent = ImGui::CalcTextSize(what.text);
+  const ImVec2 at{std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)};
+  list.AddRectFilled({at.x - 14, at.y - 7}, {at.x + extent.x + 14, at.y + extent.y + 7}, what.fill,
+                     20);
+  list.AddText(at, what.ink, what.text);
   ImGui::PopFont();
+}
+
+/// What to do next, while there is nothing to see yet.
+void hints(const PanelEnv& env) {
+  const app::Layout& layout = env.ui().layout;
+  const app::Rect& view = layout.picture;
+  const bool drawing = env.ui().preview.has_value();
+  const float x = static_cast<float>(view.centre().x), y = static_cast<float>(view.y) + 26;
+  if (env.ui().redraw && !drawing) {
+    pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});
+  } else if (env.document().parts.empty() && !drawing) {
+    const bool room = view.width > 430;
+    pill(env, {room ? x : x + 30, y},
+         {room ? "Draw one line along the middle of the thing" : "Draw a line along the middle",
+          kInk, kSurface});
+  }
+  if (env.document().parts.empty() && !drawing) {
+    const app::ClientPoint c = layout.solid.centre();
+    pill(env, {static_cast<float>(c.x), static_cast<float>(c.y)},
+         {"Your solid appears here", rgb(0xffffff, 0), kMuted});
+  }
 }
 
 }  // namespace
@@ -145,17 +159,18 @@ void drawViewChrome(const PanelEnv& env) {
   chip(env, layout.picture, "Picture", onPicture);
   chip(env, layout.solid, "Solid", !onPicture);
   legend(env, layout.picture);
-  hint(env, layout.solid);
-  constexpr std::string_view kPictureButtons[] = {"draw", "hand"};
-  constexpr std::string_view kZoomButtons[] = {"draw", "hand", "zoom-out", "zoom-in", "fit"};
-  constexpr std::string_view kSolidButtons[] = {"home-view"};
-  constexpr std::string_view kSolidZoom[] = {"zoom-out", "zoom-in", "home-view"};
-  const bool roomy = layout.picture.width >= 330;
-  buttons(env, "picture buttons", layout.picture,
-          roomy ? std::span<const std::string_view>(kZoomButtons) : kPictureButtons,
+  hints(env);
+  // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
+  constexpr std::string_view kPictureFew[] = {"draw", "hand", "fit"};
+  constexpr std::string_view kPictureAll[] = {"draw", "hand", "zoom-out", "zoom-in", "fit"};
+  constexpr std::string_view kSolidFew[] = {"home-view"};
+  constexpr std::string_view kSolidAll[] = {"zoom-out", "zoom-in", "home-view"};
+  using Ids = std::span<const std::string_view>;
+  const bool few = layout.stacked || layout.picture.width < 330;
+  buttons(env, "picture buttons", layout.picture, few ? Ids(kPictureFew) : Ids(kPictureAll),
           app::Focus::Picture);
-  buttons(env, "solid buttons", layout.solid,
-          layout.solid.width >= 200 ? std::span<const std::string_view>(kSolidZoom) : kSolidButtons,
+  const bool fewSolid = layout.stacked || layout.solid.width < 200;
+  buttons(env, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
           app::Focus::Solid);
 }
 

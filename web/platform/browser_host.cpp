@@ -20,6 +20,8 @@ EM_JS(int, splReducedMotion, (), {
 
 EM_JS(int, splSoftwareGl, (), {
   // A context of its own, dropped at once: the page's must know before it is made.
+  // `sharp` asks for full quality all the same: for screenshots.
+  if (Module['sharp']) return 0;
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return 0;
   const info = gl.getExtension('WEBGL_debug_renderer_info');
