@@ -128,7 +128,7 @@ void pill(const PanelEnv& env, ImVec2 centre, const Pill& what) {
   ImGui::PopFont();
 }
 
-/// What to do next, while there is nothing to see yet.
+/// What is to come, while there is nothing to see yet. (What to do first, the shell says.)
 void hints(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = layout.picture;
@@ -136,11 +136,6 @@ void hints(const PanelEnv& env) {
   const float x = static_cast<float>(view.centre().x), y = static_cast<float>(view.y) + 26;
   if (env.ui().redraw && !drawing) {
     pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});
-  } else if (env.document().parts.empty() && !drawing) {
-    const bool room = view.width > 430;
-    pill(env, {room ? x : x + 30, y},
-         {room ? "Draw one line along the middle of the thing" : "Draw a line along the middle",
-          kInk, kSurface});
   }
   if (env.document().parts.empty() && !drawing) {
     const app::ClientPoint c = layout.solid.centre();
