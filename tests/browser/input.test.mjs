@@ -77,13 +77,13 @@ test('dragging in the solid view turns it, and Home brings it back', () => withT
   await drawWithMouse(page, tube.middle);
   await page.keyboard.press('h');
   await page.waitForTimeout(900);
-  const clip = { x: 640, y: 120, width: 420, height: 600 };
+  const clip = { x: 460, y: 130, width: 270, height: 480 };
   const home = await pixels(page, clip);
-  await page.mouse.move(800, 420);
+  await page.mouse.move(600, 380);
   await page.mouse.down();
-  await page.mouse.move(920, 460, { steps: 8 });
+  await page.mouse.move(720, 420, { steps: 8 });
   await page.mouse.up();
-  await page.mouse.move(800, 800);
+  await page.mouse.move(600, 715);
   await idle(page);
   assert.ok(difference(home, await pixels(page, clip)) > 0.01, 'turned');
   await page.keyboard.press('h');
@@ -114,7 +114,7 @@ test('a stroke that ends outside of the canvas still ends', () => withTube({}, a
   await page.mouse.move(path.at(-1).x, 20);
   await page.mouse.up();
   await idle(page);
-  await page.mouse.move(300, 500);
+  await page.mouse.move(300, 600);
   await idle(page);
   assert.ok((await state(page)).parts.length <= 1);
   assert.equal((await state(page)).busy, false);

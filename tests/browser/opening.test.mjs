@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { drawWithMouse, dropFiles, idle, onPage, openPicture, pictureSize, state, toastText, useSite, waitForPicture } from './support/page.mjs';
-import { greyPng, paintedPng, samples, tubePicture, withExifOrientation } from './support/pictures.mjs';
+import { enlarged, greyPng, paintedPng, samples, tubePicture, withExifOrientation } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
@@ -86,14 +86,14 @@ test('the EXIF turn is applied: a lying photo stands up', () => onPage(kit, {}, 
 }));
 
 test('a large photo keeps its own coordinates', () => onPage(kit, {}, async (page) => {
-  const large = tubePicture({ width: 3000, height: 2250, half: 180 });
+  const large = enlarged(tube, 7);
   await openPicture(page, large.png);
-  assert.deepEqual(await pictureSize(page), { width: 3000, height: 2250 });
+  assert.deepEqual(await pictureSize(page), { width: 3360, height: 2520 });
   await drawWithMouse(page, large.middle);
   const [part] = (await state(page)).parts;
   const rib = part.ribs[Math.floor(part.ribs.length / 2)];
   const width = Math.hypot(rib.left[0] - rib.right[0], rib.left[1] - rib.right[1]);
-  assert.ok(Math.abs(width - 360) < 40, `rib of ${width} picture pixels`);
+  assert.ok(Math.abs(width - 2 * large.half) < 0.2 * large.half, `rib of ${width} picture pixels`);
 }));
 
 test('a picture with transparent ground works like one on white', () => onPage(kit, {}, async (page) => {

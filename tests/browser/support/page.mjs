@@ -7,6 +7,9 @@ import { after, before } from 'node:test';
 import { PNG } from 'pngjs';
 import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs';
 
+/** Window of the tests: wide enough for the side panel. */
+export const kWindow = { width: 1100, height: 720 };
+
 /** The two engines, each served as it would be chosen. */
 export const kEngines = [
   { name: 'threads', isolated: true },
@@ -31,7 +34,7 @@ export function useSite() {
     if (kit.folder) rmSync(kit.folder, { recursive: true });
   });
   kit.open = async ({ isolated = true, query = '', ...context } = {}) => {
-    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, context);
+    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, { viewport: kWindow, ...context });
     await opened.page.evaluate(() => window.spineloft.ready);
     return opened;
   };
@@ -76,9 +79,15 @@ export function toClient(page, points) {
   return page.evaluate((list) => list.map(([x, y]) => window.spineloft.imageToClient(x, y)), points);
 }
 
+/** At most `count` of the points, ends included: enough for a stroke, quick on a machine that draws in software. */
+function thinned(points, count = 18) {
+  if (points.length <= count) return points;
+  return Array.from({ length: count }, (_, i) => points[Math.round((i * (points.length - 1)) / (count - 1))]);
+}
+
 /** Draws with the mouse; `midway(page)` is called with the button still down. */
 export async function drawWithMouse(page, points, midway) {
-  const path = await toClient(page, points);
+  const path = await toClient(page, thinned(points));
   await page.mouse.move(path[0].x, path[0].y);
   await page.mouse.down();
   for (const [i, at] of path.entries()) {
@@ -91,7 +100,7 @@ export async function drawWithMouse(page, points, midway) {
 
 /** Draws with a finger: real touch events. */
 export async function drawWithTouch(page, points) {
-  const path = await toClient(page, points);
+  const path = await toClient(page, thinned(points));
   const session = await page.context().newCDPSession(page);
   const touch = (type, at) => session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at.x, y: at.y, id: 1 }] : [] });
   await touch('touchStart', path[0]);
@@ -103,7 +112,7 @@ export async function drawWithTouch(page, points) {
 
 /** Draws with a pen and its pressure. */
 export async function drawWithPen(page, points, midway) {
-  const path = await toClient(page, points);
+  const path = await toClient(page, thinned(points));
   const session = await page.context().newCDPSession(page);
   const pen = (type, at, force) => session.send('Input.dispatchMouseEvent', {
     type, x: at.x, y: at.y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1, pointerType: 'pen', force,

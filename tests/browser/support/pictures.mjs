@@ -45,6 +45,17 @@ export function tubePicture({ width = 480, height = 360, half = 28, transparent 
   return { png, middle: middle.slice(3, -3), width, height, half };
 }
 
+/** The same tube on a picture `times` as large, every pixel a square of its colour. */
+export function enlarged(tube, times) {
+  const small = PNG.sync.read(tube.png);
+  const png = paintedPng(tube.width * times, tube.height * times, (x, y) => {
+    const at = 4 * (Math.floor(y / times) * small.width + Math.floor(x / times));
+    return small.data.subarray(at, at + 4);
+  });
+  const middle = tube.middle.map((point) => point.map((value) => (value + 0.5) * times - 0.5));
+  return { png, middle, width: tube.width * times, height: tube.height * times, half: tube.half * times };
+}
+
 function chunk(type, data) {
   const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
   const out = Buffer.alloc(body.length + 8);
