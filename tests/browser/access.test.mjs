@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { root } from '../../.ci/lib/paths.mjs';
-import { drawWithMouse, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { drawWithMouse, idle, onPage, openPicture, run, state, toastText, useSite } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -140,12 +140,21 @@ test('renaming asks in a dialog with a text field, and keys typed there draw not
   assert.equal((await state(page)).parts.length, 1);
 }));
 
-test('what happens is said: opening, parts and errors reach live regions', () => onPage(kit, {}, async (page) => {
+test('what happens is said in live regions: the picture, the parts, refusals', () => onPage(kit, {}, async (page) => {
   await openPicture(page, tube.png, 'tube.png');
-  assert.match(await page.getByRole('status').first().innerText(), /tube\.png/);
-  await page.evaluate(() => window.spineloft.run('draw-spine', { stroke: [[1, 1]] }).catch(() => undefined));
-  await drawWithMouse(page, [[5, 5], [6, 5]]);
-  assert.equal(await page.locator('.status').isVisible(), true);
+  const line = page.locator('#status');
+  assert.equal(await line.getAttribute('aria-live'), 'polite');
+  assert.match(await line.innerText(), /tube\.png is open: 480 by 360 pixels/);
+  assert.equal(await page.locator('#status-end').innerText(), 'No part yet');
+  await drawWithMouse(page, tube.middle);
+  await page.waitForFunction(() => /^1 part · .*: \d+ ribs$/.test(document.getElementById('status-end').textContent));
+  await run(page, 'delete-part');
+  const [at] = await page.evaluate(() => [window.spineloft.imageToClient(100, 100)]);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  for (let i = 0; i <= 24; ++i) await page.mouse.move(at.x + 50 * Math.sin(i / 3), at.y + 50 * (1 - Math.cos(i / 3)));
+  await page.mouse.up();
+  assert.match(await toastText(page), /crosses itself/);
 }));
 
 test('reduced motion: the ghost hand stands still and shows the whole line', () => onPage(kit, { reducedMotion: 'reduce' }, async (page) => {

@@ -149,11 +149,15 @@ for (const engine of kEngines) {
     assert.equal((await state(page)).parts[0].triangles, stl.triangles);
     assert.ok(stl.volume > 0 && obj.volume > 0 && loaded.volume > 0, 'outward');
     assert.equal(loaded.textured, true);
-    for (let k = 0; k < 3; ++k) assert.ok(Math.abs(loaded.size[k] * 1000 - stl.size[k]) < 0.01 * stl.size[k], 'metres and millimetres');
+    // GLB in metres with y up; STL in millimetres with z up, as printers have it.
+    const [width, height, depth] = loaded.size.map((side) => side * 1000);
+    for (const [k, side] of [width, depth, height].entries()) {
+      assert.ok(Math.abs(side - stl.size[k]) < 0.001 * side, `GLB ${loaded.size} m, STL ${stl.size} mm`);
+    }
     await run(page, 'set-height', { mm: 250 });
     await idle(page);
     const tall = measure(parseStl(await exported(page, 'stl')));
-    assert.ok(Math.abs(tall.size[1] - 250) < 0.5, `height ${tall.size[1]} mm`);
+    assert.ok(Math.abs(tall.size[2] - 250) < 0.01, `height ${tall.size[2]} mm`);
   }));
 
   test(`${engine.name}: a plain part has its colour and no picture`, () => withTube(engine, async (page) => {

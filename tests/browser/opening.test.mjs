@@ -173,3 +173,26 @@ test('pictures of every common format open', () => onPage(kit, {}, async (page) 
     assert.deepEqual(size, { width: 64, height: 48 }, type);
   }
 }));
+
+test('opening that takes long shows progress after a blink and can be cancelled without loss', async () => {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    const decode = window.createImageBitmap.bind(window);
+    window.createImageBitmap = async (...values) => {
+      await new Promise((resolve) => { setTimeout(resolve, 2500); });
+      return decode(...values);
+    };
+  });
+  await page.goto(kit.sites.true.url);
+  await page.evaluate(() => window.spineloft.ready);
+  assert.equal(await page.locator('#progress').isVisible(), false);
+  await dropFiles(page, [kit.file('slow.png', tube.png)]);
+  await page.locator('#progress').waitFor();
+  assert.match(await page.locator('#progress').innerText(), /Opening/);
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  assert.match(await toastText(page, 'status'), /Cancelled/);
+  assert.equal((await state(page)).picture, null);
+  await page.locator('#progress').waitFor({ state: 'hidden' });
+  await context.close();
+});

@@ -37,21 +37,25 @@ test('an idle page draws no frame and runs no timer', () => onPage(kit, {}, asyn
   await page.mouse.move(5, 715);
   await page.waitForTimeout(6000);  // until toasts and camera flights are over
   await page.evaluate(() => {
-    window.frames_ = { draws: 0, frames: 0 };
+    window.work_ = { draws: 0, frames: 0, timers: 0 };
     const context = document.getElementById('canvas').getContext('webgl2');
     for (const name of ['clear', 'drawElements', 'drawArrays']) {
       const original = context[name].bind(context);
-      context[name] = (...values) => { window.frames_.draws += 1; return original(...values); };
+      context[name] = (...values) => { window.work_.draws += 1; return original(...values); };
     }
     const request = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (callback) => { window.frames_.frames += 1; return request(callback); };
+    window.requestAnimationFrame = (callback) => { window.work_.frames += 1; return request(callback); };
+    for (const name of ['setTimeout', 'setInterval']) {
+      const original = window[name].bind(window);
+      window[name] = (...values) => { window.work_.timers += 1; return original(...values); };
+    }
   });
   await page.waitForTimeout(1500);
-  assert.deepEqual(await page.evaluate(() => window.frames_), { draws: 0, frames: 0 });
+  assert.deepEqual(await page.evaluate(() => window.work_), { draws: 0, frames: 0, timers: 0 });
   await page.mouse.move(300, 400);
   await page.mouse.wheel(0, -120);
   await page.waitForTimeout(600);
-  assert.ok((await page.evaluate(() => window.frames_.draws)) > 0, 'the counter itself works');
+  assert.ok((await page.evaluate(() => window.work_.draws)) > 0, 'the counter itself works');
 }));
 
 for (const isolated of [true, false]) {
