@@ -22,14 +22,16 @@ void mix(Hasher& hasher, const ribs::SpineParams& params) {
   mixAll(hasher, ribs, minSpacing, smoothness);
 }
 void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
-  const auto& [proximityWeight, contrastWeight, contrastReach] = params;
-  mixAll(hasher, proximityWeight, contrastWeight, contrastReach);
+  const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
+               outsideWeight, contrastReach, doubt, weight] = params;
+  mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
+         outsideWeight, contrastReach, doubt, weight);
 }
 void mix(Hasher& hasher, const ribs::RibParams& params) {
   const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
-               oppositeWeight, priorWeight, evidence] = params;
+               oppositeWeight, leanCost, priorWeight, evidence] = params;
   mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
-         oppositeWeight, priorWeight);
+         oppositeWeight, leanCost, priorWeight);
   mix(hasher, evidence);
 }
 void mix(Hasher& hasher, const loft::LoftParams& params) {

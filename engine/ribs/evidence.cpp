@@ -7,6 +7,10 @@
 namespace spineloft::ribs {
 namespace {
 
+using Lab = std::array<float, 4>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 // Where a picture point lies between the four map pixels around it (clamped to the map).
 struct Bilinear {
   std::size_t i00, i10, i01, i11;
@@ -39,68 +43,107 @@ float mix(const Bilinear& b, const std::vector<float>& plane, std::size_t stride
   return top + (bottom - top) * b.v;
 }
 
-// Lab difference over ± reach of arc length at every level, per channel.
-void differences(const GradientCurves& curves, const Strip& strip, float reach,
-                 std::array<std::vector<float>, 3>& out) {
-  for (auto& plane : out) plane.assign(curves.x.size(), 0.f);
-  for (int c = 0; c < strip.curves; ++c) {
-    const int reached = curves.reached[static_cast<std::size_t>(c)];
-    const std::size_t row = curves.at(c, 0);
-    int low = 0, high = 0;
-    for (int k = 1; k < reached; ++k) {
-      const float here = curves.along[curves.at(c, k)];
-      while (low < k - 1 && curves.along[curves.at(c, low)] < here - reach) ++low;
-      high = std::max(high, k);
-      while (high < reached - 1 && curves.along[curves.at(c, high)] < here + reach) ++high;
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const float* from = &strip.lab[channel][row];
-        out[channel][row + static_cast<std::size_t>(k)] = from[high] - from[low];
-      }
+// Lab difference over ± reach of arc length at every level of one curve; 0 where not reached.
+void differences(const GradientCurves& curves, const Strip& strip, float reach, int curve,
+                 Lab* out) {
+  const int reached = curves.reached[index(curve)];
+  const float* along = &curves.along[curves.at(curve, 0)];
+  const Lab* lab = &strip.lab[curves.at(curve, 0)];
+  std::fill(out, out + strip.levels, Lab{});
+  int low = 0, high = 0;
+  for (int k = 1; k < reached; ++k) {
+    while (low < k - 1 && along[low] < along[k] - reach) ++low;
+    high = std::max(high, k);
+    while (high < reached - 1 && along[high] < along[k] + reach) ++high;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      out[k][channel] = lab[high][channel] - lab[low][channel];
     }
   }
 }
 
-// Strongest of the slanted averages of `difference` around one place.
-float bestSlant(const GradientCurves& curves, const std::array<std::vector<float>, 3>& difference,
-                const ContrastParams& params, int curve, int level) {
+// Adds the neighbour's differences to the sums of one curve, each slant shifted by its rise.
+constexpr int kSlants = 5;
+void addSlanted(const GradientCurves& curves, int curve, int other, float slant,
+                const Lab* difference, std::array<Lab, kSlants>* sums) {
+  const int reached = std::min(curves.reached[index(curve)], curves.reached[index(other)]);
+  const int last = curves.reached[index(other)] - 1;
+  const std::size_t here = curves.at(curve, 0), there = curves.at(other, 0);
+  for (int k = 1; k < reached; ++k) {
+    const std::size_t at = here + index(k), to = there + index(k);
+    const float dx = curves.x[to] - curves.x[at], dy = curves.y[to] - curves.y[at];
+    const float step = std::max(1.f, curves.along[at] - curves.along[at - 1]);
+    const float rise = slant * std::sqrt(dx * dx + dy * dy) / step;
+    for (int s = 0; s < kSlants; ++s) {
+      const float moved = rise * static_cast<float>(s - kSlants / 2);
+      const int from = k + static_cast<int>(moved + (moved < 0 ? -0.5f : 0.5f));
+      if (from < 1 || from > last) continue;
+      Lab& sum = sums[k][index(s)];
+      for (std::size_t channel = 0; channel < 4; ++channel)
+        sum[channel] += difference[from][channel];
+    }
+  }
+}
+
+// Sum of a plane over arc length along one curve; sum[k] covers levels 1 … k.
+void integrate(const GradientCurves& curves, int curve, const float* plane,
+               std::vector<float>& sum) {
+  const int reached = curves.reached[index(curve)];
+  const float* along = &curves.along[curves.at(curve, 0)];
+  sum.assign(index(reached), 0.f);
+  for (int k = 1; k < reached; ++k) {
+    sum[index(k)] = sum[index(k - 1)] + plane[k] * (along[k] - along[k - 1]);
+  }
+}
+
+// Largest contrast of every curve.
+std::vector<float> strongestContrasts(const GradientCurves& curves,
+                                      const std::vector<float>& contrast) {
+  std::vector<float> strongest(index(curves.layout.total()), 0.f);
+  for (int c = 0; c < curves.layout.total(); ++c) {
+    for (int k = 1; k < curves.reached[index(c)]; ++k) {
+      strongest[index(c)] = std::max(strongest[index(c)], contrast[curves.at(c, k)]);
+    }
+  }
+  return strongest;
+}
+
+float median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Share of the curves' median strongest contrast that counts as a full edge, and the Lab
+// differences below which nothing is believed to be one, in the whole strip and near by.
+constexpr float kFullEdge = 0.7f, kLeastContrast = 2.f, kLeastLocalContrast = 1.5f;
+// Curves to either side that "near by" means.
+constexpr int kNearby = 10;
+// Half the width that an edge fills along a curve, and what is left out beyond it, in map pixels.
+constexpr float kEdgeExtent = 4.f;
+
+void normalise(const GradientCurves& curves, BoundaryTerms& terms) {
+  const std::vector<float> strongest = strongestContrasts(curves, terms.contrast);
+  std::vector<float> window = strongest;
+  const float scale = std::max(kLeastContrast, kFullEdge * median(window));
   const int total = curves.layout.total();
-  const std::size_t at = curves.at(curve, level);
-  const float step = std::max(1.f, curves.along[at] - curves.along[at - 1]);
-  float best = 0;
-  for (int slant = -2; slant <= 2; ++slant) {
-    std::array<float, 3> sum{};
-    for (int j = -params.neighbours; j <= params.neighbours; ++j) {
-      const int other = (curve + j + total) % total;
-      const int reached = curves.reached[static_cast<std::size_t>(other)];
-      if (level >= reached) continue;
-      const std::size_t there = curves.at(other, level);
-      const float run = std::hypot(curves.x[there] - curves.x[at], curves.y[there] - curves.y[at]);
-      const float rise = static_cast<float>(slant * params.slant) * (j < 0 ? -run : run) / step;
-      const int moved = level + static_cast<int>(std::lround(rise));
-      if (moved < 1 || moved >= reached) continue;
-      const std::size_t from = curves.at(other, moved);
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        sum[channel] += difference[channel][from];
+  terms.localContrast.assign(terms.contrast.size(), 0.f);
+  for (int c = 0; c < total; ++c) {
+    window.clear();
+    for (int j = -kNearby; j <= kNearby; ++j)
+      window.push_back(strongest[index(((c + j) % total + total) % total)]);
+    const float local = std::max(kLeastLocalContrast, kFullEdge * median(window));
+    for (int k = 1; k < curves.reached[index(c)]; ++k) {
+      const std::size_t at = curves.at(c, k);
+      terms.localContrast[at] = std::min(1.f, terms.contrast[at] / local);
+      terms.contrast[at] = std::min(1.f, terms.contrast[at] / scale);
     }
-    best = std::max(best, sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
   }
-  return std::sqrt(best) / static_cast<float>(2 * params.neighbours + 1);
 }
 
-// Share of the median of the curves' strongest contrasts that counts as a full edge, and the Lab
-// difference below which nothing is believed to be one.
-constexpr float kFullEdge = 0.7f;
-constexpr float kLeastContrast = 2.f;
-
-float contrastScale(const Strip& strip, const std::vector<float>& contrast) {
-  std::vector<float> strongest(static_cast<std::size_t>(strip.curves));
-  const auto levels = static_cast<std::size_t>(strip.levels);
-  for (std::size_t c = 0; c < strongest.size(); ++c) {
-    strongest[c] = *std::max_element(&contrast[c * levels], &contrast[c * levels] + levels);
-  }
-  const auto middle = strongest.begin() + static_cast<std::ptrdiff_t>(strongest.size() / 2);
-  std::nth_element(strongest.begin(), middle, strongest.end());
-  return std::max(kLeastContrast, kFullEdge * *middle);
+// The last level of a curve whose arc length is at most `length`, searched upwards from `from`.
+int levelAt(const float* along, int reached, int from, float length) {
+  while (from + 1 < reached && along[from + 1] <= length) ++from;
+  return from;
 }
 
 }  // namespace
@@ -108,42 +151,102 @@ float contrastScale(const Strip& strip, const std::vector<float>& contrast) {
 void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges, Strip& strip) {
   strip.curves = curves.layout.total();
   strip.levels = curves.levels;
+  strip.pixel = std::max(edges.scaleX, edges.scaleY);
   strip.proximity.assign(curves.x.size(), 0.f);
-  for (auto& plane : strip.lab) plane.assign(curves.x.size(), 0.f);
+  strip.lab.assign(curves.x.size(), Lab{});
   for (int c = 0; c < strip.curves; ++c) {
-    const int reached = curves.reached[static_cast<std::size_t>(c)];
-    for (int k = 0; k < reached; ++k) {
+    for (int k = 0; k < curves.reached[index(c)]; ++k) {
       const std::size_t at = curves.at(c, k);
       const Bilinear place = locate(edges, curves.x[at], curves.y[at]);
       strip.proximity[at] = mix(place, edges.proximity, 1, 0);
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        strip.lab[channel][at] = mix(place, edges.lab, 3, channel);
-      }
+      for (std::size_t i = 0; i < 3; ++i) strip.lab[at][i] = mix(place, edges.lab, 3, i);
     }
   }
 }
 
 void contourContrast(const GradientCurves& curves, const Strip& strip, const ContrastParams& params,
                      std::vector<float>& contrast) {
-  std::array<std::vector<float>, 3> difference;
-  differences(curves, strip, static_cast<float>(params.reach), difference);
-  contrast.assign(curves.x.size(), 0.f);
+  const std::size_t levels = index(strip.levels);
+  std::vector<Lab> difference(curves.x.size());
   for (int c = 0; c < strip.curves; ++c) {
-    for (int k = 1; k < curves.reached[static_cast<std::size_t>(c)]; ++k) {
-      contrast[curves.at(c, k)] = bestSlant(curves, difference, params, c, k);
+    differences(curves, strip, static_cast<float>(params.reach), c, &difference[curves.at(c, 0)]);
+  }
+  contrast.assign(curves.x.size(), 0.f);
+  std::vector<std::array<Lab, kSlants>> sums(levels);
+  const float share = 1 / static_cast<float>(2 * params.neighbours + 1);
+  for (int c = 0; c < strip.curves; ++c) {
+    std::fill(sums.begin(), sums.end(), std::array<Lab, kSlants>{});
+    for (int j = -params.neighbours; j <= params.neighbours; ++j) {
+      const int other = ((c + j) % strip.curves + strip.curves) % strip.curves;
+      const double slant = j < 0 ? -params.slant : params.slant;
+      addSlanted(curves, c, other, static_cast<float>(slant), &difference[curves.at(other, 0)],
+                 sums.data());
+    }
+    for (int k = 1; k < curves.reached[index(c)]; ++k) {
+      float best = 0;
+      for (const Lab& s : sums[index(k)])
+        best = std::max(best, s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+      contrast[curves.at(c, k)] = std::sqrt(best) * share;
     }
   }
 }
 
-void edgeCosts(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
-               double mapScale, std::vector<float>& costs) {
-  contourContrast(curves, strip, {.reach = params.contrastReach * mapScale}, costs);
-  const float scale = contrastScale(strip, costs);
-  const auto nearWeight = static_cast<float>(params.proximityWeight);
-  const auto contrastWeight = static_cast<float>(params.contrastWeight);
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    costs[i] = nearWeight * (1 - strip.proximity[i]) +
-               contrastWeight * (1 - std::min(1.f, costs[i] / scale));
+void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
+                   BoundaryTerms& terms) {
+  contourContrast(curves, strip, {.reach = params.contrastReach * strip.pixel}, terms.contrast);
+  normalise(curves, terms);
+  std::vector<float> novelty, edges, foreign;
+  spineNovelty(curves, strip, novelty);
+  for (auto* plane : {&terms.beyond, &terms.inside, &terms.outside})
+    plane->assign(curves.x.size(), 0.f);
+  const auto pixel = static_cast<float>(strip.pixel), extent = kEdgeExtent * pixel;
+  for (int c = 0; c < strip.curves; ++c) {
+    const std::size_t row = curves.at(c, 0);
+    const int reached = curves.reached[index(c)];
+    const float* along = &curves.along[row];
+    integrate(curves, c, &terms.contrast[row], edges);
+    integrate(curves, c, &novelty[row], foreign);
+    int past = 0, twice = 0, half = 0;
+    for (int k = 1; k < reached; ++k) {
+      past = levelAt(along, reached, past, along[k] + extent);
+      twice = levelAt(along, reached, twice, 2 * (along[k] + extent));
+      half = levelAt(along, reached, half, 1.5f * along[k] + 2 * extent);
+      const std::size_t at = row + index(k);
+      terms.beyond[at] = std::log1p((edges[index(twice)] - edges[index(past)]) / extent);
+      terms.inside[at] = foreign[index(k)] / along[k];
+      const float run = along[half] - along[k];
+      terms.outside[at] = run > 1 ? (foreign[index(half)] - foreign[index(k)]) / run : 0.f;
+    }
+  }
+}
+
+void boundaryCosts(const GradientCurves& curves, const Strip& strip, const BoundaryTerms& terms,
+                   const EvidenceParams& params, std::vector<float>& costs) {
+  const auto w = [](double weight) { return static_cast<float>(weight); };
+  const float proximity = w(params.proximityWeight), contrast = w(params.contrastWeight);
+  const float local = w(params.localContrastWeight), beyond = w(params.beyondWeight);
+  const float inside = w(params.insideWeight), outside = w(params.outsideWeight);
+  const float even = static_cast<float>(strip.levels) / 8, doubt = w(params.doubt);
+  costs.assign(curves.x.size(), 0.f);
+  for (int c = 0; c < strip.curves; ++c) {
+    float best = -1e9f, sum = 0;
+    const int reached = curves.reached[index(c)];
+    for (int k = 1; k < reached; ++k) {
+      const std::size_t i = curves.at(c, k);
+      costs[i] = proximity * strip.proximity[i] + contrast * terms.contrast[i] +
+                 local * terms.localContrast[i] - beyond * terms.beyond[i] -
+                 inside * terms.inside[i] + outside * terms.outside[i];
+      best = std::max(best, costs[i]);
+    }
+    for (int k = 1; k < reached; ++k) {
+      float& cost = costs[curves.at(c, k)];
+      cost = std::exp(cost - best);
+      sum += cost;
+    }
+    for (int k = 1; k < reached; ++k) {
+      float& cost = costs[curves.at(c, k)];
+      cost = -std::log(cost / sum * even + doubt);
+    }
   }
 }
 

@@ -15,8 +15,10 @@ namespace spineloft::ribs {
 /// curves × levels entries; those a curve does not reach are 0.
 struct Strip {
   int curves = 0, levels = 0;
-  std::vector<float> proximity;           ///< nearness to a Canny edge, 0…1
-  std::array<std::vector<float>, 3> lab;  ///< CIE Lab
+  double pixel = 1;              ///< picture pixels per map pixel
+  std::vector<float> proximity;  ///< nearness to a Canny edge, 0…1
+  /// CIE Lab and an unused fourth value, interleaved.
+  std::vector<std::array<float, 4>> lab;
 };
 
 /// Samples `edges` (not empty) at every point of `curves`, bilinearly. Replaces `strip`, reusing
@@ -27,19 +29,38 @@ void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges, Stri
 /// difference over ± `reach` (picture pixels of arc length along the curve), averaged as a vector
 /// over `neighbours` curves to either side, under a few slants of the contour of which the
 /// strongest counts. An edge seen end-on, short hatching and noise average out; a contour stays.
-/// Lab units.
 struct ContrastParams {
   double reach = 2;
   int neighbours = 2;
   double slant = 0.15;  ///< step between the five slants tried, rise over run
 };
+/// Lab units, curves × levels.
 void contourContrast(const GradientCurves& curves, const Strip& strip, const ContrastParams& params,
                      std::vector<float>& contrast);
 
-/// Costs 0…1 of all curves and levels: proximityWeight · (1 − proximity) — the paper's distance
-/// penalty — plus contrastWeight · (1 − contrast / scale), where scale is a share of the median of
-/// the curves' own strongest contrasts, so that faint pictures and strong ones cost alike.
-void edgeCosts(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
-               double mapScale, std::vector<float>& costs);
+/// How foreign every colour of the strip is to the spine: log(share among all of the strip / share
+/// within a few pixels of the spine), ± 2, from smoothed Lab histograms; the spine's is half of the
+/// whole spine, half of the stretch (an eighth) that the curve belongs to. Multiplied by how far
+/// the two distributions are apart at all, so that ink on paper, where both are paper, says
+/// nothing.
+void spineNovelty(const GradientCurves& curves, const Strip& strip, std::vector<float>& novelty);
+
+/// The terms of the boundary's score, each curves × levels.
+struct BoundaryTerms {
+  std::vector<float> contrast;  ///< contour contrast against the whole strip's strongest, 0…1
+  std::vector<float> localContrast;  ///< the same against the neighbouring curves' strongest, 0…1
+  std::vector<float>
+      beyond;  ///< log(1 + edges between this place and twice as far): outlines lie outside
+  std::vector<float> inside;   ///< mean novelty between the spine and here
+  std::vector<float> outside;  ///< mean novelty from here to half as far again
+};
+void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
+                   BoundaryTerms& terms);
+
+/// Costs of all curves and levels: −log(p + doubt), where p is the softmax along each curve of the
+/// weighted terms, relative to an even spread over an eighth of the labels. `doubt` bounds what a
+/// single misled curve can cost.
+void boundaryCosts(const GradientCurves& curves, const Strip& strip, const BoundaryTerms& terms,
+                   const EvidenceParams& params, std::vector<float>& costs);
 
 }  // namespace spineloft::ribs

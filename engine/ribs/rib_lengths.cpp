@@ -131,15 +131,34 @@ void forwardChain(const LengthProblem& p, const SideCosts& side, const std::vect
   }
 }
 
+// Opposite cost of one pair of labels of rib i.
+float oppositeCost(const LengthProblem& p, int rib, std::size_t l, std::size_t r) {
+  const std::size_t n = index(p.levels), row = index(rib) * n;
+  float cost = p.opposite.empty() ? 0.f : p.opposite[l * n + r];
+  if (!p.leanScale.empty()) {
+    cost += p.leanScale[index(rib)] *
+            std::abs((1 - p.lean) * p.left.place[row + l] - (1 + p.lean) * p.right.place[row + r]);
+  }
+  return cost;
+}
+
 // Adds both sides' unary costs and the opposite cost of rib i to a table of pairs.
 void addPairCosts(const LengthProblem& p, int rib, float* table) {
-  const std::size_t n = index(p.levels);
-  const float* left = &p.left.unary[index(rib) * n];
-  const float* right = &p.right.unary[index(rib) * n];
+  const std::size_t n = index(p.levels), at = index(rib) * n;
+  const float* right = &p.right.unary[at];
+  const float* rightPlace = &p.right.place[at];
+  const float scale = p.leanScale.empty() ? 0.f : p.leanScale[index(rib)];
   for (std::size_t l = 0; l < n; ++l) {
     float* row = table + l * n;
-    const float* opposite = &p.opposite[l * n];
-    for (std::size_t r = 0; r < n; ++r) row[r] += left[l] + right[r] + opposite[r];
+    const float left = p.left.unary[at + l];
+    if (!p.opposite.empty()) {
+      const float* opposite = &p.opposite[l * n];
+      for (std::size_t r = 0; r < n; ++r) row[r] += opposite[r];
+    }
+    const float ours = scale * (1 - p.lean) * p.left.place[at + l], theirs = scale * (1 + p.lean);
+    for (std::size_t r = 0; r < n; ++r) {
+      row[r] += left + right[r] + std::abs(ours - theirs * rightPlace[r]);
+    }
   }
 }
 
@@ -210,21 +229,41 @@ float neighbourCost(const LengthProblem& p, float a, float b, float spacing) {
   return over <= 0 ? 0.f : std::min(p.neighbourCap, p.neighbourWeight / spacing * over);
 }
 
+namespace {
+
+// Neighbour energy of one side's labels.
+double sideSteps(const LengthProblem& p, const SideCosts& side, const std::vector<int>& labels) {
+  double sum = 0;
+  for (int i = 1; i < p.ribs; ++i) {
+    const std::size_t row = index(i) * index(p.levels), before = row - index(p.levels);
+    sum += static_cast<double>(neighbourCost(p, side.place[before + index(labels[index(i - 1)])],
+                                             side.place[row + index(labels[index(i)])],
+                                             side.spacing[index(i - 1)]));
+  }
+  return sum;
+}
+
+double sideUnary(const LengthProblem& p, const SideCosts& side, const std::vector<int>& labels) {
+  double sum = 0;
+  for (int i = 0; i < p.ribs; ++i) {
+    sum += static_cast<double>(side.unary[index(i) * index(p.levels) + index(labels[index(i)])]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double sideEnergy(const LengthProblem& p, const SideCosts& side, const std::vector<int>& labels) {
+  return sideUnary(p, side, labels) + sideSteps(p, side, labels);
+}
+
 EnergyTerms energyOf(const LengthProblem& p, const LengthLabels& labels) {
   EnergyTerms terms;
-  const std::size_t n = index(p.levels);
+  terms.distance = sideUnary(p, p.left, labels.left) + sideUnary(p, p.right, labels.right);
+  terms.neighbour = sideSteps(p, p.left, labels.left) + sideSteps(p, p.right, labels.right);
   for (int i = 0; i < p.ribs; ++i) {
-    const std::size_t l = index(labels.left[index(i)]), r = index(labels.right[index(i)]);
-    const std::size_t row = index(i) * n;
-    terms.distance += static_cast<double>(p.left.unary[row + l] + p.right.unary[row + r]);
-    if (!p.opposite.empty()) terms.opposite += static_cast<double>(p.opposite[l * n + r]);
-    if (i == 0) continue;
-    const std::size_t l0 = index(labels.left[index(i - 1)]), r0 = index(labels.right[index(i - 1)]);
-    terms.neighbour +=
-        static_cast<double>(neighbourCost(p, p.left.place[row - n + l0], p.left.place[row + l],
-                                          p.left.spacing[index(i - 1)]) +
-                            neighbourCost(p, p.right.place[row - n + r0], p.right.place[row + r],
-                                          p.right.spacing[index(i - 1)]));
+    terms.opposite += static_cast<double>(
+        oppositeCost(p, i, index(labels.left[index(i)]), index(labels.right[index(i)])));
   }
   return terms;
 }
@@ -244,7 +283,7 @@ std::vector<int> optimalSide(const LengthProblem& p, const SideCosts& side,
 }
 
 LengthLabels optimalLabels(const LengthProblem& p, LengthWorkspace& workspace) {
-  if (!p.opposite.empty()) return optimalPairs(p, workspace);
+  if (p.paired()) return optimalPairs(p, workspace);
   LengthLabels labels;
   labels.left = optimalSide(p, p.left, workspace);
   labels.right = optimalSide(p, p.right, workspace);
@@ -256,11 +295,12 @@ std::vector<float> sideMarginals(const LengthProblem& p, const LengthLabels& lab
   const SideCosts& side = leftSide ? p.left : p.right;
   const std::size_t n = index(p.levels);
   std::vector<float> unary = side.unary;
-  if (!p.opposite.empty()) {
+  if (p.paired()) {
     for (int i = 0; i < p.ribs; ++i) {
       const std::size_t other = index((leftSide ? labels.right : labels.left)[index(i)]);
       for (std::size_t k = 0; k < n; ++k) {
-        unary[index(i) * n + k] += leftSide ? p.opposite[k * n + other] : p.opposite[other * n + k];
+        unary[index(i) * n + k] +=
+            leftSide ? oppositeCost(p, i, k, other) : oppositeCost(p, i, other, k);
       }
     }
   }

@@ -36,6 +36,12 @@ struct LengthProblem {
   float neighbourCap = std::numeric_limits<float>::infinity();
   /// levels × levels costs, row = left label; empty where opposite sides are independent.
   std::vector<float> opposite;
+  /// Opposite ends compared by place instead, for a stroke whose lean is known (see lean.h): a cost
+  /// of leanScale_i · |(1 − lean) left − (1 + lean) right| per rib, on top of the table. −1 < lean
+  /// < 1. leanScale is empty, or has `ribs` entries.
+  float lean = 0;
+  std::vector<float> leanScale;
+  bool paired() const { return !opposite.empty() || !leanScale.empty(); }
 };
 
 /// Labels of both sides, `ribs` entries each.
@@ -69,6 +75,10 @@ LengthLabels optimalLabels(const LengthProblem& problem, LengthWorkspace& worksp
 /// problem.ribs × problem.levels entries and need not belong to the problem.
 std::vector<int> optimalSide(const LengthProblem& problem, const SideCosts& side,
                              LengthWorkspace& workspace);
+
+/// Unary and neighbour energy of one side's labels.
+double sideEnergy(const LengthProblem& problem, const SideCosts& side,
+                  const std::vector<int>& labels);
 
 /// Min-marginals of one side with the other side's labels held: for every rib and label the least
 /// energy of that side's chain through it (ribs × levels). Confidence is read from these.

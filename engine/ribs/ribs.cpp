@@ -5,6 +5,7 @@
 
 #include "engine/ribs/curves.h"
 #include "engine/ribs/evidence.h"
+#include "engine/ribs/lean.h"
 #include "engine/ribs/rib_lengths.h"
 
 namespace spineloft::ribs {
@@ -16,7 +17,7 @@ constexpr int kFanCurves = 11;
 constexpr double kFarthestPerLength = 1.0;
 // Half width without a picture, or where it shows nothing at all, as a share of the spine's length.
 constexpr double kDefaultHalfWidth = 0.1;
-// A rib end whose distance cost is below this stands on an edge.
+// A rib end with at least this share of a full edge under it stands on one.
 constexpr float kOnEdge = 0.5f;
 // Labels this close (share of the end's own arc length, and labels) are the same place, not a
 // rival.
@@ -27,11 +28,19 @@ constexpr float kCapWeight = 2.f;
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool inRange(const RibParams& p) {
-  return p.levels >= 16 && p.levels <= 512 && p.maxLevelShare >= 0.01 && p.maxLevelShare <= 1 &&
-         p.neighbourWeight >= 0 && p.neighbourFreedom >= 0 && p.neighbourCap > 0 &&
-         p.oppositeWeight >= 0 && p.priorWeight >= 0 && p.evidence.proximityWeight >= 0 &&
-         p.evidence.contrastWeight >= 0 && p.evidence.contrastReach >= 0.5 &&
-         p.evidence.contrastReach <= 20;
+  const auto within = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  const EvidenceParams& e = p.evidence;
+  for (double weight :
+       {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
+        e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
+    if (!within(weight, 0, 10)) return false;
+  }
+  return within(p.levels, 16, 512) && within(p.maxLevelShare, 0.01, 1) &&
+         within(p.neighbourWeight, 0, 100) && within(p.neighbourCap, 0.01, 1000) &&
+         within(p.oppositeWeight, 0, 100) && within(e.contrastReach, 0.5, 20) &&
+         within(e.doubt, 0.001, 10);
 }
 
 // Everything that one search passes from step to step.
@@ -41,7 +50,8 @@ struct Search {
   D2Field field;
   Levels levels;
   GradientCurves curves;
-  std::vector<float> costs;  // of every curve and level
+  std::vector<float> costs;    // of every curve and level
+  std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
   LengthWorkspace workspace;
 };
@@ -55,18 +65,26 @@ Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Si
   return makeLevels(params.levels, step, farthest, field.length());
 }
 
-// The distance term of every curve; without a picture a gentle pull to the default half width.
+// The evidence of every curve; without a picture a gentle pull to the default half width.
 void evidenceCosts(const image::EdgeMap& edges, Search& s) {
   if (!edges.empty()) {
     Strip strip;
+    BoundaryTerms terms;
     sampleStrip(s.curves, edges, strip);
-    edgeCosts(s.curves, strip, s.params.evidence, std::max(edges.scaleX, edges.scaleY), s.costs);
+    boundaryTerms(s.curves, strip, s.params.evidence, terms);
+    boundaryCosts(s.curves, strip, terms, s.params.evidence, s.costs);
+    for (float& cost : s.costs) cost *= static_cast<float>(s.params.evidence.weight);
+    s.support = std::move(terms.contrast);
+    for (std::size_t i = 0; i < s.support.size(); ++i) {
+      s.support[i] = std::max(s.support[i], strip.proximity[i]);
+    }
     return;
   }
   s.costs.resize(s.curves.x.size());
+  s.support.assign(s.costs.size(), 0.f);
   const double half = kDefaultHalfWidth * s.field.length();
   for (std::size_t i = 0; i < s.costs.size(); ++i) {
-    s.costs[i] = 1 + static_cast<float>(std::abs(s.levels.radius[i % s.levels.size()] / half - 1));
+    s.costs[i] = static_cast<float>(std::abs(s.levels.radius[i % s.levels.size()] / half - 1));
   }
 }
 
@@ -103,9 +121,14 @@ void fillProblem(Search& s) {
   s.problem.neighbourCap = static_cast<float>(s.params.neighbourCap);
   fillSide(s, true);
   fillSide(s, false);
-  s.problem.opposite.clear();
-  if (s.params.oppositeWeight > 0) {
-    s.problem.opposite = oppositeTable(s.levels.d2, s.params.oppositeWeight);
+  const double pixel = s.levels.radius[1];
+  const EvenPart even = findEvenPart(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
+  s.problem.lean = static_cast<float>(even.lean);
+  s.problem.leanScale.clear();
+  for (float width : even.width) {
+    const double scale =
+        2 * s.params.oppositeWeight / std::max(4 * pixel, static_cast<double>(width));
+    s.problem.leanScale.push_back(static_cast<float>(scale));
   }
 }
 
@@ -116,7 +139,7 @@ std::vector<RibState> endStates(const Search& s, const std::vector<int>& labels,
   int last = -1;
   for (int i = 0; i < ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
-    if (s.costs[s.curves.at(curve, labels[index(i)])] >= kOnEdge) continue;
+    if (s.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
     states[index(i)] = RibState::Edge;
     if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
     last = i;
@@ -214,6 +237,12 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
   set.startFan = traceFan(s, labels.left.front(), labels.right.front(), true);
   set.endFan = traceFan(s, labels.left.back(), labels.right.back(), false);
   set.energy = energyOf(s.problem, labels);
+  const double middle = 0.5 * (s.problem.levels - 1);
+  for (const auto* side : {&labels.left, &labels.right}) {
+    for (int label : *side)
+      set.energy.prior += s.params.priorWeight * std::abs(label - middle) / middle;
+  }
+  set.energy.distance -= set.energy.prior;
   return set;
 }
 
@@ -223,7 +252,7 @@ Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image:
                          const RibParams& params, const Progress& progress) {
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
-  Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}};
+  Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}, {}};
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
   if (!progress.advance(0.05)) return Error::Cancelled;
   s.levels = chooseLevels(s.field, edges, picture, params);

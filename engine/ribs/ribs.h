@@ -56,11 +56,19 @@ struct RibSet {
   bool operator==(const RibSet&) const = default;
 };
 
-/// Which evidence counts how much; a weight of 0 switches a term off. See evidence.h.
+/// Which evidence counts how much; a weight of 0 switches a term off. The terms are those of
+/// evidence.h; the weights are the maximum-likelihood ones of a softmax over the labels of single
+/// curves against true outlines, checked by leaving one category of pictures out.
 struct EvidenceParams {
-  double proximityWeight = 0.5;  ///< nearness to a Canny edge (the paper's only evidence), 0…10
-  double contrastWeight = 0.5;   ///< contrast across the contour, coherent along it, 0…10
-  double contrastReach = 2;      ///< half-length over which contrast is taken, map pixels, 0.5…20
+  double proximityWeight = 2.2;  ///< nearness to a Canny edge (the paper's only evidence), 0…10
+  double contrastWeight = 3.2;   ///< contrast across the contour, coherent along it, 0…10
+  double localContrastWeight = 1.2;  ///< the same, against the contrasts near by, 0…10
+  double beyondWeight = 0.55;        ///< against edges further out, 0…10
+  double insideWeight = 0.75;        ///< against colours foreign to the spine inside, 0…10
+  double outsideWeight = 1.4;        ///< for colours foreign to the spine outside, 0…10
+  double contrastReach = 2;  ///< half-length over which contrast is taken, map pixels, 0.5…20
+  double doubt = 0.3;        ///< chance given to a curve being misled, 0.001…10
+  double weight = 0.3;       ///< of all evidence against the shape terms, 0…10
   bool operator==(const EvidenceParams&) const = default;
 };
 
@@ -69,12 +77,16 @@ struct EvidenceParams {
 struct RibParams {
   int levels = 128;            ///< K: labels of the dynamic programme, 16…512
   double maxLevelShare = 0.5;  ///< largest d2 level as a share of the picture's diagonal, 0.01…1
-  double neighbourWeight = 1.0;  ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), ≥ 0
+  double neighbourWeight = 0.7;  ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), 0…100
   double neighbourFreedom =
-      0.1;                    ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), ≥ 0
-  double neighbourCap = 4.0;  ///< most that one jump between neighbours costs, > 0
-  double oppositeWeight = 0.1;  ///< SpineLoft 3.3.2: 0.25; a spine is rarely quite centred, ≥ 0
-  double priorWeight = 0.05;  ///< pull of flat energy to a middle level (method: measurements), ≥ 0
+      0.1;  ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), 0…10
+  double neighbourCap = 8.0;  ///< most that one jump between neighbours costs, 0.01…1000
+  /// Against unequal opposite ribs, once the lean of the stroke is known (lean.h). SpineLoft 3.3.2:
+  /// 0.25, without a lean. 0…100
+  double oppositeWeight = 1.0;
+  double leanCost = 0.1;  ///< of a stroke being off the middle, per rib, 0…10
+  double priorWeight =
+      0.02;  ///< pull of flat energy to a middle level (method: measurements), 0…10
   EvidenceParams evidence = {};
   bool operator==(const RibParams&) const = default;
 };

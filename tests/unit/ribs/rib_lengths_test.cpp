@@ -44,7 +44,11 @@ LengthProblem randomProblem(int ribs, int levels, bool opposite, Rng& rng) {
   if (opposite) {
     std::vector<double> values;
     for (int k = 0; k < levels; ++k) values.push_back(k + 0.5);
-    p.opposite = oppositeTable(values, rng.uniform(0, 2));
+    if (rng.uniform() < 0.7) p.opposite = oppositeTable(values, rng.uniform(0, 2));
+    if (p.opposite.empty() || rng.uniform() < 0.5) {
+      p.lean = static_cast<float>(rng.uniform(-0.6, 0.6));
+      for (int i = 0; i < ribs; ++i) p.leanScale.push_back(static_cast<float>(rng.uniform(0, 1)));
+    }
   }
   return p;
 }
@@ -136,6 +140,7 @@ TEST_CASE("swapping the sides swaps the labels' energy for the same value") {
     LengthProblem p = randomProblem(20, 16, true, rng);
     const double before = energyOf(p, optimalLabels(p, workspace)).total();
     std::swap(p.left, p.right);
+    p.lean = -p.lean;
     CHECK(energyOf(p, optimalLabels(p, workspace)).total() ==
           doctest::Approx(before).epsilon(1e-5));
   }

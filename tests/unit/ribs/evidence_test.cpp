@@ -1,0 +1,187 @@
+#include "engine/ribs/evidence.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "engine/ribs/lean.h"
+#include "tests/unit/ribs/fixtures.h"
+
+using namespace spineloft;
+using namespace spineloft::ribs;
+using fixtures::Points;
+
+namespace {
+
+constexpr image::Size kPicture{400, 300};
+// A straight spine along y = 150: left curves run up, arc length is the distance to the spine.
+struct Scene {
+  Spine spine = cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = 60}).value();
+  GradientCurves curves;
+  Strip strip;
+  explicit Scene(const image::EdgeMap& map) {
+    const D2Field field(spine.points);
+    traceCurves(spine, field, makeLevels(100, 1, 120, field.length()), 7, kPicture, curves);
+    sampleStrip(curves, map, strip);
+  }
+  // The level of the left curve in the middle that is nearest to this far from the spine.
+  int level(double away) const {
+    int best = 1;
+    for (int k = 1; k < curves.reached[30]; ++k) {
+      const auto off = [&](int q) {
+        return std::abs(static_cast<double>(curves.along[curves.at(30, q)]) - away);
+      };
+      if (off(k) < off(best)) best = k;
+    }
+    return best;
+  }
+  float at(const std::vector<float>& plane, double away) const {
+    return plane[curves.at(30, level(away))];
+  }
+};
+
+bool inBar(PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; }
+
+// Paints one lightness over part of a map, without touching edges.
+void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, float light,
+           float a) {
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      if (!where({static_cast<double>(x), static_cast<double>(y)})) continue;
+      float* lab = &map.lab[3 * static_cast<std::size_t>(y * map.width + x)];
+      lab[0] = light;
+      lab[1] = a;
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("contrast is strong on a contour along the spine and nothing away from it") {
+  const Scene scene(fixtures::mapOf(kPicture, inBar));
+  std::vector<float> contrast;
+  contourContrast(scene.curves, scene.strip, {}, contrast);
+  CHECK(scene.at(contrast, 30) > 30);
+  CHECK(scene.at(contrast, 15) < 1);
+  CHECK(scene.at(contrast, 60) < 1);
+}
+
+TEST_CASE(
+    "contrast of stripes that run along the curves, and of hatching, is far below a contour's") {
+  // Stripes across the spine are edges seen end-on.
+  const Scene stripes(
+      fixtures::mapOf(kPicture, [](PicturePoint p) { return std::fmod(p.x, 12) < 6; }));
+  std::vector<float> contrast;
+  contourContrast(stripes.curves, stripes.strip, {}, contrast);
+  CHECK(stripes.at(contrast, 30) < 6);
+  // Short strokes, each as wide as one rib is far from the next.
+  const Scene hatching(fixtures::mapOf(kPicture, [](PicturePoint p) {
+    return std::fmod(p.x, 9) < 3 && std::fmod(p.y + 7 * std::floor(p.x / 9), 23) < 9;
+  }));
+  double sum = 0;
+  contourContrast(hatching.curves, hatching.strip, {}, contrast);
+  for (int k = 5; k < 60; ++k) sum += static_cast<double>(contrast[hatching.curves.at(30, k)]) / 55;
+  CHECK(sum < 12);
+}
+
+TEST_CASE("colours that the spine never sees are novel, its own are not") {
+  image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
+  paint(
+      map, [](PicturePoint p) { return p.y < 80; }, 90, 50);
+  const Scene scene(map);
+  std::vector<float> novelty;
+  spineNovelty(scene.curves, scene.strip, novelty);
+  CHECK(scene.at(novelty, 15) < 0);
+  CHECK(scene.at(novelty, 50) > 0.5);
+  CHECK(scene.at(novelty, 90) > 0.5);
+}
+
+TEST_CASE("where the spine sees what there is everywhere, colour says nothing") {
+  const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint) { return false; }));
+  std::vector<float> novelty;
+  spineNovelty(scene.curves, scene.strip, novelty);
+  for (float v : novelty) CHECK(std::abs(v) < 0.05f);
+}
+
+TEST_CASE("with two outlines in a row, the inner one has more beyond it than the outer") {
+  const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint p) {
+    const double away = std::abs(p.y - 150);
+    return (away > 20 && away < 23) || (away > 45 && away < 48);
+  }));
+  BoundaryTerms terms;
+  boundaryTerms(scene.curves, scene.strip, {}, terms);
+  CHECK(scene.at(terms.beyond, 23) > scene.at(terms.beyond, 48) + 0.2);
+  CHECK(scene.at(terms.contrast, 48) > 0.8);
+  CHECK(scene.at(terms.localContrast, 48) > 0.8);
+}
+
+TEST_CASE("the cheapest place of a curve is the outline, with any one term switched off") {
+  const Scene scene(fixtures::mapOf(kPicture, inBar));
+  double EvidenceParams::*const weights[] = {
+      &EvidenceParams::proximityWeight,     &EvidenceParams::contrastWeight,
+      &EvidenceParams::localContrastWeight, &EvidenceParams::beyondWeight,
+      &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight};
+  for (const auto weight : weights) {
+    EvidenceParams params;
+    params.*weight = 0;
+    BoundaryTerms terms;
+    std::vector<float> costs;
+    boundaryTerms(scene.curves, scene.strip, params, terms);
+    boundaryCosts(scene.curves, scene.strip, terms, params, costs);
+    for (int c = 10; c < 50; ++c) {
+      const float* row = &costs[scene.curves.at(c, 0)];
+      const float* best =
+          std::min_element(row + 1, row + scene.curves.reached[static_cast<std::size_t>(c)]);
+      CHECK(std::abs(scene.curves.along[scene.curves.at(c, static_cast<int>(best - row))] - 30) <
+            3);
+    }
+  }
+}
+
+TEST_CASE("what one curve can say is bounded by doubt, whatever the picture") {
+  const Scene scene(fixtures::mapOf(kPicture, inBar));
+  BoundaryTerms terms;
+  std::vector<float> costs;
+  const EvidenceParams params;
+  boundaryTerms(scene.curves, scene.strip, params, terms);
+  boundaryCosts(scene.curves, scene.strip, terms, params, costs);
+  for (float cost : costs) {
+    CHECK(cost <= -std::log(params.doubt) + 1e-4);
+    CHECK(cost >= -std::log(scene.strip.levels / 8.0 + params.doubt) - 1e-4);
+  }
+}
+
+TEST_CASE(
+    "the lean of a stroke is found: the part is even although the stroke is not in its middle") {
+  LengthWorkspace workspace;
+  for (double lean : {-0.5, -0.25, 0.0, 0.4}) {
+    LengthProblem p;
+    p.ribs = 40;
+    p.levels = 80;
+    p.neighbourWeight = 0.7f;
+    p.neighbourFreedom = 0.1f;
+    p.neighbourCap = 8;
+    Rng rng(61);
+    for (SideCosts* side : {&p.left, &p.right}) {
+      const double sign = side == &p.left ? 1 : -1;
+      p.left.spacing.assign(39, 5.f);
+      p.right.spacing = p.left.spacing;
+      for (int i = 0; i < p.ribs; ++i) {
+        const double width = 50 + 10 * std::sin(i * 0.2), truth = width * (1 + sign * lean) / 2;
+        const bool gap = rng.uniform() < 0.4;
+        for (int k = 0; k < p.levels; ++k) {
+          const double near = gap ? 0 : std::max(0.0, 1 - std::abs(k - truth) / 3);
+          side->unary.push_back(k == 0 ? kUnreachable : static_cast<float>(1 - near));
+          side->place.push_back(static_cast<float>(k));
+        }
+      }
+    }
+    const EvenPart part = findEvenPart(p, 2, 0.1, workspace);
+    CHECK(part.lean == doctest::Approx(lean).epsilon(0.05).scale(1));
+    REQUIRE(part.width.size() == 40);
+    for (int i = 4; i < 36; ++i) {
+      CHECK(part.width[static_cast<std::size_t>(i)] ==
+            doctest::Approx(50 + 10 * std::sin(i * 0.2)).epsilon(0.1));
+    }
+  }
+}
