@@ -4,6 +4,7 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { buildSite } from './build.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
 import { buildDir, root } from './lib/paths.mjs';
 import { mainProgram, output, run, say, Stop, talkOnStderr } from './lib/run.mjs';
@@ -29,32 +30,44 @@ function parsed(text, what) {
   }
 }
 
-/** Every number of a JSON value under its path; list entries that have a name go by it. */
-function numbersOf(value, path = '', into = new Map()) {
-  if (typeof value === 'number') into.set(path, value);
-  else if (value && typeof value === 'object') {
-    for (const [key, inner] of Object.entries(value)) {
-      const label = Array.isArray(value) ? (inner?.name ?? key) : key;
-      numbersOf(inner, path ? `${path} ${label}` : `${label}`, into);
-    }
-  }
-  return into;
-}
-
 function shown(value) {
-  if (value === undefined) return '';
-  return Number.isInteger(value) ? String(value) : value.toPrecision(4);
+  if (typeof value !== 'number') return value ?? '';
+  return Number.isInteger(value) ? String(value) : value.toPrecision(3);
 }
 
-/** One row per measured number, one column per build. */
-function printTable(title, columns) {
-  const tables = Object.entries(columns).map(([name, value]) => [name, numbersOf(value)]);
-  const rows = [...new Set(tables.flatMap(([, numbers]) => [...numbers.keys()]))];
-  const width = Math.max(20, ...rows.map((row) => row.length)) + 2;
-  say(`\n${title.padEnd(width)}${tables.map(([name]) => name.padStart(18)).join('')}`);
-  for (const row of rows) {
-    say(row.padEnd(width) + tables.map(([, numbers]) => shown(numbers.get(row)).padStart(18)).join(''));
+/** Rows of objects as text; `columns` maps a heading to the key, or to a function of the row, that fills it. */
+function printTable(title, rows, columns) {
+  const cells = rows.map((row) => Object.values(columns).map((key) => shown(typeof key === 'function' ? key(row) : row[key])));
+  const widths = Object.keys(columns).map((head, index) => Math.max(head.length, ...cells.map((line) => line[index].length)));
+  const line = (texts) => texts.map((text, i) => (i ? text.padStart(widths[i]) : text.padEnd(widths[i]))).join('  ');
+  say(`\n${title}\n${line(Object.keys(columns))}`);
+  for (const texts of cells) say(line(texts));
+}
+
+/** Median and 95th percentile of each stage, one pair of columns per build. */
+function printStages(stages) {
+  const columns = { 'stage times in ms': 'name' };
+  for (const build of Object.keys(stages)) {
+    columns[build] = ({ name }) => stages[build][name]?.median_ms;
+    columns[`${build} p95`] = ({ name }) => stages[build][name]?.p95_ms;
   }
+  printTable('Stages', Object.keys(stages.native).map((name) => ({ name })), columns);
+}
+
+function printAccuracy({ summary, cases }, folder) {
+  const scores = { IoU: 'iou', 'IoU body': 'iou_body', 'rib error %': 'rib_mean_pct', 'within tol.': 'rib_within_tol' };
+  printTable(`Accuracy on ${folder}`, summary, {
+    strokes: 'name',
+    cases: 'cases',
+    ...scores,
+    'body > 0.9': 'share_iou_body_0.9',
+    'body > 0.8': 'share_iou_body_0.8',
+    edge: 'share_ends_edge',
+    bridged: 'share_ends_bridged',
+    guessed: 'share_ends_guessed',
+    failed: 'failed',
+  });
+  printTable('Each case', cases, { case: 'name', ...scores, edge: 'ends_edge', bridged: 'ends_bridged', guessed: 'ends_guessed', 'ribs ms': 'ribs_ms' });
 }
 
 async function stageTimes() {
@@ -78,24 +91,23 @@ async function accuracy(data) {
 await mainProgram(async () => {
   const { json, data } = options();
   talkOnStderr();
-  await setup(['native', 'wasm']);
+  await setup(['native', 'wasm', 'node']);
   await buildTargets('native-release', ['spineloft', 'spineloft_bench']);
   await buildTargets('wasm-release', ['spineloft_bench']);
   await buildTargets('wasm-release-st', ['spineloft_bench']);
+  await buildSite();
   const result = {
     commit: output('git', ['rev-parse', '--short', 'HEAD'], { cwd: root }),
     machine: { cpu: cpus()[0]?.model ?? 'unknown', cores: cpus().length, node: process.version },
     stages: await stageTimes(),
     sizes: siteSizes(),
   };
-  printTable('stage times', result.stages);
-  if (result.sizes.length) printTable('size in bytes', { bytes: result.sizes.map(({ file, ...rest }) => ({ name: file, ...rest })) });
+  printStages(result.stages);
+  if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
   if (existsSync(folder)) {
     result.accuracy = await accuracy(resolve(process.env.INIT_CWD ?? '.', folder));
-    const { cases, ...summary } = result.accuracy;
-    printTable(`accuracy on ${folder}`, { all: summary });
-    if (cases) printTable('each case', { value: cases });
+    printAccuracy(result.accuracy, folder);
   } else {
     say(`\nNo data folder at ${folder}: accuracy is left out.`);
   }
