@@ -78,7 +78,7 @@ async function nodeTests(name, folders, concurrency) {
 }
 
 async function node() {
-  if (existsSync(join(root, 'engine/cli'))) await buildTargets('native-release', ['spineloft']);
+  await buildTargets('native-release', ['spineloft']);
   return nodeTests('node', ['.ci/tests', 'tests/cli'], 2);
 }
 

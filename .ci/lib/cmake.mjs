@@ -23,13 +23,3 @@ export async function buildTargets(preset, targets) {
   const compiled = (text.match(/^\[\d+\/\d+\] (Building|Linking)/gm) ?? []).length;
   say(`${preset}: ${compiled ? `${compiled} steps in ${duration(Date.now() - started)}` : 'nothing to do'}`);
 }
-
-/** Whether the preset's build, once configured, has the target. */
-export async function hasTarget(preset, target) {
-  const folder = presetDir(preset);
-  if (!existsSync(join(folder, 'build.ninja'))) {
-    await run(`configuring ${preset}`, 'cmake', ['--preset', preset], { cwd: root, log: preset });
-  }
-  const { text } = await run('listing the targets', 'cmake', ['--build', folder, '--target', 'help'], { cwd: root, log: preset });
-  return text.split('\n').some((line) => line.startsWith(`${target}: `));
-}

@@ -51,6 +51,7 @@ export async function installGroups(groups) {
 
 /** The address and keyring of the machine's own Debian, from its apt sources (either format). */
 export function ownDebianSource(codename, folder = '/etc/apt') {
+  const own = new Set([codename, 'stable', 'oldstable']);
   const parts = join(folder, 'sources.list.d');
   const files = existsSync(parts) ? readdirSync(parts).sort().map((name) => join(parts, name)) : [];
   const texts = [join(folder, 'sources.list'), ...files]
@@ -60,12 +61,12 @@ export function ownDebianSource(codename, folder = '/etc/apt') {
     for (const block of text.split(/\n\s*\n/)) {
       const field = (key) => block.match(new RegExp(`^${key}:[ \\t]*(.+)$`, 'mi'))?.[1].trim() ?? '';
       if (!field('Types').split(/\s+/).includes('deb')) continue;
-      if (!field('Suites').split(/\s+/).some((suite) => suite === codename || suite === 'stable')) continue;
+      if (!field('Suites').split(/\s+/).some((suite) => own.has(suite))) continue;
       return { uri: field('URIs').split(/\s+/)[0], signedBy: field('Signed-By') };
     }
     for (const line of text.split('\n')) {
       const hit = line.match(/^\s*deb\s+(?:\[([^\]]*)\]\s+)?(\S+)\s+(\S+)\s+/);
-      if (!hit || (hit[3] !== codename && hit[3] !== 'stable')) continue;
+      if (!hit || !own.has(hit[3])) continue;
       return { uri: hit[2], signedBy: hit[1]?.match(/signed-by=(\S+)/)?.[1] ?? '' };
     }
   }

@@ -9,7 +9,7 @@ export async function installNodePackages() {
   const stamp = join(root, 'node_modules/.spineloft-installed');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted) return;
   say('npm packages: installing the versions of package-lock.json (half a minute)');
-  const args = ['ci', '--no-audit', '--no-fund', '--ignore-scripts=false'];
+  const args = ['ci', '--no-audit', '--no-fund', '--ignore-scripts'];
   await run('npm ci', 'npm', args, { cwd: root });
   writeFileSync(stamp, wanted);
 }

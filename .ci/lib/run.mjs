@@ -11,7 +11,10 @@ const children = new Set();
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
   process.on(signal, () => {
     for (const child of children) stopGroup(child);
-    if (!process.listenerCount('spineloft-stop')) process.exit(signal === 'SIGINT' ? 130 : 143);
+    if (!process.listenerCount('spineloft-stop')) {
+      process.stderr.write('\nInterrupted. The same command goes on from here.\n');
+      process.exit(signal === 'SIGINT' ? 130 : 143);
+    }
     process.emit('spineloft-stop', signal);
   });
 }
