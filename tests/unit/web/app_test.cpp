@@ -1,0 +1,310 @@
+#include <doctest/doctest.h>
+
+#include "engine/base/rng.h"
+#include "tests/unit/web/rig.h"
+
+using namespace spineloft;
+using platform::Device;
+using platform::PointerKind;
+using spineloft::test::Rig;
+
+TEST_CASE("a page that nobody touches asks for no frames") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  CHECK(rig.app->idle());
+  const auto frames = rig.state().number("frames");
+  for (int i = 0; i < 100; ++i) {
+    rig.host.clockMs += 1000;
+    CHECK_FALSE(rig.host.frameAsked);
+  }
+  CHECK(rig.state().number("frames") == frames);
+}
+
+TEST_CASE("one stroke on the picture becomes a selected part with ribs on both sides of the bar") {
+  for (const int threads : {0, 2}) {
+    Rig rig({1200, 700, 1}, threads);
+    rig.openBar();
+    rig.drawBar();
+    const app::Json state = rig.state();
+    REQUIRE(rig.parts() == 1);
+    CHECK(state.number("selection") == 1);
+    const app::Json& part = (*state.find("parts")->array())[0];
+    CHECK(part.number("triangles") > 100);
+    const app::Json::Array& ribs = *part.find("ribs")->array();
+    REQUIRE(ribs.size() > 20);
+    const app::Json& middle = ribs[ribs.size() / 2];
+    CHECK(*(*middle.find("left")->array())[0].number() == doctest::Approx(120.5).epsilon(0.03));
+    CHECK(*(*middle.find("right")->array())[0].number() == doctest::Approx(79.5).epsilon(0.03));
+    CHECK(rig.gl->last.meshes.size() == 1);
+  }
+}
+
+TEST_CASE("ribs and solid grow while the pen moves") {
+  Rig rig;
+  rig.openBar();
+  rig.press(100, 40, 100, 90);
+  rig.settle();
+  const app::Json first = rig.state();
+  REQUIRE_FALSE(first.find("preview")->isNull());
+  CHECK(first.find("preview")->number("ribs") > 5);
+  CHECK(rig.gl->last.meshes.size() == 1);
+  CHECK(rig.parts() == 0);
+  CHECK(first.number("undo") == 1);
+  for (double y = 90; y <= 160; y += 2) {
+    const auto p = rig.at(100, y);
+    rig.pointer(PointerKind::Move, p.x, p.y);
+  }
+  rig.settle();
+  CHECK(rig.state().find("preview")->number("ribs") > first.find("preview")->number("ribs"));
+  const auto end = rig.at(100, 160);
+  rig.pointer(PointerKind::Up, end.x, end.y);
+  rig.settle();
+  CHECK(rig.parts() == 1);
+  CHECK(rig.state().number("undo") == 2);
+}
+
+TEST_CASE("Escape, the right button and a second finger take the stroke back without a trace") {
+  Rig rig;
+  rig.openBar();
+  rig.press(100, 40, 100, 120);
+  CHECK(rig.key("Escape", "Escape"));
+  rig.lift();
+  rig.settle();
+  rig.press(100, 40, 100, 120);
+  rig.pointer(PointerKind::Down, rig.lastX, rig.lastY, Device::Mouse, 1, 2);
+  rig.lift();
+  rig.settle();
+  rig.press(100, 40, 100, 120, Device::Touch, 5);
+  rig.pointer(PointerKind::Down, 60, 60, Device::Touch, 6);
+  rig.lift(Device::Touch, 5);
+  rig.pointer(PointerKind::Up, 60, 60, Device::Touch, 6);
+  rig.settle();
+  rig.press(100, 40, 100, 120);
+  rig.pointer(PointerKind::Cancel, rig.lastX, rig.lastY);
+  rig.settle();
+  CHECK(rig.parts() == 0);
+  CHECK(rig.state().number("undo") == 1);
+  CHECK(rig.state().find("preview")->isNull());
+}
+
+TEST_CASE("two fingers shift and zoom the picture") {
+  Rig rig;
+  rig.openBar();
+  const auto a = rig.at(80, 100), b = rig.at(120, 100);
+  rig.pointer(PointerKind::Down, a.x, a.y, Device::Touch, 5);
+  rig.pointer(PointerKind::Down, b.x, b.y, Device::Touch, 6);
+  const double spread = b.x - a.x;
+  rig.pointer(PointerKind::Move, a.x - spread / 2, a.y, Device::Touch, 5);
+  rig.pointer(PointerKind::Move, b.x + spread / 2, b.y, Device::Touch, 6);
+  rig.settle();
+  const auto a2 = rig.at(80, 100), b2 = rig.at(120, 100);
+  CHECK(b2.x - a2.x == doctest::Approx(2 * spread).epsilon(0.01));
+  CHECK(a2.x == doctest::Approx(a.x - spread / 2).epsilon(0.01));
+  CHECK(rig.parts() == 0);
+}
+
+TEST_CASE("once a pen was seen a finger moves the picture instead of drawing") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar(Device::Pen);
+  CHECK(rig.parts() == 1);
+  const auto before = rig.at(100, 100);
+  rig.press(60, 40, 60, 120, Device::Touch, 9);
+  rig.lift(Device::Touch, 9);
+  rig.settle();
+  CHECK(rig.parts() == 1);
+  CHECK(rig.at(100, 100).y != doctest::Approx(before.y));
+}
+
+TEST_CASE("a click on a part in either view selects it, a click beside it selects none") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const auto away = rig.at(20, 100), on = rig.at(105, 100);
+  rig.click(away.x, away.y);
+  CHECK(rig.state().find("selection")->isNull());
+  rig.click(on.x, on.y);
+  CHECK(rig.state().number("selection") == 1);
+  rig.run("select-part", R"({"id":null})");
+  CHECK(rig.state().find("selection")->isNull());
+  const app::Rect& solid = rig.app->ui().layout.solid;
+  rig.click(solid.centre().x, solid.centre().y);
+  CHECK(rig.state().number("selection") == 1);
+  rig.click(solid.x + 12, solid.centre().y);
+  CHECK(rig.state().find("selection")->isNull());
+}
+
+TEST_CASE("dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const app::Rect solid = rig.app->ui().layout.solid;
+  const app::Camera start = rig.app->ui().camera;
+  const double x = solid.centre().x, y = solid.centre().y;
+  rig.pointer(PointerKind::Down, x, y);
+  rig.pointer(PointerKind::Move, x + 60, y + 30);
+  rig.pointer(PointerKind::Up, x + 60, y + 30);
+  rig.settle();
+  const app::Camera turned = rig.app->ui().camera;
+  CHECK(turned.yaw < start.yaw);
+  CHECK(turned.pitch > start.pitch);
+  CHECK(turned.target == start.target);
+  rig.app->pointer({PointerKind::Down, 1, Device::Mouse, 0, 1, x, y, 0, 0, platform::kShift});
+  rig.app->pointer({PointerKind::Move, 1, Device::Mouse, 0, 1, x + 40, y, 0, 0, platform::kShift});
+  rig.app->pointer({PointerKind::Up, 1, Device::Mouse, 0, 0, x + 40, y, 0, 0, platform::kShift});
+  CHECK_FALSE(rig.app->ui().camera.target == turned.target);
+  rig.app->wheel({x, y, 0, -200, 0});
+  CHECK(rig.app->ui().camera.distance < turned.distance);
+  rig.run("home-view");
+  rig.settle();
+  CHECK(rig.app->ui().camera.yaw == doctest::Approx(start.yaw));
+  CHECK(rig.parts() == 1);
+}
+
+TEST_CASE("with the space bar held a drag moves the picture and draws nothing") {
+  Rig rig;
+  rig.openBar();
+  rig.app->key({"Space", " ", true, 0});
+  rig.press(100, 40, 120, 60);
+  rig.lift();
+  rig.app->key({"Space", " ", false, 0});
+  rig.settle();
+  CHECK(rig.parts() == 0);
+  CHECK_FALSE(rig.app->ui().pictureView.fitted);
+}
+
+TEST_CASE("a part is redrawn in place while redraw is on") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  rig.run("set-section", R"({"section":"star"})");
+  rig.run("redraw");
+  rig.press(100, 60, 100, 140);
+  rig.lift();
+  rig.settle();
+  CHECK(rig.parts() == 1);
+  const app::Json state = rig.state();
+  CHECK(*(*state.find("parts")->array())[0].text("section") == "star");
+  CHECK(state.find("redraw")->isNull());
+  CHECK(state.number("undo") == 4);
+}
+
+TEST_CASE("a lost context draws nothing, loses nothing and comes back") {
+  Rig rig;
+  rig.openBar();
+  rig.app->contextLost();
+  const int draws = rig.gl->draws;
+  rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
+  rig.settle();
+  CHECK(rig.gl->draws == draws);
+  rig.app->contextRestored();
+  rig.settle();
+  CHECK(rig.gl->draws > draws);
+  CHECK(rig.parts() == 1);
+}
+
+TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved") {
+  for (const int threads : {0, 2}) {
+    Rig rig({1200, 700, 1}, threads);
+    rig.openBar();
+    CHECK(rig.state().flag("unsaved") == false);
+    rig.drawBar();
+    CHECK(rig.state().flag("unsaved") == true);
+    CHECK(rig.run("save-stl").flag("ok") == true);
+    REQUIRE(rig.settle());
+    REQUIRE(rig.host.files.size() == 1);
+    CHECK(rig.host.files[0].first.ends_with(".stl"));
+    CHECK(rig.host.files[0].second > 1000);
+    CHECK(rig.state().flag("unsaved") == false);
+    rig.run("set-section", R"({"section":"gear"})");
+    CHECK(rig.state().flag("unsaved") == true);
+    rig.run("undo");
+    CHECK(rig.state().flag("unsaved") == false);
+  }
+}
+
+TEST_CASE("the model is written at once for programs, and an unknown format is refused by name") {
+  Rig rig;
+  rig.openBar();
+  CHECK(rig.app->exportModel("glb").empty());
+  CHECK(rig.app->lastError().find("NothingToExport") != std::string::npos);
+  rig.drawBar();
+  const auto glb = rig.app->exportModel("glb");
+  REQUIRE(glb.size() > 20);
+  CHECK(std::string(glb.begin(), glb.begin() + 4) == "glTF");
+  CHECK(rig.app->exportModel("doc").empty());
+  CHECK(rig.app->lastError().find("ValueOutOfRange") != std::string::npos);
+}
+
+TEST_CASE("pictures without pixels or too small are refused and leave the board as it was") {
+  Rig rig;
+  const app::Json empty = *app::Json::parse(rig.app->addPicture({}, "x.png"));
+  CHECK(*empty.text("error") == "PictureEmpty");
+  image::Picture tiny;
+  tiny.working = {1, 1, {1, 2, 3, 255}};
+  tiny.width = tiny.height = 1;
+  const app::Json small = *app::Json::parse(rig.app->addPicture(tiny, "x.png"));
+  CHECK(*small.text("error") == "PictureTooSmall");
+  CHECK(rig.state().find("picture")->isNull());
+  CHECK(rig.state().number("undo") == 0);
+}
+
+TEST_CASE("two pictures: each part belongs to the one it was drawn on") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  rig.app->addPicture(test::barPicture(260, 200), "second.png");
+  rig.settle();
+  CHECK(rig.state().find("picture")->number("width") == 260);
+  rig.drawBar();
+  CHECK(rig.parts() == 2);
+  CHECK(rig.gl->last.meshes.size() == 2);
+  rig.run("select-part", R"({"id":1})");
+  CHECK(rig.state().find("picture")->number("width") == 200);
+  rig.run("remove-picture");
+  rig.settle();
+  CHECK(rig.parts() == 1);
+  CHECK(rig.state().find("picture")->number("width") == 260);
+}
+
+TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws") {
+  Rng rng(2026);
+  for (int round = 0; round < 6; ++round) {
+    const platform::CanvasSize sizes[] = {{1200, 700, 1}, {390, 760, 2}, {820, 600, 1.5}};
+    Rig rig(sizes[round % 3]);
+    rig.openBar();
+    for (int step = 0; step < 160; ++step) {
+      const double x = rng.uniform(-20, sizes[round % 3].width + 20);
+      const double y = rng.uniform(-20, sizes[round % 3].height + 20);
+      const auto device = static_cast<Device>(rng.below(3));
+      const int id = static_cast<int>(rng.below(3));
+      switch (rng.below(6)) {
+        case 0: rig.pointer(PointerKind::Down, x, y, device, id, static_cast<int>(rng.below(3))); break;
+        case 1: rig.pointer(PointerKind::Move, x, y, device, id); break;
+        case 2: rig.pointer(static_cast<PointerKind>(2 + rng.below(3)), x, y, device, id); break;
+        case 3: rig.app->wheel({x, y, rng.uniform(-90, 90), rng.uniform(-90, 90), 0}); break;
+        case 4: {
+          const auto table = app::commandTable();
+          const auto& command = table[rng.below(static_cast<std::uint32_t>(table.size()))];
+          if (command.id != "clear") rig.app->run(command.id, "");
+          break;
+        }
+        default: rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})"); break;
+      }
+      if (step % 8 == 0) rig.settle();
+    }
+    REQUIRE(rig.settle());
+    const app::Json state = rig.state();
+    const app::Json* selection = state.find("selection");
+    bool known = selection->isNull();
+    for (const app::Json& part : *state.find("parts")->array()) {
+      known = known || part.number("id") == selection->number();
+      CHECK(part.number("triangles") > 0);
+    }
+    CHECK(known);
+    while (rig.run("undo").flag("ok") == true) continue;
+    CHECK(rig.state().number("undo") == 0);
+    CHECK(rig.parts() == 0);
+  }
+}

@@ -1,0 +1,143 @@
+// The whole page without a browser: a host that remembers, a renderer that draws nothing, and a hand
+// that draws.
+#pragma once
+
+#include <imgui.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "web/app/app.h"
+#include "web/app/json.h"
+#include "web/gl/null_renderer.h"
+
+namespace spineloft::test {
+
+class FakeHost final : public platform::Host {
+ public:
+  double nowMs() const override { return clockMs; }
+  void requestFrame() override { frameAsked = true; }
+  void wakeAfter(double) override { ++wakesAsked; }
+  void send(std::string_view json) override { sent.emplace_back(json); }
+  void sendFile(std::string_view name, std::string_view, std::span<const std::uint8_t> b) override {
+    files.emplace_back(std::string(name), b.size());
+  }
+  bool reducedMotion() const override { return reduced; }
+  bool said(std::string_view part) const {
+    for (const std::string& json : sent) {
+      if (json.find(part) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  double clockMs = 1000;
+  bool frameAsked = false, reduced = false;
+  int wakesAsked = 0;
+  std::vector<std::string> sent;
+  std::vector<std::pair<std::string, std::size_t>> files;
+};
+
+/// A dark vertical bar on white paper; its middle line runs from (100, 40) to (100, 160).
+inline image::Picture barPicture(int width = 200, int height = 200) {
+  image::Picture picture;
+  picture.width = width;
+  picture.height = height;
+  picture.working = {width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const bool inside = x >= 80 && x < 121 && y >= 30 && y < 171;
+      const std::uint8_t v = inside ? 40 : 250;
+      picture.working.pixels.insert(picture.working.pixels.end(), {v, v, v, 255});
+    }
+  }
+  return picture;
+}
+
+class Rig {
+ public:
+  explicit Rig(platform::CanvasSize size = {1200, 700, 1}, int threads = 0) {
+    ImGui::CreateContext();
+    auto renderer = std::make_unique<gl::NullRenderer>();
+    gl = renderer.get();
+    app = std::make_unique<app::App>(app::App::Parts{host, std::move(renderer), {}, threads}, size);
+    settle();
+  }
+  ~Rig() {
+    app.reset();
+    ImGui::DestroyContext();
+  }
+  Rig(const Rig&) = delete;
+  Rig& operator=(const Rig&) = delete;
+
+  /// Gives the page frames and wakes until it asks for no more. False when it never rests.
+  bool settle() {
+    for (int i = 0; i < 5000; ++i) {
+      host.clockMs += 16;
+      if (host.wakesAsked > 0) {
+        host.wakesAsked = 0;
+        app->wake();
+      }
+      if (!std::exchange(host.frameAsked, false)) {
+        if (app->idle() && host.wakesAsked == 0) return true;
+        continue;
+      }
+      app->frame();
+    }
+    return false;
+  }
+  void openBar() {
+    app->addPicture(barPicture(), "bar.png");
+    settle();
+  }
+  app::Json state() { return *app::Json::parse(app->state()); }
+  app::Json run(std::string_view id, std::string_view args = {}) {
+    return *app::Json::parse(app->run(id, args));
+  }
+  std::size_t parts() { return state().find("parts")->array()->size(); }
+
+  void pointer(platform::PointerKind kind, double x, double y, platform::Device device = {},
+               int id = 1, int button = 0) {
+    using platform::PointerKind;
+    const bool down = kind == PointerKind::Down || kind == PointerKind::Move;
+    app->pointer({kind, id, device, button, down ? 1 : 0, x, y, 0.5, host.clockMs, 0});
+  }
+  Vec2<platform::CanvasSpace> at(double x, double y) { return app->imageToCanvas(x, y); }
+  /// Presses at the first of the picture points and moves through the others; does not lift.
+  void press(double x0, double y0, double x1, double y1, platform::Device device = {}, int id = 1) {
+    auto p = at(x0, y0);
+    pointer(platform::PointerKind::Down, p.x, p.y, device, id);
+    for (int i = 1; i <= 20; ++i) {
+      p = at(x0 + (x1 - x0) * i / 20, y0 + (y1 - y0) * i / 20);
+      pointer(platform::PointerKind::Move, p.x, p.y, device, id);
+    }
+    lastX = p.x;
+    lastY = p.y;
+  }
+  void lift(platform::Device device = {}, int id = 1) {
+    pointer(platform::PointerKind::Up, lastX, lastY, device, id);
+  }
+  void drawBar(platform::Device device = {}) {
+    press(100, 40, 100, 160, device);
+    lift(device);
+    settle();
+  }
+  void click(double x, double y) {
+    pointer(platform::PointerKind::Down, x, y);
+    pointer(platform::PointerKind::Up, x, y);
+    settle();
+  }
+  bool key(std::string_view code, std::string_view name, int modifiers = 0) {
+    const bool used = app->key({code, name, true, modifiers});
+    settle();
+    return used;
+  }
+
+  FakeHost host;
+  gl::NullRenderer* gl = nullptr;
+  std::unique_ptr<app::App> app;
+  double lastX = 0, lastY = 0;
+};
+
+}  // namespace spineloft::test
