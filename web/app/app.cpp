@@ -174,7 +174,7 @@ void App::watchWork() {
 }
 
 void App::wake() {
-  wakePending_ = false;
+  wakePending_ = tooltipPending_ = false;
   if (studio_.pump()) {
     settle();
     studio_.derived();
@@ -216,18 +216,19 @@ void App::feedPanels(const platform::PointerEvent& event) {
 }
 
 void App::pointer(const platform::PointerEvent& event) {
-  const Gestures::Target target = gestures_.pointer(event, toolEnv());
-  if (target == Gestures::Target::Panels) {
+  const bool onPanels = gestures_.pointer(event, toolEnv()) == Gestures::Target::Panels;
+  if (onPanels) {
     feedPanels(event);
     touch(4);  // ImGui takes its queued events in over several frames
-    if (!wakePending_ && event.device == platform::Device::Mouse) {
-      wakePending_ = true;
+    if (!tooltipPending_ && event.device == platform::Device::Mouse) {
+      tooltipPending_ = true;
       host_.wakeAfter(kTooltipMs);
     }
-  } else if (event.device == platform::Device::Mouse) {
+  } else if (overPanels_) {
     ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
-    if (!ui_.overlays.empty() || gestures_.active()) touch(gestures_.active() ? 1 : 0);
+    touch(2);
   }
+  overPanels_ = onPanels;
   if (!sink_.empty()) runCalls();
   if (event.kind != platform::PointerKind::Move || gestures_.active()) touch(2);
   const std::string_view cursor = gestures_.cursor(toolEnv());
@@ -316,6 +317,7 @@ const std::string& App::run(std::string_view id, std::string_view argsJson) {
   Outcome outcome;
   const std::optional<Json> args = argsJson.empty() ? Json() : Json::parse(argsJson);
   if (args) {
+    if (id == "cancel") gestures_.cancel(toolEnv());
     outcome = runCommand(env(), id, *args);
     settle();
     studio_.derived();

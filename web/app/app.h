@@ -93,7 +93,8 @@ class App final : public platform::Page {
   std::string announced_;  ///< the state that the shell knows of, in short
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;
-  bool wakePending_ = false;
+  bool wakePending_ = false, tooltipPending_ = false;
+  bool overPanels_ = false;  ///< the last pointer event was for ImGui
   bool lost_ = false;
   double lastFrameMs_ = 0;
 };

@@ -11,6 +11,7 @@ namespace {
 using Env = const CommandEnv&;
 
 constexpr double kZoomStep = 1.25;
+constexpr double kNudge = 40;  ///< CSS pixels that an arrow key drags
 constexpr double kNarrowShare =
     0.34;  ///< what a view keeps when the other has the focus on a phone
 
@@ -28,6 +29,21 @@ Outcome zoomBy(Env env, double factor) {
     ui.flight.reset();
     ui.cameraTouched = true;
     zoomCamera(ui.camera, ui.layout.solid, ui.layout.solid.centre(), factor);
+  }
+  return {};
+}
+
+/// Turns the solid as if dragged that way, or shifts the picture.
+Outcome nudge(Env env, ClientPoint by) {
+  UiState& ui = env.ui;
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), ui.picture);
+  if (ui.focus == Focus::Solid) {
+    ui.flight.reset();
+    ui.cameraTouched = true;
+    orbit(ui.camera, ui.layout.solid, by);
+  } else if (entry != nullptr) {
+    panPicture(ui.pictureView, {entry->picture->width, entry->picture->height}, ui.layout.picture,
+               by);
   }
   return {};
 }
@@ -111,6 +127,11 @@ Outcome fitView(Env env, const Json&) {
 
 Outcome zoomIn(Env env, const Json&) { return zoomBy(env, kZoomStep); }
 Outcome zoomOut(Env env, const Json&) { return zoomBy(env, 1 / kZoomStep); }
+
+Outcome turnLeft(Env env, const Json&) { return nudge(env, {-kNudge, 0}); }
+Outcome turnRight(Env env, const Json&) { return nudge(env, {kNudge, 0}); }
+Outcome turnUp(Env env, const Json&) { return nudge(env, {0, -kNudge}); }
+Outcome turnDown(Env env, const Json&) { return nudge(env, {0, kNudge}); }
 
 Outcome focusPicture(Env env, const Json&) {
   env.ui.focus = Focus::Picture;

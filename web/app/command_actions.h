@@ -36,6 +36,10 @@ Outcome homeView(const CommandEnv& env, const Json& args);
 Outcome fitView(const CommandEnv& env, const Json& args);
 Outcome zoomIn(const CommandEnv& env, const Json& args);
 Outcome zoomOut(const CommandEnv& env, const Json& args);
+Outcome turnLeft(const CommandEnv& env, const Json& args);
+Outcome turnRight(const CommandEnv& env, const Json& args);
+Outcome turnUp(const CommandEnv& env, const Json& args);
+Outcome turnDown(const CommandEnv& env, const Json& args);
 Outcome focusPicture(const CommandEnv& env, const Json& args);
 Outcome focusSolid(const CommandEnv& env, const Json& args);
 

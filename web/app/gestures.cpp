@@ -161,18 +161,25 @@ void Gestures::wheel(const platform::WheelEvent& event, const tools::ToolEnv& en
   const Place place = placeOf(env.ui, at);
   const bool pinch = (event.modifiers & platform::kControl) != 0;
   const double factor = std::exp(-event.deltaY * (pinch ? kPinchZoom : kWheelZoom));
+  // Sideways, by shift or on a trackpad, is a shift of the view.
   const bool shift = (event.modifiers & platform::kShift) != 0;
+  const bool sideways = !pinch && std::abs(event.deltaX) > std::abs(event.deltaY);
+  const ClientPoint by = shift && !sideways ? ClientPoint{-event.deltaY, 0}
+                                            : ClientPoint{-event.deltaX, -event.deltaY};
   if (place == Place::Picture) {
-    if (shift) {
-      app::panPicture(env.ui.pictureView, tools::shownPicture(env), env.ui.layout.picture,
-                      {-event.deltaX - event.deltaY, 0});
+    if (shift || sideways) {
+      app::panPicture(env.ui.pictureView, tools::shownPicture(env), env.ui.layout.picture, by);
     } else {
       zoomPicture(env.ui.pictureView, env.ui.layout.picture, at, factor);
     }
   } else if (place == Place::Solid) {
     env.ui.flight.reset();
     env.ui.cameraTouched = true;
-    zoomCamera(env.ui.camera, env.ui.layout.solid, at, factor);
+    if (shift || sideways) {
+      panCamera(env.ui.camera, env.ui.layout.solid, by);
+    } else {
+      zoomCamera(env.ui.camera, env.ui.layout.solid, at, factor);
+    }
   }
 }
 

@@ -69,6 +69,17 @@ Outcome setLook(Env env, const Json& args, const document::Look& look) {
   return outcomeOf(env.studio.act(document::SetLook{part->id, look}));
 }
 
+/// Selects a part; the next part is made like it, as the panels show.
+void select(Env env, const document::Part& part) {
+  env.ui.selection = part.id;
+  env.ui.picture = part.recipe.picture;
+  env.ui.redraw = {};
+  env.ui.section = part.recipe.loft.section;
+  env.ui.startCap = part.recipe.loft.startCap;
+  env.ui.endCap = part.recipe.loft.endCap;
+  env.ui.look = part.look;
+}
+
 /// A cap named by `key`, `fallback` when it is not named; none for a name that is no cap's.
 std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key,
                                     loft::CapStyle fallback) {
@@ -162,9 +173,7 @@ Outcome selectPart(Env env, const Json& args) {
   }
   const document::Part* part = namesPart(args) ? partOf(env, args) : nullptr;
   if (part == nullptr) return noPart();
-  env.ui.selection = part->id;
-  env.ui.picture = part->recipe.picture;
-  env.ui.redraw = {};
+  select(env, *part);
   return {};
 }
 
@@ -173,9 +182,7 @@ Outcome nextPart(Env env, const Json&) {
   if (parts.empty()) return noPart();
   auto at = std::ranges::find(parts, env.ui.selection, &document::Part::id);
   if (at == parts.end() || ++at == parts.end()) at = parts.begin();
-  env.ui.selection = at->id;
-  env.ui.picture = at->recipe.picture;
-  env.ui.redraw = {};
+  select(env, *at);
   return {};
 }
 

@@ -60,6 +60,7 @@ struct UiState {
   document::Look look;
 
   std::optional<Preview> preview;
+  double busySinceMs = -1;  ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
   bool touch = false;          ///< the last pointer was a finger: larger targets
   bool penSeen = false;        ///< a pen was used: fingers no longer draw

@@ -14,6 +14,7 @@ namespace spineloft::panels {
 namespace {
 
 constexpr double kMargin = 10;
+constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
 
 /// A floating card of buttons; its place is kept from the tools.
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
@@ -171,7 +172,15 @@ void drawViewChrome(const PanelEnv& env) {
 
 void drawActivity(const PanelEnv& env) {
   const std::optional<WorkerPool::Activity> activity = env.env.studio.activity();
-  if (!activity) return;
+  double& since = env.ui().busySinceMs;
+  if (!activity) {
+    since = -1;
+    return;
+  }
+  const double now = env.env.host.nowMs();
+  if (since < 0) since = now;
+  // Without threads the page stands still while it works: it must say so before, not after.
+  if (env.env.studio.threads() > 0 && now - since < kBlinkMs) return;
   const app::Rect& view = env.ui().layout.picture;
   const double width = std::min(300.0, view.width - 20);
   const app::Rect card{view.centre().x - width / 2, view.y + 44, width, 52};

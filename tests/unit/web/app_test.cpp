@@ -135,7 +135,8 @@ TEST_CASE("a click on a part in either view selects it, a click beside it select
   CHECK(rig.state().find("selection")->isNull());
 }
 
-TEST_CASE("dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
+TEST_CASE(
+    "dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
   Rig rig;
   rig.openBar();
   rig.drawBar();
@@ -160,6 +161,43 @@ TEST_CASE("dragging in the solid view turns the camera, with shift it shifts, th
   rig.settle();
   CHECK(rig.app->ui().camera.yaw == doctest::Approx(start.yaw));
   CHECK(rig.parts() == 1);
+}
+
+TEST_CASE("arrow keys turn the solid, or move the picture while its view is chosen") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  rig.run("focus-solid");
+  const double yaw = rig.app->ui().camera.yaw;
+  const auto before = rig.at(100, 100);
+  CHECK(rig.key("ArrowRight", "ArrowRight"));
+  CHECK(rig.app->ui().camera.yaw < yaw);
+  CHECK(rig.at(100, 100).x == before.x);
+  rig.run("focus-picture");
+  CHECK(rig.key("ArrowRight", "ArrowRight"));
+  CHECK(rig.at(100, 100).x == doctest::Approx(before.x + 40));
+}
+
+TEST_CASE("the next part is made like the one that was selected last") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  rig.run("set-section", R"({"section":"heart"})");
+  rig.run("draw-spine", R"({"stroke":[[100,60],[100,140]],"section":"gear"})");
+  rig.run("select-part", R"({"id":1})");
+  rig.run("draw-spine", R"({"stroke":[[100,50],[100,150]]})");
+  const app::Json state = rig.state();
+  CHECK(*(*state.find("parts")->array())[2].text("section") == "heart");
+}
+
+TEST_CASE("moving the mouse over the views draws no frames") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const auto frames = rig.state().number("frames");
+  for (int i = 0; i < 50; ++i) rig.pointer(PointerKind::Move, 20 + i, 90 + i);
+  rig.settle();
+  CHECK(*rig.state().number("frames") <= *frames + 3);
 }
 
 TEST_CASE("with the space bar held a drag moves the picture and draws nothing") {
@@ -204,7 +242,8 @@ TEST_CASE("a lost context draws nothing, loses nothing and comes back") {
   CHECK(rig.parts() == 1);
 }
 
-TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved") {
+TEST_CASE(
+    "saving works beside the page and hands over one file; until then the work counts as unsaved") {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();
@@ -280,17 +319,27 @@ TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws"
       const auto device = static_cast<Device>(rng.below(3));
       const int id = static_cast<int>(rng.below(3));
       switch (rng.below(6)) {
-        case 0: rig.pointer(PointerKind::Down, x, y, device, id, static_cast<int>(rng.below(3))); break;
-        case 1: rig.pointer(PointerKind::Move, x, y, device, id); break;
-        case 2: rig.pointer(static_cast<PointerKind>(2 + rng.below(3)), x, y, device, id); break;
-        case 3: rig.app->wheel({x, y, rng.uniform(-90, 90), rng.uniform(-90, 90), 0}); break;
+        case 0:
+          rig.pointer(PointerKind::Down, x, y, device, id, static_cast<int>(rng.below(3)));
+          break;
+        case 1:
+          rig.pointer(PointerKind::Move, x, y, device, id);
+          break;
+        case 2:
+          rig.pointer(static_cast<PointerKind>(2 + rng.below(3)), x, y, device, id);
+          break;
+        case 3:
+          rig.app->wheel({x, y, rng.uniform(-90, 90), rng.uniform(-90, 90), 0});
+          break;
         case 4: {
           const auto table = app::commandTable();
           const auto& command = table[rng.below(static_cast<std::uint32_t>(table.size()))];
           if (command.id != "clear") rig.app->run(command.id, "");
           break;
         }
-        default: rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})"); break;
+        default:
+          rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
+          break;
       }
       if (step % 8 == 0) rig.settle();
     }

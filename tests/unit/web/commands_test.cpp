@@ -88,7 +88,8 @@ TEST_CASE("strokes by numbers meet the engine's named errors and change nothing"
   CHECK(app::Json::parse(before)->number("undo") == 1);
 }
 
-TEST_CASE("section, ends, look, name and height are set for the selected part and undone one by one") {
+TEST_CASE(
+    "section, ends, look, name and height are set for the selected part and undone one by one") {
   Rig rig;
   rig.openBar();
   CHECK(rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})").flag("ok") == true);
@@ -119,9 +120,12 @@ TEST_CASE("a value out of range is refused by name") {
   rig.openBar();
   rig.drawBar();
   const std::pair<const char*, const char*> bad[] = {
-      {"set-section", R"({"section":"potato"})"}, {"set-caps", R"({"start":"spiky"})"},
-      {"set-colour", R"({"colour":"red"})"},      {"set-colour", R"({"colour":"#12345g"})"},
-      {"set-height", R"({"mm":-3})"},             {"set-height", R"({"mm":1e999})"},
+      {"set-section", R"({"section":"potato"})"},
+      {"set-caps", R"({"start":"spiky"})"},
+      {"set-colour", R"({"colour":"red"})"},
+      {"set-colour", R"({"colour":"#12345g"})"},
+      {"set-height", R"({"mm":-3})"},
+      {"set-height", R"({"mm":1e999})"},
   };
   for (const auto& [id, args] : bad) {
     CAPTURE(args);

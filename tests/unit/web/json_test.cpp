@@ -44,10 +44,14 @@ std::string randomText(Rng& rng) {
 
 Json randomValue(Rng& rng, int depth) {
   switch (rng.below(depth > 3 ? 4 : 6)) {
-    case 0: return {};
-    case 1: return Json(rng.below(2) == 1);
-    case 2: return Json(static_cast<double>(rng.below(2000001)) - 1e6);
-    case 3: return Json(randomText(rng));
+    case 0:
+      return {};
+    case 1:
+      return Json(rng.below(2) == 1);
+    case 2:
+      return Json(static_cast<double>(rng.below(2000001)) - 1e6);
+    case 3:
+      return Json(randomText(rng));
     case 4: {
       Json::Array list;
       for (std::uint32_t i = rng.below(4); i > 0; --i) list.push_back(randomValue(rng, depth + 1));
@@ -78,7 +82,8 @@ TEST_CASE("what the JSON writer writes the reader reads back") {
 }
 
 TEST_CASE("a JSON text that was cut short or has a byte changed is read or refused, never worse") {
-  const std::string good = R"({"stroke":[[1.5,-2e1],[3,4]],"name":"a\u00e9\ud83d\ude00\n","on":true})";
+  const std::string good =
+      R"({"stroke":[[1.5,-2e1],[3,4]],"name":"a\u00e9\ud83d\ude00\n","on":true})";
   REQUIRE(Json::parse(good).has_value());
   for (std::size_t cut = 0; cut < good.size(); ++cut) {
     CHECK_FALSE(Json::parse(good.substr(0, cut)).has_value());
@@ -94,8 +99,9 @@ TEST_CASE("a JSON text that was cut short or has a byte changed is read or refus
 }
 
 TEST_CASE("the JSON reader refuses what is not JSON") {
-  for (const char* text : {"", " ", "nul", "truth", "[1,]", "[,1]", "{\"a\"}", "{a:1}", "01x", "1 2",
-                           "'a'", "NaN", "Infinity", "-", "1.", "1e", "\"\\x\"", "\"\\u12\"", "[1"}) {
+  for (const char* text :
+       {"", " ", "nul", "truth", "[1,]", "[,1]", "{\"a\"}", "{a:1}", "01x", "1 2", "'a'", "NaN",
+        "Infinity", "-", "1.", "1e", "\"\\x\"", "\"\\u12\"", "[1"}) {
     CAPTURE(text);
     CHECK_FALSE(Json::parse(text).has_value());
   }

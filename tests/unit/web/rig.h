@@ -1,5 +1,5 @@
-// The whole page without a browser: a host that remembers, a renderer that draws nothing, and a hand
-// that draws.
+// The whole page without a browser: a host that remembers, a renderer that draws nothing, and a
+// hand that draws.
 #pragma once
 
 #include <imgui.h>

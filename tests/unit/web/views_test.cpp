@@ -36,7 +36,8 @@ Rect randomRect(Rng& rng) {
 TEST_CASE("the parts of the layout cover the canvas without overlap") {
   Rng rng(3);
   for (int round = 0; round < 3000; ++round) {
-    const double width = std::floor(rng.uniform(280, 2600)), height = std::floor(rng.uniform(300, 1500));
+    const double width = std::floor(rng.uniform(280, 2600)),
+                 height = std::floor(rng.uniform(300, 1500));
     const bool panel = rng.below(2) == 1;
     const Layout layout = layoutFor(width, height, rng.uniform(-0.5, 1.5), panel);
     const Rect rects[] = {layout.picture, layout.solid, layout.splitter, layout.panel};
@@ -67,8 +68,7 @@ TEST_CASE("the splitter stays under the pointer that drags it") {
     const double to = rng.uniform(kMinShare + 0.02, kMaxShare - 0.02) * length;
     const ClientPoint at = before.stacked ? ClientPoint{5, to} : ClientPoint{to, 5};
     const Layout after = layoutFor(width, height, shareAt(before, at), true);
-    const double middle =
-        after.stacked ? after.splitter.centre().y : after.splitter.centre().x;
+    const double middle = after.stacked ? after.splitter.centre().y : after.splitter.centre().x;
     CHECK(std::fabs(middle - to) <= 1);
   }
 }
@@ -76,7 +76,8 @@ TEST_CASE("the splitter stays under the pointer that drags it") {
 TEST_CASE("canvas to picture undoes picture to canvas") {
   Rng rng(5);
   for (int round = 0; round < 500; ++round) {
-    const PictureView view{{rng.uniform(-100, 900), rng.uniform(-100, 900)}, rng.uniform(0.02, 30), false};
+    const PictureView view{
+        {rng.uniform(-100, 900), rng.uniform(-100, 900)}, rng.uniform(0.02, 30), false};
     const Rect at = randomRect(rng);
     const PicturePoint p{rng.uniform(-50, 2000), rng.uniform(-50, 2000)};
     CHECK(distance(view.toPicture(view.toClient(p, at), at), p) < 1e-6);
@@ -87,7 +88,8 @@ TEST_CASE("a fitted picture lies wholly inside its view") {
   Rng rng(6);
   for (int round = 0; round < 500; ++round) {
     const Rect at = randomRect(rng);
-    const image::Size size{16 + static_cast<int>(rng.below(6000)), 16 + static_cast<int>(rng.below(6000))};
+    const image::Size size{16 + static_cast<int>(rng.below(6000)),
+                           16 + static_cast<int>(rng.below(6000))};
     const Rect shown = pictureRect(fitPicture(size, at), size, at);
     CHECK(shown.x >= at.x - 1e-6);
     CHECK(shown.y >= at.y - 1e-6);
