@@ -31,7 +31,7 @@ struct RadiusLaw {
 struct Flow {
   const D2Field& field;
   RadiusLaw law;
-  Point velocity(Point x, double radius) const { return velocity(field.integral(x), radius); }
+  Point velocity(Point x, double radius) const { return velocity(field.quickIntegral(x), radius); }
   Point velocity(const D2Integral& at, double radius) const {
     const Point g{static_cast<double>(at.gradientX), static_cast<double>(at.gradientY)};
     const double g2 = dot(g, g);
@@ -71,7 +71,7 @@ Step advance(const Flow& flow, Point x, Point k0, double t, double h) {
   s.to = x + (k[0] * (35. / 384) + k[2] * (500. / 1113) + k[3] * (125. / 192) +
               k[4] * (-2187. / 6784) + k[5] * (11. / 84)) *
                  h;
-  const D2Integral end = flow.field.integral(s.to);
+  const D2Integral end = flow.field.quickIntegral(s.to);
   k[6] = flow.velocity(end, t + h);
   const Point error = (k[0] * (71. / 57600) + k[2] * (-71. / 16695) + k[3] * (71. / 1920) +
                        k[4] * (-17253. / 339200) + k[5] * (22. / 525) + k[6] * (-1. / 40)) *
@@ -102,7 +102,7 @@ int traceOne(const Flow& flow, const Levels& levels, image::Size picture, Point 
   };
   put(0, base);
   int k = 1;
-  const D2Integral start = flow.field.integral(seed);
+  const D2Integral start = flow.field.quickIntegral(seed);
   const double startD2 = std::sqrt(flow.law.length / static_cast<double>(start.value));
   double t = radiusOfD2(startD2, flow.law.length);
   for (; k < count && levels.radius[static_cast<std::size_t>(k)] <= t; ++k) {

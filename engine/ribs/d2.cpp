@@ -31,6 +31,58 @@ Float4 arctanOverArgument(Float4 w) {
   return sum;
 }
 
+// A point relative to the field's origin, in every lane.
+struct Lanes {
+  Float4 x, y;
+  Lanes(PicturePoint p, PicturePoint origin)
+      : x(all(static_cast<float>(p.x - origin.x))), y(all(static_cast<float>(p.y - origin.y))) {}
+};
+
+struct Sums {
+  Float4 value = all(0), gradientX = all(0), gradientY = all(0);
+  D2Integral total() const {
+    const auto sum = [](Float4 v) { return v[0] + v[1] + v[2] + v[3]; };
+    return {sum(value), sum(gradientX), sum(gradientY)};
+  }
+};
+
+struct Segments {
+  const float *startX, *startY, *alongX, *alongY, *reach;
+};
+
+// Segments of one stretch, and how many of its own half extents away a stretch counts as far: the
+// remaining error of its share is at most the fourth power of the inverse.
+constexpr std::size_t kStretch = 8;
+constexpr double kNearShare = 4;
+
+// I and ∇I of four segments, as in segmentTerm.
+inline void addSegments(const Lanes& at, const Segments& s, Sums& sums) {
+  const Float4 ax = load(s.startX) - at.x, ay = load(s.startY) - at.y;
+  const Float4 ex = load(s.alongX), ey = load(s.alongY), reach = load(s.reach);
+  const Float4 u1 = ax * ex + ay * ey, u2 = u1 + reach, v = ex * ay - ey * ax;
+  const Float4 v2 = v * v, f1 = 1 / (u1 * u1 + v2), f2 = 1 / (u2 * u2 + v2);
+  const Float4 along = u1 * u2 + v2, size = magnitude(v), across = reach * size;
+  const Float4 run = magnitude(along);
+  const auto steep = across > run;
+  const Float4 longer = steep ? across : run, shorter = steep ? run : across;
+  const Float4 inverse = 1 / longer, z = shorter * inverse;
+  const Float4 slope = arctanOverArgument(z * z);
+  Float4 angle = z * slope;
+  angle = steep ? all(std::numbers::pi_v<float> / 2) - angle : angle;
+  angle = along < all(0) ? all(std::numbers::pi_v<float>) - angle : angle;
+  // Seen under less than 45° from outside: θ/|v| without dividing by a v that may be 0.
+  const auto slim = (across <= along);
+  const Float4 term = slim ? reach * slope * inverse : angle / size;
+  const auto inLine = (v2 < all(1e-4f) * (u1 * u2));
+  const Float4 g1 = 1 / u1, g2 = 1 / u2;
+  const Float4 series = all(2.f / 3) * v * (g1 * g1 * g1 - g2 * g2 * g2);
+  const Float4 sideways = inLine ? series : (term + u2 * f2 - u1 * f1) / v;
+  const Float4 lengthwise = f1 - f2;
+  sums.value += term;
+  sums.gradientX += lengthwise * ex - sideways * ey;
+  sums.gradientY += lengthwise * ey + sideways * ex;
+}
+
 struct Term {
   double value = 0;
   PicturePoint gradient;
@@ -88,6 +140,7 @@ void D2Field::assign(std::span<const PicturePoint> polyline) {
     reach_[i] = static_cast<float>(length);
     length_ += length;
   }
+  gatherStretches();
 }
 
 D2Sample D2Field::sample(PicturePoint x) const {
@@ -107,38 +160,83 @@ D2Sample D2Field::sample(PicturePoint x) const {
 double D2Field::distance(PicturePoint x) const { return sample(x).d2; }
 
 D2Integral D2Field::integral(PicturePoint x) const {
-  const Float4 x0 = all(static_cast<float>(x.x - points_[0].x));
-  const Float4 y0 = all(static_cast<float>(x.y - points_[0].y));
-  Float4 value = all(0), gradientX = all(0), gradientY = all(0);
+  const Lanes at(x, points_[0]);
+  Sums sums;
   for (std::size_t i = 0; i < startX_.size(); i += kLanes) {
-    const Float4 ax = load(&startX_[i]) - x0, ay = load(&startY_[i]) - y0;
-    const Float4 ex = load(&alongX_[i]), ey = load(&alongY_[i]), reach = load(&reach_[i]);
-    const Float4 u1 = ax * ex + ay * ey, u2 = u1 + reach, v = ex * ay - ey * ax;
-    const Float4 v2 = v * v, f1 = 1 / (u1 * u1 + v2), f2 = 1 / (u2 * u2 + v2);
-    const Float4 along = u1 * u2 + v2, size = magnitude(v), across = reach * size;
-    const Float4 run = magnitude(along);
-    const auto steep = across > run;
-    const Float4 longer = steep ? across : run, shorter = steep ? run : across;
-    const Float4 inverse = 1 / longer, z = shorter * inverse;
-    const Float4 slope = arctanOverArgument(z * z);
-    Float4 angle = z * slope;
-    angle = steep ? all(std::numbers::pi_v<float> / 2) - angle : angle;
-    angle = along < all(0) ? all(std::numbers::pi_v<float>) - angle : angle;
-    // Seen under less than 45° from outside: θ/|v| without dividing by a v that may be 0.
-    const auto slim = (across <= along);
-    const Float4 term = slim ? reach * slope * inverse : angle / size;
-    const auto inLine = (v2 < all(1e-4f) * (u1 * u2));
-    const Float4 g1 = 1 / u1, g2 = 1 / u2;
-    const Float4 series = all(2.f / 3) * v * (g1 * g1 * g1 - g2 * g2 * g2);
-    const Float4 sideways = inLine ? series : (term + u2 * f2 - u1 * f1) / v;
-    const Float4 lengthwise = f1 - f2;
-    value += term;
-    gradientX += lengthwise * ex - sideways * ey;
-    gradientY += lengthwise * ey + sideways * ex;
+    addSegments(at, {&startX_[i], &startY_[i], &alongX_[i], &alongY_[i], &reach_[i]}, sums);
   }
-  return {value[0] + value[1] + value[2] + value[3],
-          gradientX[0] + gradientX[1] + gradientX[2] + gradientX[3],
-          gradientY[0] + gradientY[1] + gradientY[2] + gradientY[3]};
+  return sums.total();
+}
+
+void D2Field::gatherStretches() {
+  const std::size_t stretches = (startX_.size() + kStretch - 1) / kStretch;
+  const std::size_t padded = (stretches + kLanes - 1) / kLanes * kLanes;
+  for (auto* plane : {&middleX_, &middleY_, &mass_, &momentXX_, &momentXY_, &momentYY_, &near_}) {
+    plane->assign(padded, 0);
+  }
+  for (std::size_t g = 0; g < padded; ++g) {
+    middleX_[g] = middleY_[g] = 1e9f;  // a lane without segments: far from everything, no mass
+    const std::size_t first = g * kStretch, last = std::min(first + kStretch, startX_.size());
+    double mass = 0, cx = 0, cy = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const auto t = static_cast<double>(reach_[i]);
+      mass += t;
+      cx += t * (static_cast<double>(startX_[i]) + 0.5 * t * static_cast<double>(alongX_[i]));
+      cy += t * (static_cast<double>(startY_[i]) + 0.5 * t * static_cast<double>(alongY_[i]));
+    }
+    if (!(mass > 0)) continue;
+    cx /= mass;
+    cy /= mass;
+    double xx = 0, xy = 0, yy = 0, extent = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const auto t = static_cast<double>(reach_[i]);
+      if (!(t > 0)) continue;
+      const auto ex = static_cast<double>(alongX_[i]), ey = static_cast<double>(alongY_[i]);
+      const double mx = static_cast<double>(startX_[i]) + 0.5 * t * ex - cx;
+      const double my = static_cast<double>(startY_[i]) + 0.5 * t * ey - cy;
+      const double own = t * t * t / 12;
+      xx += t * mx * mx + own * ex * ex;
+      xy += t * mx * my + own * ex * ey;
+      yy += t * my * my + own * ey * ey;
+      extent = std::max(extent, std::hypot(mx, my) + 0.5 * t);
+    }
+    middleX_[g] = static_cast<float>(cx);
+    middleY_[g] = static_cast<float>(cy);
+    mass_[g] = static_cast<float>(mass);
+    momentXX_[g] = static_cast<float>(xx);
+    momentXY_[g] = static_cast<float>(xy);
+    momentYY_[g] = static_cast<float>(yy);
+    near_[g] = static_cast<float>(kNearShare * kNearShare * extent * extent);
+  }
+}
+
+D2Integral D2Field::quickIntegral(PicturePoint x) const {
+  const Lanes at(x, points_[0]);
+  Sums sums;
+  for (std::size_t g = 0; g < mass_.size(); g += kLanes) {
+    const Float4 dx = at.x - load(&middleX_[g]), dy = at.y - load(&middleY_[g]);
+    const Float4 r2 = dx * dx + dy * dy, inverse = 1 / r2;
+    const auto close = r2 < load(&near_[g]);
+    // f(d) = |d|⁻² to second order about the centroid: I = T f + ½ M : ∇∇f.
+    const Float4 xx = load(&momentXX_[g]), xy = load(&momentXY_[g]), yy = load(&momentYY_[g]);
+    const Float4 mx = xx * dx + xy * dy, my = xy * dx + yy * dy;
+    const Float4 q = mx * dx + my * dy, trace = xx + yy, mass = load(&mass_[g]);
+    const Float4 i2 = inverse * inverse, i3 = i2 * inverse;
+    const Float4 value = mass * inverse - trace * i2 + 4 * q * i3;
+    const Float4 radial = -2 * mass * i2 + 4 * trace * i3 - 24 * q * i3 * inverse;
+    sums.value += close ? all(0) : value;
+    sums.gradientX += close ? all(0) : radial * dx + 8 * mx * i3;
+    sums.gradientY += close ? all(0) : radial * dy + 8 * my * i3;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (!close[lane]) continue;
+      const std::size_t first = (g + lane) * kStretch;
+      const std::size_t last = std::min(first + kStretch, startX_.size());
+      for (std::size_t i = first; i < last; i += kLanes) {
+        addSegments(at, {&startX_[i], &startY_[i], &alongX_[i], &alongY_[i], &reach_[i]}, sums);
+      }
+    }
+  }
+  return sums.total();
 }
 
 double d2OfRadius(double radius, double length) {

@@ -34,8 +34,11 @@ class D2Field {
   /// d2 alone.
   double distance(PicturePoint x) const;
   /// Σ I and ∇Σ I at x in single precision, four segments at a time: within 3e-5 of the double
-  /// result for points farther than a pixel from the polyline. The curves are traced with this one.
+  /// result for points farther than a pixel from the polyline.
   D2Integral integral(PicturePoint x) const;
+  /// The same with far stretches of eight segments replaced by their length and second moments:
+  /// within 2e-3, several times faster on long polylines. The curves are traced with this one.
+  D2Integral quickIntegral(PicturePoint x) const;
   /// A: the polyline's length in picture pixels.
   double length() const { return length_; }
 
@@ -45,6 +48,10 @@ class D2Field {
   // The same segments for the vector kernel, relative to the first point so that single precision
   // is enough, padded to whole lanes with segments of no length: start, unit direction, length.
   std::vector<float> startX_, startY_, alongX_, alongY_, reach_;
+  // Stretches of kStretch segments, padded to whole lanes: centroid, length, second moments about
+  // the centroid, squared distance within which the segments themselves are summed.
+  std::vector<float> middleX_, middleY_, mass_, momentXX_, momentXY_, momentYY_, near_;
+  void gatherStretches();
 };
 
 /// The radius at which the perpendicular bisector of a *straight* spine of length `length` has the

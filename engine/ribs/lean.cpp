@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace spineloft::ribs {
 namespace {
 
-constexpr int kWidths = 96;
+constexpr int kWidths = 64;
 constexpr int kLeans = 3;        // tried to either side of 0
 constexpr int kRefinements = 2;  // halvings of the step around the best
 // What a place costs that lies beyond the last label of a rib (the picture's frame): more than no
@@ -15,14 +16,15 @@ constexpr float kBeyondCost = 0.4f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// Adds one side's costs at the places factor · width[j], interpolated between labels.
+// Adds one side's costs at the places factor · width[j], interpolated between labels, to every
+// `stride`-th of `costs`.
 void addSide(const LengthProblem& p, const SideCosts& side, int rib, float factor,
-             const std::vector<float>& widths, float* costs) {
+             const std::vector<float>& widths, float* costs, std::size_t stride) {
   const float* place = &side.place[index(rib) * index(p.levels)];
   const float* unary = &side.unary[index(rib) * index(p.levels)];
   int k = 0;
-  for (int j = 0; j < kWidths; ++j) {
-    const float at = factor * widths[index(j)];
+  for (std::size_t j = 0; j < widths.size(); ++j) {
+    const float at = factor * widths[j];
     while (k + 2 < p.levels && place[k + 1] <= at) ++k;
     const float share = std::clamp((at - place[k]) / (place[k + 1] - place[k]), 0.f, 1.f);
     const bool low = unary[k] < kUnreachable, high = unary[k + 1] < kUnreachable;
@@ -32,7 +34,7 @@ void addSide(const LengthProblem& p, const SideCosts& side, int rib, float facto
     } else if (low || high) {
       cost = low ? unary[k] : unary[k + 1];
     }
-    costs[j] += cost;
+    costs[j * stride] += cost;
   }
 }
 
@@ -52,53 +54,90 @@ std::vector<float> widthGrid(const LengthProblem& p, double narrowest) {
   return widths;
 }
 
+// Chains over widths of the problem's two sides under several leans at once.
+class WidthChains {
+ public:
+  WidthChains(const LengthProblem& p, double narrowest, double leanCost)
+      : problem_(p), leanCost_(leanCost), widths_(widthGrid(p, narrowest)) {
+    // Both sides step by half a width, so costs between neighbours are doubled.
+    chain_.ribs = p.ribs;
+    chain_.levels = kWidths;
+    chain_.neighbourWeight = 2 * p.neighbourWeight;
+    chain_.neighbourFreedom = p.neighbourFreedom;
+    chain_.neighbourCap = 2 * p.neighbourCap;
+    chain_.left.spacing = p.left.spacing;
+    chain_.left.place.reserve(index(p.ribs) * kWidths);
+    for (int i = 0; i < p.ribs; ++i) {
+      for (float width : widths_) chain_.left.place.push_back(0.5f * width);
+    }
+  }
+
+  // Unary costs: ribs × widths × leans.
+  std::vector<float> costs(const std::vector<double>& leans) const {
+    std::vector<float> out(index(problem_.ribs) * kWidths * leans.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = static_cast<float>(leanCost_ * std::abs(leans[i % leans.size()]));
+    }
+    for (int i = 0; i < problem_.ribs; ++i) {
+      for (std::size_t q = 0; q < leans.size(); ++q) {
+        float* first = &out[index(i) * kWidths * leans.size() + q];
+        const auto left = static_cast<float>((1 + leans[q]) / 2);
+        addSide(problem_, problem_.left, i, left, widths_, first, leans.size());
+        addSide(problem_, problem_.right, i, 1 - left, widths_, first, leans.size());
+      }
+    }
+    return out;
+  }
+
+  // Keeps the best of `leans` in `best`.
+  void compare(const std::vector<double>& leans, EvenPart& best, LengthWorkspace& workspace) const {
+    const std::vector<float> energies =
+        leastEnergies(chain_, chain_.left, costs(leans), static_cast<int>(leans.size()), workspace);
+    for (std::size_t q = 0; q < leans.size(); ++q) {
+      if (static_cast<double>(energies[q]) >= best.energy) continue;
+      best.energy = static_cast<double>(energies[q]);
+      best.lean = leans[q];
+    }
+  }
+
+  void readWidths(EvenPart& best, LengthWorkspace& workspace) {
+    chain_.left.unary = costs({best.lean});
+    best.width.clear();
+    for (int label : optimalSide(chain_, chain_.left, workspace)) {
+      best.width.push_back(widths_[index(label)]);
+    }
+  }
+
+ private:
+  const LengthProblem& problem_;
+  double leanCost_;
+  std::vector<float> widths_;
+  LengthProblem chain_;
+};
+
 }  // namespace
 
 EvenPart findEvenPart(const LengthProblem& p, double narrowest, double leanCost,
                       LengthWorkspace& workspace) {
-  const std::vector<float> widths = widthGrid(p, narrowest);
-  // A chain over widths: both sides step by half a width, so its costs are doubled.
-  LengthProblem chain;
-  chain.ribs = p.ribs;
-  chain.levels = kWidths;
-  chain.neighbourWeight = 2 * p.neighbourWeight;
-  chain.neighbourFreedom = p.neighbourFreedom;
-  chain.neighbourCap = 2 * p.neighbourCap;
-  chain.left.spacing = p.left.spacing;
-  chain.left.unary.resize(index(p.ribs) * kWidths);
-  for (int i = 0; i < p.ribs; ++i) {
-    for (int j = 0; j < kWidths; ++j) chain.left.place.push_back(0.5f * widths[index(j)]);
-  }
+  WidthChains chains(p, narrowest, leanCost);
   EvenPart best;
-  const auto tryLean = [&](double lean) {
-    const auto left = static_cast<float>((1 + lean) / 2),
-               right = static_cast<float>((1 - lean) / 2);
-    std::fill(chain.left.unary.begin(), chain.left.unary.end(),
-              static_cast<float>(leanCost * std::abs(lean)));
-    for (int i = 0; i < p.ribs; ++i) {
-      float* costs = &chain.left.unary[index(i) * kWidths];
-      addSide(p, p.left, i, left, widths, costs);
-      addSide(p, p.right, i, right, widths, costs);
-    }
-    const std::vector<int> labels = optimalSide(chain, chain.left, workspace);
-    const double energy = sideEnergy(chain, chain.left, labels);
-    if (!best.width.empty() && energy >= best.energy) return;
-    best.energy = energy;
-    best.lean = lean;
-    best.width.clear();
-    for (int label : labels) best.width.push_back(widths[index(label)]);
-  };
+  best.energy = std::numeric_limits<double>::infinity();
   double step = kMostLean / kLeans;
-  for (int i = 0; i <= kLeans; ++i) {
-    tryLean(i * step);
-    if (i > 0) tryLean(-i * step);
+  std::vector<double> leans{0};
+  for (int i = 1; i <= kLeans; ++i) {
+    leans.push_back(i * step);
+    leans.push_back(-i * step);
   }
+  chains.compare(leans, best, workspace);
   for (int round = 0; round < kRefinements; ++round) {
     step /= 2;
-    const double middle = best.lean;
-    if (middle + step <= kMostLean) tryLean(middle + step);
-    if (middle - step >= -kMostLean) tryLean(middle - step);
+    leans.clear();
+    for (double lean : {best.lean + step, best.lean - step}) {
+      if (std::abs(lean) <= kMostLean) leans.push_back(lean);
+    }
+    chains.compare(leans, best, workspace);
   }
+  chains.readWidths(best, workspace);
   return best;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "engine/ribs/ribs.h"
@@ -63,7 +64,16 @@ EnergyTerms energyOf(const LengthProblem& problem, const LengthLabels& labels);
 /// Memory that the optimiser reuses from call to call.
 struct LengthWorkspace {
   std::vector<float> table, first, second, columns;
-  std::vector<int> window;
+  /// At least `size` floats, not cleared.
+  float* pairTable(std::size_t size) {
+    if (size > pairSize) {
+      pairs = std::make_unique_for_overwrite<float[]>(size);
+      pairSize = size;
+    }
+    return pairs.get();
+  }
+  std::unique_ptr<float[]> pairs;
+  std::size_t pairSize = 0;
 };
 
 /// The labels of least energy, exactly: dynamic programming along the chain, each step one
@@ -75,6 +85,12 @@ LengthLabels optimalLabels(const LengthProblem& problem, LengthWorkspace& worksp
 /// problem.ribs × problem.levels entries and need not belong to the problem.
 std::vector<int> optimalSide(const LengthProblem& problem, const SideCosts& side,
                              LengthWorkspace& workspace);
+
+/// The least energies of `columns` chains that differ in their unary costs only, side by side:
+/// `unary` has problem.ribs × problem.levels × columns entries, places and spacings are `side`'s.
+std::vector<float> leastEnergies(const LengthProblem& problem, const SideCosts& side,
+                                 const std::vector<float>& unary, int columns,
+                                 LengthWorkspace& workspace);
 
 /// Unary and neighbour energy of one side's labels.
 double sideEnergy(const LengthProblem& problem, const SideCosts& side,

@@ -15,6 +15,7 @@ namespace {
 constexpr int kFanCurves = 11;
 // A spine is taken to be no thinner than this share of its length on either side at most.
 constexpr double kFarthestPerLength = 1.0;
+constexpr double kFarthestPerSide = 0.75;
 // Half width without a picture, or where it shows nothing at all, as a share of the spine's length.
 constexpr double kDefaultHalfWidth = 0.1;
 // A rib end with at least this share of a full edge under it stands on one.
@@ -59,8 +60,11 @@ struct Search {
 Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Size picture,
                     const RibParams& params) {
   const double diagonal = std::hypot(picture.width, picture.height);
+  // A part that shows both its sides is at most as wide as the picture's shorter side, and a stroke
+  // has at most three quarters of that on one side of it.
+  const double widest = kFarthestPerSide * std::min(picture.width, picture.height);
   const double farthest =
-      std::min(params.maxLevelShare * diagonal, kFarthestPerLength * field.length());
+      std::min({params.maxLevelShare * diagonal, widest, kFarthestPerLength * field.length()});
   const double step = edges.empty() ? 1.0 : std::max(edges.scaleX, edges.scaleY);
   return makeLevels(params.levels, step, farthest, field.length());
 }

@@ -105,6 +105,28 @@ TEST_CASE("the optimum is what trying every combination of labels finds") {
   }
 }
 
+TEST_CASE("chains side by side have the energies that each has alone") {
+  Rng rng(37);
+  LengthWorkspace workspace;
+  for (int columns : {1, 3, 8}) {
+    LengthProblem p = randomProblem(12, 20, false, rng);
+    std::vector<float> together(p.left.unary.size() * index(columns));
+    std::vector<double> alone;
+    for (int q = 0; q < columns; ++q) {
+      for (std::size_t i = 0; i < p.left.unary.size(); ++i) {
+        if (p.left.unary[i] < kUnreachable) p.left.unary[i] = static_cast<float>(rng.uniform());
+        together[i * index(columns) + index(q)] = p.left.unary[i];
+      }
+      alone.push_back(sideEnergy(p, p.left, optimalSide(p, p.left, workspace)));
+    }
+    const std::vector<float> least = leastEnergies(p, p.left, together, columns, workspace);
+    REQUIRE(least.size() == alone.size());
+    for (int q = 0; q < columns; ++q) {
+      CHECK(static_cast<double>(least[index(q)]) == doctest::Approx(alone[index(q)]).epsilon(1e-4));
+    }
+  }
+}
+
 TEST_CASE("without opposite costs the pair search and the side search agree") {
   Rng rng(32);
   LengthWorkspace workspace;
