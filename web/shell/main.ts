@@ -9,6 +9,7 @@ import type { Engine, EngineEvent } from './engine.ts';
 import { Failure } from './failure.ts';
 import { connectFiles } from './files.ts';
 import { loadFonts } from './fonts.ts';
+import { watchInputKind } from './input_kind.ts';
 import { connectKeyboard } from './keyboard.ts';
 import { KeyboardPen } from './keyboard_pen.ts';
 import { Page } from './page.ts';
@@ -58,6 +59,7 @@ function connect(page: Page, engine: Engine): void {
   watchContext({ canvas, engine, say: (text) => page.say(text) });
   connectPointer({ canvas, engine, undo: () => page.run('undo'), redo: () => page.run('redo') });
   const pen = new KeyboardPen({ canvas, engine, say: (text) => page.say(text) });
+  watchInputKind(document.documentElement);
   connectKeyboard({ engine, pen, showShortcuts: () => page.showShortcuts(), isQuiet: () => page.isOnStartPage });
   window.addEventListener('beforeunload', (event) => {
     if (page.hasUnsavedWork) event.preventDefault();
