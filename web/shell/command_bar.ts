@@ -1,7 +1,7 @@
 // The command bar: buttons and menus generated from the engine's command table, so that keyboard and
 // screen-reader users reach everything that the canvas offers.
 import type { Command } from './api.ts';
-import { ariaShortcut, byId, make, setAttribute, shortcutText } from './dom.ts';
+import { ariaShortcut, byId, firstShortcut, make, setAttribute, shortcutText } from './dom.ts';
 import { icon } from './icons.ts';
 import { toggleMenu } from './menu.ts';
 import type { MenuGroup, MenuItem } from './menu.ts';
@@ -83,7 +83,7 @@ export class CommandBar {
     setAttribute(button, 'aria-disabled', command.enabled ? null : 'true');
     setAttribute(button, 'aria-keyshortcuts', command.shortcut ? ariaShortcut(command.shortcut) : null);
     setAttribute(button, 'data-tip', command.label);
-    setAttribute(button, 'data-keys', command.shortcut ? shortcutText(command.shortcut) : null);
+    setAttribute(button, 'data-keys', command.shortcut ? shortcutText(firstShortcut(command.shortcut)) : null);
     if (choices) {
       setAttribute(button, 'aria-haspopup', 'menu');
       if (!button.hasAttribute('aria-expanded')) button.setAttribute('aria-expanded', 'false');
@@ -103,6 +103,7 @@ export class CommandBar {
     const argument = command.argument;
     return (argument?.choices ?? []).map((choice) => ({
       label: choice.label,
+      swatch: /^#[0-9a-f]{6}$/i.test(String(choice.value)) ? String(choice.value) : undefined,
       kind: typeof choice.toggled === 'boolean' ? ('radio' as const) : undefined,
       checked: choice.toggled,
       disabled: !command.enabled,
@@ -134,20 +135,23 @@ export class CommandBar {
     };
   }
 
-  /** Everything that has no visible button: plain commands by group, choices as groups of their own. */
+  /** A command with choices as one item that leads to them. */
+  private leadingItem(command: Command): MenuItem {
+    const choices = () => toggleMenu(this.more, command.label, [{ title: command.label, items: this.choiceItems(command) }]);
+    return { label: command.label, icon: command.icon, disabled: !command.enabled, leads: true, run: choices };
+  }
+
+  /** Everything that has no visible button, by group. */
   private moreGroups(): MenuGroup[] {
     const groups: MenuGroup[] = [];
     const shown = (id: string) => this.buttons.has(id) && !this.hidden.has(id);
     for (const command of this.commands) {
       if (shown(command.id) || command.id.startsWith('save-') || !isForPeople(command)) continue;
-      if (command.argument?.choices) {
-        groups.push({ title: command.label, items: this.choiceItems(command) });
-        continue;
-      }
       const title = kGroupTitles[command.group] ?? command.group;
       const group = groups.find((candidate) => candidate.title === title);
-      if (group) group.items.push(this.plainItem(command, false));
-      else groups.push({ title, items: [this.plainItem(command, false)] });
+      const item = command.argument?.choices ? this.leadingItem(command) : this.plainItem(command, false);
+      if (group) group.items.push(item);
+      else groups.push({ title, items: [item] });
     }
     groups.push({ title: 'Help', items: [{ label: 'Keys and gestures', icon: 'keyboard', shortcut: '?', run: this.showShortcuts }] });
     return groups;

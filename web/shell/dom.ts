@@ -33,6 +33,11 @@ export function setAttribute(element: Element, name: string, value: string | nul
 
 export const kIsMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
+/** The first of the shortcuts of a command ("Delete, Backspace"). */
+export function firstShortcut(shortcuts: string): string {
+  return shortcuts.split(/,\s*/)[0] ?? '';
+}
+
 /** "Ctrl+Z" as this machine's keyboard says it. */
 export function shortcutText(shortcut: string): string {
   if (!kIsMac) return shortcut;

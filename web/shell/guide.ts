@@ -32,6 +32,7 @@ export class Guide {
       this.offer(null);
       return;
     }
+    if (state.preview) this.offer(null);  // the visitor has taken over
     const { width, height } = state.picture;
     const topLeft = toCanvas(-0.5, -0.5);
     const bottomRight = toCanvas(width - 0.5, height - 0.5);

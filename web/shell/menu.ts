@@ -1,5 +1,5 @@
 // A popup menu after the ARIA menu-button pattern: arrows, Home, End, first letters, Escape.
-import { make, shortcutText } from './dom.ts';
+import { firstShortcut, make, shortcutText } from './dom.ts';
 import { icon } from './icons.ts';
 
 export interface MenuItem {
@@ -11,6 +11,10 @@ export interface MenuItem {
   /** Makes it a radio or a checkbox item. */
   checked?: boolean | undefined;
   kind?: 'radio' | 'checkbox' | undefined;
+  /** A colour to show in place of an icon. */
+  swatch?: string | undefined;
+  /** It leads to another menu at the same place. */
+  leads?: boolean | undefined;
   run(): void;
 }
 
@@ -33,14 +37,21 @@ function itemElement(item: MenuItem): HTMLElement {
     class: 'menu-item',
     role,
     tabindex: '-1',
+    'aria-haspopup': item.leads ? 'menu' : undefined,
     'aria-disabled': item.disabled ? 'true' : undefined,
     'aria-checked': item.kind ? String(item.checked === true) : undefined,
   });
   if (item.icon) element.append(icon(item.icon));
+  if (item.swatch) {
+    const swatch = make('span', { class: 'menu-swatch' });
+    swatch.style.backgroundColor = item.swatch;
+    element.append(swatch);
+  }
   const words = make('span', { class: 'menu-words' }, make('span', { class: 'menu-label' }, item.label));
   if (item.detail) words.append(make('span', { class: 'menu-detail' }, item.detail));
   element.append(words);
-  if (item.shortcut) element.append(make('kbd', {}, shortcutText(item.shortcut)));
+  if (item.shortcut) element.append(make('kbd', {}, shortcutText(firstShortcut(item.shortcut))));
+  if (item.leads) element.append(icon('chevron-right'));
   return element;
 }
 
@@ -63,6 +74,9 @@ function handleKeys(event: KeyboardEvent, elements: HTMLElement[], close: (refoc
     case 'End': go(elements.length - 1); break;
     case 'Escape': close(true); break;
     case 'Tab': close(true); return;
+    case 'ArrowRight':
+      if (elements[at]?.hasAttribute('aria-haspopup')) elements[at]?.click();
+      break;
     case 'Enter':
     case ' ': elements[at]?.click(); break;
     default: {

@@ -18,7 +18,7 @@ export interface Sample {
   source: string;
   sourceUrl: string;
   changes: string;
-  /** What to keep in view when the card crops the picture (CSS object-position). */
+  /** What to keep in view when the card crops the picture (CSS object-position; of the first sample: middle or bottom). */
   focus: string;
   /** A line that works, in picture pixels: for the ghost hand and for tests. */
   spine: [number, number][];
@@ -31,6 +31,8 @@ export function sampleAddress(sample: Sample): string {
   const path = SPINELOFT_SITE.assets[`samples/${sample.file}`];
   return new URL(path ?? '', document.baseURI).href;
 }
+
+const kBottom = '50% 100%';
 
 function card(sample: Sample, isFirst: boolean, open: (sample: Sample) => void): HTMLElement {
   const isDrawing = sample.file.endsWith('.png');
@@ -52,7 +54,8 @@ function addGhost(sample: Sample, frame: HTMLElement, picture: HTMLImageElement,
   const show = () => {
     const scale = Math.min(sample.width / Math.max(1, frame.clientWidth), sample.height / Math.max(1, frame.clientHeight));
     const ghost = ghostHand(sample, scale);
-    ghost.element.setAttribute('preserveAspectRatio', 'xMidYMid slice');  // as object-fit: cover
+    // As object-fit: cover and object-position do with the picture.
+    ghost.element.setAttribute('preserveAspectRatio', `xMidY${sample.focus === kBottom ? 'Max' : 'Mid'} slice`);
     frame.append(ghost.element);
     ghost.play();
     button.addEventListener('pointerenter', ghost.play);
