@@ -5,6 +5,7 @@ import { basename, dirname, extname, join, relative } from 'node:path';
 import { promisify } from 'node:util';
 import { brotliCompress, gzip } from 'node:zlib';
 import { presetDir } from './cmake.mjs';
+import { subsetFont, usedIconCodes } from './icon_font.mjs';
 import { buildDir, distDir, root, shortHash } from './paths.mjs';
 import { Stop } from './run.mjs';
 
@@ -73,6 +74,14 @@ function putAssets(folder) {
   return map;
 }
 
+/** Imports of the icon font bring only the icons that the page draws. */
+const iconFont = {
+  name: 'icon-font',
+  setup(build) {
+    build.onLoad({ filter: /lucide\.ttf$/ }, ({ path }) => ({ contents: subsetFont(readFileSync(path), usedIconCodes()), loader: 'file' }));
+  },
+};
+
 async function bundle(folder, entryPoints, define) {
   const esbuild = await import('esbuild');
   const result = await esbuild.build({
@@ -90,6 +99,7 @@ async function bundle(folder, entryPoints, define) {
     assetNames: '[name]-[hash]',
     loader: { '.svg': 'text', '.ttf': 'file', '.woff2': 'file', '.png': 'file', '.jpg': 'file', '.webp': 'file', '.wasm': 'file', '.glsl': 'text' },
     define,
+    plugins: [iconFont],
   }).catch((error) => {
     const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);
     throw new Stop(`esbuild failed:\n${lines.join('\n') || error.message}`);

@@ -63,6 +63,27 @@ test('after the pen, one finger does not draw', () => withTube(touchScreen, asyn
   assert.equal((await state(page)).parts.length, 1);
 }));
 
+test('every coalesced move of a fast pen arrives, and a pen that lifts ends the stroke', () => withTube({}, async (page) => {
+  const path = await toClient(page, tube.middle);
+  const points = await page.evaluate(async (list) => {
+    const canvas = document.getElementById('canvas');
+    const event = (type, at, more = {}) => new PointerEvent(type, {
+      pointerId: 77, pointerType: 'pen', isPrimary: true, bubbles: true, cancelable: true, button: 0, buttons: 1, pressure: 0.5,
+      clientX: at.x, clientY: at.y, ...more,
+    });
+    canvas.dispatchEvent(event('pointerdown', list[0]));
+    const moves = list.slice(1).map((at) => event('pointermove', at, { button: -1 }));
+    canvas.dispatchEvent(event('pointermove', list.at(-1), { button: -1, coalescedEvents: moves }));
+    const drawn = window.spineloft.state().preview.points;
+    canvas.dispatchEvent(event('pointerup', list.at(-1), { buttons: 0, pressure: 0 }));
+    await window.spineloft.idle();
+    return drawn;
+  }, path);
+  assert.ok(points >= 20, `${points} points of ${path.length} from one event`);
+  const { parts, preview } = await state(page);
+  assert.deepEqual([parts.length, preview], [1, null]);
+}));
+
 test('the wheel zooms to the cursor and the picture follows', () => withTube({}, async (page) => {
   const [anchor, other] = await toClient(page, [[100, 200], [300, 200]]);
   await page.mouse.move(anchor.x, anchor.y);

@@ -100,7 +100,9 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
       queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
     },
   };
-  module = await create({ canvas, host });
+  // For pictures of the page on a machine without a graphics card: full resolution, however slow.
+  const sharp = new URLSearchParams(location.search).has('sharp');
+  module = await create({ canvas, host, sharp });
   return new Engine(module);
 }
 

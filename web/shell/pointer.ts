@@ -48,7 +48,7 @@ class PointerBridge {
       if (!this.palms.touchDown(event.pointerId, contact)) return;
       this.taps.down(event.pointerId, event.clientX, event.clientY, event.timeStamp);
     }
-    canvas.setPointerCapture(event.pointerId);
+    this.capture(event.pointerId);
     this.send(event, kPointerKind.down);
   }
 
@@ -93,6 +93,14 @@ class PointerBridge {
     this.box = this.page.canvas.getBoundingClientRect();
     const pixels = (delta: number) => wheelPixels(delta, event.deltaMode, this.box.height);
     this.page.engine.wheel(event.clientX - this.box.left, event.clientY - this.box.top, pixels(event.deltaX), pixels(event.deltaY), modifiersOf(event));
+  }
+
+  private capture(id: number): void {
+    try {
+      this.page.canvas.setPointerCapture(id);
+    } catch {
+      // The pointer is gone already, or a script made it up: its stroke then ends at the canvas' edge.
+    }
   }
 
   private cancelTouch(id: number, event: PointerEvent): void {
