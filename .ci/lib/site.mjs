@@ -63,11 +63,11 @@ function putVariant(folder, preset, variant) {
   return { js: put(folder, `assets/${loaderName}`, loader), wasm: `assets/${wasmName}` };
 }
 
-/** Copies assets/ under hashed names; a map from `samples/cup.jpg` to `assets/samples/cup-0123456789.jpg`. */
+/** Copies assets/ (but what only the README shows) under hashed names; a map from `samples/cup.jpg` to `assets/samples/cup-0123456789.jpg`. */
 function putAssets(folder) {
   const from = join(root, 'assets');
   const map = {};
-  for (const path of filesUnder(from)) {
+  for (const path of filesUnder(from).filter((name) => !name.startsWith('docs/'))) {
     const bytes = readFileSync(join(from, path));
     map[path] = put(folder, join('assets', extname(path) === '.md' ? path : hashedName(path, bytes)), bytes);
   }

@@ -6,8 +6,8 @@ import type { Sample } from './start_page.ts';
 
 /** CSS pixels: around the hint, beside the view's title, over the view's buttons. */
 const kGap = 12, kTitleRoom = 72, kToolsRoom = 56;
-/** Under this width the views are stacked. */
-const kStackedWidth = 700;
+/** Under this width there is a strip of tabs below the views. */
+const kCompactWidth = 1000;
 
 type ToCanvas = (x: number, y: number) => { x: number; y: number };
 
@@ -16,6 +16,11 @@ export class Guide {
   private readonly layer = byId('ghost-layer');
   private sample: Sample | null = null;
   private ghost: SVGElement | null = null;
+
+  constructor() {
+    // Who puts a pen down has understood.
+    byId('canvas').addEventListener('pointerdown', () => this.offer(null));
+  }
 
   /** The sample whose line is to be shown over the picture, or none. */
   offer(sample: Sample | null): void {
@@ -32,7 +37,6 @@ export class Guide {
       this.offer(null);
       return;
     }
-    if (state.preview) this.offer(null);  // the visitor has taken over
     const { width, height } = state.picture;
     const topLeft = toCanvas(-0.5, -0.5);
     const bottomRight = toCanvas(width - 0.5, height - 0.5);
@@ -44,13 +48,13 @@ export class Guide {
   private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {
     const box = byId('canvas');
     const { offsetWidth, offsetHeight } = this.hint;
-    const stacked = box.clientWidth < kStackedWidth;
-    const left = stacked ? kTitleRoom : kGap, right = box.clientWidth - kGap;
+    const compact = box.clientWidth < kCompactWidth;
+    const left = compact ? kTitleRoom : kGap, right = box.clientWidth - kGap;
     const middle = (topLeft.x + bottomRight.x) / 2 - offsetWidth / 2;
     const x = Math.max(left, Math.min(middle, right - offsetWidth));
     // Under the picture where nothing else is, otherwise beside the view's title.
     const below = bottomRight.y + kGap;
-    const fitsBelow = !stacked && below + offsetHeight + kToolsRoom <= box.clientHeight;
+    const fitsBelow = !compact && below + offsetHeight + kToolsRoom <= box.clientHeight;
     const y = fitsBelow ? below : kGap;
     this.hint.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
