@@ -103,13 +103,14 @@ void App::frame() {
   ImGui::Render();
   const bool acted = !sink_.empty();
   runCalls();
+  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->fresh) || studio_.busy();
+  if (acted) framesWanted_ = std::max(framesWanted_, 2);
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
+  scene_.still = !moving && !gestures_.active() && framesWanted_ == 0;
   renderer_->draw(scene_);
   ++frames_;
   watchWork();
   announce();
-  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->fresh) || studio_.busy();
-  if (acted) framesWanted_ = std::max(framesWanted_, 2);
   if (moving || framesWanted_ > 0) host_.requestFrame();
 }
 

@@ -75,7 +75,7 @@ void addFloor(gl::Scene& scene) {
   if (!(low.x <= high.x)) return;
   const WorldPoint size = high - low;
   scene.floorCentre = {(low.x + high.x) / 2, low.y - 0.002, (low.z + high.z) / 2};
-  scene.floorRadius = std::max({size.x, size.z, size.y * 0.7, 0.1}) * 0.95;
+  scene.floorRadius = std::max({size.x, size.z, size.y * 0.85, 0.1}) * 0.78;
   scene.floorHeadroom = std::max(size.y * 0.9, 0.05);
 }
 

@@ -58,6 +58,14 @@ struct TextureTraits {
   }
   static void destroy(GLuint name) { glDeleteTextures(1, &name); }
 };
+struct RenderbufferTraits {
+  static GLuint create() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
 struct FramebufferTraits {
   static GLuint create() {
     GLuint name = 0;
@@ -74,6 +82,7 @@ struct ProgramTraits {
 using Buffer = Handle<BufferTraits>;
 using VertexArray = Handle<VertexArrayTraits>;
 using Texture = Handle<TextureTraits>;
+using Renderbuffer = Handle<RenderbufferTraits>;
 using Framebuffer = Handle<FramebufferTraits>;
 using Program = Handle<ProgramTraits>;
 

@@ -9,6 +9,7 @@
 #include "web/gl/handles.h"
 #include "web/gl/mesh_store.h"
 #include "web/gl/shader_sources.h"
+#include "web/gl/still_target.h"
 #include "web/gl/texture_store.h"
 
 namespace spineloft::gl {
@@ -17,10 +18,10 @@ namespace {
 constexpr int kShadowSide = 256;
 
 struct Programs {
-  Program background, picture, mesh, floor, shadow;
-  bool complete() const { return background && picture && mesh && floor && shadow; }
+  Program background, picture, mesh, floor, shadow, copy;
+  bool complete() const { return background && picture && mesh && floor && shadow && copy; }
   void forget() {
-    for (Program* p : {&background, &picture, &mesh, &floor, &shadow}) p->forget();
+    for (Program* p : {&background, &picture, &mesh, &floor, &shadow, &copy}) p->forget();
   }
 };
 
@@ -31,6 +32,7 @@ Programs makePrograms() {
   out.mesh = makeProgram(shaders::kMeshVert, shaders::kMeshFrag, {"position", "normal", "uv"});
   out.floor = makeProgram(shaders::kFloorVert, shaders::kFloorFrag, {"corner"});
   out.shadow = makeProgram(shaders::kShadowVert, shaders::kShadowFrag, {"position"});
+  out.copy = makeProgram(shaders::kQuadVert, shaders::kCopyFrag, {"corner"});
   return out;
 }
 
@@ -69,6 +71,10 @@ class WebGlRenderer final : public Renderer {
     programs_ = makePrograms();
     if (!programs_.complete()) return false;
     shadowMap_ = makeShadowMap();
+    GLint samples = 0;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glGetIntegerv(GL_SAMPLES, &samples);
+    smoothAnyway_ = samples > 1;
     const float corners[] = {0, 0, 1, 0, 0, 1, 1, 1};
     quadArray_ = VertexArray::make();
     quad_ = Buffer::make();
@@ -118,6 +124,7 @@ class WebGlRenderer final : public Renderer {
     lost_ = true;
     programs_.forget();
     shadowMap_.forget();
+    still_.forget();
     quadArray_.forget();
     quad_.forget();
     meshes_.forgetAll();
@@ -176,7 +183,25 @@ class WebGlRenderer final : public Renderer {
 
   void drawSolidView(const Scene& scene) {
     if (scene.solidView.width < 1 || scene.solidView.height < 1) return;
+    const int width = static_cast<int>(std::lround(scene.solidView.width * scene.dpr));
+    const int height = static_cast<int>(std::lround(scene.solidView.height * scene.dpr));
+    if (smoothAnyway_ || !scene.still || !still_.begin(width, height)) {
+      enter(scene, scene.solidView);
+      drawSolids(scene);
+      return;
+    }
+    drawSolids(scene);
+    const GLuint smooth = still_.end();
     enter(scene, scene.solidView);
+    glUseProgram(programs_.copy.name());
+    placeQuad(programs_.copy, scene.solidView, scene.solidView);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, smooth);
+    glUniform1i(uniform(programs_.copy, "picture"), 0);
+    drawQuad();
+  }
+
+  void drawSolids(const Scene& scene) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glUseProgram(programs_.background.name());
@@ -266,6 +291,8 @@ class WebGlRenderer final : public Renderer {
 
   Programs programs_;
   ShadowMap shadowMap_;
+  StillTarget still_;
+  bool smoothAnyway_ = false;  ///< the canvas itself is multisampled
   VertexArray quadArray_;
   Buffer quad_;
   MeshStore meshes_;

@@ -65,6 +65,7 @@ namespace spineloft::platform {
 namespace {
 
 constexpr double kMaxDpr = 2;
+constexpr double kSoftwarePixels = 1.6e6;  // what a processor draws fast enough
 constexpr int kSamples = 4;
 
 bool softwareGl() {
@@ -151,6 +152,12 @@ void resizeCanvas(const CanvasSize& size) {
   splSetBackingStore(backing(size.width, size.dpr), backing(size.height, size.dpr));
 }
 
-double usableDpr(double dpr) { return std::clamp(dpr, 0.5, softwareGl() ? 1.0 : kMaxDpr); }
+double usableDpr(const CanvasSize& wanted) {
+  const double dpr = std::clamp(wanted.dpr, 0.5, kMaxDpr);
+  if (dpr <= 1 || !softwareGl()) return dpr;
+  const double affordable =
+      std::sqrt(kSoftwarePixels / std::max(1.0, wanted.width * wanted.height));
+  return std::clamp(affordable, 1.0, dpr);
+}
 
 }  // namespace spineloft::platform

@@ -31,7 +31,7 @@ class BrowserHost final : public Host {
 bool openWindow(const CanvasSize& size);
 /// Sets the canvas' backing store. Its size on the page is the style sheet's business.
 void resizeCanvas(const CanvasSize& size);
-/// The density to draw with: at most 2, and 1 where the graphics are made by the processor.
-double usableDpr(double dpr);
+/// The density to draw with: at most 2, and less on large canvases where the processor draws.
+double usableDpr(const CanvasSize& wanted);
 
 }  // namespace spineloft::platform

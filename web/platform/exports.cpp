@@ -25,7 +25,9 @@ Door& door() {
 Page* page() { return door().page.get(); }
 
 CanvasSize sizeOf(double width, double height, double dpr) {
-  return {std::max(1.0, width), std::max(1.0, height), usableDpr(dpr)};
+  CanvasSize size{std::max(1.0, width), std::max(1.0, height), dpr};
+  size.dpr = usableDpr(size);
+  return size;
 }
 
 std::vector<std::uint8_t> bytesOf(const std::uint8_t* data, int length) {
