@@ -23,9 +23,9 @@ void mix(Hasher& hasher, const ribs::SpineParams& params) {
 }
 void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
   const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-               outsideWeight, contrastReach, doubt, weight] = params;
+               outsideWeight, contrastReach, knownShare, doubt, weight] = params;
   mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-         outsideWeight, contrastReach, doubt, weight);
+         outsideWeight, contrastReach, knownShare, doubt, weight);
 }
 void mix(Hasher& hasher, const ribs::RibParams& params) {
   const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,

@@ -195,24 +195,40 @@ void boundaryTerms(const GradientCurves& curves, const Strip& strip, const Evide
                    BoundaryTerms& terms) {
   contourContrast(curves, strip, {.reach = params.contrastReach * strip.pixel}, terms.contrast);
   normalise(curves, terms);
-  std::vector<float> novelty, edges, foreign;
-  spineNovelty(curves, strip, novelty);
-  for (auto* plane : {&terms.beyond, &terms.inside, &terms.outside})
-    plane->assign(curves.x.size(), 0.f);
-  const auto pixel = static_cast<float>(strip.pixel), extent = kEdgeExtent * pixel;
+  terms.beyond.assign(curves.x.size(), 0.f);
+  const float extent = kEdgeExtent * static_cast<float>(strip.pixel);
+  std::vector<float> edges;
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t row = curves.at(c, 0);
     const int reached = curves.reached[index(c)];
     const float* along = &curves.along[row];
     integrate(curves, c, &terms.contrast[row], edges);
-    integrate(curves, c, &novelty[row], foreign);
-    int past = 0, twice = 0, half = 0;
+    int past = 0, twice = 0;
     for (int k = 1; k < reached; ++k) {
       past = levelAt(along, reached, past, along[k] + extent);
       twice = levelAt(along, reached, twice, 2 * (along[k] + extent));
-      half = levelAt(along, reached, half, 1.5f * along[k] + 2 * extent);
+      terms.beyond[row + index(k)] =
+          std::log1p((edges[index(twice)] - edges[index(past)]) / extent);
+    }
+  }
+  colourTerms(curves, strip, {}, terms);
+}
+
+void colourTerms(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+                 BoundaryTerms& terms) {
+  std::vector<float> novelty, foreign;
+  spineNovelty(curves, strip, known, novelty);
+  for (auto* plane : {&terms.inside, &terms.outside}) plane->assign(curves.x.size(), 0.f);
+  const float margin = 2 * kEdgeExtent * static_cast<float>(strip.pixel);
+  for (int c = 0; c < strip.curves; ++c) {
+    const std::size_t row = curves.at(c, 0);
+    const int reached = curves.reached[index(c)];
+    const float* along = &curves.along[row];
+    integrate(curves, c, &novelty[row], foreign);
+    int half = 0;
+    for (int k = 1; k < reached; ++k) {
+      half = levelAt(along, reached, half, 1.5f * along[k] + margin);
       const std::size_t at = row + index(k);
-      terms.beyond[at] = std::log1p((edges[index(twice)] - edges[index(past)]) / extent);
       terms.inside[at] = foreign[index(k)] / along[k];
       const float run = along[half] - along[k];
       terms.outside[at] = run > 1 ? (foreign[index(half)] - foreign[index(k)]) / run : 0.f;

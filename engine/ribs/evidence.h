@@ -42,8 +42,10 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
 /// within a few pixels of the spine), ± 2, from smoothed Lab histograms; the spine's is half of the
 /// whole spine, half of the stretch (an eighth) that the curve belongs to. Multiplied by how far
 /// the two distributions are apart at all, so that ink on paper, where both are paper, says
-/// nothing.
-void spineNovelty(const GradientCurves& curves, const Strip& strip, std::vector<float>& novelty);
+/// nothing. `known` is empty, or says for every curve how far from the spine the object is already
+/// known to reach (picture pixels): colours up to there count as the spine's.
+void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+                  std::vector<float>& novelty);
 
 /// The terms of the boundary's score, each curves × levels.
 struct BoundaryTerms {
@@ -56,6 +58,10 @@ struct BoundaryTerms {
 };
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms);
+
+/// Fills `inside` and `outside` alone, with more of the object known (see spineNovelty).
+void colourTerms(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+                 BoundaryTerms& terms);
 
 /// Costs of all curves and levels: −log(p + doubt), where p is the softmax along each curve of the
 /// weighted terms, relative to an even spread over an eighth of the labels. `doubt` bounds what a

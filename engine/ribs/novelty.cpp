@@ -102,10 +102,9 @@ struct Colours {
 };
 
 Colours learn(const GradientCurves& curves, const Strip& strip,
-              const std::vector<std::uint16_t>& cells) {
+              const std::vector<std::uint16_t>& cells, const std::vector<float>& known) {
   Colours colours;
   for (Histogram& h : colours.stretches) h.assign(kCells, 0.f);
-  const float near = kSpineReach * static_cast<float>(strip.pixel);
   for (int c = 0; c < strip.curves; ++c) {
     // A curve counts for the stretches on both sides of it in proportion to nearness.
     const float at = positionOf(curves.layout, c) * kStretches - 0.5f;
@@ -114,6 +113,8 @@ Colours learn(const GradientCurves& curves, const Strip& strip,
     const float share = std::clamp(at - static_cast<float>(low), 0.f, 1.f);
     const bool side = c < curves.layout.ribs || (c >= curves.layout.ribs + curves.layout.fan &&
                                                  c < 2 * curves.layout.ribs + curves.layout.fan);
+    const float near = std::max(kSpineReach * static_cast<float>(strip.pixel),
+                                known.empty() ? 0.f : known[index(c)]);
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
       const std::size_t i = curves.at(c, k);
       const float run = curves.along[i] - curves.along[i - 1];
@@ -132,10 +133,11 @@ Colours learn(const GradientCurves& curves, const Strip& strip,
 
 }  // namespace
 
-void spineNovelty(const GradientCurves& curves, const Strip& strip, std::vector<float>& novelty) {
+void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+                  std::vector<float>& novelty) {
   std::vector<std::uint16_t> cells;
   classify(curves, strip, cells);
-  const Colours colours = learn(curves, strip, cells);
+  const Colours colours = learn(curves, strip, cells, known);
   float overlap = 0;  // Bhattacharyya coefficient
   for (std::size_t i = 0; i < kCells; ++i) overlap += std::sqrt(colours.all[i] * colours.spine[i]);
   const float trust = std::sqrt(std::max(0.f, 1 - overlap));

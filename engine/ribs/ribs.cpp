@@ -41,7 +41,7 @@ bool inRange(const RibParams& p) {
   return within(p.levels, 16, 512) && within(p.maxLevelShare, 0.01, 1) &&
          within(p.neighbourWeight, 0, 100) && within(p.neighbourCap, 0.01, 1000) &&
          within(p.oppositeWeight, 0, 100) && within(e.contrastReach, 0.5, 20) &&
-         within(e.doubt, 0.001, 10);
+         within(e.doubt, 0.001, 10) && within(e.knownShare, 0, 0.9);
 }
 
 // Everything that one search passes from step to step.
@@ -51,6 +51,8 @@ struct Search {
   D2Field field;
   Levels levels;
   GradientCurves curves;
+  Strip strip;
+  BoundaryTerms terms;
   std::vector<float> costs;    // of every curve and level
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
@@ -69,27 +71,44 @@ Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Si
   return makeLevels(params.levels, step, farthest, field.length());
 }
 
-// The evidence of every curve; without a picture a gentle pull to the default half width.
-void evidenceCosts(const image::EdgeMap& edges, Search& s) {
-  if (!edges.empty()) {
-    Strip strip;
-    BoundaryTerms terms;
-    sampleStrip(s.curves, edges, strip);
-    boundaryTerms(s.curves, strip, s.params.evidence, terms);
-    boundaryCosts(s.curves, strip, terms, s.params.evidence, s.costs);
-    for (float& cost : s.costs) cost *= static_cast<float>(s.params.evidence.weight);
-    s.support = std::move(terms.contrast);
-    for (std::size_t i = 0; i < s.support.size(); ++i) {
-      s.support[i] = std::max(s.support[i], strip.proximity[i]);
-    }
-    return;
-  }
+// Without a picture: a gentle pull to the default half width.
+void defaultCosts(Search& s) {
   s.costs.resize(s.curves.x.size());
   s.support.assign(s.costs.size(), 0.f);
   const double half = kDefaultHalfWidth * s.field.length();
   for (std::size_t i = 0; i < s.costs.size(); ++i) {
     s.costs[i] = static_cast<float>(std::abs(s.levels.radius[i % s.levels.size()] / half - 1));
   }
+}
+
+void weighTerms(Search& s) {
+  boundaryCosts(s.curves, s.strip, s.terms, s.params.evidence, s.costs);
+  for (float& cost : s.costs) cost *= static_cast<float>(s.params.evidence.weight);
+}
+
+// The evidence of every curve, with the colours close to the spine as the object's.
+void firstEvidence(const image::EdgeMap& edges, Search& s) {
+  sampleStrip(s.curves, edges, s.strip);
+  boundaryTerms(s.curves, s.strip, s.params.evidence, s.terms);
+  s.support.resize(s.terms.contrast.size());
+  for (std::size_t i = 0; i < s.support.size(); ++i) {
+    s.support[i] = std::max(s.terms.contrast[i], s.strip.proximity[i]);
+  }
+  weighTerms(s);
+}
+
+// The evidence again, with the inner part of the even part as the object's colours.
+void secondEvidence(const EvenPart& even, Search& s) {
+  const auto share = static_cast<float>(s.params.evidence.knownShare);
+  std::vector<float> known(index(s.curves.layout.total()), 0.f);
+  for (int i = 0; i < s.curves.layout.ribs; ++i) {
+    const float half = share * even.width[index(i)] / 2;
+    const auto lean = static_cast<float>(even.lean);
+    known[index(s.curves.layout.left(i))] = half * (1 + lean);
+    known[index(s.curves.layout.right(i))] = half * (1 - lean);
+  }
+  colourTerms(s.curves, s.strip, known, s.terms);
+  weighTerms(s);
 }
 
 void fillSide(Search& s, bool leftSide) {
@@ -117,7 +136,7 @@ void fillSide(Search& s, bool leftSide) {
   }
 }
 
-void fillProblem(Search& s) {
+EvenPart fillProblem(Search& s) {
   s.problem.ribs = s.curves.layout.ribs;
   s.problem.levels = s.curves.levels;
   s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight);
@@ -126,7 +145,7 @@ void fillProblem(Search& s) {
   fillSide(s, true);
   fillSide(s, false);
   const double pixel = s.levels.radius[1];
-  const EvenPart even = findEvenPart(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
+  EvenPart even = findEvenPart(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
   s.problem.lean = static_cast<float>(even.lean);
   s.problem.leanScale.clear();
   for (float width : even.width) {
@@ -134,6 +153,7 @@ void fillProblem(Search& s) {
         2 * s.params.oppositeWeight / std::max(4 * pixel, static_cast<double>(width));
     s.problem.leanScale.push_back(static_cast<float>(scale));
   }
+  return even;
 }
 
 // Edge where the end stands on one; Bridged between two of those; else Guessed.
@@ -256,14 +276,23 @@ Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image:
                          const RibParams& params, const Progress& progress) {
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
-  Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}, {}};
+  Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}, {}, {}, {}};
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
   if (!progress.advance(0.05)) return Error::Cancelled;
   s.levels = chooseLevels(s.field, edges, picture, params);
   traceCurves(spine, s.field, s.levels, kFanCurves, picture, s.curves);
   if (!progress.advance(0.4)) return Error::Cancelled;
-  evidenceCosts(edges, s);
-  fillProblem(s);
+  if (edges.empty()) {
+    defaultCosts(s);
+  } else {
+    firstEvidence(edges, s);
+  }
+  const EvenPart even = fillProblem(s);
+  if (!edges.empty() && params.evidence.knownShare > 0) {
+    secondEvidence(even, s);
+    fillSide(s, true);
+    fillSide(s, false);
+  }
   if (!progress.advance(0.5)) return Error::Cancelled;
   const LengthLabels labels = optimalLabels(s.problem, s.workspace);
   if (!progress.advance(0.9)) return Error::Cancelled;

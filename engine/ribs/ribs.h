@@ -67,8 +67,11 @@ struct EvidenceParams {
   double insideWeight = 0.75;        ///< against colours foreign to the spine inside, 0…10
   double outsideWeight = 1.4;        ///< for colours foreign to the spine outside, 0…10
   double contrastReach = 2;  ///< half-length over which contrast is taken, map pixels, 0.5…20
-  double doubt = 0.3;        ///< chance given to a curve being misled, 0.001…10
-  double weight = 0.3;       ///< of all evidence against the shape terms, 0…10
+  /// Share of the best even part's half width whose colours count as the object's in a second look;
+  /// 0 (no second look) … 0.9.
+  double knownShare = 0.5;
+  double doubt = 0.3;   ///< chance given to a curve being misled, 0.001…10
+  double weight = 0.3;  ///< of all evidence against the shape terms, 0…10
   bool operator==(const EvidenceParams&) const = default;
 };
 
@@ -80,7 +83,7 @@ struct RibParams {
   double neighbourWeight = 0.7;  ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), 0…100
   double neighbourFreedom =
       0.1;  ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), 0…10
-  double neighbourCap = 8.0;  ///< most that one jump between neighbours costs, 0.01…1000
+  double neighbourCap = 5.0;  ///< most that one jump between neighbours costs, 0.01…1000
   /// Against unequal opposite ribs, once the lean of the stroke is known (lean.h). SpineLoft 3.3.2:
   /// 0.25, without a lean. 0…100
   double oppositeWeight = 1.0;

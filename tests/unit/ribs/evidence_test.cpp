@@ -90,16 +90,33 @@ TEST_CASE("colours that the spine never sees are novel, its own are not") {
       map, [](PicturePoint p) { return p.y < 80; }, 90, 50);
   const Scene scene(map);
   std::vector<float> novelty;
-  spineNovelty(scene.curves, scene.strip, novelty);
+  spineNovelty(scene.curves, scene.strip, {}, novelty);
   CHECK(scene.at(novelty, 15) < 0);
   CHECK(scene.at(novelty, 50) > 0.5);
   CHECK(scene.at(novelty, 90) > 0.5);
 }
 
+TEST_CASE("a colour inside the part that is known is not foreign any more") {
+  image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
+  // A sleeve of another colour between 10 and 20 pixels from the spine.
+  const auto sleeve = [](PicturePoint p) {
+    return std::abs(p.y - 150) > 10 && std::abs(p.y - 150) < 20;
+  };
+  paint(map, sleeve, 50, 60);
+  const Scene scene(map);
+  std::vector<float> first, second;
+  spineNovelty(scene.curves, scene.strip, {}, first);
+  const std::vector<float> known(static_cast<std::size_t>(scene.curves.layout.total()), 25.f);
+  spineNovelty(scene.curves, scene.strip, known, second);
+  CHECK(scene.at(first, 15) > 0.3);
+  CHECK(scene.at(second, 15) < 0);
+  CHECK(scene.at(second, 60) > 0.3);
+}
+
 TEST_CASE("where the spine sees what there is everywhere, colour says nothing") {
   const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint) { return false; }));
   std::vector<float> novelty;
-  spineNovelty(scene.curves, scene.strip, novelty);
+  spineNovelty(scene.curves, scene.strip, {}, novelty);
   for (float v : novelty) CHECK(std::abs(v) < 0.05f);
 }
 
