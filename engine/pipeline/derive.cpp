@@ -1,6 +1,7 @@
 #include "engine/pipeline/derive.h"
 
 #include <algorithm>
+#include <new>
 
 #include "engine/base/hash.h"
 #include "engine/loft/loft.h"
@@ -39,17 +40,14 @@ void mix(Hasher& hasher, const loft::LoftParams& params) {
   mixAll(hasher, section, startCap, endCap, sectionPoints, capRings, centring);
 }
 
-}  // namespace
-
-Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
+Result<PartShape> makeShape(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
                             image::Size picture, const Progress& progress, const Clock& clock) {
   PartShape shape;
   const double started = nowMs(clock);
   Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
   if (!spine) return spine.failure();
   shape.spine = std::move(spine).value();
-  Result<ribs::RibSet> ribSet =
-      ribs::traceRibs(shape.spine, edges, picture, recipe.ribs, progress);
+  Result<ribs::RibSet> ribSet = ribs::traceRibs(shape.spine, edges, picture, recipe.ribs, progress);
   if (!ribSet) return ribSet.failure();
   shape.ribs = std::move(ribSet).value();
   const double traced = nowMs(clock);
@@ -59,6 +57,17 @@ Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::Edg
   shape.ms.ribs = traced - started;
   shape.ms.loft = nowMs(clock) - traced;
   return shape;
+}
+
+}  // namespace
+
+Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
+                            image::Size picture, const Progress& progress, const Clock& clock) {
+  try {
+    return makeShape(recipe, edges, picture, progress, clock);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
 }
 
 std::uint64_t shapeKey(const document::LoftRecipe& recipe, std::uint64_t contentHash) {

@@ -39,7 +39,7 @@ struct PartShape {
 
 /// Shape of one recipe: cleanSpine → traceRibs → loftRibs. Pure but for the clock. `edges` may be
 /// empty (no evidence yet: guessed ribs). Serves the finished part and the preview under the pen.
-/// `key` of the result is 0. Errors: those of the three stages.
+/// `key` of the result is 0. Errors: those of the three stages, OutOfMemory.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
                             image::Size picture, const Progress& progress, const Clock& clock = {});
 

@@ -1,0 +1,18 @@
+// Makes large allocations of the calling thread fail, so that OutOfMemory can be tested.
+#pragma once
+
+#include <cstddef>
+
+namespace spineloft::testing {
+
+/// While it lives, `operator new` of this thread throws std::bad_alloc for requests of `limit` bytes
+/// or more. Do not nest.
+class ScarceMemory {
+ public:
+  explicit ScarceMemory(std::size_t limit);
+  ~ScarceMemory();
+  ScarceMemory(const ScarceMemory&) = delete;
+  ScarceMemory& operator=(const ScarceMemory&) = delete;
+};
+
+}  // namespace spineloft::testing
