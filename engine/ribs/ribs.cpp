@@ -23,8 +23,8 @@ constexpr float kOnEdge = 0.5f;
 // Labels this close (share of the end's own arc length, and labels) are the same place, not a
 // rival.
 constexpr float kRivalShare = 0.1f;
-// How strongly a cap is held to the round shape between its end ribs, against edge costs of 0…1.
-constexpr float kCapWeight = 2.f;
+// How strongly a cap is held to the round shape between its end ribs, against evidence that spans about 1.
+constexpr float kCapWeight = 0.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
