@@ -19,7 +19,7 @@ struct EdgeParams {
 
 /// Canny with thresholds chosen from the picture's own gradient statistics, the proximity ramp, Lab
 /// colour and its gradient. Transparent pixels count as white paper.
-/// Cost: about 60 ms for a 1024 × 768 copy.
+/// Cost: about 20 ms for a 1024 × 768 copy, one thread, SIMD as in the browser build.
 /// Errors: PictureEmpty, PictureTooSmall (< kMinPictureSide), ValueOutOfRange (params), Cancelled,
 /// OutOfMemory.
 Result<image::EdgeMap> detectEdges(const image::Picture& picture, const EdgeParams& params,

@@ -118,8 +118,9 @@ TEST_CASE(
     REQUIRE(turned == Size{fit.height, fit.width});
     if (std::min(fit.width, fit.height) > 1) {
       // Rounding moves a side by half a pixel, or by one where rounding up would break the limit.
-      const double scale = std::min({1.0, 1.0 * side / std::max(size.width, size.height),
-                                     std::sqrt(static_cast<double>(pixels) / size.width / size.height)});
+      const double scale =
+          std::min({1.0, 1.0 * side / std::max(size.width, size.height),
+                    std::sqrt(static_cast<double>(pixels) / size.width / size.height)});
       REQUIRE(std::abs(fit.width - scale * size.width) <= 1.0);
       REQUIRE(std::abs(fit.height - scale * size.height) <= 1.0);
     }
@@ -199,7 +200,25 @@ TEST_CASE("Lab of known colours is what CIE tables say") {
 
 TEST_CASE("transparent pixels are white paper to the eye") {
   const Image image = plain(2, 2, {10, 20, 30, 0});
-  const std::vector<float> lab = labPixels(image);
-  REQUIRE(lab.size() == 12);
-  CHECK(lab[0] == doctest::Approx(100).epsilon(1e-4));
+  std::array<float, 4> l{}, a{}, b{};
+  labRow(image.pixels, {l.data(), a.data(), b.data()});
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(l[i] == doctest::Approx(100).epsilon(1e-4));
+    CHECK(std::abs(a[i]) < 0.01);
+    CHECK(std::abs(b[i]) < 0.01);
+  }
+}
+
+TEST_CASE("a row of pixels has the Lab of each of its colours, half transparent ones half white") {
+  const Image image = randomImage(61, 1, 8);
+  std::vector<float> l(61), a(61), b(61);
+  labRow(image.pixels, {l.data(), a.data(), b.data()});
+  for (std::size_t i = 0; i < 61; ++i) {
+    const std::uint8_t* p = image.pixels.data() + 4 * i;
+    const auto onPaper = [&](std::size_t c) {
+      return static_cast<std::uint8_t>(std::lround((p[c] * p[3] + 255.0 * (255 - p[3])) / 255));
+    };
+    const auto wanted = labOf(onPaper(0), onPaper(1), onPaper(2));
+    CHECK(std::array{l[i], a[i], b[i]} == wanted);
+  }
 }
