@@ -1,7 +1,9 @@
 #include "engine/image/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "engine/base/limits.h"
@@ -9,66 +11,104 @@
 namespace spineloft::image {
 namespace {
 
-/// Which source pixels one target pixel covers along an axis, and by how much.
+/// Which source pixels one target pixel covers along an axis, and by how much, in whole parts of a
+/// source pixel (there are as many parts as make all borders fall between two of them).
 struct Span {
-  int first = 0, last = 0;             ///< inclusive
-  double firstPart = 1, lastPart = 1;  ///< share of the first and last that is covered, (0, 1]
-  double weight(int i) const { return i == first ? firstPart : i == last ? lastPart : 1.0; }
+  int first = 0, last = 0;  ///< inclusive
+  std::uint32_t firstParts = 1, lastParts = 1;
+};
+struct Axis {
+  std::vector<Span> spans;   ///< one for each target pixel
+  std::uint32_t inside = 1;  ///< parts of a source pixel
+  std::uint32_t total = 1;   ///< parts of a target pixel
+  std::uint32_t partsOf(const Span& span, int i) const {
+    return i == span.first ? span.firstParts : i == span.last ? span.lastParts : inside;
+  }
 };
 
-std::vector<Span> spansOf(int source, int target) {
-  std::vector<Span> spans(static_cast<std::size_t>(target));
-  const double step = static_cast<double>(source) / target;
-  for (int i = 0; i < target; ++i) {
-    const double low = i * step, high = std::min<double>((i + 1) * step, source);
-    Span& span = spans[static_cast<std::size_t>(i)];
-    span.first = std::clamp(static_cast<int>(std::floor(low)), 0, source - 1);
-    span.last = std::clamp(static_cast<int>(std::ceil(high)) - 1, span.first, source - 1);
-    if (span.first == span.last) {
-      span.firstPart = high - low;
-    } else {
-      span.firstPart = span.first + 1 - low;
-      span.lastPart = high - span.last;
+Axis axisOf(int source, int target) {
+  const int common = std::gcd(source, target);
+  Axis axis{
+      {}, static_cast<std::uint32_t>(target / common), static_cast<std::uint32_t>(source / common)};
+  axis.spans.reserve(static_cast<std::size_t>(target));
+  const long long inside = axis.inside, total = axis.total;
+  for (long long i = 0; i < target; ++i) {
+    const long long low = i * total, high = low + total, first = low / inside,
+                    last = (high - 1) / inside;
+    axis.spans.push_back(
+        {static_cast<int>(first), static_cast<int>(last),
+         static_cast<std::uint32_t>(std::min(high, (first + 1) * inside) - low),
+         static_cast<std::uint32_t>(first == last ? high - low : high - last * inside)});
+  }
+  return axis;
+}
+
+bool isOpaque(const std::uint8_t* row, std::size_t width) {
+  std::uint8_t all = 255;
+  for (std::size_t x = 0; x < width; ++x) all &= row[4 * x + 3];
+  return all == 255;
+}
+
+/// One target row, summed exactly in whole numbers: first down the columns of the source, where
+/// rows lie one after the other for SIMD, then along them.
+class RowSums {
+ public:
+  /// `widest` source columns.
+  explicit RowSums(std::size_t widest) : sums_(4 * widest), weighted_(4 * widest) {}
+
+  /// Red, green and blue, times alpha unless all that is added is opaque, and alpha times 255.
+  void clear(bool opaque) {
+    opaque_ = opaque;
+    std::fill(sums_.begin(), sums_.end(), 0u);
+  }
+  void add(const std::uint8_t* row, std::uint32_t parts) {
+    const std::size_t count = sums_.size();
+    std::uint32_t* __restrict sums = sums_.data();
+    const std::uint16_t weight = static_cast<std::uint16_t>(parts);
+    if (opaque_) {
+      for (std::size_t i = 0; i < count; ++i)
+        sums[i] += static_cast<std::uint32_t>(weight) * row[i];
+      return;
+    }
+    std::uint16_t* __restrict weighted = weighted_.data();
+    for (std::size_t i = 0; i < count; i += 4) {
+      const std::uint32_t alpha = row[i + 3];
+      for (std::size_t c = 0; c < 3; ++c) {
+        weighted[i + c] = static_cast<std::uint16_t>(alpha * row[i + c]);
+      }
+      weighted[i + 3] = static_cast<std::uint16_t>(255 * alpha);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      sums[i] += static_cast<std::uint32_t>(weight) * weighted[i];
     }
   }
-  return spans;
-}
-
-std::uint8_t toByte(double value) {
-  return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
-}
-
-/// Sums of one target row: for each target pixel, alpha-weighted red, green, blue, and alpha.
-struct RowSums {
-  std::vector<double> sums;
-  explicit RowSums(int width) : sums(4 * static_cast<std::size_t>(width)) {}
-  void clear() { std::fill(sums.begin(), sums.end(), 0.0); }
-  void add(const std::uint8_t* row, const std::vector<Span>& columns, double rowWeight) {
-    double* out = sums.data();
-    for (const Span& column : columns) {
-      double r = 0, g = 0, b = 0, a = 0;
-      for (int x = column.first; x <= column.last; ++x) {
-        const std::uint8_t* pixel = row + 4 * static_cast<std::size_t>(x);
-        const double alpha = column.weight(x) * pixel[3];
-        r += alpha * pixel[0];
-        g += alpha * pixel[1];
-        b += alpha * pixel[2];
-        a += alpha;
+  /// `area` is that of a target pixel in parts.
+  void write(const Axis& columns, double area, std::uint8_t* out) const {
+    for (const Span& span : columns.spans) {
+      std::array<std::uint64_t, 4> sum{};
+      for (int x = span.first; x <= span.last; ++x) {
+        const std::uint64_t parts = columns.partsOf(span, x);
+        const std::uint32_t* pixel = sums_.data() + 4 * static_cast<std::size_t>(x);
+        for (std::size_t c = 0; c < 4; ++c) sum[c] += parts * pixel[c];
       }
-      out[0] += rowWeight * r;
-      out[1] += rowWeight * g;
-      out[2] += rowWeight * b;
-      out[3] += rowWeight * a;
+      writePixel(sum, area, out);
       out += 4;
     }
   }
-  void write(std::uint8_t* row, double pixelArea) const {
-    for (std::size_t i = 0; i < sums.size(); i += 4) {
-      const double alpha = sums[i + 3];
-      for (std::size_t c = 0; c < 3; ++c) row[i + c] = alpha > 0 ? toByte(sums[i + c] / alpha) : 0;
-      row[i + 3] = toByte(alpha / pixelArea);
-    }
+
+ private:
+  static std::uint8_t toByte(double value) { return static_cast<std::uint8_t>(value + 0.5); }
+  void writePixel(const std::array<std::uint64_t, 4>& sum, double area, std::uint8_t* out) const {
+    // Sums stay below 2⁵³, so they are exact as doubles.
+    const double alpha = static_cast<double>(sum[3]) / 255;
+    const double scale = opaque_ ? 1 / area : alpha > 0 ? 1 / alpha : 0;
+    for (std::size_t c = 0; c < 3; ++c) out[c] = toByte(static_cast<double>(sum[c]) * scale);
+    out[3] = opaque_ ? std::uint8_t{255} : toByte(alpha / area);
   }
+
+  bool opaque_ = true;
+  std::vector<std::uint32_t> sums_;
+  std::vector<std::uint16_t> weighted_;  ///< one row times its alpha
 };
 
 bool hasAllPixels(ImageView image) {
@@ -94,18 +134,22 @@ Image shrink(ImageView source, int width, int height) {
   }
   const std::size_t targetRow = 4 * static_cast<std::size_t>(width);
   out.pixels.resize(targetRow * static_cast<std::size_t>(height));
-  const std::vector<Span> columns = spansOf(source.width, width);
-  const std::vector<Span> rows = spansOf(source.height, height);
-  const double pixelArea =
-      (static_cast<double>(source.width) / width) * (static_cast<double>(source.height) / height);
-  RowSums sums(width);
-  for (std::size_t y = 0; y < rows.size(); ++y) {
-    sums.clear();
-    for (int sy = rows[y].first; sy <= rows[y].last; ++sy) {
-      sums.add(source.pixels.data() + sourceRow * static_cast<std::size_t>(sy), columns,
-               rows[y].weight(sy));
+  const Axis columns = axisOf(source.width, width), rows = axisOf(source.height, height);
+  const double area = static_cast<double>(columns.total) * rows.total;
+  RowSums sums(static_cast<std::size_t>(source.width));
+  std::uint8_t* target = out.pixels.data();
+  for (const Span& span : rows.spans) {
+    const auto rowAt = [&](int y) {
+      return source.pixels.data() + sourceRow * static_cast<std::size_t>(y);
+    };
+    bool opaque = true;
+    for (int y = span.first; y <= span.last && opaque; ++y) {
+      opaque = isOpaque(rowAt(y), static_cast<std::size_t>(source.width));
     }
-    sums.write(out.pixels.data() + targetRow * y, pixelArea);
+    sums.clear(opaque);
+    for (int y = span.first; y <= span.last; ++y) sums.add(rowAt(y), rows.partsOf(span, y));
+    sums.write(columns, area, target);
+    target += targetRow;
   }
   return out;
 }
