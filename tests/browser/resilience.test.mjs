@@ -123,6 +123,22 @@ for (const [what, spoil, says] of [
   });
 }
 
+test('a picture chosen while the engine still loads is opened when it runs, and the wait is shown', async () => {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  await page.route('**/*.wasm', async (route) => {
+    await new Promise((resolve) => { setTimeout(resolve, 1500); });
+    await route.continue();
+  });
+  await page.goto(kit.sites.true.url);
+  await page.locator('.sample-open').nth(1).click();
+  await page.locator('#progress').waitFor();
+  assert.match(await page.locator('#progress').innerText(), /Getting ready/);
+  await page.waitForFunction(() => window.spineloft.state().picture !== null);
+  assert.equal((await state(page)).picture.name, await page.locator('.sample-title').nth(1).textContent());
+  await context.close();
+});
+
 test('an engine that does not arrive is said, not left spinning', async () => {
   const context = await kit.browser.newContext();
   const page = await context.newPage();

@@ -79,8 +79,17 @@ function main(): void {
   installApi({ engine: () => engine, canvas, ready, openImage: (blob, name) => page.openImage(blob, name), isBusy: () => page.isBusy });
   ready.catch((failure: Failure) => showFailure(failure));
 
-  // Whatever is chosen before the engine runs is opened as soon as it does.
-  const whenReady = (action: () => void) => void ready.then(action, () => undefined);
+  // What is chosen before the engine runs is opened as soon as it does; the last choice counts.
+  let pending: (() => void) | null = null;
+  const whenReady = (action: () => void) => {
+    if (engine) {
+      action();
+      return;
+    }
+    pending = action;
+    page.showLoading(() => { pending = null; });
+  };
+  ready.then(() => pending?.(), () => page.showLoading(null));
   connectFiles(
     (files) => whenReady(() => void page.openFiles(files)),
     () => toast('That was not a picture file. Drop a PNG or JPEG picture from your device.', 'error'),

@@ -31,6 +31,15 @@ export class Page {
     this.refresh();
   }
 
+  /** The visitor has chosen something while the engine still loads; null: it will never run. */
+  showLoading(cancel: (() => void) | null): void {
+    const stop = () => {
+      cancel?.();
+      this.progress.set(null);
+    };
+    this.progress.set(cancel ? { label: 'Getting ready', done: null, cancel: stop } : null);
+  }
+
   get isBusy(): boolean {
     return this.opening.size > 0;
   }
