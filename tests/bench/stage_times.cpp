@@ -55,7 +55,8 @@ class Report {
       return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1) + 0.5)];
     };
     std::cout << (first_ ? "" : ",\n") << "  \"" << name << "\": {\"median_ms\": " << at(0.5)
-              << ", \"p95_ms\": " << at(0.95) << ", \"runs\": " << runs << "}" << std::flush;
+              << ", \"p95_ms\": " << at(0.95) << ", \"p99_ms\": " << at(0.99)
+              << ", \"runs\": " << runs << "}" << std::flush;
     first_ = false;
   }
 
@@ -101,11 +102,14 @@ void printStageTimes() {
   Report report;
   report.stage("edges 1024x768", 15,
                [&](int) { must(vision::detectEdges(picture, {}, progress)); });
-  report.stage("edges of a 4-megapixel picture", 9,
+  const image::Picture small = bench::tubePicture({576, 432});
+  report.stage("edges of a quarter-megapixel picture", 21,
+               [&](int) { must(vision::detectEdges(small, {}, progress)); });
+  report.stage("edges of a 4-megapixel picture", 15,
                [&](int) { must(vision::detectEdges(large, {}, progress)); });
   document::LoftRecipe recipe;
   recipe.stroke = bench::tubeStroke(size, 200);
-  for (const int ribs : {50, 100, 200}) {
+  for (const int ribs : {25, 50, 100, 200, 400}) {
     recipe.spine.ribs = ribs;
     const ribs::Spine spine = must(ribs::cleanSpine(recipe.stroke, size, recipe.spine));
     report.stage("ribs " + std::to_string(ribs), 21,
