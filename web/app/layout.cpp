@@ -11,7 +11,7 @@ Layout layoutFor(double width, double height, double share, bool hasPanel) {
   out.strip = width < kPanelWidthFrom;
   Rect views{0, 0, width, height};
   if (hasPanel && out.strip) {
-    const double strip = std::min(kStripHeight, std::floor(height * 0.4));
+    const double strip = std::min(kStripHeight, std::floor(height * 0.3));
     views.height = height - strip;
     out.panel = {0, views.height, width, strip};
   } else if (hasPanel) {

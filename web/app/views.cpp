@@ -6,8 +6,9 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kButtonRow = 54;  // CSS pixels at the foot of the view
-constexpr double kFitMargin = 28;  // CSS pixels round a fitted picture
+constexpr double kButtonRoom = 58;  // CSS pixels at the side or foot of the view that buttons take
+constexpr double kLowView = 290;    // CSS pixels
+constexpr double kFitMargin = 28;   // CSS pixels round a fitted picture
 constexpr double kMinZoom = 0.01, kMaxZoom = 64;
 constexpr double kInSight = 48;  // CSS pixels of the picture that cannot be pushed out
 constexpr double kHomeYaw = 0.55, kHomePitch = 0.22;
@@ -25,17 +26,26 @@ double distanceFor(double radius, const Rect& view) {
 
 }  // namespace
 
+bool buttonsAtSide(const Rect& view) {
+  return view.height < kLowView && view.width > 1.1 * view.height;
+}
+
 PictureView fitPicture(image::Size picture, const Rect& view) {
   PictureView out;
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
   const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
   Rect inner = view.inset(margin);
-  if (inner.height > 4 * kButtonRow) inner.height -= kButtonRow - margin;
+  if (buttonsAtSide(view)) {
+    inner.width = std::max(0.0, inner.width - (kButtonRoom - margin));
+  } else if (inner.height > 2 * kButtonRoom) {
+    inner.height -= kButtonRoom - margin;
+  }
   if (picture.width > 0 && picture.height > 0 && inner.width > 0 && inner.height > 0) {
     out.zoom = std::clamp(std::min(inner.width / picture.width, inner.height / picture.height),
                           kMinZoom, kMaxZoom);
   }
-  out.centre.y += (view.centre().y - inner.centre().y) / out.zoom;
+  const ClientPoint off = view.centre() - inner.centre();
+  out.centre += PicturePoint{off.x, off.y} / out.zoom;
   return out;
 }
 

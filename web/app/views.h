@@ -26,7 +26,11 @@ struct PictureView {
   }
 };
 
-/// The whole picture in the middle of the view with a small margin, above the buttons at its foot.
+/// Where a view has its buttons: in a column at its right side when it is low and wide, else in a
+/// row at its foot.
+bool buttonsAtSide(const Rect& view);
+
+/// The whole picture in the middle of the view with a small margin, clear of the buttons.
 PictureView fitPicture(image::Size picture, const Rect& view);
 /// Where the picture's outer edge lies.
 Rect pictureRect(const PictureView& view, image::Size picture, const Rect& at);

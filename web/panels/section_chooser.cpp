@@ -54,7 +54,9 @@ void sectionChooser(const PanelEnv& env, float width) {
   const float gap = 6;
   const int columns = strip ? (width < 700 ? 6 : 12) : 3;
   const float side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-  const ImVec2 size{std::floor(std::min(side, 92.f)), strip ? (columns == 12 ? 76.f : 47.f) : 60.f};
+  const float oneRow = std::clamp(ImGui::GetContentRegionAvail().y - 4, 44.f, 76.f);
+  const ImVec2 size{std::floor(std::min(side, 92.f)),
+                    strip ? (columns == 12 ? oneRow : 47.f) : 60.f};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   int index = 0;
   for (const loft::SectionName& name : loft::sectionNames()) {

@@ -30,21 +30,22 @@ void endCard() {
   ImGui::PopStyleVar(3);
 }
 
-/// Buttons of one view in its lower right corner.
+/// Buttons of one view in its lower right corner: a row, or a column where the view is low.
 void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
              std::span<const std::string_view> ids, app::Focus focus) {
   const float side = env.ui().touch ? 44.f : 34.f;
-  const double length = static_cast<double>(ids.size()) * (side + 2.) + 6;
-  if (view.width < length + 2 * kMargin || view.height < side + 30) return;
-  const app::Rect card{view.right() - length - kMargin, view.bottom() - side - 8 - kMargin, length,
-                       side + 8.};
+  const double length = static_cast<double>(ids.size()) * (side + 2.) + 6, breadth = side + 8.;
+  const bool column = app::buttonsAtSide(view);
+  const double width = column ? breadth : length, height = column ? length : breadth;
+  if (view.width < width || view.height < height) return;
+  const double margin = std::min(kMargin, (view.height - height) / 2);
+  const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width,
+                       height};
   beginCard(env, name, card);
-  bool first = true;
-  for (const std::string_view id : ids) {
-    if (!first) ImGui::SameLine();
-    first = false;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (i > 0 && !column) ImGui::SameLine();
     const bool emptyBefore = env.sink.empty();
-    commandButton(env, id, side);
+    commandButton(env, ids[i], side);
     if (emptyBefore && !env.sink.empty()) env.ui().focus = focus;
   }
   endCard();
@@ -162,10 +163,12 @@ void drawViewChrome(const PanelEnv& env) {
   constexpr std::string_view kSolidFew[] = {"home-view"};
   constexpr std::string_view kSolidAll[] = {"zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const std::string_view>;
-  const bool few = layout.stacked || layout.picture.width < 330;
+  const bool few =
+      layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   buttons(env, "picture buttons", layout.picture, few ? Ids(kPictureFew) : Ids(kPictureAll),
           app::Focus::Picture);
-  const bool fewSolid = layout.stacked || layout.solid.width < 200;
+  const bool fewSolid =
+      layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
   buttons(env, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
           app::Focus::Solid);
 }

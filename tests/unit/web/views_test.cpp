@@ -99,6 +99,17 @@ TEST_CASE("a fitted picture lies wholly inside its view") {
   }
 }
 
+TEST_CASE("on a low and wide view the fitted picture leaves the column of buttons free") {
+  for (const double height : {150.0, 222.0, 280.0}) {
+    const Rect at{0, 0, 356, height};
+    const Rect shown = pictureRect(fitPicture({1024, 576}, at), {1024, 576}, at);
+    CHECK(buttonsAtSide(at));
+    CHECK(shown.right() <= at.right() - 50);
+    CHECK(shown.height > 0.5 * height);
+  }
+  CHECK_FALSE(buttonsAtSide({0, 0, 390, 306}));
+}
+
 TEST_CASE("zooming the picture keeps what lies under the pointer") {
   Rng rng(7);
   for (int round = 0; round < 500; ++round) {
