@@ -231,7 +231,7 @@ void App::pointer(const platform::PointerEvent& event) {
   }
   overPanels_ = onPanels;
   if (!sink_.empty()) runCalls();
-  if (event.kind != platform::PointerKind::Move || gestures_.active()) touch(2);
+  if (event.kind != platform::PointerKind::Move || gestures_.active()) touch();
   const std::string_view cursor = gestures_.cursor(toolEnv());
   if (cursor != cursor_) {
     cursor_ = cursor;

@@ -7,11 +7,12 @@ namespace spineloft::app {
 Layout layoutFor(double width, double height, double share, bool hasPanel) {
   share = std::clamp(share, kMinShare, kMaxShare);
   Layout out;
-  out.stacked = width < kStackedWidth;
+  out.stacked = width < kStackedWidth && height >= kLowShape * width;
   out.strip = width < kPanelWidthFrom;
   Rect views{0, 0, width, height};
   if (hasPanel && out.strip) {
-    const double strip = std::min(kStripHeight, std::floor(height * 0.3));
+    const double full = width >= kFlatStripFrom ? kFlatStripHeight : kStripHeight;
+    const double strip = std::min(full, std::floor(height * 0.3));
     views.height = height - strip;
     out.panel = {0, views.height, width, strip};
   } else if (hasPanel) {

@@ -52,7 +52,7 @@ void sectionChooser(const PanelEnv& env, float width) {
   const loft::SectionPreset chosen = part ? part->recipe.loft.section : env.ui().section;
   const bool strip = env.ui().layout.strip;
   const float gap = 6;
-  const int columns = strip ? (width < 700 ? 6 : 12) : 3;
+  const int columns = strip ? (width < app::kFlatStripFrom - 20 ? 6 : 12) : 3;
   const float side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   const float oneRow = std::clamp(ImGui::GetContentRegionAvail().y - 4, 44.f, 76.f);
   const ImVec2 size{std::floor(std::min(side, 92.f)),

@@ -124,7 +124,7 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   if (!tile.text.empty()) {
     ImFont* font = env.fonts.small;
     const float size = font->FontSize * ImGui::GetIO().FontGlobalScale * 0.92f;
-    const std::string_view text = fitting(font, tile.text, tile.size.x - 2);
+    const std::string_view text = fitting(font, tile.text, tile.size.x - 4);
     const ImVec2 extent =
         font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
     list.AddText(font, size,
