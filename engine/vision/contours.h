@@ -6,13 +6,10 @@
 
 namespace spineloft::vision {
 
-/// Fills `map.edges` from its gradient (Canny 1986), rounded to 1/128 Lab unit: the pixels above
-/// the low threshold that are the strongest across their contour, of those the contours
-/// (8-connected) with a pixel above the high threshold, without the ones that are too short or too
-/// faint to be more than noise (isContour). Gradients of 255 Lab units a pixel and more count as
-/// 255. Of two equally strong neighbours the left or upper one is thinned away, but level diagonals
-/// vanish, all as in OpenCV's Canny with squared gradients, whose edges these are.
-/// Throws std::bad_alloc.
+/// Fills `map.edges` from its gradient: OpenCV's Canny (Canny 1986) with squared gradients, rounded
+/// to 1/128 Lab unit, and our thresholds; of its contours (8-connected) those that are too short or
+/// too faint to be more than noise (isContour) are left out.
+/// Throws std::bad_alloc and cv::Exception; detectEdges catches both.
 void fillEdges(const Thresholds& thresholds, image::EdgeMap& map);
 
 }  // namespace spineloft::vision
