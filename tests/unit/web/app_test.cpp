@@ -64,28 +64,47 @@ TEST_CASE("ribs and solid grow while the pen moves") {
   CHECK(rig.state().number("undo") == 2);
 }
 
-TEST_CASE("Escape, the right button and a second finger take the stroke back without a trace") {
-  Rig rig;
-  rig.openBar();
-  rig.press(100, 40, 100, 120);
-  CHECK(rig.key("Escape", "Escape"));
-  rig.lift();
-  rig.settle();
-  rig.press(100, 40, 100, 120);
-  rig.pointer(PointerKind::Down, rig.lastX, rig.lastY, Device::Mouse, 1, 2);
-  rig.lift();
-  rig.settle();
-  rig.press(100, 40, 100, 120, Device::Touch, 5);
-  rig.pointer(PointerKind::Down, 60, 60, Device::Touch, 6);
-  rig.lift(Device::Touch, 5);
-  rig.pointer(PointerKind::Up, 60, 60, Device::Touch, 6);
-  rig.settle();
-  rig.press(100, 40, 100, 120);
-  rig.pointer(PointerKind::Cancel, rig.lastX, rig.lastY);
-  rig.settle();
-  CHECK(rig.parts() == 0);
-  CHECK(rig.state().number("undo") == 1);
-  CHECK(rig.state().find("preview")->isNull());
+TEST_CASE("Escape, the right button, a second finger and the system take the stroke back") {
+  using Way = void (*)(Rig&);
+  const Way ways[] = {
+      [](Rig& rig) {
+        rig.press(100, 40, 100, 120);
+        CHECK(rig.key("Escape", "Escape"));
+        rig.lift();
+      },
+      [](Rig& rig) {
+        rig.press(100, 40, 100, 120);
+        rig.pointer(PointerKind::Down, rig.lastX, rig.lastY, Device::Mouse, 1, 2);
+        rig.lift();
+      },
+      [](Rig& rig) {
+        rig.press(100, 40, 100, 120, Device::Touch, 5);
+        rig.pointer(PointerKind::Down, 60, 60, Device::Touch, 6);
+        CHECK(rig.state().find("preview")->isNull());
+        rig.lift(Device::Touch, 5);
+        rig.pointer(PointerKind::Up, 60, 60, Device::Touch, 6);
+      },
+      [](Rig& rig) {
+        rig.press(100, 40, 100, 120);
+        rig.pointer(PointerKind::Cancel, rig.lastX, rig.lastY);
+      },
+      [](Rig& rig) {
+        rig.press(100, 40, 100, 120);
+        rig.run("cancel");
+        rig.lift();
+      },
+  };
+  for (const Way way : ways) {
+    Rig rig;
+    rig.openBar();
+    way(rig);
+    rig.settle();
+    CHECK(rig.parts() == 0);
+    CHECK(rig.state().number("undo") == 1);
+    CHECK(rig.state().find("preview")->isNull());
+    rig.drawBar();
+    CHECK(rig.parts() == 1);
+  }
 }
 
 TEST_CASE("two fingers shift and zoom the picture") {
