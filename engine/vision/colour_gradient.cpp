@@ -135,9 +135,9 @@ struct ThreeRows {
 void sobelRow(const ThreeRows& rows, std::size_t count, float* __restrict dx,
               float* __restrict dy) {
   const float *u = rows.up, *m = rows.here, *d = rows.down;
-  for (std::size_t x = 0; x < count; ++x) {
-    const float *right = m + x + 1, *left = m + x - 1;
-    dx[x] = 0.125f * (u[x + 1] - u[x - 1] + 2 * (*right - *left) + d[x + 1] - d[x - 1]);
+  // Signed, for column −1 is read.
+  for (std::ptrdiff_t x = 0; x < static_cast<std::ptrdiff_t>(count); ++x) {
+    dx[x] = 0.125f * (u[x + 1] - u[x - 1] + 2 * (m[x + 1] - m[x - 1]) + d[x + 1] - d[x - 1]);
     dy[x] = 0.125f * (d[x - 1] - u[x - 1] + 2 * (d[x] - u[x]) + d[x + 1] - u[x + 1]);
   }
 }

@@ -1,5 +1,6 @@
 #include "engine/vision/contours.h"
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,16 +13,22 @@ namespace {
 
 /// OpenCV's Canny takes 16-bit derivatives; this many steps a Lab unit keep faint edges and cannot
 /// overflow (the steepest step between two sRGB colours is below 130 Lab units a pixel).
-constexpr double kStepsPerUnit = 128;
+constexpr float kStepsPerUnit = 128;
 
-/// A view on a plane of the map; OpenCV has no constant views, and nobody writes through this one.
-cv::Mat viewOf(const image::EdgeMap& map, const std::vector<float>& plane) {
-  return {map.height, map.width, CV_32FC1, const_cast<float*>(plane.data())};
-}
-
+/// To the nearest step. Not cv::Mat::convertTo, which rounds negative numbers up in OpenCV's
+/// WebAssembly build; adding 1.5 · 2²³ leaves a float of this size rounded in the lowest bits of its
+/// pattern, which SIMD reads faster than it converts.
 cv::Mat inSteps(const image::EdgeMap& map, const std::vector<float>& plane) {
-  cv::Mat steps;
-  viewOf(map, plane).convertTo(steps, CV_16S, kStepsPerUnit);
+  constexpr float kRounder = 12582912, kMost = 255 * kStepsPerUnit;
+  constexpr std::int32_t kPattern = std::bit_cast<std::int32_t>(kRounder);
+  cv::Mat steps(map.height, map.width, CV_16SC1);
+  std::int16_t* __restrict out = steps.ptr<std::int16_t>();
+  for (std::size_t i = 0; i < plane.size(); ++i) {
+    const float scaled = kStepsPerUnit * plane[i];
+    const float low = scaled < -kMost ? -kMost : scaled;
+    const float held = low > kMost ? kMost : low;
+    out[i] = static_cast<std::int16_t>(std::bit_cast<std::int32_t>(held + kRounder) - kPattern);
+  }
   return steps;
 }
 
@@ -76,7 +83,8 @@ void fillEdges(const Thresholds& thresholds, image::EdgeMap& map) {
   std::vector<std::uint8_t> marks(map.gradientX.size());
   cv::Mat found(map.height, map.width, CV_8UC1, marks.data());
   cv::Canny(inSteps(map, map.gradientX), inSteps(map, map.gradientY), found,
-            kStepsPerUnit * thresholds.low, kStepsPerUnit * thresholds.high, true);
+            static_cast<double>(kStepsPerUnit) * thresholds.low,
+            static_cast<double>(kStepsPerUnit) * thresholds.high, true);
   map.edges.assign(marks.size(), 0);
   ContourWalk walk(marks, map);
   for (std::size_t start = 0; start < marks.size(); ++start) {
