@@ -98,7 +98,7 @@ void addStates(const ribs::RibSet& ribs, io::NamedNumbers& numbers) {
   }
   for (const ribs::RibState state :
        {ribs::RibState::Edge, ribs::RibState::Bridged, ribs::RibState::Guessed}) {
-    numbers.emplace_back("ends_" + std::string(io::ribStateKey(state)),
+    numbers.emplace_back("ends_" + std::string(ribs::ribStateKey(state)),
                          counts[static_cast<std::size_t>(state)]);
   }
 }

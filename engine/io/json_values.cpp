@@ -144,26 +144,14 @@ Result<std::vector<PicturePoint>> readStroke(std::string_view json, std::string_
   }
 }
 
-std::string_view ribStateKey(ribs::RibState state) {
-  switch (state) {
-    case ribs::RibState::Edge:
-      return "edge";
-    case ribs::RibState::Bridged:
-      return "bridged";
-    case ribs::RibState::Guessed:
-      return "guessed";
-  }
-  return {};
-}
-
 std::string writeRibs(const ribs::RibSet& ribs) {
   Json list = Json::array();
   for (const ribs::Rib& rib : ribs.ribs) {
     list.push_back({{"center", pair(rib.center)},
                     {"left", pair(rib.left)},
                     {"right", pair(rib.right)},
-                    {"leftState", ribStateKey(rib.leftState)},
-                    {"rightState", ribStateKey(rib.rightState)}});
+                    {"leftState", ribs::ribStateKey(rib.leftState)},
+                    {"rightState", ribs::ribStateKey(rib.rightState)}});
   }
   return textOf({{"ribs", std::move(list)}}, -1);
 }

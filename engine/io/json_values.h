@@ -24,9 +24,6 @@ namespace spineloft::io {
 /// empty list), OutOfMemory.
 Result<std::vector<PicturePoint>> readStroke(std::string_view json, std::string_view name);
 
-/// "edge", "bridged" or "guessed".
-std::string_view ribStateKey(ribs::RibState state);
-
 /// {"ribs":[{"center":[x,y],"left":[x,y],"right":[x,y],"leftState","rightState"}]} in picture
 /// pixels.
 std::string writeRibs(const ribs::RibSet& ribs);

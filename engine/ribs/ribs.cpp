@@ -272,6 +272,18 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
 
 }  // namespace
 
+std::string_view ribStateKey(RibState state) {
+  switch (state) {
+    case RibState::Edge:
+      return "edge";
+    case RibState::Bridged:
+      return "bridged";
+    case RibState::Guessed:
+      return "guessed";
+  }
+  return {};
+}
+
 Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,
                          const RibParams& params, const Progress& progress) {
   if (!inRange(params)) return Error::ValueOutOfRange;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/progress.h"
@@ -19,6 +20,9 @@ enum class RibState : std::uint8_t {
   Bridged,  ///< no edge here, but its neighbours on both sides found one
   Guessed,  ///< no edge nearby: taken from the other side, or from a default width
 };
+
+/// The state in files and in the API: "edge", "bridged" or "guessed".
+std::string_view ribStateKey(RibState state);
 
 /// One rib: two end points on opposite sides of the spine. Picture pixels. `left` is the side to
 /// the left of the drawing direction as seen on the screen. The polyline from `center` to an end

@@ -5,18 +5,6 @@
 namespace spineloft::app {
 namespace {
 
-std::string_view stateKey(ribs::RibState state) {
-  switch (state) {
-    case ribs::RibState::Edge:
-      return "edge";
-    case ribs::RibState::Bridged:
-      return "bridged";
-    case ribs::RibState::Guessed:
-      return "guessed";
-  }
-  return "guessed";
-}
-
 void writePoint(JsonWriter& json, std::string_view key, PicturePoint p) {
   json.key(key).beginArray().number(p.x).number(p.y).endArray();
 }
@@ -28,8 +16,8 @@ void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
     writePoint(json, "center", rib.center);
     writePoint(json, "left", rib.left);
     writePoint(json, "right", rib.right);
-    json.key("leftState").text(stateKey(rib.leftState));
-    json.key("rightState").text(stateKey(rib.rightState)).endObject();
+    json.key("leftState").text(ribs::ribStateKey(rib.leftState));
+    json.key("rightState").text(ribs::ribStateKey(rib.rightState)).endObject();
   }
   json.endArray();
 }
