@@ -54,6 +54,14 @@ constexpr std::array kTexts = {
               "The file cannot be written. Check the folder and the free space."},
     ErrorText{Error::JsonInvalid, "JsonInvalid",
               "The file is not the JSON that was expected. Check its content."},
+    ErrorText{Error::ProjectInvalid, "ProjectInvalid",
+              "That model file is damaged. Open another copy of it."},
+    ErrorText{Error::ProjectTooNew, "ProjectTooNew",
+              "That model was made with a newer SpineLoft. Reload the page to get the newest one, "
+              "then open it again."},
+    ErrorText{Error::NoProjectInside, "NoProjectInside",
+              "That 3D file was not made with SpineLoft, so there is nothing to edit inside. Open a "
+              ".spineloft file or a GLB saved here."},
     ErrorText{Error::Cancelled, "Cancelled", "Cancelled; nothing was changed."},
     ErrorText{Error::OutOfMemory, "OutOfMemory",
               "There is not enough memory for that. Close other pages or use a smaller picture."},

@@ -42,6 +42,9 @@ enum class Error {
   FileUnreadable, ///< cannot be opened or read
   FileUnwritable, ///< cannot be written
   JsonInvalid,    ///< not the JSON that was asked for
+  ProjectInvalid,   ///< a project file that is damaged
+  ProjectTooNew,    ///< a project file of a later version of this program
+  NoProjectInside,  ///< a 3D file without an editable model inside
   Cancelled,      ///< the work was cancelled; nothing changed
   OutOfMemory,
   kCount ///< number of errors, for tables and tests

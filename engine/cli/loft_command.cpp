@@ -24,10 +24,7 @@ struct Model {
   pipeline::Derived derived;
   io::NamedNumbers milliseconds;
   const pipeline::PartShape& shape() const { return *derived.parts.front().shape; }
-  image::Size picture() const {
-    const image::Picture& picture = *document.pictures.front().picture;
-    return {picture.width, picture.height};
-  }
+  image::Size picture() const { return document.pictures.front()->size; }
 };
 
 Result<image::Picture> readPicture(const std::string& path) {
@@ -98,7 +95,7 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
     return publish::publish(model.document, model.derived, arguments.format, Progress());
   }
   io::ExportPart part;
-  part.name = model.document.parts.front().name;
+  part.name = model.document.parts.front()->name;
   part.mesh = &model.shape().mesh;
   return io::writeObj({&part, 1}, io::ObjSpace::Image);
 }

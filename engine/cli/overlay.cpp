@@ -18,6 +18,9 @@ Colour colourOf(ribs::RibState state) {
       return {255, 150, 30};
     case ribs::RibState::Guessed:
       return {230, 50, 50};
+    case ribs::RibState::Edited:
+    case ribs::RibState::Locked:
+      return {40, 120, 255};
   }
   return kStroke;
 }

@@ -15,6 +15,20 @@ struct AddPicture {
   std::string name;
   std::shared_ptr<const image::Picture> picture;
 };
+/// Blank paper to draw on.
+struct AddSketch {
+  std::string name;
+  image::Size size{1024, 768};
+};
+/// One more stroke on a sketch.
+struct DrawOnSketch {
+  PictureId picture;
+  image::SketchStroke stroke;
+};
+struct RenamePicture {
+  PictureId picture;
+  std::string name;
+};
 /// Takes a picture and the parts drawn on it away.
 struct RemovePicture {
   PictureId picture;
@@ -23,18 +37,54 @@ struct RemovePicture {
 struct DrawSpine {
   PictureId picture;
   std::vector<PicturePoint> stroke;
-  loft::SectionPreset section = loft::SectionPreset::Circle;
+  loft::SectionShape section = {};
   loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
   Look look = {};
+  geometry::AlongCurve depth = {};  ///< of the spine, from a pen's pressure; see loft::Pose
 };
-/// A new stroke for an existing part; everything else about the part stays.
+/// A new stroke for an existing part, on which its ribs are looked for again: drawn, moved, bent,
+/// extended. Everything else about the part stays, edits at their places along the spine too.
 struct RedrawSpine {
   PartId part;
   std::vector<PicturePoint> stroke;
 };
+/// The ribs as they are on another line, in depth, coiled or joined to a ring; a default pose puts the
+/// part back where it was traced.
+struct PoseSpine {
+  PartId part;
+  loft::Pose pose;
+};
+/// What was changed about the ribs by hand, as a whole (made by edit_gestures of engine/ribs).
+struct EditRibs {
+  PartId part;
+  ribs::RibEdits edits;
+};
+/// The scribbles over edges that do not count for this part.
+struct IgnoreForPart {
+  PartId part;
+  std::vector<ribs::IgnoreMark> marks;
+};
+/// The same for every part of a picture.
+struct IgnoreForPicture {
+  PictureId picture;
+  std::vector<ribs::IgnoreMark> marks;
+};
+/// One section for the whole part.
 struct SetSection {
   PartId part;
-  loft::SectionPreset section = loft::SectionPreset::Circle;
+  loft::SectionShape section = {};
+};
+/// Several sections along the spine.
+struct SetSections {
+  PartId part;
+  std::vector<loft::SectionStop> sections;
+};
+enum class AlongKind : std::uint8_t { Twist, Squash, Tilt, Bulge, kCount };
+/// One of the curves of loft::LoftParams.
+struct SetAlong {
+  PartId part;
+  AlongKind kind = AlongKind::Twist;
+  geometry::AlongCurve curve;
 };
 struct SetCaps {
   PartId part;
@@ -70,6 +120,8 @@ struct RenameDocument {
 
 using Action =
     std::variant<AddPicture, RemovePicture, DrawSpine, RedrawSpine, SetSection, SetCaps, SetLook,
-                 SetParameter, RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument>;
+                 SetParameter, RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument,
+                 PoseSpine, EditRibs, IgnoreForPart, IgnoreForPicture, SetSections, SetAlong,
+                 AddSketch, DrawOnSketch, RenamePicture>;
 
 }  // namespace spineloft::document

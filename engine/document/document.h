@@ -5,36 +5,51 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/base/box.h"
 #include "engine/base/ids.h"
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
+#include "engine/image/sketch.h"
 #include "engine/loft/loft.h"
+#include "engine/loft/pose.h"
+#include "engine/ribs/edits.h"
 #include "engine/ribs/ribs.h"
 
 namespace spineloft::document {
 
-/// A picture on the board. The pixels are immutable and shared by every document that shows them;
-/// two entries are equal when their content hashes are.
+/// A picture on the board: a photo whose pixels are immutable and shared by every document that shows
+/// it, or a sketch that is drawn on blank paper (its pixels are derived, see pipeline::Derived). Two
+/// entries with equal content hashes show equal pixels.
 struct PictureEntry {
   PictureId id;
   std::string name;  ///< file name or title, UTF-8
-  std::shared_ptr<const image::Picture> picture;  ///< never null in a document
+  image::Size size;  ///< original pixels; what strokes and ribs are measured in
+  std::shared_ptr<const image::Picture> picture;  ///< null for a sketch
+  std::vector<Box<image::SketchStroke>> sketch;   ///< of a sketch, in order
   std::uint64_t contentHash = 0;
+  std::vector<ribs::IgnoreMark> ignored;  ///< edges that count for no part
+  bool isSketch() const { return picture == nullptr; }
   bool operator==(const PictureEntry& other) const {
-    return id == other.id && name == other.name && contentHash == other.contentHash;
+    return id == other.id && name == other.name && size == other.size &&
+           contentHash == other.contentHash && isSketch() == other.isSketch() &&
+           sketch == other.sketch && ignored == other.ignored;
   }
 };
 
-/// Recipe of a part made by one stroke: the authored input of spine → ribs → loft.
+/// Recipe of a part made by one stroke: the authored input of spine → ribs → edits → pose → loft.
 struct LoftRecipe {
   PictureId picture;                 ///< on which the stroke was drawn
   std::vector<PicturePoint> stroke;  ///< as drawn
   ribs::SpineParams spine;
   ribs::RibParams ribs;
+  ribs::RibEdits edits;
+  std::vector<ribs::IgnoreMark> ignored;  ///< edges that do not count for this part
+  loft::Pose pose;
   loft::LoftParams loft;
   bool operator==(const LoftRecipe&) const = default;
 };
@@ -57,8 +72,8 @@ struct Part {
 
 struct Document {
   std::string name = "Model";
-  std::vector<PictureEntry> pictures;  ///< in the order they were added
-  std::vector<Part> parts;             ///< in the order of the part list
+  std::vector<Box<PictureEntry>> pictures;  ///< in the order they were added
+  std::vector<Box<Part>> parts;             ///< in the order of the part list
   Millimetres height{100};             ///< "How tall?": of the whole model when exported
   std::uint32_t lastPictureId = 0, lastPartId = 0;  ///< ids are never reused
   bool operator==(const Document&) const = default;
@@ -73,5 +88,7 @@ const Part* findPart(const Document& document, PartId id);
 
 /// Hash of a picture's pixels and sizes, as PictureEntry::contentHash holds it.
 std::uint64_t contentHash(const image::Picture& picture);
+/// The same of a sketch, from its strokes.
+std::uint64_t contentHash(image::Size size, std::span<const Box<image::SketchStroke>> sketch);
 
 }  // namespace spineloft::document

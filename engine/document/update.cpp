@@ -21,21 +21,51 @@ std::string tidyName(std::string name, std::string fallback) {
 
 std::string numberedName(std::uint32_t id) { return "Part " + std::to_string(id); }
 
-bool known(loft::SectionPreset section) { return section < loft::SectionPreset::kCount; }
 bool known(loft::CapStyle cap) { return cap < loft::CapStyle::kCount; }
-
-Part* editPart(Document& document, PartId id) {
-  const auto at = std::ranges::find(document.parts, id, &Part::id);
-  return at == document.parts.end() ? nullptr : &*at;
-}
 
 /// Done when the stroke would make a spine on that picture.
 Status checkStroke(const Document& document, const LoftRecipe& recipe) {
   const PictureEntry* entry = findPicture(document, recipe.picture);
   if (entry == nullptr) return Error::NoSuchPicture;
-  const image::Size size{entry->picture->width, entry->picture->height};
-  const Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, size, recipe.spine);
+  const Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, entry->size, recipe.spine);
   if (!spine) return spine.failure();
+  return Done{};
+}
+
+bool isValid(std::span<const ribs::IgnoreMark> marks) {
+  constexpr double kLeastRadius = 0.5, kMostRadius = 500;  // picture pixels
+  return marks.size() <= ribs::kMostIgnoreMarks &&
+         std::ranges::all_of(marks, [](const ribs::IgnoreMark& mark) {
+           return !mark.stroke.empty() && mark.stroke.size() <= loft::kMostStrokePoints &&
+                  mark.radius >= kLeastRadius && mark.radius <= kMostRadius &&
+                  std::ranges::all_of(mark.stroke, [](PicturePoint p) { return isFinite(p); });
+         });
+}
+
+geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
+  switch (kind) {
+    case AlongKind::Twist:
+      return params.twist;
+    case AlongKind::Squash:
+      return params.squash;
+    case AlongKind::Tilt:
+      return params.tilt;
+    case AlongKind::Bulge:
+    case AlongKind::kCount:
+      break;
+  }
+  return params.bulge;
+}
+
+/// Changes the element with this id: `change` gets a copy and says whether it may replace the
+/// original.
+template <class T, class Id, class Change>
+Status edit(std::vector<Box<T>>& list, Id id, Error missing, const Change& change) {
+  const auto at = std::ranges::find_if(list, [&](const T& entry) { return entry.id == id; });
+  if (at == list.end()) return missing;
+  T copy = *at;
+  if (Status status = change(copy); !status) return status;
+  *at = std::move(copy);
   return Done{};
 }
 
@@ -44,12 +74,63 @@ Status checkStroke(const Document& document, const LoftRecipe& recipe) {
 struct Apply {
   Document& document;
 
+  template <class Change>
+  Status editPart(PartId id, const Change& change) const {
+    return edit(document.parts, id, Error::NoSuchPart, change);
+  }
+  template <class Change>
+  Status editPicture(PictureId id, const Change& change) const {
+    return edit(document.pictures, id, Error::NoSuchPicture, change);
+  }
+
   Status operator()(const AddPicture& a) const {
     if (!a.picture || a.picture->working.empty()) return Error::PictureEmpty;
-    const PictureId id{++document.lastPictureId};
-    document.pictures.push_back({id, tidyName(a.name, "Picture " + std::to_string(id.value)),
-                                 a.picture, contentHash(*a.picture)});
+    PictureEntry entry;
+    entry.id = PictureId{++document.lastPictureId};
+    entry.name = tidyName(a.name, "Picture " + std::to_string(entry.id.value));
+    entry.size = {a.picture->width, a.picture->height};
+    entry.picture = a.picture;
+    entry.contentHash = contentHash(*a.picture);
+    document.pictures.push_back(std::move(entry));
     return Done{};
+  }
+  Status operator()(const AddSketch& a) const {
+    const auto fits = [](int side) {
+      return side >= image::kLeastSketchSide && side <= image::kMostSketchSide;
+    };
+    if (!fits(a.size.width) || !fits(a.size.height)) return {Error::ValueOutOfRange, "paper size"};
+    PictureEntry entry;
+    entry.id = PictureId{++document.lastPictureId};
+    entry.name = tidyName(a.name, "Sketch " + std::to_string(entry.id.value));
+    entry.size = a.size;
+    entry.contentHash = contentHash(a.size, {});
+    document.pictures.push_back(std::move(entry));
+    return Done{};
+  }
+  Status operator()(const DrawOnSketch& a) const {
+    if (!image::isValid(a.stroke)) return {Error::ValueOutOfRange, "pen stroke"};
+    return editPicture(a.picture, [&](PictureEntry& entry) -> Status {
+      if (!entry.isSketch()) return {Error::ValueOutOfRange, "not a sketch"};
+      if (entry.sketch.size() >= image::kMostSketchStrokes) {
+        return {Error::ValueOutOfRange, "too many pen strokes"};
+      }
+      entry.sketch.push_back(a.stroke);
+      entry.contentHash = contentHash(entry.size, entry.sketch);
+      return Done{};
+    });
+  }
+  Status operator()(const RenamePicture& a) const {
+    return editPicture(a.picture, [&](PictureEntry& entry) -> Status {
+      entry.name = tidyName(a.name, "Picture " + std::to_string(a.picture.value));
+      return Done{};
+    });
+  }
+  Status operator()(const IgnoreForPicture& a) const {
+    if (!isValid(a.marks)) return {Error::ValueOutOfRange, "scribble"};
+    return editPicture(a.picture, [&](PictureEntry& entry) -> Status {
+      entry.ignored = a.marks;
+      return Done{};
+    });
   }
   Status operator()(const RemovePicture& a) const {
     if (findPicture(document, a.picture) == nullptr) return Error::NoSuchPicture;
@@ -58,14 +139,17 @@ struct Apply {
     return Done{};
   }
   Status operator()(const DrawSpine& a) const {
-    if (!known(a.section) || !known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
+    if (!known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
+    if (Status shape = loft::checkShape(a.section); !shape) return shape;
     Part part;
     part.recipe.picture = a.picture;
     part.recipe.stroke = a.stroke;
-    part.recipe.loft.section = a.section;
+    part.recipe.loft.sections.front().shape = a.section;
     part.recipe.loft.startCap = a.startCap;
     part.recipe.loft.endCap = a.endCap;
+    part.recipe.pose.depth = a.depth;
     part.look = a.look;
+    if (!loft::isValid(part.recipe.pose)) return {Error::ValueOutOfRange, "depth"};
     if (Status stroke = checkStroke(document, part.recipe); !stroke) return stroke;
     part.id = PartId{++document.lastPartId};
     part.name = numberedName(part.id.value);
@@ -73,57 +157,93 @@ struct Apply {
     return Done{};
   }
   Status operator()(const RedrawSpine& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
-    part->recipe.stroke = a.stroke;
-    return checkStroke(document, part->recipe);
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.stroke = a.stroke;
+      return checkStroke(document, part.recipe);
+    });
+  }
+  Status operator()(const PoseSpine& a) const {
+    if (!loft::isValid(a.pose)) return {Error::ValueOutOfRange, "pose"};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.pose = a.pose;
+      return Done{};
+    });
+  }
+  Status operator()(const EditRibs& a) const {
+    if (!ribs::isValid(a.edits)) return {Error::ValueOutOfRange, "rib edits"};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.edits = a.edits;
+      return Done{};
+    });
+  }
+  Status operator()(const IgnoreForPart& a) const {
+    if (!isValid(a.marks)) return {Error::ValueOutOfRange, "scribble"};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.ignored = a.marks;
+      return Done{};
+    });
   }
   Status operator()(const SetSection& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
-    if (!known(a.section)) return Error::ValueOutOfRange;
-    part->recipe.loft.section = a.section;
-    return Done{};
+    if (Status shape = loft::checkShape(a.section); !shape) return shape;
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.loft.sections = {loft::SectionStop{}};
+      part.recipe.loft.sections.front().shape = a.section;
+      return Done{};
+    });
+  }
+  Status operator()(const SetSections& a) const {
+    if (Status stops = loft::checkStops(a.sections); !stops) return stops;
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.loft.sections = a.sections;
+      return Done{};
+    });
+  }
+  Status operator()(const SetAlong& a) const {
+    if (a.kind >= AlongKind::kCount) return {Error::ValueOutOfRange, "curve"};
+    return editPart(a.part, [&](Part& part) -> Status {
+      alongOf(part.recipe.loft, a.kind) = a.curve;
+      return loft::checkParams(part.recipe.loft);
+    });
   }
   Status operator()(const SetCaps& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
     if (!known(a.start) || !known(a.end)) return Error::ValueOutOfRange;
-    part->recipe.loft.startCap = a.start;
-    part->recipe.loft.endCap = a.end;
-    return Done{};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe.loft.startCap = a.start;
+      part.recipe.loft.endCap = a.end;
+      return Done{};
+    });
   }
   Status operator()(const SetLook& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
-    part->look = a.look;
-    return Done{};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.look = a.look;
+      return Done{};
+    });
   }
   Status operator()(const SetParameter& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
     const ParamInfo* info = findParam(a.key);
     if (info == nullptr) return {Error::ValueOutOfRange, a.key};
     // Written so that NaN fails too.
     if (!(a.value >= info->low && a.value <= info->high)) return {Error::ValueOutOfRange, a.key};
     const double steps = std::round((a.value - info->low) / info->step);
-    info->set(part->recipe, std::min(info->high, info->low + steps * info->step));
-    return checkStroke(document, part->recipe);
+    return editPart(a.part, [&](Part& part) -> Status {
+      info->set(part.recipe, std::min(info->high, info->low + steps * info->step));
+      return checkStroke(document, part.recipe);
+    });
   }
   Status operator()(const RenamePart& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
-    part->name = tidyName(a.name, numberedName(a.part.value));
-    return Done{};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.name = tidyName(a.name, numberedName(a.part.value));
+      return Done{};
+    });
   }
   Status operator()(const ShowPart& a) const {
-    Part* part = editPart(document, a.part);
-    if (part == nullptr) return Error::NoSuchPart;
-    part->visible = a.visible;
-    return Done{};
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.visible = a.visible;
+      return Done{};
+    });
   }
   Status operator()(const DeletePart& a) const {
-    if (editPart(document, a.part) == nullptr) return Error::NoSuchPart;
+    if (findPart(document, a.part) == nullptr) return Error::NoSuchPart;
     std::erase_if(document.parts, [&](const Part& p) { return p.id == a.part; });
     return Done{};
   }

@@ -274,14 +274,9 @@ bool spansTheSquare(const Section& section) {
   return low < -1 + kClose && high > 1 - kClose;
 }
 
-Status checkParams(image::Size picture, const LoftParams& params) {
+Status checkInput(image::Size picture, const LoftParams& params) {
   if (picture.width < 1 || picture.height < 1) return {Error::ValueOutOfRange, "picture size"};
-  if (params.startCap >= CapStyle::kCount || params.endCap >= CapStyle::kCount) {
-    return {Error::ValueOutOfRange, "cap"};
-  }
-  if (params.capRings < 1 || params.capRings > 64) return {Error::ValueOutOfRange, "cap rings"};
-  if (!(params.centring >= 0 && params.centring <= 10)) return {Error::ValueOutOfRange, "centring"};
-  return Done{};
+  return checkParams(params);
 }
 
 /// `section` is known to be good.
@@ -324,17 +319,32 @@ std::string_view capKey(CapStyle style) {
   return {};
 }
 
+Status checkParams(const LoftParams& params) {
+  if (params.startCap >= CapStyle::kCount || params.endCap >= CapStyle::kCount) {
+    return {Error::ValueOutOfRange, "cap"};
+  }
+  if (params.capRings < 1 || params.capRings > 64) return {Error::ValueOutOfRange, "cap rings"};
+  if (!(params.centring >= 0 && params.centring <= 10)) return {Error::ValueOutOfRange, "centring"};
+  if (!geometry::isValid(params.twist, -kMostTwist, kMostTwist) ||
+      !geometry::isValid(params.squash, kLeastSquash, kMostSquash) ||
+      !geometry::isValid(params.tilt, -kMostTilt, kMostTilt) ||
+      !geometry::isValid(params.bulge, -1, 1)) {
+    return {Error::ValueOutOfRange, "curve along the spine"};
+  }
+  return checkStops(params.sections);
+}
+
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params) {
-  if (const Status status = checkParams(picture, params); !status.ok()) return status.failure();
-  const Result<Section> section = presetSection(params.section, params.sectionPoints);
+  if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
+  const Result<Section> section = presetSection(params.sections.front().shape.preset, params.sectionPoints);
   if (!section.ok()) return section.failure();
   return loftChecked(ribs, picture, params, section.value());
 }
 
 Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
                                   const LoftParams& params, const Section& section) {
-  if (const Status status = checkParams(picture, params); !status.ok()) return status.failure();
+  if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
   const std::span<const SectionPoint> points(section.points);
   if (points.size() < 3) return {Error::SectionInvalid, "fewer than 3 points"};
   if (!spansTheSquare(section)) return {Error::SectionInvalid, "does not span the square"};

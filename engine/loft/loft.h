@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/result.h"
+#include "engine/geometry/along.h"
 #include "engine/image/image.h"
 #include "engine/loft/section.h"
 #include "engine/mesh/tri_mesh.h"
@@ -45,15 +47,26 @@ inline constexpr double kRimInset = 0.08;
 /// Rib ends farther out are brought back to here, picture pixels: beyond it floats are too coarse.
 inline constexpr double kFarthest = 1e6;
 
-/// Everything a loft depends on besides its ribs.
+inline constexpr double kMostTwist = 64, kMostTilt = 1.2;  ///< radians
+inline constexpr double kLeastSquash = 0.05, kMostSquash = 8;
+
+/// Everything a loft depends on besides its ribs and its pose.
 struct LoftParams {
-  SectionPreset section = SectionPreset::Circle;
+  std::vector<SectionStop> sections{SectionStop{}};  ///< at least one, in order
+  /// How the section changes along the spine, places in shares of its length.
+  geometry::AlongCurve twist;   ///< turns about the spine, radians, ±kMostTwist; without points 0
+  geometry::AlongCurve squash;  ///< depth over width, kLeastSquash…kMostSquash; without points 1
+  geometry::AlongCurve tilt;    ///< leans about the rib, radians, ±kMostTilt; without points 0
+  geometry::AlongCurve bulge;   ///< front over back, −1 (flat front) … 1 (flat back); without points 0
   CapStyle startCap = CapStyle::Round, endCap = CapStyle::Round;
   int sectionPoints = 48;  ///< vertices around, 12…512
   int capRings = 6;        ///< rings of a round cap, 1…64
   double centring = 1.0;   ///< smoothing of centre line and depth in ribs, 0…10; the silhouette never moves
   bool operator==(const LoftParams&) const = default;
 };
+
+/// Sections, curves and numbers in range. Errors: SectionInvalid, ValueOutOfRange.
+Status checkParams(const LoftParams& params);
 
 /// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in
 /// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen

@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
+#include "engine/geometry/along.h"
 
 namespace spineloft::loft {
 
@@ -34,6 +35,51 @@ struct Section {
   std::vector<SectionPoint> points;
   bool operator==(const Section&) const = default;
 };
+
+/// A section as a person chose it: a preset, or closed curves of their own. Drawn: outer curves
+/// counter-clockwise, holes clockwise, simple, not touching each other, together touching x = −1 and
+/// x = +1 within [−1, 1]²; at most kMostContours curves of 3…kMostDrawnPoints points.
+struct SectionShape {
+  SectionShape(SectionPreset chosen = SectionPreset::Circle) : preset(chosen) {}
+  SectionPreset preset;                             ///< when nothing is drawn
+  std::vector<std::vector<SectionPoint>> contours;  ///< drawn; empty: the preset
+  bool operator==(const SectionShape&) const = default;
+  bool drawn() const { return !contours.empty(); }
+};
+inline constexpr std::size_t kMostContours = 16, kMostDrawnPoints = 5000;
+
+/// How one section becomes the next: f(t) of the share t of the way, f(0) = 0, f(1) = 1
+/// (cross-sections-hughes 4.2). Values are saved in files: only ever append.
+enum class BlendKind : std::uint8_t { Linear, Ease, Square, Root, Overshoot, Custom, kCount };
+struct BlendName {
+  BlendKind kind;
+  std::string_view key, label;
+};
+std::span<const BlendName> blendNames();
+std::optional<BlendKind> blendFromKey(std::string_view key);
+struct Blend {
+  BlendKind kind = BlendKind::Ease;
+  geometry::AlongCurve custom;  ///< of Custom: values −1…2, through (0, 0) and (1, 1)
+  bool operator==(const Blend&) const = default;
+};
+/// f(t), t in 0…1.
+double blendAt(const Blend& blend, double t);
+
+/// A section somewhere along the spine. Before the first and after the last stop the section stays
+/// as it is; one stop alone is the section of the whole part.
+struct SectionStop {
+  double at = 0.5;  ///< share of the spine's length, 0…1
+  SectionShape shape;
+  Blend blend;  ///< from here to the next stop
+  bool operator==(const SectionStop&) const = default;
+};
+inline constexpr std::size_t kMostStops = 32;
+
+/// Known preset or sound contours; Error: SectionInvalid with what is wrong.
+Status checkShape(const SectionShape& shape);
+/// 1…kMostStops stops in order, at least geometry::kLeastStep apart, all with the same number of
+/// outer curves and holes. Errors: SectionInvalid, ValueOutOfRange.
+Status checkStops(std::span<const SectionStop> stops);
 
 /// How many points a section may have.
 inline constexpr int kMinSectionPoints = 12, kMaxSectionPoints = 512;

@@ -35,9 +35,55 @@ void mix(Hasher& hasher, const ribs::RibParams& params) {
          oppositeWeight, leanCost, priorWeight);
   mix(hasher, evidence);
 }
+template <class Point>
+void mix(Hasher& hasher, const std::vector<Point>& points) {
+  hasher.number(points.size());
+  for (const Point& p : points) hasher.number(p.x).number(p.y);
+}
+void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
+  hasher.number(curve.points.size());
+  for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
+}
+void mix(Hasher& hasher, const loft::SectionStop& stop) {
+  const auto& [at, shape, blend] = stop;
+  const auto& [preset, contours] = shape;
+  const auto& [kind, custom] = blend;
+  mixAll(hasher, at, preset, kind);
+  hasher.number(contours.size());
+  for (const auto& contour : contours) mix(hasher, contour);
+  mix(hasher, custom);
+}
 void mix(Hasher& hasher, const loft::LoftParams& params) {
-  const auto& [section, startCap, endCap, sectionPoints, capRings, centring] = params;
-  mixAll(hasher, section, startCap, endCap, sectionPoints, capRings, centring);
+  const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings,
+               centring] = params;
+  hasher.number(sections.size());
+  for (const loft::SectionStop& stop : sections) mix(hasher, stop);
+  for (const auto* curve : {&twist, &squash, &tilt, &bulge}) mix(hasher, *curve);
+  mixAll(hasher, startCap, endCap, sectionPoints, capRings, centring);
+}
+void mix(Hasher& hasher, const ribs::RibEdits& edits) {
+  const auto& [ends, added, removed] = edits;
+  hasher.number(ends.size()).number(added.size()).number(removed.size());
+  for (const ribs::EndEdit& end : ends) {
+    const auto& [at, side, along, out, reach, locked] = end;
+    mixAll(hasher, at, side, along, out, reach, locked);
+  }
+  for (const double at : added) hasher.number(at);
+  for (const double at : removed) hasher.number(at);
+}
+void mix(Hasher& hasher, const std::vector<ribs::IgnoreMark>& marks) {
+  hasher.number(marks.size());
+  for (const ribs::IgnoreMark& mark : marks) {
+    const auto& [stroke, radius] = mark;
+    mix(hasher, stroke);
+    hasher.number(radius);
+  }
+}
+void mix(Hasher& hasher, const loft::Pose& pose) {
+  const auto& [stroke, depth, coilTurns, coilRadius, closed] = pose;
+  mix(hasher, stroke);
+  mix(hasher, depth);
+  mixAll(hasher, coilTurns, coilRadius, closed);
 }
 
 Result<PartShape> makeShape(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
@@ -49,7 +95,10 @@ Result<PartShape> makeShape(const document::LoftRecipe& recipe, const image::Edg
   shape.spine = std::move(spine).value();
   Result<ribs::RibSet> ribSet = ribs::traceRibs(shape.spine, edges, picture, recipe.ribs, progress);
   if (!ribSet) return ribSet.failure();
-  shape.ribs = std::move(ribSet).value();
+  shape.generated = std::move(ribSet).value();
+  shape.ribs = ribs::applyEdits(shape.spine, shape.generated, recipe.edits);
+  shape.shown = shape.ribs;
+  for (const PicturePoint& p : shape.spine.points) shape.centreLine.push_back({p.x, -p.y, 0});
   const double traced = nowMs(clock);
   Result<mesh::TriMesh> solid = loft::loftRibs(shape.ribs, picture, recipe.loft);
   if (!solid) return solid.failure();
@@ -70,13 +119,17 @@ Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::Edg
   }
 }
 
-std::uint64_t shapeKey(const document::LoftRecipe& recipe, std::uint64_t contentHash) {
-  const auto& [picture, stroke, spine, ribs, loft] = recipe;
+std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
   Hasher hasher;
-  hasher.number(contentHash).number(picture.value).number(stroke.size());
-  for (const PicturePoint& p : stroke) hasher.number(p.x).number(p.y);
+  hasher.number(entry.contentHash).number(picture.value);
+  mix(hasher, entry.ignored);
+  mix(hasher, stroke);
   mix(hasher, spine);
   mix(hasher, ribs);
+  mix(hasher, edits);
+  mix(hasher, ignored);
+  mix(hasher, pose);
   mix(hasher, loft);
   return hasher.value();
 }
@@ -105,12 +158,34 @@ void Cache::keepShape(std::shared_ptr<const PartShape> shape) {
   shapes_.push_back({std::move(shape), round_});
 }
 
+Result<std::shared_ptr<const image::Picture>> Cache::pixels(const document::PictureEntry& entry) {
+  if (!entry.isSketch()) return entry.picture;
+  const auto at = std::ranges::find(sketches_, entry.contentHash, &SketchSlot::contentHash);
+  if (at != sketches_.end()) return at->picture;
+  Result<image::Picture> drawn = image::drawSketch(entry.size, entry.sketch);
+  if (!drawn) return drawn.failure();
+  auto picture = std::make_shared<const image::Picture>(std::move(drawn).value());
+  sketches_.push_back({entry.contentHash, picture});
+  return picture;
+}
+
 void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
   ++round_;
   std::erase_if(shapes_, [&](const ShapeSlot& s) { return s.lastRound + kKeptRounds < round_; });
-  std::erase_if(edges_, [&](const EdgeSlot& slot) {
+  const auto unused = [&](const auto& slot) {
     return std::ranges::find(usedEdges, slot.contentHash) == usedEdges.end();
-  });
+  };
+  std::erase_if(edges_, unused);
+  std::erase_if(sketches_, unused);
+}
+
+const image::Picture* pixelsOf(const document::Document& document, const Derived& derived,
+                               PictureId id) {
+  const std::size_t count = std::min(document.pictures.size(), derived.pictures.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (document.pictures[i]->id == id) return derived.pictures[i].get();
+  }
+  return nullptr;
 }
 
 Derived derive(const document::Document& document, Cache& cache, const Clock& clock) {
@@ -119,6 +194,8 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
   for (const document::PictureEntry& entry : document.pictures) {
     usedEdges.push_back(entry.contentHash);
     if (!cache.edges(entry.contentHash)) derived.wantedEdges.push_back(entry.id);
+    const auto pixels = cache.pixels(entry);
+    derived.pictures.push_back(pixels ? pixels.value() : nullptr);
   }
   for (const document::Part& part : document.parts) {
     DerivedPart result{part.id, nullptr, std::nullopt, false};
@@ -128,13 +205,12 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
       derived.parts.push_back(std::move(result));
       continue;
     }
-    const std::uint64_t key = shapeKey(part.recipe, entry->contentHash);
+    const std::uint64_t key = shapeKey(part.recipe, *entry);
     result.shape = cache.shape(key);
     const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry->contentHash);
     if (!result.shape && !edges) result.waiting = true;
     if (!result.shape && edges) {
-      const image::Size size{entry->picture->width, entry->picture->height};
-      Result<PartShape> made = shapePart(part.recipe, *edges, size, Progress{}, clock);
+      Result<PartShape> made = shapePart(part.recipe, *edges, entry->size, Progress{}, clock);
       if (made) {
         made.value().key = key;
         result.shape = std::make_shared<const PartShape>(std::move(made).value());
@@ -154,7 +230,9 @@ Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache
   const double started = nowMs(clock);
   for (const document::PictureEntry& entry : document.pictures) {
     if (cache.edges(entry.contentHash)) continue;
-    Result<image::EdgeMap> edges = vision::detectEdges(*entry.picture, {}, progress);
+    const auto pixels = cache.pixels(entry);
+    if (!pixels) return pixels.failure();
+    Result<image::EdgeMap> edges = vision::detectEdges(*pixels.value(), {}, progress);
     if (!edges) return edges.failure();
     cache.keepEdges(entry.contentHash,
                     std::make_shared<const image::EdgeMap>(std::move(edges).value()));

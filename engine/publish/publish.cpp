@@ -39,8 +39,8 @@ Export standing(const WorldBounds& bounds, double height) {
   return {base, height / (bounds.high.y - bounds.low.y)};
 }
 
-io::Placement placementOf(const image::Picture& picture, const Export& target) {
-  const WorldFrame frame = worldFrame({picture.width, picture.height});
+io::Placement placementOf(image::Size picture, const Export& target) {
+  const WorldFrame frame = worldFrame(picture);
   return {{frame.centre.x + target.base.x / frame.scale, frame.centre.y + target.base.y / frame.scale,
            frame.centre.z + target.base.z / frame.scale},
           frame.scale * target.scale};
@@ -54,11 +54,12 @@ struct Shelf {
   std::vector<PictureId> ids;
 };
 
-Result<std::size_t> shelve(Shelf& shelf, const document::PictureEntry& entry) {
+Result<std::size_t> shelve(Shelf& shelf, const document::PictureEntry& entry,
+                           const image::Picture& picture) {
   for (std::size_t i = 0; i < shelf.ids.size(); ++i) {
     if (shelf.ids[i] == entry.id) return i;
   }
-  Result<Bytes> bytes = encodeTexture(*entry.picture);
+  Result<Bytes> bytes = encodeTexture(picture);
   if (!bytes) return bytes.failure();
   shelf.encoded.push_back(std::move(bytes).value());
   shelf.ids.push_back(entry.id);
@@ -82,12 +83,13 @@ Result<Shelf> gather(const document::Document& document, const pipeline::Derived
     io::ExportPart out;
     out.name = part->name;
     out.mesh = &shown.shape->mesh;
-    out.placement = placementOf(*entry->picture, target);
+    out.placement = placementOf(entry->size, target);
     for (std::size_t c = 0; c < 3; ++c) {
       out.colour[c] = static_cast<float>(part->look.colour[c]) / 255.0f;
     }
-    if (withPictures && part->look.textured) {
-      const Result<std::size_t> index = shelve(shelf, *entry);
+    const image::Picture* pixels = pipeline::pixelsOf(document, derived, entry->id);
+    if (withPictures && part->look.textured && pixels != nullptr) {
+      const Result<std::size_t> index = shelve(shelf, *entry, *pixels);
       if (!index) return index.failure();
       out.picture = index.value();
     }

@@ -23,7 +23,7 @@ std::optional<WorldBounds> worldBounds(const document::Document& document,
     if (part == nullptr || !part->visible || !shown.shape) continue;
     const document::PictureEntry* entry = document::findPicture(document, part->recipe.picture);
     if (entry == nullptr) continue;
-    const WorldFrame frame = worldFrame({entry->picture->width, entry->picture->height});
+    const WorldFrame frame = worldFrame(entry->size);
     for (const auto& p : shown.shape->mesh.positions) {
       const WorldPoint w = frame.toWorld({p[0], p[1], p[2]});
       bounds.low = {std::min(bounds.low.x, w.x), std::min(bounds.low.y, w.y),

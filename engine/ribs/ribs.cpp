@@ -256,7 +256,9 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
                     s.levels.d2[index(l)],
                     s.levels.d2[index(r)],
                     leftConfidence[at],
-                    rightConfidence[at]};
+                    rightConfidence[at],
+                    {},
+                    {}};
   }
   set.startFan = traceFan(s, labels.left.front(), labels.right.front(), true);
   set.endFan = traceFan(s, labels.left.back(), labels.right.back(), false);
@@ -280,6 +282,10 @@ std::string_view ribStateKey(RibState state) {
       return "bridged";
     case RibState::Guessed:
       return "guessed";
+    case RibState::Edited:
+      return "edited";
+    case RibState::Locked:
+      return "locked";
   }
   return {};
 }

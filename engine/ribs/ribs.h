@@ -1,6 +1,7 @@
 // Ribs: what one stroke finds in a picture.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -19,10 +20,20 @@ enum class RibState : std::uint8_t {
   Edge,     ///< it stands on an edge of the picture
   Bridged,  ///< no edge here, but its neighbours on both sides found one
   Guessed,  ///< no edge nearby: taken from the other side, or from a default width
+  Edited,   ///< put there by hand (edits.h)
+  Locked,   ///< put there by hand, and later edits near by leave it
 };
 
-/// The state in files and in the API: "edge", "bridged" or "guessed".
+/// The state in files and in the API: "edge", "bridged", "guessed", "edited" or "locked".
 std::string_view ribStateKey(RibState state);
+
+/// Other places where an end might stand: the next-best labels of the optimiser, best first, apart
+/// from each other and from the chosen one. Picture pixels.
+struct OtherPlaces {
+  std::array<PicturePoint, 3> at{};
+  int count = 0;
+  bool operator==(const OtherPlaces&) const = default;
+};
 
 /// One rib: two end points on opposite sides of the spine. Picture pixels. `left` is the side to
 /// the left of the drawing direction as seen on the screen. The polyline from `center` to an end
@@ -34,8 +45,17 @@ struct Rib {
   double leftLevel = 0, rightLevel = 0;  ///< d2 at the ends, picture pixels
   /// Margin to the next-best place, 0 (a toss-up) … 1 (no rival).
   double leftConfidence = 0, rightConfidence = 0;
+  OtherPlaces leftOthers = {}, rightOthers = {};
   bool operator==(const Rib&) const = default;
 };
+
+/// A scribble over edges that are not to count. Picture pixels.
+struct IgnoreMark {
+  std::vector<PicturePoint> stroke;  ///< ≥ 1 point
+  double radius = 8;                 ///< 0.5…500
+  bool operator==(const IgnoreMark&) const = default;
+};
+inline constexpr std::size_t kMostIgnoreMarks = 500;
 
 /// The ends of the fan of gradient curves around one end of the spine, from the left rib's side
 /// round to the right's: the outline of a round cap. Empty when the fan was not traced. Picture

@@ -17,17 +17,52 @@ constexpr int kWidth = 96, kHeight = 72;
 
 PartId anyPart(Rng& rng, const Document& document) {
   if (document.parts.empty() || rng.below(20) == 0) return PartId{rng.below(9)};
-  return document.parts[rng.below(static_cast<std::uint32_t>(document.parts.size()))].id;
+  return document.parts[rng.below(static_cast<std::uint32_t>(document.parts.size()))]->id;
 }
 
 PictureId anyPicture(Rng& rng, const Document& document) {
   if (document.pictures.empty() || rng.below(20) == 0) return PictureId{rng.below(9)};
-  return document.pictures[rng.below(static_cast<std::uint32_t>(document.pictures.size()))].id;
+  return document.pictures[rng.below(static_cast<std::uint32_t>(document.pictures.size()))]->id;
 }
 
-loft::SectionPreset anySection(Rng& rng) {
-  return static_cast<loft::SectionPreset>(
+std::vector<SectionPoint> anyContour(Rng& rng) {
+  std::vector<SectionPoint> contour;
+  const std::uint32_t count = 2 + rng.below(40);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * i / count, radius = rng.uniform(0.4, 1);
+    contour.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  if (contour.size() > 2) {
+    contour[0] = {1, 0};
+    contour[contour.size() / 2] = {-1, 0};
+  }
+  return contour;
+}
+
+loft::SectionShape anySection(Rng& rng) {
+  loft::SectionShape shape;
+  shape.preset = static_cast<loft::SectionPreset>(
       rng.below(static_cast<std::uint32_t>(loft::SectionPreset::kCount) + 1));
+  if (rng.below(4) == 0) shape.contours.push_back(anyContour(rng));
+  return shape;
+}
+
+geometry::AlongCurve anyCurve(Rng& rng, double low, double high) {
+  geometry::AlongCurve curve;
+  const std::uint32_t count = rng.below(6);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    curve.points.push_back({(i + rng.uniform(0, 0.9)) / count, rng.uniform(low, high)});
+  }
+  return curve;
+}
+
+std::vector<ribs::IgnoreMark> anyMarks(Rng& rng) {
+  std::vector<ribs::IgnoreMark> marks(rng.below(4));
+  for (ribs::IgnoreMark& mark : marks) {
+    mark.stroke = randomStroke(rng, kWidth, kHeight);
+    mark.radius = rng.uniform(0, 20);
+  }
+  return marks;
 }
 
 loft::CapStyle anyCap(Rng& rng) {
@@ -58,7 +93,8 @@ struct Make<RemovePicture> {
 template <>
 struct Make<DrawSpine> {
   static DrawSpine from(Rng& rng, const Document& d) {
-    return {anyPicture(rng, d), anyStroke(rng), anySection(rng), anyCap(rng), anyCap(rng), {}};
+    return {anyPicture(rng, d), anyStroke(rng), anySection(rng), anyCap(rng), anyCap(rng), {},
+            {}};
   }
 };
 template <>
@@ -114,6 +150,87 @@ template <>
 struct Make<RenameDocument> {
   static RenameDocument from(Rng& rng, const Document&) {
     return {std::string(rng.below(300), 'y')};
+  }
+};
+
+template <>
+struct Make<PoseSpine> {
+  static PoseSpine from(Rng& rng, const Document& d) {
+    loft::Pose pose;
+    if (rng.below(2) == 0) pose.stroke = anyStroke(rng);
+    pose.depth = anyCurve(rng, -30, 30);
+    pose.coilTurns = rng.below(2) == 0 ? 0 : rng.uniform(-5, 5);
+    pose.coilRadius = rng.uniform(0, 30);
+    pose.closed = rng.below(4) == 0;
+    return {anyPart(rng, d), pose};
+  }
+};
+template <>
+struct Make<EditRibs> {
+  static EditRibs from(Rng& rng, const Document& d) {
+    ribs::RibEdits edits;
+    edits.ends.resize(rng.below(8));
+    for (ribs::EndEdit& end : edits.ends) {
+      end = {rng.uniform(0, 1.02), rng.below(2) == 0 ? ribs::Side::Left : ribs::Side::Right,
+             rng.uniform(-10, 10), rng.uniform(0, 40), rng.uniform(0, 0.3), rng.below(4) == 0};
+    }
+    for (std::uint32_t i = rng.below(4); i > 0; --i) edits.added.push_back(rng.uniform(0, 1));
+    for (std::uint32_t i = rng.below(4); i > 0; --i) edits.removed.push_back(rng.uniform(0, 1));
+    return {anyPart(rng, d), edits};
+  }
+};
+template <>
+struct Make<IgnoreForPart> {
+  static IgnoreForPart from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyMarks(rng)}; }
+};
+template <>
+struct Make<IgnoreForPicture> {
+  static IgnoreForPicture from(Rng& rng, const Document& d) {
+    return {anyPicture(rng, d), anyMarks(rng)};
+  }
+};
+template <>
+struct Make<SetSections> {
+  static SetSections from(Rng& rng, const Document& d) {
+    std::vector<loft::SectionStop> stops(rng.below(5));
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      stops[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) /
+                    static_cast<double>(stops.size());
+      stops[i].shape = anySection(rng);
+      stops[i].blend.kind = static_cast<loft::BlendKind>(
+          rng.below(static_cast<std::uint32_t>(loft::BlendKind::kCount) + 1));
+    }
+    return {anyPart(rng, d), stops};
+  }
+};
+template <>
+struct Make<SetAlong> {
+  static SetAlong from(Rng& rng, const Document& d) {
+    const auto kind = static_cast<AlongKind>(rng.below(5));
+    return {anyPart(rng, d), kind, anyCurve(rng, -1, 1.2)};
+  }
+};
+template <>
+struct Make<AddSketch> {
+  static AddSketch from(Rng& rng, const Document&) {
+    return {"sketch", {static_cast<int>(rng.below(200)), kHeight}};
+  }
+};
+template <>
+struct Make<DrawOnSketch> {
+  static DrawOnSketch from(Rng& rng, const Document& d) {
+    image::SketchStroke stroke;
+    stroke.points = anyStroke(rng);
+    stroke.radius = rng.uniform(0, 10);
+    stroke.erase = rng.below(4) == 0;
+    if (rng.below(2) == 0) stroke.pressure.assign(stroke.points.size(), 0.5f);
+    return {anyPicture(rng, d), stroke};
+  }
+};
+template <>
+struct Make<RenamePicture> {
+  static RenamePicture from(Rng& rng, const Document& d) {
+    return {anyPicture(rng, d), std::string(rng.below(300), 'z')};
   }
 };
 

@@ -63,7 +63,7 @@ void App::layout() {
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
     ui_.pictureView =
-        fitPicture({entry->picture->width, entry->picture->height}, ui_.layout.picture);
+        fitPicture(entry->size, ui_.layout.picture);
   }
 }
 
@@ -71,7 +71,7 @@ void App::layout() {
 void App::settle() {
   const document::Document& document = studio_.document();
   if (!document::findPicture(document, ui_.picture)) {
-    ui_.picture = document.pictures.empty() ? PictureId{} : document.pictures.back().id;
+    ui_.picture = document.pictures.empty() ? PictureId{} : document.pictures.back()->id;
     ui_.pictureView.fitted = true;
     gestures_.cancel(toolEnv());
   }
@@ -125,7 +125,7 @@ void App::growPreview() {
   if (const document::Part* part = document::findPart(studio_.document(), ui_.redraw)) {
     recipe = part->recipe;
   } else {
-    recipe.loft.section = ui_.section;
+    recipe.loft.sections.front().shape = ui_.section;
     recipe.loft.startCap = ui_.startCap;
     recipe.loft.endCap = ui_.endCap;
   }
@@ -290,7 +290,7 @@ const std::string& App::addPicture(image::Picture picture, std::string_view name
     status = studio_.act(actions);
   }
   if (!status) return answerWith(refuse(status.failure()));
-  ui_.picture = studio_.document().pictures.back().id;
+  ui_.picture = studio_.document().pictures.back()->id;
   ui_.pictureView.fitted = true;
   ui_.selection = {};
   ui_.redraw = {};

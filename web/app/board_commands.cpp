@@ -42,7 +42,7 @@ Outcome nudge(Env env, ClientPoint by) {
     ui.cameraTouched = true;
     orbit(ui.camera, ui.layout.solid, by);
   } else if (entry != nullptr) {
-    panPicture(ui.pictureView, {entry->picture->width, entry->picture->height}, ui.layout.picture,
+    panPicture(ui.pictureView, entry->size, ui.layout.picture,
                by);
   }
   return {};

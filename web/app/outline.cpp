@@ -104,7 +104,7 @@ PartId partUnderRay(const document::Document& document, const pipeline::Derived&
     const document::PictureEntry* entry = document::findPicture(document, part.recipe.picture);
     if (!shape || !part.visible || entry == nullptr) continue;
     const publish::WorldFrame frame =
-        publish::worldFrame({entry->picture->width, entry->picture->height});
+        publish::worldFrame(entry->size);
     const double s = 1 / frame.scale;
     const ModelPoint eye{ray.eye.x * s + frame.centre.x, ray.eye.y * s + frame.centre.y,
                          ray.eye.z * s + frame.centre.z};

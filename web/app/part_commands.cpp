@@ -74,7 +74,7 @@ void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
   env.ui.picture = part.recipe.picture;
   env.ui.redraw = {};
-  env.ui.section = part.recipe.loft.section;
+  env.ui.section = part.recipe.loft.sections.front().shape;
   env.ui.startCap = part.recipe.loft.startCap;
   env.ui.endCap = part.recipe.loft.endCap;
   env.ui.look = part.look;
@@ -109,7 +109,7 @@ Outcome drawSpine(Env env, const Json& args) {
   std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
   document::DrawSpine draw{env.ui.picture,  std::move(*stroke), env.ui.section,
-                           env.ui.startCap, env.ui.endCap,      env.ui.look};
+                           env.ui.startCap, env.ui.endCap,      env.ui.look, {}};
   if (const std::string* key = args.text("section")) {
     const auto section = loft::sectionFromKey(*key);
     if (!section) return refuse({Error::ValueOutOfRange, *key});
@@ -120,7 +120,7 @@ Outcome drawSpine(Env env, const Json& args) {
   draw.startCap = *start;
   draw.endCap = *end;
   if (const Status status = env.studio.act(draw); !status) return refuse(status.failure());
-  env.ui.selection = env.studio.document().parts.back().id;
+  env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.redraw = {};
   env.ui.framePending = true;
   return {};
@@ -180,7 +180,8 @@ Outcome selectPart(Env env, const Json& args) {
 Outcome nextPart(Env env, const Json&) {
   const auto& parts = env.studio.document().parts;
   if (parts.empty()) return noPart();
-  auto at = std::ranges::find(parts, env.ui.selection, &document::Part::id);
+  auto at = std::ranges::find_if(
+      parts, [&](const document::Part& part) { return part.id == env.ui.selection; });
   if (at == parts.end() || ++at == parts.end()) at = parts.begin();
   select(env, *at);
   return {};

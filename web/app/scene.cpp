@@ -10,26 +10,33 @@ namespace {
 
 gl::Viewport viewport(const Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
 
-image::Size sizeOf(const document::PictureEntry& entry) {
-  return {entry.picture->width, entry.picture->height};
-}
-
-gl::SceneTexture textureOf(const document::PictureEntry& entry) {
-  return {entry.contentHash | 1u, &entry.picture->working};
+gl::SceneTexture textureOf(const document::PictureEntry& entry, const image::Picture& pixels) {
+  return {entry.contentHash | 1u, &pixels.working};
 }
 
 gl::Mat4 worldOf(const document::PictureEntry& entry) {
-  const publish::WorldFrame frame = publish::worldFrame(sizeOf(entry));
+  const publish::WorldFrame frame = publish::worldFrame(entry.size);
   return gl::scaleThenShift(frame.scale, -frame.centre.x * frame.scale,
                             -frame.centre.y * frame.scale, -frame.centre.z * frame.scale);
 }
 
-gl::SceneMesh meshOf(const document::PictureEntry& entry, const document::Look& look,
+/// Where a picture's parts get their surface from.
+struct Source {
+  const document::PictureEntry* entry = nullptr;
+  const image::Picture* pixels = nullptr;  ///< null: none
+};
+
+Source sourceOf(const document::Document& document, const pipeline::Derived& derived,
+                PictureId id) {
+  return {document::findPicture(document, id), pipeline::pixelsOf(document, derived, id)};
+}
+
+gl::SceneMesh meshOf(const Source& source, const document::Look& look,
                      const pipeline::PartShape& shape) {
   gl::SceneMesh mesh;
   mesh.mesh = &shape.mesh;
-  mesh.toWorld = worldOf(entry);
-  if (look.textured) mesh.texture = textureOf(entry);
+  mesh.toWorld = worldOf(*source.entry);
+  if (look.textured && source.pixels) mesh.texture = textureOf(*source.entry, *source.pixels);
   for (std::size_t i = 0; i < 3; ++i) mesh.colour[i] = static_cast<float>(look.colour[i]) / 255.f;
   return mesh;
 }
@@ -41,20 +48,21 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
   for (std::size_t i = 0; i < count; ++i) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
-    const document::PictureEntry* entry = document::findPicture(document, part.recipe.picture);
-    if (!shape || !part.visible || entry == nullptr || part.id == replaced) continue;
-    gl::SceneMesh mesh = meshOf(*entry, part.look, *shape);
+    const Source source = sourceOf(document, derived, part.recipe.picture);
+    if (!shape || !part.visible || source.entry == nullptr || part.id == replaced) continue;
+    gl::SceneMesh mesh = meshOf(source, part.look, *shape);
     mesh.key = shape->key | 1u;
     mesh.selected = part.id == ui.selection && document.parts.size() > 1;
     scene.meshes.push_back(mesh);
   }
 }
 
-void addPreview(const document::Document& document, const UiState& ui, gl::Scene& scene) {
+void addPreview(const document::Document& document, const pipeline::Derived& derived,
+                const UiState& ui, gl::Scene& scene) {
   if (!ui.preview || !ui.preview->shape) return;
-  const document::PictureEntry* entry = document::findPicture(document, ui.picture);
-  if (entry == nullptr) return;
-  gl::SceneMesh mesh = meshOf(*entry, ui.look, *ui.preview->shape);
+  const Source source = sourceOf(document, derived, ui.picture);
+  if (source.entry == nullptr) return;
+  gl::SceneMesh mesh = meshOf(source, ui.look, *ui.preview->shape);
   mesh.key = Hasher().text("preview").number(ui.preview->revision).value() | 1u;
   scene.meshes.push_back(mesh);
 }
@@ -89,16 +97,17 @@ void buildScene(const document::Document& document, const pipeline::Derived& der
   scene.pictureView = viewport(ui.layout.picture);
   scene.solidView = viewport(ui.layout.solid);
   scene.picture.reset();
-  if (const auto* entry = document::findPicture(document, ui.picture)) {
-    scene.picture = textureOf(*entry);
-    scene.pictureAt = viewport(pictureRect(ui.pictureView, sizeOf(*entry), ui.layout.picture));
+  const Source shown = sourceOf(document, derived, ui.picture);
+  if (shown.entry != nullptr && shown.pixels != nullptr) {
+    scene.picture = textureOf(*shown.entry, *shown.pixels);
+    scene.pictureAt = viewport(pictureRect(ui.pictureView, shown.entry->size, ui.layout.picture));
   }
   scene.view = viewOf(ui.camera);
   scene.projection = projectionOf(ui.camera, ui.layout.solid);
   scene.meshes.clear();
   scene.floorRadius = 0;
   addParts(document, derived, ui, scene);
-  addPreview(document, ui, scene);
+  addPreview(document, derived, ui, scene);
   addFloor(scene);
 }
 

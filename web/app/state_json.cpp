@@ -25,7 +25,9 @@ void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
 void writePart(JsonWriter& json, const document::Part& part, const pipeline::DerivedPart& derived) {
   static const ribs::RibSet kNoRibs;
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
-  json.key("kind").text("loft").key("section").text(loft::sectionKey(part.recipe.loft.section));
+  const loft::SectionShape& shape = part.recipe.loft.sections.front().shape;
+  json.key("kind").text("loft").key("section");
+  json.text(shape.drawn() ? "drawn" : loft::sectionKey(shape.preset));
   json.key("caps").beginObject();
   json.key("start").text(loft::capKey(part.recipe.loft.startCap));
   json.key("end").text(loft::capKey(part.recipe.loft.endCap)).endObject();
@@ -49,8 +51,8 @@ void writePicture(JsonWriter& json, const document::PictureEntry* entry) {
     json.null();
     return;
   }
-  json.beginObject().key("width").number(entry->picture->width);
-  json.key("height").number(entry->picture->height).key("name").text(entry->name);
+  json.beginObject().key("width").number(entry->size.width);
+  json.key("height").number(entry->size.height).key("name").text(entry->name);
   json.key("id").number(entry->id.value).endObject();
 }
 
@@ -94,7 +96,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   }
   json.endArray().key("selection");
   ui.selection ? json.number(ui.selection.value) : json.null();
-  json.key("tool").text(ui.tool == ToolKind::Draw ? "draw" : "hand");
+  json.key("tool").text(toolKey(ui.tool));
   json.key("redraw");
   ui.redraw ? json.number(ui.redraw.value) : json.null();
   json.key("undo").number(static_cast<double>(studio.undoSteps()));

@@ -11,10 +11,6 @@ namespace {
 
 const image::EdgeMap kNoEdges;
 
-image::Size sizeOf(const document::PictureEntry& entry) {
-  return {entry.picture->width, entry.picture->height};
-}
-
 struct EdgeSearch {
   Result<image::EdgeMap> edges;
   double ms = 0;
@@ -82,11 +78,16 @@ void Studio::findEdges(PictureId id) {
   if (entry == nullptr) return;
   const std::uint64_t hash = entry->contentHash;
   if (std::ranges::count(searching_, hash) > 0) return;
+  const Result<std::shared_ptr<const image::Picture>> pixels = cache_.pixels(*entry);
+  if (!pixels) {
+    sendError(host_, failureSentence(pixels.failure()));
+    return;
+  }
   searching_.push_back(hash);
   platform::Host* host = &host_;
   pool_.submit(
       "Looking for edges",
-      [picture = entry->picture, host](const Progress& progress) {
+      [picture = pixels.value(), host](const Progress& progress) {
         const double start = host->nowMs();
         Result<image::EdgeMap> edges = vision::detectEdges(*picture, {}, progress);
         return EdgeSearch{std::move(edges), host->nowMs() - start};
@@ -120,7 +121,7 @@ Result<pipeline::PartShape> Studio::preview(const document::LoftRecipe& recipe) 
   const document::PictureEntry* entry = document::findPicture(document(), recipe.picture);
   if (entry == nullptr) return Error::NoSuchPicture;
   const std::shared_ptr<const image::EdgeMap> edges = cache_.edges(entry->contentHash);
-  return pipeline::shapePart(recipe, edges ? *edges : kNoEdges, sizeOf(*entry), Progress{},
+  return pipeline::shapePart(recipe, edges ? *edges : kNoEdges, entry->size, Progress{},
                              [this] { return host_.nowMs(); });
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/ids.h"
@@ -15,7 +16,19 @@
 
 namespace spineloft::app {
 
-enum class ToolKind : std::uint8_t { Draw, Hand };
+enum class ToolKind : std::uint8_t {
+  Draw,    ///< a new part, or a new line for one
+  Hand,    ///< moves the picture
+  Ribs,    ///< drags rib ends, adds, deletes, locks ribs
+  Shape,   ///< a line that nearby rib ends grow or shrink to
+  Bone,    ///< moves, bends and extends the spine; a new stroke reposes
+  Ignore,  ///< scribbles over edges that do not count
+  Pen,     ///< draws on a sketch
+  Eraser,  ///< paper again
+  kCount
+};
+/// "draw", "hand", "ribs", "shape", "bone", "ignore", "pen", "eraser".
+std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
 enum class PanelTab : std::uint8_t { Parts, Slice, Ends, Look };
 
@@ -55,7 +68,7 @@ struct UiState {
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
 
   /// What the next part is made with.
-  loft::SectionPreset section = loft::SectionPreset::Circle;
+  loft::SectionShape section;
   loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
   document::Look look;
 

@@ -23,6 +23,9 @@ Pen ribPen(ribs::RibState state) {
       return {kBridgedRib, 1.5f, LineStyle::Dashed};
     case ribs::RibState::Guessed:
       return {kGuessedRib, 1.6f, LineStyle::Dotted};
+    case ribs::RibState::Edited:
+    case ribs::RibState::Locked:
+      return {kInk, 1.6f, LineStyle::Solid};
   }
   return {};
 }

@@ -49,7 +49,8 @@ void paintSection(ImDrawList& list, loft::SectionPreset preset, ImVec2 centre, f
 
 void sectionChooser(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
-  const loft::SectionPreset chosen = part ? part->recipe.loft.section : env.ui().section;
+  const loft::SectionShape& chosen =
+      part ? part->recipe.loft.sections.front().shape : env.ui().section;
   const bool strip = env.ui().layout.strip;
   const float gap = 6;
   const int columns = strip ? (width < app::kFlatStripFrom - 20 ? 6 : 12) : 3;
@@ -66,7 +67,7 @@ void sectionChooser(const PanelEnv& env, float width) {
       paintSection(list, name.preset, centre, radius, colour);
     };
     const std::string_view text = size.y < 50 ? std::string_view() : name.label;
-    if (tile(env, {key.c_str(), text, name.label, size, name.preset == chosen}, paint)) {
+    if (tile(env, {key.c_str(), text, name.label, size, !chosen.drawn() && name.preset == chosen.preset}, paint)) {
       env.sink.run("set-section", app::Json::Object{{"section", name.key}});
     }
   }

@@ -6,7 +6,7 @@ namespace spineloft::tools {
 
 image::Size shownPicture(const ToolEnv& env) {
   const document::PictureEntry* entry = document::findPicture(env.document, env.ui.picture);
-  return entry ? image::Size{entry->picture->width, entry->picture->height} : image::Size{};
+  return entry ? entry->size : image::Size{};
 }
 
 void PanPicture::begin(const ToolEnv& env, app::ClientPoint at) { watch_.begin(at, env.ui.touch); }

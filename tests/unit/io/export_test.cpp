@@ -39,7 +39,7 @@ const Bytes kPng = {0x89, 'P', 'N',  'G',  0x0d, 0x0a, 0x1a, 0x0a, 0,    0, 0, 1
 
 mesh::TriMesh vase(loft::SectionPreset section, int points = 48) {
   loft::LoftParams params;
-  params.section = section;
+  params.sections.front().shape.preset = section;
   params.sectionPoints = points;
   params.startCap = loft::CapStyle::Flat;
   const auto set =

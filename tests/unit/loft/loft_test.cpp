@@ -156,7 +156,7 @@ TEST_CASE("seen from the front the outline passes through every rib end of well-
     const ribs::RibSet set = randomRibs(rng);
     for (const SectionName& name : sectionNames()) {
       LoftParams params;
-      params.section = name.preset;
+      params.sections.front().shape.preset = name.preset;
       const auto mesh = lofted(set, params);
       for (const ribs::Rib& rib : set.ribs) {
         CHECK(nearestVertex(mesh, rib.left) < 2e-3);
@@ -229,7 +229,7 @@ TEST_CASE("thousands of random and hostile rib sets are lawful with every sectio
     const bool hostile = round % 2 == 1;
     const ribs::RibSet set = hostile ? hostileRibs(rng) : randomRibs(rng);
     LoftParams params;
-    params.section = names[static_cast<std::size_t>(combination) % names.size()].preset;
+    params.sections.front().shape.preset = names[static_cast<std::size_t>(combination) % names.size()].preset;
     params.startCap = caps[static_cast<std::size_t>(combination) / 12 % 4].style;
     params.endCap = caps[static_cast<std::size_t>(combination) / 48 % 4].style;
     ++combination;
@@ -337,7 +337,7 @@ TEST_CASE("a flat end takes the section's own outline, also where it is not conv
       area += cross(section.points[i], section.points[(i + 1) % section.points.size()]) / 2;
     }
     LoftParams params = withCaps(CapStyle::Flat, CapStyle::Flat, 96);
-    params.section = name.preset;
+    params.sections.front().shape.preset = name.preset;
     const auto report = requireLawful(lofted(cylinderRibs(), params));
     CHECK(report.volume == doctest::Approx(area * 40 * 40 * 400).epsilon(1e-5));
   }
@@ -396,7 +396,7 @@ TEST_CASE("what cannot be lofted says why") {
   CHECK(refused([](LoftParams& p) { p.capRings = 65; }));
   CHECK(refused([](LoftParams& p) { p.centring = -1; }));
   CHECK(refused([](LoftParams& p) { p.centring = std::numeric_limits<double>::quiet_NaN(); }));
-  CHECK(refused([](LoftParams& p) { p.section = SectionPreset::kCount; }));
+  CHECK(refused([](LoftParams& p) { p.sections.front().shape.preset = SectionPreset::kCount; }));
   CHECK(refused([](LoftParams& p) { p.endCap = CapStyle::kCount; }));
   CHECK(loftRibs(cylinderRibs(), {0, 10}, {}).error() == Error::ValueOutOfRange);
 }

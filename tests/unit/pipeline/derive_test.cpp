@@ -86,23 +86,36 @@ TEST_CASE("dropping every cache changes nothing that is seen") {
   }
 }
 
-TEST_CASE("every authored value of a recipe is part of the shape's key") {
-  const LoftRecipe recipe = ellipseDocument().parts[0].recipe;
-  const std::uint64_t key = shapeKey(recipe, 5);
-  CHECK(shapeKey(recipe, 5) == key);
-  CHECK(shapeKey(recipe, 6) != key);
-  LoftRecipe other = recipe;
-  other.stroke[1].y += 1e-9;
-  CHECK(shapeKey(other, 5) != key);
-  other = recipe;
-  other.ribs.levels = 64;
-  CHECK(shapeKey(other, 5) != key);
-  other = recipe;
-  other.spine.ribs = 50;
-  CHECK(shapeKey(other, 5) != key);
-  other = recipe;
-  other.loft.endCap = loft::CapStyle::Open;
-  CHECK(shapeKey(other, 5) != key);
+TEST_CASE("every authored value of a recipe and its picture is part of the shape's key") {
+  const Document document = ellipseDocument();
+  const LoftRecipe recipe = document.parts[0]->recipe;
+  const PictureEntry entry = document.pictures[0];
+  const std::uint64_t key = shapeKey(recipe, entry);
+  CHECK(shapeKey(recipe, entry) == key);
+  PictureEntry elsewhere = entry;
+  elsewhere.contentHash ^= 1;
+  CHECK(shapeKey(recipe, elsewhere) != key);
+  elsewhere = entry;
+  elsewhere.ignored = {{{{1, 2}}, 3}};
+  CHECK(shapeKey(recipe, elsewhere) != key);
+  const auto changes = [&](void (*change)(LoftRecipe&)) {
+    LoftRecipe other = recipe;
+    change(other);
+    return shapeKey(other, entry) != key;
+  };
+  CHECK(changes([](LoftRecipe& r) { r.stroke[1].y += 1e-9; }));
+  CHECK(changes([](LoftRecipe& r) { r.ribs.levels = 64; }));
+  CHECK(changes([](LoftRecipe& r) { r.spine.ribs = 50; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.endCap = loft::CapStyle::Open; }));
+  CHECK(changes([](LoftRecipe& r) { r.edits.ends.push_back({}); }));
+  CHECK(changes([](LoftRecipe& r) { r.edits.added.push_back(0.5); }));
+  CHECK(changes([](LoftRecipe& r) { r.ignored.push_back({{{1, 2}}, 3}); }));
+  CHECK(changes([](LoftRecipe& r) { r.pose.depth.points = {{0, 1}}; }));
+  CHECK(changes([](LoftRecipe& r) { r.pose.closed = true; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.twist.points = {{0, 1}}; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.squash.points = {{0, 1}}; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].blend.kind = loft::BlendKind::Root; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].shape.contours = {{{1, 0}}}; }));
 }
 
 TEST_CASE("cancelled work says so and keeps nothing") {
@@ -113,5 +126,5 @@ TEST_CASE("cancelled work says so and keeps nothing") {
   const auto derived = deriveWithEdges(document, cache, progress);
   REQUIRE_FALSE(derived.ok());
   CHECK(derived.error() == Error::Cancelled);
-  CHECK(cache.edges(document.pictures[0].contentHash) == nullptr);
+  CHECK(cache.edges(document.pictures[0]->contentHash) == nullptr);
 }

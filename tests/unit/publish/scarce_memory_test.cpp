@@ -21,9 +21,9 @@ TEST_CASE("work that gets no memory says so, and works again when there is some"
 
   constexpr std::size_t kLimit = 100'000;
   {
-    const auto edges = cache.edges(model.pictures[0].contentHash);
+    const auto edges = cache.edges(model.pictures[0]->contentHash);
     const testing::ScarceMemory scarce(kLimit);
-    const auto shape = pipeline::shapePart(model.parts[0].recipe, *edges, {400, 300}, {});
+    const auto shape = pipeline::shapePart(model.parts[0]->recipe, *edges, {400, 300}, {});
     REQUIRE_FALSE(shape.ok());
     CHECK(shape.error() == Error::OutOfMemory);
   }

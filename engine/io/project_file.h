@@ -1,0 +1,38 @@
+// The project: a GLB that any viewer shows and that carries the editable document and its pictures
+// inside, as the glTF extension SPINELOFT_project. Hostile-proof: every number is checked against the
+// ranges of the document, every size against the bytes that are there.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "engine/document/document.h"
+#include "engine/io/export_part.h"
+
+namespace spineloft::io {
+
+/// What this program writes; it reads 1 … this. Every version has a golden file in tests/golden and a
+/// migration step that a test runs.
+inline constexpr int kProjectVersion = 1;
+
+/// Finds a photo by its content hash; null when it is not there.
+using PictureSource = std::function<std::shared_ptr<const image::Picture>(std::uint64_t)>;
+
+/// The document as JSON; photos by their content hash. Keys that this program did not know when it
+/// read the document are written back as they came. Equal documents give equal texts.
+std::string writeDocument(const document::Document& document);
+/// Errors: ProjectInvalid (with what is wrong), ProjectTooNew, NoSuchPicture, OutOfMemory.
+Result<document::Document> readDocument(std::string_view json, const PictureSource& pictures);
+
+/// Whether the bytes are a GLB with a project inside (cheap: looks at headers and the JSON chunk).
+bool holdsProject(std::span<const std::uint8_t> glb);
+/// The document of a GLB that was written with one. Errors: NoProjectInside (a GLB of another program),
+/// ProjectInvalid, ProjectTooNew, PictureUnreadable, OutOfMemory.
+Result<document::Document> readProject(std::span<const std::uint8_t> glb);
+
+}  // namespace spineloft::io

@@ -1,0 +1,17 @@
+// The groups of rows that make up the command table, one file each.
+#pragma once
+
+#include <span>
+
+#include "web/app/commands.h"
+
+namespace spineloft::app {
+
+std::span<const Command> generalCommands();  ///< board, parts, views: command_table.cpp
+std::span<const Command> ribCommands();      ///< editing ribs, ignoring edges: rib_commands.cpp
+std::span<const Command> boneCommands();     ///< moving and posing spines: bone_commands.cpp
+std::span<const Command> sliceCommands();    ///< sections along the spine, curves: slice_commands.cpp
+std::span<const Command> sketchCommands();   ///< paper, pen and eraser: sketch_commands.cpp
+std::span<const Command> keepCommands();     ///< models on this device, project files: keep_commands.cpp
+
+}  // namespace spineloft::app
