@@ -79,7 +79,7 @@ Outcome nextPicture(Env env, const Json&) {
   if (pictures.empty()) return refuse({Error::NoSuchPicture, {}});
   auto at = std::ranges::find(pictures, env.ui.picture, &document::PictureEntry::id);
   if (at == pictures.end() || ++at == pictures.end()) at = pictures.begin();
-  env.ui.picture = at->id;
+  env.ui.picture = at->get().id;
   env.ui.selection = {};
   env.ui.redraw = {};
   env.ui.pictureView.fitted = true;

@@ -45,6 +45,8 @@ Outcome focusSolid(const CommandEnv& env, const Json& args);
 
 /// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
 const document::Part* partOf(const CommandEnv& env, const Json& args);
+/// A part is selected: what makes commands about a part possible without naming one.
+bool hasSelection(const CommandEnv& env);
 /// Its look, or the look of the next part when none is selected.
 document::Look currentLook(const CommandEnv& env);
 /// Turns the camera so that it sees every part, from home or from where it looks.

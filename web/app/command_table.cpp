@@ -14,7 +14,6 @@ using Env = const CommandEnv&;
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasPictures(Env env) { return env.studio.document().pictures.size() > 1; }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
-bool hasSelection(Env env) { return partOf(env, Json()) != nullptr; }
 bool hasAnything(Env env) { return hasPicture(env) || hasParts(env); }
 bool canUndo(Env env) { return env.studio.undoSteps() > 0; }
 bool canRedo(Env env) { return env.studio.redoSteps() > 0; }
@@ -455,6 +454,8 @@ constexpr std::array kTable = {
 };
 
 }  // namespace
+
+bool hasSelection(const CommandEnv& env) { return partOf(env, Json()) != nullptr; }
 
 std::span<const Command> generalCommands() { return kTable; }
 
