@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace spineloft::ribs {
 namespace {
@@ -89,15 +88,9 @@ class WidthChains {
     return out;
   }
 
-  // Keeps the best of `leans` in `best`.
-  void compare(const std::vector<double>& leans, EvenPart& best, LengthWorkspace& workspace) const {
-    const std::vector<float> energies =
-        leastEnergies(chain_, chain_.left, costs(leans), static_cast<int>(leans.size()), workspace);
-    for (std::size_t q = 0; q < leans.size(); ++q) {
-      if (static_cast<double>(energies[q]) >= best.energy) continue;
-      best.energy = static_cast<double>(energies[q]);
-      best.lean = leans[q];
-    }
+  std::vector<float> energies(const std::vector<double>& leans, LengthWorkspace& workspace) const {
+    return leastEnergies(chain_, chain_.left, costs(leans), static_cast<int>(leans.size()),
+                         workspace);
   }
 
   void readWidths(EvenPart& best, LengthWorkspace& workspace) {
@@ -115,30 +108,57 @@ class WidthChains {
   LengthProblem chain_;
 };
 
-}  // namespace
-
-EvenPart findEvenPart(const LengthProblem& p, double narrowest, double leanCost,
-                      LengthWorkspace& workspace) {
-  WidthChains chains(p, narrowest, leanCost);
-  EvenPart best;
-  best.energy = std::numeric_limits<double>::infinity();
-  double step = kMostLean / kLeans;
-  std::vector<double> leans{0};
-  for (int i = 1; i <= kLeans; ++i) {
-    leans.push_back(i * step);
-    leans.push_back(-i * step);
-  }
-  chains.compare(leans, best, workspace);
+// Moves each part's lean to the better of its neighbours, in ever smaller steps.
+void refine(const WidthChains& chains, double step, std::vector<EvenPart>& parts,
+            LengthWorkspace& workspace) {
   for (int round = 0; round < kRefinements; ++round) {
     step /= 2;
-    leans.clear();
-    for (double lean : {best.lean + step, best.lean - step}) {
-      if (std::abs(lean) <= kMostLean) leans.push_back(lean);
+    std::vector<double> leans;
+    std::vector<std::size_t> owner;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (const double lean : {parts[i].lean + step, parts[i].lean - step}) {
+        if (std::abs(lean) > kMostLean) continue;
+        leans.push_back(lean);
+        owner.push_back(i);
+      }
     }
-    chains.compare(leans, best, workspace);
+    const std::vector<float> energies = chains.energies(leans, workspace);
+    for (std::size_t q = 0; q < leans.size(); ++q) {
+      EvenPart& part = parts[owner[q]];
+      if (static_cast<double>(energies[q]) >= part.energy) continue;
+      part.energy = static_cast<double>(energies[q]);
+      part.lean = leans[q];
+    }
   }
-  chains.readWidths(best, workspace);
-  return best;
+}
+
+}  // namespace
+
+std::vector<EvenPart> findEvenParts(const LengthProblem& p, double narrowest, double leanCost,
+                                    LengthWorkspace& workspace) {
+  WidthChains chains(p, narrowest, leanCost);
+  const double step = kMostLean / kLeans;
+  std::vector<double> leans;
+  for (int i = -kLeans; i <= kLeans; ++i) leans.push_back(i * step);
+  const std::vector<float> energies = chains.energies(leans, workspace);
+  const auto energy = [&](std::size_t i) { return static_cast<double>(energies[i]); };
+  std::vector<EvenPart> parts;
+  for (std::size_t i = 0; i < leans.size(); ++i) {
+    const bool outermost = i == 0 || i + 1 == leans.size();
+    const bool lowest =
+        outermost || (energy(i) < energy(i - 1) && energy(i) <= energy(i + 1));
+    if (lowest) parts.push_back({leans[i], {}, energy(i)});
+  }
+  refine(chains, step, parts, workspace);
+  std::ranges::sort(parts, {}, [](const EvenPart& part) {
+    return std::pair(part.energy, std::abs(part.lean));
+  });
+  const double most = parts.front().energy + kRivalEnergy * p.ribs;
+  while (parts.size() > 1 && (parts.size() > kMostRivals || parts.back().energy > most)) {
+    parts.pop_back();
+  }
+  for (EvenPart& part : parts) chains.readWidths(part, workspace);
+  return parts;
 }
 
 }  // namespace spineloft::ribs

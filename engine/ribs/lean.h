@@ -16,10 +16,18 @@ struct EvenPart {
 /// A stroke is taken to be at most a quarter of the width off the middle.
 inline constexpr double kMostLean = 0.5;
 
-/// Exact for each lean tried (a chain over widths), the best of seven leans refined twice. A lean
-/// costs `leanCost` · |lean| per rib. Widths are tried on a geometric grid from `narrowest` up to
-/// the widest that any rib reaches. Opposite costs of the problem are not used.
-EvenPart findEvenPart(const LengthProblem& problem, double narrowest, double leanCost,
-                      LengthWorkspace& workspace);
+/// The best even parts of clearly different leans, best first: the best lean, and of the other local
+/// minima and outermost ones among seven leans those within `kRivalEnergy` per rib of it, kMostRivals
+/// in all.
+/// A narrow part between the stroke's near edge and some inner line is often as good a chain as the
+/// true one; which of them it is shows when the colours inside are known.
+///
+/// Exact for each lean tried (a chain over widths); each part is the best of its neighbourhood,
+/// refined twice. A lean costs `leanCost` · |lean| per rib. Widths are tried on a geometric grid from
+/// `narrowest` up to the widest that any rib reaches. Opposite costs of the problem are not used.
+std::vector<EvenPart> findEvenParts(const LengthProblem& problem, double narrowest, double leanCost,
+                                    LengthWorkspace& workspace);
+inline constexpr double kRivalEnergy = 0.25;
+inline constexpr std::size_t kMostRivals = 3;
 
 }  // namespace spineloft::ribs

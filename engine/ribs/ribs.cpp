@@ -136,7 +136,7 @@ void fillSide(Search& s, bool leftSide) {
   }
 }
 
-EvenPart fillProblem(Search& s) {
+std::vector<EvenPart> fillProblem(Search& s) {
   s.problem.ribs = s.curves.layout.ribs;
   s.problem.levels = s.curves.levels;
   s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight);
@@ -145,7 +145,12 @@ EvenPart fillProblem(Search& s) {
   fillSide(s, true);
   fillSide(s, false);
   const double pixel = s.levels.radius[1];
-  EvenPart even = findEvenPart(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
+  return findEvenParts(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
+}
+
+// Holds the opposite ends of each rib to the lean of the part.
+void assume(const EvenPart& even, Search& s) {
+  const double pixel = s.levels.radius[1];
   s.problem.lean = static_cast<float>(even.lean);
   s.problem.leanScale.clear();
   for (float width : even.width) {
@@ -153,7 +158,34 @@ EvenPart fillProblem(Search& s) {
         2 * s.params.oppositeWeight / std::max(4 * pixel, static_cast<double>(width));
     s.problem.leanScale.push_back(static_cast<float>(scale));
   }
-  return even;
+}
+
+// The labels of least energy under the best of the even parts: each is given its turn, with its
+// inner colours as the object's, for only then their energies can be compared.
+LengthLabels bestLabels(const std::vector<EvenPart>& parts, bool withColours, Search& s) {
+  LengthLabels best;
+  double least = 0;
+  std::size_t last = 0, chosen = 0;
+  const auto suppose = [&](std::size_t i) {
+    assume(parts[i], s);
+    if (withColours) {
+      secondEvidence(parts[i], s);
+      fillSide(s, true);
+      fillSide(s, false);
+    }
+    last = i;
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    suppose(i);
+    LengthLabels labels = optimalLabels(s.problem, s.workspace);
+    const double energy = energyOf(s.problem, labels).total();
+    if (i > 0 && energy >= least) continue;
+    least = energy;
+    best = std::move(labels);
+    chosen = i;
+  }
+  if (last != chosen) suppose(chosen);  // states and fans are read from its evidence
+  return best;
 }
 
 // Edge where the end stands on one; Bridged between two of those; else Guessed.
@@ -305,14 +337,10 @@ Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image:
   } else {
     firstEvidence(edges, s);
   }
-  const EvenPart even = fillProblem(s);
-  if (!edges.empty() && params.evidence.knownShare > 0) {
-    secondEvidence(even, s);
-    fillSide(s, true);
-    fillSide(s, false);
-  }
+  const std::vector<EvenPart> parts = fillProblem(s);
   if (!progress.advance(0.5)) return Error::Cancelled;
-  const LengthLabels labels = optimalLabels(s.problem, s.workspace);
+  const bool withColours = !edges.empty() && params.evidence.knownShare > 0;
+  const LengthLabels labels = bestLabels(parts, withColours, s);
   if (!progress.advance(0.9)) return Error::Cancelled;
   RibSet set = readRibs(s, labels);
   progress.advance(1);

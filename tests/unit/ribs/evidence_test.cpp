@@ -193,7 +193,7 @@ TEST_CASE(
         }
       }
     }
-    const EvenPart part = findEvenPart(p, 2, 0.1, workspace);
+    const EvenPart part = findEvenParts(p, 2, 0.1, workspace).front();
     CHECK(part.lean == doctest::Approx(lean).epsilon(0.05).scale(1));
     REQUIRE(part.width.size() == 40);
     for (int i = 4; i < 36; ++i) {
@@ -201,4 +201,34 @@ TEST_CASE(
             doctest::Approx(50 + 10 * std::sin(i * 0.2)).epsilon(0.1));
     }
   }
+}
+
+TEST_CASE("a stroke off the middle beside an inner line keeps both parts in the running") {
+  // Left: one outline, 12 away. Right: an inner line as far away, and the outline three times as far.
+  LengthProblem p;
+  p.ribs = 40;
+  p.levels = 80;
+  p.neighbourWeight = 0.7f;
+  p.neighbourFreedom = 0.1f;
+  p.neighbourCap = 8;
+  for (SideCosts* side : {&p.left, &p.right}) {
+    side->spacing.assign(39, 5.f);
+    for (int i = 0; i < p.ribs; ++i) {
+      for (int k = 0; k < p.levels; ++k) {
+        const bool line = std::abs(k - 12) < 2;
+        const bool outline = side == &p.right && std::abs(k - 36) < 2;
+        side->unary.push_back(k == 0 ? kUnreachable : line ? 0.f : outline ? 0.05f : 1.f);
+        side->place.push_back(static_cast<float>(k));
+      }
+    }
+  }
+  LengthWorkspace workspace;
+  const std::vector<EvenPart> parts = findEvenParts(p, 2, 0.1, workspace);
+  REQUIRE(parts.size() >= 2);
+  CHECK(std::abs(parts[0].lean) < 0.1);
+  CHECK(parts[0].width[20] == doctest::Approx(24).epsilon(0.15));
+  CHECK(parts[1].lean == doctest::Approx(-0.5).epsilon(0.1));
+  CHECK(parts[1].width[20] == doctest::Approx(48).epsilon(0.15));
+  CHECK(parts[0].energy <= parts[1].energy);
+  CHECK(parts.size() <= kMostRivals);
 }

@@ -55,6 +55,19 @@ TEST_CASE("a stroke that is off the middle by a quarter of the width finds the s
   CHECK(good == 52);
 }
 
+TEST_CASE("an inner line that mirrors the near side of a stroke off the middle is not the far side") {
+  const image::EdgeMap map = fixtures::mapOf(kPicture, [](PicturePoint p) {
+    const double y = std::abs(p.y - 150);
+    return p.x > 40 && p.x < 360 && y < 60 && y > 1.2;
+  });
+  const RibSet set = trace({{85, 120}, {315, 120}}, map);
+  int good = 0;
+  for (const Rib& rib : inner(set)) {
+    good += std::abs(rib.left.y - 90) < 3 && std::abs(rib.right.y - 210) < 3 ? 1 : 0;
+  }
+  CHECK(good >= 48);  // of 52
+}
+
 TEST_CASE("drawn backwards, left and right are swapped and the order is reversed") {
   const RibSet there = trace({{75, 147}, {200, 151}, {325, 150}}, barMap());
   const RibSet back = trace({{325, 150}, {200, 151}, {75, 147}}, barMap());
