@@ -17,7 +17,9 @@ enum class Side : std::uint8_t { Left, Right };
 /// One rib end put somewhere by hand. Its place is given in the frame of the spine at `at`: origin on
 /// the spine, `along` in the drawing direction, `out` square to it towards the rib's own side. The
 /// ends of its side within `reach` move with it, less the farther away they are (a smooth bell from 1
-/// to 0), whatever the number of ribs. Later edits act on what earlier ones left.
+/// to 0), whatever the number of ribs. Where the reach is less than the spacing of the ribs the end
+/// nearest to `at` takes what no closer edit gives it, so that no edit gets lost among few ribs.
+/// Later edits act on what earlier ones left.
 struct EndEdit {
   double at = 0;  ///< share of the spine's length, 0…1
   Side side = Side::Left;
@@ -38,13 +40,19 @@ struct RibEdits {
 
 inline constexpr std::size_t kMostEndEdits = 20000, kMostAddedRibs = 400;
 
+/// The farthest that an edit may put an end from the spine, picture pixels.
+inline constexpr double kFarthestEdit = 1e6;
+
 /// Finite, in range, not too many.
 bool isValid(const RibEdits& edits);
 
-/// The generated ribs with the edits laid over them. Ends that an edit moved are Edited (Locked where
-/// locked); added ribs lie between their neighbours until they are moved; at least 2 ribs stay. End
-/// fans follow the ribs of their end by the same similarity. Ribs that no edit reaches come back
-/// unchanged.
+/// The generated ribs with the edits laid over them. Ends that an edit moved by more than half are
+/// Edited (Locked where locked); added ribs lie between their neighbours, Bridged, until they are
+/// moved (a place that has a rib gets no second one); at least 2 ribs stay. Ends that follow an edit
+/// gather at the dragged one where its rib would run across theirs. End fans follow the ribs of their
+/// end by the same similarity. Ribs that no edit reaches come back unchanged. Coordinates stay
+/// finite and within 2 kFarthestEdit of the spine's, whatever the edits. Cost: edits × the ribs and
+/// edits within their reach.
 RibSet applyEdits(const Spine& spine, const RibSet& generated, const RibEdits& edits);
 
 }  // namespace spineloft::ribs
