@@ -19,6 +19,19 @@ double signedArea(std::span<const V> polygon) {
   return twice / 2;
 }
 
+/// Whether `p` lies within the polygon (even-odd rule; on an edge either answer may come).
+template <class V>
+bool holds(std::span<const V> polygon, V p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const V a = polygon[i], b = polygon[j];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
 /// Centre of the area; the mean of the corners when the area is 0. ≥ 1 corner.
 SectionPoint centroid(std::span<const SectionPoint> polygon);
 

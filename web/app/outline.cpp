@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/polygon.h"
 #include "engine/publish/publish.h"
 
 namespace spineloft::app {
@@ -68,17 +69,6 @@ void outlineOf(const pipeline::PartShape& shape, const loft::LoftParams& params,
   }
 }
 
-bool insidePolygon(std::span<const PicturePoint> polygon, PicturePoint p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const PicturePoint a = polygon[i], b = polygon[j];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
 PartId partAt(const document::Document& document, const pipeline::Derived& derived,
               PictureId picture, PicturePoint p, double reach) {
   std::vector<PicturePoint> outline;
@@ -88,7 +78,7 @@ PartId partAt(const document::Document& document, const pipeline::Derived& deriv
     const auto& shape = derived.parts[i].shape;
     if (!shape || !part.visible || part.recipe.picture != picture) continue;
     outlineOf(*shape, part.recipe.loft, outline);
-    if (insidePolygon(outline, p) || nearSpine(*shape, p, reach)) return part.id;
+    if (geometry::holds(std::span<const PicturePoint>(outline), p) || nearSpine(*shape, p, reach)) return part.id;
   }
   return {};
 }

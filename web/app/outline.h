@@ -15,9 +15,6 @@ namespace spineloft::app {
 void outlineOf(const pipeline::PartShape& shape, const loft::LoftParams& params,
                std::vector<PicturePoint>& out);
 
-/// Even-odd rule.
-bool insidePolygon(std::span<const PicturePoint> polygon, PicturePoint p);
-
 /// The visible part of `picture` under the point, the last one drawn first; none elsewhere. A spine
 /// nearer than `reach` picture pixels counts as well.
 PartId partAt(const document::Document& document, const pipeline::Derived& derived,
