@@ -7,10 +7,12 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/document/document.h"
+#include "engine/document/update.h"
 #include "engine/io/json_values.h"
 #include "engine/io/picture_file.h"
 #include "engine/loft/loft.h"
@@ -93,6 +95,35 @@ void printRibs(const std::string& folder) {
   }
 }
 
+// Eight parts of 60 ribs, one of whose rib ends is dragged softly: the preview of each move, and the
+// whole document at pen-up.
+void timeRibDrag(Report& report, const image::Picture& picture, const image::EdgeMap& edges,
+                 const std::vector<PicturePoint>& stroke) {
+  using namespace document;
+  const auto shared = std::make_shared<const image::Picture>(picture);
+  Document model = must(update({}, AddPicture{"tube", shared}));
+  for (std::uint32_t part = 1; part <= 8; ++part) {
+    model = must(update(model, DrawSpine{PictureId{1}, stroke}));
+    model = must(update(model, SetParameter{PartId{part}, "ribs", 60}));
+  }
+  pipeline::Cache cache;
+  cache.keepEdges(model.pictures[0]->contentHash, std::make_shared<const image::EdgeMap>(edges));
+  pipeline::derive(model, cache);
+  constexpr int kMoves = 101;
+  const auto dragged = [&](int move) {
+    return ribs::RibEdits{{{.at = 0.5, .out = 40.0 + 0.3 * move, .reach = 0.1}}, {}, {}};
+  };
+  report.stage("rib drag to mesh", kMoves, [&](int move) {
+    LoftRecipe recipe = model.parts[3]->recipe;
+    recipe.edits = dragged(move);
+    must(pipeline::previewShape(model, recipe, cache));
+  });
+  report.stage("rib edit of 8 parts", kMoves, [&](int move) {
+    model = must(update(model, EditRibs{PartId{4}, dragged(move)}));
+    pipeline::derive(model, cache);
+  });
+}
+
 void printStageTimes() {
   const image::Size size{1024, 768}, photo{2304, 1728};
   const image::Picture picture = bench::tubePicture(size), large = bench::tubePicture(photo);
@@ -129,6 +160,7 @@ void printStageTimes() {
     moving.stroke = begun(recipe.stroke, move, kMoves);
     must(pipeline::shapePart(moving, edges, size, progress));
   });
+  timeRibDrag(report, picture, edges, recipe.stroke);
 }
 
 }  // namespace

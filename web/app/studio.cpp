@@ -9,8 +9,6 @@
 namespace spineloft::app {
 namespace {
 
-const image::EdgeMap kNoEdges;
-
 struct EdgeSearch {
   Result<image::EdgeMap> edges;
   double ms = 0;
@@ -117,12 +115,8 @@ void Studio::report(const pipeline::Derived& derived) {
   }
 }
 
-Result<pipeline::PartShape> Studio::preview(const document::LoftRecipe& recipe) const {
-  const document::PictureEntry* entry = document::findPicture(document(), recipe.picture);
-  if (entry == nullptr) return Error::NoSuchPicture;
-  const std::shared_ptr<const image::EdgeMap> edges = cache_.edges(entry->contentHash);
-  return pipeline::shapePart(recipe, edges ? *edges : kNoEdges, entry->size, Progress{},
-                             [this] { return host_.nowMs(); });
+Result<pipeline::PartShape> Studio::preview(const document::LoftRecipe& recipe) {
+  return pipeline::previewShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
 }
 
 Status Studio::save(publish::Format format) {

@@ -40,8 +40,8 @@ class Studio {
   /// missing, and reports parts that failed, each once.
   const pipeline::Derived& derived();
 
-  /// What a stroke would become, with the edges known so far.
-  Result<pipeline::PartShape> preview(const document::LoftRecipe& recipe) const;
+  /// What a recipe would become, with the edges known so far (pipeline::previewShape).
+  Result<pipeline::PartShape> preview(const document::LoftRecipe& recipe);
 
   /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
   Status save(publish::Format format);

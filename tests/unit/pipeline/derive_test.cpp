@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "engine/document/update.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
+#include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
 
 using namespace spineloft;
@@ -116,6 +119,120 @@ TEST_CASE("every authored value of a recipe and its picture is part of the shape
   CHECK(changes([](LoftRecipe& r) { r.loft.squash.points = {{0, 1}}; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].blend.kind = loft::BlendKind::Root; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].shape.contours = {{{1, 0}}}; }));
+}
+
+namespace {
+
+// Makes the evidence of every picture vanish, so that only ribs traced before can stand on edges.
+void forgetEdges(Cache& cache, const Document& document) {
+  for (const PictureEntry& entry : document.pictures)
+    cache.keepEdges(entry.contentHash, std::make_shared<const image::EdgeMap>());
+}
+
+}  // namespace
+
+TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke and marks do not") {
+  const Document document = ellipseDocument();
+  Cache cache;
+  const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;
+  forgetEdges(cache, document);
+  const auto reuses = [&](const Action& action) {
+    const Document changed = update(document, action).value();
+    return derive(changed, cache).parts.at(0).shape->generated == first->generated;
+  };
+  const ribs::RibEdits edits{{{.at = 0.5, .out = 50, .reach = 0.1}}, {}, {0.2}};
+  CHECK(reuses(EditRibs{PartId{1}, edits}));
+  CHECK(reuses(SetSection{PartId{1}, loft::SectionPreset::Square}));
+  CHECK(reuses(SetCaps{PartId{1}, loft::CapStyle::Flat, loft::CapStyle::Open}));
+  loft::Pose pose;
+  pose.coilTurns = 2;
+  pose.coilRadius = 30;
+  CHECK(reuses(PoseSpine{PartId{1}, pose}));
+  CHECK_FALSE(reuses(RedrawSpine{PartId{1}, {{40, 70}, {96, 74}, {150, 72}}}));
+  CHECK_FALSE(reuses(IgnoreForPart{PartId{1}, {{{{10, 10}}, 4}}}));
+  CHECK_FALSE(reuses(IgnoreForPicture{PictureId{1}, {{{{10, 10}}, 4}}}));
+}
+
+TEST_CASE("edited ribs lie over the generated ones, and both are there to be seen") {
+  Document document = ellipseDocument();
+  const ribs::RibEdits edits{{{.at = 0.5, .out = 60, .reach = 0.1, .locked = true}}, {0.33}, {}};
+  document = update(document, EditRibs{PartId{1}, edits}).value();
+  Cache cache;
+  const auto shape = deriveWithEdges(document, cache, {}).value().parts[0].shape;
+  CHECK(shape->ribs == ribs::applyEdits(shape->spine, shape->generated, edits));
+  CHECK(shape->ribs.ribs.size() == shape->generated.ribs.size() + 1);
+  CHECK(std::ranges::count(shape->ribs.ribs, ribs::RibState::Locked, &ribs::Rib::leftState) == 1);
+  testing::requireLawful(shape->mesh);
+}
+
+TEST_CASE("a preview is what the part becomes, and is traced only once") {
+  const Document document = ellipseDocument();
+  Cache cache;
+  deriveWithEdges(document, cache, {}).value();
+  const DrawSpine drawn{PictureId{1}, {{40, 70}, {96, 75}, {150, 72}}};
+  const Document next = update(document, drawn).value();
+  const LoftRecipe& recipe = next.parts[1]->recipe;
+  const auto preview = previewShape(document, recipe, cache);
+  REQUIRE(preview.ok());
+  forgetEdges(cache, document);
+  const auto shape = derive(next, cache).parts.at(1).shape;
+  CHECK(shape->ribs == preview.value().ribs);
+  CHECK(shape->mesh == preview.value().mesh);
+  testing::requireLawful(shape->mesh);
+}
+
+TEST_CASE("a preview before the edges are known is guessed, and not kept") {
+  const Document document = ellipseDocument();
+  Cache cache;
+  const LoftRecipe& recipe = document.parts[0]->recipe;
+  const auto guess = previewShape(document, recipe, cache);
+  REQUIRE(guess.ok());
+  CHECK(guess.value().ribs.ribs[3].leftState == ribs::RibState::Guessed);
+  const auto shape = deriveWithEdges(document, cache, {}).value().parts[0].shape;
+  CHECK(shape->ribs.ribs[50].leftState == ribs::RibState::Edge);
+  LoftRecipe elsewhere = recipe;
+  elsewhere.picture = PictureId{77};
+  CHECK(previewShape(document, elsewhere, cache).error() == Error::NoSuchPicture);
+}
+
+TEST_CASE("a thousand previews leave the cache small and the document's ribs in it") {
+  const Document document = ellipseDocument();
+  Cache cache;
+  const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;
+  const std::size_t before = cache.bytes();
+  LoftRecipe recipe = document.parts[0]->recipe;
+  recipe.spine.ribs = 40;
+  recipe.ribs.levels = 16;
+  for (int i = 0; i < 1000; ++i) {
+    recipe.stroke[1].y = 72 + 0.01 * i;
+    REQUIRE(previewShape(document, recipe, cache).ok());
+  }
+  CHECK(cache.bytes() <= before + Cache::kPreviewBytes);
+  forgetEdges(cache, document);
+  const Document changed =
+      update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
+  CHECK(derive(changed, cache).parts[0].shape->generated == first->generated);
+}
+
+TEST_CASE("shapes that are not shown go when all of them take too much memory") {
+  Document document = update({}, AddPicture{"e", ellipsePicture(900, 200)}).value();
+  document = update(document, DrawSpine{PictureId{1}, {{30, 100}, {870, 100}}}).value();
+  document = update(document, SetParameter{PartId{1}, "ribs", 400}).value();
+  document = update(document, SetParameter{PartId{1}, "sides", 128}).value();
+  Cache cache;
+  deriveWithEdges(document, cache, {}).value();
+  std::size_t most = 0, sum = 0;
+  for (int i = 0; i < 30; ++i) {
+    const ribs::RibEdits edits{{{.at = 0.5, .out = 50.0 + i, .reach = 0.1}}, {}, {}};
+    document = update(document, EditRibs{PartId{1}, edits}).value();
+    const auto shape = derive(document, cache).parts[0].shape;
+    REQUIRE(shape != nullptr);
+    sum += bytesOf(*shape);
+    most = std::max(most, cache.bytes());
+    CHECK(derive(document, cache).parts[0].shape == shape);
+  }
+  REQUIRE(sum > Cache::kShapeBytes);
+  CHECK(most <= Cache::kShapeBytes + Cache::kTraceBytes);
 }
 
 TEST_CASE("cancelled work says so and keeps nothing") {

@@ -1,0 +1,77 @@
+#include "engine/pipeline/cache.h"
+
+#include <algorithm>
+
+namespace spineloft::pipeline {
+
+std::shared_ptr<const image::EdgeMap> Cache::edges(std::uint64_t contentHash) const {
+  const auto at = std::ranges::find(edges_, contentHash, &EdgeSlot::contentHash);
+  return at == edges_.end() ? nullptr : at->edges;
+}
+
+void Cache::keepEdges(std::uint64_t contentHash, std::shared_ptr<const image::EdgeMap> edges) {
+  std::erase_if(edges_, [&](const EdgeSlot& slot) { return slot.contentHash == contentHash; });
+  edges_.push_back({contentHash, std::move(edges)});
+}
+
+std::shared_ptr<const TracedRibs> Cache::traced(std::uint64_t key, bool preview) {
+  if (auto known = traced_.find(key)) return known;
+  auto known = previews_.find(key);
+  if (known && !preview) traced_.keep(key, known, bytesOf(*known));
+  return known;
+}
+
+void Cache::keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool preview) {
+  const std::size_t bytes = bytesOf(*traced);
+  (preview ? previews_ : traced_).keep(key, std::move(traced), bytes);
+}
+
+std::shared_ptr<const PartShape> Cache::shape(std::uint64_t key) {
+  for (ShapeSlot& slot : shapes_) {
+    if (slot.shape->key == key) {
+      slot.lastRound = round_;
+      return slot.shape;
+    }
+  }
+  return nullptr;
+}
+
+void Cache::keepShape(std::shared_ptr<const PartShape> shape) {
+  const std::size_t bytes = bytesOf(*shape);
+  shapes_.push_back({std::move(shape), round_, bytes});
+}
+
+Result<std::shared_ptr<const image::Picture>> Cache::pixels(const document::PictureEntry& entry) {
+  if (!entry.isSketch()) return entry.picture;
+  const auto at = std::ranges::find(sketches_, entry.contentHash, &SketchSlot::contentHash);
+  if (at != sketches_.end()) return at->picture;
+  Result<image::Picture> drawn = image::drawSketch(entry.size, entry.sketch);
+  if (!drawn) return drawn.failure();
+  auto picture = std::make_shared<const image::Picture>(std::move(drawn).value());
+  sketches_.push_back({entry.contentHash, picture});
+  return picture;
+}
+
+void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
+  std::ranges::stable_sort(shapes_, std::ranges::greater{}, &ShapeSlot::lastRound);
+  std::size_t bytes = 0;
+  std::erase_if(shapes_, [&](const ShapeSlot& slot) {
+    bytes += slot.bytes;
+    const bool fits = bytes <= kShapeBytes && slot.lastRound + kKeptRounds > round_;
+    return slot.lastRound != round_ && !fits;
+  });
+  ++round_;
+  const auto unused = [&](const auto& slot) {
+    return std::ranges::find(usedEdges, slot.contentHash) == usedEdges.end();
+  };
+  std::erase_if(edges_, unused);
+  std::erase_if(sketches_, unused);
+}
+
+std::size_t Cache::bytes() const {
+  std::size_t sum = traced_.bytes() + previews_.bytes();
+  for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
+  return sum;
+}
+
+}  // namespace spineloft::pipeline

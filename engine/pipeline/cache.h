@@ -1,0 +1,106 @@
+// Results of stages that are already known. Owned by one thread.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/document/document.h"
+#include "engine/image/edge_map.h"
+#include "engine/pipeline/part_shape.h"
+
+namespace spineloft::pipeline {
+
+/// Values by key, each with its size; when they are more than `budget` bytes those used longest ago
+/// go. Finding one counts as using it.
+template <class Value>
+class Shelf {
+ public:
+  explicit Shelf(std::size_t budget) : budget_(budget) {}
+  std::shared_ptr<const Value> find(std::uint64_t key) {
+    for (Slot& slot : slots_) {
+      if (slot.key != key) continue;
+      slot.used = ++clock_;
+      return slot.value;
+    }
+    return nullptr;
+  }
+  void keep(std::uint64_t key, std::shared_ptr<const Value> value, std::size_t bytes) {
+    std::erase_if(slots_, [&](const Slot& slot) { return slot.key == key; });
+    slots_.push_back({key, std::move(value), bytes, ++clock_});
+    while (this->bytes() > budget_ && slots_.size() > 1) {
+      slots_.erase(std::ranges::min_element(slots_, {}, &Slot::used));
+    }
+  }
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const Slot& slot : slots_) sum += slot.bytes;
+    return sum;
+  }
+
+ private:
+  struct Slot {
+    std::uint64_t key;
+    std::shared_ptr<const Value> value;
+    std::size_t bytes;
+    std::uint64_t used;
+  };
+  std::vector<Slot> slots_;
+  std::size_t budget_;
+  std::uint64_t clock_ = 0;
+};
+
+class Cache {
+ public:
+  /// Null when not (or no longer) known.
+  std::shared_ptr<const image::EdgeMap> edges(std::uint64_t contentHash) const;
+  void keepEdges(std::uint64_t contentHash, std::shared_ptr<const image::EdgeMap> edges);
+  /// By traceKey. Null when not (or no longer) known. Those of previews are kept apart, so that a
+  /// stroke being drawn does not push out the parts of the document; found for a part of the
+  /// document, one moves over.
+  std::shared_ptr<const TracedRibs> traced(std::uint64_t key, bool preview);
+  void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool preview);
+  /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
+  std::shared_ptr<const PartShape> shape(std::uint64_t key);
+  void keepShape(std::shared_ptr<const PartShape> shape);
+  /// A round is one `derive`. Keeps the shapes of the last kKeptRounds rounds, so that undo and redo
+  /// find theirs, as far as they fit into kShapeBytes, and the edges in `usedEdges`.
+  void endRound(const std::vector<std::uint64_t>& usedEdges);
+  /// The pixels of an entry: its own, or the sketch as drawn (kept while it is on the board). Errors:
+  /// those of image::drawSketch.
+  Result<std::shared_ptr<const image::Picture>> pixels(const document::PictureEntry& entry);
+  void clear() { *this = {}; }
+
+  /// What is kept apart from edges and pictures, in bytes.
+  std::size_t bytes() const;
+
+  static constexpr std::uint64_t kKeptRounds = 32;
+  /// About 500 parts of 100 ribs; 30 previews; 100 parts of usual size besides those shown.
+  static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20,
+                               kShapeBytes = 32u << 20;
+
+ private:
+  struct EdgeSlot {
+    std::uint64_t contentHash;
+    std::shared_ptr<const image::EdgeMap> edges;
+  };
+  struct ShapeSlot {
+    std::shared_ptr<const PartShape> shape;
+    std::uint64_t lastRound;
+    std::size_t bytes;
+  };
+  struct SketchSlot {
+    std::uint64_t contentHash;
+    std::shared_ptr<const image::Picture> picture;
+  };
+  std::vector<EdgeSlot> edges_;
+  Shelf<TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
+  std::vector<ShapeSlot> shapes_;
+  std::vector<SketchSlot> sketches_;
+  std::uint64_t round_ = 0;
+};
+
+}  // namespace spineloft::pipeline

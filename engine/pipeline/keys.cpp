@@ -1,0 +1,115 @@
+#include "engine/pipeline/keys.h"
+
+#include <vector>
+
+#include "engine/base/hash.h"
+
+namespace spineloft::pipeline {
+namespace {
+
+/// Mixes the members of a parameter struct. Each is taken apart by a structured binding, so that a
+/// member added later does not compile until it is part of the key.
+template <class... Members>
+void mixAll(Hasher& hasher, const Members&... members) {
+  (hasher.number(members), ...);
+}
+void mix(Hasher& hasher, const ribs::SpineParams& params) {
+  const auto& [ribs, minSpacing, smoothness] = params;
+  mixAll(hasher, ribs, minSpacing, smoothness);
+}
+void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
+  const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
+               outsideWeight, contrastReach, knownShare, doubt, weight] = params;
+  mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
+         outsideWeight, contrastReach, knownShare, doubt, weight);
+}
+void mix(Hasher& hasher, const ribs::RibParams& params) {
+  const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
+               oppositeWeight, leanCost, priorWeight, evidence] = params;
+  mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
+         oppositeWeight, leanCost, priorWeight);
+  mix(hasher, evidence);
+}
+template <class Point>
+void mix(Hasher& hasher, const std::vector<Point>& points) {
+  hasher.number(points.size());
+  for (const Point& p : points) hasher.number(p.x).number(p.y);
+}
+void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
+  hasher.number(curve.points.size());
+  for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
+}
+void mix(Hasher& hasher, const loft::SectionStop& stop) {
+  const auto& [at, shape, blend] = stop;
+  const auto& [preset, contours] = shape;
+  const auto& [kind, custom] = blend;
+  mixAll(hasher, at, preset, kind);
+  hasher.number(contours.size());
+  for (const auto& contour : contours) mix(hasher, contour);
+  mix(hasher, custom);
+}
+void mix(Hasher& hasher, const loft::LoftParams& params) {
+  const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings,
+               centring] = params;
+  hasher.number(sections.size());
+  for (const loft::SectionStop& stop : sections) mix(hasher, stop);
+  for (const auto* curve : {&twist, &squash, &tilt, &bulge}) mix(hasher, *curve);
+  mixAll(hasher, startCap, endCap, sectionPoints, capRings, centring);
+}
+void mix(Hasher& hasher, const ribs::RibEdits& edits) {
+  const auto& [ends, added, removed] = edits;
+  hasher.number(ends.size()).number(added.size()).number(removed.size());
+  for (const ribs::EndEdit& end : ends) {
+    const auto& [at, side, along, out, reach, locked] = end;
+    mixAll(hasher, at, side, along, out, reach, locked);
+  }
+  for (const double at : added) hasher.number(at);
+  for (const double at : removed) hasher.number(at);
+}
+void mix(Hasher& hasher, const std::vector<ribs::IgnoreMark>& marks) {
+  hasher.number(marks.size());
+  for (const ribs::IgnoreMark& mark : marks) {
+    const auto& [stroke, radius] = mark;
+    mix(hasher, stroke);
+    hasher.number(radius);
+  }
+}
+void mix(Hasher& hasher, const loft::Pose& pose) {
+  const auto& [stroke, depth, coilTurns, coilRadius, closed] = pose;
+  mix(hasher, stroke);
+  mix(hasher, depth);
+  mixAll(hasher, coilTurns, coilRadius, closed);
+}
+
+}  // namespace
+
+std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+  Hasher hasher;
+  hasher.number(entry.contentHash);
+  mix(hasher, entry.ignored);
+  mix(hasher, recipe.ignored);
+  return hasher.value();
+}
+
+std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+  // The picture's id is left out: equal content hashes, equal pixels.
+  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
+  Hasher hasher;
+  hasher.number(ignoredKey(recipe, entry));
+  mix(hasher, stroke);
+  mix(hasher, spine);
+  mix(hasher, ribs);
+  return hasher.value();
+}
+
+std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
+  Hasher hasher;
+  hasher.number(traceKey(recipe, entry));
+  mix(hasher, edits);
+  mix(hasher, pose);
+  mix(hasher, loft);
+  return hasher.value();
+}
+
+}  // namespace spineloft::pipeline

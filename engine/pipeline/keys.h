@@ -1,0 +1,22 @@
+// What keys the caches: a hash of everything that a stage depends on. Every member of every recipe
+// is either part of a key or named as left out, so that a new one does not compile until somebody
+// has decided.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/document/document.h"
+
+namespace spineloft::pipeline {
+
+/// Of the ignored edges of one part: the picture's content, and the marks of both.
+std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+
+/// Of spine and generated ribs: the picture's content, ignored edges, stroke, SpineParams and
+/// RibParams.
+std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+
+/// Of a whole shape: the trace's, the edits, the pose and the loft.
+std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+
+}  // namespace spineloft::pipeline

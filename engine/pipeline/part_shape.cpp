@@ -1,0 +1,85 @@
+#include "engine/pipeline/part_shape.h"
+
+#include <new>
+#include <utility>
+
+#include "engine/loft/loft.h"
+
+namespace spineloft::pipeline {
+namespace {
+
+double nowMs(const Clock& clock) { return clock ? clock() : 0.0; }
+
+std::size_t bytesOf(const ribs::RibSet& set) {
+  return set.ribs.size() * sizeof(ribs::Rib) +
+         (set.startFan.points.size() + set.endFan.points.size()) * sizeof(PicturePoint);
+}
+
+Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced,
+                            image::Size picture, const Clock& clock) {
+  const double started = nowMs(clock);
+  PartShape shape;
+  shape.spine = traced.spine;
+  shape.generated = traced.generated;
+  shape.ribs = ribs::applyEdits(shape.spine, shape.generated, recipe.edits);
+  shape.shown = shape.ribs;
+  for (const PicturePoint& p : shape.spine.points) shape.centreLine.push_back({p.x, -p.y, 0});
+  const double edited = nowMs(clock);
+  Result<mesh::TriMesh> solid = loft::loftRibs(shape.ribs, picture, recipe.loft);
+  if (!solid) return solid.failure();
+  shape.mesh = std::move(solid).value();
+  shape.ms.ribs = edited - started;
+  shape.ms.loft = nowMs(clock) - edited;
+  return shape;
+}
+
+}  // namespace
+
+std::size_t bytesOf(const TracedRibs& traced) {
+  return sizeof(traced) + traced.spine.points.size() * sizeof(PicturePoint) +
+         bytesOf(traced.generated);
+}
+
+std::size_t bytesOf(const PartShape& shape) {
+  const mesh::TriMesh& m = shape.mesh;
+  const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
+  return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) +
+         bytesOf(shape.generated) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
+         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv);
+}
+
+Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
+                              image::Size picture, const Progress& progress) {
+  try {
+    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
+    if (!spine) return spine.failure();
+    Result<ribs::RibSet> found =
+        ribs::traceRibs(spine.value(), edges, picture, recipe.ribs, progress);
+    if (!found) return found.failure();
+    return TracedRibs{std::move(spine).value(), std::move(found).value()};
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
+                             image::Size picture, const Clock& clock) {
+  try {
+    return makeShape(recipe, traced, picture, clock);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
+                            image::Size picture, const Progress& progress, const Clock& clock) {
+  const double started = nowMs(clock);
+  Result<TracedRibs> traced = traceStage(recipe, edges, picture, progress);
+  if (!traced) return traced.failure();
+  const double took = nowMs(clock) - started;
+  Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, clock);
+  if (shape) shape.value().ms.ribs += took;
+  return shape;
+}
+
+}  // namespace spineloft::pipeline

@@ -1,0 +1,65 @@
+// One part as derived, stage by stage: traced ribs, then the shape made from them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "engine/base/progress.h"
+#include "engine/base/result.h"
+#include "engine/base/vec.h"
+#include "engine/document/document.h"
+#include "engine/image/edge_map.h"
+#include "engine/mesh/tri_mesh.h"
+#include "engine/ribs/ribs.h"
+#include "engine/ribs/spine.h"
+
+namespace spineloft::pipeline {
+
+/// Milliseconds now, from any start; handed in because the engine has no clock of its own. May be
+/// empty: then every time is 0.
+using Clock = std::function<double()>;
+
+struct StageMs {
+  double edges = 0, ribs = 0, loft = 0;
+  bool operator==(const StageMs&) const = default;
+};
+
+/// What a stroke finds in its picture, before anything is done to it by hand.
+struct TracedRibs {
+  ribs::Spine spine;
+  ribs::RibSet generated;
+};
+
+/// One part as derived from its recipe.
+struct PartShape {
+  ribs::Spine spine;       ///< as traced
+  ribs::RibSet generated;  ///< what the search found
+  ribs::RibSet ribs;       ///< with the edits laid over
+  ribs::RibSet shown;      ///< in the pose, seen from the front; equal to `ribs` at rest
+  std::vector<ModelPoint> centreLine;  ///< the spine in the pose, ≥ 2 points, one a generated rib
+  mesh::TriMesh mesh;      ///< ModelSpace
+  std::uint64_t key = 0;  ///< shapeKey of what it was made from; equal keys, equal shapes
+  StageMs ms;             ///< times of its ribs and loft stages; what was known already took none
+};
+
+/// Memory that they take, about.
+std::size_t bytesOf(const TracedRibs& traced);
+std::size_t bytesOf(const PartShape& shape);
+
+/// First stage: cleanSpine → traceRibs, for everything in a recipe that traceKey covers. `edges` may
+/// be empty (no evidence yet: guessed ribs). Errors: those of the two, OutOfMemory.
+Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
+                              image::Size picture, const Progress& progress);
+
+/// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
+/// those of the stages, OutOfMemory.
+Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
+                             image::Size picture, const Clock& clock = {});
+
+/// Both in one go.
+Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
+                            image::Size picture, const Progress& progress, const Clock& clock = {});
+
+}  // namespace spineloft::pipeline
