@@ -33,11 +33,12 @@ struct PictureEntry {
   std::vector<Box<image::SketchStroke>> sketch;   ///< of a sketch, in order
   std::uint64_t contentHash = 0;
   std::vector<ribs::IgnoreMark> ignored;  ///< edges that count for no part
+  std::string extra;  ///< what a file said beyond all this, as JSON; written back as it came
   bool isSketch() const { return picture == nullptr; }
   bool operator==(const PictureEntry& other) const {
     return id == other.id && name == other.name && size == other.size &&
            contentHash == other.contentHash && isSketch() == other.isSketch() &&
-           sketch == other.sketch && ignored == other.ignored;
+           sketch == other.sketch && ignored == other.ignored && extra == other.extra;
   }
 };
 
@@ -67,6 +68,7 @@ struct Part {
   LoftRecipe recipe;
   Look look;
   bool visible = true;
+  std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Part&) const = default;
 };
 
@@ -76,15 +78,21 @@ struct Document {
   std::vector<Box<Part>> parts;             ///< in the order of the part list
   Millimetres height{100};             ///< "How tall?": of the whole model when exported
   std::uint32_t lastPictureId = 0, lastPartId = 0;  ///< ids are never reused
+  std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Document&) const = default;
 };
 
 inline constexpr std::size_t kMaxNameBytes = 200;
+inline constexpr std::size_t kMostParts = 5000, kMostPictures = 500;
 inline constexpr double kMinHeightMm = 1, kMaxHeightMm = 10000;
 
 /// The entry, or null.
 const PictureEntry* findPicture(const Document& document, PictureId id);
 const Part* findPart(const Document& document, PartId id);
+
+/// Bytes of memory that `next` holds and `base` does not: values in boxes that both share, and photos
+/// that both show, cost nothing. What a step of undo costs (History).
+std::size_t bytesBeyond(const Document& base, const Document& next);
 
 /// Hash of a picture's pixels and sizes, as PictureEntry::contentHash holds it.
 std::uint64_t contentHash(const image::Picture& picture);

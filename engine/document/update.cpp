@@ -3,44 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/document/checks.h"
 #include "engine/document/params.h"
-#include "engine/ribs/spine.h"
 
 namespace spineloft::document {
 namespace {
 
-/// Cuts at most kMaxNameBytes off without splitting a UTF-8 character; `fallback` replaces emptiness.
-std::string tidyName(std::string name, std::string fallback) {
-  if (name.empty()) return fallback;
-  if (name.size() <= kMaxNameBytes) return name;
-  std::size_t end = kMaxNameBytes;
-  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
-  name.resize(end);
-  return name;
-}
-
-std::string numberedName(std::uint32_t id) { return "Part " + std::to_string(id); }
-
 bool known(loft::CapStyle cap) { return cap < loft::CapStyle::kCount; }
-
-/// Done when the stroke would make a spine on that picture.
-Status checkStroke(const Document& document, const LoftRecipe& recipe) {
-  const PictureEntry* entry = findPicture(document, recipe.picture);
-  if (entry == nullptr) return Error::NoSuchPicture;
-  const Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, entry->size, recipe.spine);
-  if (!spine) return spine.failure();
-  return Done{};
-}
-
-bool isValid(std::span<const ribs::IgnoreMark> marks) {
-  constexpr double kLeastRadius = 0.5, kMostRadius = 500;  // picture pixels
-  return marks.size() <= ribs::kMostIgnoreMarks &&
-         std::ranges::all_of(marks, [](const ribs::IgnoreMark& mark) {
-           return !mark.stroke.empty() && mark.stroke.size() <= loft::kMostStrokePoints &&
-                  mark.radius >= kLeastRadius && mark.radius <= kMostRadius &&
-                  std::ranges::all_of(mark.stroke, [](PicturePoint p) { return isFinite(p); });
-         });
-}
 
 geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
   switch (kind) {
@@ -82,14 +51,19 @@ struct Apply {
   Status editPicture(PictureId id, const Change& change) const {
     return edit(document.pictures, id, Error::NoSuchPicture, change);
   }
+  Status roomForPicture() const {
+    if (document.pictures.size() < kMostPictures) return Done{};
+    return {Error::ValueOutOfRange, "too many pictures"};
+  }
 
   Status operator()(const AddPicture& a) const {
     if (!a.picture || a.picture->working.empty()) return Error::PictureEmpty;
+    if (Status room = roomForPicture(); !room) return room;
     PictureEntry entry;
     entry.id = PictureId{++document.lastPictureId};
-    entry.name = tidyName(a.name, "Picture " + std::to_string(entry.id.value));
-    entry.size = {a.picture->width, a.picture->height};
     entry.picture = a.picture;
+    entry.name = tidyName(a.name, fallbackName(entry));
+    entry.size = {a.picture->width, a.picture->height};
     entry.contentHash = contentHash(*a.picture);
     document.pictures.push_back(std::move(entry));
     return Done{};
@@ -99,9 +73,10 @@ struct Apply {
       return side >= image::kLeastSketchSide && side <= image::kMostSketchSide;
     };
     if (!fits(a.size.width) || !fits(a.size.height)) return {Error::ValueOutOfRange, "paper size"};
+    if (Status room = roomForPicture(); !room) return room;
     PictureEntry entry;
     entry.id = PictureId{++document.lastPictureId};
-    entry.name = tidyName(a.name, "Sketch " + std::to_string(entry.id.value));
+    entry.name = tidyName(a.name, fallbackName(entry));
     entry.size = a.size;
     entry.contentHash = contentHash(a.size, {});
     document.pictures.push_back(std::move(entry));
@@ -121,7 +96,7 @@ struct Apply {
   }
   Status operator()(const RenamePicture& a) const {
     return editPicture(a.picture, [&](PictureEntry& entry) -> Status {
-      entry.name = tidyName(a.name, "Picture " + std::to_string(a.picture.value));
+      entry.name = tidyName(a.name, fallbackName(entry));
       return Done{};
     });
   }
@@ -140,6 +115,7 @@ struct Apply {
   }
   Status operator()(const DrawSpine& a) const {
     if (!known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
+    if (document.parts.size() >= kMostParts) return {Error::ValueOutOfRange, "too many parts"};
     if (Status shape = loft::checkShape(a.section); !shape) return shape;
     Part part;
     part.recipe.picture = a.picture;
@@ -152,7 +128,7 @@ struct Apply {
     if (!loft::isValid(part.recipe.pose)) return {Error::ValueOutOfRange, "depth"};
     if (Status stroke = checkStroke(document, part.recipe); !stroke) return stroke;
     part.id = PartId{++document.lastPartId};
-    part.name = numberedName(part.id.value);
+    part.name = fallbackName(part);
     document.parts.push_back(std::move(part));
     return Done{};
   }
@@ -232,7 +208,7 @@ struct Apply {
   }
   Status operator()(const RenamePart& a) const {
     return editPart(a.part, [&](Part& part) -> Status {
-      part.name = tidyName(a.name, numberedName(a.part.value));
+      part.name = tidyName(a.name, fallbackName(part));
       return Done{};
     });
   }
@@ -255,7 +231,7 @@ struct Apply {
     return Done{};
   }
   Status operator()(const RenameDocument& a) const {
-    document.name = tidyName(a.name, "Model");
+    document.name = tidyName(a.name, kFallbackDocumentName);
     return Done{};
   }
 };

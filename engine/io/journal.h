@@ -22,6 +22,8 @@ std::string writeHistory(const DocumentHistory& history);
 
 /// A record of one commit: only what differs between the two documents.
 std::string commitRecord(const document::Document& before, const document::Document& after);
+/// The same of History::amend (a commit that became part of the step before, Committed::Amended).
+std::string amendRecord(const document::Document& before, const document::Document& after);
 /// Records of an undo and a redo.
 std::string undoRecord();
 std::string redoRecord();
@@ -31,13 +33,14 @@ struct ReadHistory {
   DocumentHistory history;
   std::size_t dropped = 0;  ///< records at the end that were damaged or did not fit, left out
 };
-/// Plays `records` over `base` (of writeHistory). Damaged records end the play: what came before them
-/// is kept. Errors: ProjectInvalid (the base is damaged), ProjectTooNew, NoSuchPicture (a picture that
-/// `pictures` does not have), OutOfMemory.
+/// Plays `records` over `base` (of writeHistory). A record that is damaged, does not fit or shows a photo
+/// that `pictures` does not have ends the play: what came before it is kept. Steps of the base that are
+/// damaged only shorten its undo and redo. Errors: ProjectInvalid (the base is damaged), ProjectTooNew,
+/// NoSuchPicture (a photo of the base's present is not there), OutOfMemory.
 Result<ReadHistory> readHistory(std::string_view base, std::span<const std::string> records,
                                 const PictureSource& pictures);
 
-/// Content hashes of all photos that any document of the history shows, each once, in order.
+/// Content hashes of all photos (not of sketches) that any document of the history shows, each once, in order.
 std::vector<std::uint64_t> photosOf(const DocumentHistory& history);
 
 }  // namespace spineloft::io

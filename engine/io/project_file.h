@@ -23,11 +23,23 @@ inline constexpr int kProjectVersion = 1;
 /// Finds a photo by its content hash; null when it is not there.
 using PictureSource = std::function<std::shared_ptr<const image::Picture>(std::uint64_t)>;
 
+/// What reading had to mend.
+struct ReadNotes {
+  std::size_t dropped = 0;   ///< pictures and parts that could not be kept
+  std::size_t repaired = 0;  ///< values that were damaged or out of range, replaced by sound ones
+  bool clean() const { return dropped == 0 && repaired == 0; }
+  bool operator==(const ReadNotes&) const = default;
+};
+
 /// The document as JSON; photos by their content hash. Keys that this program did not know when it
 /// read the document are written back as they came. Equal documents give equal texts.
 std::string writeDocument(const document::Document& document);
-/// Errors: ProjectInvalid (with what is wrong), ProjectTooNew, NoSuchPicture, OutOfMemory.
-Result<document::Document> readDocument(std::string_view json, const PictureSource& pictures);
+/// Values that are damaged or out of range become defaults, parts without a usable stroke or picture are
+/// left out; `notes`, when given, receives how many. What comes back could have been made by
+/// document::update. Errors: ProjectInvalid (no document at all, with what is wrong), ProjectTooNew,
+/// NoSuchPicture (a photo that `pictures` does not have), OutOfMemory.
+Result<document::Document> readDocument(std::string_view json, const PictureSource& pictures,
+                                        ReadNotes* notes = nullptr);
 
 /// Whether the bytes are a GLB with a project inside (cheap: looks at headers and the JSON chunk).
 bool holdsProject(std::span<const std::uint8_t> glb);

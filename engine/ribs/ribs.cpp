@@ -28,22 +28,6 @@ constexpr float kCapWeight = 0.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-bool inRange(const RibParams& p) {
-  const auto within = [](double value, double low, double high) {
-    return value >= low && value <= high;
-  };
-  const EvidenceParams& e = p.evidence;
-  for (double weight :
-       {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
-        e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
-    if (!within(weight, 0, 10)) return false;
-  }
-  return within(p.levels, 16, 512) && within(p.maxLevelShare, 0.01, 1) &&
-         within(p.neighbourWeight, 0, 100) && within(p.neighbourCap, 0.01, 1000) &&
-         within(p.oppositeWeight, 0, 100) && within(e.contrastReach, 0.5, 20) &&
-         within(e.doubt, 0.001, 10) && within(e.knownShare, 0, 0.9);
-}
-
 // Everything that one search passes from step to step.
 struct Search {
   Spine spine;
@@ -320,6 +304,22 @@ std::string_view ribStateKey(RibState state) {
       return "locked";
   }
   return {};
+}
+
+bool inRange(const RibParams& p) {
+  const auto within = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  const EvidenceParams& e = p.evidence;
+  for (double weight :
+       {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
+        e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
+    if (!within(weight, 0, 10)) return false;
+  }
+  return within(p.levels, 16, 512) && within(p.maxLevelShare, 0.01, 1) &&
+         within(p.neighbourWeight, 0, 100) && within(p.neighbourCap, 0.01, 1000) &&
+         within(p.oppositeWeight, 0, 100) && within(e.contrastReach, 0.5, 20) &&
+         within(e.doubt, 0.001, 10) && within(e.knownShare, 0, 0.9);
 }
 
 Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,

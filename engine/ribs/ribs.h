@@ -118,6 +118,9 @@ struct RibParams {
   bool operator==(const RibParams&) const = default;
 };
 
+/// Every value finite and in its range.
+bool inRange(const RibParams& params);
+
 /// Gradient curves from the hull of the spine, the evidence along them, and the exact optimum of
 /// the energy by dynamic programming (method: "Gradient curves", "Rib lengths"). `edges` may be
 /// empty (no picture): then every end is Guessed at a default width. Output coordinates are picture

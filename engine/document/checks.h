@@ -1,0 +1,29 @@
+// What may stand in a document: the checks that `update` and the readers of files share.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "engine/document/document.h"
+
+namespace spineloft::document {
+
+inline constexpr std::string_view kFallbackDocumentName = "Model";
+/// "Part 3"; "Sketch 2", "Picture 1".
+std::string fallbackName(const Part& part);
+std::string fallbackName(const PictureEntry& entry);
+
+/// Valid UTF-8 of at most kMaxNameBytes, cut between characters; `fallback` replaces emptiness.
+std::string tidyName(std::string name, std::string_view fallback);
+
+/// Finite and in range, at most ribs::kMostIgnoreMarks.
+bool isValid(std::span<const ribs::IgnoreMark> marks);
+bool isValid(const ribs::IgnoreMark& mark);
+
+/// Whether the recipe's stroke makes a spine on its picture. Errors: NoSuchPicture and those of
+/// ribs::cleanSpine.
+Status checkStroke(const Document& document, const LoftRecipe& recipe);
+
+}  // namespace spineloft::document

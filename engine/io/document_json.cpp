@@ -1,0 +1,287 @@
+#include "engine/io/document_json.h"
+
+#include <algorithm>
+#include <new>
+#include <set>
+
+#include "engine/document/checks.h"
+#include "engine/document/params.h"
+
+namespace spineloft::io {
+namespace {
+
+using document::Document;
+using document::Part;
+using document::PictureEntry;
+
+constexpr const char* kVersionKey = "version";
+
+static_assert(kProjectVersion == 1, "a new version needs its migration here, and a golden file");
+constexpr std::array<Migration, kProjectVersion - 1> kMigrations{};
+
+/// Whether brackets outside strings nest at most kMostDepth deep; the rest is the parser's business.
+bool isShallow(std::string_view text) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMostDepth) return false;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return true;
+}
+
+/// Sets `value` to `sound` and counts it, unless it is right.
+template <class T>
+void mend(bool right, T& value, T sound, ReadNotes& notes) {
+  if (right) return;
+  value = std::move(sound);
+  ++notes.repaired;
+}
+
+/// Takes out what is not right, and what is too much; counts each.
+template <class T, class Right>
+void weed(std::vector<T>& values, std::size_t most, const Right& right, ReadNotes& notes) {
+  notes.repaired += std::erase_if(values, [&](const T& value) { return !right(value); });
+  if (values.size() <= most) return;
+  notes.repaired += values.size() - most;
+  values.resize(most);
+}
+
+void mendMarks(std::vector<ribs::IgnoreMark>& marks, ReadNotes& notes) {
+  weed(marks, ribs::kMostIgnoreMarks,
+       [](const ribs::IgnoreMark& mark) { return document::isValid(mark); }, notes);
+}
+
+void mendEdits(ribs::RibEdits& edits, ReadNotes& notes) {
+  const auto share = [](double at) { return at >= 0 && at <= 1; };
+  weed(edits.ends, ribs::kMostEndEdits,
+       [](const ribs::EndEdit& end) { return ribs::isValid(ribs::RibEdits{{end}, {}, {}}); }, notes);
+  weed(edits.added, ribs::kMostAddedRibs, share, notes);
+  weed(edits.removed, ribs::kMostAddedRibs, share, notes);
+  mend(ribs::isValid(edits), edits, {}, notes);
+}
+
+void mendLoft(loft::LoftParams& params, ReadNotes& notes) {
+  using loft::kMostTilt, loft::kMostTwist, geometry::isValid;
+  mend(isValid(params.twist, -kMostTwist, kMostTwist), params.twist, {}, notes);
+  mend(isValid(params.squash, loft::kLeastSquash, loft::kMostSquash), params.squash, {}, notes);
+  mend(isValid(params.tilt, -kMostTilt, kMostTilt), params.tilt, {}, notes);
+  mend(isValid(params.bulge, -1, 1), params.bulge, {}, notes);
+  mend(params.centring >= 0 && params.centring <= 10, params.centring, loft::LoftParams{}.centring,
+       notes);
+  weed(params.sections, loft::kMostStops,
+       [](const loft::SectionStop& stop) { return loft::checkStops({&stop, 1}).ok(); }, notes);
+  mend(loft::checkStops(params.sections).ok(), params.sections, loft::LoftParams{}.sections, notes);
+  mend(loft::checkParams(params).ok(), params, {}, notes);
+}
+
+void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
+  const document::LoftRecipe standard;
+  for (const document::ParamInfo& info : document::paramTable()) {
+    const double value = info.get(recipe);
+    if (value >= info.low && value <= info.high) continue;
+    info.set(recipe, info.get(standard));
+    ++notes.repaired;
+  }
+  const double spacing = recipe.spine.minSpacing;
+  mend(spacing >= 0.1 && spacing <= 100, recipe.spine.minSpacing, standard.spine.minSpacing, notes);
+  mend(ribs::inRange(recipe.ribs), recipe.ribs, {}, notes);
+  mendEdits(recipe.edits, notes);
+  mendMarks(recipe.ignored, notes);
+  mend(loft::isValid(recipe.pose), recipe.pose, {}, notes);
+  mendLoft(recipe.loft, notes);
+}
+
+void mendName(std::string& name, std::string_view fallback, ReadNotes& notes) {
+  const std::string tidy = document::tidyName(name, fallback);
+  mend(tidy == name, name, tidy, notes);
+}
+
+/// Ids that are 0, too large or taken get new ones above all others.
+template <class T>
+void mendIds(std::vector<Box<T>>& boxes, std::uint32_t& last, ReadNotes& notes) {
+  if (last > kMostId) {
+    last = 0;
+    ++notes.repaired;
+  }
+  std::set<std::uint32_t> taken;
+  std::vector<Box<T>*> renewed;
+  for (Box<T>& box : boxes) {
+    const std::uint32_t id = box->id.value;
+    if (id == 0 || id > kMostId || !taken.insert(id).second) renewed.push_back(&box);
+  }
+  if (!taken.empty() && *taken.rbegin() > last) {
+    last = *taken.rbegin();
+    ++notes.repaired;
+  }
+  for (Box<T>* box : renewed) {
+    T value = box->get();
+    value.id.value = ++last;
+    *box = std::move(value);
+    ++notes.repaired;
+  }
+}
+
+Status migrate(Json& json) {
+  const auto at = json.find(kVersionKey);
+  int version = 0;
+  if (at == json.end() || !get(*at, version) || version < 1) {
+    return {Error::ProjectInvalid, "no version"};
+  }
+  if (version > kProjectVersion) return Error::ProjectTooNew;
+  json.erase(at);
+  for (const Migration step : migrations().subspan(static_cast<std::size_t>(version) - 1)) step(json);
+  return Done{};
+}
+
+/// The list under `key`, taken out of the document.
+Json takeList(Json& json, const char* key, ReadNotes& notes) {
+  const auto at = json.find(key);
+  if (at == json.end()) return Json::array();
+  Json list = std::move(*at);
+  json.erase(at);
+  if (list.is_array()) return list;
+  ++notes.repaired;
+  return Json::array();
+}
+
+}  // namespace
+
+Result<Json> parseJson(std::string_view text) {
+  if (text.size() > kMostJson) return {Error::ProjectInvalid, "too long"};
+  if (!isShallow(text)) return {Error::ProjectInvalid, "too deep"};
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return {Error::ProjectInvalid, "not JSON"};
+  return json;
+}
+
+std::string textOf(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::span<const Migration> migrations() { return kMigrations; }
+
+Json documentJson(const Document& document) {
+  Json json = toJson(document);
+  json[kVersionKey] = kProjectVersion;
+  return json;
+}
+
+Json frameJson(const Document& document) {
+  Json plain = Json::object(), json = Json::object();
+  WriteMembers writePlain(plain, nullptr);
+  const Document standard;
+  members(writePlain, standard);
+  WriteMembers write(json, &plain);
+  write.withElements = false;
+  members(write, document);
+  return json;
+}
+
+void readFrame(Json json, Document& document, const Reading& reading) {
+  read(json, document, reading);
+  mendName(document.name, document::kFallbackDocumentName, reading.notes);
+  const double height = document.height.value;
+  mend(height >= document::kMinHeightMm && height <= document::kMaxHeightMm, document.height,
+       Document{}.height, reading.notes);
+}
+
+Result<PictureEntry> pictureFrom(Json json, const Reading& reading) {
+  PictureEntry entry;
+  const bool isPhoto = json.is_object() && json.contains("photo");
+  read(json, entry, reading);
+  if (isPhoto) {
+    if (!entry.picture) return {Error::NoSuchPicture, entry.name};
+    const image::Size size{entry.picture->width, entry.picture->height};
+    mend(entry.size == size, entry.size, size, reading.notes);
+    mend(entry.sketch.empty(), entry.sketch, {}, reading.notes);
+  } else {
+    const auto fits = [](int side) {
+      return side >= image::kLeastSketchSide && side <= image::kMostSketchSide;
+    };
+    if (!fits(entry.size.width) || !fits(entry.size.height)) {
+      return {Error::ProjectInvalid, "paper size"};
+    }
+    weed(entry.sketch, image::kMostSketchStrokes,
+         [](const Box<image::SketchStroke>& stroke) { return image::isValid(*stroke); },
+         reading.notes);
+    entry.contentHash = document::contentHash(entry.size, entry.sketch);
+  }
+  mendName(entry.name, document::fallbackName(entry), reading.notes);
+  mendMarks(entry.ignored, reading.notes);
+  return entry;
+}
+
+Result<Part> partFrom(Json json, const Document& document, const Reading& reading) {
+  Part part;
+  read(json, part, reading);
+  mendName(part.name, document::fallbackName(part), reading.notes);
+  mendRecipe(part.recipe, reading.notes);
+  const Status stroke = document::checkStroke(document, part.recipe);
+  if (stroke) return part;
+  if (stroke.error() == Error::NoSuchPicture) return {Error::NoSuchPicture, part.name};
+  return {Error::ProjectInvalid, part.name};
+}
+
+Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto missing) {
+  if (!json.is_object()) return {Error::ProjectInvalid, "no document"};
+  if (Status version = migrate(json); !version) return version.failure();
+  Json pictures = takeList(json, "pictures", reading.notes);
+  Json parts = takeList(json, "parts", reading.notes);
+  Document document;
+  readFrame(std::move(json), document, reading);
+  for (Json& picture : pictures) {
+    Result<PictureEntry> entry = pictureFrom(std::move(picture), reading);
+    if (!entry && entry.error() == Error::NoSuchPicture && missing == MissingPhoto::Fail) {
+      return entry.failure();
+    }
+    if (entry && document.pictures.size() < document::kMostPictures) {
+      document.pictures.push_back(std::move(entry).value());
+    } else {
+      ++reading.notes.dropped;
+    }
+  }
+  mendIds(document.pictures, document.lastPictureId, reading.notes);
+  for (Json& element : parts) {
+    if (document.parts.size() >= document::kMostParts) {
+      ++reading.notes.dropped;
+      continue;
+    }
+    Result<Part> part = partFrom(std::move(element), document, reading);
+    if (part) {
+      document.parts.push_back(std::move(part).value());
+    } else {
+      ++reading.notes.dropped;
+    }
+  }
+  mendIds(document.parts, document.lastPartId, reading.notes);
+  return document;
+}
+
+std::string writeDocument(const Document& document) { return textOf(documentJson(document)); }
+
+Result<Document> readDocument(std::string_view json, const PictureSource& pictures,
+                              ReadNotes* notes) {
+  ReadNotes found;
+  try {
+    Result<Json> parsed = parseJson(json);
+    if (!parsed) return parsed.failure();
+    Result<Document> document =
+        documentFrom(std::move(parsed).value(), {found, pictures}, MissingPhoto::Fail);
+    if (notes != nullptr) *notes = found;
+    return document;
+  } catch (const std::exception&) {  // the JSON library and the standard one only throw for memory
+    return Error::OutOfMemory;
+  }
+}
+
+}  // namespace spineloft::io

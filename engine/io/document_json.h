@@ -1,0 +1,55 @@
+// The document as a JSON value, whole and in pieces. Internal to io/.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "engine/document/document.h"
+#include "engine/io/json_fields.h"
+#include "engine/io/project_file.h"
+
+namespace spineloft::io {
+
+/// Longest JSON that is read, bytes: a thousand times an ordinary model.
+inline constexpr std::size_t kMostJson = std::size_t{64} << 20;
+/// Deepest nesting that is read.
+inline constexpr int kMostDepth = 64;
+/// Largest id that is believed, so that there are ids left for what is added later.
+inline constexpr std::uint32_t kMostId = 1'000'000'000;
+
+/// The JSON, checked for length and depth before it is parsed. Error: ProjectInvalid. Memory that runs
+/// out is thrown as std::bad_alloc.
+Result<Json> parseJson(std::string_view text);
+/// As compact text; text that is not UTF-8 is mended.
+std::string textOf(const Json& json);
+
+/// The whole document with its version, as writeDocument has it.
+Json documentJson(const document::Document& document);
+/// Without pictures, parts and version: what the document itself says.
+Json frameJson(const document::Document& document);
+
+/// One step of migration: from the version of its place in the table (1 first) to the next.
+using Migration = void (*)(Json& document);
+/// One for each version before kProjectVersion.
+std::span<const Migration> migrations();
+
+/// What to do about a photo that is not there.
+enum class MissingPhoto : std::uint8_t { Fail, Drop };
+
+/// The document of documentJson, of any version up to ours. Errors: ProjectInvalid, ProjectTooNew,
+/// NoSuchPicture (with MissingPhoto::Fail).
+Result<document::Document> documentFrom(Json json, const Reading& reading, MissingPhoto missing);
+
+/// Reads name, height, last ids and unknown keys into `document`.
+void readFrame(Json json, document::Document& document, const Reading& reading);
+/// A picture; none when it cannot be kept: NoSuchPicture when its photo is not there, ProjectInvalid
+/// for all else. Its id may be 0.
+Result<document::PictureEntry> pictureFrom(Json json, const Reading& reading);
+/// A part on one of `document`'s pictures. Errors: NoSuchPicture, ProjectInvalid (no usable stroke).
+/// Its id may be 0.
+Result<document::Part> partFrom(Json json, const document::Document& document,
+                                const Reading& reading);
+
+}  // namespace spineloft::io

@@ -1,0 +1,419 @@
+// Every value of the document as JSON, both ways. Internal to io/.
+//
+// Structs are JSON objects: each is taken apart by one structured binding that both directions share,
+// so that a field added later does not compile until it is saved. Values that equal the default are
+// not written. Small structs that stand in long lists are JSON arrays ("tuples"). Reading takes out of
+// the JSON what it knows; what stays in it is what this program does not know.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/io/project_file.h"
+
+namespace spineloft::io {
+
+using Json = nlohmann::json;
+
+/// `T` is `Plain` or `const Plain`.
+template <class T, class Plain>
+concept Is = std::same_as<std::remove_const_t<T>, Plain>;
+
+// ---- the members of every struct that is an object ----------------------------------------------
+
+template <class V, Is<ribs::SpineParams> T>
+void members(V& v, T& value) {
+  auto& [ribs, minSpacing, smoothness] = value;
+  v("ribs", ribs);
+  v("minSpacing", minSpacing);
+  v("smoothness", smoothness);
+}
+template <class V, Is<ribs::EvidenceParams> T>
+void members(V& v, T& value) {
+  auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
+         outsideWeight, contrastReach, knownShare, doubt, weight] = value;
+  v("proximityWeight", proximityWeight);
+  v("contrastWeight", contrastWeight);
+  v("localContrastWeight", localContrastWeight);
+  v("beyondWeight", beyondWeight);
+  v("insideWeight", insideWeight);
+  v("outsideWeight", outsideWeight);
+  v("contrastReach", contrastReach);
+  v("knownShare", knownShare);
+  v("doubt", doubt);
+  v("weight", weight);
+}
+template <class V, Is<ribs::RibParams> T>
+void members(V& v, T& value) {
+  auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight,
+         leanCost, priorWeight, evidence] = value;
+  v("levels", levels);
+  v("maxLevelShare", maxLevelShare);
+  v("neighbourWeight", neighbourWeight);
+  v("neighbourFreedom", neighbourFreedom);
+  v("neighbourCap", neighbourCap);
+  v("oppositeWeight", oppositeWeight);
+  v("leanCost", leanCost);
+  v("priorWeight", priorWeight);
+  v("evidence", evidence);
+}
+template <class V, Is<ribs::RibEdits> T>
+void members(V& v, T& value) {
+  auto& [ends, added, removed] = value;
+  v("ends", ends);
+  v("added", added);
+  v("removed", removed);
+}
+template <class V, Is<loft::Pose> T>
+void members(V& v, T& value) {
+  auto& [stroke, depth, coilTurns, coilRadius, closed] = value;
+  v("stroke", stroke);
+  v("depth", depth);
+  v("coilTurns", coilTurns);
+  v("coilRadius", coilRadius);
+  v("closed", closed);
+}
+template <class V, Is<loft::SectionShape> T>
+void members(V& v, T& value) {
+  auto& [preset, contours] = value;
+  v("preset", preset);
+  v("contours", contours);
+}
+template <class V, Is<loft::Blend> T>
+void members(V& v, T& value) {
+  auto& [kind, custom] = value;
+  v("kind", kind);
+  v("custom", custom);
+}
+template <class V, Is<loft::SectionStop> T>
+void members(V& v, T& value) {
+  auto& [at, shape, blend] = value;
+  v("at", at);
+  v("shape", shape);
+  v("blend", blend);
+}
+template <class V, Is<loft::LoftParams> T>
+void members(V& v, T& value) {
+  auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings,
+         centring] = value;
+  v("sections", sections);
+  v("twist", twist);
+  v("squash", squash);
+  v("tilt", tilt);
+  v("bulge", bulge);
+  v("startCap", startCap);
+  v("endCap", endCap);
+  v("sectionPoints", sectionPoints);
+  v("capRings", capRings);
+  v("centring", centring);
+}
+template <class V, Is<document::LoftRecipe> T>
+void members(V& v, T& value) {
+  auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = value;
+  v("picture", picture);
+  v("stroke", stroke);
+  v("spine", spine);
+  v("ribs", ribs);
+  v("edits", edits);
+  v("ignored", ignored);
+  v("pose", pose);
+  v("loft", loft);
+}
+template <class V, Is<document::Look> T>
+void members(V& v, T& value) {
+  auto& [textured, colour] = value;
+  v("textured", textured);
+  v("colour", colour);
+}
+template <class V, Is<document::Part> T>
+void members(V& v, T& value) {
+  auto& [id, name, recipe, look, visible, extra] = value;
+  v("id", id);
+  v.always("name", name);
+  v("recipe", recipe);
+  v("look", look);
+  v("visible", visible);
+  v.beyond(extra);
+}
+template <class V, Is<document::PictureEntry> T>
+void members(V& v, T& value) {
+  auto& [id, name, size, picture, sketch, contentHash, ignored, extra] = value;
+  v("id", id);
+  v.always("name", name);
+  v("size", size);
+  v.photo("photo", picture, contentHash);
+  v("sketch", sketch);
+  v("ignored", ignored);
+  v.beyond(extra);
+}
+template <class V, Is<document::Document> T>
+void members(V& v, T& value) {
+  auto& [name, pictures, parts, height, lastPictureId, lastPartId, extra] = value;
+  v.always("name", name);
+  v.elements("pictures", pictures);
+  v.elements("parts", parts);
+  v("height", height);
+  v("lastPictureId", lastPictureId);
+  v("lastPartId", lastPartId);
+  v.beyond(extra);
+}
+
+/// Stands for any visitor where only the type of what is visited is asked for.
+struct NoVisitor {};
+template <class T>
+concept Struct = requires(NoVisitor v, T value) { members(v, value); };
+
+// ---- enums by their keys ------------------------------------------------------------------------
+
+std::string_view keyOf(loft::SectionPreset value);
+std::string_view keyOf(loft::CapStyle value);
+std::string_view keyOf(loft::BlendKind value);
+std::string_view keyOf(ribs::Side value);
+bool fromKey(std::string_view key, loft::SectionPreset& value);
+bool fromKey(std::string_view key, loft::CapStyle& value);
+bool fromKey(std::string_view key, loft::BlendKind& value);
+bool fromKey(std::string_view key, ribs::Side& value);
+template <class T>
+concept Keyed = requires(T value) { keyOf(value); };
+
+// ---- writing ------------------------------------------------------------------------------------
+
+/// Whole numbers without a point, −0 as 0; every finite double comes back exactly.
+Json toJson(double value);
+/// With the fewest digits that give back the same float.
+Json toJson(float value);
+inline Json toJson(bool value) { return value; }
+inline Json toJson(int value) { return value; }
+inline Json toJson(std::uint32_t value) { return value; }
+inline Json toJson(const std::string& value) { return value; }
+inline Json toJson(Millimetres value) { return toJson(value.value); }
+inline Json toJson(image::Size size) { return Json::array({size.width, size.height}); }
+template <class Tag>
+Json toJson(Id<Tag> id) {
+  return id.value;
+}
+template <Keyed T>
+Json toJson(T value) {
+  return std::string(keyOf(value));
+}
+Json toJson(const std::array<std::uint8_t, 3>& colour);  ///< "#rrggbb"
+Json toJson(const geometry::AlongCurve& curve);          ///< [at, value, at, value, …]
+Json toJson(const ribs::EndEdit& edit);         ///< [side, at, along, out, reach, locked]
+Json toJson(const ribs::IgnoreMark& mark);      ///< [radius, [x, y, …]]
+Json toJson(const image::SketchStroke& stroke); ///< [radius, erase, colour, [x, y, …], [pressure, …]]
+template <Struct T>
+Json toJson(const T& value);
+template <class Space>
+Json toJson(const std::vector<Vec2<Space>>& points) {  // [x, y, x, y, …]
+  Json out = Json::array();
+  out.get_ref<Json::array_t&>().reserve(2 * points.size());
+  for (const Vec2<Space>& p : points) {
+    out.push_back(toJson(p.x));
+    out.push_back(toJson(p.y));
+  }
+  return out;
+}
+template <class T>
+Json toJson(const Box<T>& box) {
+  return toJson(box.get());
+}
+template <class T>
+Json toJson(const std::vector<T>& values) {
+  Json out = Json::array();
+  for (const T& value : values) out.push_back(toJson(value));
+  return out;
+}
+std::string hashKey(std::uint64_t hash);  ///< 16 hexadecimal digits
+std::optional<std::uint64_t> hashFromKey(std::string_view key);
+
+/// Puts what a file said beyond what we know (text of a leftover, see takeRest) back into `out`.
+void putBack(Json& out, const std::string& extra);
+
+/// Writes members that differ from those of `plain`, a default value's, where it is given.
+class WriteMembers {
+ public:
+  WriteMembers(Json& out, const Json* plain) : out_(out), plain_(plain) {}
+  template <class T>
+  void operator()(const char* key, const T& value) {
+    Json json = toJson(value);
+    if (plain_ != nullptr && plain_->at(key) == json) return;
+    out_[key] = std::move(json);
+  }
+  template <class T>
+  void always(const char* key, const T& value) {
+    out_[key] = toJson(value);
+  }
+  void photo(const char* key, const std::shared_ptr<const image::Picture>& picture,
+             std::uint64_t contentHash) {
+    if (picture) out_[key] = hashKey(contentHash);
+  }
+  template <class T>
+  void elements(const char* key, const std::vector<Box<T>>& values) {
+    if (withElements) always(key, values);
+  }
+  void beyond(const std::string& extra) {
+    if (!extra.empty()) putBack(out_, extra);
+  }
+  bool withElements = true;  ///< the pictures and parts of a document
+
+ private:
+  Json& out_;
+  const Json* plain_;
+};
+
+template <Struct T>
+Json toJson(const T& value) {
+  Json plain = Json::object(), out = Json::object();
+  const T standard{};
+  WriteMembers writePlain(plain, nullptr);
+  members(writePlain, standard);
+  WriteMembers write(out, &plain);
+  members(write, value);
+  return out;
+}
+
+// ---- reading ------------------------------------------------------------------------------------
+
+/// What is read from `from` is taken out of it: null or an empty object stays when all was known.
+/// Values of the wrong type leave `to` as it is and are counted.
+struct Reading {
+  ReadNotes& notes;
+  const PictureSource& photos;
+};
+
+/// False when it is of the wrong type or not representable.
+bool get(const Json& from, double& to);
+bool get(const Json& from, float& to);
+bool get(const Json& from, bool& to);
+bool get(const Json& from, int& to);
+bool get(const Json& from, std::uint32_t& to);
+bool get(const Json& from, std::string& to);
+bool get(const Json& from, Millimetres& to);
+bool get(const Json& from, image::Size& to);
+bool get(const Json& from, std::array<std::uint8_t, 3>& to);
+bool get(const Json& from, geometry::AlongCurve& to);
+bool get(const Json& from, ribs::EndEdit& to);
+bool get(const Json& from, ribs::IgnoreMark& to);
+bool get(const Json& from, image::SketchStroke& to);
+template <class Tag>
+bool get(const Json& from, Id<Tag>& to) {
+  return get(from, to.value);
+}
+template <Keyed T>
+bool get(const Json& from, T& to) {
+  return from.is_string() && fromKey(from.get_ref<const std::string&>(), to);
+}
+template <class Space>
+bool get(const Json& from, std::vector<Vec2<Space>>& to) {
+  if (!from.is_array() || from.size() % 2 != 0) return false;
+  std::vector<Vec2<Space>> points(from.size() / 2);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!get(from[2 * i], points[i].x) || !get(from[2 * i + 1], points[i].y)) return false;
+  }
+  to = std::move(points);
+  return true;
+}
+
+template <class T>
+concept Plain = requires(const Json& from, T& to) { get(from, to); };
+
+template <Plain T>
+void read(Json& from, T& to, const Reading& reading) {
+  if (!get(from, to)) ++reading.notes.repaired;
+  from = nullptr;
+}
+template <Struct T>
+void read(Json& from, T& to, const Reading& reading);
+/// A list of plain values: bad ones are left out and counted.
+template <Plain T>
+void read(Json& from, std::vector<T>& to, const Reading& reading) {
+  to.clear();
+  if (!from.is_array()) ++reading.notes.repaired;
+  for (const Json& element : from.is_array() ? from : Json::array()) {
+    T value{};
+    if (get(element, value)) {
+      to.push_back(std::move(value));
+    } else {
+      ++reading.notes.repaired;
+    }
+  }
+  from = nullptr;
+}
+template <Plain T>
+void read(Json& from, std::vector<Box<T>>& to, const Reading& reading) {
+  std::vector<T> values;
+  read(from, values, reading);
+  to.assign(std::make_move_iterator(values.begin()), std::make_move_iterator(values.end()));
+}
+/// Key under which a list's leftover keeps the list's length; its other keys are places in the list.
+inline constexpr const char* kLengthKey = "#length";
+template <Struct T>
+void read(Json& from, std::vector<T>& to, const Reading& reading) {
+  to.clear();
+  if (!from.is_array()) {
+    ++reading.notes.repaired;
+    from = nullptr;
+    return;
+  }
+  Json rest = Json::object();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    T value{};
+    read(from[i], value, reading);
+    to.push_back(std::move(value));
+    if (!from[i].empty()) rest[std::to_string(i)] = std::move(from[i]);
+  }
+  if (!rest.empty()) rest[kLengthKey] = to.size();
+  from = std::move(rest);
+}
+
+/// The leftover of an object as text; empty when nothing is left or it is too long to be carried.
+std::string takeRest(Json& object, const Reading& reading);
+
+class ReadMembers {
+ public:
+  ReadMembers(Json& object, const Reading& reading) : object_(object), reading_(reading) {}
+  template <class T>
+  void operator()(const char* key, T& value) {
+    const auto at = object_.find(key);
+    if (at == object_.end()) return;
+    read(*at, value, reading_);
+    if (at->empty()) object_.erase(at);
+  }
+  template <class T>
+  void always(const char* key, T& value) {
+    (*this)(key, value);
+  }
+  /// A photo that is not there leaves `picture` empty and the hash set.
+  void photo(const char* key, std::shared_ptr<const image::Picture>& picture, std::uint64_t& hash);
+  /// The pictures and parts of a document are read one by one (document_json.cpp).
+  template <class T>
+  void elements(const char*, std::vector<Box<T>>&) {}
+  void beyond(std::string& extra) { extra = takeRest(object_, reading_); }
+
+ private:
+  Json& object_;
+  const Reading& reading_;
+};
+
+template <Struct T>
+void read(Json& from, T& to, const Reading& reading) {
+  if (!from.is_object()) {
+    ++reading.notes.repaired;
+    from = nullptr;
+    return;
+  }
+  ReadMembers visitor(from, reading);
+  members(visitor, to);
+}
+
+}  // namespace spineloft::io
