@@ -77,6 +77,13 @@ void App::settle() {
   }
   if (!document::findPart(document, ui_.selection)) ui_.selection = {};
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
+  const bool orphaned =
+      ui_.preview && (!document::findPicture(document, ui_.preview->recipe.picture) ||
+                      (ui_.preview->part && !document::findPart(document, ui_.preview->part)));
+  if (orphaned) {
+    gestures_.cancel(toolEnv());
+    ui_.preview.reset();
+  }
   if (document.parts.empty()) ui_.cameraTouched = false;
   layout();
 }
@@ -114,29 +121,20 @@ void App::frame() {
   if (moving || framesWanted_ > 0) host_.requestFrame();
 }
 
-/// The part under the pen: a new shape as often as the time allows, so that the line never lags.
+/// What the gesture in hand makes: a new shape as often as the time allows, so that the hand never
+/// waits.
 void App::growPreview() {
   if (!ui_.preview || ui_.preview->fresh) return;
   Preview& preview = *ui_.preview;
   const double now = host_.nowMs();
   if (now < preview.nextMs) return;
   preview.fresh = true;
-  document::LoftRecipe recipe;
-  if (const document::Part* part = document::findPart(studio_.document(), ui_.redraw)) {
-    recipe = part->recipe;
-  } else {
-    recipe.loft.sections.front().shape = ui_.section;
-    recipe.loft.startCap = ui_.startCap;
-    recipe.loft.endCap = ui_.endCap;
-  }
-  recipe.picture = ui_.picture;
-  recipe.stroke = preview.stroke;
-  Result<pipeline::PartShape> shape = studio_.preview(recipe);
+  Result<pipeline::PartShape> shape = studio_.preview(preview.recipe);
   preview.costMs = host_.nowMs() - now;
   preview.nextMs = host_.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
   if (!shape) return;  // the last good one stays
   preview.shape = std::move(shape).value();
-  ++preview.revision;
+  preview.revision = ++ui_.previewShapes;
 }
 
 void App::frameNewPart() {

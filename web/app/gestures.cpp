@@ -20,6 +20,10 @@ constexpr double kPinchZoom = 0.011;   // the same for a trackpad pinch
 
 ClientPoint pointOf(const PointerEvent& event) { return {event.x, event.y}; }
 
+tools::ToolEvent toolEvent(const PointerEvent& event) {
+  return {pointOf(event), event.pressure, event.timeMs, event.modifiers, event.device};
+}
+
 }  // namespace
 
 Gestures::Place Gestures::placeOf(const UiState& ui, ClientPoint at) const {
@@ -92,7 +96,7 @@ void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
   env.ui.focus = place == Place::Picture ? Focus::Picture : Focus::Solid;
   tool_ = toolFor(event, place, env.ui);
   toolContact_ = event.id;
-  tool_->begin(env, hover_);
+  tool_->begin(env, toolEvent(event));
 }
 
 std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place place,
@@ -131,7 +135,7 @@ void Gestures::move(const PointerEvent& event, Contact& contact, const tools::To
   } else if (splitting_) {
     env.ui.share = shareAt(env.ui.layout, contact.at);
   } else if (tool_ && toolContact_ == event.id) {
-    tool_->move(env, contact.at);
+    tool_->move(env, toolEvent(event));
   }
 }
 
@@ -141,7 +145,7 @@ void Gestures::release(const PointerEvent& event, const tools::ToolEnv& env) {
   if (event.buttons != 0 && event.device == Device::Mouse) return;  // another button is still down
   if (tool_ && toolContact_ == event.id) {
     const std::unique_ptr<tools::Tool> tool = std::move(tool_);
-    tool->move(env, pointOf(event));
+    tool->move(env, toolEvent(event));
     tool->commit(env);
   }
   splitting_ = false;

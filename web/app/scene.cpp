@@ -4,6 +4,7 @@
 
 #include "engine/base/hash.h"
 #include "engine/publish/publish.h"
+#include "web/app/preview.h"
 
 namespace spineloft::app {
 namespace {
@@ -44,12 +45,12 @@ gl::SceneMesh meshOf(const Source& source, const document::Look& look,
 void addParts(const document::Document& document, const pipeline::Derived& derived,
               const UiState& ui, gl::Scene& scene) {
   const std::size_t count = std::min(document.parts.size(), derived.parts.size());
-  const PartId replaced = ui.preview && ui.preview->shape ? ui.redraw : PartId{};
   for (std::size_t i = 0; i < count; ++i) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
     const Source source = sourceOf(document, derived, part.recipe.picture);
-    if (!shape || !part.visible || source.entry == nullptr || part.id == replaced) continue;
+    if (!shape || !part.visible || source.entry == nullptr) continue;
+    if (previewOf(ui, part.id)) continue;
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
     mesh.key = shape->key | 1u;
     mesh.selected = part.id == ui.selection && document.parts.size() > 1;
@@ -60,10 +61,11 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
 void addPreview(const document::Document& document, const pipeline::Derived& derived,
                 const UiState& ui, gl::Scene& scene) {
   if (!ui.preview || !ui.preview->shape) return;
-  const Source source = sourceOf(document, derived, ui.picture);
+  const Preview& preview = *ui.preview;
+  const Source source = sourceOf(document, derived, preview.recipe.picture);
   if (source.entry == nullptr) return;
-  gl::SceneMesh mesh = meshOf(source, ui.look, *ui.preview->shape);
-  mesh.key = Hasher().text("preview").number(ui.preview->revision).value() | 1u;
+  gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
+  mesh.key = Hasher().text("preview").number(preview.revision).value() | 1u;
   scene.meshes.push_back(mesh);
 }
 

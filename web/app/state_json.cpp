@@ -73,11 +73,15 @@ void writePreview(JsonWriter& json, const UiState& ui) {
     json.null();
     return;
   }
-  const auto& shape = ui.preview->shape;
-  json.beginObject().key("points").number(static_cast<double>(ui.preview->stroke.size()));
+  const Preview& preview = *ui.preview;
+  const auto& shape = preview.shape;
+  json.beginObject().key("points").number(static_cast<double>(preview.recipe.stroke.size()));
+  json.key("part");
+  preview.part ? json.number(preview.part.value) : json.null();
+  json.key("fresh").flag(preview.fresh);
   json.key("ribs").number(shape ? static_cast<double>(shape->ribs.ribs.size()) : 0);
   json.key("triangles").number(shape ? static_cast<double>(shape->mesh.triangles.size()) : 0);
-  json.key("costMs").number(ui.preview->costMs).endObject();
+  json.key("costMs").number(preview.costMs).endObject();
 }
 
 }  // namespace

@@ -32,12 +32,16 @@ std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
 enum class PanelTab : std::uint8_t { Parts, Slice, Ends, Look };
 
-/// A stroke in the making and what it would become.
+/// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
+/// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
+/// allows, and both views show it in place of the part. See preview.h.
 struct Preview {
-  std::vector<PicturePoint> stroke;          ///< picture pixels
-  bool fresh = false;                        ///< `shape` is of this very stroke
-  std::optional<pipeline::PartShape> shape;  ///< of the stroke, or of its beginning
-  std::uint64_t revision = 0;                ///< counts the shapes
+  document::LoftRecipe recipe;
+  PartId part;         ///< the one that it replaces on the screen; none: a new part
+  document::Look look;
+  bool fresh = false;  ///< `shape` is of this very recipe
+  std::optional<pipeline::PartShape> shape;  ///< the last one that could be made
+  std::uint64_t revision = 0;                ///< of `shape`; none other had it
   double costMs = 0;                         ///< what the last shape took
   double nextMs = 0;                         ///< not before this time is the next one made
 };
@@ -57,7 +61,6 @@ struct UiState {
   Focus focus = Focus::Picture;
   PanelTab tab = PanelTab::Slice;
   PartId selection;
-  PartId hovered;
   PictureId picture;          ///< the one in the picture view
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
   PartId redraw;              ///< the next stroke is for this part
@@ -73,6 +76,7 @@ struct UiState {
   document::Look look;
 
   std::optional<Preview> preview;
+  std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
   double busySinceMs = -1;  ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
   bool touch = false;          ///< the last pointer was a finger: larger targets

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "web/app/outline.h"
+#include "web/app/preview.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -95,6 +96,7 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
       drawSpine(list, ui, part.recipe.stroke);
       continue;
     }
+    if (app::previewOf(ui, part.id)) continue;
     if (selected && !ui.preview) drawRibs(list, ui, shape->ribs);
     drawOutline(list, env, part, *shape);
     if (selected && !ui.preview) drawSpine(list, ui, shape->spine.points);
@@ -104,7 +106,7 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
 void drawPreview(ImDrawList& list, const app::UiState& ui) {
   if (!ui.preview) return;
   if (ui.preview->shape) drawRibs(list, ui, ui.preview->shape->ribs);
-  drawSpine(list, ui, ui.preview->stroke);
+  drawSpine(list, ui, ui.preview->recipe.stroke);
 }
 
 }  // namespace

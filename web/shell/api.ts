@@ -63,8 +63,8 @@ export interface State {
   unsaved: boolean;
   /** Long work in words, with its share done (0…1). */
   activity: { label: string; done: number } | null;
-  /** The stroke in hand: its points, and the ribs and triangles it has so far. */
-  preview: { points: number; ribs: number; triangles: number; costMs: number } | null;
+  /** What the gesture in hand would make, and of which part (null: a new one); fresh when its shape is up to date. */
+  preview: { points: number; part: number | null; fresh: boolean; ribs: number; triangles: number; costMs: number } | null;
   documentName: string;
   heightMm: number;
 }

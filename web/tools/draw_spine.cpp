@@ -1,6 +1,7 @@
 #include "web/tools/draw_spine.h"
 
 #include "web/app/outline.h"
+#include "web/app/preview.h"
 
 namespace spineloft::tools {
 namespace {
@@ -21,20 +22,24 @@ app::Json strokeJson(const std::vector<PicturePoint>& stroke) {
 
 }  // namespace
 
-void DrawSpine::begin(const ToolEnv& env, app::ClientPoint at) { watch_.begin(at, env.ui.touch); }
+void DrawSpine::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
 
-void DrawSpine::move(const ToolEnv& env, app::ClientPoint at) {
-  watch_.move(at);
+void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
   if (!watch_.moved()) return;
-  if (!env.ui.preview) {
-    env.ui.preview.emplace();
-    env.ui.preview->stroke.push_back(toPicture(env, watch_.start()));
-  }
-  app::Preview& preview = *env.ui.preview;
-  const PicturePoint p = toPicture(env, at);
-  if (distance(p, preview.stroke.back()) * env.ui.pictureView.zoom < kPointSpacing) return;
-  preview.stroke.push_back(p);
-  preview.fresh = false;
+  if (!env.ui.preview) start(env);
+  std::vector<PicturePoint>& stroke = env.ui.preview->recipe.stroke;
+  const PicturePoint p = toPicture(env, event.at);
+  if (distance(p, stroke.back()) * env.ui.pictureView.zoom < kPointSpacing) return;
+  stroke.push_back(p);
+  env.ui.preview->fresh = false;
+}
+
+void DrawSpine::start(const ToolEnv& env) {
+  const document::Part* part = document::findPart(env.document, env.ui.redraw);
+  app::Preview& preview = part ? app::previewPart(env.ui, *part) : app::previewNewPart(env.ui);
+  preview.recipe.picture = env.ui.picture;
+  preview.recipe.stroke = {toPicture(env, watch_.start())};
 }
 
 void DrawSpine::commit(const ToolEnv& env) {
@@ -45,7 +50,7 @@ void DrawSpine::commit(const ToolEnv& env) {
     env.sink.run("select-part", app::Json::Object{{"id", part.value}});
     return;
   }
-  app::Json::Object args{{"stroke", strokeJson(env.ui.preview->stroke)}};
+  app::Json::Object args{{"stroke", strokeJson(env.ui.preview->recipe.stroke)}};
   const PartId redraw = env.ui.redraw;
   env.ui.preview.reset();
   if (redraw) args.emplace_back("part", redraw.value);

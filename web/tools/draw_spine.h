@@ -7,12 +7,13 @@ namespace spineloft::tools {
 
 class DrawSpine final : public Tool {
  public:
-  void begin(const ToolEnv& env, app::ClientPoint at) override;
-  void move(const ToolEnv& env, app::ClientPoint at) override;
+  void begin(const ToolEnv& env, const ToolEvent& event) override;
+  void move(const ToolEnv& env, const ToolEvent& event) override;
   void commit(const ToolEnv& env) override;
   void cancel(const ToolEnv& env) override;
 
  private:
+  void start(const ToolEnv& env);
   DragWatch watch_;
 };
 

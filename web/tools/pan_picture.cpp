@@ -9,10 +9,10 @@ image::Size shownPicture(const ToolEnv& env) {
   return entry ? entry->size : image::Size{};
 }
 
-void PanPicture::begin(const ToolEnv& env, app::ClientPoint at) { watch_.begin(at, env.ui.touch); }
+void PanPicture::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
 
-void PanPicture::move(const ToolEnv& env, app::ClientPoint at) {
-  const app::ClientPoint by = watch_.move(at);
+void PanPicture::move(const ToolEnv& env, const ToolEvent& event) {
+  const app::ClientPoint by = watch_.move(event);
   if (!watch_.moved()) return;
   app::panPicture(env.ui.pictureView, shownPicture(env), env.ui.layout.picture, by);
 }

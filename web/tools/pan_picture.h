@@ -7,8 +7,8 @@ namespace spineloft::tools {
 
 class PanPicture final : public Tool {
  public:
-  void begin(const ToolEnv& env, app::ClientPoint at) override;
-  void move(const ToolEnv& env, app::ClientPoint at) override;
+  void begin(const ToolEnv& env, const ToolEvent& event) override;
+  void move(const ToolEnv& env, const ToolEvent& event) override;
   void commit(const ToolEnv& env) override;
   void cancel(const ToolEnv&) override {}
 

@@ -5,8 +5,19 @@
 #include "engine/pipeline/derive.h"
 #include "web/app/action_sink.h"
 #include "web/app/ui_state.h"
+#include "web/platform/page.h"
 
 namespace spineloft::tools {
+
+/// One position of the pointer that leads a gesture.
+struct ToolEvent {
+  app::ClientPoint at;
+  double pressure = 0;  ///< 0…1, of a pen; 0.5 for what knows none
+  double timeMs = 0;
+  int modifiers = 0;  ///< bits of platform::Modifier
+  platform::Device device = platform::Device::Mouse;
+  bool touch() const { return device == platform::Device::Touch; }
+};
 
 struct ToolEnv {
   const document::Document& document;
@@ -22,8 +33,8 @@ inline constexpr double kMouseSlop = 4, kTouchSlop = 9;
 class Tool {
  public:
   virtual ~Tool() = default;
-  virtual void begin(const ToolEnv& env, app::ClientPoint at) = 0;
-  virtual void move(const ToolEnv& env, app::ClientPoint at) = 0;
+  virtual void begin(const ToolEnv& env, const ToolEvent& event) = 0;
+  virtual void move(const ToolEnv& env, const ToolEvent& event) = 0;
   virtual void commit(const ToolEnv& env) = 0;
   virtual void cancel(const ToolEnv& env) = 0;
 };
@@ -31,13 +42,14 @@ class Tool {
 /// Tells a click from a drag.
 class DragWatch {
  public:
-  void begin(app::ClientPoint at, bool touch) {
-    start_ = last_ = at;
-    slop_ = touch ? kTouchSlop : kMouseSlop;
+  void begin(const ToolEvent& event) {
+    start_ = last_ = event.at;
+    slop_ = event.touch() ? kTouchSlop : kMouseSlop;
     moved_ = false;
   }
   /// The way since the last call; nothing while it is still a click.
-  app::ClientPoint move(app::ClientPoint at) {
+  app::ClientPoint move(const ToolEvent& event) {
+    const app::ClientPoint at = event.at;
     if (!moved_ && distance(at, start_) < slop_) return {};
     moved_ = true;
     const app::ClientPoint by = at - last_;

@@ -4,10 +4,10 @@
 
 namespace spineloft::tools {
 
-void TurnSolid::begin(const ToolEnv& env, app::ClientPoint at) { watch_.begin(at, env.ui.touch); }
+void TurnSolid::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
 
-void TurnSolid::move(const ToolEnv& env, app::ClientPoint at) {
-  const app::ClientPoint by = watch_.move(at);
+void TurnSolid::move(const ToolEnv& env, const ToolEvent& event) {
+  const app::ClientPoint by = watch_.move(event);
   if (!watch_.moved()) return;
   env.ui.flight.reset();
   env.ui.cameraTouched = true;

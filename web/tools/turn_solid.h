@@ -9,8 +9,8 @@ class TurnSolid final : public Tool {
  public:
   enum class Mode { Orbit, Pan };
   explicit TurnSolid(Mode mode) : mode_(mode) {}
-  void begin(const ToolEnv& env, app::ClientPoint at) override;
-  void move(const ToolEnv& env, app::ClientPoint at) override;
+  void begin(const ToolEnv& env, const ToolEvent& event) override;
+  void move(const ToolEnv& env, const ToolEvent& event) override;
   void commit(const ToolEnv& env) override;
   void cancel(const ToolEnv&) override {}
 

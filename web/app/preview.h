@@ -1,0 +1,15 @@
+// Beginning a preview: the part as it would be, shown instead of the part until the gesture ends.
+#pragma once
+
+#include "web/app/ui_state.h"
+
+namespace spineloft::app {
+
+/// A preview of this part, starting from its recipe; a preview of something else is dropped.
+Preview& previewPart(UiState& ui, const document::Part& part);
+/// A preview of the next part, made as the panels say, on the picture in view.
+Preview& previewNewPart(UiState& ui);
+/// The preview that stands for this part on the screen, once it has a shape; else null.
+const Preview* previewOf(const UiState& ui, PartId part);
+
+}  // namespace spineloft::app
