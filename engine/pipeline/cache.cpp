@@ -45,10 +45,22 @@ Result<std::shared_ptr<const image::Picture>> Cache::pixels(const document::Pict
   if (!entry.isSketch()) return entry.picture;
   const auto at = std::ranges::find(sketches_, entry.contentHash, &SketchSlot::contentHash);
   if (at != sketches_.end()) return at->picture;
-  Result<image::Picture> drawn = image::drawSketch(entry.size, entry.sketch);
+  // The most of it that is drawn already: as a rule everything but the last stroke.
+  const SketchSlot* begun = nullptr;
+  for (const SketchSlot& slot : sketches_) {
+    const std::size_t known = slot.strokes.size();
+    const image::Size size{slot.picture->width, slot.picture->height};
+    if (size != entry.size || known > entry.sketch.size()) continue;
+    if (begun && known <= begun->strokes.size()) continue;
+    if (std::equal(slot.strokes.begin(), slot.strokes.end(), entry.sketch.begin())) begun = &slot;
+  }
+  const std::span<const Box<image::SketchStroke>> strokes(entry.sketch);
+  Result<image::Picture> drawn =
+      begun ? image::drawMore(*begun->picture, strokes.subspan(begun->strokes.size()))
+            : image::drawSketch(entry.size, strokes);
   if (!drawn) return drawn.failure();
   auto picture = std::make_shared<const image::Picture>(std::move(drawn).value());
-  sketches_.push_back({entry.contentHash, picture});
+  sketches_.push_back({entry.contentHash, entry.sketch, picture});
   return picture;
 }
 
@@ -65,7 +77,15 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
     return std::ranges::find(usedEdges, slot.contentHash) == usedEdges.end();
   };
   std::erase_if(edges_, unused);
-  std::erase_if(sketches_, unused);
+  // Sketches as they were a few strokes ago: undo and the next stroke begin with them.
+  std::size_t kept = 0;
+  std::ranges::reverse(sketches_);
+  std::erase_if(sketches_, [&](const SketchSlot& slot) {
+    if (!unused(slot)) return false;
+    kept += slot.picture->working.pixels.size();
+    return kept > kSketchBytes;
+  });
+  std::ranges::reverse(sketches_);
 }
 
 std::size_t Cache::bytes() const {

@@ -69,8 +69,9 @@ class Cache {
   /// A round is one `derive`. Keeps the shapes of the last kKeptRounds rounds, so that undo and redo
   /// find theirs, as far as they fit into kShapeBytes, and the edges in `usedEdges`.
   void endRound(const std::vector<std::uint64_t>& usedEdges);
-  /// The pixels of an entry: its own, or the sketch as drawn (kept while it is on the board). Errors:
-  /// those of image::drawSketch.
+  /// The pixels of an entry: its own, or the sketch as drawn: kept while it is on the board, and
+  /// earlier states of it as far as they fit into kSketchBytes; only strokes that are new are drawn.
+  /// Errors: those of image::drawSketch.
   Result<std::shared_ptr<const image::Picture>> pixels(const document::PictureEntry& entry);
   void clear() { *this = {}; }
 
@@ -81,6 +82,8 @@ class Cache {
   /// About 500 parts of 100 ribs; 30 previews; 100 parts of usual size besides those shown.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20,
                                kShapeBytes = 32u << 20;
+  /// Five earlier states of a 1024 × 768 sketch.
+  static constexpr std::size_t kSketchBytes = 16u << 20;
 
  private:
   struct EdgeSlot {
@@ -94,6 +97,7 @@ class Cache {
   };
   struct SketchSlot {
     std::uint64_t contentHash;
+    std::vector<Box<image::SketchStroke>> strokes;
     std::shared_ptr<const image::Picture> picture;
   };
   std::vector<EdgeSlot> edges_;
