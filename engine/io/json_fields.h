@@ -53,10 +53,18 @@ void members(V& v, T& value) {
   v("doubt", doubt);
   v("weight", weight);
 }
+template <class V, Is<ribs::FairingParams> T>
+void members(V& v, T& value) {
+  auto& [stiffness, leastTrust, corner, outlier] = value;
+  v("stiffness", stiffness);
+  v("leastTrust", leastTrust);
+  v("corner", corner);
+  v("outlier", outlier);
+}
 template <class V, Is<ribs::RibParams> T>
 void members(V& v, T& value) {
   auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight,
-         leanCost, priorWeight, evidence] = value;
+         leanCost, priorWeight, evidence, fairing] = value;
   v("levels", levels);
   v("maxLevelShare", maxLevelShare);
   v("neighbourWeight", neighbourWeight);
@@ -66,6 +74,7 @@ void members(V& v, T& value) {
   v("leanCost", leanCost);
   v("priorWeight", priorWeight);
   v("evidence", evidence);
+  v("fairing", fairing);
 }
 template <class V, Is<ribs::RibEdits> T>
 void members(V& v, T& value) {

@@ -23,12 +23,17 @@ void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
   mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
          outsideWeight, contrastReach, knownShare, doubt, weight);
 }
+void mix(Hasher& hasher, const ribs::FairingParams& params) {
+  const auto& [stiffness, leastTrust, corner, outlier] = params;
+  mixAll(hasher, stiffness, leastTrust, corner, outlier);
+}
 void mix(Hasher& hasher, const ribs::RibParams& params) {
   const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
-               oppositeWeight, leanCost, priorWeight, evidence] = params;
+               oppositeWeight, leanCost, priorWeight, evidence, fairing] = params;
   mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
          oppositeWeight, leanCost, priorWeight);
   mix(hasher, evidence);
+  mix(hasher, fairing);
 }
 template <class Point>
 void mix(Hasher& hasher, const std::vector<Point>& points) {

@@ -5,12 +5,16 @@
 
 #include "engine/ribs/curves.h"
 #include "engine/ribs/evidence.h"
+#include "engine/ribs/fairing.h"
 #include "engine/ribs/lean.h"
 #include "engine/ribs/rib_lengths.h"
 
 namespace spineloft::ribs {
 namespace {
 
+// The number of ribs that the weights are meant for. Neighbouring ribs see the same edges: three times
+// the ribs are not three times the evidence.
+constexpr double kReferenceRibs = 100;
 // Curves of the fan strictly between the outermost ribs of an end.
 constexpr int kFanCurves = 11;
 // A spine is taken to be no thinner than this share of its length on either side at most.
@@ -65,9 +69,12 @@ void defaultCosts(Search& s) {
   }
 }
 
+double shareOfRib(const Search& s) { return kReferenceRibs / s.curves.layout.ribs; }
+
 void weighTerms(Search& s) {
   boundaryCosts(s.curves, s.strip, s.terms, s.params.evidence, s.costs);
-  for (float& cost : s.costs) cost *= static_cast<float>(s.params.evidence.weight);
+  const double weight = s.params.evidence.weight * shareOfRib(s);
+  for (float& cost : s.costs) cost *= static_cast<float>(weight);
 }
 
 // The evidence of every curve, with the colours close to the spine as the object's.
@@ -123,7 +130,7 @@ void fillSide(Search& s, bool leftSide) {
 std::vector<EvenPart> fillProblem(Search& s) {
   s.problem.ribs = s.curves.layout.ribs;
   s.problem.levels = s.curves.levels;
-  s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight);
+  s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight * shareOfRib(s));
   s.problem.neighbourFreedom = static_cast<float>(s.params.neighbourFreedom);
   s.problem.neighbourCap = static_cast<float>(s.params.neighbourCap);
   fillSide(s, true);
@@ -139,7 +146,7 @@ void assume(const EvenPart& even, Search& s) {
   s.problem.leanScale.clear();
   for (float width : even.width) {
     const double scale =
-        2 * s.params.oppositeWeight / std::max(4 * pixel, static_cast<double>(width));
+        2 * s.params.oppositeWeight * shareOfRib(s) / std::max(4 * pixel, static_cast<double>(width));
     s.problem.leanScale.push_back(static_cast<float>(scale));
   }
 }
@@ -254,19 +261,46 @@ EndFan traceFan(Search& s, int leftLabel, int rightLabel, bool atStart) {
   return fan;
 }
 
+// The point at an arc length of a curve.
+PicturePoint pointAlong(const GradientCurves& curves, int curve, double length) {
+  const int last = curves.reached[index(curve)] - 1;
+  const float* along = &curves.along[curves.at(curve, 0)];
+  int k = 0;
+  while (k + 1 < last && static_cast<double>(along[k + 1]) < length) ++k;
+  if (last < 1) return curves.point(curve, 0);
+  const double from = along[k], run = std::max(1e-9, static_cast<double>(along[k + 1]) - from);
+  return lerp(curves.point(curve, k), curves.point(curve, k + 1),
+              std::clamp((length - from) / run, 0.0, 1.0));
+}
+
+// Where the ends of one side stand: the labels' places, made fair.
+std::vector<double> endLengths(const Search& s, const std::vector<int>& labels, bool leftSide) {
+  SideLengths side;
+  for (int i = 0; i < s.problem.ribs; ++i) {
+    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const std::size_t at = s.curves.at(curve, labels[index(i)]);
+    const double support = s.support[at];
+    side.length.push_back(s.curves.along[at]);
+    side.trust.push_back(support * support);
+  }
+  return fairLengths(side, s.params.fairing);
+}
+
 RibSet readRibs(Search& s, const LengthLabels& labels) {
   RibSet set;
   const auto leftStates = endStates(s, labels.left, true);
   const auto rightStates = endStates(s, labels.right, false);
   const auto leftConfidence = endConfidence(s, labels, true);
   const auto rightConfidence = endConfidence(s, labels, false);
+  const auto leftLengths = endLengths(s, labels.left, true);
+  const auto rightLengths = endLengths(s, labels.right, false);
   set.ribs.resize(index(s.problem.ribs));
   for (int i = 0; i < s.problem.ribs; ++i) {
     const std::size_t at = index(i);
     const int l = labels.left[at], r = labels.right[at];
     set.ribs[at] = {s.spine.points[at],
-                    s.curves.point(s.curves.layout.left(i), l),
-                    s.curves.point(s.curves.layout.right(i), r),
+                    pointAlong(s.curves, s.curves.layout.left(i), leftLengths[at]),
+                    pointAlong(s.curves, s.curves.layout.right(i), rightLengths[at]),
                     leftStates[at],
                     rightStates[at],
                     s.levels.d2[index(l)],
@@ -315,6 +349,11 @@ bool inRange(const RibParams& p) {
        {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
         e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
     if (!within(weight, 0, 10)) return false;
+  }
+  const FairingParams& f = p.fairing;
+  if (!within(f.stiffness, 0, 1000) || !within(f.leastTrust, 1e-4, 1) ||
+      !within(f.corner, 1e-3, 10) || !within(f.outlier, 1e-3, 10)) {
+    return false;
   }
   return within(p.levels, 16, 512) && within(p.maxLevelShare, 0.01, 1) &&
          within(p.neighbourWeight, 0, 100) && within(p.neighbourCap, 0.01, 1000) &&

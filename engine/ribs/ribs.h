@@ -11,6 +11,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
 #include "engine/image/edge_map.h"
+#include "engine/ribs/fairing.h"
 #include "engine/ribs/spine.h"
 
 namespace spineloft::ribs {
@@ -99,7 +100,8 @@ struct EvidenceParams {
   bool operator==(const EvidenceParams&) const = default;
 };
 
-/// Everything the search can be told; a RibSet depends on nothing else. The defaults are the ones
+/// Everything the search can be told; a RibSet depends on nothing else. Weights are as for 100 ribs:
+/// with more of them each counts for less, so that the part does not depend on their number. The defaults are the ones
 /// the benchmark measures.
 struct RibParams {
   int levels = 128;            ///< K: labels of the dynamic programme, 16…512
@@ -115,6 +117,7 @@ struct RibParams {
   double priorWeight =
       0.02;  ///< pull of flat energy to a middle level (method: measurements), 0…10
   EvidenceParams evidence = {};
+  FairingParams fairing = {};
   bool operator==(const RibParams&) const = default;
 };
 

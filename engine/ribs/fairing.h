@@ -1,0 +1,34 @@
+// The last touch on rib lengths: from labels to a fair line through the ends that are sure of their
+// place (method: "Second-order smoothness").
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace spineloft::ribs {
+
+/// One side's lengths in order along the spine, picture pixels, and how much each is to be believed,
+/// 0…1.
+struct SideLengths {
+  std::vector<double> length, trust;
+};
+
+/// How fair the line is to be.
+struct FairingParams {
+  double stiffness = 5;      ///< weight of second differences, 0 (off) … 1000; a steady taper is free
+  double leastTrust = 0.005; ///< what an end without any edge still weighs, 0.0001…1
+  /// Second differences above this share of the mean length are corners, which are kept (0.001…10).
+  double corner = 0.2;
+  /// An end that lies farther than this share of the mean length off the line hardly counts any more
+  /// (0.001…10).
+  double outlier = 0.2;
+  bool operator==(const FairingParams&) const = default;
+};
+
+/// Minimises Σ w_i (x_i − length_i)² + stiffness Σ q_i (x_{i−1} − 2 x_i + x_{i+1})² over x, where w
+/// is the trust and both sums are made robust by four rounds of reweighting (Geman and McClure's
+/// weights: 1 / (1 + (residual / scale)²)²). Lengths come back unchanged below five entries and with a
+/// stiffness of 0. Straight lines, whatever their slope, come back unchanged. O(n).
+std::vector<double> fairLengths(const SideLengths& side, const FairingParams& params);
+
+}  // namespace spineloft::ribs
