@@ -61,9 +61,35 @@ float neighbourCost(const LengthProblem& problem, float a, float b, float spacin
 /// The energy of any labels by term; the unary table counts as `distance`.
 EnergyTerms energyOf(const LengthProblem& problem, const LengthLabels& labels);
 
-/// Memory that the optimiser reuses from call to call.
+/// Labels [low, high) of one end; never empty.
+struct LabelRun {
+  int low = 0, high = 0;
+  int size() const { return high - low; }
+};
+
+/// What is known about the least energy of a paired problem before the search (label_bounds.h).
+struct LabelBounds {
+  double lower = 0;                   ///< no labels have less, but for rounding
+  double upper = 0;                   ///< `best` have this
+  LengthLabels best;                  ///< good labels, mostly the optimum
+  std::vector<LabelRun> left, right;  ///< of every rib: all labels that energies ≤ upper can use
+  bool hopeless = false;              ///< `lower` reached the limit: nothing else is set
+  double cells() const;               ///< pairs of labels left, over all ribs
+};
+
+/// Memory that the optimiser reuses from call to call, and what it last found out about a problem.
 struct LengthWorkspace {
-  std::vector<float> table, first, second, columns;
+  LabelBounds bounds;
+  /// One side's chain while bounds are sought.
+  struct Chain {
+    std::vector<float> moved;              ///< what opposite costs add to the unary ones
+    std::vector<float> forward, backward;  ///< least energies up to a rib's label, own cost not in
+    std::vector<float> row, held, next;    ///< one rib each
+  };
+  Chain chains[2];
+  LengthLabels trial;
+  std::vector<float> table, first, second, columns, rowCosts, columnCosts, unary;
+  std::vector<std::size_t> starts;
   /// At least `size` floats, not cleared.
   float* pairTable(std::size_t size) {
     if (size > pairSize) {
@@ -77,9 +103,20 @@ struct LengthWorkspace {
 };
 
 /// The labels of least energy, exactly: dynamic programming along the chain, each step one
-/// min-convolution per side. O(ribs · levels) where the sides are independent, else
-/// O(ribs · levels²). Equal energies are resolved towards smaller labels.
+/// min-convolution per side. O(ribs · levels) where the sides are independent, else labels that
+/// cannot be in the optimum are dropped first (label_bounds.h) and the pairs of what is left are
+/// searched: at worst O(ribs · levels²). Equal energies are resolved towards smaller labels.
 LengthLabels optimalLabels(const LengthProblem& problem, LengthWorkspace& workspace);
+
+/// The same into `labels`, reusing memory; gives up and returns false as soon as it is certain that
+/// no labels have an energy below `limit`. It may also find labels of a higher energy than that.
+bool findLabels(const LengthProblem& problem, double limit, LengthWorkspace& workspace,
+                LengthLabels& labels);
+
+/// The labels of least energy of one side with other unary costs (ribs × levels), into `labels`.
+void optimalChain(const LengthProblem& problem, const SideCosts& side,
+                  const std::vector<float>& unary, LengthWorkspace& workspace,
+                  std::vector<int>& labels);
 
 /// The same for one side on its own, whatever the opposite costs: O(ribs · levels). `side` has
 /// problem.ribs × problem.levels entries and need not belong to the problem.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/ribs/curves.h"
 #include "engine/ribs/evidence.h"
@@ -154,8 +155,8 @@ void assume(const EvenPart& even, Search& s) {
 // The labels of least energy under the best of the even parts: each is given its turn, with its
 // inner colours as the object's, for only then their energies can be compared.
 LengthLabels bestLabels(const std::vector<EvenPart>& parts, bool withColours, Search& s) {
-  LengthLabels best;
-  double least = 0;
+  LengthLabels best, labels;
+  double least = std::numeric_limits<double>::infinity();
   std::size_t last = 0, chosen = 0;
   const auto suppose = [&](std::size_t i) {
     assume(parts[i], s);
@@ -168,11 +169,11 @@ LengthLabels bestLabels(const std::vector<EvenPart>& parts, bool withColours, Se
   };
   for (std::size_t i = 0; i < parts.size(); ++i) {
     suppose(i);
-    LengthLabels labels = optimalLabels(s.problem, s.workspace);
+    if (!findLabels(s.problem, least, s.workspace, labels)) continue;
     const double energy = energyOf(s.problem, labels).total();
-    if (i > 0 && energy >= least) continue;
+    if (energy >= least) continue;
     least = energy;
-    best = std::move(labels);
+    best = labels;
     chosen = i;
   }
   if (last != chosen) suppose(chosen);  // states and fans are read from its evidence

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/rng.h"
+#include "engine/ribs/pair_search.h"
 #include "tests/support/algorithm_one.h"
 
 using namespace spineloft;
@@ -227,4 +228,51 @@ TEST_CASE("min-marginals are the least energy of the side through every label") 
       }
     }
   }
+}
+
+TEST_CASE("dropping labels by their bounds loses no optimum, and most pairs need no visit") {
+  Rng rng(38);
+  LengthWorkspace workspace, unbounded;
+  double kept = 0, all = 0;
+  for (int round = 0; round < 40; ++round) {
+    const int ribs = 2 + static_cast<int>(rng.below(40));
+    LengthProblem p = pictureLikeProblem(ribs, 40, rng);
+    if (round % 2 == 0) p.neighbourCap = 5;
+    LabelBounds everything;
+    everything.left.assign(index(ribs), {0, p.levels});
+    everything.right = everything.left;
+    LengthLabels full, found;
+    optimalPairs(p, everything, unbounded, full);
+    REQUIRE(findLabels(p, std::numeric_limits<double>::infinity(), workspace, found));
+    const double least = energyOf(p, full).total();
+    CHECK(energyOf(p, found).total() == doctest::Approx(least).epsilon(1e-5));
+    CHECK(workspace.bounds.lower <= least + 1e-3 + 1e-4 * std::abs(least));
+    CHECK(workspace.bounds.upper >= least - 1e-3 - 1e-4 * std::abs(least));
+    for (int i = 0; i < ribs; ++i) {
+      const LabelRun &left = workspace.bounds.left[index(i)],
+                     &right = workspace.bounds.right[index(i)];
+      CHECK((full.left[index(i)] >= left.low && full.left[index(i)] < left.high));
+      CHECK((full.right[index(i)] >= right.low && full.right[index(i)] < right.high));
+    }
+    kept += workspace.bounds.cells();
+    all += everything.cells();
+  }
+  CHECK(kept < 0.5 * all);
+}
+
+TEST_CASE("a search with a limit gives up only where nothing lies below it") {
+  Rng rng(39);
+  LengthWorkspace workspace;
+  int givenUp = 0;
+  for (int round = 0; round < 60; ++round) {
+    const LengthProblem p = pictureLikeProblem(20, 30, rng);
+    const double least = energyOf(p, optimalLabels(p, workspace)).total();
+    LengthLabels labels;
+    const double limit = least + rng.uniform(-3, 3);
+    const bool found = findLabels(p, limit, workspace, labels);
+    if (limit > least + 1e-3) CHECK(found);
+    if (found) CHECK(energyOf(p, labels).total() == doctest::Approx(least).epsilon(1e-5));
+    givenUp += found ? 0 : 1;
+  }
+  CHECK(givenUp > 5);
 }

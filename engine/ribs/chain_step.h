@@ -1,0 +1,46 @@
+// One step along a chain of ribs: the min-convolution with the neighbour cost. Shared by the
+// searches over rib lengths (rib_lengths.h), their bounds and the chains over widths.
+#pragma once
+
+#include <vector>
+
+#include "engine/ribs/rib_lengths.h"
+
+namespace spineloft::ribs {
+
+/// What one step needs to know about one side. Places are those of a run of labels of either rib.
+struct ChainStep {
+  const float* to;    ///< of the rib that is stepped onto
+  const float* from;  ///< of the rib that is left
+  float slope;        ///< weight / spacing
+  float free;         ///< freedom · spacing
+  float cap;
+};
+
+/// From rib − 1 to `rib` ≥ 1, labels from 0 on.
+ChainStep stepTo(const LengthProblem& problem, const SideCosts& side, int rib);
+/// The same step backwards, from `rib` to rib − 1.
+ChainStep stepFrom(const LengthProblem& problem, const SideCosts& side, int rib);
+
+/// out(k, ·) = min over k' of in(k', ·) + min(cap, slope · max(0, |to_k − from_k'| − free)), for
+/// `width` columns at once; `fromCount` rows in, `toCount` rows out. The cost is flat in a window
+/// and linear outside, so the minimum is the least of a window minimum, a running minimum from
+/// either side, and the overall minimum plus cap.
+struct ChainRows {
+  int fromCount = 0, toCount = 0, width = 0;
+};
+void convolveRows(const ChainStep& step, const ChainRows& rows, const float* in, float* out,
+                  std::vector<float>& scratch);
+
+/// The same for one column of `count` labels on either rib.
+void convolveLine(const ChainStep& step, int count, const float* in, float* out);
+
+/// Opposite cost of one pair of labels of a rib, and the least one of every label of one side plus
+/// what is given for the labels of the other: least(l) = min over r of cost(l, r) + other(r),
+/// `levels` entries each; `other` is kUnreachable where there is no such label. O(levels) for a
+/// lean alone.
+float oppositeCost(const LengthProblem& problem, int rib, std::size_t left, std::size_t right);
+void leastOpposite(const LengthProblem& problem, int rib, bool ofLeft, const float* other,
+                   float* least);
+
+}  // namespace spineloft::ribs
