@@ -140,17 +140,24 @@ std::optional<UsageProblem> readShape(const Words& words, LoftArguments& loft) {
   return std::nullopt;
 }
 
+/// The form of a model's file, from its name.
+std::optional<UsageProblem> readFormat(const std::string& out, publish::Format& format) {
+  if (out.empty()) return std::nullopt;
+  const auto known = publish::formatFromKey(lowerExtension(out));
+  if (!known) {
+    return UsageProblem{"The output " + out + " must end in .glb, .obj, .stl or .spineloft."};
+  }
+  format = *known;
+  return std::nullopt;
+}
+
 /// Fills in what is written, and in which form.
 std::optional<UsageProblem> readOutputs(const Words& words, LoftArguments& loft) {
   loft.out = words.option("--out");
   loft.mask = words.option("--mask");
   loft.ribs = words.option("--ribs");
   loft.report = words.option("--report");
-  if (!loft.out.empty()) {
-    const auto format = publish::formatFromKey(lowerExtension(loft.out));
-    if (!format) return UsageProblem{"The output " + loft.out + " must end in .glb, .obj or .stl."};
-    loft.format = *format;
-  }
+  if (const auto problem = readFormat(loft.out, loft.format)) return problem;
   if (words.has("--obj-space")) {
     const std::string space = words.option("--obj-space");
     if (space != "image" && space != "world") {
@@ -196,6 +203,22 @@ Arguments parseEdges(std::span<const std::string_view> rest) {
   return edges;
 }
 
+Arguments parseOpen(std::span<const std::string_view> rest) {
+  static constexpr std::array<std::string_view, 3> kKnown{"--out", "--document", "--report"};
+  const Words words = sortWords(rest, kKnown);
+  if (!words.problem.empty()) return UsageProblem{words.problem};
+  if (words.files.size() != 1) return oneFile(words, "the project to open");
+  OpenArguments open;
+  open.file = words.files[0];
+  open.out = words.option("--out");
+  open.document = words.option("--document");
+  open.report = words.option("--report");
+  if (const auto problem = readFormat(open.out, open.format)) return *problem;
+  const std::array outputs{open.out, open.document, open.report};
+  if (const auto problem = clash(std::array{open.file}, outputs)) return *problem;
+  return open;
+}
+
 Arguments parseBench(std::span<const std::string_view> rest) {
   static constexpr std::array<std::string_view, 3> kKnown{"--json", "--jobs", "--overlays"};
   const Words words = sortWords(rest, kKnown);
@@ -215,7 +238,7 @@ Arguments parseBench(std::span<const std::string_view> rest) {
 }  // namespace
 
 Arguments parseArguments(std::span<const std::string_view> words) {
-  if (words.empty()) return UsageProblem{"Say what to do: loft, edges or bench."};
+  if (words.empty()) return UsageProblem{"Say what to do: loft, open, edges or bench."};
   const auto files = std::find(words.begin(), words.end(), "--");
   if (std::any_of(words.begin(), files, isHelp)) return HelpArguments{};
   if (words[0] == "--version") {
@@ -224,10 +247,11 @@ Arguments parseArguments(std::span<const std::string_view> words) {
   }
   const std::span<const std::string_view> rest = words.subspan(1);
   if (words[0] == "loft") return parseLoft(rest);
+  if (words[0] == "open") return parseOpen(rest);
   if (words[0] == "edges") return parseEdges(rest);
   if (words[0] == "bench") return parseBench(rest);
   return UsageProblem{"There is no command " + std::string(words[0]) +
-                      "; there are loft, edges and bench."};
+                      "; there are loft, open, edges and bench."};
 }
 
 std::string usageText() {
@@ -245,12 +269,16 @@ std::string usageText() {
        << document::kMinHeightMm << " to " << document::kMaxHeightMm << " (default "
        << document::Document{}.height.value
        << ")\n"
-          "  --out FILE           .glb (metres), .obj or .stl (millimetres)\n"
+          "  --out FILE           .glb (metres), .obj, .stl (millimetres) or .spineloft; the first and\n"
+          "                       the last can be opened again and edited\n"
           "  --obj-space SPACE    world (default: y up, the picture's longer side is 1) or image\n"
           "                       (picture pixels, y down, z towards the viewer)\n"
           "  --mask FILE.png      the part's silhouette, as large as the picture\n"
           "  --ribs FILE.json     the ribs' ends in picture pixels\n"
           "  --report FILE.json   sizes, energy, mesh measures and times\n\n"
+          "spineloft open FILE.spineloft|.glb [--out FILE] [--document FILE.json] [--report "
+          "FILE.json]\n"
+          "  derives a saved model again and writes it in any of the forms of loft\n\n"
           "spineloft edges IMAGE --out FILE.png\n"
           "  the edges that were found, as large as the picture\n\n"
           "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR]\n"

@@ -32,6 +32,13 @@ struct EdgesArguments {
   std::string image, out;
 };
 
+struct OpenArguments {
+  std::string file;  ///< a .spineloft or .glb with a project inside
+  /// Empty where the output is not wanted.
+  std::string out, document, report;
+  publish::Format format = publish::Format::Project;  ///< of `out`
+};
+
 struct BenchArguments {
   std::string folder;
   std::string json, overlays;  ///< empty where not wanted
@@ -44,7 +51,7 @@ struct UsageProblem {
 };
 
 using Arguments = std::variant<HelpArguments, VersionArguments, LoftArguments, EdgesArguments,
-                               BenchArguments, UsageProblem>;
+                               OpenArguments, BenchArguments, UsageProblem>;
 
 /// `words` without the program's name. Options may stand anywhere, as `--name value` or
 /// `--name=value`, each at most once; after `--` everything is a file name.

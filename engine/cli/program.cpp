@@ -26,6 +26,9 @@ int runCommand(const Arguments& arguments, Console console) {
   if (const auto* loft = std::get_if<LoftArguments>(&arguments)) {
     return finish(runLoft(*loft, console.out), console.err);
   }
+  if (const auto* open = std::get_if<OpenArguments>(&arguments)) {
+    return finish(runOpen(*open, console.out), console.err);
+  }
   if (const auto* edges = std::get_if<EdgesArguments>(&arguments)) {
     return finish(runEdges(*edges, console.out), console.err);
   }

@@ -29,6 +29,7 @@ std::string sentenceOf(const Failure& failure);
 double nowMs();
 
 Status runLoft(const LoftArguments& arguments, std::ostream& out);
+Status runOpen(const OpenArguments& arguments, std::ostream& out);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);
 Status runBench(const BenchArguments& arguments, std::ostream& out);
 

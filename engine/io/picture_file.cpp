@@ -53,10 +53,8 @@ Failure decoderFailure() {
   return {Error::PictureTruncated, {}};
 }
 
-/// Decodes with `channels` 1 (grey) or 4 (RGBA) after all checks.
+/// Decodes with `channels` 1 (grey) or 4 (RGBA); the declared size is known to be acceptable.
 Result<Decoded> decodePixels(ByteView file, const PictureInfo& info, int channels) {
-  const Status accepted = checkPictureSize(info.size);
-  if (!accepted.ok()) return accepted.failure();
   if (file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     return Error::PictureTooLarge;
   }
@@ -140,6 +138,9 @@ Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
   if (!progress.advance(0)) return Error::Cancelled;
   const Result<PictureInfo> info = probePicture(file);
   if (!info.ok()) return info.failure();
+  if (const Status accepted = checkPictureSize(info.value().size); !accepted.ok()) {
+    return accepted.failure();
+  }
   try {
     const Result<Decoded> decoded = decodePixels(file, info.value(), 4);
     if (!decoded.ok()) return decoded.failure();
@@ -157,9 +158,32 @@ Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
   }
 }
 
+Result<image::Image> decodeImage(ByteView file, long long mostPixels) {
+  const Result<PictureInfo> info = probePicture(file);
+  if (!info.ok()) return info.failure();
+  const auto [width, height] = info.value().size;
+  if (width <= 0 || height <= 0) return Error::PictureEmpty;
+  if (std::max(width, height) > kMaxPictureSide ||
+      static_cast<long long>(width) * height > mostPixels) {
+    return Error::PictureTooLarge;
+  }
+  try {
+    const Result<Decoded> decoded = decodePixels(file, info.value(), 4);
+    if (!decoded.ok()) return decoded.failure();
+    const std::uint8_t* pixels = decoded.value().pixels.get();
+    return image::Image{width, height,
+                        Bytes(pixels, pixels + 4 * static_cast<std::ptrdiff_t>(width) * height)};
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
 Result<image::Mask> decodeMask(ByteView file) {
   const Result<PictureInfo> info = probePicture(file);
   if (!info.ok()) return info.failure();
+  if (const Status accepted = checkPictureSize(info.value().size); !accepted.ok()) {
+    return accepted.failure();
+  }
   try {
     const Result<Decoded> decoded = decodePixels(file, info.value(), 1);
     if (!decoded.ok()) return decoded.failure();

@@ -41,6 +41,10 @@ Status checkPictureSize(image::Size size);
 /// PictureUnreadable (a variant of the format that we do not know), Cancelled, OutOfMemory.
 Result<image::Picture> decodePicture(ByteView file, const Progress& progress);
 
+/// The pixels as they are stored, whatever their size and orientation, as long as there are at most
+/// `mostPixels`. Errors: as decodePicture without PictureTooSmall and Cancelled.
+Result<image::Image> decodeImage(ByteView file, long long mostPixels);
+
 /// The picture as one grey byte a pixel, at its stored size and orientation: a truth mask or a mask
 /// that was edited elsewhere. Errors: as decodePicture.
 Result<image::Mask> decodeMask(ByteView file);

@@ -41,10 +41,31 @@ std::string writeDocument(const document::Document& document);
 Result<document::Document> readDocument(std::string_view json, const PictureSource& pictures,
                                         ReadNotes* notes = nullptr);
 
-/// Whether the bytes are a GLB with a project inside (cheap: looks at headers and the JSON chunk).
+/// A photo of the document as it goes into the file: what writePhoto made of it.
+struct ProjectPhoto {
+  std::shared_ptr<const image::Picture> picture;
+  std::span<const std::uint8_t> bytes;  ///< must outlive the call
+};
+/// The working copy as PNG: every pixel comes back as it was, nothing of the original file (place,
+/// camera) goes along. Errors: PictureEmpty, OutOfMemory.
+Result<Bytes> writePhoto(const image::Picture& picture);
+
+/// The GLB with the document and its photos inside; `glb` is one of writeGlb, or empty for a project
+/// without a model. A photo whose bytes the GLB shows as a texture is not stored again. Passes the
+/// Khronos validator without errors or warnings; equal input gives equal bytes. Errors: NoSuchPicture
+/// (a photo of the document is not among `photos`), ProjectInvalid (`glb` is no GLB), OutOfMemory (also
+/// over 4 GiB).
+Result<Bytes> embedProject(std::span<const std::uint8_t> glb, const document::Document& document,
+                           std::span<const ProjectPhoto> photos);
+
+/// Whether the bytes are, or at least begin as, a GLB with a project inside (cheap: looks at headers and
+/// the JSON chunk).
 bool holdsProject(std::span<const std::uint8_t> glb);
-/// The document of a GLB that was written with one. Errors: NoProjectInside (a GLB of another program),
-/// ProjectInvalid, ProjectTooNew, PictureUnreadable, OutOfMemory.
-Result<document::Document> readProject(std::span<const std::uint8_t> glb);
+/// The document of a GLB that was written with one, mended as by readDocument; pictures that cannot be
+/// read are left out with the parts on them, and counted. Errors: NoProjectInside (no GLB, or one of
+/// another program), ProjectInvalid (also when it is cut off), ProjectTooNew, PictureUnreadable
+/// (not one of its pictures can be read), OutOfMemory.
+Result<document::Document> readProject(std::span<const std::uint8_t> glb,
+                                       ReadNotes* notes = nullptr);
 
 }  // namespace spineloft::io

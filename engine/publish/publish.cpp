@@ -1,10 +1,15 @@
 #include "engine/publish/publish.h"
 
+#include <algorithm>
+#include <memory>
 #include <new>
+#include <span>
+#include <utility>
 
 #include "engine/io/gltf.h"
 #include "engine/io/obj.h"
 #include "engine/io/picture_file.h"
+#include "engine/io/project_file.h"
 #include "engine/io/stl.h"
 
 namespace spineloft::publish {
@@ -46,33 +51,58 @@ io::Placement placementOf(image::Size picture, const Export& target) {
           frame.scale * target.scale};
 }
 
+/// Every picture of the document that the file needs, encoded once; photos without loss when the
+/// project goes along, so that the same bytes serve as texture and as photo.
+class Encoded {
+ public:
+  explicit Encoded(bool lossless) : lossless_(lossless) {}
+
+  Result<std::span<const std::uint8_t>> of(const document::PictureEntry& entry,
+                                           const image::Picture& picture) {
+    for (const Item& item : items_) {
+      if (item.contentHash == entry.contentHash) return std::span<const std::uint8_t>(*item.bytes);
+    }
+    Result<Bytes> bytes =
+        lossless_ && !entry.isSketch() ? io::writePhoto(picture) : encodeTexture(picture);
+    if (!bytes) return bytes.failure();
+    items_.push_back({entry.contentHash, std::make_unique<Bytes>(std::move(bytes).value())});
+    return std::span<const std::uint8_t>(*items_.back().bytes);
+  }
+
+ private:
+  struct Item {
+    std::uint64_t contentHash;
+    std::unique_ptr<Bytes> bytes;  ///< stays where it is: spans point to it
+  };
+  bool lossless_;
+  std::vector<Item> items_;
+};
+
 /// Parts and encoded pictures as the writers want them.
 struct Shelf {
   std::vector<io::ExportPart> parts;
   std::vector<io::ExportPicture> pictures;
-  std::vector<Bytes> encoded;  ///< reserved up front: `pictures` point into it
   std::vector<PictureId> ids;
 };
 
-Result<std::size_t> shelve(Shelf& shelf, const document::PictureEntry& entry,
+/// Index of the picture on the shelf.
+Result<std::size_t> shelve(Shelf& shelf, Encoded& encoded, const document::PictureEntry& entry,
                            const image::Picture& picture) {
-  for (std::size_t i = 0; i < shelf.ids.size(); ++i) {
-    if (shelf.ids[i] == entry.id) return i;
-  }
-  Result<Bytes> bytes = encodeTexture(picture);
+  const auto known = std::ranges::find(shelf.ids, entry.id);
+  if (known != shelf.ids.end()) return static_cast<std::size_t>(known - shelf.ids.begin());
+  const Result<std::span<const std::uint8_t>> bytes = encoded.of(entry, picture);
   if (!bytes) return bytes.failure();
-  shelf.encoded.push_back(std::move(bytes).value());
   shelf.ids.push_back(entry.id);
-  shelf.pictures.push_back({entry.name, shelf.encoded.back()});
+  shelf.pictures.push_back({entry.name, bytes.value()});
   return shelf.ids.size() - 1;
 }
 
+/// Takes the parts' pictures from `encoded`; parts have no pictures without it.
 Result<Shelf> gather(const document::Document& document, const pipeline::Derived& derived,
-                     const Export& target, bool withPictures, const Progress& progress) {
+                     const Export& target, Encoded* encoded, const Progress& progress) {
   Shelf shelf;
-  shelf.encoded.reserve(document.pictures.size());
   for (const pipeline::DerivedPart& shown : derived.parts) {
-    if (!progress.advance(0.8 * static_cast<double>(shelf.parts.size()) /
+    if (!progress.advance(0.5 * static_cast<double>(shelf.parts.size()) /
                           static_cast<double>(derived.parts.size()))) {
       return Error::Cancelled;
     }
@@ -88,8 +118,8 @@ Result<Shelf> gather(const document::Document& document, const pipeline::Derived
       out.colour[c] = static_cast<float>(part->look.colour[c]) / 255.0f;
     }
     const image::Picture* pixels = pipeline::pixelsOf(document, derived, entry->id);
-    if (withPictures && part->look.textured && pixels != nullptr) {
-      const Result<std::size_t> index = shelve(shelf, *entry, *pixels);
+    if (encoded != nullptr && part->look.textured && pixels != nullptr) {
+      const Result<std::size_t> index = shelve(shelf, *encoded, *entry, *pixels);
       if (!index) return index.failure();
       out.picture = index.value();
     }
@@ -98,21 +128,56 @@ Result<Shelf> gather(const document::Document& document, const pipeline::Derived
   return shelf;
 }
 
-Result<Bytes> write(const document::Document& document, const pipeline::Derived& derived,
-                    Format format, const Progress& progress) {
+Result<Bytes> writeModel(const document::Document& document, const pipeline::Derived& derived,
+                         Format format, Encoded& encoded, const Progress& progress) {
   const std::optional<WorldBounds> bounds = worldBounds(document, derived);
   if (!bounds) return Error::NothingToExport;
   constexpr double kMetresPerMm = 1e-3;
+  const bool isGlb = format == Format::Glb || format == Format::Project;
   Export target;
-  if (format == Format::Glb) target = standing(*bounds, document.height.value * kMetresPerMm);
+  if (isGlb) target = standing(*bounds, document.height.value * kMetresPerMm);
   if (format == Format::Stl) target = standing(*bounds, document.height.value);
-  const Result<Shelf> shelf =
-      gather(document, derived, target, format == Format::Glb, progress);
+  Result<Shelf> shelf = gather(document, derived, target, isGlb ? &encoded : nullptr, progress);
   if (!shelf) return shelf.failure();
-  const std::span<const io::ExportPart> parts = shelf.value().parts;
-  Result<Bytes> bytes = format == Format::Glb   ? io::writeGlb(parts, shelf.value().pictures)
-                        : format == Format::Stl ? io::writeStl(parts)
-                                                : io::writeObj(parts);
+  std::vector<io::ExportPart>& parts = shelf.value().parts;
+  const std::span<const io::ExportPicture> pictures = shelf.value().pictures;
+  if (format == Format::Obj) return io::writeObj(parts);
+  if (format == Format::Stl) return io::writeStl(parts);
+  if (format == Format::Project) {
+    // What cannot be shown must not keep the work from being saved.
+    std::erase_if(parts, [&](const io::ExportPart& part) {
+      return !io::checkParts({&part, 1}, pictures.size());
+    });
+  }
+  return io::writeGlb(parts, pictures);
+}
+
+Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Document& document,
+                         Encoded& encoded, const Progress& progress) {
+  std::vector<io::ProjectPhoto> photos;
+  for (const document::PictureEntry& entry : document.pictures) {
+    if (!progress.advance(0.5 + 0.4 * static_cast<double>(photos.size()) /
+                                    static_cast<double>(document.pictures.size()))) {
+      return Error::Cancelled;
+    }
+    if (entry.isSketch()) continue;
+    const Result<std::span<const std::uint8_t>> bytes = encoded.of(entry, *entry.picture);
+    if (!bytes) return bytes.failure();
+    photos.push_back({entry.picture, bytes.value()});
+  }
+  return io::embedProject(glb, document, photos);
+}
+
+Result<Bytes> write(const document::Document& document, const pipeline::Derived& derived,
+                    Format format, const Progress& progress, const Options& options) {
+  const bool withProject =
+      format == Format::Project || (format == Format::Glb && options.withProject);
+  Encoded encoded(withProject);
+  Result<Bytes> bytes = writeModel(document, derived, format, encoded, progress);
+  if (format == Format::Project && !bytes && bytes.error() == Error::NothingToExport) {
+    bytes = Bytes{};
+  }
+  if (bytes && withProject) bytes = addProject(bytes.value(), document, encoded, progress);
   if (!progress.advance(1)) return Error::Cancelled;
   return bytes;
 }
@@ -120,9 +185,9 @@ Result<Bytes> write(const document::Document& document, const pipeline::Derived&
 }  // namespace
 
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
-                      Format format, const Progress& progress) {
+                      Format format, const Progress& progress, const Options& options) {
   try {
-    return write(document, derived, format, progress);
+    return write(document, derived, format, progress, options);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }

@@ -17,8 +17,9 @@ namespace spineloft::publish {
 
 using Bytes = std::vector<std::uint8_t>;
 
-enum class Format : std::uint8_t { Glb, Obj, Stl };
-/// "glb", "obj", "stl"; none for anything else.
+/// Project: the GLB under a name of its own, also of a board without any part.
+enum class Format : std::uint8_t { Glb, Obj, Stl, Project };
+/// "glb", "obj", "stl", "spineloft"; none for anything else.
 std::optional<Format> formatFromKey(std::string_view key);
 std::string_view formatKey(Format format);
 std::string_view mediaType(Format format);
@@ -41,16 +42,26 @@ struct WorldBounds {
 std::optional<WorldBounds> worldBounds(const document::Document& document,
                                        const pipeline::Derived& derived);
 
+/// What goes into a GLB besides the visible parts.
+struct Options {
+  bool withProject = true;  ///< the editable document and its photos (io/project_file.h)
+  bool operator==(const Options&) const = default;
+};
+
 /// All visible parts as one file.
 /// - GLB: metres, y up, +z to the viewer, standing on y = 0 and centred in x and z, as tall as
-///   Document::height; one node a part, its picture as base-colour texture where it is textured.
+///   Document::height; one node a part, its picture as base-colour texture where it is textured. The
+///   whole editable document is inside: io::readProject gives it back.
+/// - Project: the same bytes; with nothing to show, or a part that cannot be shown, it is written all
+///   the same.
 /// - STL: millimetres, z up, standing on z = 0, as tall as Document::height.
 /// - OBJ: WorldSpace as it is on the screen, one object a part.
-/// Errors: NothingToExport, MeshInvalid, Cancelled, OutOfMemory.
+/// Errors: NothingToExport (not for Project), MeshInvalid (not for Project), Cancelled, OutOfMemory.
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
-                      Format format, const Progress& progress);
+                      Format format, const Progress& progress, const Options& options = {});
 
-/// A file name such as "swan-neck-100mm.glb": the model's name in portable characters and its height.
+/// A file name such as "swan-neck-100mm.glb": the model's name in portable characters and its height; a
+/// project's is without its height, "swan-neck.spineloft".
 std::string fileName(const document::Document& document, Format format);
 
 }  // namespace spineloft::publish

@@ -38,7 +38,7 @@ std::optional<WorldBounds> worldBounds(const document::Document& document,
 }
 
 std::optional<Format> formatFromKey(std::string_view key) {
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl}) {
+  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project}) {
     if (key == formatKey(format)) return format;
   }
   return std::nullopt;
@@ -49,6 +49,7 @@ std::string_view formatKey(Format format) {
     case Format::Glb: return "glb";
     case Format::Obj: return "obj";
     case Format::Stl: return "stl";
+    case Format::Project: return "spineloft";
   }
   return {};
 }
@@ -58,6 +59,8 @@ std::string_view mediaType(Format format) {
     case Format::Glb: return "model/gltf-binary";
     case Format::Obj: return "model/obj";
     case Format::Stl: return "model/stl";
+    // A GLB, but no browser should give it a GLB's ending.
+    case Format::Project: return "application/octet-stream";
   }
   return {};
 }
@@ -76,6 +79,7 @@ std::string fileName(const document::Document& document, Format format) {
   }
   while (!name.empty() && name.back() == '-') name.pop_back();
   if (name.empty()) name = "model";
+  if (format == Format::Project) return name + '.' + std::string(formatKey(format));
   // Tenths of a millimetre are as fine as a printer gets.
   const long long tenths = std::llround(document.height.value * 10);
   name += '-' + std::to_string(tenths / 10);

@@ -13,7 +13,7 @@ test('wrong usage ends with 2 and says what is wrong', (t) => {
   const picture = folder.path('bar.png');
   const stroke = ['--stroke', folder.path('stroke.json')];
   const wrong = [
-    [[], /loft, edges or bench/],
+    [[], /loft, open, edges or bench/],
     [['carve'], /carve/],
     [['--version', 'loft'], /--version/],
     [['loft'], /picture/],
@@ -25,8 +25,8 @@ test('wrong usage ends with 2 and says what is wrong', (t) => {
     [['loft', picture, ...stroke, '--colour', 'red'], /--colour/],
     [['loft', picture, ...stroke, '--section', 'banana'], /banana.*rounded-square/],
     [['loft', picture, ...stroke, '--caps', 'hat'], /hat.*pointed/],
-    [['loft', picture, ...stroke, '--out', folder.path('bar.fbx')], /\.glb, \.obj or \.stl/],
-    [['loft', picture, ...stroke, '--out', folder.path('glb')], /\.glb, \.obj or \.stl/],
+    [['loft', picture, ...stroke, '--out', folder.path('bar.fbx')], /\.glb, \.obj, \.stl or \.spineloft/],
+    [['loft', picture, ...stroke, '--out', folder.path('glb')], /\.glb, \.obj, \.stl or \.spineloft/],
     [['loft', picture, ...stroke, '--out', folder.path('a.obj'), '--obj-space', 'moon'], /image or world/],
     [['loft', picture, ...stroke, '--out', folder.path('a.stl'), '--obj-space', 'image'], /\.obj/],
     [['loft', picture, ...stroke, '--mask', folder.path('x.png'), '--ribs', folder.path('x.png')], /same name/],

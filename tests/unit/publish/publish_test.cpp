@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/document/update.h"
+#include "engine/io/project_file.h"
 #include "engine/publish/publish.h"
 #include "tests/support/random_documents.h"
 
@@ -27,6 +28,14 @@ Document twoParts() {
 pipeline::Derived derivedOf(const Document& document) {
   pipeline::Cache cache;
   return pipeline::deriveWithEdges(document, cache, {}).value();
+}
+
+int timesFound(const Bytes& bytes, std::initializer_list<std::uint8_t> what) {
+  int found = 0;
+  for (auto at = bytes.begin();; ++at, ++found) {
+    at = std::search(at, bytes.end(), what.begin(), what.end());
+    if (at == bytes.end()) return found;
+  }
 }
 
 struct StlBox {
@@ -87,17 +96,12 @@ TEST_CASE("hidden parts are not exported, and without a visible part there is no
   }
 }
 
-TEST_CASE("a GLB holds a picture once, and only when a visible part wears it") {
+TEST_CASE("a GLB without its project holds a picture once, and only when a visible part wears it") {
   Document document = twoParts();
   const auto jpegs = [&] {
     const Bytes glb =
-        publish::publish(document, derivedOf(document), Format::Glb, {}).value();
-    const std::array<std::uint8_t, 3> jpegStart = {0xff, 0xd8, 0xff};
-    int found = 0;
-    for (auto at = glb.begin();; ++at, ++found) {
-      at = std::search(at, glb.end(), jpegStart.begin(), jpegStart.end());
-      if (at == glb.end()) return found;
-    }
+        publish::publish(document, derivedOf(document), Format::Glb, {}, {.withProject = false}).value();
+    return timesFound(glb, {0xff, 0xd8, 0xff});
   };
   CHECK(jpegs() == 2);
   document = update(document, DrawSpine{PictureId{1}, {{60, 60}, {130, 80}}}).value();
@@ -106,19 +110,74 @@ TEST_CASE("a GLB holds a picture once, and only when a visible part wears it") {
   CHECK(jpegs() == 1);
 }
 
+TEST_CASE("a GLB with its project holds every photo once, whether as texture, as photo or as both") {
+  Document document = twoParts();
+  const auto pngs = [&] {
+    const Bytes glb = publish::publish(document, derivedOf(document), Format::Glb, {}).value();
+    CHECK(timesFound(glb, {0xff, 0xd8, 0xff}) == 0);
+    return timesFound(glb, {0x89, 'P', 'N', 'G'});
+  };
+  CHECK(pngs() == 2);
+  document = update(document, SetLook{PartId{2}, {false, {200, 10, 10}}}).value();
+  CHECK(pngs() == 2);
+  document = update(document, AddPicture{"again", document.pictures[0]->picture}).value();
+  CHECK(pngs() == 2);
+}
+
+TEST_CASE("a saved model opens as the same document, and the same ribs and solids come of it") {
+  const Document document = twoParts();
+  const pipeline::Derived derived = derivedOf(document);
+  const Bytes glb = publish::publish(document, derived, Format::Glb, {}).value();
+  CHECK(glb == publish::publish(document, derived, Format::Project, {}).value());
+  const auto read = io::readProject(glb);
+  REQUIRE(read.ok());
+  REQUIRE(read.value() == document);
+  const pipeline::Derived again = derivedOf(read.value());
+  REQUIRE(again.parts.size() == derived.parts.size());
+  for (std::size_t i = 0; i < derived.parts.size(); ++i) {
+    CHECK(again.parts[i].shape->ribs == derived.parts[i].shape->ribs);
+    CHECK(again.parts[i].shape->mesh.positions == derived.parts[i].shape->mesh.positions);
+    CHECK(again.parts[i].shape->mesh.triangles == derived.parts[i].shape->mesh.triangles);
+  }
+  CHECK(publish::publish(read.value(), again, Format::Project, {}).value() == glb);
+}
+
+TEST_CASE("a board without anything to show is saved as a project all the same") {
+  for (Document document : {Document{}, update({}, AddSketch{"paper", {100, 80}}).value(),
+                            update({}, AddPicture{"e", ellipsePicture(60, 40)}).value(),
+                            update(twoParts(), ShowPart{PartId{1}, false}).value()}) {
+    if (document.parts.size() == 2) document = update(document, ShowPart{PartId{2}, false}).value();
+    const auto file = publish::publish(document, derivedOf(document), Format::Project, {});
+    REQUIRE(file.ok());
+    CHECK(io::readProject(file.value()).value() == document);
+  }
+}
+
+TEST_CASE("a part that is no closed solid is left out of what is shown, and its work is saved") {
+  const Document document = twoParts();
+  pipeline::Derived derived = derivedOf(document);
+  pipeline::PartShape open = *derived.parts[0].shape;
+  open.mesh.triangles.pop_back();
+  derived.parts[0].shape = std::make_shared<const pipeline::PartShape>(std::move(open));
+  CHECK(publish::publish(document, derived, Format::Glb, {}).error() == Error::MeshInvalid);
+  const auto file = publish::publish(document, derived, Format::Project, {});
+  REQUIRE(file.ok());
+  CHECK(io::readProject(file.value()).value() == document);
+}
+
 TEST_CASE("a cancelled export gives nothing, and equal models give equal bytes") {
   const Document document = twoParts();
   const pipeline::Derived derived = derivedOf(document);
   const Progress cancelled;
   cancelled.cancel();
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl}) {
+  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project}) {
     const auto none = publish::publish(document, derived, format, cancelled);
     REQUIRE_FALSE(none.ok());
     CHECK(none.error() == Error::Cancelled);
     CHECK(publish::publish(document, derived, format, {}).value() ==
           publish::publish(document, derived, format, {}).value());
     CHECK(formatFromKey(formatKey(format)) == format);
-    CHECK(mediaType(format).starts_with("model/"));
+    CHECK(mediaType(format).find('/') != std::string_view::npos);
   }
   CHECK_FALSE(formatFromKey("fbx").has_value());
 }
@@ -128,6 +187,7 @@ TEST_CASE("file names carry the model's name and size in portable characters") {
   document.name = "My  Dragon / v2!";
   document.height = {40};
   CHECK(fileName(document, Format::Glb) == "my-dragon-v2-40mm.glb");
+  CHECK(fileName(document, Format::Project) == "my-dragon-v2.spineloft");
   document.name = "///";
   document.height = {12.54};
   CHECK(fileName(document, Format::Stl) == "model-12.5mm.stl");

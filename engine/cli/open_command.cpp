@@ -1,0 +1,100 @@
+// spineloft open: a project → its parts derived again, and written in any form.
+#include <ostream>
+#include <utility>
+
+#include "engine/cli/files.h"
+#include "engine/cli/program.h"
+#include "engine/io/json_values.h"
+#include "engine/io/project_file.h"
+#include "engine/mesh/laws.h"
+#include "engine/pipeline/derive.h"
+#include "engine/publish/publish.h"
+
+namespace spineloft::cli {
+namespace {
+
+/// What was in the file and what became of it.
+struct Opened {
+  document::Document document;
+  pipeline::Derived derived;
+  io::ReadNotes notes;
+  double readMs = 0, deriveMs = 0;
+};
+
+Result<Opened> openProject(const std::string& path) {
+  const Result<Bytes> file = readFile(path);
+  if (!file.ok()) return file.failure();
+  Opened opened;
+  const double started = nowMs();
+  Result<document::Document> document = io::readProject(file.value(), &opened.notes);
+  if (!document.ok()) {
+    const std::string& why = document.failure().detail;
+    return {document.error(), path + (why.empty() ? "" : ": " + why)};
+  }
+  opened.document = std::move(document).value();
+  const double read = nowMs();
+  pipeline::Cache cache;
+  Result<pipeline::Derived> derived =
+      pipeline::deriveWithEdges(opened.document, cache, Progress());
+  if (!derived.ok()) return derived.failure();
+  opened.derived = std::move(derived).value();
+  opened.readMs = read - started;
+  opened.deriveMs = nowMs() - read;
+  return opened;
+}
+
+std::string reportOf(const Opened& opened) {
+  double shaped = 0, vertices = 0, triangles = 0, lawful = 0;
+  for (const pipeline::DerivedPart& part : opened.derived.parts) {
+    if (!part.shape) continue;
+    ++shaped;
+    vertices += static_cast<double>(part.shape->mesh.positions.size());
+    triangles += static_cast<double>(part.shape->mesh.triangles.size());
+    lawful += mesh::brokenLaw(mesh::inspect(part.shape->mesh)).empty();
+  }
+  return io::writeNumbers({{"pictures", static_cast<double>(opened.document.pictures.size())},
+                           {"parts", static_cast<double>(opened.document.parts.size())},
+                           {"shaped", shaped},
+                           {"lawful", lawful},
+                           {"vertices", vertices},
+                           {"triangles", triangles},
+                           {"height_mm", opened.document.height.value},
+                           {"dropped", static_cast<double>(opened.notes.dropped)},
+                           {"repaired", static_cast<double>(opened.notes.repaired)},
+                           {"read_ms", opened.readMs},
+                           {"derive_ms", opened.deriveMs}});
+}
+
+Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
+
+}  // namespace
+
+Status runOpen(const OpenArguments& arguments, std::ostream& out) {
+  const Result<Opened> read = openProject(arguments.file);
+  if (!read.ok()) return read.failure();
+  const Opened& opened = read.value();
+  std::vector<OutputFile> files;
+  if (!arguments.out.empty()) {
+    Result<Bytes> bytes =
+        publish::publish(opened.document, opened.derived, arguments.format, Progress());
+    if (!bytes.ok()) return bytes.failure();
+    files.push_back({arguments.out, std::move(bytes).value()});
+  }
+  if (!arguments.document.empty()) {
+    files.push_back({arguments.document, bytesOf(io::writeDocument(opened.document))});
+  }
+  if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(opened))});
+  if (Status status = writeAll(files); !status.ok()) return status;
+
+  out << opened.document.name << ": " << opened.document.pictures.size() << " pictures, "
+      << opened.document.parts.size() << " parts";
+  if (!opened.notes.clean()) {
+    out << " (damaged: " << opened.notes.dropped << " left out, " << opened.notes.repaired
+        << " mended)";
+  }
+  for (const OutputFile& file : files) out << (&file == &files.front() ? ": " : ", ") << file.path;
+  out << '\n';
+  return Done{};
+}
+
+}  // namespace spineloft::cli
