@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/base/limits.h"
+#include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
 #include "web/app/messages.h"
 #include "web/app/scene.h"
@@ -75,6 +76,8 @@ void App::settle() {
     ui_.pictureView.fitted = true;
     gestures_.cancel(toolEnv());
   }
+  settleSketching(document, ui_);
+  if (!document::findPicture(document, ui_.pictureMenu)) ui_.pictureMenu = {};
   if (!document::findPart(document, ui_.selection)) ui_.selection = {};
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
   const bool orphaned =
@@ -174,7 +177,9 @@ void App::watchWork() {
 
 void App::wake() {
   wakePending_ = tooltipPending_ = false;
-  if (studio_.pump()) {
+  // Without threads a search for edges would hold up the ink under the pen: it waits.
+  const bool penDown = studio_.threads() == 0 && ui_.sketching.stroke.has_value();
+  if (!penDown && studio_.pump()) {
     settle();
     studio_.derived();
   }
@@ -189,6 +194,8 @@ void App::announce() {
   json_.beginArray().number(static_cast<double>(studio_.revision()));
   json_.number(ui_.selection.value).number(ui_.redraw.value).number(ui_.picture.value);
   json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
+  json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
+  json_.text(colourText(ui_.sketching.colour));
   const PictureView& view = ui_.pictureView;
   json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
   json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
@@ -389,7 +396,7 @@ void App::contextRestored() {
 }
 
 void App::answer(std::string_view id, std::string_view text) {
-  constexpr std::string_view kRename = "rename-part:";
+  constexpr std::string_view kRename = "rename-part:", kRenamePicture = "rename-picture:";
   if (id == "set-height") {
     std::string number(text);
     std::ranges::replace(number, ',', '.');
@@ -400,6 +407,11 @@ void App::answer(std::string_view id, std::string_view text) {
     std::uint32_t part = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), part);
     sink_.run("rename-part", Json::Object{{"part", part}, {"name", text}});
+  } else if (id.starts_with(kRenamePicture)) {
+    const std::string_view digits = id.substr(kRenamePicture.size());
+    std::uint32_t picture = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), picture);
+    sink_.run("rename-picture", Json::Object{{"picture", picture}, {"name", text}});
   }
   runCalls();
   touch(2);

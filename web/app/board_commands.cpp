@@ -1,5 +1,4 @@
 // Commands about the board, its files and the views.
-#include <algorithm>
 #include <cstdio>
 
 #include "web/app/command_actions.h"
@@ -67,22 +66,6 @@ void flyTo(const CommandEnv& env, bool home) {
 
 Outcome openPicture(Env env, const Json&) {
   sendPickPicture(env.host);
-  return {};
-}
-
-Outcome removePicture(Env env, const Json&) {
-  return outcomeOf(env.studio.act(document::RemovePicture{env.ui.picture}));
-}
-
-Outcome nextPicture(Env env, const Json&) {
-  const auto& pictures = env.studio.document().pictures;
-  if (pictures.empty()) return refuse({Error::NoSuchPicture, {}});
-  auto at = std::ranges::find(pictures, env.ui.picture, &document::PictureEntry::id);
-  if (at == pictures.end() || ++at == pictures.end()) at = pictures.begin();
-  env.ui.picture = at->get().id;
-  env.ui.selection = {};
-  env.ui.redraw = {};
-  env.ui.pictureView.fitted = true;
   return {};
 }
 

@@ -7,8 +7,6 @@ namespace spineloft::app {
 
 // Board and files.
 Outcome openPicture(const CommandEnv& env, const Json& args);
-Outcome removePicture(const CommandEnv& env, const Json& args);
-Outcome nextPicture(const CommandEnv& env, const Json& args);
 Outcome clearBoard(const CommandEnv& env, const Json& args);
 Outcome saveGlb(const CommandEnv& env, const Json& args);
 Outcome saveObj(const CommandEnv& env, const Json& args);

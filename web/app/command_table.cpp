@@ -12,7 +12,6 @@ namespace {
 using Env = const CommandEnv&;
 
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
-bool hasPictures(Env env) { return env.studio.document().pictures.size() > 1; }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool hasAnything(Env env) { return hasPicture(env) || hasParts(env); }
 bool canUndo(Env env) { return env.studio.undoSteps() > 0; }
@@ -37,7 +36,10 @@ Outcome useHand(Env env, const Json&) {
   return {};
 }
 Outcome cancel(Env env, const Json&) {
-  if (env.ui.preview) {
+  if (env.ui.pictureMenu || env.ui.sketching.menu != PenMenu::None) {
+    env.ui.pictureMenu = {};
+    env.ui.sketching.menu = PenMenu::None;
+  } else if (env.ui.preview) {
     env.ui.preview.reset();
   } else if (env.ui.redraw) {
     env.ui.redraw = {};
@@ -47,11 +49,6 @@ Outcome cancel(Env env, const Json&) {
     env.ui.selection = {};
   }
   return {};
-}
-
-void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on) {
-  json.beginObject().key("value").text(value).key("label").text(label);
-  json.key("toggled").flag(on).endObject();
 }
 
 void partChoices(Env env, JsonWriter& json) {
@@ -381,16 +378,6 @@ constexpr std::array kTable = {
             hasPicture,
             focusOnSolid,
             focusSolid},
-    Command{"next-picture",
-            "Next picture",
-            "layers",
-            "",
-            "file",
-            {},
-            "Show the next picture",
-            hasPictures,
-            nullptr,
-            nextPicture},
     Command{"save-glb",
             "Save GLB",
             "download",
@@ -421,16 +408,6 @@ constexpr std::array kTable = {
             hasParts,
             nullptr,
             saveStl},
-    Command{"remove-picture",
-            "Remove picture",
-            "image-off",
-            "",
-            "file",
-            {},
-            "Takes the picture and its parts away",
-            hasPicture,
-            nullptr,
-            removePicture},
     Command{"clear",
             "Start over",
             "refresh-cw",

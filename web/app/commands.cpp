@@ -113,6 +113,11 @@ void writeArgument(const CommandEnv& env, const Argument& argument, JsonWriter& 
 
 }  // namespace
 
+void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on) {
+  json.beginObject().key("value").text(value).key("label").text(label);
+  json.key("toggled").flag(on).endObject();
+}
+
 void writeCommands(const CommandEnv& env, JsonWriter& json) {
   json.beginArray();
   for (const Command& command : commandTable()) {

@@ -60,6 +60,9 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
 /// The command of a key, or null.
 const Command* commandForKey(const platform::KeyEvent& event);
 
+/// One choice of a menu, as Argument::choices writes them.
+void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on);
+
 /// The table as the contract's `spl_commands` gives it.
 void writeCommands(const CommandEnv& env, JsonWriter& json);
 

@@ -6,6 +6,7 @@
 #include "web/tools/draw_spine.h"
 #include "web/tools/pan_picture.h"
 #include "web/tools/pinch.h"
+#include "web/tools/sketch_pen.h"
 #include "web/tools/turn_solid.h"
 
 namespace spineloft::app {
@@ -108,6 +109,9 @@ std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place 
     return std::make_unique<tools::TurnSolid>(plain && !shift ? Mode::Orbit : Mode::Pan);
   }
   const bool finger = event.device == Device::Touch && ui.penSeen;
+  if (plain && !finger && (ui.tool == ToolKind::Pen || ui.tool == ToolKind::Eraser)) {
+    return std::make_unique<tools::SketchPen>(ui.tool == ToolKind::Eraser);
+  }
   if (plain && !finger && ui.tool == ToolKind::Draw) return std::make_unique<tools::DrawSpine>();
   return std::make_unique<tools::PanPicture>();
 }

@@ -49,6 +49,12 @@ inline constexpr std::array kIcons = {
     Icon{"chevron-right", 57455},
     Icon{"minus", 57628},
     Icon{"cylinder", 58661},
+    Icon{"pen", 57647},
+    Icon{"eraser", 57999},
+    Icon{"square-pen", 57714},
+    Icon{"images", 58820},
+    Icon{"chevron-left", 57454},
+    Icon{"ellipsis", 57526},
 };
 
 /// 0 for a name that is not in the table.

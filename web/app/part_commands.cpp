@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
 #include "web/app/messages.h"
 
@@ -43,23 +44,6 @@ bool namesPart(const Json& args) {
 
 Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
 
-std::optional<std::array<std::uint8_t, 3>> colourFrom(std::string_view text) {
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  std::array<std::uint8_t, 3> colour{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    int value = 0;
-    for (std::size_t k = 1 + 2 * i; k < 3 + 2 * i; ++k) {
-      const char c = text[k];
-      const bool digit = c >= '0' && c <= '9', lower = c >= 'a' && c <= 'f',
-                 upper = c >= 'A' && c <= 'F';
-      if (!digit && !lower && !upper) return std::nullopt;
-      value = value * 16 + (digit ? c - '0' : (lower ? c - 'a' : c - 'A') + 10);
-    }
-    colour[i] = static_cast<std::uint8_t>(value);
-  }
-  return colour;
-}
-
 /// Gives a new look to the part that is meant, or to the next part.
 Outcome setLook(Env env, const Json& args, const document::Look& look) {
   const document::Part* part = partOf(env, args);
@@ -72,6 +56,7 @@ Outcome setLook(Env env, const Json& args, const document::Look& look) {
 /// Selects a part; the next part is made like it, as the panels show.
 void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
+  if (env.ui.picture != part.recipe.picture) env.ui.pictureView.fitted = true;
   env.ui.picture = part.recipe.picture;
   env.ui.redraw = {};
   env.ui.section = part.recipe.loft.sections.front().shape;

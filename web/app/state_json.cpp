@@ -1,6 +1,6 @@
 #include "web/app/state_json.h"
 
-#include <cstdio>
+#include "web/app/colour_text.h"
 
 namespace spineloft::app {
 namespace {
@@ -32,10 +32,7 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.key("start").text(loft::capKey(part.recipe.loft.startCap));
   json.key("end").text(loft::capKey(part.recipe.loft.endCap)).endObject();
   json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
-  char colour[8];
-  std::snprintf(colour, sizeof colour, "#%02x%02x%02x", part.look.colour[0], part.look.colour[1],
-                part.look.colour[2]);
-  json.key("colour").text(colour).key("picture").number(part.recipe.picture.value);
+  json.key("colour").text(colourText(part.look.colour)).key("picture").number(part.recipe.picture.value);
   json.key("waiting").flag(derived.waiting);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
@@ -53,7 +50,29 @@ void writePicture(JsonWriter& json, const document::PictureEntry* entry) {
   }
   json.beginObject().key("width").number(entry->size.width);
   json.key("height").number(entry->size.height).key("name").text(entry->name);
-  json.key("id").number(entry->id.value).endObject();
+  json.key("id").number(entry->id.value).key("sketch").flag(entry->isSketch());
+  json.key("strokes").number(static_cast<double>(entry->sketch.size()));
+  json.key("finished").flag(entry->isSketch() && looksFinished(*entry)).endObject();
+}
+
+void writePictureList(JsonWriter& json, const document::Document& document) {
+  json.key("pictures").number(static_cast<double>(document.pictures.size()));
+  json.key("pictureList").beginArray();
+  for (const document::PictureEntry& entry : document.pictures) {
+    json.beginObject().key("id").number(entry.id.value).key("name").text(entry.name);
+    json.key("width").number(entry.size.width).key("height").number(entry.size.height);
+    json.key("sketch").flag(entry.isSketch()).endObject();
+  }
+  json.endArray();
+}
+
+/// What the pen is set to, and how many points the stroke in hand has; null: none is.
+void writePen(JsonWriter& json, const Sketching& pen) {
+  json.key("pen").beginObject().key("size").text(kPenSizes[pen.penSize]);
+  json.key("eraser").text(kPenSizes[pen.eraserSize]).key("colour").text(colourText(pen.colour));
+  json.key("points");
+  pen.stroke ? json.number(static_cast<double>(pen.stroke->points.size())) : json.null();
+  json.endObject();
 }
 
 void writeActivity(JsonWriter& json, const Studio& studio) {
@@ -93,7 +112,8 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   const document::Document& document = studio.document();
   json.beginObject().key("version").text(SPINELOFT_VERSION);
   writePicture(json, document::findPicture(document, ui.picture));
-  json.key("pictures").number(static_cast<double>(document.pictures.size()));
+  writePictureList(json, document);
+  writePen(json, ui.sketching);
   json.key("parts").beginArray();
   for (std::size_t i = 0; i < document.parts.size(); ++i) {
     writePart(json, document.parts[i], derived.parts[i]);

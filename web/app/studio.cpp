@@ -61,6 +61,7 @@ const pipeline::Derived& Studio::derived() {
   const pipeline::Derived before = std::exchange(
       derived_, pipeline::derive(document(), cache_, [this] { return host_.nowMs(); }));
   for (const PictureId id : derived_.wantedEdges) findEdges(id);
+  keepShown(before);
   for (const pipeline::DerivedPart& part : derived_.parts) {
     const bool known = std::ranges::count(before.parts, part.shape, &pipeline::DerivedPart::shape);
     if (!part.shape || known) continue;
@@ -71,17 +72,31 @@ const pipeline::Derived& Studio::derived() {
   return derived_;
 }
 
+/// While the edges of a sketch with a new stroke are sought, its parts stay as they were.
+void Studio::keepShown(const pipeline::Derived& before) {
+  for (pipeline::DerivedPart& part : derived_.parts) {
+    if (!part.waiting || part.shape) continue;
+    const auto was = std::ranges::find(before.parts, part.id, &pipeline::DerivedPart::id);
+    if (was != before.parts.end()) part.shape = was->shape;
+  }
+}
+
 void Studio::findEdges(PictureId id) {
   const document::PictureEntry* entry = document::findPicture(document(), id);
   if (entry == nullptr) return;
   const std::uint64_t hash = entry->contentHash;
-  if (std::ranges::count(searching_, hash) > 0) return;
+  // A sketch changes faster than its edges are found: one search at a time, the next one begins with
+  // what is on the paper then.
+  const auto covered = [&](const Search& search) {
+    return search.contentHash == hash || (entry->isSketch() && search.picture == id);
+  };
+  if (std::ranges::any_of(searching_, covered)) return;
   const Result<std::shared_ptr<const image::Picture>> pixels = cache_.pixels(*entry);
   if (!pixels) {
     sendError(host_, failureSentence(pixels.failure()));
     return;
   }
-  searching_.push_back(hash);
+  searching_.push_back({id, hash});
   platform::Host* host = &host_;
   pool_.submit(
       "Looking for edges",
@@ -91,7 +106,7 @@ void Studio::findEdges(PictureId id) {
         return EdgeSearch{std::move(edges), host->nowMs() - start};
       },
       [this, hash](EdgeSearch search) {
-        std::erase(searching_, hash);
+        std::erase_if(searching_, [&](const Search& s) { return s.contentHash == hash; });
         if (search.edges) {
           lastMs_.edges = search.ms;
           cache_.keepEdges(hash,

@@ -65,6 +65,7 @@ class Studio {
  private:
   void changed();
   void findEdges(PictureId id);
+  void keepShown(const pipeline::Derived& before);
   void report(const pipeline::Derived& derived);
   void finishSave(Result<publish::Bytes> bytes, publish::Format format,
                   const document::Document& written);
@@ -77,7 +78,11 @@ class Studio {
   bool stale_ = false;
   pipeline::StageMs lastMs_;
   std::uint64_t revision_ = 0;
-  std::vector<std::uint64_t> searching_;  ///< content hashes whose edges a worker seeks
+  struct Search {
+    PictureId picture;
+    std::uint64_t contentHash;
+  };
+  std::vector<Search> searching_;  ///< whose edges a worker seeks
   std::vector<std::pair<PartId, Error>> reported_;
   WorkerPool pool_;  ///< last: its jobs end before the rest goes
 };

@@ -12,6 +12,7 @@
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 #include "web/app/layout.h"
+#include "web/app/sketching.h"
 #include "web/app/views.h"
 
 namespace spineloft::app {
@@ -64,6 +65,8 @@ struct UiState {
   PictureId picture;          ///< the one in the picture view
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
   PartId redraw;              ///< the next stroke is for this part
+  PictureId pictureMenu;      ///< whose small menu is open
+  Sketching sketching;        ///< pen and eraser
 
   PictureView pictureView;
   Camera camera;

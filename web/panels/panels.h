@@ -29,6 +29,8 @@ void draw(const PanelEnv& env);
 void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
 void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, splitter
 void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
+void drawInk(const PanelEnv& env);             ///< the stroke of pen or eraser in hand
+void drawSketchBar(const PanelEnv& env);       ///< pen, eraser, sizes, inks; on paper only
 void drawActivity(const PanelEnv& env);        ///< progress of long work
 
 void partList(const PanelEnv& env);

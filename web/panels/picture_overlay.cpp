@@ -118,6 +118,7 @@ void drawPictureOverlay(const PanelEnv& env) {
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
   drawParts(list, env);
   drawPreview(list, env.ui());
+  drawInk(env);
   list.PopClipRect();
 }
 

@@ -14,21 +14,8 @@ namespace spineloft::panels {
 namespace {
 
 constexpr double kMargin = 10;
+constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot of a sketch
 constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
-
-/// A floating card of buttons; its place is kept from the tools.
-bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
-  env.ui().overlays.push_back(rect);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {4, 4});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
-  return beginFixed(name, rect);
-}
-
-void endCard() {
-  ImGui::End();
-  ImGui::PopStyleVar(3);
-}
 
 /// Buttons of one view in its lower right corner: a row, or a column where the view is low.
 void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
@@ -71,6 +58,7 @@ struct LegendEntry {
 /// Colour and line style of the rib ends, in the lower left corner of the picture view.
 void legend(const PanelEnv& env, const app::Rect& view) {
   const bool shows = env.selected() != nullptr || env.ui().preview.has_value();
+  const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   if (!shows || view.width < 330 || view.height < 200) return;
   const LegendEntry entries[] = {{"on an edge", {kEdgeRib, 2.2f, LineStyle::Solid}},
                                  {"bridged", {kBridgedRib, 2.2f, LineStyle::Dashed}},
@@ -87,7 +75,7 @@ void legend(const PanelEnv& env, const app::Rect& view) {
   const float height = column ? line * 3 + 8 : line + 8;
   if (column) width = 118;
   const ImVec2 at{static_cast<float>(view.x + kMargin),
-                  static_cast<float>(view.bottom() - kMargin) - height};
+                  static_cast<float>(view.bottom() - kMargin - (onPaper ? kPenRoom : 0)) - height};
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xffffff, 235), kRadius);
   list.AddRect(at, {at.x + width, at.y + height}, kLine, kRadius);
   ImVec2 pen{at.x + 12, at.y + 4 + line / 2};
@@ -160,12 +148,17 @@ void drawViewChrome(const PanelEnv& env) {
   // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
   constexpr std::string_view kPictureFew[] = {"draw", "hand", "fit"};
   constexpr std::string_view kPictureAll[] = {"draw", "hand", "zoom-out", "zoom-in", "fit"};
+  constexpr std::string_view kOnPaper[] = {"hand", "fit"};  // beside the card of the pen
   constexpr std::string_view kSolidFew[] = {"home-view"};
   constexpr std::string_view kSolidAll[] = {"zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const std::string_view>;
   const bool few =
       layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
-  buttons(env, "picture buttons", layout.picture, few ? Ids(kPictureFew) : Ids(kPictureAll),
+  const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
+  buttons(env, "picture buttons", layout.picture,
+          onPaper ? Ids(kOnPaper)
+          : few   ? Ids(kPictureFew)
+                  : Ids(kPictureAll),
           app::Focus::Picture);
   const bool fewSolid =
       layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
@@ -176,7 +169,9 @@ void drawViewChrome(const PanelEnv& env) {
 void drawActivity(const PanelEnv& env) {
   const std::optional<WorkerPool::Activity> activity = env.env.studio.activity();
   double& since = env.ui().busySinceMs;
-  if (!activity) {
+  // Every stroke on paper has its edges looked for; nobody who draws needs to know.
+  const app::ToolKind tool = env.ui().tool;
+  if (!activity || tool == app::ToolKind::Pen || tool == app::ToolKind::Eraser) {
     since = -1;
     return;
   }
@@ -207,6 +202,7 @@ void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
   drawPictureOverlay(env);
   drawViewChrome(env);
+  drawSketchBar(env);
   drawSidePanel(env);
   drawActivity(env);
 }

@@ -14,6 +14,18 @@ namespace {
 
 constexpr float kDragSlop = 8;
 
+/// The first word, when the whole text is too wide.
+std::string_view fitting(ImFont* font, std::string_view text, float width) {
+  const float scale = ImGui::GetIO().FontGlobalScale;
+  const auto widthOf = [&](std::string_view t) {
+    return font->CalcTextSizeA(font->FontSize * scale, FLT_MAX, 0, t.data(), t.data() + t.size()).x;
+  };
+  if (widthOf(text) <= width) return text;
+  return text.substr(0, std::min(text.find(' '), text.find('-')));
+}
+
+}  // namespace
+
 void tooltip(std::string_view tip) {
   if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   if (ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
@@ -26,18 +38,6 @@ void tooltip(std::string_view tip) {
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
 }
-
-/// The first word, when the whole text is too wide.
-std::string_view fitting(ImFont* font, std::string_view text, float width) {
-  const float scale = ImGui::GetIO().FontGlobalScale;
-  const auto widthOf = [&](std::string_view t) {
-    return font->CalcTextSizeA(font->FontSize * scale, FLT_MAX, 0, t.data(), t.data() + t.size()).x;
-  };
-  if (widthOf(text) <= width) return text;
-  return text.substr(0, std::min(text.find(' '), text.find('-')));
-}
-
-}  // namespace
 
 const char* iconText(std::string_view name) {
   static std::array<char, 4> text;
@@ -56,6 +56,19 @@ bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra)
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                           ImGuiWindowFlags_NoBringToFrontOnFocus |
                           ImGuiWindowFlags_NoFocusOnAppearing | extra);
+}
+
+bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
+  env.ui().overlays.push_back(rect);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {4, 4});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
+  return beginFixed(name, rect);
+}
+
+void endCard() {
+  ImGui::End();
+  ImGui::PopStyleVar(3);
 }
 
 void label(ImFont* font, ImU32 colour, std::string_view text) {

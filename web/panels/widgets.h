@@ -16,6 +16,13 @@ const char* iconText(std::string_view name);
 /// A window that covers `rect` and neither moves nor decorates itself.
 bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra = 0);
 
+/// A floating card of buttons; its place is kept from the tools.
+bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
+void endCard();
+
+/// What the mouse is told about the last item when it rests on it.
+void tooltip(std::string_view tip);
+
 /// Text in a font of ours.
 void label(ImFont* font, ImU32 colour, std::string_view text);
 /// A small bold heading.

@@ -38,17 +38,39 @@ export interface Part {
   failure: string | null;
 }
 
+export interface PictureInfo {
+  id: number;
+  name: string;
+  width: number;
+  height: number;
+  /** True for paper that is drawn on with the pen. */
+  sketch: boolean;
+}
+
+export interface ShownPicture extends PictureInfo {
+  /** Strokes of the pen and the eraser on it. */
+  strokes: number;
+  /** True once something is drawn that a bone could go through. */
+  finished: boolean;
+}
+
+export type PenSize = 'fine' | 'medium' | 'bold';
+
 /** What is on the page now. A copy: changing it changes nothing. */
 export interface State {
   version: string;
   /** The picture in view, in original pixels; null on the start page. */
-  picture: { width: number; height: number; name: string; id: number } | null;
+  picture: ShownPicture | null;
   /** Number of pictures on the board. */
   pictures: number;
+  /** All of them, in the order of the picture strip. */
+  pictureList: PictureInfo[];
+  /** What pen and eraser are set to, and how many points the stroke in hand has. */
+  pen: { size: PenSize; eraser: PenSize; colour: string; points: number | null };
   parts: Part[];
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', or 'hand' for moving the picture. */
+  /** 'draw', 'hand' for moving the picture, 'pen' and 'eraser' on paper … */
   tool: string;
   /** Steps that undo and redo could go. */
   undo: number;

@@ -9,9 +9,11 @@ import type { MenuGroup, MenuItem } from './menu.ts';
 type Run = (id: string, args?: Record<string, unknown>) => void;
 
 /** Commands with a button of their own, in order; '|' is a line between groups. */
-const kBar = ['open-picture', '|', 'draw', 'new-part', '|', 'undo', 'redo', '|', 'set-section', 'set-caps', 'delete-part'];
+const kBar = ['open-picture', '|', 'pen', 'eraser', 'draw', 'new-part', '|', 'undo', 'redo', '|', 'set-section', 'set-caps', 'delete-part'];
+/** Buttons that are there only while they can be used: pen and eraser are for paper. */
+const kOnlyWhenPossible = new Set(['pen', 'eraser']);
 /** What moves into the More menu first when the bar is too narrow. */
-const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture'];
+const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture', 'eraser', 'pen'];
 const kGroupTitles: Record<string, string> = {
   file: 'File', picture: 'Picture', draw: 'Draw', tool: 'Tools', edit: 'Edit', history: 'Edit', part: 'Part', slice: 'Slice',
   section: 'Slice', caps: 'Ends', look: 'Look', view: 'View', model: 'Model', help: 'Help',
@@ -43,7 +45,7 @@ export class CommandBar {
   /** Shows the table as it is now; focus and open menus stay. */
   update(commands: Command[]): void {
     this.commands = commands;
-    const ids = kBar.filter((id) => id === '|' || commands.some((command) => command.id === id));
+    const ids = kBar.filter((id) => id === '|' || commands.some((command) => command.id === id && (command.enabled || !kOnlyWhenPossible.has(id))));
     if (this.items.dataset.ids !== ids.join(' ')) this.rebuild(ids);
     for (const command of commands) this.updateButton(command);
     const savable = this.saveCommands().some((command) => command.enabled);

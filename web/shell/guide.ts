@@ -9,6 +9,14 @@ const kGap = 12, kTitleRoom = 72, kToolsRoom = 56;
 /** Under this width there is a strip of tabs below the views. */
 const kCompactWidth = 1000;
 
+/** One line about what to do next; '' where none is needed. */
+function adviceFor({ picture, parts, tool }: State): string {
+  if (!picture || parts.length > 0) return '';
+  if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
+  if (picture.sketch && tool !== 'draw') return picture.finished ? 'Now draw a bone through it' : '';
+  return 'Draw a line through the middle of the thing';
+}
+
 type ToCanvas = (x: number, y: number) => { x: number; y: number };
 
 export class Guide {
@@ -31,12 +39,13 @@ export class Guide {
 
   /** Follows the picture while there is no part; then it is gone for good. */
   update(state: State, toCanvas: ToCanvas): void {
-    const needed = state.picture !== null && state.parts.length === 0;
-    this.hint.hidden = !needed;
-    if (!needed || !state.picture) {
+    const advice = adviceFor(state);
+    this.hint.hidden = advice === '';
+    if (advice === '' || !state.picture) {
       this.offer(null);
       return;
     }
+    if (this.hint.textContent !== advice) this.hint.textContent = advice;
     const { width, height } = state.picture;
     const topLeft = toCanvas(-0.5, -0.5);
     const bottomRight = toCanvas(width - 0.5, height - 0.5);

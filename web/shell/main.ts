@@ -96,7 +96,7 @@ function main(): void {
   );
   buildStartPage((sample) => {
     whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));
-  });
+  }, () => whenReady(() => page.drawOnPaper()));
   connectTooltips(byId('bar'));
 }
 

@@ -125,6 +125,13 @@ export class Page {
     }
   }
 
+  /** A blank sheet, with the pen in hand. */
+  drawOnPaper(): void {
+    this.run('new-sketch');
+    this.refresh();
+    this.canvas.focus({ preventScroll: true });
+  }
+
   private complain(thrown: unknown): void {
     if (thrown instanceof Failure && thrown.code === 'Cancelled') toast(thrown.message);
     else toast(sentenceOf(thrown), 'error');
@@ -136,7 +143,9 @@ export class Page {
   }
 
   private showProgress(): void {
-    const activity = this.state?.activity ?? null;
+    // Every stroke on paper has its edges looked for; nobody who draws needs to know.
+    const drawing = this.state?.tool === 'pen' || this.state?.tool === 'eraser';
+    const activity = drawing ? null : this.state?.activity ?? null;
     if (this.isBusy) {
       const cancel = () => this.opening.forEach((aborter) => aborter.abort());
       this.progress.set({ label: 'Opening the picture', done: null, cancel });

@@ -18,7 +18,8 @@ export interface ApiPage {
 }
 
 const kBeforeReady: State = {
-  version: SPINELOFT_SITE.version, picture: null, pictures: 0, parts: [], selection: null, tool: 'draw', undo: 0, redo: 0, busy: true,
+  version: SPINELOFT_SITE.version, picture: null, pictures: 0, pictureList: [],
+  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null }, parts: [], selection: null, tool: 'draw', undo: 0, redo: 0, busy: true,
   threads: 0, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null, preview: null, documentName: '', heightMm: 0,
 };
 

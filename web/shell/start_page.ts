@@ -66,12 +66,14 @@ function addGhost(sample: Sample, frame: HTMLElement, picture: HTMLImageElement,
 }
 
 /** Fills the start page and connects its buttons. */
-export function buildStartPage(open: (sample: Sample) => void): void {
+export function buildStartPage(open: (sample: Sample) => void, drawOnPaper: () => void): void {
   byId('samples').replaceChildren(...kSamples.map((sample, i) => card(sample, i === 0, open)));
   byId('choose').prepend(icon('image-plus'));
   byId('choose').addEventListener('click', pickPicture);
   byId('camera').prepend(icon('camera'));
   byId('camera').addEventListener('click', () => byId('camera-picker').click());
+  byId('paper').prepend(icon('square-pen'));
+  byId('paper').addEventListener('click', drawOnPaper);
   byId('privacy').prepend(icon('shield-check'));
   byId('paste-keys').textContent = kIsMac ? '⌘V' : 'Ctrl+V';
 }

@@ -164,6 +164,7 @@ TEST_CASE("the state names every error's sentence and the commands give choices 
   for (const app::Json& command : *commands.array()) {
     const app::Json* argument = command.find("argument");
     if (argument == nullptr || argument->find("choices") == nullptr) continue;
+    if (command.flag("enabled") != true) continue;  // such as the inks while there is no paper
     for (const app::Json& choice : *argument->find("choices")->array()) {
       const app::Json* value = choice.find("value");
       const std::string text = value->text() ? "\"" + *value->text() + "\""

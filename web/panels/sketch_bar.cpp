@@ -1,0 +1,202 @@
+// Drawing on paper: the ink under the pen, and a card with pen, eraser, what they are set to, and the
+// way on to the bone.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "web/panels/draw_lines.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr float kRoomForAll = 520;  // CSS pixels of the view from which sizes and inks are all shown
+constexpr float kMargin = 10;
+constexpr const char* kBone = "Draw bone";
+
+ImU32 colourOf(const std::array<std::uint8_t, 3>& c) { return IM_COL32(c[0], c[1], c[2], 255); }
+
+float sideOf(const PanelEnv& env) { return env.ui().touch ? 44.f : 34.f; }
+
+bool erasing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Eraser; }
+
+/// A dot in a square that can be pressed.
+bool dotButton(const PanelEnv& env, const char* id, float radius, ImU32 colour, bool on) {
+  const float side = sideOf(env);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id, {side, side});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (on || ImGui::IsItemHovered()) {
+    list.AddRectFilled(at, {at.x + side, at.y + side}, on ? kAccentSoft : kHover, 8);
+  }
+  const ImVec2 centre{at.x + side / 2, at.y + side / 2};
+  list.AddCircleFilled(centre, radius, colour, 24);
+  if (on) list.AddCircle(centre, std::min(radius + 3.5f, side / 2 - 2), kAccent, 32, 1.6f);
+  return pressed;
+}
+
+constexpr std::array kDotRadii = {2.5f, 4.5f, 7.5f};
+
+void sizes(const PanelEnv& env) {
+  const std::size_t chosen = app::sizeInHand(env.ui());
+  const ImU32 colour = erasing(env) ? kMuted : colourOf(env.ui().sketching.colour);
+  for (std::size_t i = 0; i < app::kPenSizes.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    const std::string id(app::kPenSizes[i]);
+    if (dotButton(env, id.c_str(), kDotRadii[i], colour, chosen == i)) {
+      env.sink.run("pen-size", app::Json::Object{{"size", id}});
+    }
+    tooltip(i == 0 ? "Fine" : i == 1 ? "Medium" : "Bold");
+  }
+}
+
+void inks(const PanelEnv& env) {
+  bool first = true;
+  for (const app::Ink& ink : app::kInks) {
+    if (!first) ImGui::SameLine();
+    first = false;
+    const bool on = !erasing(env) && env.ui().sketching.colour == ink.colour;
+    if (dotButton(env, ink.value.data(), 8, colourOf(ink.colour), on)) {
+      env.sink.run("pen-colour", app::Json::Object{{"colour", ink.value}});
+    }
+    tooltip(ink.label);
+  }
+}
+
+/// Width of `count` buttons in a row.
+float rowWidth(const PanelEnv& env, std::size_t count) {
+  return static_cast<float>(count) * (sideOf(env) + 2) - 2;
+}
+
+/// The next step: filled once there is something that a bone could go through.
+void boneButton(const PanelEnv& env, float width, bool next) {
+  const float side = sideOf(env);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + side};
+  const bool pressed = ImGui::InvisibleButton("bone", {width, side});
+  const bool on = env.ui().tool == app::ToolKind::Draw;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (next || on || ImGui::IsItemHovered()) {
+    list.AddRectFilled(at, end, next ? kAccent : on ? kAccentSoft : kHover, 8);
+  }
+  const ImU32 ink = next ? kSurface : on ? kAccent : kInk;
+  const bool words = width > side + 1;
+  ImFont* icons = env.fonts.icons;
+  const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
+  const float left = words ? at.x + 9 : at.x + (side - size) / 2;
+  list.AddText(icons, size, {left, at.y + (side - size) / 2}, ink, iconText("spline"));
+  if (words) {
+    ImFont* font = env.fonts.text;
+    const float height = font->FontSize * scale;
+    list.AddText(font, height, {left + size + 7, at.y + (side - height) / 2}, ink, kBone);
+  }
+  tooltip("Draw a bone: one line along the middle of what you drew");
+  if (pressed) env.sink.run("draw");
+}
+
+void line(const PanelEnv& env) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({5, sideOf(env)});
+  ImGui::GetWindowDrawList()->AddLine({at.x + 2, at.y + 6}, {at.x + 2, at.y + sideOf(env) - 6}, kLine,
+                                      1);
+  ImGui::SameLine();
+}
+
+/// The sizes or the inks above the card, where that has no room for them.
+void openMenu(const PanelEnv& env, const app::Rect& card) {
+  const app::PenMenu menu = env.ui().sketching.menu;
+  if (menu == app::PenMenu::None) return;
+  const bool size = menu == app::PenMenu::Size;
+  const double width = rowWidth(env, size ? app::kPenSizes.size() : app::kInks.size()) + 8.;
+  const double height = sideOf(env) + 8.;
+  beginCard(env, "pen menu", {card.x, card.y - height - 6, width, height});
+  size ? sizes(env) : inks(env);
+  endCard();
+}
+
+void settings(const PanelEnv& env, bool all) {
+  line(env);
+  if (all) {
+    sizes(env);
+    ImGui::SameLine();
+    line(env);
+    inks(env);
+    return;
+  }
+  const auto toggle = [&](app::PenMenu menu) {
+    app::PenMenu& open = env.ui().sketching.menu;
+    open = open == menu ? app::PenMenu::None : menu;
+  };
+  const app::PenMenu open = env.ui().sketching.menu;
+  const ImU32 ink = erasing(env) ? kMuted : colourOf(env.ui().sketching.colour);
+  if (dotButton(env, "size", kDotRadii[app::sizeInHand(env.ui())], kInk,
+                open == app::PenMenu::Size)) {
+    toggle(app::PenMenu::Size);
+  }
+  ImGui::SameLine();
+  if (dotButton(env, "ink", 8, ink, open == app::PenMenu::Colour)) toggle(app::PenMenu::Colour);
+}
+
+}  // namespace
+
+void drawInk(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  if (!ui.sketching.stroke) return;
+  const image::SketchStroke& stroke = *ui.sketching.stroke;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImU32 colour = stroke.erase ? rgb(0xffffff) : colourOf(stroke.colour);
+  const double zoom = ui.pictureView.zoom;
+  ImVec2 before;
+  bool first = true;
+  for (const image::InkPoint& p : image::inkLine(stroke)) {
+    const double unit = image::kInkUnit;
+    const ImVec2 at = onCanvas(ui, {p.x / unit, p.y / unit});
+    const float radius = static_cast<float>(p.radius / unit * zoom);
+    if (!first) list.AddLine(before, at, colour, 2 * radius);
+    if (radius > 0.8f || first) list.AddCircleFilled(at, radius, colour);
+    before = at;
+    first = false;
+  }
+  if (!stroke.erase) return;
+  list.AddCircle(before, static_cast<float>(stroke.radius * zoom), kMuted, 0, 1.2f);
+}
+
+void drawSketchBar(const PanelEnv& env) {
+  const document::PictureEntry* sketch = app::shownSketch(env.document(), env.ui());
+  if (sketch == nullptr) return;
+  const app::Rect& view = env.ui().layout.picture;
+  const float side = sideOf(env);
+  const bool drawing = env.ui().tool == app::ToolKind::Pen || erasing(env);
+  const bool wide = view.width >= kRoomForAll && !env.ui().touch;
+  const std::size_t settingsShown =
+      !drawing ? 0 : wide ? app::kPenSizes.size() + app::kInks.size() : 2;
+  const float lines = !drawing ? 0.f : wide ? 18.f : 9.f;
+  ImGui::PushFont(env.fonts.text);
+  const float words = ImGui::CalcTextSize(kBone).x + 46;
+  ImGui::PopFont();
+  const float bone = view.width >= 460 ? words : side;
+  const float width = rowWidth(env, 2 + settingsShown) + lines + 2 + bone + 9 + 8;
+  const app::Rect card{view.x + kMargin, view.bottom() - side - 8 - kMargin, width, side + 8.};
+  if (view.width < width + 2 * kMargin || view.height < card.height + 2 * kMargin) return;
+  beginCard(env, "sketch bar", card);
+  commandButton(env, "pen", side);
+  ImGui::SameLine();
+  commandButton(env, "eraser", side);
+  ImGui::SameLine();
+  if (drawing) {
+    settings(env, wide);
+    ImGui::SameLine();
+  }
+  line(env);
+  const bool hasParts = std::ranges::any_of(env.document().parts, [&](const document::Part& part) {
+    return part.recipe.picture == sketch->id;
+  });
+  boneButton(env, bone, drawing && !hasParts && app::looksFinished(*sketch));
+  endCard();
+  openMenu(env, card);
+}
+
+}  // namespace spineloft::panels
