@@ -61,6 +61,7 @@ void App::resize(const platform::CanvasSize& size) {
 void App::layout() {
   const bool hasPanel = !studio_.document().pictures.empty();
   ui_.layout = layoutFor(ui_.canvasWidth, ui_.canvasHeight, ui_.share, hasPanel);
+  if (studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
     ui_.pictureView =
@@ -116,6 +117,7 @@ void App::frame() {
   const bool moving = ui_.flight || (ui_.preview && !ui_.preview->fresh) || studio_.busy();
   if (acted) framesWanted_ = std::max(framesWanted_, 2);
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
+  thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
   scene_.still = !moving && !gestures_.active() && framesWanted_ == 0;
   renderer_->draw(scene_);
   ++frames_;
@@ -215,8 +217,12 @@ void App::feedPanels(const platform::PointerEvent& event) {
                                                                  : ImGuiMouseSource_Mouse);
   const bool gone = event.kind == PointerKind::Leave || event.kind == PointerKind::Cancel;
   if (!gone) io.AddMousePosEvent(static_cast<float>(event.x), static_cast<float>(event.y));
-  if (event.kind == PointerKind::Down) io.AddMouseButtonEvent(0, event.button == 0);
-  if (event.kind == PointerKind::Up || gone) io.AddMouseButtonEvent(0, false);
+  const int button = event.button == 2 ? 1 : 0;
+  if (event.kind == PointerKind::Down && event.button != 1) io.AddMouseButtonEvent(button, true);
+  if (event.kind == PointerKind::Up || gone) {
+    io.AddMouseButtonEvent(0, false);
+    io.AddMouseButtonEvent(1, false);
+  }
   const bool lifted = event.kind == PointerKind::Up && event.device != platform::Device::Mouse;
   if (gone || lifted) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
 }
@@ -226,7 +232,10 @@ void App::pointer(const platform::PointerEvent& event) {
   if (onPanels) {
     feedPanels(event);
     touch(4);  // ImGui takes its queued events in over several frames
-    if (!tooltipPending_ && event.device == platform::Device::Mouse) {
+    // Something may come of a pointer that rests: a tooltip, or the menu of a long press.
+    const bool mayRest = event.device == platform::Device::Mouse ||
+                         event.kind == platform::PointerKind::Down;
+    if (!tooltipPending_ && mayRest) {
       tooltipPending_ = true;
       host_.wakeAfter(kTooltipMs);
     }

@@ -13,6 +13,7 @@
 #include "web/app/gestures.h"
 #include "web/app/json.h"
 #include "web/app/studio.h"
+#include "web/app/thumbnails.h"
 #include "web/app/ui_state.h"
 #include "web/gl/renderer.h"
 #include "web/platform/host.h"
@@ -86,6 +87,7 @@ class App final : public platform::Page {
   Gestures gestures_;
   ActionSink sink_;
   gl::Scene scene_;
+  Thumbnails thumbnails_;
   JsonWriter json_;
   std::string text_, lastError_ = "null";
   std::vector<std::uint8_t> exported_;

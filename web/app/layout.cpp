@@ -1,6 +1,9 @@
 #include "web/app/layout.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "web/app/views.h"
 
 namespace spineloft::app {
 
@@ -34,9 +37,23 @@ Layout layoutFor(double width, double height, double share, bool hasPanel) {
   return out;
 }
 
+void reservePictures(Layout& layout) {
+  Rect& view = layout.picture;
+  if (buttonsAtSide(view)) {
+    const double width = std::min(kPicturesStrip, view.width);
+    layout.pictures = {view.x, view.y, width, view.height};
+    view = {view.x + width, view.y, view.width - width, view.height};
+  } else {
+    const double height = std::min(kPicturesStrip, view.height);
+    layout.pictures = {view.x, view.y, view.width, height};
+    view = {view.x, view.y + height, view.width, view.height - height};
+  }
+}
+
 double shareAt(const Layout& layout, ClientPoint at) {
-  const double length = layout.stacked ? layout.picture.height + layout.solid.height
-                                       : layout.picture.width + layout.solid.width;
+  // The strip of pictures counts with the picture view, wherever it is cut off.
+  const double length = layout.stacked ? layout.picture.bottom() + layout.solid.height
+                                       : layout.picture.right() + layout.solid.width;
   const double first = (layout.stacked ? at.y : at.x) - kSplitter / 2;
   return length > 0 ? std::clamp(first / length, kMinShare, kMaxShare) : 0.5;
 }

@@ -16,10 +16,12 @@ inline constexpr double kStripHeight = 152;      ///< with two rows of tiles
 inline constexpr double kFlatStripHeight = 130;  ///< with one, where the width allows
 inline constexpr double kFlatStripFrom = 600;
 inline constexpr double kSplitter = 8;  ///< width of the bar between the views
+inline constexpr double kPicturesStrip = 60;  ///< what the strip of pictures takes
 inline constexpr double kMinShare = 0.22, kMaxShare = 0.78;
 
 struct Layout {
   Rect picture, solid, splitter, panel;
+  Rect pictures;         ///< the strip of pictures, where there are several; else empty
   bool stacked = false;  ///< picture above solid
   bool strip = false;    ///< the panel is a strip with tabs
   bool operator==(const Layout&) const = default;
@@ -28,6 +30,10 @@ struct Layout {
 /// `share` of the views' space that goes to the picture, clamped to kMinShare…kMaxShare. `hasPanel`
 /// is false on an empty board: then the views have all the room.
 Layout layoutFor(double width, double height, double share, bool hasPanel);
+
+/// Takes the room for the strip of pictures from the picture view: a row above it, or a column at its
+/// left side where the view is low.
+void reservePictures(Layout& layout);
 
 /// The share for which the splitter's middle would lie under `at`.
 double shareAt(const Layout& layout, ClientPoint at);

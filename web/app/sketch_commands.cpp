@@ -45,8 +45,13 @@ void show(Env env, PictureId id) {
   UiState& ui = env.ui;
   const document::Part* part = document::findPart(env.studio.document(), ui.selection);
   if (part != nullptr && part->recipe.picture != id) ui.selection = {};
-  if (ui.picture != id) ui.pictureView.fitted = true;
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), id);
+  if (ui.picture != id) {
+    ui.pictureView.fitted = true;
+    if (entry != nullptr) sendStatus(env.host, entry->name + " is in view.");
+  }
   ui.picture = id;
+  ui.pictureMenu = {};
   ui.redraw = {};
   ui.preview.reset();
   ui.focus = Focus::Picture;

@@ -47,6 +47,12 @@ struct Preview {
   double nextMs = 0;                         ///< not before this time is the next one made
 };
 
+/// Where the strip of pictures shows a small copy of one.
+struct Thumbnail {
+  PictureId picture;
+  Rect at;
+};
+
 /// A camera on its way.
 struct CameraFlight {
   Camera from, to;
@@ -84,6 +90,7 @@ struct UiState {
   bool spaceHeld = false;
   bool touch = false;          ///< the last pointer was a finger: larger targets
   bool penSeen = false;        ///< a pen was used: fingers no longer draw
+  std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame
   std::vector<Rect> overlays;  ///< ImGui windows above the views, as of the last frame
 };
 

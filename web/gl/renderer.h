@@ -32,12 +32,20 @@ struct SceneMesh {
   bool selected = false;
 };
 
+/// A small picture within the strip of pictures.
+struct SceneThumbnail {
+  SceneTexture texture;
+  Viewport at;
+};
+
 /// Everything below the panels of one frame.
 struct Scene {
   double width = 0, height = 0, dpr = 1;  ///< of the canvas, CSS pixels
   Viewport pictureView, solidView;
   std::optional<SceneTexture> picture;
   Viewport pictureAt;  ///< where the whole picture lies; may reach beyond its view
+  std::vector<SceneThumbnail> thumbnails;
+  Viewport thumbnailView;  ///< what is outside of it is cut off
   Mat4 view, projection;
   WorldPoint floorCentre;    ///< a point on the floor
   double floorRadius = 0;    ///< 0: no floor

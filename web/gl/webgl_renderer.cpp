@@ -105,6 +105,7 @@ class WebGlRenderer final : public Renderer {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
     drawPictureView(scene);
+    drawThumbnails(scene);
     drawSolidView(scene);
     glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, width, height);
@@ -167,14 +168,25 @@ class WebGlRenderer final : public Renderer {
   void drawPictureView(const Scene& scene) {
     if (!scene.picture || scene.pictureView.width < 1 || scene.pictureView.height < 1) return;
     enter(scene, scene.pictureView);
+    drawPicture(*scene.picture, scene.pictureAt, scene.pictureView);
+  }
+
+  void drawThumbnails(const Scene& scene) {
+    const Viewport& view = scene.thumbnailView;
+    if (scene.thumbnails.empty() || view.width < 1 || view.height < 1) return;
+    enter(scene, view);
+    for (const SceneThumbnail& small : scene.thumbnails) drawPicture(small.texture, small.at, view);
+  }
+
+  /// A picture at its place on the canvas, cut off by the viewport that was entered.
+  void drawPicture(const SceneTexture& picture, const Viewport& at, const Viewport& within) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    const GLuint texture = textures_.get(*scene.picture);
+    const GLuint texture = textures_.get(picture);
     glUseProgram(programs_.picture.name());
-    placeQuad(programs_.picture, scene.pictureAt, scene.pictureView);
-    glUniform2f(uniform(programs_.picture, "sizeOnScreen"),
-                static_cast<float>(scene.pictureAt.width),
-                static_cast<float>(scene.pictureAt.height));
+    placeQuad(programs_.picture, at, within);
+    glUniform2f(uniform(programs_.picture, "sizeOnScreen"), static_cast<float>(at.width),
+                static_cast<float>(at.height));
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture);
     glUniform1i(uniform(programs_.picture, "picture"), 0);

@@ -11,6 +11,7 @@ namespace {
 
 void row(const PanelEnv& env, const document::Part& part, float width) {
   const bool selected = part.id == env.ui().selection;
+  const bool elsewhere = part.recipe.picture != env.ui().picture;
   const float height = buttonSide(env);
   const float buttons = height + (selected ? height : 0);
   ImGui::PushID(static_cast<int>(part.id.value));
@@ -29,10 +30,15 @@ void row(const PanelEnv& env, const document::Part& part, float width) {
   list.PushClipRect(at, {at.x + width - buttons, at.y + height}, true);
   list.AddText({at.x + 30, at.y + (height - textHeight) / 2},
                !part.visible ? rgb(0x5c6474, 150)
+               : elsewhere   ? kMuted
                : selected    ? kAccent
                              : kInk,
                part.name.c_str());
   list.PopClipRect();
+  if (elsewhere) {
+    const document::PictureEntry* picture = findPicture(env.document(), part.recipe.picture);
+    if (picture != nullptr) tooltip("On " + picture->name);
+  }
   if (pressed) {
     if (selected && ImGui::IsMouseDoubleClicked(0)) {
       env.sink.run("rename-part", app::Json::Object{{"part", part.id.value}});

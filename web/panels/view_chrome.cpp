@@ -7,6 +7,7 @@
 #include <span>
 
 #include "web/panels/draw_lines.h"
+#include "web/panels/picture_strip.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -201,6 +202,7 @@ void drawActivity(const PanelEnv& env) {
 void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
   drawPictureOverlay(env);
+  drawPictureStrip(env);
   drawViewChrome(env);
   drawSketchBar(env);
   drawSidePanel(env);

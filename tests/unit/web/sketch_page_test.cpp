@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "tests/unit/web/rig.h"
+#include "web/app/thumbnails.h"
 
 using namespace spineloft;
 using platform::Device;
@@ -295,4 +297,90 @@ TEST_CASE("a removed picture says what went with it, and Undo brings all of it b
   rig.settle();
   CHECK(rig.parts() == 3);
   CHECK(rig.state().number("pictures") == 2);
+}
+
+namespace {
+
+/// The middle of a picture's small copy in the strip.
+app::ClientPoint inStrip(Rig& rig, std::uint32_t id) {
+  for (const app::Thumbnail& thumbnail : rig.app->ui().thumbnails) {
+    if (thumbnail.picture == PictureId{id}) return thumbnail.at.centre();
+  }
+  FAIL("picture ", id, " is not in the strip");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a strip shows the pictures where there are several, a tap chooses one") {
+  const platform::CanvasSize sizes[] = {{1200, 700, 1}, {1024, 690, 1}, {390, 760, 1}, {720, 400, 1}};
+  for (const platform::CanvasSize& size : sizes) {
+    CAPTURE(size.width);
+    Rig rig(size);
+    rig.openBar();
+    CHECK(rig.app->ui().thumbnails.empty());
+    CHECK(rig.gl->last.thumbnails.empty());
+    rig.openBar();
+    rig.run("new-sketch");
+    rig.settle();
+    REQUIRE(rig.app->ui().thumbnails.size() == 3);
+    CHECK(rig.gl->last.thumbnails.size() == 3);
+    for (const gl::SceneThumbnail& small : rig.gl->last.thumbnails) {
+      CHECK(std::max(small.texture.image->width, small.texture.image->height) <= app::kThumbnailSide);
+    }
+    const auto at = inStrip(rig, 1);
+    rig.click(at.x, at.y);
+    CHECK(picture(rig.state()).number("id") == 1);
+    CHECK(rig.gl->last.picture->image->width == 200);
+    // The strip takes nothing from what is drawn on: the picture lies beside it.
+    const auto corner = rig.at(-0.5, -0.5);
+    CHECK_FALSE(rig.app->ui().layout.pictures.contains({corner.x + 1, corner.y + 1}));
+    CHECK(rig.app->idle());
+  }
+}
+
+TEST_CASE("the picture in view has a small menu, as have the others by the right button") {
+  Rig rig;
+  rig.openBar();
+  rig.openBar();
+  auto at = inStrip(rig, 2);
+  rig.click(at.x, at.y);
+  CHECK(rig.app->ui().pictureMenu == PictureId{2});
+  CHECK(rig.key("Escape", "Escape"));
+  CHECK_FALSE(rig.app->ui().pictureMenu);
+  rig.click(at.x, at.y);
+  const auto away = rig.at(100, 180);
+  rig.click(away.x, away.y);
+  CHECK_FALSE(rig.app->ui().pictureMenu);
+  CHECK(rig.parts() == 0);
+  at = inStrip(rig, 1);
+  rig.pointer(PointerKind::Down, at.x, at.y, Device::Mouse, 1, 2);
+  rig.settle();
+  rig.pointer(PointerKind::Up, at.x, at.y, Device::Mouse, 1, 2);
+  rig.settle();
+  CHECK(rig.app->ui().pictureMenu == PictureId{1});
+  CHECK(picture(rig.state()).number("id") == 2);
+  // The second row of the menu, below the strip.
+  rig.click(at.x + 40, rig.app->ui().layout.pictures.bottom() + 2 + 4 + 34 + 17);
+  CHECK(rig.state().number("pictures") == 1);
+  CHECK(rig.host.said("Undo brings it back"));
+  CHECK(rig.app->ui().thumbnails.empty());
+}
+
+TEST_CASE("a finger that rests on a picture opens its menu") {
+  Rig rig;
+  rig.openBar();
+  rig.openBar();
+  const auto at = inStrip(rig, 1);
+  rig.pointer(PointerKind::Down, at.x, at.y, Device::Touch, 5);
+  for (int i = 0; i < 4; ++i) {
+    rig.host.clockMs += 400;
+    rig.host.wakesAsked = 1;
+    rig.settle();
+  }
+  CHECK(rig.app->ui().pictureMenu == PictureId{1});
+  rig.pointer(PointerKind::Up, at.x, at.y, Device::Touch, 5);
+  rig.settle();
+  CHECK(rig.app->ui().pictureMenu == PictureId{1});
+  CHECK(picture(rig.state()).number("id") == 2);
 }
