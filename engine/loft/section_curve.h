@@ -17,7 +17,4 @@ struct FitParams {
 /// A curve near the chain that repeats itself as the chain does. ≥ 3 points in the chain.
 DrawnCurve fitCurve(const Chain& chain, const FitParams& params);
 
-/// The outline between point `i` of a curve and the next one, both ends included.
-std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i);
-
 }  // namespace spineloft::loft

@@ -102,6 +102,7 @@ Result<Line> distinct(View line, double apart) {
 /// The outlines of a drawing, and how they lie in each other.
 struct Outlines {
   std::vector<Line> lines;
+  explicit Outlines(std::vector<Line> closed) : lines(std::move(closed)) {}
   explicit Outlines(const Drawing& drawing) {
     for (const DrawnCurve& curve : drawing) lines.push_back(outlineOf(curve));
   }
@@ -139,10 +140,10 @@ std::optional<DrawingProblem> problemOf(const Outlines& outlines) {
   if (lines.empty()) return DrawingProblem{DrawingFault::Empty, 0};
   if (lines.size() > kMostContours) return DrawingProblem{DrawingFault::TooMany, kMostContours};
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].size() > kMostDrawnPoints) return DrawingProblem{DrawingFault::TooMany, i};
     const bool simple = geometry::isSimple(View(lines[i]));
     if (lines[i].size() >= 3 && !simple) return DrawingProblem{DrawingFault::CrossesItself, i};
     if (tooSmall(lines[i])) return DrawingProblem{DrawingFault::TooSmall, i};
-    if (lines[i].size() > kMostDrawnPoints) return DrawingProblem{DrawingFault::TooMany, i};
   }
   for (std::size_t i = 1; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -355,7 +356,11 @@ std::string_view sentenceOf(DrawingFault fault) {
 }
 
 Result<SectionShape> sectionOf(const Drawing& drawing) {
-  Outlines outlines(drawing);
+  return sectionOfOutlines(Outlines(drawing).lines);
+}
+
+Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> lines) {
+  const Outlines outlines(std::move(lines));
   if (const auto problem = problemOf(outlines)) {
     return {Error::SectionInvalid, std::string(sentenceOf(problem->fault))};
   }

@@ -56,6 +56,9 @@ inline constexpr std::size_t kMostCurvePoints = 96;  ///< that fitting makes
 /// (in x or y) give the reversed or mirrored polygon to the last bit. ≥ 3 points, else empty.
 std::vector<SectionPoint> outlineOf(const DrawnCurve& curve);
 
+/// The outline from point `i` of a curve to the next one, both included. i < number of points ≥ 3.
+std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i);
+
 /// A freehand line as closed curves: ends that run past each other are cut off where they cross,
 /// others are joined; the hand's tremble is smoothed, corners stay. With a symmetry the longest
 /// stretch between two mirrors (or of one turn) is drawn and the rest are its images, as one curve
@@ -116,5 +119,7 @@ std::string_view sentenceOf(DrawingFault fault);
 /// ±1, else the drawing is shifted along y, and flattened if it is taller than wide. Error:
 /// SectionInvalid with the sentence of its problem.
 Result<SectionShape> sectionOf(const Drawing& drawing);
+/// The same of closed polygons in any order and direction. Errors: SectionInvalid.
+Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> outlines);
 
 }  // namespace spineloft::loft

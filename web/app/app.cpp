@@ -10,6 +10,7 @@
 #include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
 #include "web/app/messages.h"
+#include "web/app/slice_editing.h"
 #include "web/app/scene.h"
 #include "web/app/state_json.h"
 #include "web/panels/panels.h"
@@ -60,8 +61,10 @@ void App::resize(const platform::CanvasSize& size) {
 
 void App::layout() {
   const bool hasPanel = !studio_.document().pictures.empty();
-  ui_.layout = layoutFor(ui_.canvasWidth, ui_.canvasHeight, ui_.share, hasPanel);
-  if (studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
+  ui_.layout = ui_.slices.board
+                   ? layoutWithBoard(ui_.canvasWidth, ui_.canvasHeight)
+                   : layoutFor(ui_.canvasWidth, ui_.canvasHeight, ui_.share, hasPanel);
+  if (!ui_.slices.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
     ui_.pictureView =
@@ -89,6 +92,11 @@ void App::settle() {
     ui_.preview.reset();
   }
   if (document.parts.empty()) ui_.cameraTouched = false;
+  const auto& board = ui_.slices.board;
+  if (document.pictures.empty() || (board && board->part && !findPart(document, board->part))) {
+    gestures_.cancel(toolEnv());
+    closeBoard(ui_);
+  }
   layout();
 }
 
@@ -106,6 +114,7 @@ void App::frame() {
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
+  growBoard(ui_, studio_.document());
   growPreview();
   frameNewPart();
   fly();
@@ -202,6 +211,9 @@ void App::announce() {
   json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
   json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
   json_.flag(studio_.unsaved()).flag(studio_.busy()).flag(ui_.look.textured);
+  json_.number(static_cast<double>(ui_.slices.stop)).flag(ui_.slices.board.has_value());
+  if (ui_.slices.board) json_.number(static_cast<double>(ui_.slices.board->past.size()));
+  json_.flag(ui_.slices.placing).number(static_cast<double>(ui_.slices.shelf.size()));
   json_.number(studio_.busy() ? std::floor(studio_.activity()->progress.done() * 20) : 0);
   json_.endArray();
   if (json_.json() == announced_) return;
@@ -275,6 +287,13 @@ bool App::key(const platform::KeyEvent& event) {
   if (event.key == "Escape" && gestures_.active()) {
     gestures_.cancel(toolEnv());
     touch();
+    return true;
+  }
+  if (const char* id = boardCommandForKey(env(), event)) {
+    const Command* onBoard = findCommand(id);
+    if (enabled(*onBoard, env())) sink_.run(id);
+    runCalls();
+    touch(2);
     return true;
   }
   const Command* command = commandForKey(event);
@@ -405,22 +424,26 @@ void App::contextRestored() {
 }
 
 void App::answer(std::string_view id, std::string_view text) {
-  constexpr std::string_view kRename = "rename-part:", kRenamePicture = "rename-picture:";
+  constexpr std::string_view kRename = "rename-part:", kRenamePicture = "rename-picture:",
+                             kRenameSlice = "rename-slice:";
+  const auto numberAfter = [&](std::string_view prefix) {
+    std::uint32_t number = 0;
+    const std::string_view digits = id.substr(prefix.size());
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return number;
+  };
   if (id == "set-height") {
     std::string number(text);
     std::ranges::replace(number, ',', '.');
     const std::optional<Json> value = Json::parse(number);
     sink_.run("set-height", Json::Object{{"mm", value && value->number() ? *value : Json(0)}});
   } else if (id.starts_with(kRename)) {
-    const std::string_view digits = id.substr(kRename.size());
-    std::uint32_t part = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), part);
-    sink_.run("rename-part", Json::Object{{"part", part}, {"name", text}});
+    sink_.run("rename-part", Json::Object{{"part", numberAfter(kRename)}, {"name", text}});
   } else if (id.starts_with(kRenamePicture)) {
-    const std::string_view digits = id.substr(kRenamePicture.size());
-    std::uint32_t picture = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), picture);
-    sink_.run("rename-picture", Json::Object{{"picture", picture}, {"name", text}});
+    sink_.run("rename-picture",
+              Json::Object{{"picture", numberAfter(kRenamePicture)}, {"name", text}});
+  } else if (id.starts_with(kRenameSlice)) {
+    sink_.run("rename-slice", Json::Object{{"id", numberAfter(kRenameSlice)}, {"name", text}});
   }
   runCalls();
   touch(2);

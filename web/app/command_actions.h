@@ -41,6 +41,19 @@ Outcome turnDown(const CommandEnv& env, const Json& args);
 Outcome focusPicture(const CommandEnv& env, const Json& args);
 Outcome focusSolid(const CommandEnv& env, const Json& args);
 
+// Slices.
+/// Puts a slice on the shelf, unless it is there, and tells the browser. Refused when it is full.
+Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name);
+/// Hands the shelf to the shell, which keeps it.
+void sendShelf(const CommandEnv& env);
+/// Undo and redo of the open board. Errors: NothingToUndo, NothingToRedo.
+Status undoOnBoard(const CommandEnv& env);
+Status redoOnBoard(const CommandEnv& env);
+bool canUndoOnBoard(const CommandEnv& env);
+bool canRedoOnBoard(const CommandEnv& env);
+/// The command of a key while the board is open; null: the board has no use for it.
+const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event);
+
 /// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
 const document::Part* partOf(const CommandEnv& env, const Json& args);
 /// A part is selected: what makes commands about a part possible without naming one.

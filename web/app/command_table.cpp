@@ -4,6 +4,7 @@
 
 #include "web/app/command_actions.h"
 #include "web/app/command_groups.h"
+#include "web/app/slice_editing.h"
 #include "web/app/swatches.h"
 
 namespace spineloft::app {
@@ -14,8 +15,12 @@ using Env = const CommandEnv&;
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool hasAnything(Env env) { return hasPicture(env) || hasParts(env); }
-bool canUndo(Env env) { return env.studio.undoSteps() > 0; }
-bool canRedo(Env env) { return env.studio.redoSteps() > 0; }
+bool canUndo(Env env) {
+  return env.ui.slices.board ? canUndoOnBoard(env) : env.studio.undoSteps() > 0;
+}
+bool canRedo(Env env) {
+  return env.ui.slices.board ? canRedoOnBoard(env) : env.studio.redoSteps() > 0;
+}
 
 bool drawing(Env env) { return env.ui.tool == ToolKind::Draw; }
 bool hand(Env env) { return env.ui.tool == ToolKind::Hand; }
@@ -24,8 +29,12 @@ bool textured(Env env) { return currentLook(env).textured; }
 bool focusOnPicture(Env env) { return env.ui.focus == Focus::Picture; }
 bool focusOnSolid(Env env) { return env.ui.focus == Focus::Solid; }
 
-Outcome undo(Env env, const Json&) { return outcomeOf(env.studio.undo()); }
-Outcome redo(Env env, const Json&) { return outcomeOf(env.studio.redo()); }
+Outcome undo(Env env, const Json&) {
+  return outcomeOf(env.ui.slices.board ? undoOnBoard(env) : env.studio.undo());
+}
+Outcome redo(Env env, const Json&) {
+  return outcomeOf(env.ui.slices.board ? redoOnBoard(env) : env.studio.redo());
+}
 Outcome useDraw(Env env, const Json&) {
   env.ui.tool = ToolKind::Draw;
   return {};
@@ -36,7 +45,11 @@ Outcome useHand(Env env, const Json&) {
   return {};
 }
 Outcome cancel(Env env, const Json&) {
-  if (env.ui.pictureMenu || env.ui.sketching.menu != PenMenu::None) {
+  if (env.ui.slices.board) {
+    closeBoard(env.ui);
+  } else if (env.ui.slices.placing) {
+    env.ui.slices.placing = false;
+  } else if (env.ui.pictureMenu || env.ui.sketching.menu != PenMenu::None) {
     env.ui.pictureMenu = {};
     env.ui.sketching.menu = PenMenu::None;
   } else if (env.ui.preview) {
@@ -59,9 +72,7 @@ void partChoices(Env env, JsonWriter& json) {
 }
 
 void sectionChoices(Env env, JsonWriter& json) {
-  const document::Part* part = partOf(env, Json());
-  const loft::SectionShape& chosen =
-      part ? part->recipe.loft.sections.front().shape : env.ui.section;
+  const loft::SectionShape& chosen = pickedShape(env.ui, partOf(env, Json()));
   for (const loft::SectionName& name : loft::sectionNames()) {
     writeChoice(json, name.key, name.label, !chosen.drawn() && name.preset == chosen.preset);
   }

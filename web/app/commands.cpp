@@ -13,7 +13,7 @@ namespace {
 
 /// In the order of the command bar.
 constexpr std::array kGroups = {generalCommands, ribCommands, boneCommands, sliceCommands,
-                                sketchCommands,  keepCommands};
+                                sliceBoardCommands, sketchCommands, keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;

@@ -7,6 +7,7 @@
 #include "web/tools/pan_picture.h"
 #include "web/tools/pinch.h"
 #include "web/tools/sketch_pen.h"
+#include "web/tools/slice_tools.h"
 #include "web/tools/turn_solid.h"
 
 namespace spineloft::app {
@@ -28,6 +29,7 @@ tools::ToolEvent toolEvent(const PointerEvent& event) {
 }  // namespace
 
 Gestures::Place Gestures::placeOf(const UiState& ui, ClientPoint at) const {
+  if (tools::isForSlices(ui, at)) return Place::Slices;
   for (const Rect& overlay : ui.overlays) {
     if (overlay.contains(at)) return Place::Panels;
   }
@@ -94,8 +96,11 @@ void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
     splitting_ = true;
     return;
   }
-  env.ui.focus = place == Place::Picture ? Focus::Picture : Focus::Solid;
-  tool_ = toolFor(event, place, env.ui);
+  if (place == Place::Solid) env.ui.focus = Focus::Solid;
+  if (place == Place::Picture) env.ui.focus = Focus::Picture;
+  if (event.button == 0 && !env.ui.spaceHeld) tool_ = tools::sliceTool(env, toolEvent(event));
+  if (place == Place::Slices && !tool_) return;
+  if (!tool_) tool_ = toolFor(event, place, env.ui);
   toolContact_ = event.id;
   tool_->begin(env, toolEvent(event));
 }
@@ -194,7 +199,13 @@ void Gestures::wheel(const platform::WheelEvent& event, const tools::ToolEnv& en
 const char* Gestures::cursor(const tools::ToolEnv& env) const {
   const UiState& ui = env.ui;
   if (splitting_) return ui.layout.stacked ? "row-resize" : "col-resize";
-  switch (placeOf(ui, hover_)) {
+  const Place place = placeOf(ui, hover_);
+  if (place == Place::Slices || place == Place::Picture) {
+    if (const char* css = tools::sliceCursor(env, hover_)) return css;
+  }
+  switch (place) {
+    case Place::Slices:
+      return "default";
     case Place::Splitter:
       return ui.layout.stacked ? "row-resize" : "col-resize";
     case Place::Picture:

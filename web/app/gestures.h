@@ -27,7 +27,7 @@ class Gestures {
   const char* cursor(const tools::ToolEnv& env) const;
 
  private:
-  enum class Place { Panels, Splitter, Picture, Solid };
+  enum class Place { Panels, Splitter, Picture, Solid, Slices };
   struct Contact {
     int id = 0;
     platform::Device device = platform::Device::Mouse;

@@ -291,6 +291,23 @@ JsonWriter& JsonWriter::null() {
   out_ += "null";
   return *this;
 }
+JsonWriter& JsonWriter::value(const Json& value) {
+  if (const Json::Object* members = value.object()) {
+    beginObject();
+    for (const auto& [name, member] : *members) key(name).value(member);
+    return endObject();
+  }
+  if (const Json::Array* entries = value.array()) {
+    beginArray();
+    for (const Json& entry : *entries) this->value(entry);
+    return endArray();
+  }
+  if (const std::string* words = value.text()) return text(*words);
+  if (const std::optional<bool> on = value.flag()) return flag(*on);
+  if (const std::optional<double> n = value.number()) return number(*n);
+  return null();
+}
+
 void JsonWriter::clear() {
   out_.clear();
   needsComma_ = false;

@@ -62,6 +62,7 @@ class JsonWriter {
   JsonWriter& number(double value);
   JsonWriter& flag(bool value);
   JsonWriter& null();
+  JsonWriter& value(const Json& value);
 
   const std::string& json() const { return out_; }
   /// Forgets the text and keeps its memory.

@@ -50,6 +50,28 @@ void reservePictures(Layout& layout) {
   }
 }
 
+Layout layoutWithBoard(double width, double height) {
+  constexpr double kTallShare = 0.27, kWideShare = 0.58;  // of the solid above, of the board beside
+  Layout out;
+  out.stacked = width < kStackedWidth && height >= kLowShape * width;
+  out.strip = width < kPanelWidthFrom;
+  if (out.stacked) {
+    const double solid = std::floor(height * kTallShare);
+    out.solid = {0, 0, width, solid};
+    out.picture = {0, solid, width, height - solid};
+    return out;
+  }
+  double views = width;
+  if (!out.strip) {
+    views -= kPanelWidth;
+    out.panel = {views, 0, kPanelWidth, height};
+  }
+  const double board = std::floor(views * kWideShare);
+  out.picture = {0, 0, board, height};
+  out.solid = {board, 0, views - board, height};
+  return out;
+}
+
 double shareAt(const Layout& layout, ClientPoint at) {
   // The strip of pictures counts with the picture view, wherever it is cut off.
   const double length = layout.stacked ? layout.picture.bottom() + layout.solid.height

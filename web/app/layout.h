@@ -35,6 +35,10 @@ Layout layoutFor(double width, double height, double share, bool hasPanel);
 /// left side where the view is low.
 void reservePictures(Layout& layout);
 
+/// While a slice is drawn: `picture` is the room of its board, the solid stays in sight beside it, or
+/// above it on a tall canvas. No splitter; the panel only where it stands at the side.
+Layout layoutWithBoard(double width, double height);
+
 /// The share for which the splitter's middle would lie under `at`.
 double shareAt(const Layout& layout, ClientPoint at);
 

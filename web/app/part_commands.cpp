@@ -190,18 +190,6 @@ Outcome showPart(Env env, const Json& args) {
   return outcomeOf(env.studio.act(document::ShowPart{part->id, visible}));
 }
 
-Outcome setSection(Env env, const Json& args) {
-  const std::string* key = args.text("section");
-  if (key == nullptr) return missing("the name of a slice");
-  const std::optional<loft::SectionPreset> section = loft::sectionFromKey(*key);
-  if (!section) return refuse({Error::ValueOutOfRange, *key});
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr && namesPart(args)) return noPart();
-  env.ui.section = *section;
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::SetSection{part->id, *section}));
-}
-
 Outcome setCaps(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr && namesPart(args)) return noPart();

@@ -2,6 +2,8 @@
 
 #include "web/app/colour_text.h"
 
+#include "web/app/slice_json.h"
+
 namespace spineloft::app {
 namespace {
 
@@ -28,6 +30,7 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   const loft::SectionShape& shape = part.recipe.loft.sections.front().shape;
   json.key("kind").text("loft").key("section");
   json.text(shape.drawn() ? "drawn" : loft::sectionKey(shape.preset));
+  writeSlices(json, part);
   json.key("caps").beginObject();
   json.key("start").text(loft::capKey(part.recipe.loft.startCap));
   json.key("end").text(loft::capKey(part.recipe.loft.endCap)).endObject();
@@ -132,6 +135,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   json.key("unsaved").flag(studio.unsaved());
   writeActivity(json, studio);
   writePreview(json, ui);
+  writeSliceUi(json, ui.slices);
   json.key("looks").text(ui.look.textured ? "picture" : "colour");
   json.key("heightMm").number(document.height.value);
   json.key("documentName").text(document.name);

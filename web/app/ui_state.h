@@ -13,6 +13,7 @@
 #include "engine/pipeline/derive.h"
 #include "web/app/layout.h"
 #include "web/app/sketching.h"
+#include "web/app/slice_ui.h"
 #include "web/app/views.h"
 
 namespace spineloft::app {
@@ -31,7 +32,7 @@ enum class ToolKind : std::uint8_t {
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "pen", "eraser".
 std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
-enum class PanelTab : std::uint8_t { Parts, Slice, Ends, Look };
+enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look };
 
 /// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
 /// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
@@ -67,6 +68,7 @@ struct UiState {
   ToolKind tool = ToolKind::Draw;
   Focus focus = Focus::Picture;
   PanelTab tab = PanelTab::Slice;
+  unsigned folded = 1u << static_cast<unsigned>(PanelTab::Along);  ///< bits of the column's sections
   PartId selection;
   PictureId picture;          ///< the one in the picture view
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
@@ -86,6 +88,7 @@ struct UiState {
 
   std::optional<Preview> preview;
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
+  SliceUi slices;
   double busySinceMs = -1;  ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
   bool touch = false;          ///< the last pointer was a finger: larger targets

@@ -33,8 +33,13 @@ void drawInk(const PanelEnv& env);             ///< the stroke of pen or eraser 
 void drawSketchBar(const PanelEnv& env);       ///< pen, eraser, sizes, inks; on paper only
 void drawActivity(const PanelEnv& env);        ///< progress of long work
 
+void drawSliceOverlay(const PanelEnv& env);    ///< slices on the bone, a slice on its way
+void drawSliceBoard(const PanelEnv& env);      ///< the board on which a slice is drawn
+
 void partList(const PanelEnv& env);
 void sectionChooser(const PanelEnv& env, float width);
+void stopBar(const PanelEnv& env, float width);     ///< slices along the selected part's bone
+void alongPanel(const PanelEnv& env, float width);  ///< twist, depth, lean, front along the bone
 void capChooser(const PanelEnv& env, float width);
 void lookPanel(const PanelEnv& env, float width);
 

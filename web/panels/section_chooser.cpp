@@ -1,77 +1,141 @@
-// The shelf of slices: each preset drawn as it will be lofted.
+// The shelf of slices: the presets, the visitor's own, and those that the model uses.
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include "engine/loft/section.h"
+#include "web/app/slice_editing.h"
+#include "web/app/slice_json.h"
+#include "web/panels/slice_paint.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
 namespace spineloft::panels {
 namespace {
 
-constexpr int kOutlinePoints = 40;
-constexpr std::size_t kPresets = static_cast<std::size_t>(loft::SectionPreset::kCount);
-
-const std::vector<SectionPoint>& outlineOf(loft::SectionPreset preset) {
-  static const auto outlines = [] {
-    std::array<std::vector<SectionPoint>, kPresets> out;
-    for (const loft::SectionName& name : loft::sectionNames()) {
-      Result<loft::Section> section = loft::presetSection(name.preset, kOutlinePoints);
-      if (section) out[static_cast<std::size_t>(name.preset)] = section.value().points;
-    }
-    return out;
-  }();
-  return outlines[static_cast<std::size_t>(preset)];
+/// Chooses a slice for the picked place of the part, or as the start of the one on the board.
+void choose(const PanelEnv& env, app::Json::Object args) {
+  if (env.ui().slices.board) {
+    env.sink.run("slice-start-from", std::move(args));
+    return;
+  }
+  const document::Part* part = env.selected();
+  if (part && part->recipe.loft.sections.size() > 1) {
+    args.emplace_back("slice", static_cast<double>(app::pickedStop(env.ui(), *part)));
+  }
+  env.sink.run("set-section", std::move(args));
 }
 
-void paintSection(ImDrawList& list, loft::SectionPreset preset, ImVec2 centre, float radius,
-                  ImU32 colour) {
-  float low = 1, high = -1;
-  for (const SectionPoint p : outlineOf(preset)) {
-    low = std::min(low, static_cast<float>(p.y));
-    high = std::max(high, static_cast<float>(p.y));
+/// The tiles, in rows.
+class Grid {
+ public:
+  Grid(const PanelEnv& env, float width) : env_(env) {
+    const bool strip = env.ui().layout.strip;
+    columns_ = strip ? (width < app::kFlatStripFrom - 20 ? 6 : 12) : 4;
+    const float side =
+        (width - kGap * static_cast<float>(columns_ - 1)) / static_cast<float>(columns_);
+    const float oneRow = std::clamp(ImGui::GetContentRegionAvail().y - 4, 44.f, 76.f);
+    size_ = {std::floor(std::min(side, 92.f)), strip ? (columns_ == 12 ? oneRow : 47.f) : 58.f};
   }
-  const float middle = (low + high) / 2;
-  list.PathClear();
-  for (const SectionPoint p : outlineOf(preset)) {
-    list.PathLineTo({centre.x + static_cast<float>(p.x) * radius,
-                     centre.y - (static_cast<float>(p.y) - middle) * radius});
+  ImVec2 size() const { return size_; }
+  void place() {
+    if (count_++ % columns_ != 0) ImGui::SameLine();
   }
-  list.PathStroke(colour, ImDrawFlags_Closed, 1.8f);
+
+  static constexpr float kGap = 6;
+
+  /// A tile of a slice; it can be pressed, or dragged to a part.
+  bool slice(const char* id, std::string_view name, const loft::SectionShape& shape, bool on) {
+    place();
+    const std::string_view text = size_.y < 50 ? std::string_view() : name;
+    const bool pressed = tile(env_, {id, text, name, size_, on},
+                              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
+                                paintSlice(list, {centre, radius}, shape, {ink, 0, 1.8f});
+                              });
+    if (ImGui::IsItemActivated()) env_.ui().slices.pressed = shape;
+    return pressed;
+  }
+
+ private:
+  const PanelEnv& env_;
+  int columns_ = 1, count_ = 0;
+  ImVec2 size_;
+};
+
+/// Drawn slices of the model that are not on the shelf, each once.
+std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
+  std::vector<const loft::SectionShape*> out;
+  const auto known = [&](const loft::SectionShape& shape) {
+    return std::ranges::any_of(env.ui().slices.shelf,
+                               [&](const app::ShelfSlice& s) { return s.shape == shape; }) ||
+           std::ranges::any_of(out, [&](const auto* other) { return *other == shape; });
+  };
+  for (const document::Part& part : env.document().parts) {
+    for (const loft::SectionStop& stop : part.recipe.loft.sections) {
+      if (stop.shape.drawn() && !known(stop.shape)) out.push_back(&stop.shape);
+    }
+  }
+  return out;
+}
+
+/// What can be done with a chosen slice of one's own.
+void ownSlice(const PanelEnv& env, const loft::SectionShape& chosen) {
+  const float side = buttonSide(env);
+  const auto& shelf = env.ui().slices.shelf;
+  const auto kept = std::ranges::find_if(shelf, [&](const app::ShelfSlice& s) { return s.shape == chosen; });
+  if (textButton(env, {"change", "Change it", false, true, side})) env.sink.run("edit-slice");
+  ImGui::SameLine(0, 4);
+  if (kept == shelf.end()) {
+    commandButton(env, "keep-slice", side);
+    return;
+  }
+  const app::Json::Object which{{"id", kept->id}};
+  if (iconButton(env, {"name", "pencil-line", "Rename " + kept->name, false, true, side})) {
+    env.sink.run("rename-slice", which);
+  }
+  ImGui::SameLine(0, 0);
+  if (iconButton(env, {"drop", "trash-2", "Take it off your shelf", false, true, side})) {
+    env.sink.run("delete-slice", which);
+  }
 }
 
 }  // namespace
 
 void sectionChooser(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
-  const loft::SectionShape& chosen =
-      part ? part->recipe.loft.sections.front().shape : env.ui().section;
-  const bool strip = env.ui().layout.strip;
-  const float gap = 6;
-  const int columns = strip ? (width < app::kFlatStripFrom - 20 ? 6 : 12) : 3;
-  const float side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-  const float oneRow = std::clamp(ImGui::GetContentRegionAvail().y - 4, 44.f, 76.f);
-  const ImVec2 size{std::floor(std::min(side, 92.f)),
-                    strip ? (columns == 12 ? oneRow : 47.f) : 60.f};
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
-  int index = 0;
+  const loft::SectionShape& chosen = app::pickedShape(env.ui(), part);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {Grid::kGap, Grid::kGap});
+  Grid grid(env, width);
+  if (env.ui().layout.strip) {  // first where little shows at once
+    grid.place();
+    commandTile(env, "edit-slice", "Draw", grid.size());
+  }
   for (const loft::SectionName& name : loft::sectionNames()) {
-    if (index++ % columns != 0) ImGui::SameLine();
     const std::string key(name.key);
-    const auto paint = [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 colour) {
-      paintSection(list, name.preset, centre, radius, colour);
-    };
-    const std::string_view text = size.y < 50 ? std::string_view() : name.label;
-    if (tile(env, {key.c_str(), text, name.label, size, !chosen.drawn() && name.preset == chosen.preset}, paint)) {
-      env.sink.run("set-section", app::Json::Object{{"section", name.key}});
+    const bool on = !chosen.drawn() && name.preset == chosen.preset;
+    if (grid.slice(key.c_str(), name.label, name.preset, on)) choose(env, {{"section", name.key}});
+  }
+  for (const app::ShelfSlice& slice : env.ui().slices.shelf) {
+    const std::string id = "shelf" + std::to_string(slice.id);
+    if (grid.slice(id.c_str(), slice.name, slice.shape, slice.shape == chosen)) {
+      choose(env, {{"shelf", slice.id}});
     }
   }
+  int recent = 0;
+  for (const loft::SectionShape* shape : recentOf(env)) {
+    const std::string id = "recent" + std::to_string(recent++);
+    if (grid.slice(id.c_str(), "In model", *shape, *shape == chosen)) {
+      choose(env, *app::shapeJson(*shape).object());
+    }
+  }
+  if (!env.ui().layout.strip) {
+    grid.place();
+    commandTile(env, "edit-slice", "Draw", grid.size());
+  }
   ImGui::PopStyleVar();
+  if (chosen.drawn() && !env.ui().slices.board) ownSlice(env, chosen);
+  if (part) stopBar(env, width);
 }
 
 }  // namespace spineloft::panels

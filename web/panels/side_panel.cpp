@@ -15,8 +15,32 @@ struct Tab {
   const char* label;
 };
 constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"},
-                              Tab{app::PanelTab::Slice, "Slice"}, Tab{app::PanelTab::Ends, "Ends"},
+                              Tab{app::PanelTab::Slice, "Slice"},
+                              Tab{app::PanelTab::Along, "Twist"}, Tab{app::PanelTab::Ends, "Ends"},
                               Tab{app::PanelTab::Look, "Look"}};
+
+/// A heading that opens and folds what is below it. True while it is open.
+bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
+  const unsigned bit = 1u << static_cast<unsigned>(tab);
+  unsigned& folded = env.ui().folded;
+  ImGui::Dummy({0, 2});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = env.ui().touch ? 40.f : 28.f;
+  if (ImGui::InvisibleButton(text, {width, height})) folded ^= bit;
+  const bool open = (folded & bit) == 0;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered()) list.AddRectFilled({at.x - 6, at.y}, {at.x + width, at.y + height}, kHover, 8);
+  list.AddLine({at.x, at.y - 3}, {at.x + width, at.y - 3}, kLine);
+  const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;
+  list.AddText(env.fonts.bold, size, {at.x, at.y + (height - size) / 2}, kInk, text);
+  const ImVec2 c{at.x + width - 10, at.y + height / 2};  // the arrow
+  if (open) {
+    list.AddTriangleFilled({c.x - 4, c.y - 2}, {c.x + 4, c.y - 2}, {c.x, c.y + 3}, kMuted);
+  } else {
+    list.AddTriangleFilled({c.x + 2, c.y - 4}, {c.x + 2, c.y + 4}, {c.x - 3, c.y}, kMuted);
+  }
+  return open;
+}
 
 void column(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
@@ -25,12 +49,12 @@ void column(const PanelEnv& env) {
   ImGui::SameLine(width - 24);
   commandButton(env, "new-part", 32);
   partList(env);
-  heading(env, env.selected() ? "Slice" : "Slice of the next part");
-  sectionChooser(env, width);
-  heading(env, "Ends");
-  capChooser(env, width);
-  heading(env, "Look");
-  lookPanel(env, width);
+  if (section(env, app::PanelTab::Slice, env.selected() ? "Slice" : "Slice of the next part")) {
+    sectionChooser(env, width);
+  }
+  if (section(env, app::PanelTab::Along, "Twist and depth")) alongPanel(env, width);
+  if (section(env, app::PanelTab::Ends, "Ends")) capChooser(env, width);
+  if (section(env, app::PanelTab::Look, "Look")) lookPanel(env, width);
   ImGui::Dummy({0, 8});
 }
 
@@ -75,6 +99,9 @@ void strip(const PanelEnv& env, const app::Rect& at) {
       break;
     case app::PanelTab::Slice:
       sectionChooser(env, width);
+      break;
+    case app::PanelTab::Along:
+      alongPanel(env, width);
       break;
     case app::PanelTab::Ends:
       capChooser(env, width);

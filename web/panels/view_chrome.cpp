@@ -140,6 +140,10 @@ void hints(const PanelEnv& env) {
 void drawViewChrome(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   if (env.document().pictures.empty()) return;
+  if (env.ui().slices.board) {  // the board is in the picture's place
+    chip(env, layout.solid, "Solid", true);
+    return;
+  }
   splitter(layout);
   const bool onPicture = env.ui().focus == app::Focus::Picture;
   chip(env, layout.picture, "Picture", onPicture);
@@ -201,11 +205,14 @@ void drawActivity(const PanelEnv& env) {
 
 void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
+  env.ui().slices.graphs.clear();
   drawPictureOverlay(env);
   drawPictureStrip(env);
+  drawSliceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);
   drawSidePanel(env);
+  drawSliceBoard(env);
   drawActivity(env);
 }
 

@@ -119,6 +119,36 @@ void commandButton(const PanelEnv& env, std::string_view id, float size) {
   if (iconButton(env, {name.c_str(), command->icon, tip, active, can, size})) env.sink.run(id);
 }
 
+float textButtonWidth(const PanelEnv& env, std::string_view text) {
+  const float size = env.fonts.text->FontSize * ImGui::GetIO().FontGlobalScale;
+  return env.fonts.text
+             ->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size())
+             .x +
+         24;
+}
+
+bool textButton(const PanelEnv& env, const TextButton& button) {
+  ImGui::BeginDisabled(!button.enabled);
+  const float width = button.width > 0 ? button.width : textButtonWidth(env, button.text);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + button.height};
+  const bool pressed = ImGui::InvisibleButton(button.id, {width, button.height});
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 plain = hovered ? kHover : rgb(0xfaf9f6);
+  list.AddRectFilled(at, end, button.primary ? kAccent : plain, 8);
+  if (!button.primary) list.AddRect(at, end, hovered ? kMuted : kLine, 8);
+  ImFont* font = button.primary ? env.fonts.bold : env.fonts.text;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const char* from = button.text.data();
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, from, from + button.text.size());
+  const ImU32 ink = !button.enabled ? rgb(0x5c6474, 110) : button.primary ? kSurface : kInk;
+  list.AddText(font, size,
+               {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink, from,
+               from + button.text.size());
+  ImGui::EndDisabled();
+  return pressed && button.enabled;
+}
+
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);
@@ -146,6 +176,24 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   }
   tooltip(tile.tip);
   return pressed;
+}
+
+void commandTile(const PanelEnv& env, std::string_view id, std::string_view text, ImVec2 size) {
+  const app::Command* command = app::findCommand(id);
+  if (command == nullptr) return;
+  const std::string name(id);
+  const bool on = command->toggled != nullptr && command->toggled(env.env);
+  const std::string_view below = size.y < 50 ? std::string_view() : text;
+  const bool pressed = tile(env, {name.c_str(), below, command->hint, size, on},
+                            [&](ImDrawList& list, ImVec2 c, float, ImU32) {
+                              const char* icon = iconText(command->icon);
+                              ImFont* font = env.fonts.icons;
+                              const float side = font->FontSize * ImGui::GetIO().FontGlobalScale;
+                              const ImVec2 extent = font->CalcTextSizeA(side, FLT_MAX, 0, icon);
+                              list.AddText(font, side, {c.x - extent.x / 2, c.y - extent.y / 2},
+                                           kAccent, icon);
+                            });
+  if (pressed && app::enabled(*command, env.env)) env.sink.run(id);
 }
 
 void dragScroll() {

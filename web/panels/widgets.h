@@ -40,6 +40,18 @@ bool iconButton(const PanelEnv& env, const IconButton& button);
 /// The button of a command; runs it when pressed.
 void commandButton(const PanelEnv& env, std::string_view id, float size);
 
+/// A button with words; `primary` is the one that ends the work.
+struct TextButton {
+  const char* id = "";
+  std::string_view text;
+  bool primary = false;
+  bool enabled = true;
+  float height = 36, width = 0;  ///< 0: as wide as the words need
+};
+bool textButton(const PanelEnv& env, const TextButton& button);
+/// How wide such a button becomes by itself.
+float textButtonWidth(const PanelEnv& env, std::string_view text);
+
 /// A tile with a drawing and, below it, a word.
 struct Tile {
   const char* id = "";
@@ -50,6 +62,9 @@ struct Tile {
 /// `paint(draw list, centre, radius, colour)` fills the upper part.
 using TilePaint = std::function<void(ImDrawList&, ImVec2, float, ImU32)>;
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
+
+/// A tile that runs a command, with its icon and a word.
+void commandTile(const PanelEnv& env, std::string_view id, std::string_view text, ImVec2 size);
 
 /// Scrolls the current window when a finger or the mouse drags its content.
 void dragScroll();

@@ -15,6 +15,31 @@ export interface Rib {
   rightState: RibState;
 }
 
+/** One of the slices along a bone. */
+export interface SliceStop {
+  /** Share of the bone's length, 0…1. */
+  at: number;
+  /** Key of the preset, or 'drawn'. */
+  section: string;
+  /** Outer curves and holes. */
+  curves: number;
+  holes: number;
+  /** How it becomes the next one: 'linear', 'ease', 'square', 'root', 'overshoot' or 'custom'. */
+  blend: string;
+}
+
+/** Points [place 0…1, value] of the curves along a bone; empty: none. */
+export interface AlongCurves {
+  /** Turns. */
+  twist: [number, number][];
+  /** Depth for the width, 1 = as chosen. */
+  squash: [number, number][];
+  /** Degrees. */
+  tilt: [number, number][];
+  /** −1 flat front … 1 flat back. */
+  bulge: [number, number][];
+}
+
 export interface Part {
   id: number;
   name: string;
@@ -22,6 +47,9 @@ export interface Part {
   kind: string;
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
+  /** All slices along the bone, in order. */
+  slices: SliceStop[];
+  along: AlongCurves;
   /** Keys of the two ends: 'flat', 'round', 'pointed' or 'open'. */
   caps: { start: string; end: string };
   ribs: Rib[];
@@ -87,6 +115,22 @@ export interface State {
   activity: { label: string; done: number } | null;
   /** What the gesture in hand would make, and of which part (null: a new one); fresh when its shape is up to date. */
   preview: { points: number; part: number | null; fresh: boolean; ribs: number; triangles: number; costMs: number } | null;
+  /** The visitor's own slices. */
+  shelf: { id: number; name: string }[];
+  /** Index of the slice that is changed next, of several along the bone. */
+  slice: number;
+  /** True while a tap on the bone puts a slice there. */
+  placing: boolean;
+  /** The open drawing board for a slice; its square [−1.18, 1.18]² lies at [x, y, side] of the canvas. */
+  sliceBoard: {
+    tool: string;
+    symmetry: { leftRight: boolean; frontBack: boolean; fold: number };
+    curves: [x: number, y: number, corner: boolean][][];
+    problem: string | null;
+    undo: number;
+    redo: number;
+    square: [x: number, y: number, side: number];
+  } | null;
   documentName: string;
   heightMm: number;
 }

@@ -16,7 +16,7 @@ const kOnlyWhenPossible = new Set(['pen', 'eraser']);
 const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture', 'eraser', 'pen'];
 const kGroupTitles: Record<string, string> = {
   file: 'File', picture: 'Picture', draw: 'Draw', tool: 'Tools', edit: 'Edit', history: 'Edit', part: 'Part', slice: 'Slice',
-  section: 'Slice', caps: 'Ends', look: 'Look', view: 'View', model: 'Model', help: 'Help',
+  section: 'Slice', board: 'Drawing a slice', caps: 'Ends', look: 'Look', view: 'View', model: 'Model', help: 'Help',
 };
 
 function isForPeople(command: Command): boolean {
@@ -149,6 +149,7 @@ export class CommandBar {
     const shown = (id: string) => this.buttons.has(id) && !this.hidden.has(id);
     for (const command of this.commands) {
       if (shown(command.id) || command.id.startsWith('save-') || !isForPeople(command)) continue;
+      if (command.group === 'board' && !command.enabled) continue;  // of use only while a slice is drawn
       const title = kGroupTitles[command.group] ?? command.group;
       const group = groups.find((candidate) => candidate.title === title);
       const item = command.argument?.choices ? this.leadingItem(command) : this.plainItem(command, false);

@@ -12,6 +12,7 @@ export type EngineEvent =
   | { type: 'pickPicture' }
   | { type: 'ask'; id: string; title: string; text: string; value?: string }
   | { type: 'cursor'; css: string }
+  | { type: 'shelf'; slices: unknown[] }
   | { type: 'status'; text: string };
 
 type RawEvent = Exclude<EngineEvent, { type: 'file' }> | { type: 'file'; name: string; mediaType: string; ptr: number; length: number };

@@ -9,6 +9,7 @@ import { download, pickPicture } from './files.ts';
 import { Guide } from './guide.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
+import { keepShelf, readShelf, watchShelf } from './shelf.ts';
 import type { Sample } from './start_page.ts';
 import { toast } from './toasts.ts';
 
@@ -28,6 +29,8 @@ export class Page {
   /** The engine runs: from now on the DOM follows it. */
   attach(engine: Engine): void {
     this.engine = engine;
+    engine.run('load-shelf', { slices: readShelf() });
+    watchShelf((slices) => this.run('load-shelf', { slices }));
     this.refresh();
   }
 
@@ -60,6 +63,7 @@ export class Page {
       case 'pickPicture': pickPicture(); break;
       case 'ask': void this.ask(event); break;
       case 'cursor': this.canvas.style.cursor = event.css; break;
+      case 'shelf': keepShelf(event.slices); break;
       case 'status': this.say(event.text); break;
     }
   }

@@ -21,6 +21,7 @@ const kBeforeReady: State = {
   version: SPINELOFT_SITE.version, picture: null, pictures: 0, pictureList: [],
   pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null }, parts: [], selection: null, tool: 'draw', undo: 0, redo: 0, busy: true,
   threads: 0, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null, preview: null, documentName: '', heightMm: 0,
+  shelf: [], slice: 0, placing: false, sliceBoard: null,
 };
 
 function wait(milliseconds: number): Promise<void> {

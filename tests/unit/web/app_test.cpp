@@ -371,6 +371,7 @@ TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws"
       CHECK(part.number("triangles") > 0);
     }
     CHECK(known);
+    rig.run("slice-cancel");
     while (rig.run("undo").flag("ok") == true) continue;
     CHECK(rig.state().number("undo") == 0);
     CHECK(rig.parts() == 0);

@@ -1,0 +1,91 @@
+// Slices over the views: handles on the bone, the place that the pointer is at, a tile on its way.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "web/app/preview.h"
+#include "web/app/slice_editing.h"
+#include "web/app/slice_json.h"
+#include "web/panels/draw_lines.h"
+#include "web/panels/slice_paint.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+#include "web/tools/slide_slice.h"
+
+namespace spineloft::panels {
+namespace {
+
+ImVec2 toVec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+void handle(ImDrawList& list, ImVec2 at, const loft::SectionShape& shape, bool on, float r) {
+  list.AddCircleFilled({at.x, at.y + 1.5f}, r + 1, rgb(0x1f2430, 50), 32);
+  list.AddCircleFilled(at, r, kSurface, 32);
+  list.AddCircle(at, r, on ? kAccent : kSpine, 32, on ? 2.6f : 1.8f);
+  paintSlice(list, {at, r * 0.55f}, shape, {on ? kAccent : kInk, 0, 1.5f});
+}
+
+/// A tile that left the panel follows the pointer; let go over a part, it is that part's slice there.
+void carriedTile(const PanelEnv& env) {
+  app::SliceUi& slices = env.ui().slices;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!slices.pressed) return;
+  const app::ClientPoint at{io.MousePos.x, io.MousePos.y};
+  const bool known = io.MousePos.x > -1e6f;
+  const tools::ToolEnv toolEnv{env.document(), env.derived, env.ui(), env.sink};
+  if (!ImGui::IsMouseDown(0)) {
+    if (slices.carried) {
+      const tools::DropPlace place = tools::dropPlace(toolEnv, slices.carriedTo);
+      if (place.part) {
+        app::Json::Object args = *app::shapeJson(*slices.carried).object();
+        args.emplace_back("part", place.part.value);
+        args.emplace_back("at", place.at);
+        env.sink.run("add-slice", std::move(args));
+      }
+      slices.marked.reset();
+    }
+    slices.pressed.reset();
+    slices.carried.reset();
+    return;
+  }
+  if (!known || slices.board) return;
+  if (!slices.carried && env.ui().layout.panel.contains(at)) return;
+  slices.carried = slices.pressed;
+  slices.carriedTo = at;
+  const tools::DropPlace place = tools::dropPlace(toolEnv, at);
+  slices.marked = place.part && place.part == env.ui().selection ? std::optional(place.at) : std::nullopt;
+  handle(*ImGui::GetForegroundDrawList(), toVec(at), *slices.carried, static_cast<bool>(place.part), 20);
+}
+
+}  // namespace
+
+void drawSliceOverlay(const PanelEnv& env) {
+  app::UiState& ui = env.ui();
+  carriedTile(env);
+  const document::Part* part = env.selected();
+  if (part == nullptr || part->recipe.picture != ui.picture || ui.slices.board) return;
+  const app::Preview* preview = app::previewOf(ui, part->id);
+  const pipeline::PartShape* shape =
+      preview ? &*preview->shape : app::shapeOf(env.document(), env.derived, part->id);
+  if (shape == nullptr || shape->centreLine.size() < 2) return;
+  const auto& stops = preview ? preview->recipe.loft.sections : part->recipe.loft.sections;
+  const app::Rect& view = ui.layout.picture;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
+                    {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  const auto place = [&](double at) { return onCanvas(ui, app::placeOnBone(*shape, at)); };
+  const float r = ui.touch ? 17.f : 13.f;
+  if (ui.slices.marked) {
+    list.AddCircleFilled(place(*ui.slices.marked), 9, rgb(0xffd166, 200), 24);
+    list.AddCircle(place(*ui.slices.marked), 9, kInk, 24, 1.5f);
+  }
+  const std::size_t picked = app::pickedStop(ui, *part);
+  for (std::size_t i = 0; stops.size() > 1 && i < stops.size(); ++i) {
+    if (i != picked) handle(list, place(stops[i].at), stops[i].shape, false, r);
+  }
+  if (stops.size() > 1 && picked < stops.size()) {
+    handle(list, place(stops[picked].at), stops[picked].shape, true, r);
+  }
+  list.PopClipRect();
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,144 @@
+#include "web/tools/drag_graph.h"
+
+#include <algorithm>
+
+#include "web/app/slice_editing.h"
+#include "web/app/slice_json.h"
+#include "web/tools/slice_tools.h"
+
+namespace spineloft::tools {
+namespace {
+
+constexpr double kDraggedOut = 40;  // CSS pixels above or below the graph
+constexpr double kLeastGap = 0.01;  // share of the bone between two points
+constexpr double kAtEnd = 0.06;     // a tap this near an end is about the end
+
+using geometry::AlongPoint;
+
+}  // namespace
+
+bool DragGraph::isFixed(std::size_t point) const {
+  return isBlend() && (point == 0 || point + 1 == start_.points.size());
+}
+
+/// The curve of the area, in the units that are shown.
+geometry::AlongCurve DragGraph::current(const ToolEnv& env) const {
+  const document::Part* part = document::findPart(env.document, env.ui.selection);
+  geometry::AlongCurve curve;
+  if (part == nullptr) return curve;
+  const loft::LoftParams& params = part->recipe.loft;
+  if (isBlend()) return params.sections[app::pickedStop(env.ui, *part)].blend.custom;
+  curve = app::alongOf(params, env.ui.slices.along);
+  for (AlongPoint& p : curve.points) p.value /= app::alongInfo(env.ui.slices.along).unit;
+  return curve;
+}
+
+app::ClientPoint DragGraph::toCanvas(const ToolEnv&, const AlongPoint& p) const {
+  const double up = (p.value - area_.low) / (area_.high - area_.low);
+  return {area_.at.x + p.at * area_.at.width, area_.at.bottom() - up * area_.at.height};
+}
+
+void DragGraph::begin(const ToolEnv& env, const ToolEvent& event) {
+  watch_.begin(event);
+  doubled_ = isDoubleTap(env.ui.slices, event);
+  start_ = current(env);
+  double reach = reachOf(event);
+  std::optional<std::size_t> hit;
+  for (std::size_t i = 0; i < start_.points.size(); ++i) {
+    const double off = distance(toCanvas(env, start_.points[i]), event.at);
+    if (off > reach) continue;
+    reach = off;
+    hit = i;
+  }
+  if (hit) {
+    point_ = *hit;
+  } else if (start_.points.size() < geometry::kMostAlongPoints) {
+    double at = std::clamp((event.at.x - area_.at.x) / area_.at.width, 0.0, 1.0);
+    const double value =
+        area_.low + (area_.at.bottom() - event.at.y) / area_.at.height * (area_.high - area_.low);
+    const double rest = app::alongInfo(env.ui.slices.along).rest;
+    if (at < kAtEnd) at = 0;
+    if (at > 1 - kAtEnd) at = 1;
+    if (start_.empty()) start_.points = {{0, rest}, {1, rest}};
+    auto next = std::ranges::lower_bound(start_.points, at - kLeastGap, {}, &AlongPoint::at);
+    if (next == start_.points.end() || next->at > at + kLeastGap) {
+      next = start_.points.insert(next, {at, value});
+    }
+    point_ = static_cast<std::size_t>(next - start_.points.begin());
+    next->value = isFixed(point_) ? next->value : std::clamp(value, area_.low, area_.high);
+    fresh_ = true;
+  }
+  env.ui.slices.graph = start_;
+  env.ui.slices.graphPoint = point_;
+  show(env);
+}
+
+void DragGraph::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
+  if (!watch_.moved() || isFixed(point_) || point_ >= start_.points.size()) return;
+  geometry::AlongCurve curve = start_;
+  const app::Rect& at = area_.at;
+  if (event.at.y < at.y - kDraggedOut || event.at.y > at.bottom() + kDraggedOut) {
+    curve.points.erase(curve.points.begin() + static_cast<std::ptrdiff_t>(point_));
+  } else {
+    AlongPoint& p = curve.points[point_];
+    const double low = point_ > 0 ? curve.points[point_ - 1].at + kLeastGap : 0;
+    const double high =
+        point_ + 1 < curve.points.size() ? curve.points[point_ + 1].at - kLeastGap : 1;
+    if (low <= high) p.at = std::clamp((event.at.x - at.x) / at.width, low, high);
+    const double up = (at.bottom() - event.at.y) / at.height;
+    p.value = std::clamp(area_.low + up * (area_.high - area_.low), area_.low, area_.high);
+  }
+  env.ui.slices.graph = std::move(curve);
+  show(env);
+}
+
+/// The part with the curve as it is.
+void DragGraph::show(const ToolEnv& env) {
+  const document::Part* part = document::findPart(env.document, env.ui.selection);
+  if (part == nullptr || !env.ui.slices.graph) return;
+  geometry::AlongCurve curve = *env.ui.slices.graph;
+  env.ui.slices.marked =
+      point_ < curve.points.size() ? std::optional(curve.points[point_].at) : std::nullopt;
+  loft::LoftParams params = part->recipe.loft;
+  if (isBlend()) {
+    params.sections[app::pickedStop(env.ui, *part)].blend.custom = std::move(curve);
+    env.ui.slices.marked.reset();
+  } else {
+    const app::AlongInfo& info = app::alongInfo(env.ui.slices.along);
+    for (AlongPoint& p : curve.points) {
+      p.value = std::clamp(p.value, info.low, info.high) * info.unit;
+    }
+    app::alongOf(params, info.kind) = std::move(curve);
+  }
+  if (loft::checkParams(params)) app::previewLoft(env.ui, *part, std::move(params));
+}
+
+void DragGraph::commit(const ToolEnv& env) {
+  if (!env.ui.slices.graph) return;
+  geometry::AlongCurve curve = *env.ui.slices.graph;
+  const bool remove = doubled_ && !watch_.moved() && !fresh_ && !isFixed(point_);
+  if (remove && point_ < curve.points.size()) {
+    curve.points.erase(curve.points.begin() + static_cast<std::ptrdiff_t>(point_));
+  }
+  const double stop = static_cast<double>(env.ui.slices.stop);
+  cancel(env);
+  if (curve == current(env)) return;
+  if (isBlend()) {
+    env.sink.run("set-blend", app::Json::Object{{"blend", "custom"},
+                                                {"slice", stop},
+                                                {"points", app::curveJson(curve)}});
+  } else {
+    const app::AlongInfo& info = app::alongInfo(env.ui.slices.along);
+    for (AlongPoint& p : curve.points) p.value = std::clamp(p.value, info.low, info.high);
+    env.sink.run("set-along", app::Json::Object{{"kind", info.key}, {"points", app::curveJson(curve)}});
+  }
+}
+
+void DragGraph::cancel(const ToolEnv& env) {
+  env.ui.slices.graph.reset();
+  env.ui.slices.marked.reset();
+  env.ui.preview.reset();
+}
+
+}  // namespace spineloft::tools

@@ -1,0 +1,84 @@
+#include "web/tools/slice_tools.h"
+
+#include <algorithm>
+
+#include "web/app/slice_editing.h"
+#include "web/tools/drag_graph.h"
+#include "web/tools/draw_slice.h"
+#include "web/tools/slide_slice.h"
+
+namespace spineloft::tools {
+namespace {
+
+constexpr double kDoubleTapMs = 400, kDoubleTapReach = 22;
+
+const app::GraphArea* graphAt(const app::UiState& ui, app::ClientPoint at) {
+  for (const app::GraphArea& graph : ui.slices.graphs) {
+    if (graph.visible.contains(at)) return &graph;
+  }
+  return nullptr;
+}
+
+bool onBoard(const app::UiState& ui, app::ClientPoint at) {
+  return ui.slices.board && ui.slices.board->square.contains(at);
+}
+
+}  // namespace
+
+bool isForSlices(const app::UiState& ui, app::ClientPoint at) {
+  return onBoard(ui, at) || (!ui.slices.board && graphAt(ui, at) != nullptr);
+}
+
+std::unique_ptr<Tool> sliceTool(const ToolEnv& env, const ToolEvent& event) {
+  app::UiState& ui = env.ui;
+  if (onBoard(ui, event.at)) return std::make_unique<DrawSlice>();
+  if (ui.slices.board) return nullptr;
+  if (const app::GraphArea* graph = graphAt(ui, event.at)) {
+    return std::make_unique<DragGraph>(*graph);
+  }
+  if (!ui.layout.picture.contains(event.at)) return nullptr;
+  if (ui.slices.placing) return std::make_unique<PlaceSlice>();
+  if (const auto stop = sliceHandleAt(env, event.at, reachOf(event))) {
+    return std::make_unique<SlideSlice>(*stop);
+  }
+  return nullptr;
+}
+
+const char* sliceCursor(const ToolEnv& env, app::ClientPoint at) {
+  if (onBoard(env.ui, at)) {
+    return env.ui.slices.board->tool == app::BoardTool::Points ? "default" : "crosshair";
+  }
+  if (env.ui.slices.board) return nullptr;
+  if (graphAt(env.ui, at) != nullptr) return "pointer";
+  if (!env.ui.layout.picture.contains(at)) return nullptr;
+  if (env.ui.slices.placing) return "copy";
+  return sliceHandleAt(env, at, 12) ? "grab" : nullptr;
+}
+
+std::optional<std::size_t> sliceHandleAt(const ToolEnv& env, app::ClientPoint at, double reach) {
+  const document::Part* part = document::findPart(env.document, env.ui.selection);
+  if (part == nullptr || part->recipe.picture != env.ui.picture) return std::nullopt;
+  const auto& stops = part->recipe.loft.sections;
+  const pipeline::PartShape* shape = app::shapeOf(env.document, env.derived, part->id);
+  if (stops.size() < 2 || shape == nullptr) return std::nullopt;
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const app::ClientPoint handle = env.ui.pictureView.toClient(
+        app::placeOnBone(*shape, stops[i].at), env.ui.layout.picture);
+    const double off = distance(handle, at);
+    if (off > reach) continue;
+    reach = off;
+    best = i;
+  }
+  return best;
+}
+
+bool isDoubleTap(app::SliceUi& slices, const ToolEvent& event) {
+  const bool twice = event.timeMs - slices.lastTapMs < kDoubleTapMs &&
+                     distance(event.at, slices.lastTap) < kDoubleTapReach;
+  slices.lastTap = event.at;
+  slices.lastTapMs = twice ? -1e9 : event.timeMs;
+  return twice;
+}
+
+}  // namespace spineloft::tools
