@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace spineloft::ribs {
 namespace {
 
 using Lab = std::array<float, 4>;
+using Lab4 = float __attribute__((vector_size(16)));
+struct PicturePointF {
+  float x, y;
+};
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -34,13 +39,32 @@ Bilinear locate(const image::EdgeMap& map, float x, float y) {
           my - static_cast<float>(y0)};
 }
 
-// Value of one channel of an interleaved plane between the four pixels.
-float mix(const Bilinear& b, const std::vector<float>& plane, std::size_t stride,
-          std::size_t channel) {
-  const auto at = [&](std::size_t pixel) { return plane[pixel * stride + channel]; };
-  const float top = at(b.i00) + (at(b.i10) - at(b.i00)) * b.u;
-  const float bottom = at(b.i01) + (at(b.i11) - at(b.i01)) * b.u;
+Lab4 load(const float* from) {
+  Lab4 out;
+  __builtin_memcpy(&out, from, sizeof out);
+  return out;
+}
+
+// Value of a plane between the four pixels.
+float mix(const Bilinear& b, const std::vector<float>& plane) {
+  const float top = plane[b.i00] + (plane[b.i10] - plane[b.i00]) * b.u;
+  const float bottom = plane[b.i01] + (plane[b.i11] - plane[b.i01]) * b.u;
   return top + (bottom - top) * b.v;
+}
+
+// Colour between the four pixels; the fourth value is 0.
+Lab mixLab(const Bilinear& b, const std::vector<float>& plane) {
+  const auto at = [&](std::size_t pixel) {
+    // Four floats are read at once, and the last pixel has three.
+    const std::size_t first = std::min(3 * pixel, plane.size() - 4);
+    const Lab4 four = load(&plane[first]);
+    return first == 3 * pixel ? four : Lab4{four[1], four[2], four[3], 0};
+  };
+  const Lab4 left = at(b.i00), below = at(b.i01);
+  const Lab4 top = left + (at(b.i10) - left) * b.u;
+  const Lab4 bottom = below + (at(b.i11) - below) * b.u;
+  const Lab4 all = top + (bottom - top) * b.v;
+  return {all[0], all[1], all[2], 0};
 }
 
 // Lab difference over ± reach of arc length at every level of one curve; 0 where not reached.
@@ -61,27 +85,39 @@ void differences(const GradientCurves& curves, const Strip& strip, float reach, 
   }
 }
 
-// Adds the neighbour's differences to the sums of one curve, each slant shifted by its rise.
+// The slants of the contour that are tried: half as many to either side, and none.
 constexpr int kSlants = 5;
-void addSlanted(const GradientCurves& curves, int curve, int other, float slant,
-                const Lab* difference, std::array<Lab, kSlants>* sums) {
-  const int reached = std::min(curves.reached[index(curve)], curves.reached[index(other)]);
-  const int last = curves.reached[index(other)] - 1;
-  const std::size_t here = curves.at(curve, 0), there = curves.at(other, 0);
-  for (int k = 1; k < reached; ++k) {
-    const std::size_t at = here + index(k), to = there + index(k);
-    const float dx = curves.x[to] - curves.x[at], dy = curves.y[to] - curves.y[at];
-    const float step = std::max(1.f, curves.along[at] - curves.along[at - 1]);
-    const float rise = slant * std::sqrt(dx * dx + dy * dy) / step;
-    for (int s = 0; s < kSlants; ++s) {
-      const float moved = rise * static_cast<float>(s - kSlants / 2);
-      const int from = k + static_cast<int>(moved + (moved < 0 ? -0.5f : 0.5f));
-      if (from < 1 || from > last) continue;
-      Lab& sum = sums[k][index(s)];
-      for (std::size_t channel = 0; channel < 4; ++channel)
-        sum[channel] += difference[from][channel];
+
+// A curve next to the one that is looked at, and the rise of the first slant towards it.
+struct Neighbour {
+  const Lab* difference;
+  const float *x, *y;
+  int reached;
+  float slant;
+};
+
+// The strongest of the slants' sums of differences at level k of one curve, squared. `x`, `y` and
+// `step` are the point and the distance from the one before.
+float strongestSum(std::span<const Neighbour> neighbours, int k, PicturePointF at, float step) {
+  std::array<Lab4, kSlants> sums{};
+  for (const Neighbour& n : neighbours) {
+    if (k >= n.reached) continue;
+    const float dx = n.x[k] - at.x, dy = n.y[k] - at.y;
+    const float rise = n.slant * std::sqrt(dx * dx + dy * dy) / step;
+    for (int s = 1; s <= kSlants / 2; ++s) {
+      const float moved = rise * static_cast<float>(s);
+      const int shift = static_cast<int>(moved + (moved < 0 ? -0.5f : 0.5f));
+      for (const int sign : {-1, 1}) {
+        const int from = k + sign * shift;
+        if (from < 1 || from >= n.reached) continue;
+        sums[index(kSlants / 2 + sign * s)] += load(n.difference[from].data());
+      }
     }
+    sums[kSlants / 2] += load(n.difference[k].data());
   }
+  float best = 0;
+  for (const Lab4& s : sums) best = std::max(best, s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
+  return best;
 }
 
 // Sum of a plane over arc length along one curve; sum[k] covers levels 1 … k.
@@ -158,35 +194,34 @@ void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges, Stri
     for (int k = 0; k < curves.reached[index(c)]; ++k) {
       const std::size_t at = curves.at(c, k);
       const Bilinear place = locate(edges, curves.x[at], curves.y[at]);
-      strip.proximity[at] = mix(place, edges.proximity, 1, 0);
-      for (std::size_t i = 0; i < 3; ++i) strip.lab[at][i] = mix(place, edges.lab, 3, i);
+      strip.proximity[at] = mix(place, edges.proximity);
+      strip.lab[at] = mixLab(place, edges.lab);
     }
   }
 }
 
 void contourContrast(const GradientCurves& curves, const Strip& strip, const ContrastParams& params,
                      std::vector<float>& contrast) {
-  const std::size_t levels = index(strip.levels);
   std::vector<Lab> difference(curves.x.size());
   for (int c = 0; c < strip.curves; ++c) {
     differences(curves, strip, static_cast<float>(params.reach), c, &difference[curves.at(c, 0)]);
   }
   contrast.assign(curves.x.size(), 0.f);
-  std::vector<std::array<Lab, kSlants>> sums(levels);
+  std::vector<Neighbour> neighbours(index(2 * params.neighbours + 1));
   const float share = 1 / static_cast<float>(2 * params.neighbours + 1);
   for (int c = 0; c < strip.curves; ++c) {
-    std::fill(sums.begin(), sums.end(), std::array<Lab, kSlants>{});
     for (int j = -params.neighbours; j <= params.neighbours; ++j) {
       const int other = ((c + j) % strip.curves + strip.curves) % strip.curves;
-      const double slant = j < 0 ? -params.slant : params.slant;
-      addSlanted(curves, c, other, static_cast<float>(slant), &difference[curves.at(other, 0)],
-                 sums.data());
+      const std::size_t row = curves.at(other, 0);
+      neighbours[index(j + params.neighbours)] = {
+          &difference[row], &curves.x[row], &curves.y[row], curves.reached[index(other)],
+          static_cast<float>(j < 0 ? -params.slant : params.slant)};
     }
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
-      float best = 0;
-      for (const Lab& s : sums[index(k)])
-        best = std::max(best, s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
-      contrast[curves.at(c, k)] = std::sqrt(best) * share;
+      const std::size_t at = curves.at(c, k);
+      const float step = std::max(1.f, curves.along[at] - curves.along[at - 1]);
+      const float best = strongestSum(neighbours, k, {curves.x[at], curves.y[at]}, step);
+      contrast[at] = std::sqrt(best) * share;
     }
   }
 }

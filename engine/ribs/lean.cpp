@@ -15,25 +15,38 @@ constexpr float kBeyondCost = 0.4f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+// One side's costs between its labels, as lines: from place k on, base + slope · (at − place).
+struct Lines {
+  std::vector<float> base, slope;
+};
+
+void drawLines(const LengthProblem& p, const SideCosts& side, Lines& lines) {
+  lines.base.assign(side.unary.size(), kBeyondCost);
+  lines.slope.assign(side.unary.size(), 0.f);
+  for (std::size_t row = 0; row < side.unary.size(); row += index(p.levels)) {
+    for (std::size_t k = row; k + 1 < row + index(p.levels); ++k) {
+      const bool low = side.unary[k] < kUnreachable, high = side.unary[k + 1] < kUnreachable;
+      if (low || high) lines.base[k] = side.unary[low ? k : k + 1];
+      if (low && high)
+        lines.slope[k] = (side.unary[k + 1] - side.unary[k]) / (side.place[k + 1] - side.place[k]);
+    }
+  }
+}
+
 // Adds one side's costs at the places factor · width[j], interpolated between labels, to every
 // `stride`-th of `costs`.
-void addSide(const LengthProblem& p, const SideCosts& side, int rib, float factor,
-             const std::vector<float>& widths, float* costs, std::size_t stride) {
-  const float* place = &side.place[index(rib) * index(p.levels)];
-  const float* unary = &side.unary[index(rib) * index(p.levels)];
+struct LineRow {
+  const float *place, *base, *slope;
+  int levels;
+};
+void addSide(const LineRow& row, float factor, const std::vector<float>& widths, float* costs,
+             std::size_t stride) {
   int k = 0;
   for (std::size_t j = 0; j < widths.size(); ++j) {
     const float at = factor * widths[j];
-    while (k + 2 < p.levels && place[k + 1] <= at) ++k;
-    const float share = std::clamp((at - place[k]) / (place[k + 1] - place[k]), 0.f, 1.f);
-    const bool low = unary[k] < kUnreachable, high = unary[k + 1] < kUnreachable;
-    float cost = kBeyondCost;
-    if (low && high) {
-      cost = unary[k] + (unary[k + 1] - unary[k]) * share;
-    } else if (low || high) {
-      cost = low ? unary[k] : unary[k + 1];
-    }
-    costs[j * stride] += cost;
+    while (k + 2 < row.levels && row.place[k + 1] <= at) ++k;
+    const float held = std::clamp(at, row.place[k], row.place[k + 1]);
+    costs[j * stride] += row.base[k] + row.slope[k] * (held - row.place[k]);
   }
 }
 
@@ -58,6 +71,8 @@ class WidthChains {
  public:
   WidthChains(const LengthProblem& p, double narrowest, double leanCost)
       : problem_(p), leanCost_(leanCost), widths_(widthGrid(p, narrowest)) {
+    drawLines(p, p.left, left_);
+    drawLines(p, p.right, right_);
     // Both sides step by half a width, so costs between neighbours are doubled.
     chain_.ribs = p.ribs;
     chain_.levels = kWidths;
@@ -73,16 +88,17 @@ class WidthChains {
 
   // Unary costs: ribs × widths × leans.
   std::vector<float> costs(const std::vector<double>& leans) const {
-    std::vector<float> out(index(problem_.ribs) * kWidths * leans.size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i] = static_cast<float>(leanCost_ * std::abs(leans[i % leans.size()]));
-    }
+    std::vector<float> own;
+    for (const double lean : leans) own.push_back(static_cast<float>(leanCost_ * std::abs(lean)));
+    std::vector<float> out;
+    out.reserve(index(problem_.ribs) * kWidths * leans.size());
+    for (int i = 0; i < problem_.ribs * kWidths; ++i) out.insert(out.end(), own.begin(), own.end());
     for (int i = 0; i < problem_.ribs; ++i) {
       for (std::size_t q = 0; q < leans.size(); ++q) {
         float* first = &out[index(i) * kWidths * leans.size() + q];
         const auto left = static_cast<float>((1 + leans[q]) / 2);
-        addSide(problem_, problem_.left, i, left, widths_, first, leans.size());
-        addSide(problem_, problem_.right, i, 1 - left, widths_, first, leans.size());
+        addSide(rowOf(problem_.left, left_, i), left, widths_, first, leans.size());
+        addSide(rowOf(problem_.right, right_, i), 1 - left, widths_, first, leans.size());
       }
     }
     return out;
@@ -102,8 +118,14 @@ class WidthChains {
   }
 
  private:
+  LineRow rowOf(const SideCosts& side, const Lines& lines, int rib) const {
+    const std::size_t at = index(rib) * index(problem_.levels);
+    return {&side.place[at], &lines.base[at], &lines.slope[at], problem_.levels};
+  }
+
   const LengthProblem& problem_;
   double leanCost_;
+  Lines left_, right_;
   std::vector<float> widths_;
   LengthProblem chain_;
 };
@@ -145,14 +167,12 @@ std::vector<EvenPart> findEvenParts(const LengthProblem& p, double narrowest, do
   std::vector<EvenPart> parts;
   for (std::size_t i = 0; i < leans.size(); ++i) {
     const bool outermost = i == 0 || i + 1 == leans.size();
-    const bool lowest =
-        outermost || (energy(i) < energy(i - 1) && energy(i) <= energy(i + 1));
+    const bool lowest = outermost || (energy(i) < energy(i - 1) && energy(i) <= energy(i + 1));
     if (lowest) parts.push_back({leans[i], {}, energy(i)});
   }
   refine(chains, step, parts, workspace);
-  std::ranges::sort(parts, {}, [](const EvenPart& part) {
-    return std::pair(part.energy, std::abs(part.lean));
-  });
+  std::ranges::sort(
+      parts, {}, [](const EvenPart& part) { return std::pair(part.energy, std::abs(part.lean)); });
   const double most = parts.front().energy + kRivalEnergy * p.ribs;
   while (parts.size() > 1 && (parts.size() > kMostRivals || parts.back().energy > most)) {
     parts.pop_back();
