@@ -1,0 +1,17 @@
+// Files that are committed for tests.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace spineloft::testing {
+
+/// The bytes of `tests/PATH`; a test fails when there is no such file.
+std::vector<std::uint8_t> testFile(const std::string& path);
+
+/// Names and bytes of all files of `tests/FOLDER`, sorted by name.
+std::vector<std::pair<std::string, std::vector<std::uint8_t>>> testFiles(const std::string& folder);
+
+}  // namespace spineloft::testing

@@ -1,0 +1,110 @@
+// Files that were written by released versions: they open for ever. A golden file is never written anew;
+// a new version adds its own.
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/io/document_json.h"
+#include "engine/io/project_file.h"
+#include "engine/pipeline/derive.h"
+#include "tests/support/complete_document.h"
+#include "tests/support/fuzz_inputs.h"
+#include "tests/support/mesh_laws.h"
+#include "tests/support/test_files.h"
+
+using namespace spineloft;
+using namespace spineloft::io;
+using namespace spineloft::testing;
+
+namespace {
+
+/// The keys of objects anywhere in the JSON.
+void collectKeys(const Json& json, std::set<std::string>& keys) {
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) keys.insert(key);
+  }
+  if (json.is_structured()) {
+    for (const Json& child : json) collectKeys(child, keys);
+  }
+}
+
+/// Visits the members of a value and of what is inside it; notes their keys.
+struct KeyCollector {
+  std::set<std::string>& keys;
+  template <class T>
+  void operator()(const char* key, T& value) {
+    keys.insert(key);
+    if constexpr (Struct<T>) members(*this, value);
+  }
+  void operator()(const char* key, std::vector<loft::SectionStop>&) {
+    keys.insert(key);
+    loft::SectionStop stop;
+    members(*this, stop);
+  }
+  template <class T>
+  void always(const char* key, T&) {
+    keys.insert(key);
+  }
+  template <class... T>
+  void photo(const char* key, T&...) {
+    keys.insert(key);
+  }
+  template <class T>
+  void elements(const char* key, std::vector<Box<T>>&) {
+    keys.insert(key);
+    T element;
+    members(*this, element);
+  }
+  void beyond(std::string&) {}
+};
+
+}  // namespace
+
+TEST_CASE("the golden file of version 1 opens as what was saved, and its parts are solids") {
+  ReadNotes notes;
+  const auto read = readProject(testFile("golden/project-v1.spineloft"), &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  const document::Document expected = completeDocument();
+  CHECK(read.value() == expected);
+  for (std::size_t i = 0; i < expected.pictures.size(); ++i) {
+    if (expected.pictures[i]->isSketch()) continue;
+    CHECK(*read.value().pictures[i]->picture == *expected.pictures[i]->picture);
+  }
+  pipeline::Cache cache;
+  const auto derived = pipeline::deriveWithEdges(read.value(), cache, {});
+  REQUIRE(derived.ok());
+  for (const pipeline::DerivedPart& part : derived.value().parts) {
+    REQUIRE(part.shape);
+    requireLawful(part.shape->mesh);
+  }
+}
+
+TEST_CASE("the golden document of version 1 reads as what was written") {
+  const auto bytes = testFile("golden/document-v1.json");
+  const document::Document expected = completeDocument();
+  ReadNotes notes;
+  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                                 [&](std::uint64_t) { return expected.pictures[0]->picture; }, &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  CHECK(read.value() == expected);
+}
+
+TEST_CASE("the newest golden document holds every key that a document can have") {
+  const auto bytes = testFile("golden/document-v" + std::to_string(kProjectVersion) + ".json");
+  std::set<std::string> found, wanted;
+  collectKeys(Json::parse(bytes.begin(), bytes.end()), found);
+  KeyCollector collector{wanted};
+  document::Document document;
+  members(collector, document);
+  CHECK(wanted.size() > 45);
+  for (const std::string& key : wanted) CHECK_MESSAGE(found.contains(key), key);
+}
+
+TEST_CASE("what the fuzzers once found or began with does no harm") {
+  for (const auto& [name, bytes] : testFiles("corpus/project")) CHECK_MESSAGE(tryProject(bytes) == "", name);
+  for (const auto& [name, bytes] : testFiles("corpus/picture")) CHECK_MESSAGE(tryPicture(bytes) == "", name);
+}
