@@ -15,9 +15,9 @@ const kMinutes = 60000;
 
 function options() {
   try {
-    return parseArgs({ options: { json: { type: 'string' }, data: { type: 'string' } } }).values;
+    return parseArgs({ options: { json: { type: 'string' }, markdown: { type: 'string' }, data: { type: 'string' } } }).values;
   } catch (error) {
-    throw new Stop(`${error.message}\nUsage: npm run bench -- [--json FILE] [--data FOLDER]`);
+    throw new Stop(`${error.message}\nUsage: npm run bench -- [--json FILE] [--markdown FILE] [--data FOLDER]`);
   }
 }
 
@@ -35,23 +35,61 @@ function shown(value) {
   return Number.isInteger(value) ? String(value) : value.toPrecision(3);
 }
 
-/** Rows of objects as text; `columns` maps a heading to the key, or to a function of the row, that fills it. */
+const markdown = [];
+
+/** Rows of objects as text, and for --markdown as a table of it; `columns` maps a heading to the key, or to a function of the row, that fills it. */
 function printTable(title, rows, columns) {
   const cells = rows.map((row) => Object.values(columns).map((key) => shown(typeof key === 'function' ? key(row) : row[key])));
   const widths = Object.keys(columns).map((head, index) => Math.max(head.length, ...cells.map((line) => line[index].length)));
   const line = (texts) => texts.map((text, i) => (i ? text.padStart(widths[i]) : text.padEnd(widths[i]))).join('  ');
   say(`\n${title}\n${line(Object.keys(columns))}`);
   for (const texts of cells) say(line(texts));
+  const bars = (texts) => `| ${texts.join(' | ')} |`;
+  const heads = Object.keys(columns);
+  markdown.push(`## ${title}`, '', bars(heads), bars(heads.map((_, i) => (i ? '--:' : ':--'))), ...cells.map(bars), '');
 }
 
-/** Median and 95th percentile of each stage, one pair of columns per build. */
+const builds = (stages) => Object.keys(stages);
+const rowsOf = (stages, kind) => Object.keys(stages.native).filter((name) => kind in stages.native[name]).map((name) => ({ name }));
+
+/** Least, median, 95th and 99th percentile of each stage, four columns per build; then the other numbers. */
 function printStages(stages) {
   const columns = { 'stage times in ms': 'name' };
-  for (const build of Object.keys(stages)) {
+  const values = { value: 'name' };
+  for (const build of builds(stages)) {
+    columns[`${build} min`] = ({ name }) => stages[build][name]?.min_ms;
     columns[build] = ({ name }) => stages[build][name]?.median_ms;
     columns[`${build} p95`] = ({ name }) => stages[build][name]?.p95_ms;
+    columns[`${build} p99`] = ({ name }) => stages[build][name]?.p99_ms;
+    values[build] = ({ name }) => stages[build][name]?.value;
   }
-  printTable('Stages', Object.keys(stages.native).map((name) => ({ name })), columns);
+  printTable('Stages', rowsOf(stages, 'median_ms'), columns);
+  printTable('Shares and errors', rowsOf(stages, 'value'), values);
+}
+
+/** Stages that are one input in several sizes: what a name says about its size. */
+const kGrowth = {
+  'spine points': /^ribs (\d+)$/,
+  labels: /^labels (\d+)$/,
+  megapixels: /^edges of a (quarter-megapixel|4-megapixel) picture$/,
+};
+const kSizes = { 'quarter-megapixel': 0.25, '4-megapixel': 4 };
+
+/** Slope of log time over log size by least squares, for each build: 1 is linear. */
+function growth(stages) {
+  return Object.entries(kGrowth).map(([what, pattern]) => {
+    const row = { what };
+    for (const build of builds(stages)) {
+      const points = Object.entries(stages[build]).flatMap(([name, times]) => {
+        const size = pattern.exec(name)?.[1];
+        return size ? [[Math.log(kSizes[size] ?? Number(size)), Math.log(times.min_ms)]] : [];
+      });
+      const mean = (of) => points.reduce((sum, point) => sum + of(point), 0) / points.length;
+      const [x, y] = [mean((p) => p[0]), mean((p) => p[1])];
+      row[build] = mean(([a, b]) => (a - x) * (b - y)) / mean(([a]) => (a - x) ** 2);
+    }
+    return row;
+  });
 }
 
 function printAccuracy({ summary, cases }, folder) {
@@ -89,7 +127,7 @@ async function accuracy(data) {
 }
 
 await mainProgram(async () => {
-  const { json, data } = options();
+  const { json, markdown: page, data } = options();
   talkOnStderr();
   await setup(['native', 'wasm', 'node']);
   await buildTargets('native-release', ['spineloft', 'spineloft_bench']);
@@ -103,6 +141,8 @@ await mainProgram(async () => {
     sizes: siteSizes(),
   };
   printStages(result.stages);
+  result.growth = growth(result.stages);
+  printTable('Growth: slope of log time over log size', result.growth, { of: 'what', ...Object.fromEntries(builds(result.stages).map((build) => [build, build])) });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
   if (existsSync(folder)) {
@@ -111,10 +151,14 @@ await mainProgram(async () => {
   } else {
     say(`\nNo data folder at ${folder}: accuracy is left out.`);
   }
+  const write = (file, text) => {
+    const to = resolve(process.env.INIT_CWD ?? '.', file);
+    mkdirSync(join(to, '..'), { recursive: true });
+    writeFileSync(to, text);
+    say(`\nWritten: ${to}`);
+  };
+  if (page) write(page, `# Benchmark of ${result.commit}\n\n${result.machine.cpu}, ${result.machine.cores} cores, Node ${result.machine.node}\n\n${markdown.join('\n')}`);
   const text = JSON.stringify(result, null, 2) + '\n';
-  if (!json) return void process.stdout.write(text);
-  const to = resolve(process.env.INIT_CWD ?? '.', json);
-  mkdirSync(join(to, '..'), { recursive: true });
-  writeFileSync(to, text);
-  say(`\nWritten: ${to}`);
+  if (json) write(json, text);
+  else process.stdout.write(text);
 });

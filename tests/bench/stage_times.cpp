@@ -1,10 +1,8 @@
 // Stage times on made-up inputs, as JSON on standard output: native, and as wasm under Node.
 // Nothing is asserted about times; a run that cannot make its part ends with 1.
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -19,16 +17,13 @@
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
 #include "engine/vision/edges.h"
+#include "tests/bench/report.h"
+#include "tests/bench/rib_stages.h"
 #include "tests/bench/scene.h"
 
 using namespace spineloft;
 
 namespace {
-
-double nowMs() {
-  using Ms = std::chrono::duration<double, std::milli>;
-  return Ms(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 template <class T>
 T must(Result<T> result) {
@@ -38,33 +33,6 @@ T must(Result<T> result) {
   }
   return std::move(result).value();
 }
-
-/// Writes one JSON object, stage by stage.
-class Report {
- public:
-  Report() { std::cout << "{\n"; }
-  ~Report() { std::cout << "\n}\n"; }
-  /// `work(i)` is run `runs` times after two warm-up runs.
-  void stage(const std::string& name, int runs, const std::function<void(int)>& work) {
-    std::vector<double> times;
-    for (int i = -2; i < runs; ++i) {
-      const double started = nowMs();
-      work(std::max(0, i));
-      if (i >= 0) times.push_back(nowMs() - started);
-    }
-    std::sort(times.begin(), times.end());
-    const auto at = [&](double share) {
-      return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1) + 0.5)];
-    };
-    std::cout << (first_ ? "" : ",\n") << "  \"" << name << "\": {\"median_ms\": " << at(0.5)
-              << ", \"p95_ms\": " << at(0.95) << ", \"p99_ms\": " << at(0.99)
-              << ", \"runs\": " << runs << "}" << std::flush;
-    first_ = false;
-  }
-
- private:
-  bool first_ = true;
-};
 
 /// Part of a stroke, as it is while the pen moves: from a fifth of it to all.
 std::vector<PicturePoint> begun(const std::vector<PicturePoint>& stroke, int step, int steps) {
@@ -95,9 +63,9 @@ void printRibs(const std::string& folder) {
   }
 }
 
-// Eight parts of 60 ribs, one of whose rib ends is dragged softly: the preview of each move, and the
-// whole document at pen-up.
-void timeRibDrag(Report& report, const image::Picture& picture, const image::EdgeMap& edges,
+// Eight parts of 60 ribs, one of whose rib ends is dragged softly: the preview of each move, and
+// the whole document at pen-up.
+void timeRibDrag(bench::Report& report, const image::Picture& picture, const image::EdgeMap& edges,
                  const std::vector<PicturePoint>& stroke) {
   using namespace document;
   const auto shared = std::make_shared<const image::Picture>(picture);
@@ -130,7 +98,7 @@ void printStageTimes() {
   const Progress progress;
   const image::EdgeMap edges = must(vision::detectEdges(picture, {}, progress));
 
-  Report report;
+  bench::Report report;
   report.stage("edges 1024x768", 15,
                [&](int) { must(vision::detectEdges(picture, {}, progress)); });
   const image::Picture small = bench::tubePicture({576, 432});
@@ -140,12 +108,8 @@ void printStageTimes() {
                [&](int) { must(vision::detectEdges(large, {}, progress)); });
   document::LoftRecipe recipe;
   recipe.stroke = bench::tubeStroke(size, 200);
-  for (const int ribs : {25, 50, 100, 200, 400}) {
-    recipe.spine.ribs = ribs;
-    const ribs::Spine spine = must(ribs::cleanSpine(recipe.stroke, size, recipe.spine));
-    report.stage("ribs " + std::to_string(ribs), 21,
-                 [&](int) { must(ribs::traceRibs(spine, edges, size, recipe.ribs, progress)); });
-  }
+  bench::reportRibStages(edges, size, report);
+  bench::reportFieldStages(report);
   recipe.spine.ribs = 100;
   const pipeline::PartShape shape = must(pipeline::shapePart(recipe, edges, size, progress));
   loft::LoftParams params;
@@ -155,12 +119,15 @@ void printStageTimes() {
     if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);
   });
   constexpr int kMoves = 60;
-  report.stage("pen move to mesh", kMoves, [&](int move) {
-    document::LoftRecipe moving = recipe;
-    moving.stroke = begun(recipe.stroke, move, kMoves);
-    must(pipeline::shapePart(moving, edges, size, progress));
-  });
-  timeRibDrag(report, picture, edges, recipe.stroke);
+  for (const int ribs : {100, 200}) {
+    recipe.spine.ribs = ribs;
+    report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves,
+                 [&](int move) {
+                   document::LoftRecipe moving = recipe;
+                   moving.stroke = begun(recipe.stroke, move, kMoves);
+                   must(pipeline::shapePart(moving, edges, size, progress));
+                 });
+  }
 }
 
 }  // namespace
