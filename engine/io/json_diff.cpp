@@ -104,7 +104,7 @@ bool applyDifference(Json& value, const Json& change) {
   if (kind == "@" && change.size() == 3) {
     if (!value.is_array() || !change[1].is_number_unsigned()) return false;
     const auto place = change[1].get<std::uint64_t>();
-    return place < value.size() && applyDifference(value[place], change[2]);
+    return place < value.size() && applyDifference(value[static_cast<std::size_t>(place)], change[2]);
   }
   return false;
 }

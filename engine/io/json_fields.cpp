@@ -86,8 +86,9 @@ Json toJson(double value) {
 Json toJson(float value) {
   std::array<char, 32> digits{};
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  double shortest = 0;
-  std::from_chars(digits.data(), written.ptr, shortest);
+  // Not from_chars: libc++ 19 lacks it for double.
+  const Json read = Json::parse(digits.data(), written.ptr, nullptr, false);
+  const double shortest = read.is_number() ? read.get<double>() : value;
   // Rounding twice could miss the float by one.
   return toJson(static_cast<float>(shortest) == value ? shortest : static_cast<double>(value));
 }
