@@ -14,7 +14,7 @@
 namespace spineloft::panels {
 namespace {
 
-constexpr float kRoomForAll = 520;  // CSS pixels of the view from which sizes and inks are all shown
+constexpr float kRoomForAll = 630;  // CSS pixels of the view from which sizes and inks are all shown
 constexpr float kMargin = 10;
 constexpr const char* kBone = "Draw bone";
 
@@ -132,10 +132,13 @@ void settings(const PanelEnv& env, bool all) {
   };
   const app::PenMenu open = env.ui().sketching.menu;
   const ImU32 ink = erasing(env) ? kMuted : colourOf(env.ui().sketching.colour);
-  if (dotButton(env, "size", kDotRadii[app::sizeInHand(env.ui())], kInk,
-                open == app::PenMenu::Size)) {
-    toggle(app::PenMenu::Size);
-  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (dotButton(env, "size", 0, kInk, false)) toggle(app::PenMenu::Size);
+  // A dash as wide as the pen, so that it is not taken for a colour.
+  const float side = sideOf(env), width = 2 * kDotRadii[app::sizeInHand(env.ui())] - 2;
+  ImGui::GetWindowDrawList()->AddLine({at.x + 10, at.y + side - 11}, {at.x + side - 10, at.y + 11},
+                                      kInk, width);
+  tooltip("Pen size");
   ImGui::SameLine();
   if (dotButton(env, "ink", 8, ink, open == app::PenMenu::Colour)) toggle(app::PenMenu::Colour);
 }
