@@ -169,7 +169,7 @@ void drawInk(const PanelEnv& env) {
 
 void drawSketchBar(const PanelEnv& env) {
   const document::PictureEntry* sketch = app::shownSketch(env.document(), env.ui());
-  if (sketch == nullptr) return;
+  if (sketch == nullptr || env.ui().slices.board) return;
   const app::Rect& view = env.ui().layout.picture;
   const float side = sideOf(env);
   const bool drawing = env.ui().tool == app::ToolKind::Pen || erasing(env);
