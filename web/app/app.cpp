@@ -9,6 +9,7 @@
 #include "engine/base/limits.h"
 #include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
+#include "web/app/editing.h"
 #include "web/app/messages.h"
 #include "web/app/slice_editing.h"
 #include "web/app/scene.h"
@@ -83,6 +84,7 @@ void App::settle() {
   settleSketching(document, ui_);
   if (!document::findPicture(document, ui_.pictureMenu)) ui_.pictureMenu = {};
   if (!document::findPart(document, ui_.selection)) ui_.selection = {};
+  settleChosen();
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
   const bool orphaned =
       ui_.preview && (!document::findPicture(document, ui_.preview->recipe.picture) ||
@@ -98,6 +100,24 @@ void App::settle() {
     closeBoard(ui_);
   }
   layout();
+}
+
+/// What is chosen of a part goes with it, and with the rib.
+void App::settleChosen() {
+  if (chosenOf_ != ui_.selection) {
+    chosenOf_ = ui_.selection;
+    ui_.chosen = {};
+  }
+  if (!ui_.chosen.end && !ui_.hover.end) return;
+  const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);
+  const std::size_t count = subject ? subject.shape->ribs.ribs.size() : 0;
+  if (ui_.hover.end && ui_.hover.end->rib >= count) ui_.hover = {};
+  if (!ui_.chosen.end || ui_.chosen.end->rib < count) return;
+  if (count == 0) {
+    ui_.chosen.end.reset();
+  } else {
+    ui_.chosen.end->rib = count - 1;
+  }
 }
 
 void App::runCalls() {
@@ -207,6 +227,10 @@ void App::announce() {
   json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
   json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
   json_.text(colourText(ui_.sketching.colour));
+  json_.number(ui_.chosen.end ? static_cast<double>(ui_.chosen.end->rib) : -1);
+  json_.number(ui_.chosen.handle).number(ui_.edit.ribReach).number(ui_.edit.boneReach);
+  json_.flag(ui_.edit.bothSides).flag(ui_.edit.keepRibs).flag(ui_.edit.wholePicture);
+  json_.flag(ui_.edit.depthByPressure).flag(ui_.penSeen).number(ui_.edit.brush);
   const PictureView& view = ui_.pictureView;
   json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
   json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
@@ -239,7 +263,18 @@ void App::feedPanels(const platform::PointerEvent& event) {
   if (gone || lifted) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
 }
 
+void App::nameRib() {
+  const std::optional<ribs::EndRef>& end = ui_.hover.end ? ui_.hover.end : ui_.chosen.end;
+  const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);
+  const bool rib = end && subject && ui_.tool == ToolKind::Ribs;
+  std::string name = rib ? ribSentence(subject.shape->ribs, *end) : std::string();
+  if (name == named_) return;
+  named_ = std::move(name);
+  sendStatus(host_, named_);
+}
+
 void App::pointer(const platform::PointerEvent& event) {
+  const Hover before = ui_.hover;
   const bool onPanels = gestures_.pointer(event, toolEnv()) == Gestures::Target::Panels;
   if (onPanels) {
     feedPanels(event);
@@ -258,6 +293,10 @@ void App::pointer(const platform::PointerEvent& event) {
   overPanels_ = onPanels;
   if (!sink_.empty()) runCalls();
   if (event.kind != platform::PointerKind::Move || gestures_.active()) touch();
+  if (!(ui_.hover == before)) {
+    touch();
+    nameRib();
+  }
   const std::string_view cursor = gestures_.cursor(toolEnv());
   if (cursor != cursor_) {
     cursor_ = cursor;
@@ -296,11 +335,18 @@ bool App::key(const platform::KeyEvent& event) {
     touch(2);
     return true;
   }
-  const Command* command = commandForKey(event);
+  const CommandEnv now = env();
+  const Command* command = commandForKey(event, &now);
   if (command == nullptr) return false;
   if (!enabled(*command, env())) return (event.modifiers & ~platform::kShift) != 0;
-  sink_.run(command->id);
+  // Keys that mean something only now also say which one they are.
+  sink_.run(command->id, command->when == nullptr
+                             ? Json()
+                             : Json::Object{{"key", event.key},
+                                            {"far", (event.modifiers & platform::kShift) != 0}});
   runCalls();
+  gestures_.again(toolEnv());
+  nameRib();
   touch(2);
   return true;
 }

@@ -60,12 +60,13 @@ class App final : public platform::Page {
 
  private:
   CommandEnv env() { return {studio_, ui_, host_}; }
-  tools::ToolEnv toolEnv() { return {studio_.document(), studio_.derived(), ui_, sink_}; }
+  tools::ToolEnv toolEnv() { return {studio_.document(), studio_.derived(), ui_, sink_, &picker_}; }
   /// Something happened: draw soon, and `frames` times at least.
   void touch(int frames = 1);
   /// Runs what tools and panels asked for; refusals become toasts.
   void runCalls();
   void settle();
+  void settleChosen();
   void layout();
   void growPreview();
   void fly();
@@ -73,6 +74,8 @@ class App final : public platform::Page {
   void beginUi();
   void watchWork();
   void announce();
+  /// Names the rib end that is lit, for screen readers.
+  void nameRib();
   void refused(const Refusal& refusal);
   const std::string& answerWith(const Outcome& outcome);
   void feedPanels(const platform::PointerEvent& event);
@@ -86,12 +89,15 @@ class App final : public platform::Page {
   UiState ui_;
   Gestures gestures_;
   ActionSink sink_;
+  Picker picker_;
   gl::Scene scene_;
   Thumbnails thumbnails_;
   JsonWriter json_;
   std::string text_, lastError_ = "null";
   std::vector<std::uint8_t> exported_;
   std::string cursor_;
+  PartId chosenOf_;    ///< the part that ui_.chosen is about
+  std::string named_;  ///< the rib end that the status names
   std::string announced_;  ///< the state that the shell knows of, in short
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;

@@ -58,6 +58,10 @@ const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& 
 const document::Part* partOf(const CommandEnv& env, const Json& args);
 /// A part is selected: what makes commands about a part possible without naming one.
 bool hasSelection(const CommandEnv& env);
+/// One of its ribs is chosen.
+bool hasChosenRib(const CommandEnv& env);
+/// It stands in a pose.
+bool isPosed(const CommandEnv& env);
 /// Its look, or the look of the next part when none is selected.
 document::Look currentLook(const CommandEnv& env);
 /// Turns the camera so that it sees every part, from home or from where it looks.

@@ -58,6 +58,10 @@ Outcome cancel(Env env, const Json&) {
     env.ui.redraw = {};
   } else if (env.studio.busy()) {
     env.studio.cancelWork();
+  } else if (env.ui.chosen != Chosen{}) {
+    env.ui.chosen = {};
+  } else if (env.ui.tool != ToolKind::Draw && env.ui.tool != ToolKind::Hand) {
+    env.ui.tool = ToolKind::Draw;
   } else {
     env.ui.selection = {};
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "web/app/command_actions.h"
+#include "web/app/command_args.h"
 #include "web/app/command_groups.h"
 
 namespace spineloft::app {
@@ -82,19 +83,23 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
   }
   if (!enabled(*command, env)) {
     // Commands about a part may name one that is not selected.
-    const bool namesPart = partOf(env, args) != nullptr;
-    if (!namesPart || command->enabled != hasSelection) {
+    const bool named = namesPart(args) && partOf(env, args) != nullptr;
+    const auto about = {hasSelection, hasChosenRib, isPosed};
+    if (!named || std::ranges::count(about, command->enabled) == 0) {
       return Refusal{"NotNow", std::string(command->label) + " is not possible right now."};
     }
   }
   return command->run(env, args);
 }
 
-const Command* commandForKey(const platform::KeyEvent& event) {
+const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env) {
+  const Command* found = nullptr;
   for (const Command& command : commandTable()) {
-    if (!command.shortcut.empty() && matches(command.shortcut, event)) return &command;
+    if (command.shortcut.empty() || !matches(command.shortcut, event)) continue;
+    if (command.when != nullptr && env && command.when(*env)) return &command;
+    if (command.when == nullptr && found == nullptr) found = &command;
   }
-  return nullptr;
+  return found;
 }
 
 namespace {

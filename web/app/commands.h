@@ -47,6 +47,9 @@ struct Command {
   bool (*enabled)(const CommandEnv&) = nullptr;  ///< null: always
   bool (*toggled)(const CommandEnv&) = nullptr;  ///< null: it is no toggle
   Outcome (*run)(const CommandEnv&, const Json& args) = nullptr;
+  /// Its keys count only while this holds, and then before those of other commands; `run` is told
+  /// {key, far: with shift}. Null: its keys always count.
+  bool (*when)(const CommandEnv&) = nullptr;
 };
 
 /// In the order of the command bar; ids and shortcuts are unique.
@@ -57,8 +60,8 @@ bool enabled(const Command& command, const CommandEnv& env);
 /// Runs a command of the table, if it can run now.
 Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args);
 
-/// The command of a key, or null.
-const Command* commandForKey(const platform::KeyEvent& event);
+/// The command of a key, or null; without `env` those whose keys only count now and then are left out.
+const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env = nullptr);
 
 /// One choice of a menu, as Argument::choices writes them.
 void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on);

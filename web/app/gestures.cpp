@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "web/tools/draw_spine.h"
 #include "web/tools/pan_picture.h"
+#include "web/tools/pick.h"
 #include "web/tools/pinch.h"
-#include "web/tools/sketch_pen.h"
 #include "web/tools/slice_tools.h"
+#include "web/tools/tools.h"
 #include "web/tools/turn_solid.h"
 
 namespace spineloft::app {
@@ -19,8 +19,15 @@ using platform::PointerKind;
 
 constexpr double kWheelZoom = 0.0016;  // ln of the zoom per CSS pixel of a mouse wheel
 constexpr double kPinchZoom = 0.011;   // the same for a trackpad pinch
+constexpr double kWheelReach = 0.0004;  // reach per CSS pixel of a mouse wheel
 
 ClientPoint pointOf(const PointerEvent& event) { return {event.x, event.y}; }
+
+void turnReach(UiState& ui, double by) {
+  if (ui.tool != ToolKind::Ribs && ui.tool != ToolKind::Bone) return;
+  double& reach = ui.tool == ToolKind::Ribs ? ui.edit.ribReach : ui.edit.boneReach;
+  reach = std::clamp(reach + by, 0.0, kMostReach);
+}
 
 tools::ToolEvent toolEvent(const PointerEvent& event) {
   return {pointOf(event), event.pressure, event.timeMs, event.modifiers, event.device};
@@ -51,6 +58,7 @@ Gestures::Contact* Gestures::find(int id) {
 Gestures::Target Gestures::pointer(const PointerEvent& event, const tools::ToolEnv& env) {
   env.ui.touch = event.device == Device::Touch;
   hover_ = pointOf(event);
+  last_ = toolEvent(event);
   Contact* contact = find(event.id);
   const Place place = contact ? contact->place : placeOf(env.ui, hover_);
   switch (event.kind) {
@@ -71,7 +79,25 @@ Gestures::Target Gestures::pointer(const PointerEvent& event, const tools::ToolE
       }
       break;
   }
+  if (!active()) hover(event, env);
   return place == Place::Panels ? Target::Panels : Target::Views;
+}
+
+void Gestures::hover(const PointerEvent& event, const tools::ToolEnv& env) {
+  const bool gone = event.kind == PointerKind::Leave || event.kind == PointerKind::Cancel ||
+                    event.device == Device::Touch;
+  const Place place = gone ? Place::Panels : placeOf(env.ui, hover_);
+  if (place == Place::Picture) {
+    env.ui.hover = tools::pickInPicture(env, last_);
+  } else if (place == Place::Solid) {
+    env.ui.hover = tools::pickInSolid(env, last_);
+  } else {
+    env.ui.hover = {};
+  }
+}
+
+void Gestures::again(const tools::ToolEnv& env) {
+  if (tool_) tool_->move(env, last_);
 }
 
 void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
@@ -100,25 +126,23 @@ void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
   if (place == Place::Picture) env.ui.focus = Focus::Picture;
   if (event.button == 0 && !env.ui.spaceHeld) tool_ = tools::sliceTool(env, toolEvent(event));
   if (place == Place::Slices && !tool_) return;
-  if (!tool_) tool_ = toolFor(event, place, env.ui);
+  if (!tool_) tool_ = toolFor(event, place, env);
   toolContact_ = event.id;
   tool_->begin(env, toolEvent(event));
 }
 
 std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place place,
-                                               const UiState& ui) const {
+                                               const tools::ToolEnv& env) const {
   using Mode = tools::TurnSolid::Mode;
+  const UiState& ui = env.ui;
   const bool shift = (event.modifiers & platform::kShift) != 0;
   const bool plain = event.button == 0 && !ui.spaceHeld;
   if (place == Place::Solid) {
-    return std::make_unique<tools::TurnSolid>(plain && !shift ? Mode::Orbit : Mode::Pan);
+    if (plain && !shift) return tools::solidTool(env, toolEvent(event));
+    return std::make_unique<tools::TurnSolid>(Mode::Pan);
   }
   const bool finger = event.device == Device::Touch && ui.penSeen;
-  if (plain && !finger && (ui.tool == ToolKind::Pen || ui.tool == ToolKind::Eraser)) {
-    return std::make_unique<tools::SketchPen>(ui.tool == ToolKind::Eraser);
-  }
-  if (plain && !finger && ui.tool == ToolKind::Draw) return std::make_unique<tools::DrawSpine>();
-  return std::make_unique<tools::PanPicture>();
+  return tools::pictureTool(plain && !finger ? ui.tool : ToolKind::Hand);
 }
 
 void Gestures::startPinch(const tools::ToolEnv& env) {
@@ -179,6 +203,12 @@ void Gestures::wheel(const platform::WheelEvent& event, const tools::ToolEnv& en
   const bool sideways = !pinch && std::abs(event.deltaX) > std::abs(event.deltaY);
   const ClientPoint by = shift && !sideways ? ClientPoint{-event.deltaY, 0}
                                             : ClientPoint{-event.deltaX, -event.deltaY};
+  if (place == Place::Picture && tool_ && !pinch && !sideways) {
+    // While a rib end or a bone point is held, the wheel says how far its neighbours follow.
+    turnReach(env.ui, -event.deltaY * kWheelReach);
+    again(env);
+    return;
+  }
   if (place == Place::Picture) {
     if (shift || sideways) {
       app::panPicture(env.ui.pictureView, tools::shownPicture(env), env.ui.layout.picture, by);
@@ -198,6 +228,9 @@ void Gestures::wheel(const platform::WheelEvent& event, const tools::ToolEnv& en
 
 const char* Gestures::cursor(const tools::ToolEnv& env) const {
   const UiState& ui = env.ui;
+  const auto held = [&](std::string_view open) {
+    return tool_ && open == "grab" ? "grabbing" : open.data();
+  };
   if (splitting_) return ui.layout.stacked ? "row-resize" : "col-resize";
   const Place place = placeOf(ui, hover_);
   if (place == Place::Slices || place == Place::Picture) {
@@ -209,10 +242,10 @@ const char* Gestures::cursor(const tools::ToolEnv& env) const {
     case Place::Splitter:
       return ui.layout.stacked ? "row-resize" : "col-resize";
     case Place::Picture:
-      if (ui.tool == ToolKind::Hand || ui.spaceHeld) return tool_ ? "grabbing" : "grab";
-      return "crosshair";
+      if (ui.spaceHeld) return tool_ ? "grabbing" : "grab";
+      return held(tools::cursorFor(ui, Focus::Picture));
     case Place::Solid:
-      return tool_ ? "grabbing" : "grab";
+      return held(tools::cursorFor(ui, Focus::Solid));
     case Place::Panels:
       return "default";
   }

@@ -21,6 +21,8 @@ class Gestures {
   void wheel(const platform::WheelEvent& event, const tools::ToolEnv& env);
   /// Drops the gesture in hand, without a trace.
   void cancel(const tools::ToolEnv& env);
+  /// Leads the gesture in hand to where it is once more: an option of its tool has changed.
+  void again(const tools::ToolEnv& env);
   bool active() const { return tool_ != nullptr || splitting_; }
 
   /// The CSS cursor for the place of the mouse.
@@ -42,7 +44,8 @@ class Gestures {
   void release(const platform::PointerEvent& event, const tools::ToolEnv& env);
   void startPinch(const tools::ToolEnv& env);
   std::unique_ptr<tools::Tool> toolFor(const platform::PointerEvent& event, Place place,
-                                       const UiState& ui) const;
+                                       const tools::ToolEnv& env) const;
+  void hover(const platform::PointerEvent& event, const tools::ToolEnv& env);
 
   std::vector<Contact> contacts_;
   std::unique_ptr<tools::Tool> tool_;
@@ -51,6 +54,7 @@ class Gestures {
   bool pinching_ = false;
   Place pinchPlace_ = Place::Picture;
   ClientPoint hover_;
+  tools::ToolEvent last_;
 };
 
 }  // namespace spineloft::app

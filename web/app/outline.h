@@ -9,10 +9,10 @@
 
 namespace spineloft::app {
 
-/// The closed outline of a part in picture pixels: left rib ends, round the end, right rib ends
+/// The closed outline of ribs in picture pixels: left ends, round the end, right ends
 /// back, round the start. Round caps follow the end fans. Appended to `out`, which is cleared
 /// first.
-void outlineOf(const pipeline::PartShape& shape, const loft::LoftParams& params,
+void outlineOf(const ribs::RibSet& set, const loft::LoftParams& params,
                std::vector<PicturePoint>& out);
 
 /// The visible part of `picture` under the point, the last one drawn first; none elsewhere. A spine
@@ -23,8 +23,5 @@ PartId partAt(const document::Document& document, const pipeline::Derived& deriv
 struct Ray {
   WorldPoint eye, direction;
 };
-/// The visible part whose surface the ray meets first; none when it meets none.
-PartId partUnderRay(const document::Document& document, const pipeline::Derived& derived,
-                    const Ray& ray);
 
 }  // namespace spineloft::app

@@ -6,43 +6,14 @@
 
 #include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
+#include "web/app/command_args.h"
+#include "web/app/editing.h"
 #include "web/app/messages.h"
 
 namespace spineloft::app {
 namespace {
 
 using Env = const CommandEnv&;
-
-Outcome missing(std::string_view what) {
-  return Refusal{"ArgumentMissing", "This needs " + std::string(what) + "."};
-}
-
-/// [[x, y], …]; none when it is anything else. Numbers that are no numbers become NaN, so that the
-/// engine can refuse them by name.
-std::optional<std::vector<PicturePoint>> strokeOf(const Json& args) {
-  const Json* list = args.find("stroke");
-  if (list == nullptr || list->array() == nullptr) return std::nullopt;
-  std::vector<PicturePoint> stroke;
-  for (const Json& entry : *list->array()) {
-    const Json::Array* pair = entry.array();
-    if (pair == nullptr || pair->size() < 2) return std::nullopt;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    stroke.push_back({(*pair)[0].number().value_or(nan), (*pair)[1].number().value_or(nan)});
-  }
-  return stroke;
-}
-
-PartId idFrom(const Json& args, std::string_view key) {
-  const std::optional<double> id = args.number(key);
-  if (!id || !(*id >= 1) || *id > 4e9 || *id != std::floor(*id)) return {};
-  return PartId{static_cast<std::uint32_t>(*id)};
-}
-
-bool namesPart(const Json& args) {
-  return args.find("part") != nullptr || args.find("id") != nullptr;
-}
-
-Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
 
 /// Gives a new look to the part that is meant, or to the next part.
 Outcome setLook(Env env, const Json& args, const document::Look& look) {
@@ -95,6 +66,11 @@ Outcome drawSpine(Env env, const Json& args) {
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
   document::DrawSpine draw{env.ui.picture,  std::move(*stroke), env.ui.section,
                            env.ui.startCap, env.ui.endCap,      env.ui.look, {}};
+  if (args.find("depth") != nullptr) {
+    std::optional<geometry::AlongCurve> depth = curveOf(args, "depth");
+    if (!depth) return missing("a depth: a list of [place, pixels], places from 0 to 1 in order");
+    draw.depth = std::move(*depth);
+  }
   if (const std::string* key = args.text("section")) {
     const auto section = loft::sectionFromKey(*key);
     if (!section) return refuse({Error::ValueOutOfRange, *key});
@@ -117,7 +93,7 @@ Outcome redrawSpine(Env env, const Json& args) {
   std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
   const PartId id = part->id;
-  const Status status = env.studio.act(document::RedrawSpine{id, std::move(*stroke)});
+  const Status status = env.studio.act(boneActions(*part, std::move(*stroke), false));
   if (!status) return refuse(status.failure());
   env.ui.selection = id;
   env.ui.redraw = {};

@@ -53,7 +53,8 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     if (previewOf(ui, part.id)) continue;
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
     mesh.key = shape->key | 1u;
-    mesh.selected = part.id == ui.selection && document.parts.size() > 1;
+    const bool several = document.parts.size() > 1;
+    mesh.glow = several && part.id == ui.selection ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
     scene.meshes.push_back(mesh);
   }
 }

@@ -1,6 +1,9 @@
 #include "web/app/state_json.h"
 
+#include <span>
+
 #include "web/app/colour_text.h"
+#include "web/app/editing.h"
 
 #include "web/app/slice_json.h"
 
@@ -11,6 +14,62 @@ void writePoint(JsonWriter& json, std::string_view key, PicturePoint p) {
   json.key(key).beginArray().number(p.x).number(p.y).endArray();
 }
 
+void writeLine(JsonWriter& json, std::string_view key, std::span<const PicturePoint> points) {
+  json.key(key).beginArray();
+  for (const PicturePoint p : points) json.beginArray().number(p.x).number(p.y).endArray();
+  json.endArray();
+}
+
+void writeOthers(JsonWriter& json, std::string_view key, const ribs::OtherPlaces& others) {
+  writeLine(json, key, std::span(others.at).first(static_cast<std::size_t>(others.count)));
+}
+
+void writePose(JsonWriter& json, const loft::Pose& pose) {
+  json.key("pose").beginObject();
+  writeLine(json, "stroke", pose.stroke);
+  json.key("depth").beginArray();
+  for (const auto& [at, value] : pose.depth.points) {
+    json.beginArray().number(at).number(value).endArray();
+  }
+  json.endArray().key("turns").number(pose.coilTurns).key("radius").number(pose.coilRadius);
+  json.key("closed").flag(pose.closed).endObject();
+}
+
+void writeEnd(JsonWriter& json, std::string_view key, const std::optional<ribs::EndRef>& end) {
+  json.key(key);
+  if (!end) {
+    json.null();
+    return;
+  }
+  json.beginObject().key("rib").number(static_cast<double>(end->rib));
+  json.key("side").text(end->side == ribs::Side::Left ? "left" : "right").endObject();
+}
+
+/// What the tools show and how they work.
+void writeEditing(JsonWriter& json, const UiState& ui) {
+  json.key("hover").beginObject().key("part");
+  ui.hover.part ? json.number(ui.hover.part.value) : json.null();
+  writeEnd(json, "end", ui.hover.end);
+  json.key("other").number(ui.hover.other).key("handle").number(ui.hover.handle);
+  json.key("bone").flag(ui.hover.bone).key("depth").number(ui.hover.depth);
+  json.key("mark").number(ui.hover.mark).endObject();
+  json.key("chosen").beginObject();
+  writeEnd(json, "end", ui.chosen.end);
+  json.key("handle").number(ui.chosen.handle).endObject();
+  json.key("touched").beginArray();
+  for (const ribs::EndRef end : ui.inHand.touched) {
+    json.beginObject().key("rib").number(static_cast<double>(end.rib));
+    json.key("side").text(end.side == ribs::Side::Left ? "left" : "right").endObject();
+  }
+  json.endArray();
+  const EditOptions& edit = ui.edit;
+  json.key("options").beginObject().key("ribReach").number(edit.ribReach);
+  json.key("boneReach").number(edit.boneReach).key("bothSides").flag(edit.bothSides);
+  json.key("keepRibs").flag(edit.keepRibs).key("wholePicture").flag(edit.wholePicture);
+  json.key("depthByPressure").flag(edit.depthByPressure).key("brush").number(edit.brush);
+  json.endObject();
+}
+
 void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
   json.key("ribs").beginArray();
   for (const ribs::Rib& rib : set.ribs) {
@@ -19,7 +78,10 @@ void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
     writePoint(json, "left", rib.left);
     writePoint(json, "right", rib.right);
     json.key("leftState").text(ribs::ribStateKey(rib.leftState));
-    json.key("rightState").text(ribs::ribStateKey(rib.rightState)).endObject();
+    json.key("rightState").text(ribs::ribStateKey(rib.rightState));
+    writeOthers(json, "leftOthers", rib.leftOthers);
+    writeOthers(json, "rightOthers", rib.rightOthers);
+    json.endObject();
   }
   json.endArray();
 }
@@ -40,6 +102,13 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   writeRibs(json, derived.shape ? derived.shape->ribs : kNoRibs);
+  const ribs::RibEdits& edits = part.recipe.edits;
+  json.key("edits").beginObject().key("ends").number(static_cast<double>(edits.ends.size()));
+  json.key("added").number(static_cast<double>(edits.added.size()));
+  json.key("removed").number(static_cast<double>(edits.removed.size())).endObject();
+  json.key("ignored").number(static_cast<double>(part.recipe.ignored.size()));
+  writePose(json, part.recipe.pose);
+  writeLine(json, "bone", derived.shape ? boneHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
   json.key("triangles");
   json.number(derived.shape ? static_cast<double>(derived.shape->mesh.triangles.size()) : 0);
   json.endObject();
@@ -53,7 +122,9 @@ void writePicture(JsonWriter& json, const document::PictureEntry* entry) {
   }
   json.beginObject().key("width").number(entry->size.width);
   json.key("height").number(entry->size.height).key("name").text(entry->name);
-  json.key("id").number(entry->id.value).key("sketch").flag(entry->isSketch());
+  json.key("id").number(entry->id.value);
+  json.key("ignored").number(static_cast<double>(entry->ignored.size()));
+  json.key("sketch").flag(entry->isSketch());
   json.key("strokes").number(static_cast<double>(entry->sketch.size()));
   json.key("finished").flag(entry->isSketch() && looksFinished(*entry)).endObject();
 }
@@ -136,6 +207,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writeActivity(json, studio);
   writePreview(json, ui);
   writeSliceUi(json, ui.slices);
+  writeEditing(json, ui);
   json.key("looks").text(ui.look.textured ? "picture" : "colour");
   json.key("heightMm").number(document.height.value);
   json.key("documentName").text(document.name);

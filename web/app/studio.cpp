@@ -9,6 +9,8 @@
 namespace spineloft::app {
 namespace {
 
+constexpr double kBurstMs = 1000;  // between two keys that belong together
+
 struct EdgeSearch {
   Result<image::EdgeMap> edges;
   double ms = 0;
@@ -18,14 +20,21 @@ struct EdgeSearch {
 
 Studio::Studio(platform::Host& host, int threads) : host_(host), pool_(threads) {}
 
-Status Studio::act(std::span<const document::Action> actions) {
+Status Studio::act(std::span<const document::Action> actions, std::string_view burst) {
   document::Document next = document();
   for (const document::Action& action : actions) {
     Result<document::Document> result = document::update(next, action);
     if (!result) return result.failure();
     next = std::move(result).value();
   }
+  const double now = host_.nowMs();
+  const bool goesOn = !burst.empty() && burst == burst_ && now - burstMs_ < kBurstMs &&
+                      undoSteps() == burstStep_ && redoSteps() == 0;
+  if (goesOn) static_cast<void>(history_.undo());
   history_.commit(std::move(next));
+  burst_ = burst;
+  burstMs_ = now;
+  burstStep_ = undoSteps();
   changed();
   return Done{};
 }

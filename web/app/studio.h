@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,7 +31,8 @@ class Studio {
   std::size_t redoSteps() const { return history_.redoSteps(); }
 
   /// All actions or none, as one step of undo. Errors: those of document::update.
-  Status act(std::span<const document::Action> actions);
+  /// Equal bursts (not empty) shortly after each other, with nothing in between, are one step.
+  Status act(std::span<const document::Action> actions, std::string_view burst = {});
   Status act(const document::Action& action) { return act({&action, 1}); }
   Status undo();
   Status redo();
@@ -76,6 +79,9 @@ class Studio {
   pipeline::Cache cache_;
   pipeline::Derived derived_;
   bool stale_ = false;
+  std::string burst_;
+  double burstMs_ = 0;
+  std::size_t burstStep_ = 0;  ///< the number of steps when it ended
   pipeline::StageMs lastMs_;
   std::uint64_t revision_ = 0;
   struct Search {

@@ -11,6 +11,7 @@
 #include "engine/base/ids.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
+#include "engine/ribs/edit_gestures.h"
 #include "web/app/layout.h"
 #include "web/app/sketching.h"
 #include "web/app/slice_ui.h"
@@ -54,6 +55,47 @@ struct Thumbnail {
   Rect at;
 };
 
+/// What lies under the pointer: lit in the views, and what a press would act on.
+struct Hover {
+  PartId part;                      ///< in either view
+  std::optional<ribs::EndRef> end;  ///< of the selected part
+  int other = -1;                   ///< one of the other places of the lit end
+  int handle = -1;                  ///< of the bone of the selected part
+  bool bone = false;                ///< its bone, beside the handles
+  int depth = -1;                   ///< a handle of its depth, in the solid view
+  int mark = -1;                    ///< a scribble (see marksOf)
+  bool operator==(const Hover&) const = default;
+};
+
+/// What arrows move and what commands about ribs mean, of the selected part.
+struct Chosen {
+  std::optional<ribs::EndRef> end;
+  int handle = -1;
+  bool operator==(const Chosen&) const = default;
+};
+
+/// What the gesture in hand draws and reaches; empty between gestures.
+struct InHand {
+  std::vector<PicturePoint> stroke;  ///< picture pixels
+  double radius = 0;                 ///< of a brush, picture pixels; 0: a thin line
+  std::vector<ribs::EndRef> touched;  ///< rib ends that it moves
+  std::optional<ribs::EndRef> end;    ///< the one that is dragged
+  int depth = -1;                     ///< the handle of the depth that is dragged
+};
+
+/// How the tools work; lasts until it is changed.
+struct EditOptions {
+  double ribReach = 0.06;         ///< of a dragged rib end, share of the bone's length, 0…0.5
+  double boneReach = 0.25;        ///< of a dragged bone point, the same
+  bool bothSides = false;         ///< a line changes the other side of the ribs as well
+  bool keepRibs = false;          ///< a changed bone takes its ribs along; else edges are found again
+  bool wholePicture = false;      ///< a scribble counts for all parts of the picture
+  bool depthByPressure = false;   ///< a pen's pressure becomes the depth of the bone
+  double brush = 14;              ///< radius of a scribble, CSS pixels
+  bool operator==(const EditOptions&) const = default;
+};
+inline constexpr double kMostReach = 0.5;
+
 /// A camera on its way.
 struct CameraFlight {
   Camera from, to;
@@ -70,6 +112,10 @@ struct UiState {
   PanelTab tab = PanelTab::Slice;
   unsigned folded = 1u << static_cast<unsigned>(PanelTab::Along);  ///< bits of the column's sections
   PartId selection;
+  Hover hover;
+  Chosen chosen;
+  InHand inHand;
+  EditOptions edit;
   PictureId picture;          ///< the one in the picture view
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
   PartId redraw;              ///< the next stroke is for this part

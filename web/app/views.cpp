@@ -7,6 +7,8 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kButtonRoom = 58;  // CSS pixels at the side or foot of the view that buttons take
+constexpr double kTopRoom = 54;     // CSS pixels at the head of a tall view that buttons take
+constexpr double kTallView = 440;   // CSS pixels
 constexpr double kLowView = 290;    // CSS pixels
 constexpr double kFitMargin = 28;   // CSS pixels round a fitted picture
 constexpr double kMinZoom = 0.01, kMaxZoom = 64;
@@ -35,6 +37,10 @@ PictureView fitPicture(image::Size picture, const Rect& view) {
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
   const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
   Rect inner = view.inset(margin);
+  if (view.height >= kTallView) {  // the options of the tools stand at the top
+    inner.y += kTopRoom - margin;
+    inner.height -= kTopRoom - margin;
+  }
   if (buttonsAtSide(view)) {
     inner.width = std::max(0.0, inner.width - (kButtonRoom - margin));
   } else if (inner.height > 2 * kButtonRoom) {
@@ -130,6 +136,14 @@ gl::Mat4 projectionOf(const Camera& camera, const Rect& view) {
   const double aspect = view.height > 0 ? view.width / view.height : 1;
   return gl::perspective(kHalfHeight, aspect, std::max(0.002, camera.distance * 0.02),
                          camera.distance + 20);
+}
+
+std::optional<ClientPoint> pointOnCanvas(const Camera& camera, const Rect& view, WorldPoint p) {
+  const WorldPoint from = p - camera.eye();
+  const double away = -dot(from, camera.back());
+  if (away < 1e-6) return std::nullopt;
+  const double scale = std::max(1.0, view.height) / (2 * kHalfHeight * away);
+  return view.centre() + ClientPoint{dot(from, camera.right()), -dot(from, camera.up())} * scale;
 }
 
 WorldPoint rayThrough(const Camera& camera, const Rect& view, ClientPoint at) {

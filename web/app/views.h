@@ -1,6 +1,8 @@
 // The two views: how picture pixels and the world come to the canvas.
 #pragma once
 
+#include <optional>
+
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
 #include "engine/publish/publish.h"
@@ -71,6 +73,8 @@ Camera blend(const Camera& a, const Camera& b, double t);
 
 gl::Mat4 viewOf(const Camera& camera);
 gl::Mat4 projectionOf(const Camera& camera, const Rect& view);
+/// Where a point of the world is on the canvas; none behind the eye.
+std::optional<ClientPoint> pointOnCanvas(const Camera& camera, const Rect& view, WorldPoint p);
 /// Unit direction from the eye through a point of the canvas.
 WorldPoint rayThrough(const Camera& camera, const Rect& view, ClientPoint at);
 

@@ -29,7 +29,7 @@ struct SceneMesh {
   Mat4 toWorld;                          ///< a uniform scale and a shift
   std::optional<SceneTexture> texture;   ///< else `colour` alone
   std::array<float, 3> colour{1, 1, 1};  ///< sRGB, 0…1
-  bool selected = false;
+  float glow = 0;  ///< 0…1: how much it is lit
 };
 
 /// A small picture within the strip of pictures.

@@ -262,7 +262,7 @@ class WebGlRenderer final : public Renderer {
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
       glUniform3f(colour, item.colour[0], item.colour[1], item.colour[2]);
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
-      glUniform1f(glow, item.selected ? 1.f : 0.f);
+      glUniform1f(glow, item.glow);
       glActiveTexture(GL_TEXTURE0);
       glBindTexture(GL_TEXTURE_2D, texture);
       glBindVertexArray(mesh.array.name());

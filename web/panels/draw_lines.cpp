@@ -3,11 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "web/panels/theme.h"
+
 namespace spineloft::panels {
 
 ImVec2 onCanvas(const app::UiState& ui, PicturePoint p) {
   const app::ClientPoint at = ui.pictureView.toClient(p, ui.layout.picture);
   return {static_cast<float>(at.x), static_cast<float>(at.y)};
+}
+
+Pen ribPen(ribs::RibState state) {
+  switch (state) {
+    case ribs::RibState::Edge:
+      return {kEdgeRib, 1.4f, LineStyle::Solid};
+    case ribs::RibState::Bridged:
+      return {kBridgedRib, 1.5f, LineStyle::Dashed};
+    case ribs::RibState::Guessed:
+      return {kGuessedRib, 1.6f, LineStyle::Dotted};
+    case ribs::RibState::Edited:
+      return {kEditedRib, 1.9f, LineStyle::Solid};
+    case ribs::RibState::Locked:
+      return {kInk, 2.2f, LineStyle::Solid};
+  }
+  return {};
 }
 
 void styledLine(ImDrawList& list, ImVec2 a, ImVec2 b, const Pen& pen) {

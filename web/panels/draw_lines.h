@@ -18,6 +18,9 @@ struct Pen {
   LineStyle style = LineStyle::Solid;
 };
 
+/// Colour and line style of a rib whose end is that sure of its place.
+Pen ribPen(ribs::RibState state);
+
 /// A straight line in CSS pixels.
 void styledLine(ImDrawList& list, ImVec2 a, ImVec2 b, const Pen& pen);
 

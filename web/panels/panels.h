@@ -27,6 +27,8 @@ void draw(const PanelEnv& env);
 
 // Its pieces.
 void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
+void drawSolidOverlay(const PanelEnv& env);    ///< the bone with the handles of its depth
+void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told
 void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, splitter
 void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
 void drawInk(const PanelEnv& env);             ///< the stroke of pen or eraser in hand

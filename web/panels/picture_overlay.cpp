@@ -1,10 +1,13 @@
-// What is drawn over the picture: outlines of all parts, bone and ribs of the selected one, the
-// stroke under the pen.
+// What is drawn over the picture: outlines of all parts, bone and ribs of the selected one, and what the
+// tool in use would do.
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/polyline.h"
+#include "engine/ribs/places.h"
+#include "web/app/editing.h"
 #include "web/app/outline.h"
 #include "web/app/preview.h"
 #include "web/panels/draw_lines.h"
@@ -16,48 +19,60 @@ namespace {
 
 constexpr double kRibSpacing = 5;  // CSS pixels: nearer ribs are left out of the drawing
 
-Pen ribPen(ribs::RibState state) {
-  switch (state) {
-    case ribs::RibState::Edge:
-      return {kEdgeRib, 1.4f, LineStyle::Solid};
-    case ribs::RibState::Bridged:
-      return {kBridgedRib, 1.5f, LineStyle::Dashed};
-    case ribs::RibState::Guessed:
-      return {kGuessedRib, 1.6f, LineStyle::Dotted};
-    case ribs::RibState::Edited:
-    case ribs::RibState::Locked:
-      return {kInk, 1.6f, LineStyle::Solid};
-  }
-  return {};
+/// The ribs of one part as they are drawn.
+struct RibLook {
+  const ribs::RibSet& set;
+  bool grabbable = false;                ///< their ends are there to be dragged
+};
+
+bool editsRibs(app::ToolKind tool) {
+  return tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
 }
 
-void ribEnd(ImDrawList& list, ImVec2 at, ribs::RibState state) {
+/// Tools that work on the ribs show them where they were found, others where the part stands.
+const ribs::RibSet& ribsOf(const app::UiState& ui, const pipeline::PartShape& shape) {
+  const bool traced = editsRibs(ui.tool) || ui.tool == app::ToolKind::Ignore;
+  return traced ? shape.ribs : shape.shown;
+}
+
+void ribEnd(ImDrawList& list, ImVec2 at, ribs::RibState state, float scale) {
   const Pen pen = ribPen(state);
-  if (state == ribs::RibState::Edge) {
-    list.AddCircleFilled(at, 2.6f, kSurface, 10);
-    list.AddCircleFilled(at, 1.9f, pen.colour, 10);
+  list.AddCircleFilled(at, 2.6f * scale, kSurface, 12);
+  if (state == ribs::RibState::Edge || state == ribs::RibState::Edited) {
+    list.AddCircleFilled(at, 1.9f * scale, pen.colour, 12);
+  } else if (state == ribs::RibState::Locked) {
+    const float r = 2.3f * scale;
+    list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, pen.colour, 1);
   } else {
-    list.AddCircleFilled(at, 2.6f, kSurface, 10);
-    list.AddCircle(at, 2.2f, pen.colour, 10, 1.1f);
+    list.AddCircle(at, 2.2f * scale, pen.colour, 12, 1.1f);
   }
 }
 
-void drawRibs(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& set) {
-  if (set.ribs.size() < 2) return;
+std::size_t ribStep(const app::UiState& ui, const ribs::RibSet& set) {
   const double spacing = distance(set.ribs[0].center, set.ribs[1].center) * ui.pictureView.zoom;
-  const auto step = static_cast<std::size_t>(
+  return static_cast<std::size_t>(
       std::clamp(std::ceil(kRibSpacing / std::max(spacing, 1e-3)), 1.0, 64.0));
+}
+
+void drawRibs(ImDrawList& list, const app::UiState& ui, const RibLook& look) {
+  const ribs::RibSet& set = look.set;
+  if (set.ribs.size() < 2) return;
+  const std::size_t step = ribStep(ui, set);
+  const float scale = look.grabbable ? 1.45f : 1.f;
   for (int pass = 0; pass < 2; ++pass) {
-    for (std::size_t i = 0; i < set.ribs.size(); i += step) {
+    for (std::size_t i = 0; i < set.ribs.size(); ++i) {
       const ribs::Rib& rib = set.ribs[i];
+      const bool byHand = rib.leftState >= ribs::RibState::Edited ||
+                          rib.rightState >= ribs::RibState::Edited;
+      if (i % step != 0 && !byHand) continue;
       const ImVec2 centre = onCanvas(ui, rib.center);
       const ImVec2 left = onCanvas(ui, rib.left), right = onCanvas(ui, rib.right);
       if (pass == 0) {
         styledLine(list, centre, left, ribPen(rib.leftState));
         styledLine(list, centre, right, ribPen(rib.rightState));
       } else {
-        ribEnd(list, left, rib.leftState);
-        ribEnd(list, right, rib.rightState);
+        ribEnd(list, left, rib.leftState, scale);
+        ribEnd(list, right, rib.rightState, scale);
       }
     }
   }
@@ -74,38 +89,202 @@ void drawSpine(ImDrawList& list, const app::UiState& ui, std::span<const Picture
 }
 
 void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& part,
-                 const pipeline::PartShape& shape) {
+                 const ribs::RibSet& set) {
   static std::vector<PicturePoint> outline;  // reused from frame to frame
-  app::outlineOf(shape, part.recipe.loft, outline);
-  const bool selected = part.id == env.ui().selection;
-  const float halo = selected ? 4.5f : 3.f, width = selected ? 2.2f : 1.4f;
-  picturePolyline(list, env.ui(), outline, {rgb(0xffffff, selected ? 200 : 120), halo}, true);
-  picturePolyline(list, env.ui(), outline, {selected ? kInk : rgb(0x1f2430, 120), width}, true);
+  app::outlineOf(set, part.recipe.loft, outline);
+  const bool selected = part.id == env.ui().selection, lit = part.id == env.ui().hover.part;
+  const float halo = selected ? 4.5f : lit ? 6.f : 3.f;
+  const float width = selected ? 2.2f : lit ? 2.f : 1.4f;
+  const ImU32 glow = lit && !selected ? kGlow : rgb(0xffffff, selected ? 200 : 120);
+  picturePolyline(list, env.ui(), outline, {glow, halo}, true);
+  picturePolyline(list, env.ui(), outline, {selected || lit ? kInk : rgb(0x1f2430, 120), width},
+                  true);
+}
+
+/// The ends that follow a dragged one, brighter the more they do.
+void drawReach(ImDrawList& list, const app::UiState& ui, const ribs::EditScene& scene,
+               ribs::EndRef end) {
+  const double at = ribs::placeOf(scene, end.rib);
+  const ImU32 colour = toolColour(ui.tool);
+  const auto& all = scene.ribs.ribs;
+  if (all.size() < 2) return;
+  const ribs::Ruler ruler(scene.spine.points);
+  const std::vector<double> places = ribs::ribPlaces(ruler, scene.spine, scene.ribs);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double reach = ui.edit.ribReach;
+    const double share = i == end.rib ? 1 : reach > 0 ? ribs::bell((places[i] - at) / reach) : 0;
+    if (share < 0.02) continue;
+    const auto alpha = static_cast<unsigned>(60 + 195 * share);
+    const ImU32 ink = (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+    list.AddLine(onCanvas(ui, all[i].center), onCanvas(ui, app::endPoint(all[i], end.side)), ink,
+                 1.5f + 2.f * static_cast<float>(share));
+  }
+}
+
+void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
+  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kSurface, 24);
+  list.AddCircleFilled(at, hot ? 6.5f : 5.f, colour, 24);
+  if (hot) list.AddCircle(at, 10.5f, colour, 28, 1.6f);
+}
+
+/// Other places where an end might stand.
+void drawOthers(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& set,
+                ribs::EndRef end) {
+  const ribs::Rib& rib = set.ribs[end.rib];
+  const ribs::OtherPlaces& others = app::otherPlaces(rib, end.side);
+  const ImVec2 from = onCanvas(ui, app::endPoint(rib, end.side));
+  for (int i = 0; i < others.count; ++i) {
+    const ImVec2 at = onCanvas(ui, others.at[static_cast<std::size_t>(i)]);
+    const bool hot = ui.hover.other == i && ui.hover.end == end;
+    styledLine(list, from, at, {rgb(0xffffff, 150), 3.f, LineStyle::Solid});
+    styledLine(list, from, at, {kMuted, 1.2f, LineStyle::Dotted});
+    list.AddCircleFilled(at, hot ? 7.f : 5.f, rgb(0xffffff, 230), 20);
+    list.AddCircle(at, hot ? 7.f : 5.f, hot ? kAccent : kMuted, 20, 1.8f);
+  }
+}
+
+void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subject,
+                 const ribs::RibSet& seen) {
+  const app::UiState& ui = env.ui();
+  const app::Hover& hover = ui.hover;
+  const std::optional<ribs::EndRef> end = ui.inHand.end ? ui.inHand.end
+                                          : hover.end   ? hover.end
+                                                        : ui.chosen.end;
+  const auto known = [&](const std::optional<ribs::EndRef>& ref) {
+    return ref && ref->rib < seen.ribs.size();
+  };
+  if (known(end)) {
+    const ribs::EditScene scene{subject.shape->spine, seen, subject.part->recipe.edits};
+    drawReach(list, ui, scene, *end);
+  }
+  const bool dragging = ui.preview.has_value();
+  if (!dragging && known(ui.chosen.end)) drawOthers(list, ui, seen, *ui.chosen.end);
+  if (!dragging && known(hover.end) && hover.end != ui.chosen.end) {
+    drawOthers(list, ui, seen, *hover.end);
+  }
+  if (known(ui.chosen.end)) {
+    const ribs::EndRef chosen = *ui.chosen.end;
+    grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[chosen.rib], chosen.side)), kInk, false);
+  }
+  if (known(end) && (hover.end || ui.inHand.end) && hover.other < 0) {
+    grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[end->rib], end->side)),
+            toolColour(ui.tool), true);
+  }
+}
+
+/// The ends that a line moves are coloured before the pen goes up.
+void drawTouched(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& set) {
+  const ImU32 colour = toolColour(ui.tool);
+  for (const ribs::EndRef end : ui.inHand.touched) {
+    if (end.rib >= set.ribs.size()) continue;
+    const ImVec2 tip = onCanvas(ui, app::endPoint(set.ribs[end.rib], end.side));
+    list.AddLine(onCanvas(ui, set.ribs[end.rib].center), tip, colour, 2.4f);
+    list.AddCircleFilled(tip, 4.2f, kSurface, 16);
+    list.AddCircleFilled(tip, 3.2f, colour, 16);
+  }
+}
+
+void drawBoneTool(ImDrawList& list, const app::UiState& ui, const app::Subject& subject) {
+  const document::LoftRecipe& recipe = subject.part->recipe;
+  const bool posed = !recipe.pose.stroke.empty();
+  if (posed) picturePolyline(list, ui, subject.shape->spine.points,
+                             {rgb(0x2457d6, 130), 1.6f, LineStyle::Dashed});
+  drawSpine(list, ui, app::boneLine(subject));
+  const std::vector<PicturePoint> handles = app::boneHandles(subject);
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    const int handle = static_cast<int>(i);
+    const bool hot = handle == ui.hover.handle, chosen = handle == ui.chosen.handle;
+    grabDot(list, onCanvas(ui, handles[i]), chosen ? kInk : kSpine, hot);
+    const bool end = i == 0 || i + 1 == handles.size();
+    if (end) list.AddCircleFilled(onCanvas(ui, handles[i]), 2.2f, kSurface, 12);
+  }
+}
+
+/// A scribble: a pale band with slanted lines across.
+void drawMark(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> stroke,
+              double radius, bool hot) {
+  if (stroke.empty()) return;
+  const auto width = static_cast<float>(std::max(2.0, 2 * radius * ui.pictureView.zoom));
+  const ImU32 fill = hot ? rgb(0xc8431d, 90) : rgb(0xffffff, 130);
+  const ImU32 ink = hot ? kAccent : toolColour(app::ToolKind::Ignore);
+  picturePolyline(list, ui, stroke, {fill, width});
+  list.AddCircleFilled(onCanvas(ui, stroke.front()), width / 2, fill, 24);
+  list.AddCircleFilled(onCanvas(ui, stroke.back()), width / 2, fill, 24);
+  const std::vector<double> s = geometry::arcLengths(stroke);
+  const double gap = 7 / ui.pictureView.zoom;
+  const float half = width * 0.35f;
+  for (double at = 0; at <= s.back() + 1e-9; at += gap) {
+    const ImVec2 c = onCanvas(ui, geometry::pointAt(stroke, std::span<const double>(s), at));
+    list.AddLine({c.x - half, c.y + half}, {c.x + half, c.y - half}, ink, 1.3f);
+  }
+}
+
+void drawMarks(ImDrawList& list, const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const app::Marks marks = app::marksOf(env.document(), ui.picture, ui.selection);
+  for (int i = 0; i < marks.count(); ++i) {
+    drawMark(list, ui, marks.at(i).stroke, marks.at(i).radius, ui.hover.mark == i);
+  }
+}
+
+/// The line or scribble in hand.
+void drawInHand(ImDrawList& list, const app::UiState& ui) {
+  const app::InHand& hand = ui.inHand;
+  if (hand.stroke.empty()) return;
+  if (hand.radius > 0) {
+    drawMark(list, ui, hand.stroke, hand.radius, false);
+  } else if (ui.tool == app::ToolKind::Shape) {
+    picturePolyline(list, ui, hand.stroke, {rgb(0xffffff, 220), 5.5f});
+    picturePolyline(list, ui, hand.stroke, {toolColour(ui.tool), 2.6f});
+  } else {
+    drawSpine(list, ui, hand.stroke);
+  }
+}
+
+/// Ribs and bone of the selected part, as it is or as the gesture in hand would make it.
+void drawSelected(ImDrawList& list, const PanelEnv& env, const app::Subject& subject) {
+  const app::UiState& ui = env.ui();
+  const app::Preview* preview = app::previewOf(ui, subject.part->id);
+  document::Part part = *subject.part;
+  if (preview) part.recipe = preview->recipe;
+  const app::Subject shown{&part, preview ? &*preview->shape : subject.shape};
+  const ribs::RibSet& set = ribsOf(ui, *shown.shape);
+  drawRibs(list, ui, {set, editsRibs(ui.tool)});
+  drawOutline(list, env, part, set);
+  if (ui.tool == app::ToolKind::Bone) {
+    drawBoneTool(list, ui, shown);
+    return;
+  }
+  static std::vector<PicturePoint> spine;
+  spine.clear();
+  for (const ribs::Rib& rib : set.ribs) spine.push_back(rib.center);
+  drawSpine(list, ui, spine);
+  if (ui.tool == app::ToolKind::Ribs) drawRibTool(list, env, shown, set);
+  if (ui.tool == app::ToolKind::Shape) drawTouched(list, ui, set);
 }
 
 void drawParts(ImDrawList& list, const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   const auto& parts = env.document().parts;
   const std::size_t count = std::min(parts.size(), env.derived.parts.size());
+  const bool drawingNew = ui.preview && !ui.preview->part;
   for (std::size_t i = 0; i < count; ++i) {
     const auto& shape = env.derived.parts[i].shape;
     const document::Part& part = parts[i];
     if (part.recipe.picture != ui.picture || !part.visible) continue;
-    const bool selected = part.id == ui.selection;
     if (!shape) {
       drawSpine(list, ui, part.recipe.stroke);
-      continue;
+    } else if (part.id == ui.selection && !drawingNew) {
+      drawSelected(list, env, {&part, shape.get()});
+    } else {
+      drawOutline(list, env, part, shape->shown);
     }
-    if (app::previewOf(ui, part.id)) continue;
-    if (selected && !ui.preview) drawRibs(list, ui, shape->ribs);
-    drawOutline(list, env, part, *shape);
-    if (selected && !ui.preview) drawSpine(list, ui, shape->spine.points);
   }
 }
 
 void drawPreview(ImDrawList& list, const app::UiState& ui) {
-  if (!ui.preview) return;
-  if (ui.preview->shape) drawRibs(list, ui, ui.preview->shape->ribs);
+  if (!ui.preview || ui.tool != app::ToolKind::Draw) return;
+  if (ui.preview->shape && !ui.preview->part) drawRibs(list, ui, {ui.preview->shape->shown});
   drawSpine(list, ui, ui.preview->recipe.stroke);
 }
 
@@ -116,8 +295,10 @@ void drawPictureOverlay(const PanelEnv& env) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  if (env.ui().tool == app::ToolKind::Ignore) drawMarks(list, env);
   drawParts(list, env);
   drawPreview(list, env.ui());
+  drawInHand(list, env.ui());
   drawInk(env);
   list.PopClipRect();
 }

@@ -2,6 +2,21 @@
 
 namespace spineloft::panels {
 
+ImU32 toolColour(app::ToolKind tool) {
+  switch (tool) {
+    case app::ToolKind::Ribs:
+      return rgb(0x0b7f6a);
+    case app::ToolKind::Shape:
+      return rgb(0xb01f72);
+    case app::ToolKind::Bone:
+      return kSpine;
+    case app::ToolKind::Ignore:
+      return rgb(0x6d5a38);
+    default:
+      return kAccent;
+  }
+}
+
 void applyTheme() {
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();

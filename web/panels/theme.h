@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include "web/app/ui_state.h"
+
 namespace spineloft::panels {
 
 constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
@@ -13,8 +15,12 @@ inline constexpr ImU32 kInk = rgb(0x1f2430), kMuted = rgb(0x5c6474), kPaper = rg
                        kSurface = rgb(0xffffff), kLine = rgb(0xe3dfd6), kAccent = rgb(0xc8431d),
                        kAccentSoft = rgb(0xfdeee8), kHover = rgb(0xf4f1ea), kSpine = rgb(0x2457d6),
                        kEdgeRib = rgb(0x12876f), kBridgedRib = rgb(0xd98a00),
-                       kGuessedRib = rgb(0x8b5fbf), kGlow = rgb(0xffd166);
+                       kGuessedRib = rgb(0x8b5fbf), kGlow = rgb(0xffd166),
+                       kEditedRib = rgb(0xc2257a);
 inline constexpr float kRadius = 10;
+
+/// The colour that a tool has wherever it shows.
+ImU32 toolColour(app::ToolKind tool);
 
 /// Sets ImGui's colours, rounding and padding.
 void applyTheme();

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
+#include "web/app/editing.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
 #include "web/panels/theme.h"
@@ -18,22 +20,29 @@ constexpr double kMargin = 10;
 constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot of a sketch
 constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
 
-/// Buttons of one view in its lower right corner: a row, or a column where the view is low.
+/// Buttons of one view in its lower right corner: a row, or a column where the view is low; more of
+/// them where they do not fit.
 void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
              std::span<const std::string_view> ids, app::Focus focus) {
   const float side = env.ui().touch ? 44.f : 34.f;
-  const double length = static_cast<double>(ids.size()) * (side + 2.) + 6, breadth = side + 8.;
+  const double cell = side + 2., edge = 6;
   const bool column = app::buttonsAtSide(view);
+  const double room = (column ? view.height : view.width) - 2 * 4 - edge;
+  const auto count = static_cast<int>(ids.size());
+  const int most = std::min(count, static_cast<int>(room / cell));
+  if (most < 1) return;
+  const int lines = (count + most - 1) / most, each = (count + lines - 1) / lines;
+  const double length = each * cell + edge, breadth = lines * cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
-  if (view.width < width || view.height < height) return;
-  const double margin = std::min(kMargin, (view.height - height) / 2);
+  const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
   const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width,
                        height};
   beginCard(env, name, card);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (i > 0 && !column) ImGui::SameLine();
+  for (int i = 0; i < count; ++i) {
+    const bool sameRow = column ? i % lines != 0 : i % each != 0;
+    if (sameRow) ImGui::SameLine();
     const bool emptyBefore = env.sink.empty();
-    commandButton(env, ids[i], side);
+    commandButton(env, ids[static_cast<std::size_t>(i)], side);
     if (emptyBefore && !env.sink.empty()) env.ui().focus = focus;
   }
   endCard();
@@ -52,42 +61,73 @@ void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool foc
 }
 
 struct LegendEntry {
+  ribs::RibState state;
   const char* text;
-  Pen pen;
 };
+constexpr LegendEntry kLegend[] = {{ribs::RibState::Edge, "on an edge"},
+                                   {ribs::RibState::Bridged, "bridged"},
+                                   {ribs::RibState::Guessed, "guessed"},
+                                   {ribs::RibState::Edited, "by hand"},
+                                   {ribs::RibState::Locked, "locked"}};
 
-/// Colour and line style of the rib ends, in the lower left corner of the picture view.
+/// The states that the ribs in view have, in the order of the legend.
+std::vector<LegendEntry> statesInView(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const ribs::RibSet* set = nullptr;
+  if (ui.preview && ui.preview->shape) {
+    set = &ui.preview->shape->ribs;
+  } else if (const auto subject = app::subjectOf(env.document(), env.derived, ui.selection)) {
+    set = &subject.shape->ribs;
+  }
+  std::vector<LegendEntry> found;
+  for (const LegendEntry& entry : kLegend) {
+    const bool occurs = set && std::ranges::any_of(set->ribs, [&](const ribs::Rib& rib) {
+      return rib.leftState == entry.state || rib.rightState == entry.state;
+    });
+    if (occurs) found.push_back(entry);
+  }
+  return found;
+}
+
+/// Colour and line style of the rib ends, in the lower left corner of the picture view; on a phone,
+/// where that would cover the picture, beside the view's name while nothing else is there.
 void legend(const PanelEnv& env, const app::Rect& view) {
-  const bool shows = env.selected() != nullptr || env.ui().preview.has_value();
+  const std::vector<LegendEntry> entries = statesInView(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
-  if (!shows || view.width < 330 || view.height < 200) return;
-  const LegendEntry entries[] = {{"on an edge", {kEdgeRib, 2.2f, LineStyle::Solid}},
-                                 {"bridged", {kBridgedRib, 2.2f, LineStyle::Dashed}},
-                                 {"guessed", {kGuessedRib, 2.4f, LineStyle::Dotted}}};
+  const bool stacked = env.ui().layout.stacked;
+  const app::ToolKind tool = env.ui().tool;
+  const bool barThere = tool != app::ToolKind::Draw && tool != app::ToolKind::Hand;
+  if (entries.empty() || view.width < 330 || view.height < 200 || (stacked && barThere)) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImFont* font = env.fonts.small;
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  float width = 12;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale, line = size + 6;
+  const float sample = stacked ? 14.f : 20.f;
+  const auto widthOf = [&](const char* text) {
+    return sample + 6 + font->CalcTextSizeA(size, FLT_MAX, 0, text).x + 12;
+  };
+  float width = 12, widest = 0;
   for (const LegendEntry& entry : entries) {
-    width += 26 + font->CalcTextSizeA(size, FLT_MAX, 0, entry.text).x + 14;
+    width += widthOf(entry.text);
+    widest = std::max(widest, widthOf(entry.text));
   }
-  const bool column = width > view.width - 200;
-  const float line = size + 6;
-  const float height = column ? line * 3 + 8 : line + 8;
-  if (column) width = 118;
-  const ImVec2 at{static_cast<float>(view.x + kMargin),
-                  static_cast<float>(view.bottom() - kMargin - (onPaper ? kPenRoom : 0)) - height};
+  // The buttons keep the right of the lower edge.
+  const bool column = !stacked && width > view.width - 360;
+  const float height = column ? line * static_cast<float>(entries.size()) + 8 : line + 8;
+  if (column) width = widest + 12;
+  const ImVec2 at = stacked ? ImVec2(static_cast<float>(view.right() - kMargin) - width,
+                                     static_cast<float>(view.y + kMargin))
+                            : ImVec2(static_cast<float>(view.x + kMargin),
+                                     static_cast<float>(view.bottom() - kMargin - (onPaper ? kPenRoom : 0)) -
+                                        height);
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xffffff, 235), kRadius);
   list.AddRect(at, {at.x + width, at.y + height}, kLine, kRadius);
   ImVec2 pen{at.x + 12, at.y + 4 + line / 2};
   for (const LegendEntry& entry : entries) {
-    styledLine(list, pen, {pen.x + 20, pen.y}, entry.pen);
-    list.AddText(font, size, {pen.x + 26, pen.y - size / 2}, kMuted, entry.text);
-    if (column) {
-      pen.y += line;
-    } else {
-      pen.x += 26 + font->CalcTextSizeA(size, FLT_MAX, 0, entry.text).x + 14;
-    }
+    Pen look = ribPen(entry.state);
+    look.width += 0.8f;
+    styledLine(list, pen, {pen.x + sample, pen.y}, look);
+    list.AddText(font, size, {pen.x + sample + 6, pen.y - size / 2}, kMuted, entry.text);
+    (column ? pen.y : pen.x) += column ? line : widthOf(entry.text);
   }
 }
 
@@ -128,6 +168,13 @@ void hints(const PanelEnv& env) {
   if (env.ui().redraw && !drawing) {
     pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});
   }
+  const document::Part* part = env.selected();
+  const app::ToolKind tool = env.ui().tool;
+  const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
+  if (rib && part && !part->recipe.pose.isRest() && view.height > 300) {
+    pill(env, {x, static_cast<float>(view.bottom()) - 84},
+         {"Ribs are changed where they were drawn", rgb(0xffffff, 235), kMuted});
+  }
   if (env.document().parts.empty() && !drawing) {
     const app::ClientPoint c = layout.solid.centre();
     pill(env, {static_cast<float>(c.x), static_cast<float>(c.y)},
@@ -151,19 +198,26 @@ void drawViewChrome(const PanelEnv& env) {
   legend(env, layout.picture);
   hints(env);
   // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
-  constexpr std::string_view kPictureFew[] = {"draw", "hand", "fit"};
-  constexpr std::string_view kPictureAll[] = {"draw", "hand", "zoom-out", "zoom-in", "fit"};
+  constexpr std::string_view kFirst[] = {"draw", "hand", "fit"};
+  constexpr std::string_view kPictureFew[] = {"draw",  "hand", "ribs",        "shape",
+                                              "bone", "ignore-edges", "fit"};
   constexpr std::string_view kOnPaper[] = {"hand", "fit"};  // beside the card of the pen
+  constexpr std::string_view kPartOnPaper[] = {"hand", "ribs", "shape", "bone", "ignore-edges", "fit"};
+  constexpr std::string_view kPictureAll[] = {"draw", "hand",         "ribs",     "shape",
+                                              "bone", "ignore-edges", "zoom-out", "zoom-in", "fit"};
   constexpr std::string_view kSolidFew[] = {"home-view"};
   constexpr std::string_view kSolidAll[] = {"zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const std::string_view>;
   const bool few =
       layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
+  // Few buttons at first: what changes a part comes with the first part.
+  const bool bare = env.document().parts.empty();
   buttons(env, "picture buttons", layout.picture,
-          onPaper ? Ids(kOnPaper)
-          : few   ? Ids(kPictureFew)
-                  : Ids(kPictureAll),
+          onPaper       ? (bare ? Ids(kOnPaper) : Ids(kPartOnPaper))
+          : few && bare ? Ids(kFirst)
+          : few         ? Ids(kPictureFew)
+                        : Ids(kPictureAll),
           app::Focus::Picture);
   const bool fewSolid =
       layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
@@ -209,8 +263,10 @@ void draw(const PanelEnv& env) {
   drawPictureOverlay(env);
   drawPictureStrip(env);
   drawSliceOverlay(env);
+  drawSolidOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);
+  drawEditBar(env);
   drawSidePanel(env);
   drawSliceBoard(env);
   drawActivity(env);

@@ -24,6 +24,19 @@ std::string_view fitting(ImFont* font, std::string_view text, float width) {
   return text.substr(0, std::min(text.find(' '), text.find('-')));
 }
 
+/// The same colour as a pale ground.
+ImU32 softened(ImU32 colour) {
+  return (colour & ~IM_COL32_A_MASK) | (28u << IM_COL32_A_SHIFT);
+}
+
+std::string tipOf(const app::Command& command) {
+  std::string tip(command.label);
+  if (!command.shortcut.empty()) {
+    tip += "  (" + std::string(command.shortcut.substr(0, command.shortcut.find(", "))) + ")";
+  }
+  return tip;
+}
+
 }  // namespace
 
 void tooltip(std::string_view tip) {
@@ -86,6 +99,7 @@ void heading(const PanelEnv& env, std::string_view text) {
 }
 
 bool iconButton(const PanelEnv& env, const IconButton& button) {
+  const ImU32 own = button.colour != 0 ? button.colour : kAccent;
   ImGui::BeginDisabled(!button.enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
@@ -93,9 +107,9 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.size, at.y + button.size};
   if (button.active || hovered || held) {
-    list.AddRectFilled(at, end, button.active ? kAccentSoft : held ? kLine : kHover, 8);
+    list.AddRectFilled(at, end, button.active ? softened(own) : held ? kLine : kHover, 8);
   }
-  const ImU32 ink = button.active ? kAccent : button.enabled ? kInk : rgb(0x5c6474, 110);
+  const ImU32 ink = button.active ? own : button.enabled ? kInk : rgb(0x5c6474, 110);
   ImFont* font = env.fonts.icons;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
@@ -112,11 +126,53 @@ void commandButton(const PanelEnv& env, std::string_view id, float size) {
   const app::Command* command = app::findCommand(id);
   if (command == nullptr) return;
   const std::string name(id);
-  std::string tip(command->label);
-  if (!command->shortcut.empty()) tip += "  (" + std::string(command->shortcut) + ")";
   const bool active = command->toggled != nullptr && command->toggled(env.env);
   const bool can = app::enabled(*command, env.env);
-  if (iconButton(env, {name.c_str(), command->icon, tip, active, can, size})) env.sink.run(id);
+  const ImU32 colour = command->group == "tool" ? toolColour(env.ui().tool) : 0;
+  if (iconButton(env, {name.c_str(), command->icon, tipOf(*command), active, can, size, colour})) {
+    env.sink.run(id);
+  }
+}
+
+float wordButtonWidth(const PanelEnv& env, std::string_view text, float height) {
+  const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
+  return height +
+         env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x +
+         8;
+}
+
+void wordButton(const PanelEnv& env, const WordButton& button) {
+  const app::Command* command = app::findCommand(button.id);
+  if (command == nullptr) return;
+  const bool active = command->toggled != nullptr && command->toggled(env.env);
+  const bool can = app::enabled(*command, env.env);
+  ImGui::BeginDisabled(!can);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed =
+      ImGui::InvisibleButton(std::string(button.id).c_str(), {button.width, button.height});
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + button.width, at.y + button.height};
+  if (active || hovered || held) {
+    list.AddRectFilled(at, end, active ? softened(button.colour) : held ? kLine : kHover, 8);
+  }
+  const ImU32 ink = active ? button.colour : can ? kInk : rgb(0x5c6474, 110);
+  ImFont* icons = env.fonts.icons;
+  const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
+  const char* text = iconText(command->icon);
+  const ImVec2 extent = icons->CalcTextSizeA(size, FLT_MAX, 0, text);
+  list.AddText(icons, size, {at.x + (button.height - extent.x) / 2, at.y + (button.height - extent.y) / 2},
+               ink, text);
+  if (button.width > button.height + 8) {
+    ImFont* font = env.fonts.small;
+    const float height = font->FontSize * scale;
+    const std::string_view label = command->label;
+    list.AddText(font, height, {at.x + button.height - 4, at.y + (button.height - height) / 2}, ink,
+                 label.data(), label.data() + label.size());
+  }
+  ImGui::EndDisabled();
+  tooltip(button.width > button.height + 8 ? command->hint : std::string_view(tipOf(*command)));
+  if (pressed && can) env.sink.run(button.id);
 }
 
 float textButtonWidth(const PanelEnv& env, std::string_view text) {

@@ -35,9 +35,10 @@ struct IconButton {
   bool active = false;
   bool enabled = true;
   float size = 36;
+  ImU32 colour = 0;  ///< when active; 0: the accent of the page
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);
-/// The button of a command; runs it when pressed.
+/// The button of a command; runs it when pressed. Tools have their own colours.
 void commandButton(const PanelEnv& env, std::string_view id, float size);
 
 /// A button with words; `primary` is the one that ends the work.
@@ -51,6 +52,17 @@ struct TextButton {
 bool textButton(const PanelEnv& env, const TextButton& button);
 /// How wide such a button becomes by itself.
 float textButtonWidth(const PanelEnv& env, std::string_view text);
+
+/// A button of a command that says its word beside the icon when it is wider than high; what is
+/// switched on has `colour`.
+struct WordButton {
+  std::string_view id;
+  float width = 36, height = 36;
+  ImU32 colour = 0;
+};
+void wordButton(const PanelEnv& env, const WordButton& button);
+/// How wide it has to be for its word.
+float wordButtonWidth(const PanelEnv& env, std::string_view text, float height);
 
 /// A tile with a drawing and, below it, a word.
 struct Tile {

@@ -3,6 +3,8 @@ import {
   ArrowRight, Box, Camera, Check, ChevronDown, ChevronLeft, ChevronRight, Circle, CircleAlert, CircleCheck, CircleDot, Cylinder, Download, Ellipsis,
   Eraser, Eye, EyeOff, Hand, House, Image, ImageOff, ImagePlus, Images, Keyboard, Layers, List, Maximize, Minus, Palette, Pen, Pencil, PencilLine, Plus,
   Redo2, RefreshCw, Ruler, Scan, Shapes, ShieldCheck, Slice, SlidersHorizontal, Spline, SquarePen, Trash2, Undo2, X, ZoomIn, ZoomOut,
+  UnfoldHorizontal, LineSquiggle, Bone, Ban, Lock, RotateCcw, CirclePlus, CircleMinus, Rows4, Rows2, UnfoldVertical, FoldVertical,
+  Link, Shell, Rotate3d, ScanSearch, Anchor, FlipHorizontal2, ArrowLeftRight, Move, Move3d, Crosshair, Signature, ImageDown,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -13,6 +15,11 @@ const kIcons: Record<string, string> = {
   pen: Pen, pencil: Pencil, 'pencil-line': PencilLine, plus: Plus, 'redo-2': Redo2, 'refresh-cw': RefreshCw, ruler: Ruler, scan: Scan,
   shapes: Shapes, 'shield-check': ShieldCheck, slice: Slice, 'sliders-horizontal': SlidersHorizontal, spline: Spline, 'square-pen': SquarePen,
   'trash-2': Trash2, 'undo-2': Undo2, x: X, 'zoom-in': ZoomIn, 'zoom-out': ZoomOut,
+  'unfold-horizontal': UnfoldHorizontal, 'line-squiggle': LineSquiggle, bone: Bone, ban: Ban, lock: Lock, 'rotate-ccw': RotateCcw,
+  'circle-plus': CirclePlus, 'circle-minus': CircleMinus, 'rows-4': Rows4, 'rows-2': Rows2, 'unfold-vertical': UnfoldVertical,
+  'fold-vertical': FoldVertical, link: Link, shell: Shell, 'rotate-3d': Rotate3d, 'scan-search': ScanSearch, anchor: Anchor,
+  'flip-horizontal-2': FlipHorizontal2, 'arrow-left-right': ArrowLeftRight, move: Move, 'move-3d': Move3d, crosshair: Crosshair,
+  signature: Signature, 'image-down': ImageDown,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

@@ -6,19 +6,7 @@
 namespace spineloft::tools {
 namespace {
 
-constexpr double kPointSpacing = 1.5;  // CSS pixels between the points of a stroke
-constexpr double kClickReach = 8;      // CSS pixels round a spine that still select it
-
-PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at) {
-  return env.ui.pictureView.toPicture(at, env.ui.layout.picture);
-}
-
-app::Json strokeJson(const std::vector<PicturePoint>& stroke) {
-  app::Json::Array list;
-  list.reserve(stroke.size());
-  for (const PicturePoint p : stroke) list.push_back(app::Json::Array{p.x, p.y});
-  return list;
-}
+constexpr double kClickReach = 8;  // CSS pixels round a spine that still select it
 
 }  // namespace
 
@@ -27,19 +15,26 @@ void DrawSpine::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(eve
 void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
   if (!watch_.moved()) return;
-  if (!env.ui.preview) start(env);
-  std::vector<PicturePoint>& stroke = env.ui.preview->recipe.stroke;
-  const PicturePoint p = toPicture(env, event.at);
-  if (distance(p, stroke.back()) * env.ui.pictureView.zoom < kPointSpacing) return;
-  stroke.push_back(p);
+  if (!env.ui.preview) start(env, event);
+  document::LoftRecipe& recipe = env.ui.preview->recipe;
+  if (!extend(env, recipe.stroke, event.at)) return;
+  // A pen that leaves the glass weighs nothing: that is not how the line was meant to end.
+  pressure_.push_back(event.pressure > 0 ? event.pressure : pressure_.back());
   env.ui.preview->fresh = false;
+  if (usesPressure(env, event)) recipe.pose.depth = app::depthOfPressure(recipe.stroke, pressure_);
 }
 
-void DrawSpine::start(const ToolEnv& env) {
+bool DrawSpine::usesPressure(const ToolEnv& env, const ToolEvent& event) {
+  return env.ui.edit.depthByPressure && event.device == platform::Device::Pen &&
+         !env.ui.preview->part;
+}
+
+void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
   const document::Part* part = document::findPart(env.document, env.ui.redraw);
   app::Preview& preview = part ? app::previewPart(env.ui, *part) : app::previewNewPart(env.ui);
   preview.recipe.picture = env.ui.picture;
   preview.recipe.stroke = {toPicture(env, watch_.start())};
+  pressure_ = {event.pressure};
 }
 
 void DrawSpine::commit(const ToolEnv& env) {
@@ -50,10 +45,12 @@ void DrawSpine::commit(const ToolEnv& env) {
     env.sink.run("select-part", app::Json::Object{{"id", part.value}});
     return;
   }
-  app::Json::Object args{{"stroke", strokeJson(env.ui.preview->recipe.stroke)}};
+  const document::LoftRecipe recipe = std::move(env.ui.preview->recipe);
   const PartId redraw = env.ui.redraw;
   env.ui.preview.reset();
+  app::Json::Object args{{"stroke", strokeJson(recipe.stroke)}};
   if (redraw) args.emplace_back("part", redraw.value);
+  if (!redraw && !recipe.pose.depth.empty()) args.emplace_back("depth", curveJson(recipe.pose.depth));
   env.sink.run(redraw ? "redraw-spine" : "draw-spine", std::move(args));
 }
 

@@ -1,7 +1,7 @@
 // The main tool: one loose line on the picture becomes a part. A click selects.
 #pragma once
 
-#include "web/tools/tool.h"
+#include "web/tools/pick.h"
 
 namespace spineloft::tools {
 
@@ -13,8 +13,10 @@ class DrawSpine final : public Tool {
   void cancel(const ToolEnv& env) override;
 
  private:
-  void start(const ToolEnv& env);
+  void start(const ToolEnv& env, const ToolEvent& event);
+  static bool usesPressure(const ToolEnv& env, const ToolEvent& event);
   DragWatch watch_;
+  std::vector<double> pressure_;  ///< one a point of the stroke
 };
 
 }  // namespace spineloft::tools

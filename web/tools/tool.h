@@ -4,6 +4,7 @@
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 #include "web/app/action_sink.h"
+#include "web/app/picker.h"
 #include "web/app/ui_state.h"
 #include "web/platform/page.h"
 
@@ -24,6 +25,7 @@ struct ToolEnv {
   const pipeline::Derived& derived;
   app::UiState& ui;
   app::ActionSink& sink;
+  app::Picker* picker = nullptr;  ///< null where nothing is pressed
 };
 
 /// A press that moves less than this is a click, in CSS pixels.

@@ -1,7 +1,5 @@
 #include "web/tools/turn_solid.h"
 
-#include "web/app/outline.h"
-
 namespace spineloft::tools {
 
 void TurnSolid::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
@@ -22,7 +20,7 @@ void TurnSolid::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
   const app::Ray ray{env.ui.camera.eye(),
                      app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
-  const PartId part = app::partUnderRay(env.document, env.derived, ray);
+  const PartId part = env.picker->partUnderRay(env.document, env.derived, ray);
   env.sink.run("select-part", app::Json::Object{{"id", part.value}});
 }
 

@@ -20,7 +20,7 @@ TEST_CASE("ids and keys of the command table are unique, and every command has w
     std::string_view rest = command.shortcut;
     while (!rest.empty()) {
       const std::size_t end = rest.find(", ");
-      CHECK(keys.insert(rest.substr(0, end)).second);
+      if (command.when == nullptr) CHECK(keys.insert(rest.substr(0, end)).second);
       rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 2);
     }
   }

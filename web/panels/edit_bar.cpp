@@ -1,0 +1,175 @@
+// What the tool in use can be told, in the upper right corner of the picture view: commands as buttons,
+// with their words where there is room, and the sliders of a coil.
+#include <imgui.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "web/app/preview.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr double kMargin = 8, kGap = 2, kPadding = 4;
+constexpr double kChipRoom = 84;  // of the view's name at its left
+constexpr float kMostTurns = 8;
+
+struct Item {
+  std::string_view id;
+  bool words = false;  ///< says what it does where there is room
+};
+
+std::span<const Item> itemsOf(const app::UiState& ui) {
+  static constexpr Item kRibs[] = {{"reach-less"}, {"reach-more"}, {"add-rib", true},
+                                   {"delete-rib", true}, {"lock-rib", true}, {"reset-rib"},
+                                   {"fewer-ribs"}, {"more-ribs"}};
+  static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
+  static constexpr Item kBone[] = {{"find-edges", true}, {"keep-ribs", true}, {"side-view", true},
+                                   {"coil", true}, {"join-ends", true}, {"reset-pose", true}};
+  static constexpr Item kIgnore[] = {{"brush-smaller"}, {"brush-larger"},
+                                     {"ignore-whole-picture", true}, {"clear-ignored", true}};
+  static constexpr Item kDraw[] = {{"depth-by-pressure", true}};
+  switch (ui.tool) {
+    case app::ToolKind::Ribs:
+      return kRibs;
+    case app::ToolKind::Shape:
+      return kShape;
+    case app::ToolKind::Bone:
+      return kBone;
+    case app::ToolKind::Ignore:
+      return kIgnore;
+    case app::ToolKind::Draw:
+      if (ui.penSeen) return kDraw;
+      return {};
+    default:
+      return {};
+  }
+}
+
+struct Cell {
+  Item item;
+  double width = 0;
+  int row = 0;
+};
+
+/// Cells in rows no wider than `room`; with words where all of it then fits in one row.
+std::vector<Cell> arrange(const PanelEnv& env, std::span<const Item> items, double room,
+                          float side) {
+  std::vector<Cell> cells;
+  for (const bool words : {true, false}) {
+    cells.clear();
+    double width = 0;
+    for (const Item& item : items) {
+      const app::Command* command = app::findCommand(item.id);
+      if (command == nullptr) continue;
+      const double own = words && item.words ? wordButtonWidth(env, command->label, side) : side;
+      cells.push_back({item, own, 0});
+      width += own + kGap;
+    }
+    if (width <= room) return cells;
+  }
+  double x = 0;
+  int row = 0;
+  for (Cell& cell : cells) {
+    if (x > 0 && x + cell.width > room) {
+      x = 0;
+      ++row;
+    }
+    cell.row = row;
+    x += cell.width + kGap;
+  }
+  return cells;
+}
+
+/// A slider that shows what it would do and does it when it is let go.
+void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, float width) {
+  const app::Preview* preview = env.ui().preview && env.ui().preview->part == part.id
+                                    ? &*env.ui().preview
+                                    : nullptr;
+  loft::Pose pose = preview ? preview->recipe.pose : part.recipe.pose;
+  double& own = turns ? pose.coilTurns : pose.coilRadius;
+  const document::PictureEntry* entry =
+      document::findPicture(env.document(), part.recipe.picture);
+  const int size = entry ? std::max(entry->size.width, entry->size.height) : 100;
+  auto value = static_cast<float>(own);
+  ImGui::SetNextItemWidth(width);
+  const bool changed =
+      turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, "%.1f turns")
+            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size),
+                                 "%.0f px wide");
+  if (changed) {
+    own = static_cast<double>(value);
+    app::Preview& shown = app::previewPart(env.ui(), part);
+    shown.recipe.pose = pose;
+    shown.fresh = false;
+  }
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  env.ui().preview.reset();
+  env.sink.run("coil", app::Json::Object{{"part", part.id.value},
+                                         {"turns", pose.coilTurns},
+                                         {"radius", pose.coilRadius}});
+}
+
+/// The card below the buttons.
+void coilCard(const PanelEnv& env, const app::Rect& above) {
+  const document::Part* part = env.selected();
+  if (part == nullptr || env.ui().tool != app::ToolKind::Bone) return;
+  const bool coils = part->recipe.pose.coilTurns != 0 ||
+                     (env.ui().preview && env.ui().preview->recipe.pose.coilTurns != 0);
+  if (!coils) return;
+  const double width = std::min(320.0, env.ui().layout.picture.width - 2 * kMargin);
+  const app::Rect card{above.right() - width, above.bottom() + 6, width, 44};
+  env.ui().overlays.push_back(card);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8, 6});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushFont(env.fonts.small);
+  beginFixed("coil", card);
+  const float each = (static_cast<float>(width) - 22) / 2;
+  coilSlider(env, *part, true, each);
+  ImGui::SameLine();
+  coilSlider(env, *part, false, each);
+  ImGui::End();
+  ImGui::PopFont();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
+void drawEditBar(const PanelEnv& env) {
+  const std::span<const Item> items = itemsOf(env.ui());
+  const app::Rect& view = env.ui().layout.picture;
+  if (items.empty() || env.document().pictures.empty()) return;
+  const float side = buttonSide(env);
+  const double room = view.width - kChipRoom - 2 * (kMargin + kPadding);
+  const std::vector<Cell> cells = arrange(env, items, room, side);
+  if (cells.empty() || room < side) return;
+  const int rows = cells.back().row + 1;
+  double widest = 0;
+  for (int row = 0; row < rows; ++row) {
+    double width = -kGap;
+    for (const Cell& cell : cells) width += cell.row == row ? cell.width + kGap : 0;
+    widest = std::max(widest, width);
+  }
+  const double width = widest + 2 * kPadding;
+  const double height = rows * (side + kGap) - kGap + 2 * kPadding;
+  const app::Rect card{view.right() - kMargin - width, view.y + kMargin, width, height};
+  env.ui().overlays.push_back(card);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
+  beginFixed("edit bar", card);
+  const ImU32 colour = toolColour(env.ui().tool);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0 && cells[i].row == cells[i - 1].row) ImGui::SameLine();
+    wordButton(env, {cells[i].item.id, static_cast<float>(cells[i].width), side, colour});
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+  coilCard(env, card);
+}
+
+}  // namespace spineloft::panels

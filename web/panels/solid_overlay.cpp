@@ -1,0 +1,72 @@
+// What is drawn over the solid: the bone of the selected part with the handles of its depth.
+#include <imgui.h>
+
+#include <vector>
+
+#include "web/app/editing.h"
+#include "web/app/preview.h"
+#include "web/panels/panels.h"
+#include "web/panels/theme.h"
+
+namespace spineloft::panels {
+namespace {
+
+struct Projector {
+  const app::UiState& ui;
+  publish::WorldFrame frame;
+  std::optional<ImVec2> operator()(ModelPoint p) const {
+    const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid, frame.toWorld(p));
+    if (!at) return std::nullopt;
+    return ImVec2{static_cast<float>(at->x), static_cast<float>(at->y)};
+  }
+};
+
+void drawLine(ImDrawList& list, const Projector& at, const std::vector<ModelPoint>& line) {
+  for (const auto& [colour, width] : {std::pair{rgb(0xffffff, 220), 6.f}, {kSpine, 3.f}}) {
+    list.PathClear();
+    for (const ModelPoint& p : line) {
+      if (const auto c = at(p)) list.PathLineTo(*c);
+    }
+    list.PathStroke(colour, 0, width);
+  }
+}
+
+void drawHandle(ImDrawList& list, ImVec2 at, bool hot, bool chosen) {
+  const ImU32 colour = chosen ? kInk : kSpine;
+  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kSurface, 24);
+  list.AddCircleFilled(at, hot ? 6.5f : 5.f, colour, 24);
+  if (!hot) return;
+  // It goes up and down from here.
+  for (const float way : {-1.f, 1.f}) {
+    const ImVec2 tip{at.x, at.y + way * 19};
+    list.AddTriangleFilled(tip, {tip.x - 5, tip.y - way * 6}, {tip.x + 5, tip.y - way * 6}, colour);
+  }
+}
+
+}  // namespace
+
+void drawSolidOverlay(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);
+  if (ui.tool != app::ToolKind::Bone || !subject || !subject.part->visible) return;
+  const document::PictureEntry* entry =
+      document::findPicture(env.document(), subject.part->recipe.picture);
+  if (entry == nullptr) return;
+  const app::Preview* preview = app::previewOf(ui, subject.part->id);
+  const app::Subject shown{subject.part, preview ? &*preview->shape : subject.shape};
+  const app::Rect& view = ui.layout.solid;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
+                    {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  const Projector at{ui, publish::worldFrame(entry->size)};
+  drawLine(list, at, shown.shape->centreLine);
+  const std::vector<ModelPoint> handles = app::depthHandles(shown);
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    const int handle = static_cast<int>(i);
+    const bool hot = handle == ui.inHand.depth || (ui.inHand.depth < 0 && handle == ui.hover.depth);
+    if (const auto c = at(handles[i])) drawHandle(list, *c, hot, handle == ui.chosen.handle);
+  }
+  list.PopClipRect();
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,65 @@
+#include "web/tools/depth_tool.h"
+
+#include "web/app/preview.h"
+
+namespace spineloft::tools {
+namespace {
+
+/// Seen from the front depth has no length on the screen; a drag then means at most this much.
+constexpr double kLeastUnit = 0.15;  // of the same length seen square on
+
+}  // namespace
+
+void DepthTool::begin(const ToolEnv& env, const ToolEvent& event) {
+  watch_.begin(event);
+  handle_ = pickInSolid(env, event).depth;
+  const app::Subject subject = app::subjectOf(env.document, env.derived, env.ui.selection);
+  const document::PictureEntry* entry =
+      subject ? document::findPicture(env.document, subject.part->recipe.picture) : nullptr;
+  if (handle_ < 0 || entry == nullptr) return;
+  const publish::WorldFrame frame = publish::worldFrame(entry->size);
+  const ModelPoint at = app::depthHandles(subject)[static_cast<std::size_t>(handle_)];
+  const app::Camera& camera = env.ui.camera;
+  const app::Rect& view = env.ui.layout.solid;
+  const WorldPoint here = frame.toWorld(at), nearer = frame.toWorld(at + ModelPoint{0, 0, 1});
+  const auto a = app::pointOnCanvas(camera, view, here), b = app::pointOnCanvas(camera, view, nearer);
+  const auto c = app::pointOnCanvas(camera, view, here + camera.up() * frame.scale);
+  if (!a || !b || !c) return;
+  const double most = distance(*a, *c);
+  unit_ = *b - *a;
+  if (norm(unit_) < kLeastUnit * most) unit_ = app::ClientPoint{0, 1} * (kLeastUnit * most);
+  from_ = event.at;
+  env.ui.inHand.depth = handle_;
+}
+
+void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
+  const app::Subject subject = app::subjectOf(env.document, env.derived, env.ui.selection);
+  const double unit2 = dot(unit_, unit_);
+  if (!watch_.moved() || !subject || handle_ < 0 || !(unit2 > 0)) return;
+  const double by = dot(event.at - from_, unit_) / unit2;
+  depth_ = app::raiseDepth(subject.part->recipe.pose.depth, app::handlePlace(handle_), by,
+                           env.ui.edit.boneReach);
+  app::Preview& preview = app::previewPart(env.ui, *subject.part);
+  preview.recipe.pose.depth = depth_;
+  preview.fresh = false;
+}
+
+void DepthTool::commit(const ToolEnv& env) {
+  env.ui.inHand = {};
+  if (!env.ui.preview) {
+    if (handle_ >= 0) env.sink.run("choose-handle", app::Json::Object{{"handle", handle_}});
+    return;
+  }
+  const PartId part = env.ui.preview->part;
+  env.ui.preview.reset();
+  env.sink.run("set-depth",
+               app::Json::Object{{"part", part.value}, {"points", curveJson(depth_)}});
+}
+
+void DepthTool::cancel(const ToolEnv& env) {
+  env.ui.preview.reset();
+  env.ui.inHand = {};
+}
+
+}  // namespace spineloft::tools

@@ -1,0 +1,46 @@
+#include "web/tools/ignore_tool.h"
+
+#include "web/app/preview.h"
+
+namespace spineloft::tools {
+
+void IgnoreTool::begin(const ToolEnv& env, const ToolEvent& event) {
+  watch_.begin(event);
+  under_ = pickInPicture(env, event);
+}
+
+void IgnoreTool::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
+  if (!watch_.moved()) return;
+  app::InHand& hand = env.ui.inHand;
+  hand.radius = env.ui.edit.brush / env.ui.pictureView.zoom;
+  if (hand.stroke.empty()) hand.stroke.push_back(toPicture(env, watch_.start()));
+  const app::Subject subject = editedPart(env);
+  if (!extend(env, hand.stroke, event.at) || !subject) return;
+  app::Preview& preview = app::previewPart(env.ui, *subject.part);
+  preview.recipe.ignored = subject.part->recipe.ignored;
+  preview.recipe.ignored.push_back({hand.stroke, hand.radius});
+  preview.fresh = false;
+}
+
+void IgnoreTool::commit(const ToolEnv& env) {
+  const app::InHand hand = std::exchange(env.ui.inHand, {});
+  env.ui.preview.reset();
+  if (!hand.stroke.empty()) {
+    const bool picture = env.ui.edit.wholePicture || !editedPart(env);
+    env.sink.run("ignore", app::Json::Object{{"stroke", strokeJson(hand.stroke)},
+                                             {"radius", hand.radius},
+                                             {"picture", picture}});
+  } else if (under_.mark >= 0) {
+    env.sink.run("remove-ignore", app::Json::Object{{"mark", under_.mark}});
+  } else {
+    env.sink.run("select-part", app::Json::Object{{"id", under_.part.value}});
+  }
+}
+
+void IgnoreTool::cancel(const ToolEnv& env) {
+  env.ui.preview.reset();
+  env.ui.inHand = {};
+}
+
+}  // namespace spineloft::tools

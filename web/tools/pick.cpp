@@ -1,0 +1,165 @@
+#include "web/tools/pick.h"
+
+#include <array>
+#include <limits>
+
+#include "web/app/outline.h"
+#include "web/app/picker.h"
+
+namespace spineloft::tools {
+namespace {
+
+constexpr double kPointSpacing = 1.5;  // CSS pixels between the points of a stroke
+constexpr double kLineReach = 8;       // CSS pixels round a bone that still count as it
+
+double reachOf(const ToolEvent& event) { return event.touch() ? kTouchReach : kMouseReach; }
+
+/// The dot of another place of an end that is shown, if the pointer is on it.
+bool pickOther(const app::Subject& subject, const app::UiState& ui, PicturePoint p, double reach,
+               app::Hover& hover) {
+  const auto& all = subject.shape->ribs.ribs;
+  double nearest = reach;
+  for (const auto& end : {ui.chosen.end, ui.hover.end}) {
+    if (!end || end->rib >= all.size()) continue;
+    const ribs::OtherPlaces& others = app::otherPlaces(all[end->rib], end->side);
+    for (int i = 0; i < others.count; ++i) {
+      const double away = distance(p, others.at[static_cast<std::size_t>(i)]);
+      if (away >= nearest) continue;
+      nearest = away;
+      hover.end = end;
+      hover.other = i;
+    }
+  }
+  // The end itself wins when it is nearer.
+  return hover.other >= 0 && !ribs::nearestEnd(subject.shape->ribs, p, nearest);
+}
+
+void pickRib(const app::Subject& subject, const app::UiState& ui, PicturePoint p, double reach,
+             app::Hover& hover) {
+  if (pickOther(subject, ui, p, reach, hover)) return;
+  hover.other = -1;
+  hover.end = ribs::nearestEnd(subject.shape->ribs, p, reach);
+}
+
+double toPolyline(PicturePoint p, const std::vector<PicturePoint>& line) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const PicturePoint along = line[i] - line[i - 1];
+    const double length2 = dot(along, along);
+    const double t = length2 > 0 ? std::clamp(dot(p - line[i - 1], along) / length2, 0., 1.) : 0.;
+    nearest = std::min(nearest, distance(p, line[i - 1] + along * t));
+  }
+  return nearest;
+}
+
+void pickBone(const app::Subject& subject, PicturePoint p, double reach, double lineReach,
+              app::Hover& hover) {
+  const std::vector<PicturePoint> handles = app::boneHandles(subject);
+  double nearest = reach;
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    const double away = distance(p, handles[i]);
+    if (away > nearest) continue;
+    nearest = away;
+    hover.handle = static_cast<int>(i);
+  }
+  hover.bone = hover.handle < 0 && toPolyline(p, app::boneLine(subject)) <= lineReach;
+}
+
+}  // namespace
+
+app::Subject editedPart(const ToolEnv& env) {
+  const app::Subject subject = app::subjectOf(env.document, env.derived, env.ui.selection);
+  if (!subject || subject.part->recipe.picture != env.ui.picture) return {};
+  return subject;
+}
+
+PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at) {
+  return env.ui.pictureView.toPicture(at, env.ui.layout.picture);
+}
+
+app::Json pointJson(PicturePoint p) { return app::Json::Array{p.x, p.y}; }
+
+app::Json strokeJson(const std::vector<PicturePoint>& stroke) {
+  app::Json::Array list;
+  list.reserve(stroke.size());
+  for (const PicturePoint p : stroke) list.push_back(pointJson(p));
+  return list;
+}
+
+app::Json curveJson(const geometry::AlongCurve& curve) {
+  app::Json::Array list;
+  for (const auto& [at, value] : curve.points) list.push_back(app::Json::Array{at, value});
+  return list;
+}
+
+bool extend(const ToolEnv& env, std::vector<PicturePoint>& stroke, app::ClientPoint at) {
+  const PicturePoint p = toPicture(env, at);
+  const bool near =
+      !stroke.empty() && distance(p, stroke.back()) * env.ui.pictureView.zoom < kPointSpacing;
+  if (near) return false;
+  stroke.push_back(p);
+  return true;
+}
+
+app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
+  using app::ToolKind;
+  const app::UiState& ui = env.ui;
+  const PicturePoint p = toPicture(env, event.at);
+  const double scale = 1 / ui.pictureView.zoom, reach = reachOf(event) * scale;
+  app::Hover hover;
+  hover.part = app::partAt(env.document, env.derived, ui.picture, p, kLineReach * scale);
+  const app::Subject subject = editedPart(env);
+  if (ui.tool == ToolKind::Ignore) {
+    hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
+  } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
+    pickRib(subject, ui, p, reach, hover);
+  } else if (subject && ui.tool == ToolKind::Bone) {
+    pickBone(subject, p, reach, std::max(kLineReach, reachOf(event) * 0.7) * scale, hover);
+  }
+  return hover;
+}
+
+app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
+  const app::UiState& ui = env.ui;
+  app::Hover hover;
+  const app::Subject subject = app::subjectOf(env.document, env.derived, ui.selection);
+  if (ui.tool == app::ToolKind::Bone && subject) {
+    const document::PictureEntry* entry =
+        document::findPicture(env.document, subject.part->recipe.picture);
+    const std::vector<ModelPoint> handles = app::depthHandles(subject);
+    double nearest = reachOf(event);
+    for (std::size_t i = 0; entry != nullptr && i < handles.size(); ++i) {
+      const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid,
+                                   publish::worldFrame(entry->size).toWorld(handles[i]));
+      if (!at || distance(*at, event.at) > nearest) continue;
+      nearest = distance(*at, event.at);
+      hover.depth = static_cast<int>(i);
+    }
+  }
+  const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
+  hover.part = env.picker->partUnderRay(env.document, env.derived, ray);
+  return hover;
+}
+
+const char* cursorFor(const app::UiState& ui, app::Focus view) {
+  using app::ToolKind;
+  const app::Hover& hover = ui.hover;
+  if (view == app::Focus::Solid) return hover.depth >= 0 ? "ns-resize" : "grab";
+  switch (ui.tool) {
+    case ToolKind::Hand:
+      return "grab";
+    case ToolKind::Ribs:
+      if (hover.other >= 0) return "pointer";
+      if (hover.end) return "grab";
+      return hover.part ? "pointer" : "default";
+    case ToolKind::Bone:
+      if (hover.handle >= 0) return "grab";
+      return hover.bone ? "move" : "crosshair";
+    case ToolKind::Ignore:
+      return hover.mark >= 0 ? "pointer" : "cell";
+    default:
+      return "crosshair";
+  }
+}
+
+}  // namespace spineloft::tools

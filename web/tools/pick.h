@@ -1,0 +1,29 @@
+// What lies under the pointer for the tool in use: the same for hovering, pressing and the cursor.
+#pragma once
+
+#include "web/app/editing.h"
+#include "web/tools/tool.h"
+
+namespace spineloft::tools {
+
+/// How near the pointer must come to a point to grab it, CSS pixels.
+inline constexpr double kMouseReach = 11, kTouchReach = 24;
+
+/// Under a point of the picture view.
+app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event);
+/// Under a point of the solid view.
+app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event);
+
+/// The CSS cursor that says what a press would do there.
+const char* cursorFor(const app::UiState& ui, app::Focus view);
+
+/// The selected part when it lies on the picture in view and has a shape.
+app::Subject editedPart(const ToolEnv& env);
+PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at);
+app::Json pointJson(PicturePoint p);
+app::Json strokeJson(const std::vector<PicturePoint>& stroke);
+app::Json curveJson(const geometry::AlongCurve& curve);
+/// Adds a point unless it is too close to the last one to matter. True when it was added.
+bool extend(const ToolEnv& env, std::vector<PicturePoint>& stroke, app::ClientPoint at);
+
+}  // namespace spineloft::tools

@@ -1,0 +1,77 @@
+#include "web/tools/rib_tool.h"
+
+#include "web/app/preview.h"
+
+namespace spineloft::tools {
+namespace {
+
+app::Json endJson(PartId part, ribs::EndRef end) {
+  return app::Json::Object{{"part", part.value},
+                           {"rib", static_cast<double>(end.rib)},
+                           {"side", end.side == ribs::Side::Left ? "left" : "right"}};
+}
+
+}  // namespace
+
+void RibTool::begin(const ToolEnv& env, const ToolEvent& event) {
+  watch_.begin(event);
+  under_ = pickInPicture(env, event);
+  const app::Subject subject = editedPart(env);
+  if (!under_.end || under_.other >= 0 || !subject) return;
+  const ribs::Rib& rib = subject.shape->ribs.ribs[under_.end->rib];
+  offset_ = app::endPoint(rib, under_.end->side) - toPicture(env, event.at);
+  env.ui.hover = under_;
+  env.ui.inHand.end = under_.end;
+}
+
+void RibTool::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
+  const app::Subject subject = editedPart(env);
+  if (!watch_.moved() || !under_.end || under_.other >= 0 || !subject) return;
+  to_ = toPicture(env, event.at) + offset_;
+  app::Preview& preview = app::previewPart(env.ui, *subject.part);
+  preview.recipe.edits =
+      ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
+  preview.fresh = false;
+}
+
+void RibTool::tap(const ToolEnv& env) const {
+  const PartId part = env.ui.selection;
+  if (under_.end && under_.other >= 0) {
+    app::Json::Object args = *endJson(part, *under_.end).object();
+    args.emplace_back("place", under_.other);
+    env.sink.run("take-place", std::move(args));
+  } else if (under_.end) {
+    env.sink.run("choose-rib", endJson(part, *under_.end));
+  } else {
+    const app::Subject subject = editedPart(env);
+    const PicturePoint p = toPicture(env, watch_.start());
+    const double reach = kMouseReach / env.ui.pictureView.zoom;
+    if (const auto rib = subject ? ribs::nearestRib(subject.shape->ribs, p, reach) : std::nullopt) {
+      const ribs::Rib& seen = subject.shape->ribs.ribs[*rib];
+      const bool left = distance(p, seen.left) <= distance(p, seen.right);
+      env.sink.run("choose-rib",
+                   endJson(part, {*rib, left ? ribs::Side::Left : ribs::Side::Right}));
+    } else {
+      env.sink.run("select-part", app::Json::Object{{"id", under_.part.value}});
+    }
+  }
+}
+
+void RibTool::commit(const ToolEnv& env) {
+  env.ui.inHand = {};
+  if (!watch_.moved()) return tap(env);
+  if (!env.ui.preview || !under_.end) return;
+  app::Json::Object args = *endJson(env.ui.preview->part, *under_.end).object();
+  args.emplace_back("to", pointJson(to_));
+  args.emplace_back("reach", env.ui.edit.ribReach);
+  env.ui.preview.reset();
+  env.sink.run("move-rib-end", std::move(args));
+}
+
+void RibTool::cancel(const ToolEnv& env) {
+  env.ui.preview.reset();
+  env.ui.inHand = {};
+}
+
+}  // namespace spineloft::tools

@@ -1,0 +1,43 @@
+#include "web/tools/tools.h"
+
+#include "web/tools/bone_tool.h"
+#include "web/tools/depth_tool.h"
+#include "web/tools/draw_spine.h"
+#include "web/tools/ignore_tool.h"
+#include "web/tools/pan_picture.h"
+#include "web/tools/rib_tool.h"
+#include "web/tools/shape_tool.h"
+#include "web/tools/sketch_pen.h"
+#include "web/tools/turn_solid.h"
+
+namespace spineloft::tools {
+
+std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
+  using app::ToolKind;
+  switch (kind) {
+    case ToolKind::Draw:
+      return std::make_unique<DrawSpine>();
+    case ToolKind::Ribs:
+      return std::make_unique<RibTool>();
+    case ToolKind::Shape:
+      return std::make_unique<ShapeTool>();
+    case ToolKind::Bone:
+      return std::make_unique<BoneTool>();
+    case ToolKind::Ignore:
+      return std::make_unique<IgnoreTool>();
+    case ToolKind::Pen:
+    case ToolKind::Eraser:
+      return std::make_unique<SketchPen>(kind == ToolKind::Eraser);
+    case ToolKind::Hand:
+    case ToolKind::kCount:
+      break;
+  }
+  return std::make_unique<PanPicture>();
+}
+
+std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
+  if (pickInSolid(env, event).depth >= 0) return std::make_unique<DepthTool>();
+  return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
+}
+
+}  // namespace spineloft::tools
