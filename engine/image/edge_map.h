@@ -25,8 +25,6 @@ struct EdgeMap {
   std::vector<float> gradientX, gradientY;
   /// Colour: CIE Lab, three floats a pixel (L 0…100), slightly smoothed.
   std::vector<float> lab;
-  /// 255 where a person said that edges do not count, else 0; empty: nowhere.
-  std::vector<std::uint8_t> ignored;
   bool operator==(const EdgeMap&) const = default;
 
   bool empty() const { return width <= 0 || height <= 0; }

@@ -14,6 +14,11 @@ void Cache::keepEdges(std::uint64_t contentHash, std::shared_ptr<const image::Ed
   edges_.push_back({contentHash, std::move(edges)});
 }
 
+void Cache::keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored) {
+  const std::size_t bytes = bytesOf(*ignored);
+  ignored_.keep(key, std::move(ignored), bytes);
+}
+
 std::shared_ptr<const TracedRibs> Cache::traced(std::uint64_t key, bool preview) {
   if (auto known = traced_.find(key)) return known;
   auto known = previews_.find(key);
@@ -89,7 +94,7 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 }
 
 std::size_t Cache::bytes() const {
-  std::size_t sum = traced_.bytes() + previews_.bytes();
+  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

@@ -58,6 +58,9 @@ class Cache {
   /// Null when not (or no longer) known.
   std::shared_ptr<const image::EdgeMap> edges(std::uint64_t contentHash) const;
   void keepEdges(std::uint64_t contentHash, std::shared_ptr<const image::EdgeMap> edges);
+  /// By ignoredKey. Null when not (or no longer) known.
+  std::shared_ptr<const ribs::IgnoredEdges> ignored(std::uint64_t key) { return ignored_.find(key); }
+  void keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
   /// By traceKey. Null when not (or no longer) known. Those of previews are kept apart, so that a
   /// stroke being drawn does not push out the parts of the document; found for a part of the
   /// document, one moves over.
@@ -79,9 +82,10 @@ class Cache {
   std::size_t bytes() const;
 
   static constexpr std::uint64_t kKeptRounds = 32;
-  /// About 500 parts of 100 ribs; 30 previews; 100 parts of usual size besides those shown.
+  /// About 400 parts of 100 ribs; 25 previews; 100 parts of usual size besides those shown; the marks
+  /// of 4 pictures.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20,
-                               kShapeBytes = 32u << 20;
+                               kShapeBytes = 32u << 20, kIgnoredBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 
@@ -101,6 +105,7 @@ class Cache {
     std::shared_ptr<const image::Picture> picture;
   };
   std::vector<EdgeSlot> edges_;
+  Shelf<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
   Shelf<TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;

@@ -10,6 +10,19 @@ namespace {
 
 double nowMs(const Clock& clock) { return clock ? clock() : 0.0; }
 
+Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
+    const document::LoftRecipe& recipe, const document::PictureEntry& entry,
+    const image::EdgeMap& edges, Cache& cache) {
+  const std::uint64_t key = ignoredKey(recipe, entry);
+  std::shared_ptr<const ribs::IgnoredEdges> known = cache.ignored(key);
+  if (known) return known;
+  Result<ribs::IgnoredEdges> made = ignoredStage(edges, entry.ignored, recipe.ignored);
+  if (!made) return made.failure();
+  known = std::make_shared<const ribs::IgnoredEdges>(std::move(made).value());
+  cache.keepIgnored(key, known);
+  return known;
+}
+
 // The shape of a recipe, with the ribs that are traced already or the edges that are known.
 Result<PartShape> shapeOf(const document::LoftRecipe& recipe, const document::PictureEntry& entry,
                           Cache& cache, bool preview, const Clock& clock) {
@@ -20,8 +33,15 @@ Result<PartShape> shapeOf(const document::LoftRecipe& recipe, const document::Pi
   // Without edges the ribs are guessed: that is no result to keep.
   std::shared_ptr<const TracedRibs> traced = edges ? cache.traced(key, preview) : nullptr;
   if (!traced) {
-    Result<TracedRibs> made =
-        traceStage(recipe, edges ? *edges : kNoEdges, entry.size, Progress{});
+    std::shared_ptr<const ribs::IgnoredEdges> ignored;
+    if (edges && !(entry.ignored.empty() && recipe.ignored.empty())) {
+      Result<std::shared_ptr<const ribs::IgnoredEdges>> found =
+          ignoredEdgesOf(recipe, entry, *edges, cache);
+      if (!found) return found.failure();
+      ignored = std::move(found).value();
+    }
+    Result<TracedRibs> made = traceStage(
+        recipe, {edges ? *edges : kNoEdges, entry.size, ignored.get()}, Progress{});
     if (!made) return made.failure();
     traced = std::make_shared<const TracedRibs>(std::move(made).value());
     if (edges) cache.keepTraced(key, traced, preview);

@@ -48,13 +48,26 @@ std::size_t bytesOf(const PartShape& shape) {
          bytes(m.positions) + bytes(m.triangles) + bytes(m.uv);
 }
 
-Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
-                              image::Size picture, const Progress& progress) {
+std::size_t bytesOf(const ribs::IgnoredEdges& ignored) {
+  return sizeof(ignored) + ignored.mask.size() + ignored.proximity.size() * sizeof(float);
+}
+
+Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
+                                        std::span<const ribs::IgnoreMark> ofPicture,
+                                        std::span<const ribs::IgnoreMark> ofPart) {
   try {
-    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
+    return ribs::ignoreEdges(edges, ofPicture, ofPart);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
+                              const ribs::PictureEvidence& picture, const Progress& progress) {
+  try {
+    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
     if (!spine) return spine.failure();
-    Result<ribs::RibSet> found =
-        ribs::traceRibs(spine.value(), edges, picture, recipe.ribs, progress);
+    Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), picture, recipe.ribs, progress);
     if (!found) return found.failure();
     return TracedRibs{std::move(spine).value(), std::move(found).value()};
   } catch (const std::bad_alloc&) {
@@ -74,7 +87,9 @@ Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRib
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
                             image::Size picture, const Progress& progress, const Clock& clock) {
   const double started = nowMs(clock);
-  Result<TracedRibs> traced = traceStage(recipe, edges, picture, progress);
+  const Result<ribs::IgnoredEdges> ignored = ignoredStage(edges, {}, recipe.ignored);
+  if (!ignored) return ignored.failure();
+  Result<TracedRibs> traced = traceStage(recipe, {edges, picture, &ignored.value()}, progress);
   if (!traced) return traced.failure();
   const double took = nowMs(clock) - started;
   Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, clock);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/base/progress.h"
@@ -12,6 +13,7 @@
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
 #include "engine/mesh/tri_mesh.h"
+#include "engine/ribs/ignored.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
 
@@ -47,18 +49,25 @@ struct PartShape {
 /// Memory that they take, about.
 std::size_t bytesOf(const TracedRibs& traced);
 std::size_t bytesOf(const PartShape& shape);
+std::size_t bytesOf(const ribs::IgnoredEdges& ignored);
 
-/// First stage: cleanSpine → traceRibs, for everything in a recipe that traceKey covers. `edges` may
-/// be empty (no evidence yet: guessed ribs). Errors: those of the two, OutOfMemory.
-Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
-                              image::Size picture, const Progress& progress);
+/// Before the ribs: what the marks of picture and part leave of the edges. Errors: OutOfMemory.
+Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
+                                        std::span<const ribs::IgnoreMark> ofPicture,
+                                        std::span<const ribs::IgnoreMark> ofPart);
+
+/// First stage: cleanSpine → traceRibs, for everything in a recipe that traceKey covers. The edges may
+/// be empty (no evidence yet: guessed ribs); those to ignore are part of
+/// the evidence, the marks in the recipe are not looked at. Errors: those of the two, OutOfMemory.
+Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
+                              const ribs::PictureEvidence& picture, const Progress& progress);
 
 /// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
 /// those of the stages, OutOfMemory.
 Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
                              image::Size picture, const Clock& clock = {});
 
-/// Both in one go.
+/// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
                             image::Size picture, const Progress& progress, const Clock& clock = {});
 

@@ -20,6 +20,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 struct Bilinear {
   std::size_t i00, i10, i01, i11;
   float u, v;
+  std::size_t nearest() const { return u < 0.5f ? (v < 0.5f ? i00 : i01) : (v < 0.5f ? i10 : i11); }
 };
 
 Bilinear locate(const image::EdgeMap& map, float x, float y) {
@@ -67,18 +68,24 @@ Lab mixLab(const Bilinear& b, const std::vector<float>& plane) {
   return {all[0], all[1], all[2], 0};
 }
 
-// Lab difference over ± reach of arc length at every level of one curve; 0 where not reached.
+// Lab difference over ± reach of arc length at every level of one curve; 0 where not reached, and
+// where the stretch touches what is ignored.
 void differences(const GradientCurves& curves, const Strip& strip, float reach, int curve,
                  Lab* out) {
   const int reached = curves.reached[index(curve)];
   const float* along = &curves.along[curves.at(curve, 0)];
   const Lab* lab = &strip.lab[curves.at(curve, 0)];
   std::fill(out, out + strip.levels, Lab{});
-  int low = 0, high = 0;
+  int low = 0, high = 0, lastIgnored = -1;
   for (int k = 1; k < reached; ++k) {
     while (low < k - 1 && along[low] < along[k] - reach) ++low;
+    const int before = std::max(high, k - 1);
     high = std::max(high, k);
     while (high < reached - 1 && along[high] < along[k] + reach) ++high;
+    for (int q = before; q <= high; ++q) {
+      if (strip.isIgnored(curves.at(curve, q))) lastIgnored = q;
+    }
+    if (lastIgnored >= low) continue;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       out[k][channel] = lab[high][channel] - lab[low][channel];
     }
@@ -131,19 +138,25 @@ void integrate(const GradientCurves& curves, int curve, const float* plane,
   }
 }
 
-// Largest contrast of every curve.
-std::vector<float> strongestContrasts(const GradientCurves& curves,
+// Largest contrast of every curve; kUnknown where it was ignored, so that others are not measured
+// against it.
+constexpr float kUnknown = -1;
+std::vector<float> strongestContrasts(const GradientCurves& curves, const Strip& strip,
                                       const std::vector<float>& contrast) {
   std::vector<float> strongest(index(curves.layout.total()), 0.f);
   for (int c = 0; c < curves.layout.total(); ++c) {
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
       strongest[index(c)] = std::max(strongest[index(c)], contrast[curves.at(c, k)]);
     }
+    for (int k = 1; k < curves.reached[index(c)] && strongest[index(c)] == 0; ++k) {
+      if (strip.isIgnored(curves.at(c, k))) strongest[index(c)] = kUnknown;
+    }
   }
   return strongest;
 }
 
 float median(std::vector<float>& values) {
+  if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -157,9 +170,10 @@ constexpr int kNearby = 10;
 // Half the width that an edge fills along a curve, and what is left out beyond it, in map pixels.
 constexpr float kEdgeExtent = 4.f;
 
-void normalise(const GradientCurves& curves, BoundaryTerms& terms) {
-  const std::vector<float> strongest = strongestContrasts(curves, terms.contrast);
+void normalise(const GradientCurves& curves, const Strip& strip, BoundaryTerms& terms) {
+  const std::vector<float> strongest = strongestContrasts(curves, strip, terms.contrast);
   std::vector<float> window = strongest;
+  std::erase(window, kUnknown);
   const float scale = std::max(kLeastContrast, kFullEdge * median(window));
   const int total = curves.layout.total();
   terms.localContrast.assign(terms.contrast.size(), 0.f);
@@ -167,6 +181,7 @@ void normalise(const GradientCurves& curves, BoundaryTerms& terms) {
     window.clear();
     for (int j = -kNearby; j <= kNearby; ++j)
       window.push_back(strongest[index(((c + j) % total + total) % total)]);
+    std::erase(window, kUnknown);
     const float local = std::max(kLeastLocalContrast, kFullEdge * median(window));
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
       const std::size_t at = curves.at(c, k);
@@ -184,18 +199,26 @@ int levelAt(const float* along, int reached, int from, float length) {
 
 }  // namespace
 
-void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges, Strip& strip) {
+void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
+                 const IgnoredEdges* ignored, Strip& strip) {
+  const bool marked = ignored != nullptr && !ignored->empty();
+  const std::vector<float>& proximity = marked ? ignored->proximity : edges.proximity;
   strip.curves = curves.layout.total();
   strip.levels = curves.levels;
   strip.pixel = std::max(edges.scaleX, edges.scaleY);
   strip.proximity.assign(curves.x.size(), 0.f);
   strip.lab.assign(curves.x.size(), Lab{});
+  strip.ignored.assign(marked ? curves.x.size() : 0, 0);
   for (int c = 0; c < strip.curves; ++c) {
     for (int k = 0; k < curves.reached[index(c)]; ++k) {
       const std::size_t at = curves.at(c, k);
       const Bilinear place = locate(edges, curves.x[at], curves.y[at]);
-      strip.proximity[at] = mix(place, edges.proximity);
       strip.lab[at] = mixLab(place, edges.lab);
+      if (marked && ignored->mask[place.nearest()] != 0) {
+        strip.ignored[at] = 1;
+      } else {
+        strip.proximity[at] = mix(place, proximity);
+      }
     }
   }
 }
@@ -219,6 +242,7 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
     }
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
       const std::size_t at = curves.at(c, k);
+      if (strip.isIgnored(at)) continue;
       const float step = std::max(1.f, curves.along[at] - curves.along[at - 1]);
       const float best = strongestSum(neighbours, k, {curves.x[at], curves.y[at]}, step);
       contrast[at] = std::sqrt(best) * share;
@@ -229,7 +253,7 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms) {
   contourContrast(curves, strip, {.reach = params.contrastReach * strip.pixel}, terms.contrast);
-  normalise(curves, terms);
+  normalise(curves, strip, terms);
   terms.beyond.assign(curves.x.size(), 0.f);
   const float extent = kEdgeExtent * static_cast<float>(strip.pixel);
   std::vector<float> edges;

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "engine/image/edge_map.h"
 #include "engine/ribs/curves.h"
+#include "engine/ribs/ignored.h"
 #include "engine/ribs/ribs.h"
 
 namespace spineloft::ribs {
@@ -19,11 +22,17 @@ struct Strip {
   std::vector<float> proximity;  ///< nearness to a Canny edge, 0…1
   /// CIE Lab and an unused fourth value, interleaved.
   std::vector<std::array<float, 4>> lab;
+  /// 1 where a person said that the picture is not to count, else 0; empty: nowhere. There nothing
+  /// is near an edge, nothing contrasts, colours are neither learned nor foreign, and nothing
+  /// enters what others are measured against.
+  std::vector<std::uint8_t> ignored;
+  bool isIgnored(std::size_t at) const { return !ignored.empty() && ignored[at] != 0; }
 };
 
-/// Samples `edges` (not empty) at every point of `curves`, bilinearly. Replaces `strip`, reusing
-/// its memory.
-void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges, Strip& strip);
+/// Samples `edges` (not empty) at every point of `curves`, bilinearly; `ignored` may be null or
+/// empty. Replaces `strip`, reusing its memory.
+void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
+                 const IgnoredEdges* ignored, Strip& strip);
 
 /// How strongly the colour changes *across* the level sets and *along with the neighbours*: the Lab
 /// difference over ± `reach` (picture pixels of arc length along the curve), averaged as a vector

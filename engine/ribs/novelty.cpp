@@ -67,8 +67,10 @@ void classify(const GradientCurves& curves, const Strip& strip, std::vector<std:
   for (std::size_t channel = 0; channel < 3; ++channel) {
     values.clear();
     for (int c = 0; c < strip.curves; c += 2) {
-      for (int k = 0; k < curves.reached[index(c)]; k += 4)
-        values.push_back(strip.lab[curves.at(c, k)][channel]);
+      for (int k = 0; k < curves.reached[index(c)]; k += 4) {
+        const std::size_t at = curves.at(c, k);
+        if (!strip.isIgnored(at)) values.push_back(strip.lab[at][channel]);
+      }
     }
     axes[channel] = axisOf(values, channel == 0 ? kLightRange : kColourRange);
   }
@@ -117,6 +119,7 @@ Colours learn(const GradientCurves& curves, const Strip& strip,
                                 known.empty() ? 0.f : known[index(c)]);
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
       const std::size_t i = curves.at(c, k);
+      if (strip.isIgnored(i)) continue;
       const float run = curves.along[i] - curves.along[i - 1];
       colours.all[cells[i]] += run;
       if (!side || curves.along[i] > near) continue;
@@ -138,6 +141,9 @@ void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::v
   std::vector<std::uint16_t> cells;
   classify(curves, strip, cells);
   const Colours colours = learn(curves, strip, cells, known);
+  novelty.assign(curves.x.size(), 0.f);
+  // With the whole spine ignored nothing is known of its colours.
+  if (std::ranges::all_of(colours.spine, [](float share) { return share == 0; })) return;
   float overlap = 0;  // Bhattacharyya coefficient
   for (std::size_t i = 0; i < kCells; ++i) overlap += std::sqrt(colours.all[i] * colours.spine[i]);
   const float trust = std::sqrt(std::max(0.f, 1 - overlap));
@@ -150,11 +156,11 @@ void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::v
       table[s][i] = trust * std::clamp(ratio, -kMostNovelty, kMostNovelty);
     }
   }
-  novelty.assign(curves.x.size(), 0.f);
   for (int c = 0; c < strip.curves; ++c) {
     const Histogram& own = table[index(stretchOf(curves.layout, c))];
     for (int k = 0; k < curves.reached[index(c)]; ++k) {
-      novelty[curves.at(c, k)] = own[cells[curves.at(c, k)]];
+      const std::size_t i = curves.at(c, k);
+      if (!strip.isIgnored(i)) novelty[i] = own[cells[i]];
     }
   }
 }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "engine/ribs/curves.h"
 #include "engine/ribs/evidence.h"
 #include "engine/ribs/fairing.h"
 #include "engine/ribs/lean.h"
 #include "engine/ribs/rib_lengths.h"
+#include "engine/ribs/rivals.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -25,9 +27,6 @@ constexpr double kFarthestPerSide = 0.75;
 constexpr double kDefaultHalfWidth = 0.1;
 // A rib end with at least this share of a full edge under it stands on one.
 constexpr float kOnEdge = 0.5f;
-// Labels this close (share of the end's own arc length, and labels) are the same place, not a
-// rival.
-constexpr float kRivalShare = 0.1f;
 // How strongly a cap is held to the round shape between its end ribs, against evidence that spans about 1.
 constexpr float kCapWeight = 0.5f;
 
@@ -79,8 +78,8 @@ void weighTerms(Search& s) {
 }
 
 // The evidence of every curve, with the colours close to the spine as the object's.
-void firstEvidence(const image::EdgeMap& edges, Search& s) {
-  sampleStrip(s.curves, edges, s.strip);
+void firstEvidence(const PictureEvidence& picture, Search& s) {
+  sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
   boundaryTerms(s.curves, s.strip, s.params.evidence, s.terms);
   s.support.resize(s.terms.contrast.size());
   for (std::size_t i = 0; i < s.support.size(); ++i) {
@@ -195,25 +194,26 @@ std::vector<RibState> endStates(const Search& s, const std::vector<int>& labels,
   return states;
 }
 
-// 1 − exp(−margin), margin = how much the best rival place costs more than the chosen one.
-std::vector<double> endConfidence(const Search& s, const LengthLabels& labels, bool leftSide) {
+// Confidence and other places of the ends of one side, from its min-marginals.
+void readRivals(const Search& s, const LengthLabels& labels, bool leftSide, RibSet& set) {
   const std::vector<float> marginals = sideMarginals(s.problem, labels, leftSide);
-  const std::vector<int>& chosen = leftSide ? labels.left : labels.right;
-  const int count = s.problem.levels;
-  std::vector<double> confidence(index(s.problem.ribs));
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
-    const int at = chosen[index(i)];
-    const float* row = &marginals[index(i) * index(count)];
-    const float home = s.curves.along[s.curves.at(curve, at)];
-    float rival = kUnreachable;
-    for (int k = 0; k < s.curves.reached[index(curve)]; ++k) {
-      const float away = std::abs(s.curves.along[s.curves.at(curve, k)] - home);
-      if (std::abs(k - at) > 2 && away > kRivalShare * home) rival = std::min(rival, row[k]);
+    const std::size_t reached = index(s.curves.reached[index(curve)]);
+    const auto row = [&](const std::vector<float>& values, std::size_t first) {
+      return std::span<const float>(&values[first], reached);
+    };
+    const std::size_t first = s.curves.at(curve, 0);
+    const RivalRow rivals{row(marginals, index(i) * index(s.problem.levels)),
+                          row(s.curves.along, first), row(s.support, first),
+                          (leftSide ? labels.left : labels.right)[index(i)]};
+    Rib& rib = set.ribs[index(i)];
+    (leftSide ? rib.leftConfidence : rib.rightConfidence) = confidenceOf(rivals);
+    OtherPlaces& others = leftSide ? rib.leftOthers : rib.rightOthers;
+    for (const int label : rivalLabels(rivals)) {
+      others.at[index(others.count++)] = s.curves.point(curve, label);
     }
-    confidence[index(i)] = 1 - std::exp(-std::max(0., static_cast<double>(rival - row[at])));
   }
-  return confidence;
 }
 
 // The outline of a round cap: a chain of fan curves between the two ribs of an end, whose lengths
@@ -291,8 +291,6 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
   RibSet set;
   const auto leftStates = endStates(s, labels.left, true);
   const auto rightStates = endStates(s, labels.right, false);
-  const auto leftConfidence = endConfidence(s, labels, true);
-  const auto rightConfidence = endConfidence(s, labels, false);
   const auto leftLengths = endLengths(s, labels.left, true);
   const auto rightLengths = endLengths(s, labels.right, false);
   set.ribs.resize(index(s.problem.ribs));
@@ -306,11 +304,13 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
                     rightStates[at],
                     s.levels.d2[index(l)],
                     s.levels.d2[index(r)],
-                    leftConfidence[at],
-                    rightConfidence[at],
+                    0,
+                    0,
                     {},
                     {}};
   }
+  readRivals(s, labels, true, set);
+  readRivals(s, labels, false, set);
   set.startFan = traceFan(s, labels.left.front(), labels.right.front(), true);
   set.endFan = traceFan(s, labels.left.back(), labels.right.back(), false);
   set.energy = energyOf(s.problem, labels);
@@ -362,20 +362,21 @@ bool inRange(const RibParams& p) {
          within(e.doubt, 0.001, 10) && within(e.knownShare, 0, 0.9);
 }
 
-Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,
+Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress) {
+  const image::EdgeMap& edges = picture.edges;
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
   Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}, {}, {}, {}};
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
   if (!progress.advance(0.05)) return Error::Cancelled;
-  s.levels = chooseLevels(s.field, edges, picture, params);
-  traceCurves(spine, s.field, s.levels, kFanCurves, picture, s.curves);
+  s.levels = chooseLevels(s.field, edges, picture.size, params);
+  traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
   if (!progress.advance(0.4)) return Error::Cancelled;
   if (edges.empty()) {
     defaultCosts(s);
   } else {
-    firstEvidence(edges, s);
+    firstEvidence(picture, s);
   }
   const std::vector<EvenPart> parts = fillProblem(s);
   if (!progress.advance(0.5)) return Error::Cancelled;

@@ -124,12 +124,27 @@ struct RibParams {
 /// Every value finite and in its range.
 bool inRange(const RibParams& params);
 
+struct IgnoredEdges;
+
+/// What a picture shows. References must outlive the call.
+struct PictureEvidence {
+  const image::EdgeMap& edges;  ///< may be empty: no picture, or nothing known of it yet
+  image::Size size;             ///< of the picture, pixels
+  const IgnoredEdges* ignored = nullptr;  ///< edges scribbled away (ignored.h), of the same map
+};
+
 /// Gradient curves from the hull of the spine, the evidence along them, and the exact optimum of
-/// the energy by dynamic programming (method: "Gradient curves", "Rib lengths"). `edges` may be
-/// empty (no picture): then every end is Guessed at a default width. Output coordinates are picture
+/// the energy by dynamic programming (method: "Gradient curves", "Rib lengths"). Without
+/// edges every end is Guessed at a default width; under ignored ones the picture says nothing. Output coordinates are picture
 /// pixels, at most half a pixel outside the picture; ribs of one side never cross each other.
 /// Errors: StrokeTooShort (fewer than 2 points), ValueOutOfRange (params), Cancelled.
-Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges, image::Size picture,
+Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress);
+/// The same with nothing ignored.
+inline Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges,
+                                image::Size picture, const RibParams& params,
+                                const Progress& progress) {
+  return traceRibs(spine, PictureEvidence{edges, picture}, params, progress);
+}
 
 }  // namespace spineloft::ribs

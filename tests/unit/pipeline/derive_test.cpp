@@ -153,6 +153,29 @@ TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke an
   CHECK_FALSE(reuses(IgnoreForPicture{PictureId{1}, {{{{10, 10}}, 4}}}));
 }
 
+TEST_CASE("marks of the picture and of the part reach the ribs alike, and are kept within a budget") {
+  const Document document = ellipseDocument();
+  Cache cache;
+  const auto plain = deriveWithEdges(document, cache, {}).value().parts[0].shape;
+  const std::vector<ribs::IgnoreMark> marks{{{{96, 20}, {96, 60}}, 40}};
+  const auto shapeWith = [&](const Action& action) {
+    return derive(update(document, action).value(), cache).parts.at(0).shape;
+  };
+  const auto ofPart = shapeWith(IgnoreForPart{PartId{1}, marks});
+  const auto ofPicture = shapeWith(IgnoreForPicture{PictureId{1}, marks});
+  CHECK(ofPart->generated == ofPicture->generated);
+  CHECK_FALSE(ofPart->generated == plain->generated);
+  const std::vector<ribs::IgnoreMark> far{{{{-900, -900}}, 3}};
+  CHECK(shapeWith(IgnoreForPart{PartId{1}, far})->generated == plain->generated);
+  LoftRecipe recipe = document.parts[0]->recipe;
+  const std::size_t before = cache.bytes();
+  for (int i = 0; i < 200; ++i) {
+    recipe.ignored = {{{{20.0, 10.0 + 0.1 * i}}, 5}};
+    REQUIRE(previewShape(document, recipe, cache).ok());
+  }
+  CHECK(cache.bytes() <= before + Cache::kPreviewBytes + Cache::kIgnoredBytes);
+}
+
 TEST_CASE("edited ribs lie over the generated ones, and both are there to be seen") {
   Document document = ellipseDocument();
   const ribs::RibEdits edits{{{.at = 0.5, .out = 60, .reach = 0.1, .locked = true}}, {0.33}, {}};

@@ -22,7 +22,7 @@ struct Scene {
   explicit Scene(const image::EdgeMap& map) {
     const D2Field field(spine.points);
     traceCurves(spine, field, makeLevels(100, 1, 120, field.length()), 7, kPicture, curves);
-    sampleStrip(curves, map, strip);
+    sampleStrip(curves, map, nullptr, strip);
   }
   // The level of the left curve in the middle that is nearest to this far from the spine.
   int level(double away) const {

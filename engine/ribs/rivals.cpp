@@ -1,0 +1,67 @@
+#include "engine/ribs/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace spineloft::ribs {
+namespace {
+
+// Labels this close (share of the chosen end's arc length, and labels) are the same place.
+constexpr float kRivalShare = 0.1f;
+constexpr int kSameLabels = 2;
+constexpr std::size_t kMostRivals = 3;
+// An end on its own at another place costs the chain two jumps between neighbours; one that is dearer
+// than this (RibParams::neighbourCap is 5) has the picture against it as well.
+constexpr float kMostMargin = 8.f;
+// Less support than this is no edge worth offering.
+constexpr float kLeastSupport = 0.9f;
+
+float at(std::span<const float> values, int i) { return values[static_cast<std::size_t>(i)]; }
+int sizeOf(const RivalRow& row) { return static_cast<int>(row.marginal.size()); }
+
+bool apart(const RivalRow& row, int a, int b) {
+  return std::abs(a - b) > kSameLabels &&
+         std::abs(at(row.along, a) - at(row.along, b)) > kRivalShare * at(row.along, row.chosen);
+}
+
+}  // namespace
+
+double confidenceOf(const RivalRow& row) {
+  float rival = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < sizeOf(row); ++k) {
+    if (apart(row, k, row.chosen)) rival = std::min(rival, at(row.marginal, k));
+  }
+  const double margin = static_cast<double>(rival - at(row.marginal, row.chosen));
+  return 1 - std::exp(-std::max(0.0, margin));
+}
+
+std::vector<int> rivalLabels(const RivalRow& row) {
+  struct Rival {
+    int label;
+    float marginal;
+  };
+  std::vector<Rival> rivals;
+  const float most = at(row.marginal, row.chosen) + kMostMargin;
+  // Of every edge that the curve passes, the label that suits the chain best.
+  int best = -1;
+  for (int k = 1; k <= sizeOf(row); ++k) {
+    const bool onEdge = k < sizeOf(row) && at(row.support, k) >= kLeastSupport;
+    if (onEdge && (best < 0 || at(row.marginal, k) < at(row.marginal, best))) best = k;
+    if (onEdge || best < 0) continue;
+    if (at(row.marginal, best) <= most && apart(row, best, row.chosen))
+      rivals.push_back({best, at(row.marginal, best)});
+    best = -1;
+  }
+  std::ranges::stable_sort(rivals, {}, &Rival::marginal);
+  std::vector<int> labels;
+  for (const Rival& rival : rivals) {
+    const bool isNew = std::ranges::all_of(
+        labels, [&](int label) { return apart(row, label, rival.label); });
+    if (isNew && labels.size() < kMostRivals) labels.push_back(rival.label);
+  }
+  return labels;
+}
+
+}  // namespace spineloft::ribs

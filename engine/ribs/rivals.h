@@ -1,0 +1,25 @@
+// How sure an end is of its label, and where else it might stand: read from the min-marginals.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace spineloft::ribs {
+
+/// One gradient curve at the labels that it reaches, all spans of the same size ≥ 1.
+struct RivalRow {
+  std::span<const float> marginal;  ///< least energy of the chain through each label
+  std::span<const float> along;     ///< arc length from the spine, picture pixels
+  std::span<const float> support;   ///< whether there is an edge, 0…1
+  int chosen = 0;
+};
+
+/// 1 − exp(−margin), where the margin is how much more the best label costs that is another place,
+/// not the same one next door.
+double confidenceOf(const RivalRow& row);
+
+/// The labels of the next-best places, best first, at most three: where the curve passes an edge and
+/// the chain through it costs no hopeless amount more; apart from each other and from the chosen one.
+std::vector<int> rivalLabels(const RivalRow& row);
+
+}  // namespace spineloft::ribs
