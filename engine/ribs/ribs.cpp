@@ -206,7 +206,8 @@ void readRivals(const Search& s, const LengthLabels& labels, bool leftSide, RibS
     const std::size_t first = s.curves.at(curve, 0);
     const RivalRow rivals{row(marginals, index(i) * index(s.problem.levels)),
                           row(s.curves.along, first), row(s.support, first),
-                          (leftSide ? labels.left : labels.right)[index(i)]};
+                          (leftSide ? labels.left : labels.right)[index(i)],
+                          static_cast<float>(shareOfRib(s))};
     Rib& rib = set.ribs[index(i)];
     (leftSide ? rib.leftConfidence : rib.rightConfidence) = confidenceOf(rivals);
     OtherPlaces& others = leftSide ? rib.leftOthers : rib.rightOthers;

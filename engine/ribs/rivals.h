@@ -12,6 +12,7 @@ struct RivalRow {
   std::span<const float> along;     ///< arc length from the spine, picture pixels
   std::span<const float> support;   ///< whether there is an edge, 0…1
   int chosen = 0;
+  float unit = 1;  ///< weight of one rib's energy against that of one of a hundred
 };
 
 /// 1 − exp(−margin), where the margin is how much more the best label costs that is another place,
