@@ -59,8 +59,7 @@ Outcome editSlice(Env env, const Json& args) {
     if (!(*index >= 0 && *index < count)) return refuse({Error::ValueOutOfRange, "slice"});
     stop = static_cast<std::size_t>(*index);
   }
-  const loft::SectionShape shape =
-      part ? part->recipe.loft.sections[stop].shape : env.ui.section;
+  const loft::SectionShape shape = part ? part->recipe.loft.sections[stop].shape : env.ui.section;
   if (part) {
     env.ui.selection = part->id;
     env.ui.slices.part = part->id;
@@ -88,12 +87,14 @@ Outcome done(Env env, const Json&) {
   }
   env.ui.section = shape;
   closeBoard(env.ui);
+  sendStatus(env.host, "The slice is done, and on your shelf.");
   if (Outcome full = keepOnShelf(env, shape, nullptr)) sendInfo(env.host, full->sentence);
   return {};
 }
 
 Outcome leave(Env env, const Json&) {
   closeBoard(env.ui);
+  sendStatus(env.host, "The slice is as it was.");
   return {};
 }
 
@@ -142,9 +143,9 @@ Outcome draw(Env env, const Json& args) {
     return missing("a stroke, an outline, corners, a box or an ellipse");
   }
   if (!curves) {
-    return Refusal{std::string(errorName(curves.error())),
-                   curves.failure().detail.empty() ? failureSentence(curves.failure())
-                                                   : curves.failure().detail};
+    return Refusal{std::string(errorName(curves.error())), curves.failure().detail.empty()
+                                                               ? failureSentence(curves.failure())
+                                                               : curves.failure().detail};
   }
   board.corners.clear();
   board.point.reset();
@@ -162,8 +163,8 @@ std::optional<loft::PointRef> pointOf(Env env, const Json& args) {
     if (!(*curve >= 0 && *point >= 0 && *curve < 1e6 && *point < 1e6)) return std::nullopt;
     ref = {static_cast<std::size_t>(*curve), static_cast<std::size_t>(*point)};
   }
-  const bool there = ref.curve < board.drawing.size() &&
-                     ref.point < board.drawing[ref.curve].points.size();
+  const bool there =
+      ref.curve < board.drawing.size() && ref.point < board.drawing[ref.curve].points.size();
   return there ? std::optional(ref) : std::nullopt;
 }
 Outcome noPoint() { return Refusal{"NoSuchPoint", "There is no such point. Tap one first."}; }
@@ -273,7 +274,9 @@ void foldChoices(Env env, JsonWriter& json) {
   }
 }
 
-Outcome turn(Env env, loft::Turn how) { return change(env, loft::turned(boardOf(env)->drawing, how)); }
+Outcome turn(Env env, loft::Turn how) {
+  return change(env, loft::turned(boardOf(env)->drawing, how));
+}
 Outcome flipLeftRight(Env env, const Json&) { return turn(env, loft::Turn::FlipLeftRight); }
 Outcome flipFrontBack(Env env, const Json&) { return turn(env, loft::Turn::FlipFrontBack); }
 Outcome quarterTurn(Env env, const Json&) { return turn(env, loft::Turn::QuarterTurn); }
@@ -312,46 +315,206 @@ void startChoices(Env, JsonWriter& json) {
 }
 
 constexpr std::array kTable = {
-    Command{"edit-slice", "Draw a slice", "square-pen", "", "slice", {},
-            "Draw a slice of your own, or change the chosen one", canEdit, isOpen, editSlice},
-    Command{"slice-done", "Done", "check", "", "board", {},
-            "Use the drawn slice (Enter)", isOpen, nullptr, done},
-    Command{"slice-cancel", "Leave without changing", "x", "", "board", {},
-            "Everything stays as it was (Escape)", isOpen, nullptr, leave},
-    Command{"slice-undo", "Take back", "undo-2", "", "board", {},
-            "Take the last change of the drawing back (Ctrl+Z)", canUndo, nullptr, undo},
-    Command{"slice-redo", "Once more", "redo-2", "", "board", {},
-            "Do what was taken back again (Ctrl+Y)", canRedo, nullptr, redo},
-    Command{"slice-tool", "Drawing with", "pencil", "", "board", {"tool", toolChoices},
-            "Pen, straight lines, box, ellipse or points", isOpen, nullptr, useTool},
-    Command{"slice-left-right", "Left like right", "flip-horizontal-2", "", "board", {},
-            "Both sides are the same", isOpen, leftRight, toggleLeftRight},
-    Command{"slice-front-back", "Front like back", "flip-vertical-2", "", "board", {},
-            "Front and back are the same", isOpen, frontBack, toggleFrontBack},
-    Command{"slice-symmetry", "Like a wheel", "flower", "", "board", {"fold", foldChoices},
-            "The drawing repeats itself round the middle", isOpen, nullptr, setSymmetry},
-    Command{"slice-flip", "Flip left and right", "arrow-left", "", "board", {},
-            "Left becomes right", hasCurves, nullptr, flipLeftRight},
-    Command{"slice-flip-front", "Flip front and back", "refresh-cw", "", "board", {},
-            "Front becomes back", hasCurves, nullptr, flipFrontBack},
-    Command{"slice-turn", "Quarter turn", "rotate-ccw", "", "board", {},
-            "Turn the drawing by a quarter", hasCurves, nullptr, quarterTurn},
-    Command{"slice-corner", "Corner or round", "diamond", "", "board", {},
-            "The touched point becomes a corner, or round", hasPoint, cornered, setCorner},
-    Command{"slice-remove-point", "Remove point", "minus", "", "board", {},
-            "Take the touched point away (Delete)", hasPoint, nullptr, removePoint},
-    Command{"slice-clear", "Empty the board", "eraser", "", "board", {},
-            "Start with nothing", hasCurves, nullptr, clear},
-    Command{"slice-traces", "Earlier lines", "history", "", "board", {},
-            "Show what was drawn before, to trace it", isOpen, traces, toggleTraces},
-    Command{"slice-start-from", "Start from", "shapes", "", "board", {"section", startChoices},
-            "Begin with one of the slices", isOpen, nullptr, startFrom},
-    Command{"slice-draw", "Draw by numbers", "pencil", "", "board", {"stroke"},
-            "A line, box or ellipse on the board", isOpen, nullptr, draw},
-    Command{"slice-move-point", "Move a point", "mouse-pointer-2", "", "board", {"to"},
-            "Move a point of the drawing", hasCurves, nullptr, movePoint},
-    Command{"slice-add-point", "Add a point", "plus", "", "board", {"to"},
-            "Add a point after another one", hasCurves, nullptr, addPoint},
+    Command{"edit-slice",
+            "Draw a slice",
+            "square-pen",
+            "",
+            "slice",
+            {},
+            "Draw a slice of your own, or change the chosen one",
+            canEdit,
+            isOpen,
+            editSlice},
+    Command{"slice-done",
+            "Done",
+            "check",
+            "",
+            "board",
+            {},
+            "Use the drawn slice (Enter)",
+            isOpen,
+            nullptr,
+            done},
+    Command{"slice-cancel",
+            "Leave without changing",
+            "x",
+            "",
+            "board",
+            {},
+            "Everything stays as it was (Escape)",
+            isOpen,
+            nullptr,
+            leave},
+    Command{"slice-undo",
+            "Take back",
+            "undo-2",
+            "",
+            "board",
+            {},
+            "Take the last change of the drawing back (Ctrl+Z)",
+            canUndo,
+            nullptr,
+            undo},
+    Command{"slice-redo",
+            "Once more",
+            "redo-2",
+            "",
+            "board",
+            {},
+            "Do what was taken back again (Ctrl+Y)",
+            canRedo,
+            nullptr,
+            redo},
+    Command{"slice-tool",
+            "Drawing with",
+            "pencil",
+            "",
+            "board",
+            {"tool", toolChoices},
+            "Pen, straight lines, box, ellipse or points",
+            isOpen,
+            nullptr,
+            useTool},
+    Command{"slice-left-right",
+            "Left like right",
+            "flip-vertical-2",
+            "",
+            "board",
+            {},
+            "Both sides are the same",
+            isOpen,
+            leftRight,
+            toggleLeftRight},
+    Command{"slice-front-back",
+            "Front like back",
+            "flip-horizontal-2",
+            "",
+            "board",
+            {},
+            "Front and back are the same",
+            isOpen,
+            frontBack,
+            toggleFrontBack},
+    Command{"slice-symmetry",
+            "Like a wheel",
+            "flower",
+            "",
+            "board",
+            {"fold", foldChoices},
+            "The drawing repeats itself round the middle",
+            isOpen,
+            nullptr,
+            setSymmetry},
+    Command{"slice-flip",
+            "Flip left and right",
+            "move-horizontal",
+            "",
+            "board",
+            {},
+            "Left becomes right",
+            hasCurves,
+            nullptr,
+            flipLeftRight},
+    Command{"slice-flip-front",
+            "Flip front and back",
+            "refresh-cw",
+            "",
+            "board",
+            {},
+            "Front becomes back",
+            hasCurves,
+            nullptr,
+            flipFrontBack},
+    Command{"slice-turn",
+            "Quarter turn",
+            "rotate-ccw",
+            "",
+            "board",
+            {},
+            "Turn the drawing by a quarter",
+            hasCurves,
+            nullptr,
+            quarterTurn},
+    Command{"slice-corner",
+            "Corner or round",
+            "diamond",
+            "",
+            "board",
+            {},
+            "The touched point becomes a corner, or round",
+            hasPoint,
+            cornered,
+            setCorner},
+    Command{"slice-remove-point",
+            "Remove point",
+            "minus",
+            "",
+            "board",
+            {},
+            "Take the touched point away (Delete)",
+            hasPoint,
+            nullptr,
+            removePoint},
+    Command{"slice-clear",
+            "Empty the board",
+            "eraser",
+            "",
+            "board",
+            {},
+            "Start with nothing",
+            hasCurves,
+            nullptr,
+            clear},
+    Command{"slice-traces",
+            "Earlier lines",
+            "history",
+            "",
+            "board",
+            {},
+            "Show what was drawn before, to trace it",
+            isOpen,
+            traces,
+            toggleTraces},
+    Command{"slice-start-from",
+            "Start from",
+            "shapes",
+            "",
+            "board",
+            {"section", startChoices},
+            "Begin with one of the slices",
+            isOpen,
+            nullptr,
+            startFrom},
+    Command{"slice-draw",
+            "Draw by numbers",
+            "pencil",
+            "",
+            "board",
+            {"stroke"},
+            "A line, box or ellipse on the board",
+            isOpen,
+            nullptr,
+            draw},
+    Command{"slice-move-point",
+            "Move a point",
+            "mouse-pointer-2",
+            "",
+            "board",
+            {"to"},
+            "Move a point of the drawing",
+            hasCurves,
+            nullptr,
+            movePoint},
+    Command{"slice-add-point",
+            "Add a point",
+            "plus",
+            "",
+            "board",
+            {"to"},
+            "Add a point after another one",
+            hasCurves,
+            nullptr,
+            addPoint},
 };
 
 }  // namespace

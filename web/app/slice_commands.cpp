@@ -169,14 +169,15 @@ Outcome setBlend(Env env, const Json& args) {
 void blendChoices(Env env, JsonWriter& json) {
   const document::Part* part = selected(env);
   for (const loft::BlendName& name : loft::blendNames()) {
-    const bool on = part && part->recipe.loft.sections[pickedStop(env.ui, *part)].blend.kind ==
-                                name.kind;
+    const bool on =
+        part && part->recipe.loft.sections[pickedStop(env.ui, *part)].blend.kind == name.kind;
     json.beginObject().key("value").text(name.key).key("label").text(name.label);
     json.key("toggled").flag(on).endObject();
   }
 }
 
-// ---- Curves along the bone ------------------------------------------------------------------------
+// ---- Curves along the bone
+// ------------------------------------------------------------------------
 
 Outcome setAlongCurve(Env env, PartId part, document::AlongKind kind, geometry::AlongCurve curve) {
   return outcomeOf(env.studio.act(document::SetAlong{part, kind, std::move(curve)}));
@@ -239,23 +240,29 @@ Outcome showAlong(Env env, const Json& args) {
   } else {
     env.ui.slices.alongOpen = !env.ui.slices.alongOpen;
   }
-  if (env.ui.slices.alongOpen) env.ui.tab = PanelTab::Along;
+  const unsigned section = 1u << static_cast<unsigned>(PanelTab::Along);
+  if (env.ui.slices.alongOpen) {
+    env.ui.tab = PanelTab::Along;
+    env.ui.folded &= ~section;
+  } else {
+    env.ui.folded |= section;
+  }
   return {};
 }
 bool alongShown(Env env) { return env.ui.slices.alongOpen; }
 
-// ---- The shelf ------------------------------------------------------------------------------------
+// ---- The shelf
+// ------------------------------------------------------------------------------------
 
 /// The shelf, or null when there is no such slice on it.
 ShelfSlice* onShelf(Env env, const Json& args) {
   auto& shelf = env.ui.slices.shelf;
   const std::optional<double> id = args.number("id");
-  const auto at = std::ranges::find_if(shelf, [&](const ShelfSlice& s) { return id && s.id == *id; });
+  const auto at =
+      std::ranges::find_if(shelf, [&](const ShelfSlice& s) { return id && s.id == *id; });
   return at == shelf.end() ? nullptr : &*at;
 }
-Outcome notOnShelf() {
-  return Refusal{"NoSuchSlice", "There is no such slice on your shelf."};
-}
+Outcome notOnShelf() { return Refusal{"NoSuchSlice", "There is no such slice on your shelf."}; }
 
 Outcome keepSlice(Env env, const Json& args) {
   Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.slices);
@@ -298,38 +305,166 @@ Outcome loadShelf(Env env, const Json& args) {
 }
 
 constexpr std::array kTable = {
-    Command{"add-slice", "Add a slice", "circle-plus", "", "slice", {},
-            "Tap the bone where another slice shall be", hasSelection, placing, addSlice},
-    Command{"next-slice", "Next slice", "arrow-right", "", "slice", {},
-            "Choose the next slice along the bone", hasSeveral, nullptr, nextSlice},
-    Command{"slice-on", "Slice on", "move-horizontal", "", "slice", {},
-            "Move the chosen slice towards the end", hasSeveral, nullptr, nudgeOn},
-    Command{"slice-back", "Slice back", "move-horizontal", "", "slice", {},
-            "Move the chosen slice towards the beginning", hasSeveral, nullptr, nudgeBack},
-    Command{"remove-slice", "Remove slice", "trash-2", "", "slice", {},
-            "Take the chosen slice off the bone", hasSeveral, nullptr, removeSlice},
-    Command{"set-blend", "Change between slices", "chart-spline", "", "slice",
-            {"blend", blendChoices}, "How one slice becomes the next", hasSeveral, nullptr, setBlend},
-    Command{"along-shape", "Along the bone", "tornado", "", "slice", {"shape", alongChoices},
-            "Twist, flatten or lean the part along its bone", hasSelection, nullptr, alongShape},
-    Command{"show-along", "Graphs along the bone", "chart-line", "", "slice", {},
-            "Show the curves of twist, depth and lean", hasSelection, alongShown, showAlong},
-    Command{"keep-slice", "Keep slice", "bookmark-plus", "", "slice", {},
-            "Put the chosen slice on your shelf", hasDrawn, nullptr, keepSlice},
-    Command{"set-slices", "Slices by numbers", "layers", "", "slice", {"slices"},
-            "All slices along the bone", hasSelection, nullptr, setSlices},
-    Command{"move-slice", "Slide a slice", "move-horizontal", "", "slice", {"to"},
-            "Move a slice along the bone", hasSelection, nullptr, moveSlice},
-    Command{"select-slice", "Choose a slice", "circle-dot", "", "slice", {"slice"},
-            "Choose one of the slices along the bone", hasSelection, nullptr, selectSlice},
-    Command{"set-along", "Curve by numbers", "chart-spline", "", "slice", {"points"},
-            "Twist, depth, lean or front along the bone", hasSelection, nullptr, setAlong},
-    Command{"rename-slice", "Rename a slice", "pencil-line", "", "slice", {"id"},
-            "A name for a slice on your shelf", hasShelf, nullptr, renameSlice},
-    Command{"delete-slice", "Delete a slice", "trash-2", "", "slice", {"id"},
-            "Take a slice off your shelf", hasShelf, nullptr, deleteSlice},
-    Command{"load-shelf", "Fill the shelf", "bookmark", "", "slice", {"slices"},
-            "The slices that this browser keeps", nullptr, nullptr, loadShelf},
+    Command{"add-slice",
+            "Add a slice",
+            "circle-plus",
+            "",
+            "slice",
+            {},
+            "Tap the bone where another slice shall be",
+            hasSelection,
+            placing,
+            addSlice},
+    Command{"next-slice",
+            "Next slice",
+            "arrow-right",
+            "",
+            "slice",
+            {},
+            "Choose the next slice along the bone",
+            hasSeveral,
+            nullptr,
+            nextSlice},
+    Command{"slice-on",
+            "Slice on",
+            "move-horizontal",
+            "",
+            "slice",
+            {},
+            "Move the chosen slice towards the end",
+            hasSeveral,
+            nullptr,
+            nudgeOn},
+    Command{"slice-back",
+            "Slice back",
+            "move-horizontal",
+            "",
+            "slice",
+            {},
+            "Move the chosen slice towards the beginning",
+            hasSeveral,
+            nullptr,
+            nudgeBack},
+    Command{"remove-slice",
+            "Remove slice",
+            "trash-2",
+            "",
+            "slice",
+            {},
+            "Take the chosen slice off the bone",
+            hasSeveral,
+            nullptr,
+            removeSlice},
+    Command{"set-blend",
+            "Change between slices",
+            "chart-spline",
+            "",
+            "slice",
+            {"blend", blendChoices},
+            "How one slice becomes the next",
+            hasSeveral,
+            nullptr,
+            setBlend},
+    Command{"along-shape",
+            "Along the bone",
+            "tornado",
+            "",
+            "slice",
+            {"shape", alongChoices},
+            "Twist, flatten or lean the part along its bone",
+            hasSelection,
+            nullptr,
+            alongShape},
+    Command{"show-along",
+            "Graphs along the bone",
+            "chart-line",
+            "",
+            "slice",
+            {},
+            "Show the curves of twist, depth and lean",
+            hasSelection,
+            alongShown,
+            showAlong},
+    Command{"keep-slice",
+            "Keep slice",
+            "bookmark-plus",
+            "",
+            "slice",
+            {},
+            "Put the chosen slice on your shelf",
+            hasDrawn,
+            nullptr,
+            keepSlice},
+    Command{"set-slices",
+            "Slices by numbers",
+            "layers",
+            "",
+            "slice",
+            {"slices"},
+            "All slices along the bone",
+            hasSelection,
+            nullptr,
+            setSlices},
+    Command{"move-slice",
+            "Slide a slice",
+            "move-horizontal",
+            "",
+            "slice",
+            {"to"},
+            "Move a slice along the bone",
+            hasSelection,
+            nullptr,
+            moveSlice},
+    Command{"select-slice",
+            "Choose a slice",
+            "circle-dot",
+            "",
+            "slice",
+            {"slice"},
+            "Choose one of the slices along the bone",
+            hasSelection,
+            nullptr,
+            selectSlice},
+    Command{"set-along",
+            "Curve by numbers",
+            "chart-spline",
+            "",
+            "slice",
+            {"points"},
+            "Twist, depth, lean or front along the bone",
+            hasSelection,
+            nullptr,
+            setAlong},
+    Command{"rename-slice",
+            "Rename a slice",
+            "pencil-line",
+            "",
+            "slice",
+            {"id"},
+            "A name for a slice on your shelf",
+            hasShelf,
+            nullptr,
+            renameSlice},
+    Command{"delete-slice",
+            "Delete a slice",
+            "trash-2",
+            "",
+            "slice",
+            {"id"},
+            "Take a slice off your shelf",
+            hasShelf,
+            nullptr,
+            deleteSlice},
+    Command{"load-shelf",
+            "Fill the shelf",
+            "bookmark",
+            "",
+            "slice",
+            {"slices"},
+            "The slices that this browser keeps",
+            nullptr,
+            nullptr,
+            loadShelf},
 };
 
 }  // namespace

@@ -40,9 +40,8 @@ std::vector<geometry::AlongPoint> sampled(int count, const F& f) {
 
 std::vector<AlongShape> makeShapes() {
   const auto wave = [](double middle, double by, double waves) {
-    return sampled(static_cast<int>(waves * 4), [=](double t) {
-      return middle + by * std::round(std::sin(kTurn * waves * t));
-    });
+    return sampled(static_cast<int>(waves * 4),
+                   [=](double t) { return middle + by * std::round(std::sin(kTurn * waves * t)); });
   };
   return {
       {AlongKind::Twist, "turn", "One turn", {{0, 0}, {1, 1}}},
@@ -89,8 +88,8 @@ const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* p
   return part->recipe.loft.sections[pickedStop(ui, *part)].shape;
 }
 
-Stops withStop(std::span<const loft::SectionStop> stops, double at,
-               const loft::SectionShape& shape, std::size_t& added) {
+Stops withStop(std::span<const loft::SectionStop> stops, double at, const loft::SectionShape& shape,
+               std::size_t& added) {
   Stops out(stops.begin(), stops.end());
   at = std::clamp(at, 0.0, 1.0);
   if (out.size() == 1) {

@@ -33,7 +33,8 @@ loft::Drawing withCurves(const loft::Drawing& drawing, const loft::Drawing& curv
 void keepTrace(SliceUi& slices, std::span<const SectionPoint> line);
 /// Once a frame: what the line under the pen makes of the drawing, and of the part.
 void growBoard(UiState& ui, const document::Document& document);
-/// The part with the slice on the board as it is now, as preview; none while the drawing is no slice.
+/// The part with the slice on the board as it is now, as preview; none while the drawing is no
+/// slice.
 void previewBoard(UiState& ui, const document::Document& document);
 
 // ---- Several slices along a bone ----------------------------------------------------------------
@@ -46,8 +47,9 @@ std::size_t pickedStop(const UiState& ui, const document::Part& part);
 /// The slice for new parts, or the picked one of the part.
 const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* part);
 
-/// One more slice at `at`. A part with a single slice keeps that one at both ends, or at the far end
-/// when `at` is near an end; a slice nearly there is replaced. `added` receives the new one's index.
+/// One more slice at `at`. A part with a single slice keeps that one at both ends, or at the far
+/// end when `at` is near an end; a slice nearly there is replaced. `added` receives the new one's
+/// index.
 std::vector<loft::SectionStop> withStop(std::span<const loft::SectionStop> stops, double at,
                                         const loft::SectionShape& shape, std::size_t& added);
 /// A slice moved to `at`, no nearer to its neighbours than their names allow; order stays.
@@ -67,10 +69,10 @@ geometry::AlongCurve& alongOf(loft::LoftParams& loft, document::AlongKind kind);
 struct AlongInfo {
   document::AlongKind kind;
   std::string_view key, label, hint;
-  double low, high;    ///< values allowed, in the unit that is shown
-  double rest;         ///< the value without points, in that unit
-  double unit;         ///< what one shown unit is inside (radians a turn …)
-  double shown;        ///< half the span a graph shows at least, around `rest`
+  double low, high;  ///< values allowed, in the unit that is shown
+  double rest;       ///< the value without points, in that unit
+  double unit;       ///< what one shown unit is inside (radians a turn …)
+  double shown;      ///< half the span a graph shows at least, around `rest`
 };
 std::span<const AlongInfo> alongTable();
 const AlongInfo& alongInfo(document::AlongKind kind);

@@ -83,7 +83,8 @@ Result<std::optional<loft::SectionShape>> shapeFrom(const Json& args, const Slic
     return Shape(std::move(shape).value());
   }
   if (const std::optional<double> id = args.number("shelf")) {
-    const auto at = std::ranges::find_if(slices.shelf, [&](const ShelfSlice& s) { return s.id == *id; });
+    const auto at =
+        std::ranges::find_if(slices.shelf, [&](const ShelfSlice& s) { return s.id == *id; });
     if (at == slices.shelf.end()) return {Error::ValueOutOfRange, "shelf"};
     return Shape(at->shape);
   }

@@ -17,9 +17,9 @@ std::optional<std::vector<SectionPoint>> pointsFrom(const Json* list);
 /// [[at, value], …] as a curve, values times `unit`; none when it is anything else.
 std::optional<geometry::AlongCurve> curveFrom(const Json* list, double unit = 1);
 
-/// The slice that `args` names: {section: "star"}, {shelf: id}, or {contours: [[[x, y], …], …]}, which
-/// may be in any order, direction and size. None when it names none. Errors: ValueOutOfRange for an
-/// unknown name, SectionInvalid for curves that make no slice.
+/// The slice that `args` names: {section: "star"}, {shelf: id}, or {contours: [[[x, y], …], …]},
+/// which may be in any order, direction and size. None when it names none. Errors: ValueOutOfRange
+/// for an unknown name, SectionInvalid for curves that make no slice.
 Result<std::optional<loft::SectionShape>> shapeFrom(const Json& args, const SliceUi& slices);
 /// A blend from {blend: key, points?: [[t, value], …]}; `fallback` without a key. Errors:
 /// ValueOutOfRange.

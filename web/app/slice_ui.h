@@ -1,5 +1,5 @@
-// What is transient about slices: the open board on which one is drawn, the shelf of own slices, and
-// what is picked along the bone. Part of UiState.
+// What is transient about slices: the open board on which one is drawn, the shelf of own slices,
+// and what is picked along the bone. Part of UiState.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct SliceBoard {
   std::vector<loft::Drawing> past, future;  ///< of this board alone
   loft::Symmetry symmetry;
   BoardTool tool = BoardTool::Pen;
-  bool traces = true;  ///< pale lines of what was drawn before
+  bool traces = true;                   ///< pale lines of what was drawn before
   std::optional<loft::PointRef> point;  ///< the one that was touched last
 
   /// The gesture in hand: what the board would hold, and the line under the pen. None: `drawing`.
@@ -68,9 +68,9 @@ struct SliceUi {
   std::vector<ShelfSlice> shelf;
   std::uint32_t lastShelfId = 0;
 
-  PartId part;            ///< whose slice `stop` is
-  std::size_t stop = 0;   ///< the slice that tiles change, of several along the bone
-  bool placing = false;   ///< a tap on the part puts a slice there
+  PartId part;           ///< whose slice `stop` is
+  std::size_t stop = 0;  ///< the slice that tiles change, of several along the bone
+  bool placing = false;  ///< a tap on the part puts a slice there
   std::optional<loft::SectionShape> pressed;  ///< the tile under the finger
   std::optional<loft::SectionShape> carried;  ///< a tile that is dragged to a part
   ClientPoint carriedTo;
@@ -81,7 +81,7 @@ struct SliceUi {
   std::size_t graphPoint = 0;
   std::vector<GraphArea> graphs;  ///< where they are, as of the last frame
 
-  ClientPoint lastTap;        ///< on the board or a graph, to tell double taps
+  ClientPoint lastTap;  ///< on the board or a graph, to tell double taps
   double lastTapMs = -1e9;
 
   std::optional<double> marked;  ///< place along the bone that the pointer is at, on either side

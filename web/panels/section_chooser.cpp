@@ -83,7 +83,8 @@ std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
 void ownSlice(const PanelEnv& env, const loft::SectionShape& chosen) {
   const float side = buttonSide(env);
   const auto& shelf = env.ui().slices.shelf;
-  const auto kept = std::ranges::find_if(shelf, [&](const app::ShelfSlice& s) { return s.shape == chosen; });
+  const auto kept =
+      std::ranges::find_if(shelf, [&](const app::ShelfSlice& s) { return s.shape == chosen; });
   if (textButton(env, {"change", "Change it", false, true, side})) env.sink.run("edit-slice");
   ImGui::SameLine(0, 4);
   if (kept == shelf.end()) {

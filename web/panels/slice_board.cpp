@@ -63,7 +63,8 @@ void foldButton(const PanelEnv& env, Flow& flow, float side) {
   const int fold = env.ui().slices.board->symmetry.fold;
   flow.next(side);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (iconButton(env, {"fold", "flower", "Like a wheel: 3 to 8 times round", fold > 1, true, side})) {
+  if (iconButton(env,
+                 {"fold", "flower", "Like a wheel: 3 to 8 times round", fold > 1, true, side})) {
     const auto now = std::ranges::find(kFolds, fold);
     const bool last = now == kFolds.end() || now + 1 == kFolds.end();
     env.sink.run("slice-symmetry", app::Json::Object{{"fold", last ? kFolds[0] : *(now + 1)}});
@@ -122,11 +123,12 @@ void paintGround(const PanelEnv& env, ImDrawList& list, const SliceFrame& frame)
   styledLine(list, frame.at({-1, 0}), frame.at({1, 0}), {kEdgeRib, 1.6f, LineStyle::Solid});
   for (const double x : {-1.0, 1.0}) list.AddCircleFilled(frame.at({x, 0}), 4, kEdgeRib, 16);
   const Pen mirror{kSpine, 1.2f, LineStyle::Dashed};
-  if (board.symmetry.leftRight) styledLine(list, frame.at({0, -1.1}), frame.at({0, 1.1}), mirror);
-  if (board.symmetry.frontBack) styledLine(list, frame.at({-1.1, 0}), frame.at({1.1, 0}), mirror);
+  if (board.symmetry.leftRight) styledLine(list, frame.at({0, -1.03}), frame.at({0, 1.03}), mirror);
+  if (board.symmetry.frontBack) styledLine(list, frame.at({-1.03, 0}), frame.at({1.03, 0}), mirror);
   for (int k = 0; board.symmetry.fold > 1 && k < board.symmetry.fold; ++k) {
     const double angle = 2 * 3.14159265358979 * k / board.symmetry.fold + 1.5707963;
-    styledLine(list, frame.at({0, 0}), frame.at({1.1 * std::cos(angle), 1.1 * std::sin(angle)}), mirror);
+    styledLine(list, frame.at({0, 0}), frame.at({1.03 * std::cos(angle), 1.03 * std::sin(angle)}),
+               mirror);
   }
   const auto word = [&](SectionPoint at, const char* text) {
     ImFont* font = env.fonts.small;
@@ -140,7 +142,8 @@ void paintGround(const PanelEnv& env, ImDrawList& list, const SliceFrame& frame)
   const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
   list.AddText(env.fonts.small, size, {left.x + 6, left.y - size / 2}, rgb(0x5c6474, 170), "left");
   const float wide = env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, "right").x;
-  list.AddText(env.fonts.small, size, {right.x - wide - 6, right.y - size / 2}, rgb(0x5c6474, 170), "right");
+  list.AddText(env.fonts.small, size, {right.x - wide - 6, right.y - size / 2}, rgb(0x5c6474, 170),
+               "right");
 }
 
 void paintPoints(const PanelEnv& env, ImDrawList& list, const SliceFrame& frame) {
@@ -182,7 +185,8 @@ void paintStroke(const PanelEnv& env, ImDrawList& list, const SliceFrame& frame)
   }
   if (board.tool != app::BoardTool::Line) return;
   for (std::size_t i = 0; i < board.corners.size(); ++i) {
-    list.AddCircleFilled(frame.at(board.corners[i]), i == 0 ? 7.f : 4.5f, i == 0 ? kGlow : kAccent, 16);
+    list.AddCircleFilled(frame.at(board.corners[i]), i == 0 ? 7.f : 4.5f, i == 0 ? kGlow : kAccent,
+                         16);
     list.AddCircle(frame.at(board.corners[i]), i == 0 ? 7.f : 4.5f, kAccent, 16, 1.5f);
   }
 }
@@ -206,7 +210,8 @@ void paintBoard(const PanelEnv& env, const app::Rect& square) {
   std::vector<std::vector<SectionPoint>> outlines;
   for (const loft::DrawnCurve& curve : board.shown()) outlines.push_back(loft::outlineOf(curve));
   const bool drawing = !board.stroke.empty();
-  paintOutlines(list, frame, outlines, {rgb(0xc8431d, drawing ? 110u : 255u), rgb(0xf4a88f, 70), 2.2f});
+  paintOutlines(list, frame, outlines,
+                {rgb(0xc8431d, drawing ? 110u : 255u), rgb(0xf4a88f, 70), 2.2f});
   if (problem && problem->curve < outlines.size() && !board.live) {
     paintOutlines(list, frame, std::span(&outlines[problem->curve], 1), {kWrong, 0, 3});
   }
@@ -276,7 +281,8 @@ void titleRow(const PanelEnv& env, float width) {
   label(env.fonts.bold, kInk, "Your slice");
   const float done = textButtonWidth(env, "Done") + 12, leave = textButtonWidth(env, "Cancel");
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - done - leave - 6);
-  if (textButton(env, {"cancel", "Cancel", false, true, height, leave})) env.sink.run("slice-cancel");
+  if (textButton(env, {"cancel", "Cancel", false, true, height, leave}))
+    env.sink.run("slice-cancel");
   ImGui::SameLine(0, 6);
   const app::SliceBoard& board = *env.ui().slices.board;
   const bool can = board.past.empty() || !loft::problemOf(board.drawing);
@@ -303,7 +309,8 @@ void drawSliceBoard(const PanelEnv& env) {
   toolbar(env, column);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + column);
   const app::SliceBoard& board = *ui.slices.board;
-  const bool wrong = !board.past.empty() && !board.drawing.empty() && loft::problemOf(board.drawing);
+  const bool wrong =
+      !board.past.empty() && !board.drawing.empty() && loft::problemOf(board.drawing);
   label(env.fonts.small, wrong ? kWrong : kMuted, hintOf(board));
   ImGui::PopTextWrapPos();
   app::Rect square;

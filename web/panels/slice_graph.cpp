@@ -26,7 +26,7 @@ app::Rect rectOf(ImVec2 low, ImVec2 high) {
 const char* unitOf(AlongKind kind) {
   switch (kind) {
     case AlongKind::Twist:
-      return kind == AlongKind::Twist ? " turns" : "";
+      return " turns";
     case AlongKind::Squash:
       return " ×";
     case AlongKind::Tilt:
@@ -39,7 +39,8 @@ const char* unitOf(AlongKind kind) {
 /// The values that a graph shows: at least `shown` about the rest, and all points.
 std::pair<double, double> rangeOf(const app::AlongInfo& info, const geometry::AlongCurve& curve) {
   double most = info.shown;
-  for (const geometry::AlongPoint& p : curve.points) most = std::max(most, std::abs(p.value - info.rest));
+  for (const geometry::AlongPoint& p : curve.points)
+    most = std::max(most, std::abs(p.value - info.rest));
   constexpr std::array kNice = {1.0, 2.0, 3.0, 5.0, 7.0, 11.0, 30.0, 60.0, 70.0};
   for (const double nice : kNice) {
     if (nice >= most - 1e-9) {
@@ -72,7 +73,8 @@ void paintKind(ImDrawList& list, AlongKind kind, ImVec2 c, float r, ImU32 ink) {
       break;
     case AlongKind::Tilt:
       for (const float x : {-0.6f, 0.f, 0.6f}) {
-        list.AddLine({c.x + (x - 0.3f) * r, c.y + 0.7f * r}, {c.x + (x + 0.3f) * r, c.y - 0.7f * r}, ink, 1.7f);
+        list.AddLine({c.x + (x - 0.3f) * r, c.y + 0.7f * r}, {c.x + (x + 0.3f) * r, c.y - 0.7f * r},
+                     ink, 1.7f);
       }
       break;
     default:
@@ -83,7 +85,8 @@ void paintKind(ImDrawList& list, AlongKind kind, ImVec2 c, float r, ImU32 ink) {
 
 void kinds(const PanelEnv& env, const loft::LoftParams& params, float width, int columns) {
   const bool labels = !env.ui().layout.strip;
-  const float gap = 4, side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  const float gap = 4,
+              side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   int index = 0;
   for (const app::AlongInfo& info : app::alongTable()) {
     if (index++ % columns != 0) ImGui::SameLine(0, gap);
@@ -91,8 +94,11 @@ void kinds(const PanelEnv& env, const loft::LoftParams& params, float width, int
     const bool on = env.ui().slices.along == info.kind;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{std::floor(side), labels ? 50.f : 44.f};
-    const auto paint = [&](ImDrawList& list, ImVec2 c, float r, ImU32 ink) { paintKind(list, info.kind, c, r, ink); };
-    if (tile(env, {id.c_str(), labels ? info.label : std::string_view(), info.hint, size, on}, paint)) {
+    const auto paint = [&](ImDrawList& list, ImVec2 c, float r, ImU32 ink) {
+      paintKind(list, info.kind, c, r, ink);
+    };
+    if (tile(env, {id.c_str(), labels ? info.label : std::string_view(), info.hint, size, on},
+             paint)) {
       env.sink.run("show-along", app::Json::Object{{"kind", info.key}});
     }
     if (!app::alongOf(params, info.kind).empty()) {  // it is in use
@@ -141,13 +147,16 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
   env.ui().slices.graphs.push_back(area);
   const auto x = [&](double t) { return low.x + (high.x - low.x) * static_cast<float>(t); };
   const auto y = [&](double v) {
-    return high.y - (high.y - low.y) * static_cast<float>((v - graph.low) / (graph.high - graph.low));
+    return high.y -
+           (high.y - low.y) * static_cast<float>((v - graph.low) / (graph.high - graph.low));
   };
   list.AddRectFilled(at, end, rgb(0xfaf9f6), 8);
   list.AddRect(at, end, kLine, 8);
   list.PushClipRect(at, end, true);
-  styledLine(list, {low.x, y(graph.rest)}, {high.x, y(graph.rest)}, {rgb(0x5c6474, 120), 1, LineStyle::Dashed});
-  if (const auto& marked = env.ui().slices.marked; marked && graph.kind == app::GraphArea::Kind::Along) {
+  styledLine(list, {low.x, y(graph.rest)}, {high.x, y(graph.rest)},
+             {rgb(0x5c6474, 120), 1, LineStyle::Dashed});
+  if (const auto& marked = env.ui().slices.marked;
+      marked && graph.kind == app::GraphArea::Kind::Along) {
     list.AddLine({x(*marked), at.y}, {x(*marked), end.y}, kGlow, 3);
   }
   constexpr int kSteps = 64;
@@ -165,7 +174,8 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
   }
   char text[48] = "";
   if (dragging && env.ui().slices.graphPoint < curve.points.size()) {
-    std::snprintf(text, sizeof text, "%.2g%s", curve.points[env.ui().slices.graphPoint].value, graph.unit);
+    std::snprintf(text, sizeof text, "%.2g%s", curve.points[env.ui().slices.graphPoint].value,
+                  graph.unit);
   } else if (curve.empty() && graph.kind == app::GraphArea::Kind::Along) {
     std::snprintf(text, sizeof text, "Tap to bend the line");
   }
@@ -178,7 +188,8 @@ void alongPanel(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
   if (part == nullptr) {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, kMuted, "Draw or choose a part; then it can be twisted, flattened and leant.");
+    label(env.fonts.small, kMuted,
+          "Draw or choose a part; then it can be twisted, flattened and leant.");
     ImGui::PopTextWrapPos();
     return;
   }
@@ -193,15 +204,25 @@ void alongPanel(const PanelEnv& env, float width) {
   if (env.ui().slices.graph && !blending) curve = *env.ui().slices.graph;
   const bool strip = env.ui().layout.strip;
   if (strip) {
+    width -= ImGui::GetStyle().ScrollbarSize + 2;
     const float left = 4 * 48.f + 12 < width * 0.4f ? 4 * 48.f + 12 : 2 * 48.f + 4;
     ImGui::BeginGroup();
     kinds(env, params, left, left > 150 ? 4 : 2);
     ImGui::EndGroup();
     ImGui::SameLine(0, 8);
-    curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width - left - 8, 94}}, curve);
+    curveGraph(env,
+               {app::GraphArea::Kind::Along,
+                low,
+                high,
+                info.rest,
+                unitOf(info.kind),
+                {width - left - 8, 94}},
+               curve);
   } else {
     kinds(env, params, width, 4);
-    curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width, 116}}, curve);
+    curveGraph(env,
+               {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width, 116}},
+               curve);
   }
   shapes(env, info, !app::alongOf(part->recipe.loft, info.kind).empty(), width);
 }

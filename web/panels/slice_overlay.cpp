@@ -24,7 +24,8 @@ void handle(ImDrawList& list, ImVec2 at, const loft::SectionShape& shape, bool o
   paintSlice(list, {at, r * 0.55f}, shape, {on ? kAccent : kInk, 0, 1.5f});
 }
 
-/// A tile that left the panel follows the pointer; let go over a part, it is that part's slice there.
+/// A tile that left the panel follows the pointer; let go over a part, it is that part's slice
+/// there.
 void carriedTile(const PanelEnv& env) {
   app::SliceUi& slices = env.ui().slices;
   const ImGuiIO& io = ImGui::GetIO();
@@ -52,8 +53,10 @@ void carriedTile(const PanelEnv& env) {
   slices.carried = slices.pressed;
   slices.carriedTo = at;
   const tools::DropPlace place = tools::dropPlace(toolEnv, at);
-  slices.marked = place.part && place.part == env.ui().selection ? std::optional(place.at) : std::nullopt;
-  handle(*ImGui::GetForegroundDrawList(), toVec(at), *slices.carried, static_cast<bool>(place.part), 20);
+  slices.marked =
+      place.part && place.part == env.ui().selection ? std::optional(place.at) : std::nullopt;
+  handle(*ImGui::GetForegroundDrawList(), toVec(at), *slices.carried, static_cast<bool>(place.part),
+         20);
 }
 
 }  // namespace

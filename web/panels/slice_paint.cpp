@@ -11,8 +11,8 @@ constexpr int kOutlinePoints = 40;
 constexpr std::size_t kPresets = static_cast<std::size_t>(loft::SectionPreset::kCount);
 constexpr float kLineStep = 1.5f;  // CSS pixels between the lines that fill
 
-void fill(ImDrawList& list, const SliceFrame& frame, std::span<const std::vector<SectionPoint>> outlines,
-          ImU32 colour) {
+void fill(ImDrawList& list, const SliceFrame& frame,
+          std::span<const std::vector<SectionPoint>> outlines, ImU32 colour) {
   float top = 1e9f, bottom = -1e9f;
   for (const auto& outline : outlines) {
     for (const SectionPoint p : outline) {

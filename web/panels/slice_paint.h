@@ -18,7 +18,8 @@ struct SliceFrame {
   ImVec2 centre;
   float radius = 20;
   ImVec2 at(SectionPoint p) const {
-    return {centre.x + static_cast<float>(p.x) * radius, centre.y - static_cast<float>(p.y) * radius};
+    return {centre.x + static_cast<float>(p.x) * radius,
+            centre.y - static_cast<float>(p.y) * radius};
   }
 };
 struct SlicePen {

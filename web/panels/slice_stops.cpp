@@ -1,4 +1,5 @@
-// The slices along the bone of a part: a bar that shows and picks them, and how one becomes the next.
+// The slices along the bone of a part: a bar that shows and picks them, and how one becomes the
+// next.
 #include <imgui.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ void bar(const PanelEnv& env, const Stops& stops, std::size_t picked, float widt
 void blends(const PanelEnv& env, const Stops& stops, std::size_t picked, float width) {
   const bool strip = env.ui().layout.strip;
   const int columns = strip ? 6 : 3;
-  const float gap = 6, side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  const float gap = 6,
+              side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   int index = 0;
   for (const loft::BlendName& name : loft::blendNames()) {
     if (index++ % columns != 0) ImGui::SameLine(0, gap);
@@ -60,19 +62,26 @@ void blends(const PanelEnv& env, const Stops& stops, std::size_t picked, float w
     const bool on = stops[picked].blend.kind == name.kind;
     const auto paint = [&](ImDrawList& list, ImVec2 c, float radius, ImU32 ink) {
       loft::Blend blend = stops[picked].blend;
-      if (blend.kind != name.kind) blend = {name.kind, {{{0, 0}, {0.35, 0.7}, {0.65, 0.3}, {1, 1}}}};
+      if (blend.kind != name.kind)
+        blend = {name.kind, {{{0, 0}, {0.35, 0.7}, {0.65, 0.3}, {1, 1}}}};
       constexpr int kSteps = 20;
       for (int i = 0; i <= kSteps; ++i) {
         const double t = static_cast<double>(i) / kSteps;
-        list.PathLineTo({c.x + radius * static_cast<float>(2 * t - 1),
-                         c.y - radius * 0.8f * static_cast<float>(2 * loft::blendAt(blend, t) - 1)});
+        list.PathLineTo(
+            {c.x + radius * static_cast<float>(2 * t - 1),
+             c.y - radius * 0.8f * static_cast<float>(2 * loft::blendAt(blend, t) - 1)});
       }
       list.PathStroke(ink, 0, 1.8f);
     };
-    if (tile(env, {id.c_str(), strip ? std::string_view() : name.label, name.label,
-                   {std::floor(side), strip ? 44.f : 50.f}, on}, paint)) {
-      env.sink.run("set-blend", app::Json::Object{{"blend", name.key},
-                                                  {"slice", static_cast<double>(picked)}});
+    if (tile(env,
+             {id.c_str(),
+              strip ? std::string_view() : name.label,
+              name.label,
+              {std::floor(side), strip ? 44.f : 50.f},
+              on},
+             paint)) {
+      env.sink.run("set-blend",
+                   app::Json::Object{{"blend", name.key}, {"slice", static_cast<double>(picked)}});
     }
   }
 }
@@ -86,7 +95,8 @@ void stopBar(const PanelEnv& env, float width) {
   const std::size_t picked = std::min(app::pickedStop(env.ui(), part), stops.size() - 1);
   const float side = buttonSide(env);
   ImGui::Dummy({0, 2});
-  label(env.fonts.small, kMuted, stops.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
+  label(env.fonts.small, kMuted,
+        stops.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
   if (stops.size() > 1) bar(env, stops, picked, width);
   const bool placing = env.ui().slices.placing;
   if (textButton(env, {"add", placing ? "Tap the bone …" : "Add a slice", placing, true, side})) {

@@ -5,6 +5,8 @@ import {
   Redo2, RefreshCw, Ruler, Scan, Shapes, ShieldCheck, Slice, SlidersHorizontal, Spline, SquarePen, Trash2, Undo2, X, ZoomIn, ZoomOut,
   UnfoldHorizontal, LineSquiggle, Bone, Ban, Lock, RotateCcw, CirclePlus, CircleMinus, Rows4, Rows2, UnfoldVertical, FoldVertical,
   Link, Shell, Rotate3d, ScanSearch, Anchor, FlipHorizontal2, ArrowLeftRight, Move, Move3d, Crosshair, Signature, ImageDown,
+  FlipVertical2, Square, MousePointer2, Waypoints, History, Bookmark, BookmarkPlus, Tornado,
+  ChartSpline, ChartLine, MoveHorizontal, Flower, Diamond,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -20,6 +22,10 @@ const kIcons: Record<string, string> = {
   'fold-vertical': FoldVertical, link: Link, shell: Shell, 'rotate-3d': Rotate3d, 'scan-search': ScanSearch, anchor: Anchor,
   'flip-horizontal-2': FlipHorizontal2, 'arrow-left-right': ArrowLeftRight, move: Move, 'move-3d': Move3d, crosshair: Crosshair,
   signature: Signature, 'image-down': ImageDown,
+  'flip-vertical-2': FlipVertical2, square: Square, 'mouse-pointer-2': MousePointer2,
+  waypoints: Waypoints, history: History, bookmark: Bookmark,
+  'bookmark-plus': BookmarkPlus, tornado: Tornado, 'chart-spline': ChartSpline, 'chart-line': ChartLine,
+  'move-horizontal': MoveHorizontal, flower: Flower, diamond: Diamond,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

@@ -125,13 +125,14 @@ void DragGraph::commit(const ToolEnv& env) {
   cancel(env);
   if (curve == current(env)) return;
   if (isBlend()) {
-    env.sink.run("set-blend", app::Json::Object{{"blend", "custom"},
-                                                {"slice", stop},
-                                                {"points", app::curveJson(curve)}});
+    env.sink.run(
+        "set-blend",
+        app::Json::Object{{"blend", "custom"}, {"slice", stop}, {"points", app::curveJson(curve)}});
   } else {
     const app::AlongInfo& info = app::alongInfo(env.ui.slices.along);
     for (AlongPoint& p : curve.points) p.value = std::clamp(p.value, info.low, info.high);
-    env.sink.run("set-along", app::Json::Object{{"kind", info.key}, {"points", app::curveJson(curve)}});
+    env.sink.run("set-along",
+                 app::Json::Object{{"kind", info.key}, {"points", app::curveJson(curve)}});
   }
 }
 

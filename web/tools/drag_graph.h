@@ -1,4 +1,5 @@
-// A point of a graph in a panel: added by a tap, dragged, taken away by a double tap or dragged out.
+// A point of a graph in a panel: added by a tap, dragged, taken away by a double tap or dragged
+// out.
 #pragma once
 
 #include "web/tools/tool.h"
@@ -24,7 +25,7 @@ class DragGraph final : public Tool {
   DragWatch watch_;
   geometry::AlongCurve start_;  ///< with the point that is held
   std::size_t point_ = 0;
-  bool fresh_ = false;    ///< the tap made the point
+  bool fresh_ = false;  ///< the tap made the point
   bool doubled_ = false;
 };
 

@@ -25,8 +25,8 @@ app::Json::Object naming(loft::PointRef ref) {
 }
 
 /// How far a place on the canvas is from the outline after a point of a curve.
-double distanceToStretch(const app::SliceBoard& board, const loft::DrawnCurve& curve,
-                         std::size_t i, app::ClientPoint at) {
+double distanceToStretch(const app::SliceBoard& board, const loft::DrawnCurve& curve, std::size_t i,
+                         app::ClientPoint at) {
   double best = 1e9;
   const std::vector<SectionPoint> stretch = loft::stretchOf(curve, i);
   for (std::size_t k = 1; k < stretch.size(); ++k) {

@@ -1,4 +1,5 @@
-// One gesture on the board: a freehand line, a straight line, a box, an ellipse, or a dragged point.
+// One gesture on the board: a freehand line, a straight line, a box, an ellipse, or a dragged
+// point.
 #pragma once
 
 #include "engine/loft/section_drawing.h"

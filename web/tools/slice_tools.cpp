@@ -63,8 +63,8 @@ std::optional<std::size_t> sliceHandleAt(const ToolEnv& env, app::ClientPoint at
   if (stops.size() < 2 || shape == nullptr) return std::nullopt;
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < stops.size(); ++i) {
-    const app::ClientPoint handle = env.ui.pictureView.toClient(
-        app::placeOnBone(*shape, stops[i].at), env.ui.layout.picture);
+    const app::ClientPoint handle =
+        env.ui.pictureView.toClient(app::placeOnBone(*shape, stops[i].at), env.ui.layout.picture);
     const double off = distance(handle, at);
     if (off > reach) continue;
     reach = off;

@@ -73,8 +73,8 @@ void PlaceSlice::begin(const ToolEnv&, const ToolEvent& event) { at_ = event.at;
 void PlaceSlice::move(const ToolEnv& env, const ToolEvent& event) {
   at_ = event.at;
   const DropPlace place = dropPlace(env, at_);
-  env.ui.slices.marked = place.part == env.ui.selection && place.part ? std::optional(place.at)
-                                                                      : std::nullopt;
+  env.ui.slices.marked =
+      place.part == env.ui.selection && place.part ? std::optional(place.at) : std::nullopt;
 }
 
 void PlaceSlice::commit(const ToolEnv& env) {

@@ -1,4 +1,5 @@
-// Slices on the bone in the picture: a handle slides along it or is pulled off; a tap puts one there.
+// Slices on the bone in the picture: a handle slides along it or is pulled off; a tap puts one
+// there.
 #pragma once
 
 #include "web/tools/tool.h"
