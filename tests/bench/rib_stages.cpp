@@ -99,7 +99,7 @@ void reportRibStages(const image::EdgeMap& edges, image::Size size, Report& repo
   ribs::BoundaryTerms terms;
   std::vector<float> costs;
   report.stage("evidence of 100 ribs", 41, [&](int) {
-    ribs::sampleStrip(curves, edges, strip);
+    ribs::sampleStrip(curves, edges, nullptr, strip);
     ribs::boundaryTerms(curves, strip, {}, terms);
     ribs::boundaryCosts(curves, strip, terms, {}, costs);
   });
