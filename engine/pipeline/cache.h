@@ -76,6 +76,8 @@ class Cache {
   /// earlier states of it as far as they fit into kSketchBytes; only strokes that are new are drawn.
   /// Errors: those of image::drawSketch.
   Result<std::shared_ptr<const image::Picture>> pixels(const document::PictureEntry& entry);
+  /// For traceStage: a stroke under the pen asks for the same tables every frame.
+  ribs::RibWorkspace& ribMemory() { return ribMemory_; }
   void clear() { *this = {}; }
 
   /// What is kept apart from edges and pictures, in bytes.
@@ -109,6 +111,7 @@ class Cache {
   Shelf<TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
+  ribs::RibWorkspace ribMemory_;
   std::uint64_t round_ = 0;
 };
 

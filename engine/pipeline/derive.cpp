@@ -41,7 +41,8 @@ Result<PartShape> shapeOf(const document::LoftRecipe& recipe, const document::Pi
       ignored = std::move(found).value();
     }
     Result<TracedRibs> made = traceStage(
-        recipe, {edges ? *edges : kNoEdges, entry.size, ignored.get()}, Progress{});
+        recipe, {edges ? *edges : kNoEdges, entry.size, ignored.get()}, Progress{},
+        cache.ribMemory());
     if (!made) return made.failure();
     traced = std::make_shared<const TracedRibs>(std::move(made).value());
     if (edges) cache.keepTraced(key, traced, preview);

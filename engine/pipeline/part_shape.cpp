@@ -63,11 +63,13 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
 }
 
 Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
-                              const ribs::PictureEvidence& picture, const Progress& progress) {
+                              const ribs::PictureEvidence& picture, const Progress& progress,
+                              ribs::RibWorkspace& memory) {
   try {
     Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
     if (!spine) return spine.failure();
-    Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), picture, recipe.ribs, progress);
+    Result<ribs::RibSet> found =
+        ribs::traceRibs(spine.value(), picture, recipe.ribs, progress, memory);
     if (!found) return found.failure();
     return TracedRibs{std::move(spine).value(), std::move(found).value()};
   } catch (const std::bad_alloc&) {
@@ -89,7 +91,9 @@ Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::Edg
   const double started = nowMs(clock);
   const Result<ribs::IgnoredEdges> ignored = ignoredStage(edges, {}, recipe.ignored);
   if (!ignored) return ignored.failure();
-  Result<TracedRibs> traced = traceStage(recipe, {edges, picture, &ignored.value()}, progress);
+  ribs::RibWorkspace memory;
+  Result<TracedRibs> traced =
+      traceStage(recipe, {edges, picture, &ignored.value()}, progress, memory);
   if (!traced) return traced.failure();
   const double took = nowMs(clock) - started;
   Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, clock);

@@ -58,9 +58,11 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
 
 /// First stage: cleanSpine → traceRibs, for everything in a recipe that traceKey covers. The edges may
 /// be empty (no evidence yet: guessed ribs); those to ignore are part of
-/// the evidence, the marks in the recipe are not looked at. Errors: those of the two, OutOfMemory.
+/// the evidence, the marks in the recipe are not looked at. `memory` is reused and never shows in the
+/// result. Errors: those of the two, OutOfMemory.
 Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
-                              const ribs::PictureEvidence& picture, const Progress& progress);
+                              const ribs::PictureEvidence& picture, const Progress& progress,
+                              ribs::RibWorkspace& memory);
 
 /// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
 /// those of the stages, OutOfMemory.

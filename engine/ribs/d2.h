@@ -26,6 +26,7 @@ struct D2Integral {
 /// one arctangent a segment. A value: copy and move freely.
 class D2Field {
  public:
+  D2Field() = default;  ///< of nothing, until assigned
   explicit D2Field(std::span<const PicturePoint> polyline);
   /// The same field of another polyline, in the memory of this one.
   void assign(std::span<const PicturePoint> polyline);

@@ -13,6 +13,21 @@
 #include "engine/ribs/rivals.h"
 
 namespace spineloft::ribs {
+// Everything that one search passes from step to step.
+struct RibWorkspace::Search {
+  Spine spine;
+  RibParams params;
+  D2Field field;
+  Levels levels;
+  GradientCurves curves;
+  Strip strip;
+  BoundaryTerms terms;
+  std::vector<float> costs;    // of every curve and level
+  std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
+  LengthProblem problem;
+  LengthWorkspace workspace;
+};
+
 namespace {
 
 // The number of ribs that the weights are meant for. Neighbouring ribs see the same edges: three times
@@ -32,20 +47,7 @@ constexpr float kCapWeight = 0.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// Everything that one search passes from step to step.
-struct Search {
-  Spine spine;
-  RibParams params;
-  D2Field field;
-  Levels levels;
-  GradientCurves curves;
-  Strip strip;
-  BoundaryTerms terms;
-  std::vector<float> costs;    // of every curve and level
-  std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
-  LengthProblem problem;
-  LengthWorkspace workspace;
-};
+using Search = RibWorkspace::Search;
 
 Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Size picture,
                     const RibParams& params) {
@@ -363,12 +365,31 @@ bool inRange(const RibParams& p) {
          within(e.doubt, 0.001, 10) && within(e.knownShare, 0, 0.9);
 }
 
+RibWorkspace::RibWorkspace() = default;
+RibWorkspace::~RibWorkspace() = default;
+RibWorkspace::RibWorkspace(RibWorkspace&&) noexcept = default;
+RibWorkspace& RibWorkspace::operator=(RibWorkspace&&) noexcept = default;
+
+RibWorkspace::Search& RibWorkspace::search() {
+  if (!search_) search_ = std::make_unique<Search>();
+  return *search_;
+}
+
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress) {
+  RibWorkspace memory;
+  return traceRibs(spine, picture, params, progress, memory);
+}
+
+Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
+                         const RibParams& params, const Progress& progress, RibWorkspace& memory) {
   const image::EdgeMap& edges = picture.edges;
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
-  Search s{spine, params, D2Field(spine.points), {}, {}, {}, {}, {}, {}, {}, {}};
+  Search& s = memory.search();
+  s.spine = spine;
+  s.params = params;
+  s.field.assign(spine.points);
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
   if (!progress.advance(0.05)) return Error::Cancelled;
   s.levels = chooseLevels(s.field, edges, picture.size, params);

@@ -13,6 +13,7 @@
 #include "engine/image/edge_map.h"
 #include "engine/ribs/fairing.h"
 #include "engine/ribs/spine.h"
+#include "engine/ribs/workspace.h"
 
 namespace spineloft::ribs {
 
@@ -140,6 +141,9 @@ struct PictureEvidence {
 /// Errors: StrokeTooShort (fewer than 2 points), ValueOutOfRange (params), Cancelled.
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress);
+/// The same with memory that is reused from call to call: for the pen.
+Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
+                         const RibParams& params, const Progress& progress, RibWorkspace& memory);
 /// The same with nothing ignored.
 inline Result<RibSet> traceRibs(const Spine& spine, const image::EdgeMap& edges,
                                 image::Size picture, const RibParams& params,

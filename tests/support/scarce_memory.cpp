@@ -8,9 +8,12 @@ namespace {
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 thread_local std::size_t limit = kNoLimit;
+thread_local std::size_t given = 0;
 
 void* tryAllocate(std::size_t size) noexcept {
-  return size >= limit ? nullptr : std::malloc(size > 0 ? size : 1);
+  if (size >= limit) return nullptr;
+  given += size;
+  return std::malloc(size > 0 ? size : 1);
 }
 
 void* allocate(std::size_t size) {
@@ -20,8 +23,8 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
-// The program's allocation functions, all forms of unaligned memory, so that none is freed by another
-// family than it came from.
+// The program's allocation functions, all forms of unaligned memory, so that none is freed by
+// another family than it came from.
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return tryAllocate(size); }
@@ -37,5 +40,6 @@ namespace spineloft::testing {
 
 ScarceMemory::ScarceMemory(std::size_t bytes) { limit = bytes; }
 ScarceMemory::~ScarceMemory() { limit = kNoLimit; }
+std::size_t allocatedBytes() { return given; }
 
 }  // namespace spineloft::testing

@@ -1,12 +1,13 @@
-// Makes large allocations of the calling thread fail, so that OutOfMemory can be tested.
+// Makes large allocations of the calling thread fail, so that OutOfMemory can be tested, and counts
+// them.
 #pragma once
 
 #include <cstddef>
 
 namespace spineloft::testing {
 
-/// While it lives, `operator new` of this thread throws std::bad_alloc for requests of `limit` bytes
-/// or more. Do not nest.
+/// While it lives, `operator new` of this thread throws std::bad_alloc for requests of `limit`
+/// bytes or more. Do not nest.
 class ScarceMemory {
  public:
   explicit ScarceMemory(std::size_t limit);
@@ -14,5 +15,8 @@ class ScarceMemory {
   ScarceMemory(const ScarceMemory&) = delete;
   ScarceMemory& operator=(const ScarceMemory&) = delete;
 };
+
+/// Bytes that `operator new` has given to this thread so far.
+std::size_t allocatedBytes();
 
 }  // namespace spineloft::testing

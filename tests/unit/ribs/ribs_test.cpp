@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
+#include "tests/support/scarce_memory.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -55,7 +57,8 @@ TEST_CASE("a stroke that is off the middle by a quarter of the width finds the s
   CHECK(good == 52);
 }
 
-TEST_CASE("an inner line that mirrors the near side of a stroke off the middle is not the far side") {
+TEST_CASE(
+    "an inner line that mirrors the near side of a stroke off the middle is not the far side") {
   const image::EdgeMap map = fixtures::mapOf(kPicture, [](PicturePoint p) {
     const double y = std::abs(p.y - 150);
     return p.x > 40 && p.x < 360 && y < 60 && y > 1.2;
@@ -165,4 +168,40 @@ TEST_CASE("bad parameters, a spine of one point and cancelled work are refused b
   Progress cancelled;
   cancelled.cancel();
   CHECK(errorOf(spine, {}, cancelled) == Error::Cancelled);
+}
+
+TEST_CASE("ribs do not depend on what their memory was used for before") {
+  const image::EdgeMap map = barMap();
+  RibWorkspace workspace;
+  for (const auto& stroke : std::vector<fixtures::Points>{
+           {{75, 150}, {325, 150}}, {{75, 135}, {325, 160}}, {{100, 150}, {200, 140}}}) {
+    for (const image::EdgeMap& edges : {map, image::EdgeMap{}, map}) {
+      for (const int levels : {128, 48}) {
+        RibParams params;
+        params.levels = levels;
+        const auto fresh = traceRibs(spineOf(stroke), edges, kPicture, params, Progress());
+        const auto again =
+            traceRibs(spineOf(stroke), {edges, kPicture}, params, Progress(), workspace);
+        REQUIRE(fresh.ok());
+        REQUIRE(again.ok());
+        CHECK(fresh.value() == again.value());
+      }
+    }
+  }
+}
+
+TEST_CASE("from the second stroke on, tracing asks for little more than half the memory") {
+  const image::EdgeMap map = barMap();
+  const Spine spine = spineOf({{75, 150}, {325, 150}});
+  const RibParams params;
+  const Progress progress;
+  RibWorkspace workspace;
+  std::array<std::size_t, 3> bytes{};
+  for (std::size_t& taken : bytes) {
+    const std::size_t before = testing::allocatedBytes();
+    REQUIRE(traceRibs(spine, {map, kPicture}, params, progress, workspace).ok());
+    taken = testing::allocatedBytes() - before;
+  }
+  CHECK(bytes[1] * 5 < bytes[0] * 3);
+  CHECK(bytes[2] == bytes[1]);
 }
