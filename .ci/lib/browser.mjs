@@ -6,7 +6,8 @@ import { distDir } from './paths.mjs';
 import { Stop } from './run.mjs';
 import { serveFolder } from './server.mjs';
 
-const kFlags = [
+/** What a Chromium of the tests is started with. */
+export const browserFlags = [
   '--no-sandbox',
   '--disable-quic',
   '--no-first-run',
@@ -25,10 +26,14 @@ export function startSite(options = {}) {
 }
 
 /** Debian's Chromium, or the one $SPINELOFT_CHROMIUM names. */
+export function browserPath() {
+  const path = process.env.SPINELOFT_CHROMIUM ?? '/usr/bin/chromium';
+  if (!existsSync(path)) throw new Stop(`There is no ${path}; the package chromium provides it.`);
+  return path;
+}
+
 export function startBrowser() {
-  const executablePath = process.env.SPINELOFT_CHROMIUM ?? '/usr/bin/chromium';
-  if (!existsSync(executablePath)) throw new Stop(`There is no ${executablePath}; the package chromium provides it.`);
-  return chromium.launch({ executablePath, args: kFlags, headless: true });
+  return chromium.launch({ executablePath: browserPath(), args: browserFlags, headless: true });
 }
 
 /**

@@ -208,6 +208,7 @@ void App::watchWork() {
 
 void App::wake() {
   wakePending_ = tooltipPending_ = false;
+  studio_.tellAmends();
   // Without threads a search for edges would hold up the ink under the pen: it waits.
   const bool penDown = studio_.threads() == 0 && ui_.sketching.stroke.has_value();
   if (!penDown && studio_.pump()) {
@@ -490,6 +491,8 @@ void App::answer(std::string_view id, std::string_view text) {
               Json::Object{{"picture", numberAfter(kRenamePicture)}, {"name", text}});
   } else if (id.starts_with(kRenameSlice)) {
     sink_.run("rename-slice", Json::Object{{"id", numberAfter(kRenameSlice)}, {"name", text}});
+  } else if (id == "rename-model" || id == "save-project-as") {
+    sink_.run(id, Json::Object{{"name", text}});
   }
   runCalls();
   touch(2);

@@ -12,6 +12,7 @@
 #include "web/app/fonts.h"
 #include "web/app/gestures.h"
 #include "web/app/json.h"
+#include "web/app/keeping.h"
 #include "web/app/studio.h"
 #include "web/app/thumbnails.h"
 #include "web/app/ui_state.h"
@@ -54,6 +55,13 @@ class App final : public platform::Page {
   bool idle() override;
   void cancelWork() override;
   void markSaved() override;
+  const std::string& history() override;
+  const std::string& photos() override;
+  std::shared_ptr<const image::Picture> photo(std::string_view hash) override;
+  const std::string& layPhotoBy(image::Picture photo) override;
+  const std::string& restore(std::string_view base, std::string_view recordsJson) override;
+  const std::string& openProject(std::span<const std::uint8_t> file) override;
+  const image::Image& thumbnail(int width, int height) override;
 
   gl::Renderer& renderer() { return *renderer_; }
   const UiState& ui() const { return ui_; }
@@ -67,6 +75,7 @@ class App final : public platform::Page {
   void runCalls();
   void settle();
   void settleChosen();
+  void showOtherModel();
   void layout();
   void growPreview();
   void fly();
@@ -86,6 +95,7 @@ class App final : public platform::Page {
   Fonts fonts_;
   double fontDpr_ = 0;
   Studio studio_;
+  Keeping keeping_{studio_};
   UiState ui_;
   Gestures gestures_;
   ActionSink sink_;
@@ -95,6 +105,7 @@ class App final : public platform::Page {
   JsonWriter json_;
   std::string text_, lastError_ = "null";
   std::vector<std::uint8_t> exported_;
+  image::Image thumbnail_;
   std::string cursor_;
   PartId chosenOf_;    ///< the part that ui_.chosen is about
   std::string named_;  ///< the rib end that the status names

@@ -396,7 +396,7 @@ constexpr std::array kTable = {
     Command{"save-glb",
             "Save GLB",
             "download",
-            "Ctrl+S",
+            "",
             "file",
             {},
             "3D model with colours, for most programs",

@@ -93,6 +93,12 @@ inline constexpr std::array kIcons = {
     Icon{"bone", 58200},
     Icon{"line-squiggle", 59002},
     Icon{"unfold-horizontal", 58429},
+    Icon{"save", 57677},
+    Icon{"save-all", 58383},
+    Icon{"file-plus", 57545},
+    Icon{"layout-grid", 57599},
+    Icon{"folder-open", 57927},
+    Icon{"copy", 57502},
 };
 
 /// 0 for a name that is not in the table.

@@ -1,5 +1,6 @@
 #include "web/app/messages.h"
 
+#include "engine/io/json_fields.h"
 #include "web/app/json.h"
 
 namespace spineloft::app {
@@ -41,6 +42,24 @@ void sendQuestion(platform::Host& host, const Question& question) {
   json.beginObject().key("type").text("ask").key("id").text(question.id);
   json.key("title").text(question.title).key("text").text(question.text);
   json.key("value").text(question.value).endObject();
+  host.send(json.json());
+}
+
+void sendJournal(platform::Host& host, const JournalStep& step) {
+  JsonWriter json;
+  json.beginObject().key("type").text("journal").key("record").text(step.record);
+  json.key("photos").beginArray();
+  for (const std::uint64_t hash : step.photos) json.text(io::hashKey(hash));
+  json.endArray().key("name").text(step.document.name);
+  json.key("pictures").number(static_cast<double>(step.document.pictures.size()));
+  json.key("parts").number(static_cast<double>(step.document.parts.size())).endObject();
+  host.send(json.json());
+}
+
+void sendKeep(platform::Host& host, std::string_view what, std::string_view id) {
+  JsonWriter json;
+  json.beginObject().key("type").text("keep").key("what").text(what).key("id").text(id);
+  json.endObject();
   host.send(json.json());
 }
 

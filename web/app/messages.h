@@ -3,8 +3,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/result.h"
+#include "engine/document/document.h"
 #include "web/platform/host.h"
 
 namespace spineloft::app {
@@ -21,5 +23,16 @@ struct Question {
   std::string_view id, title, text, value;
 };
 void sendQuestion(platform::Host& host, const Question& question);
+
+/// One step of the document for the shell to keep.
+struct JournalStep {
+  std::string_view record;            ///< of engine/io/journal.h
+  std::vector<std::uint64_t> photos;  ///< content hashes of the photos that it brings
+  const document::Document& document;
+};
+void sendJournal(platform::Host& host, const JournalStep& step);
+/// What the shell is asked to do with its models: "new-model", "open-model" …; `id` names one or is
+/// empty.
+void sendKeep(platform::Host& host, std::string_view what, std::string_view id = {});
 
 }  // namespace spineloft::app

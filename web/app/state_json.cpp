@@ -199,6 +199,9 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   ui.redraw ? json.number(ui.redraw.value) : json.null();
   json.key("undo").number(static_cast<double>(studio.undoSteps()));
   json.key("redo").number(static_cast<double>(studio.redoSteps()));
+  json.key("history").beginObject().key("bytes");
+  json.number(static_cast<double>(studio.history().bytes())).key("budget");
+  json.number(static_cast<double>(studio.history().budget())).endObject();
   json.key("busy").flag(studio.busy()).key("threads").number(studio.threads());
   const pipeline::StageMs& ms = studio.lastMs();
   json.key("lastMs").beginObject().key("edges").number(ms.edges).key("ribs").number(ms.ribs);

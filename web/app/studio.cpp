@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/document/update.h"
+#include "engine/io/journal.h"
 #include "engine/vision/edges.h"
 #include "web/app/messages.h"
 
@@ -10,6 +11,22 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kBurstMs = 1000;  // between two keys that belong together
+/// A burst that goes on is told this often.
+constexpr double kAmendMs = 250;
+
+/// Content hashes of the photos that `after` shows and `before` does not.
+std::vector<std::uint64_t> newPhotos(const document::Document& before,
+                                     const document::Document& after) {
+  std::vector<std::uint64_t> hashes;
+  for (const document::PictureEntry& entry : after.pictures) {
+    const bool known = std::ranges::any_of(
+        before.pictures, [&](const document::PictureEntry& old) {
+          return !old.isSketch() && old.contentHash == entry.contentHash;
+        });
+    if (!entry.isSketch() && !known) hashes.push_back(entry.contentHash);
+  }
+  return hashes;
+}
 
 struct EdgeSearch {
   Result<image::EdgeMap> edges;
@@ -28,34 +45,78 @@ Status Studio::act(std::span<const document::Action> actions, std::string_view b
     next = std::move(result).value();
   }
   const double now = host_.nowMs();
-  const bool goesOn = !burst.empty() && burst == burst_ && now - burstMs_ < kBurstMs &&
-                      undoSteps() == burstStep_ && redoSteps() == 0;
-  if (goesOn) static_cast<void>(history_.undo());
-  history_.commit(std::move(next));
+  const bool goesOn = !burst.empty() && burst == burst_ && now - burstMs_ < kBurstMs;
+  if (!goesOn) ++gesture_;
   burst_ = burst;
   burstMs_ = now;
-  burstStep_ = undoSteps();
+  const document::Document before = document();
+  tell(history_.commit(std::move(next), burst.empty() ? 0 : gesture_), before);
   changed();
   return Done{};
 }
 
 Status Studio::undo() {
+  tellAmends(true);
   Status status = history_.undo();
-  if (status) changed();
+  if (!status) return status;
+  tellRecord(io::undoRecord(), document());
+  changed();
   return status;
 }
 
 Status Studio::redo() {
+  tellAmends(true);
   Status status = history_.redo();
-  if (status) changed();
+  if (!status) return status;
+  tellRecord(io::redoRecord(), document());
+  changed();
   return status;
+}
+
+void Studio::open(document::History<document::Document> history) {
+  tellAmends(true);
+  cancelWork();
+  history_ = std::move(history);
+  saved_ = document();
+  reported_.clear();
+  changed();
+}
+
+void Studio::tell(document::Committed committed, const document::Document& before) {
+  if (committed == document::Committed::Amended) {
+    if (amendedFrom_) return;
+    amendedFrom_ = before;
+    amendedMs_ = host_.nowMs();
+    host_.wakeAfter(kAmendMs);
+  } else if (committed == document::Committed::Step) {
+    if (amendedFrom_) tellRecord(io::amendRecord(*amendedFrom_, before), *amendedFrom_);
+    amendedFrom_.reset();
+    tellRecord(io::commitRecord(before, document()), before);
+  }
+}
+
+void Studio::tellAmends(bool now) {
+  if (!amendedFrom_) return;
+  const double left = kAmendMs - (host_.nowMs() - amendedMs_);
+  if (!now && left > 1) {
+    host_.wakeAfter(left);
+    return;
+  }
+  const document::Document from = std::move(*amendedFrom_);
+  amendedFrom_.reset();
+  tellRecord(io::amendRecord(from, document()), from);
+}
+
+void Studio::tellRecord(std::string record, const document::Document& before) {
+  sendJournal(host_, {record, newPhotos(before, document()), document()});
 }
 
 void Studio::clear() {
   document::Document empty;
   empty.lastPictureId = document().lastPictureId;
   empty.lastPartId = document().lastPartId;
-  history_.commit(std::move(empty));
+  const document::Document before = document();
+  tell(history_.commit(std::move(empty)), before);
   changed();
 }
 
@@ -144,7 +205,7 @@ Result<pipeline::PartShape> Studio::preview(const document::LoftRecipe& recipe) 
 }
 
 Status Studio::save(publish::Format format) {
-  if (document().parts.empty()) return Error::NothingToExport;
+  if (document().parts.empty() && format != publish::Format::Project) return Error::NothingToExport;
   const document::Document written = document();
   pool_.submit(
       "Saving the model",

@@ -39,6 +39,14 @@ class Studio {
   /// An empty board; undo brings the old one back.
   void clear();
 
+  /// Every step with its past and future. Each commit, undo and redo is told to the host as a record
+  /// of the journal (engine/io/journal.h), in order.
+  const document::History<document::Document>& history() const { return history_; }
+  /// Another model: its history takes the place of this one. No record of it is told.
+  void open(document::History<document::Document> history);
+  /// Tells the record of a burst that goes on (amends), once its time has come or `now`.
+  void tellAmends(bool now = false);
+
   /// Up to date with the document: derives now if it has to. Starts the search for edges that are
   /// missing, and reports parts that failed, each once.
   const pipeline::Derived& derived();
@@ -67,6 +75,9 @@ class Studio {
 
  private:
   void changed();
+  /// Tells what was just committed.
+  void tell(document::Committed committed, const document::Document& before);
+  void tellRecord(std::string record, const document::Document& before);
   void findEdges(PictureId id);
   void keepShown(const pipeline::Derived& before);
   void report(const pipeline::Derived& derived);
@@ -76,12 +87,14 @@ class Studio {
   platform::Host& host_;
   document::History<document::Document> history_;
   document::Document saved_;
+  std::optional<document::Document> amendedFrom_;  ///< amends since this one are not told yet
+  double amendedMs_ = 0;                           ///< when the first of them was
   pipeline::Cache cache_;
   pipeline::Derived derived_;
   bool stale_ = false;
   std::string burst_;
   double burstMs_ = 0;
-  std::size_t burstStep_ = 0;  ///< the number of steps when it ended
+  document::Gesture gesture_ = 0;  ///< of the history: counts the bursts
   pipeline::StageMs lastMs_;
   std::uint64_t revision_ = 0;
   struct Search {

@@ -61,6 +61,9 @@ class Renderer {
   virtual void beginUi() = 0;
   /// Draws the scene and, above it, ImGui's finished draw data.
   virtual void draw(const Scene& scene) = 0;
+  /// The scene's solid view, or its picture view where that is empty, as pixels of the canvas' size,
+  /// smooth and without panels; the canvas stays as it is. Empty when it cannot be drawn.
+  virtual image::Image snapshot(const Scene& scene) = 0;
   /// The font atlas of ImGui was rebuilt.
   virtual void fontsChanged() = 0;
   /// Every object on the GPU is gone; nothing is drawn until `contextRestored`.

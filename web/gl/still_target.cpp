@@ -1,5 +1,8 @@
 #include "web/gl/still_target.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace spineloft::gl {
 namespace {
 
@@ -60,6 +63,23 @@ GLuint StillTarget::end() {
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return texture_.name();
+}
+
+image::Image StillTarget::read() const {
+  const std::size_t row = std::size_t{4} * static_cast<std::size_t>(width_);
+  image::Image out{width_, height_, {}};
+  out.pixels.resize(row * static_cast<std::size_t>(height_));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.pixels.data());
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  const auto rowAt = [&](int y) {
+    return out.pixels.begin() + static_cast<std::ptrdiff_t>(row) * y;
+  };
+  for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(rowAt(top), rowAt(top + 1), rowAt(bottom));  // GL begins at the bottom
+  }
+  return out;
 }
 
 void StillTarget::forget() {

@@ -2,6 +2,7 @@
 // multisampled target. Moving frames do without, because a processor draws them.
 #pragma once
 
+#include "engine/image/image.h"
 #include "web/gl/handles.h"
 
 namespace spineloft::gl {
@@ -12,6 +13,8 @@ class StillTarget {
   bool begin(int width, int height);
   /// Resolves it, binds the canvas again and returns the texture with the result.
   GLuint end();
+  /// What `end` resolved: RGBA, rows from the top.
+  image::Image read() const;
   /// The context is lost: forgets every name.
   void forget();
 

@@ -114,6 +114,24 @@ class WebGlRenderer final : public Renderer {
     textures_.endFrame();
   }
 
+  image::Image snapshot(const Scene& scene) override {
+    const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
+    const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
+    if (lost_) return {};
+    drawShadowMap(scene);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.969f, 0.961f, 0.941f, 1);
+    glDepthMask(GL_TRUE);
+    if (!snapshot_.begin(width, height)) return {};
+    if (scene.solidView.width >= 1) {
+      drawSolids(scene);
+    } else {
+      drawPictureView(scene);
+    }
+    snapshot_.end();
+    return snapshot_.read();
+  }
+
   void fontsChanged() override {
     if (lost_) return;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -126,6 +144,7 @@ class WebGlRenderer final : public Renderer {
     programs_.forget();
     shadowMap_.forget();
     still_.forget();
+    snapshot_.forget();
     quadArray_.forget();
     quad_.forget();
     meshes_.forgetAll();
@@ -303,7 +322,7 @@ class WebGlRenderer final : public Renderer {
 
   Programs programs_;
   ShadowMap shadowMap_;
-  StillTarget still_;
+  StillTarget still_, snapshot_;
   bool smoothAnyway_ = false;  ///< the canvas itself is multisampled
   VertexArray quadArray_;
   Buffer quad_;

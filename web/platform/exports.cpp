@@ -35,6 +35,15 @@ std::vector<std::uint8_t> bytesOf(const std::uint8_t* data, int length) {
   return {data, data + length};
 }
 
+image::Picture pictureOf(const std::uint8_t* rgba, image::Size working, image::Size original) {
+  image::Picture picture;
+  picture.working = {working.width, working.height,
+                     bytesOf(rgba, static_cast<int>(4LL * working.width * working.height))};
+  picture.width = std::max(original.width, working.width);
+  picture.height = std::max(original.height, working.height);
+  return picture;
+}
+
 const char* text(const char* given) { return given ? given : ""; }
 
 }  // namespace
@@ -88,9 +97,7 @@ EMSCRIPTEN_KEEPALIVE const char* spl_addPicture(const std::uint8_t* rgba, int wi
   if (page() == nullptr) return "";
   image::Picture picture;
   if (rgba != nullptr && width > 0 && height > 0) {
-    picture.working = {width, height, bytesOf(rgba, static_cast<int>(4LL * width * height))};
-    picture.width = std::max(originalWidth, width);
-    picture.height = std::max(originalHeight, height);
+    picture = pictureOf(rgba, {width, height}, {originalWidth, originalHeight});
   }
   return page()->addPicture(std::move(picture), text(name)).c_str();
 }
@@ -138,6 +145,43 @@ EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
 }
 EMSCRIPTEN_KEEPALIVE void spl_markSaved() {
   if (page() != nullptr) page()->markSaved();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_history() { return page() ? page()->history().c_str() : ""; }
+EMSCRIPTEN_KEEPALIVE const char* spl_photos() { return page() ? page()->photos().c_str() : "[]"; }
+
+/// Pixels of a photo of the history, which live as long as the history shows it; `sizes` receives the
+/// width and height of the working copy and of the original. 0 when there is no such photo.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_photo(const char* hash, std::int32_t* sizes) {
+  const auto photo = page() ? page()->photo(text(hash)) : nullptr;
+  if (photo == nullptr || sizes == nullptr) return nullptr;
+  const image::Picture& picture = *photo;
+  const std::int32_t all[] = {picture.working.width, picture.working.height, picture.width,
+                              picture.height};
+  std::ranges::copy(all, sizes);
+  return picture.working.pixels.data();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_layPhotoBy(const std::uint8_t* rgba, int width, int height,
+                                                int originalWidth, int originalHeight) {
+  if (page() == nullptr || rgba == nullptr || width < 1 || height < 1) return "";
+  return page()->layPhotoBy(pictureOf(rgba, {width, height}, {originalWidth, originalHeight})).c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_restore(const char* base, const char* records) {
+  return page() ? page()->restore(text(base), text(records)).c_str() : "";
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_openProject(const std::uint8_t* bytes, std::uint32_t length) {
+  if (page() == nullptr || bytes == nullptr) return "";
+  return page()->openProject({bytes, length}).c_str();
+}
+
+/// RGBA pixels, valid until the next call; 0 while there is nothing to show.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_thumbnail(int width, int height) {
+  if (page() == nullptr) return nullptr;
+  const image::Image& image = page()->thumbnail(width, height);
+  return image.empty() ? nullptr : image.pixels.data();
 }
 
 }  // extern "C"

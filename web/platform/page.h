@@ -80,6 +80,24 @@ class Page {
   virtual bool idle() = 0;
   virtual void cancelWork() = 0;
   virtual void markSaved() = 0;
+
+  // Keeping models on the device; see web/app/keeping.h.
+  /// The whole history as a base of the journal.
+  virtual const std::string& history() = 0;
+  /// JSON list of the content hashes of its photos.
+  virtual const std::string& photos() = 0;
+  /// A photo of the history; null when no step shows it.
+  virtual std::shared_ptr<const image::Picture> photo(std::string_view hash) = 0;
+  /// Lays a photo by for the next `restore`; its content hash.
+  virtual const std::string& layPhotoBy(image::Picture photo) = 0;
+  /// Replaces the model by one that was kept, or with an empty `base` by an empty one:
+  /// {ok:true, dropped} or as `run` answers.
+  virtual const std::string& restore(std::string_view base, std::string_view recordsJson) = 0;
+  /// Replaces the model by the one in a project file; as `run` answers.
+  virtual const std::string& openProject(std::span<const std::uint8_t> file) = 0;
+  /// A small picture of the model, RGBA; empty while there is nothing to show. Valid until the next
+  /// call.
+  virtual const image::Image& thumbnail(int width, int height) = 0;
 };
 
 /// Makes the page; main.cpp defines it. Null when there is no WebGL2.

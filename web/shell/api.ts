@@ -103,13 +103,15 @@ export interface State {
   /** Steps that undo and redo could go. */
   undo: number;
   redo: number;
+  /** Bytes that the steps of undo and redo take, and how many they may. */
+  history: { bytes: number; budget: number };
   /** True while work is pending; `idle()` waits for its end. */
   busy: boolean;
   /** Worker threads of the engine; 0 in the single-thread build. */
   threads: number;
   /** Milliseconds of the last run of each stage. */
   lastMs: { edges: number; ribs: number; loft: number };
-  /** True when something would be lost by closing the page. */
+  /** True when there are parts that are in no file yet; the page keeps them on the device all the same. */
   unsaved: boolean;
   /** Long work in words, with its share done (0…1). */
   activity: { label: string; done: number } | null;
@@ -163,7 +165,20 @@ export interface Command {
   } | null;
 }
 
-export type ExportFormat = 'glb' | 'obj' | 'stl';
+export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft';
+
+/** A model that this device keeps. */
+export interface KeptModelInfo {
+  id: string;
+  name: string;
+  /** Milliseconds since 1970. */
+  created: number;
+  modified: number;
+  pictures: number;
+  parts: number;
+  /** Size of its history as text, without the photos. */
+  bytes: number;
+}
 
 /** Every failure of the API rejects with this: a sentence for a person, and a code for a program. */
 export interface SpineLoftFailure extends Error {
@@ -180,6 +195,12 @@ export interface SpineLoftApi {
   idle(): Promise<void>;
   /** Opens a picture file (PNG, JPEG, WebP, GIF, BMP, AVIF) as dropping it would. */
   openImage(blob: Blob, name?: string): Promise<void>;
+  /** Opens a model file (.spineloft, or a GLB of this page) as a new model; the one that was open stays in the list. */
+  openProject(blob: Blob): Promise<void>;
+  /** The models that this device keeps, the last changed first; `run('open-model', {id})` opens one. */
+  models(): Promise<KeptModelInfo[]>;
+  /** The open model with every step of undo and redo, as the text that the page keeps; photos are named by their hashes. */
+  history(): string;
   /** Where a picture pixel is on the page now, in client CSS pixels. */
   imageToClient(x: number, y: number): { x: number; y: number };
   state(): State;

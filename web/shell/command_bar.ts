@@ -119,8 +119,8 @@ export class CommandBar {
 
   private openSaveMenu(): void {
     if (this.save.getAttribute('aria-disabled') === 'true') return;
-    const items = this.saveCommands().map((command) => this.plainItem(command, true));
-    toggleMenu(this.save, 'Save', [{ title: '', items }]);
+    const items = (ours: boolean) => this.saveCommands().filter((command) => (command.group === 'model') === ours).map((command) => this.plainItem(command, true));
+    toggleMenu(this.save, 'Save', [{ title: '', items: items(true) }, { title: '', items: items(false) }]);
   }
 
   private plainItem(command: Command, withHint: boolean): MenuItem {
@@ -154,6 +154,7 @@ export class CommandBar {
       const group = groups.find((candidate) => candidate.title === title);
       const item = command.argument?.choices ? this.leadingItem(command) : this.plainItem(command, false);
       if (group) group.items.push(item);
+      else if (command.group === 'model') groups.unshift({ title, items: [item] });
       else groups.push({ title, items: [item] });
     }
     groups.push({ title: 'Help', items: [{ label: 'Keys and gestures', icon: 'keyboard', shortcut: '?', run: this.showShortcuts }] });

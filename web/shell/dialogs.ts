@@ -3,7 +3,7 @@ import { make, shortcutText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { Command } from './api.ts';
 
-function openDialog(title: string, body: Node[], className: string): HTMLDialogElement {
+export function openDialog(title: string, body: Node[], className: string): HTMLDialogElement {
   const heading = make('h2', { id: 'dialog-title' }, title);
   const close = make('button', { type: 'button', class: 'dialog-close', 'aria-label': 'Close' });
   close.append(icon('x'));
@@ -35,6 +35,22 @@ export function askText(title: string, text: string, value = ''): Promise<string
       answer = input.value;
     });
     form.querySelector('[value=cancel]')?.addEventListener('click', () => dialog.close());
+    dialog.addEventListener('close', () => resolve(answer));
+  });
+}
+
+/** Asks a question with buttons; the value of the one that was pressed, null when it was closed. */
+export function askChoice(title: string, text: string, choices: { value: string; label: string }[]): Promise<string | null> {
+  const buttons = choices.map(({ value, label }, i) => make('button', { type: 'button', class: i === 0 ? 'button button-primary' : 'button', value }, label));
+  const dialog = openDialog(title, [make('p', {}, text), make('div', { class: 'dialog-buttons' }, ...buttons.reverse())], 'dialog');
+  return new Promise((resolve) => {
+    let answer: string | null = null;
+    for (const button of buttons) {
+      button.addEventListener('click', () => {
+        answer = button.value;
+        dialog.close();
+      });
+    }
     dialog.addEventListener('close', () => resolve(answer));
   });
 }

@@ -2,6 +2,9 @@
 // functions. Strings cross as UTF-8 in malloc'ed memory; everything that comes out is copied at once.
 import type { Command, ExportFormat, State } from './api.ts';
 import { Failure } from './failure.ts';
+import type { About, JournalEvent } from './keep/journal_writer.ts';
+import type { KeepEvent } from './keep/keeper.ts';
+import type { RawPhoto } from './keep/pack.ts';
 import type { WorkingCopy } from './picture.ts';
 
 /** What the engine tells the shell; see `Host`. */
@@ -13,7 +16,9 @@ export type EngineEvent =
   | { type: 'ask'; id: string; title: string; text: string; value?: string }
   | { type: 'cursor'; css: string }
   | { type: 'shelf'; slices: unknown[] }
-  | { type: 'status'; text: string };
+  | { type: 'status'; text: string }
+  | JournalEvent
+  | KeepEvent;
 
 type RawEvent = Exclude<EngineEvent, { type: 'file' }> | { type: 'file'; name: string; mediaType: string; ptr: number; length: number };
 
@@ -69,6 +74,13 @@ interface Module {
   _spl_idle(): number;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
+  _spl_history(): number;
+  _spl_photos(): number;
+  _spl_photo(hash: number, outSizes: number): number;
+  _spl_layPhotoBy(rgba: number, width: number, height: number, originalWidth: number, originalHeight: number): number;
+  _spl_restore(base: number, records: number): number;
+  _spl_openProject(bytes: number, length: number): number;
+  _spl_thumbnail(width: number, height: number): number;
 }
 
 type Factory = (argument: Record<string, unknown>) => Promise<Module>;
@@ -77,6 +89,7 @@ interface Outcome {
   ok: boolean;
   error?: string;
   sentence?: string;
+  dropped?: number;
 }
 
 /** True where worker threads can share memory and the address does not ask for the other build. */
@@ -85,7 +98,7 @@ export function wantsThreads(): boolean {
   return asked !== '0' && globalThis.crossOriginIsolated === true && typeof SharedArrayBuffer === 'function';
 }
 
-/** Loads the variant that fits this page; events arrive in order, never inside a call into the engine. */
+/** Loads the variant that fits this page; events arrive in order, never inside a call into the engine (but 'journal' at once). */
 export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: EngineEvent) => void): Promise<Engine> {
   const files = wantsThreads() ? SPINELOFT_SITE.threads : SPINELOFT_SITE.single;
   const { default: create } = (await import(new URL(files.js, document.baseURI).href)) as { default: Factory };
@@ -97,6 +110,11 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   const host = {
     onEvent(json: string) {
       const raw = JSON.parse(json) as RawEvent;
+      if (raw.type === 'journal') {
+        // At once, so that whoever reads the history knows which steps it holds; nothing is called back from there.
+        onEvent(raw);
+        return;
+      }
       if (queue.length === 0) queueMicrotask(deliver);
       queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
     },
@@ -226,9 +244,70 @@ export class Engine {
     this.module._spl_markSaved();
   }
 
-  private check(json: string): void {
+  /** The whole history as text: a base of the journal. */
+  history(): string {
+    return this.text(this.module._spl_history());
+  }
+
+  /** Content hashes of the history's photos. */
+  photos(): string[] {
+    return JSON.parse(this.text(this.module._spl_photos())) as string[];
+  }
+
+  photo(hash: string): RawPhoto | null {
+    const sizes = this.module._malloc(16);
+    try {
+      const at = this.withStrings([hash], (ptr) => this.module._spl_photo(ptr[0]!, sizes));
+      if (at === 0) return null;
+      const view = new DataView(this.module.wasmMemory.buffer, sizes, 16);
+      const [width, height, originalWidth, originalHeight] = [0, 4, 8, 12].map((offset) => view.getInt32(offset, true)) as [number, number, number, number];
+      return { hash, width, height, originalWidth, originalHeight, rgba: this.heap().slice(at, at + 4 * width * height) };
+    } finally {
+      this.module._free(sizes);
+    }
+  }
+
+  /** Name and size of the document. */
+  about(): About {
+    const { documentName, pictures, parts } = this.state();
+    return { name: documentName, pictures, parts: parts.length };
+  }
+
+  /** Lays a photo by for the next `restore`; its content hash. */
+  layPhotoBy(photo: RawPhoto): string {
+    const pixels = this.put(photo.rgba);
+    try {
+      return this.text(this.module._spl_layPhotoBy(pixels, photo.width, photo.height, photo.originalWidth, photo.originalHeight));
+    } finally {
+      this.module._free(pixels);
+    }
+  }
+
+  /** Replaces the model by one that was kept; how many of its records were damaged. */
+  restore(base: string, records: string[]): number {
+    const answer = this.withStrings([base, JSON.stringify(records)], (at) => this.text(this.module._spl_restore(at[0]!, at[1]!)));
+    return this.check(answer).dropped ?? 0;
+  }
+
+  /** Replaces the model by the one in a project file. */
+  openProject(bytes: Uint8Array): void {
+    const at = this.put(bytes);
+    try {
+      this.check(this.text(this.module._spl_openProject(at, bytes.length)));
+    } finally {
+      this.module._free(at);
+    }
+  }
+
+  /** RGBA pixels of a small picture of the model; null while there is nothing to show. */
+  thumbnail(width: number, height: number): Uint8ClampedArray | null {
+    const at = this.module._spl_thumbnail(width, height);
+    return at === 0 ? null : new Uint8ClampedArray(this.heap().slice(at, at + 4 * width * height));
+  }
+
+  private check(json: string): Outcome {
     const outcome = JSON.parse(json) as Outcome;
-    if (outcome.ok) return;
+    if (outcome.ok) return outcome;
     const code = outcome.error ?? 'Unknown';
     throw new Failure(code, outcome.sentence ?? this.sentence(code));
   }

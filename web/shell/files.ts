@@ -35,9 +35,9 @@ function connectPaste(take: TakeFiles): void {
   });
 }
 
-/** The two hidden inputs of the page: any picture file, and the camera of a phone. */
+/** The hidden inputs of the page: any picture file, model files, and the camera of a phone. */
 function connectPickers(take: TakeFiles): void {
-  for (const id of ['file-picker', 'camera-picker']) {
+  for (const id of ['file-picker', 'model-picker', 'camera-picker']) {
     const input = byId<HTMLInputElement>(id);
     input.addEventListener('change', () => {
       const files = [...(input.files ?? [])];
@@ -57,6 +57,17 @@ export function connectFiles(take: TakeFiles, refuse: () => void): void {
 /** Opens the browser's file dialog; needs a user gesture. */
 export function pickPicture(): void {
   byId<HTMLInputElement>('file-picker').click();
+}
+
+/** The same for model files. */
+export function pickModel(): void {
+  byId<HTMLInputElement>('model-picker').click();
+}
+
+/** Whether a file is a GLB by its first bytes: a project of ours, or of another program. */
+export async function isModelFile(file: Blob): Promise<boolean> {
+  const head = new Uint8Array(await file.slice(0, 4).arrayBuffer().catch(() => new ArrayBuffer(0)));
+  return String.fromCharCode(...head) === 'glTF';
 }
 
 /** Offers bytes as a download. */

@@ -7,6 +7,7 @@ import {
   Link, Shell, Rotate3d, ScanSearch, Anchor, FlipHorizontal2, ArrowLeftRight, Move, Move3d, Crosshair, Signature, ImageDown,
   FlipVertical2, Square, MousePointer2, Waypoints, History, Bookmark, BookmarkPlus, Tornado,
   ChartSpline, ChartLine, MoveHorizontal, Flower, Diamond,
+  Copy, EllipsisVertical, FilePlus, FolderOpen, LayoutGrid, Save, SaveAll, TriangleAlert,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -26,6 +27,8 @@ const kIcons: Record<string, string> = {
   waypoints: Waypoints, history: History, bookmark: Bookmark,
   'bookmark-plus': BookmarkPlus, tornado: Tornado, 'chart-spline': ChartSpline, 'chart-line': ChartLine,
   'move-horizontal': MoveHorizontal, flower: Flower, diamond: Diamond,
+  copy: Copy, 'ellipsis-vertical': EllipsisVertical, 'file-plus': FilePlus, 'folder-open': FolderOpen, 'layout-grid': LayoutGrid, save: Save,
+  'save-all': SaveAll, 'triangle-alert': TriangleAlert,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

@@ -38,6 +38,8 @@ export interface KeyboardPage {
   showShortcuts(): void;
   /** True while shortcuts of the drawing make no sense (start page). */
   isQuiet(): boolean;
+  /** True while nothing can be changed here: the model is open in another tab. */
+  isLocked(): boolean;
 }
 
 /** Listens on the window; Tab is never taken, so focus always moves on. */
@@ -49,6 +51,7 @@ export function connectKeyboard(page: KeyboardPage): void {
       page.showShortcuts();
       return;
     }
+    if (page.isLocked()) return;
     if (down && page.pen.key(event)) {
       event.preventDefault();
       return;

@@ -1,6 +1,7 @@
 // The page starts here: look whether this browser can run it, load the engine, connect everything.
 import './styles/base.css';
 import './styles/chrome.css';
+import './styles/models.css';
 import './styles/popups.css';
 import './styles/start.css';
 import { byId, make } from './dom.ts';
@@ -60,7 +61,7 @@ function connect(page: Page, engine: Engine): void {
   connectPointer({ canvas, engine, undo: () => page.run('undo'), redo: () => page.run('redo') });
   const pen = new KeyboardPen({ canvas, engine, say: (text) => page.say(text) });
   watchInputKind(document.documentElement);
-  connectKeyboard({ engine, pen, showShortcuts: () => page.showShortcuts(), isQuiet: () => page.isOnStartPage });
+  connectKeyboard({ engine, pen, showShortcuts: () => page.showShortcuts(), isQuiet: () => page.isOnStartPage, isLocked: () => page.isReadOnly });
   window.addEventListener('beforeunload', (event) => {
     if (page.hasUnsavedWork) event.preventDefault();
   });
@@ -70,13 +71,13 @@ function main(): void {
   const page = new Page();
   let engine: Engine | null = null;
   const starting = startEngine((event) => page.handle(event));
-  const ready = starting.then((started) => {
-    engine = started;
+  const ready = starting.then(async (started) => {
     connect(page, started);
-    page.attach(started);
+    await page.attach(started);
+    engine = started;
     document.body.dataset.engine = 'ready';
   });
-  installApi({ engine: () => engine, canvas, ready, openImage: (blob, name) => page.openImage(blob, name), isBusy: () => page.isBusy });
+  installApi({ engine: () => engine, canvas, ready, page });
   ready.catch((failure: Failure) => showFailure(failure));
 
   // What is chosen before the engine runs is opened as soon as it does; the last choice counts.
@@ -92,7 +93,7 @@ function main(): void {
   ready.then(() => pending?.(), () => page.showLoading(null));
   connectFiles(
     (files) => whenReady(() => void page.openFiles(files)),
-    () => toast('That was not a picture file. Drop a PNG or JPEG picture from your device.', 'error'),
+    () => toast('That was not a file. Drop a PNG or JPEG picture or a model from your device.', 'error'),
   );
   buildStartPage((sample) => {
     whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));

@@ -124,7 +124,8 @@ export function toggleMenu(anchor: HTMLElement, label: string, groups: MenuGroup
     menu.append(box);
   }
   menu.addEventListener('keydown', (event) => handleKeys(event, elements, close));
-  document.body.append(menu);
+  // A modal dialog lets nothing outside of it be touched.
+  (anchor.closest('dialog') ?? document.body).append(menu);
   place(menu, anchor);
   anchor.setAttribute('aria-expanded', 'true');
   document.addEventListener('pointerdown', outside, true);

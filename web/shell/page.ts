@@ -1,12 +1,15 @@
 // The page around the running engine: keeps the DOM in step with the document.
 import type { State } from './api.ts';
 import { CommandBar } from './command_bar.ts';
-import { askText, showShortcutSheet } from './dialogs.ts';
+import { askChoice, askText, showShortcutSheet } from './dialogs.ts';
 import { byId } from './dom.ts';
 import type { Engine, EngineEvent } from './engine.ts';
 import { Failure, sentenceOf } from './failure.ts';
-import { download, pickPicture } from './files.ts';
+import { download, isModelFile, pickModel, pickPicture } from './files.ts';
 import { Guide } from './guide.ts';
+import { Keeper } from './keep/keeper.ts';
+import type { ModelInfo } from './keep/store.ts';
+import { ModelsView } from './keep/models_view.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
@@ -16,21 +19,41 @@ import { toast } from './toasts.ts';
 export class Page {
   private engine: Engine | null = null;
   private state: State | null = null;
+  private keeper: Keeper | null = null;
+  private readOnly = false;
   private readonly opening = new Set<AbortController>();
   private readonly canvas = byId<HTMLCanvasElement>('canvas');
   private readonly bar: CommandBar;
   private readonly progress = new ProgressBar();
   private readonly guide = new Guide();
+  private readonly models = new ModelsView({
+    list: () => this.listModels(),
+    elsewhere: () => this.keeper?.elsewhere() ?? Promise.resolve(new Set()),
+    current: () => this.keeper?.current ?? null,
+    open: (id) => this.keep('open-model', id),
+    duplicate: (id) => this.keep('duplicate-model', id),
+    rename: (id) => void this.keeper?.rename(id).catch((thrown: unknown) => this.complain(thrown)),
+    remove: (id) => this.keep('delete-model', id),
+  });
 
   constructor() {
     this.bar = new CommandBar((id, args) => this.run(id, args), () => this.showShortcuts());
   }
 
   /** The engine runs: from now on the DOM follows it. */
-  attach(engine: Engine): void {
+  async attach(engine: Engine): Promise<void> {
     this.engine = engine;
     engine.run('load-shelf', { slices: readShelf() });
     watchShelf((slices) => this.run('load-shelf', { slices }));
+    this.keeper = new Keeper(engine, {
+      changed: () => this.refresh(),
+      setReadOnly: (readOnly) => this.setReadOnly(readOnly),
+      showModels: () => this.models.showAll(),
+      pickModelFile: () => pickModel(),
+      askName: (title, text, value) => askText(title, text, value),
+      mayLose: () => this.mayLose(),
+    });
+    await this.keeper.start();
     this.refresh();
   }
 
@@ -44,7 +67,17 @@ export class Page {
   }
 
   get isBusy(): boolean {
-    return this.opening.size > 0;
+    return this.opening.size > 0 || this.keeper?.isBusy === true;
+  }
+
+  /** True while the model can only be looked at: another tab has it. */
+  get isReadOnly(): boolean {
+    return this.readOnly;
+  }
+
+  /** All models that this device keeps, the last changed first. */
+  async listModels(): Promise<ModelInfo[]> {
+    return this.keeper?.list() ?? [];
   }
 
   get isOnStartPage(): boolean {
@@ -65,16 +98,24 @@ export class Page {
       case 'cursor': this.canvas.style.cursor = event.css; break;
       case 'shelf': keepShelf(event.slices); break;
       case 'status': this.say(event.text); break;
+      case 'journal': this.keeper?.take(event); break;
+      case 'keep': this.keeper?.handle(event); break;
     }
   }
 
   /** Runs a command for the visitor; a refusal becomes a toast. */
   run(id: string, args?: Record<string, unknown>): void {
     try {
+      this.mustBeChangeable();
       this.engine?.run(id, args);
     } catch (thrown) {
       toast(sentenceOf(thrown), 'error');
     }
+  }
+
+  /** Throws while another tab has the model. */
+  mustBeChangeable(): void {
+    if (this.readOnly) throw new Failure('OpenElsewhere', 'This model is open in another tab now. Open a copy or take it over to go on here.');
   }
 
   showShortcuts(): void {
@@ -89,6 +130,7 @@ export class Page {
   async openImage(blob: Blob, name: string): Promise<void> {
     const engine = this.engine;
     if (!engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    this.mustBeChangeable();
     const aborter = new AbortController();
     this.opening.add(aborter);
     this.showProgress();
@@ -103,11 +145,25 @@ export class Page {
     }
   }
 
+  /** Opens a model file (.spineloft, or a GLB of ours) as a new model; rejects when it is none, and then nothing has changed. */
+  async openProject(blob: Blob): Promise<void> {
+    const engine = this.engine, keeper = this.keeper;
+    if (!engine || !keeper) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    const bytes = await blob.arrayBuffer().catch(() => {
+      throw new Failure('FileUnreadable', engine.sentence('FileUnreadable'));
+    });
+    await keeper.openProject(new Uint8Array(bytes));
+    this.guide.offer(null);
+    this.say(`${engine.about().name} is open.`);
+    this.refresh();
+  }
+
   /** Files that the visitor dropped, pasted or chose, one after the other. */
   async openFiles(files: File[]): Promise<void> {
     for (const file of files) {
       try {
-        await this.openImage(file, file.name || 'Pasted picture');
+        const isModel = /\.(spineloft|glb)$/i.test(file.name) || (await isModelFile(file));
+        await (isModel ? this.openProject(file) : this.openImage(file, file.name || 'Pasted picture'));
         this.canvas.focus({ preventScroll: true });
       } catch (thrown) {
         this.complain(thrown);
@@ -141,6 +197,24 @@ export class Page {
     else toast(sentenceOf(thrown), 'error');
   }
 
+  private keep(what: string, id: string): void {
+    this.keeper?.handle({ type: 'keep', what, id });
+  }
+
+  private setReadOnly(readOnly: boolean): void {
+    this.readOnly = readOnly;
+    document.body.dataset.locked = String(readOnly);
+    byId('bar').inert = readOnly;
+    this.refresh();
+  }
+
+  private async mayLose(): Promise<boolean> {
+    const answer = await askChoice('This model is not kept', 'This device does not keep the model that is open. Save a file of it first, or it will be gone.',
+      [{ value: 'save', label: 'Save a file' }, { value: 'leave', label: 'Let it go' }]);
+    if (answer === 'save') this.run('save-project');
+    return answer === 'leave';
+  }
+
   private async ask(event: Extract<EngineEvent, { type: 'ask' }>): Promise<void> {
     const text = await askText(event.title, event.text, event.value);
     if (text !== null) this.engine?.answer(event.id, text);
@@ -167,17 +241,20 @@ export class Page {
     const hasPicture = state.picture !== null;
     document.body.dataset.stage = hasPicture ? 'work' : 'start';
     byId('start').hidden = hasPicture;
-    byId('bar').hidden = !hasPicture;
-    this.canvas.inert = !hasPicture;
+    // A board that was emptied can still be undone.
+    byId('bar').hidden = !hasPicture && state.undo + state.redo === 0;
+    this.canvas.inert = !hasPicture || this.readOnly;
+    void this.models.update();
     this.bar.update(this.engine.commands());
     this.guide.update(state, (x, y) => this.engine!.imageToCanvas(x, y));
     byId('status-end').textContent = hasPicture ? summary(state) : '';
+    byId('status-history').textContent = state.undo + state.redo > 0 ? historyText(state) : '';
     this.showProgress();
   }
 
-  /** True when closing the page would lose something. */
+  /** True when closing the page would lose something: work that is neither in a file nor kept on this device. */
   get hasUnsavedWork(): boolean {
-    return this.engine !== null && this.engine.state().unsaved;
+    return this.engine !== null && this.keeper?.isSafe !== true && this.engine.state().unsaved;
   }
 }
 
@@ -187,4 +264,10 @@ function summary(state: State): string {
   const selected = state.parts.find((part) => part.id === state.selection);
   const parts = count === 1 ? '1 part' : `${count} parts`;
   return selected ? `${parts} · ${selected.name}: ${selected.ribs.length} ribs` : parts;
+}
+
+/** "Undo history: 1.2 MB of 64 MB". */
+function historyText(state: State): string {
+  const megabytes = (bytes: number, digits: number) => `${(bytes / 1_048_576).toFixed(digits)} MB`;
+  return `Undo history: ${megabytes(state.history.bytes, 1)} of ${megabytes(state.history.budget, 0)}`;
 }

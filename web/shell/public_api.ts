@@ -1,25 +1,33 @@
 // window.spineloft: installed before the engine runs, so that a script can wait for `ready`.
-import type { Command, ExportFormat, SpineLoftApi, State } from './api.ts';
+import type { Command, ExportFormat, KeptModelInfo, SpineLoftApi, State } from './api.ts';
 import type { Engine } from './engine.ts';
 import { Failure } from './failure.ts';
+import type { ModelInfo } from './keep/store.ts';
 
 const kPollMs = 12;
-const kFormats: ExportFormat[] = ['glb', 'obj', 'stl'];
+const kFormats: ExportFormat[] = ['glb', 'obj', 'stl', 'spineloft'];
 
 export interface ApiPage {
   /** Null until the engine runs. */
   engine(): Engine | null;
   canvas: HTMLCanvasElement;
   ready: Promise<void>;
-  /** Decodes and opens a picture; rejects with a Failure. */
-  openImage(blob: Blob, name: string): Promise<void>;
-  /** True while the shell itself has work, such as decoding a picture. */
-  isBusy(): boolean;
+  page: {
+    /** Decodes and opens a picture; rejects with a Failure. */
+    openImage(blob: Blob, name: string): Promise<void>;
+    /** The same of a model file. */
+    openProject(blob: Blob): Promise<void>;
+    listModels(): Promise<ModelInfo[]>;
+    /** Throws while another tab has the model. */
+    mustBeChangeable(): void;
+    /** True while the shell itself has work, such as decoding a picture or keeping a step. */
+    readonly isBusy: boolean;
+  };
 }
 
 const kBeforeReady: State = {
   version: SPINELOFT_SITE.version, picture: null, pictures: 0, pictureList: [],
-  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null }, parts: [], selection: null, tool: 'draw', undo: 0, redo: 0, busy: true,
+  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null }, parts: [], selection: null, tool: 'draw', undo: 0, redo: 0, history: { bytes: 0, budget: 0 }, busy: true,
   threads: 0, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null, preview: null, documentName: '', heightMm: 0,
   shelf: [], slice: 0, placing: false, sliceBoard: null,
 };
@@ -28,22 +36,27 @@ function wait(milliseconds: number): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, milliseconds));
 }
 
+function keptModelOf({ id, name, created, modified, pictures, parts, baseSize, journalSize }: ModelInfo): KeptModelInfo {
+  return { id, name, created, modified, pictures, parts, bytes: baseSize + journalSize };
+}
+
 /** Puts the API on the window. */
-export function installApi(page: ApiPage): void {
+export function installApi(api: ApiPage): void {
+  const { page } = api;
   const running = async (): Promise<Engine> => {
-    await page.ready;
-    const engine = page.engine();
+    await api.ready;
+    const engine = api.engine();
     if (!engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
     return engine;
   };
-  const api: SpineLoftApi = {
+  const installed: SpineLoftApi = {
     version: SPINELOFT_SITE.version,
-    ready: page.ready,
+    ready: api.ready,
     async idle() {
       const engine = await running();
       // Twice in a row: finished work may start the next stage.
       for (let quiet = 0; quiet < 2; ) {
-        quiet = engine.isIdle() && !page.isBusy() ? quiet + 1 : 0;
+        quiet = engine.isIdle() && !page.isBusy ? quiet + 1 : 0;
         await wait(kPollMs);
       }
     },
@@ -51,23 +64,34 @@ export function installApi(page: ApiPage): void {
       await running();
       await page.openImage(blob, name);
     },
+    async openProject(blob) {
+      await running();
+      await page.openProject(blob);
+    },
+    async models() {
+      await running();
+      return (await page.listModels()).map(keptModelOf);
+    },
     imageToClient(x, y) {
-      const box = page.canvas.getBoundingClientRect();
-      const at = page.engine()?.imageToCanvas(x, y) ?? { x: 0, y: 0 };
+      const box = api.canvas.getBoundingClientRect();
+      const at = api.engine()?.imageToCanvas(x, y) ?? { x: 0, y: 0 };
       return { x: at.x + box.left, y: at.y + box.top };
     },
-    state: () => page.engine()?.state() ?? structuredClone(kBeforeReady),
-    commands: (): Command[] => page.engine()?.commands() ?? [],
+    history: () => api.engine()?.history() ?? '',
+    state: () => api.engine()?.state() ?? structuredClone(kBeforeReady),
+    commands: (): Command[] => api.engine()?.commands() ?? [],
     async run(id, args) {
-      (await running()).run(id, args);
+      const engine = await running();
+      page.mustBeChangeable();
+      engine.run(id, args);
     },
     async exportModel(format) {
       const engine = await running();
       if (!kFormats.includes(format)) {
-        throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj or stl.`);
+        throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj, stl or spineloft.`);
       }
       return engine.exportModel(format);
     },
   };
-  Object.defineProperty(window, 'spineloft', { value: Object.freeze(api), enumerable: true });
+  Object.defineProperty(window, 'spineloft', { value: Object.freeze(installed), enumerable: true });
 }

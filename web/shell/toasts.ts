@@ -5,10 +5,18 @@ import { icon } from './icons.ts';
 export type ToastLevel = 'info' | 'error';
 
 const kMs: Record<ToastLevel, number> = { info: 4500, error: 9000 };
+/** Who is to press a button needs longer. */
+const kActionMs = 9000;
 const kMost = 4;
 
+/** A button of a toast. */
+export interface ToastAction {
+  label: string;
+  run(): void;
+}
+
 /** Shows a toast; the same text again only restarts its time. */
-export function toast(text: string, level: ToastLevel = 'info'): void {
+export function toast(text: string, level: ToastLevel = 'info', action?: ToastAction): void {
   const stack = byId('toasts');
   for (const old of [...stack.children]) {
     if ((old as HTMLElement).dataset.text === text) old.remove();
@@ -17,14 +25,23 @@ export function toast(text: string, level: ToastLevel = 'info'): void {
   const close = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Dismiss' });
   close.append(icon('x'));
   const element = make('div', { class: `toast toast-${level}`, role: level === 'error' ? 'alert' : 'status' },
-    icon(level === 'error' ? 'circle-alert' : 'circle-check'), make('p', {}, text), close);
+    icon(level === 'error' ? 'circle-alert' : 'circle-check'), make('p', {}, text));
+  if (action) {
+    const button = make('button', { type: 'button', class: 'button toast-action' }, action.label);
+    button.addEventListener('click', () => {
+      element.remove();
+      action.run();
+    });
+    element.append(button);
+  }
+  element.append(close);
   element.dataset.text = text;
   stack.append(element);
   let timer = 0;
   const stop = () => clearTimeout(timer);
   const start = () => {
     stop();
-    timer = window.setTimeout(() => element.remove(), kMs[level]);
+    timer = window.setTimeout(() => element.remove(), action ? kActionMs : kMs[level]);
   };
   close.addEventListener('click', () => element.remove());
   // Reading takes the time it takes: the clock stands still under the pointer and while focused.

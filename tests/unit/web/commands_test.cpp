@@ -38,7 +38,7 @@ TEST_CASE("every key of the table reaches its command and no other") {
       {{"NumpadAdd", "+", true, 0}, "zoom-in"},
       {{"Minus", "-", true, 0}, "zoom-out"},
       {{"KeyH", "h", true, 0}, "home-view"},
-      {{"KeyS", "s", true, platform::kControl}, "save-glb"},
+      {{"KeyS", "s", true, platform::kControl}, "save-project"},
       {{"Escape", "Escape", true, 0}, "cancel"},
   };
   for (const auto& [event, id] : keys) {

@@ -1,0 +1,317 @@
+// Models are kept on the device by themselves: across reloads, in a list, in one tab at a time, and with words where it fails.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { drawWithMouse, idle, onPage, openPicture, run, state, toastText, useSite } from './support/page.mjs';
+import { history, inStore, models, smallTube as tube } from './support/keeping.mjs';
+
+const kit = useSite();
+const quick = { isolated: false, query: '?threads=0' };
+
+/** Loads the page again and waits until it runs. */
+async function reload(page) {
+  await page.reload();
+  await page.evaluate(() => window.spineloft.ready);
+  await idle(page);
+}
+
+async function drawPart(page) {
+  await openPicture(page, tube.png, 'tube.png');
+  await drawWithMouse(page, tube.middle);
+}
+
+/** A second tab of the same browser profile. */
+async function secondTab(page) {
+  const other = await page.context().newPage();
+  await other.goto(page.url());
+  await other.evaluate(() => window.spineloft.ready);
+  return other;
+}
+
+const banner = (page) => page.locator('#banners .banner');
+const asksBeforeLeaving = (page) => page.evaluate(() => {
+  const event = new Event('beforeunload', { cancelable: true });
+  window.dispatchEvent(event);
+  return event.defaultPrevented;
+});
+
+test('a reload brings back the model with undo and redo, and says so', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  await run(page, 'set-section', { section: 'star' });
+  await run(page, 'set-height', { mm: 70 });
+  await run(page, 'undo');
+  await idle(page);
+  const before = await history(page), looks = (await state(page)).parts;
+  assert.equal(await asksBeforeLeaving(page), false);
+  await reload(page);
+  assert.match(await toastText(page, 'status'), /Welcome back\. tube/);
+  assert.equal(await history(page), before);
+  assert.deepEqual((await state(page)).parts, looks);
+  await page.keyboard.press('Control+Shift+z');
+  assert.equal((await state(page)).heightMm, 70);
+  for (let i = 0; i < 4; ++i) await run(page, 'undo');
+  assert.equal((await state(page)).picture, null);
+  await run(page, 'redo');
+  await idle(page);
+  await reload(page);
+  assert.equal((await state(page)).redo, 3);
+}));
+
+test('what is not finished yet, a stroke in hand, is all that a reload loses', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  const before = await history(page);
+  await page.mouse.move(200, 300);
+  await page.mouse.down();
+  await page.mouse.move(300, 320);
+  await reload(page);
+  assert.equal(await history(page), before);
+}));
+
+test('starting a new one leaves the old one in the list, from where it is opened again', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  const first = await history(page);
+  await reload(page);
+  await page.getByRole('button', { name: 'Start a new one' }).click();
+  await idle(page);
+  assert.equal(await page.locator('#start').isVisible(), true);
+  assert.equal(await page.locator('#models-cards .model-name').innerText(), 'tube');
+  assert.match(await page.locator('#models-cards .model-detail').innerText(), /1 part · today/);
+  await page.locator('#models-cards img').waitFor();
+  await reload(page);
+  assert.equal(await page.locator('#start').isVisible(), true, 'a new one stays a new one');
+  await page.locator('#models-cards .model-open').click();
+  await page.waitForFunction(() => window.spineloft.state().picture !== null);
+  await idle(page);
+  assert.equal(await history(page), first);
+}));
+
+test('models are duplicated, renamed and deleted from the list, and a deletion can be undone', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  await run(page, 'new-model');
+  await idle(page);
+  const more = async (name, action) => {
+    await page.getByRole('button', { name: `More about ${name}` }).click();
+    await page.getByRole('menuitem', { name: action }).click();
+    await idle(page);
+  };
+  const names = async () => (await models(page)).map((model) => model.name).sort();
+  await more('tube', 'Duplicate');
+  assert.deepEqual(await names(), ['tube', 'tube copy']);
+  await page.getByRole('button', { name: 'More about tube copy' }).click();
+  await page.getByRole('menuitem', { name: 'Rename' }).click();
+  await page.locator('dialog input').fill('Swan');
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'More about Swan' }).waitFor();
+  assert.deepEqual(await names(), ['Swan', 'tube']);
+  await page.locator('.model-open', { hasText: 'Swan' }).click();
+  await page.waitForFunction(() => window.spineloft.state().picture !== null);
+  assert.equal((await state(page)).documentName, 'Swan', 'the document learns its name');
+  await page.keyboard.press('Control+Shift+o');
+  await page.locator('.models-dialog').waitFor();
+  await more('Swan', 'Delete');
+  assert.deepEqual(await names(), ['tube']);
+  assert.equal((await state(page)).picture, null);
+  await page.locator('.models-dialog [aria-label=Close]').click();
+  await page.getByRole('button', { name: 'Undo', exact: true }).last().click();
+  await page.getByRole('button', { name: 'More about Swan' }).waitFor();
+  await page.locator('.model-open', { hasText: 'Swan' }).click();
+  await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+}));
+
+test('a duplicate of the open model is worked on, and the original stays as it was', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  await run(page, 'duplicate-model');
+  await idle(page);
+  await run(page, 'set-section', { section: 'star' });
+  await idle(page);
+  assert.equal((await state(page)).documentName, 'tube copy');
+  const original = (await models(page)).find((model) => model.name === 'tube');
+  await run(page, 'open-model', { id: original.id });
+  await idle(page);
+  assert.equal((await state(page)).parts[0].section, 'circle');
+}));
+
+test('an emptied board can be undone from the start page', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  await run(page, 'clear');
+  await idle(page);
+  await reload(page);
+  await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
+  await idle(page);
+  assert.equal((await state(page)).parts.length, 1);
+}));
+
+test('a photo is stored once however many models show it, and a small one takes little room', () => onPage(kit, quick, async (page) => {
+  for (let i = 0; i < 3; ++i) {
+    await drawPart(page);
+    await run(page, 'new-model');
+    await idle(page);
+  }
+  assert.equal((await models(page)).length, 3);
+  const photos = await inStore(page, 'photos');
+  assert.equal(photos.length, 1);
+  assert.ok(photos[0].bytes < 4 * tube.width * tube.height);
+  assert.equal((await inStore(page, 'journal')).length, 3, 'one record for each line; the picture is in the base');
+}));
+
+for (const locks of [true, false]) {
+  test(`two tabs never write the same model: a copy or taking over, ${locks ? 'with Web Locks' : 'by signs of life'}`, async () => {
+    const { page, context, close } = await kit.open(quick);
+    if (!locks) await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }));
+    await reload(page);
+    await drawPart(page);
+    const before = await history(page);
+    const other = await secondTab(page);
+    await other.bringToFront();
+    assert.match(await banner(other).innerText(), /tube is open in another tab/);
+    assert.equal((await state(other)).picture, null);
+    assert.match(await other.locator('#models-cards .model-badge').innerText(), /another tab/);
+
+    await banner(other).getByRole('button', { name: 'Take over here' }).click();
+    await other.waitForFunction(() => window.spineloft.state().picture !== null);
+    await idle(other);
+    assert.equal(await history(other), before);
+    await run(other, 'set-section', { section: 'star' });
+    await idle(other);
+
+    await page.bringToFront();
+    await banner(page).waitFor();
+    assert.match(await banner(page).innerText(), /open in another tab now/);
+    const refused = await page.evaluate(() => window.spineloft.run('undo').then(() => null, (error) => error.code));
+    assert.equal(refused, 'OpenElsewhere');
+    await page.keyboard.press('Control+z');
+    await drawWithMouse(page, tube.middle);
+    assert.equal(await history(page), before, 'here it can only be looked at');
+    await banner(page).getByRole('button', { name: 'Open a copy' }).click();
+    await idle(page);
+    assert.equal(await banner(page).count(), 0);
+    await run(page, 'set-section', { section: 'hexagon' });
+    await idle(page);
+
+    await reload(other);
+    assert.equal((await state(other)).parts[0].section, 'star');
+    await reload(page);
+    assert.equal((await state(page)).parts[0].section, 'hexagon');
+    assert.deepEqual((await models(page)).map((model) => model.name).sort(), ['tube', 'tube copy']);
+    await close();
+  });
+}
+
+test('a model that another tab has open is opened as a copy from the list', async () => {
+  const { page, close } = await kit.open(quick);
+  await drawPart(page);
+  const other = await secondTab(page);
+  await other.bringToFront();
+  await other.locator('.model-open').click();
+  await banner(other).getByRole('button', { name: 'Open a copy' }).click();
+  await other.waitForFunction(() => window.spineloft.state().documentName === 'tube copy');
+  assert.equal((await state(page)).documentName, 'tube');
+  await close();
+});
+
+for (const [what, spoil] of [
+  ['missing', () => { delete globalThis.indexedDB; Object.defineProperty(globalThis, 'indexedDB', { value: undefined }); }],
+  ['blocked', () => { IDBFactory.prototype.open = () => { throw new DOMException('no', 'SecurityError'); }; }],
+]) {
+  test(`where storage is ${what} the page works on, says so once, and offers a file`, async () => {
+    const context = await kit.browser.newContext();
+    const page = await context.newPage();
+    await page.addInitScript(spoil);
+    await page.addInitScript(() => Object.defineProperty(window, 'sessionStorage', { get() { throw new DOMException('no', 'SecurityError'); } }));
+    await page.goto(`${kit.sites.false.url}?threads=0`);
+    await page.evaluate(() => window.spineloft.ready);
+    assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
+    await drawPart(page);
+    assert.match(await banner(page).innerText(), /does not let the page keep your models/);
+    assert.equal((await state(page)).parts.length, 1);
+    assert.equal(await asksBeforeLeaving(page), true);
+    await banner(page).getByRole('button', { name: 'Dismiss' }).click();
+    for (const section of ['star', 'square', 'circle']) await run(page, 'set-section', { section });
+    await idle(page);
+    assert.equal(await banner(page).count(), 0, 'not on every stroke');
+    await run(page, 'new-model');
+    await page.getByRole('dialog').getByRole('button', { name: 'Let it go' }).click();
+    await idle(page);
+    assert.equal((await state(page)).picture, null);
+    await context.close();
+  });
+}
+
+test('a full disk is said once with a way out, and everything is kept again when there is room', async () => {
+  const { page, close } = await kit.open(quick);
+  await drawPart(page);
+  const session = await page.context().newCDPSession(page);
+  const origin = new URL(page.url()).origin;
+  await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1 });
+  for (const section of ['star', 'square', 'hexagon']) {
+    await run(page, 'set-section', { section });
+    await idle(page);
+  }
+  assert.equal(await banner(page).count(), 1);
+  assert.match(await banner(page).innerText(), /no room left[\s\S]*Save a file[\s\S]*Your models/);
+  assert.equal(await asksBeforeLeaving(page), true);
+  const now = await history(page);
+  await session.send('Storage.overrideQuotaForOrigin', { origin });
+  await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+  await idle(page);
+  assert.match(await toastText(page, 'status'), /kept on this device again/);
+  assert.equal(await banner(page).count(), 0);
+  await reload(page);
+  assert.equal(await history(page), now);
+  await close();
+});
+
+test('models of a newer page are left alone, and it is said what to do', async () => {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  await page.goto(kit.sites.false.url.replace(/\/$/, '/index.html'));
+  await page.evaluate(() => window.spineloft.ready);
+  await page.evaluate(() => new Promise((resolve) => {
+    const opening = indexedDB.open('spineloft', 77);
+    opening.onsuccess = () => { opening.result.close(); resolve(); };
+  }));
+  await page.reload();
+  await page.evaluate(() => window.spineloft.ready);
+  await drawPart(page);
+  assert.match(await banner(page).innerText(), /newer SpineLoft/);
+  assert.equal((await state(page)).parts.length, 1);
+  await context.close();
+});
+
+test('a damaged record is said, what came before it is there, and what comes after it is kept', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  for (const section of ['star', 'square', 'hexagon']) await run(page, 'set-section', { section });
+  await idle(page);
+  await inStore(page, 'journal', (store) => {
+    const all = store.getAll();
+    all.onsuccess = () => {
+      const row = all.result.at(-2);
+      store.put({ ...row, text: row.text.replace('square', 'sqvare') });
+    };
+  });
+  await reload(page);
+  assert.match(await toastText(page), /The last 2 steps of tube could not be read/);
+  assert.equal((await state(page)).parts[0].section, 'star');
+  await run(page, 'set-caps', { both: 'flat' });
+  await idle(page);
+  const now = await history(page);
+  await reload(page);
+  assert.equal(await history(page), now);
+}));
+
+test('a model whose base is damaged is said and stays in the list; the page works', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  await inStore(page, 'bases', (store) => {
+    const all = store.getAll();
+    all.onsuccess = () => store.put({ ...all.result[0], text: all.result[0].text.slice(1) });
+  });
+  await reload(page);
+  assert.match(await toastText(page), /tube could not be brought back/);
+  assert.equal((await models(page)).length, 1);
+  await drawPart(page);
+  assert.equal((await models(page)).length, 2);
+}));
+
+test('the status line tells how much undo history there is', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  assert.match(await page.locator('#status-history').innerText(), /^Undo history: \d+\.\d MB of 64 MB$/);
+}));

@@ -1,0 +1,132 @@
+// P1: nothing a person drew is lost. Hundreds of pages are killed in the middle of seeded random gestures, and each
+// time the model comes back as it was, but for the gesture in hand.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import test from 'node:test';
+import { startSite } from '../../.ci/lib/browser.mjs';
+import { openPicture, run, toClient } from './support/page.mjs';
+import { history, smallTube, startKeptBrowser } from './support/keeping.mjs';
+
+const kRounds = Number(process.env.SPINELOFT_KILLS ?? 200);
+/** Rounds until a new model is begun. */
+const kModelRounds = 20;
+
+function seeded(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 4294967296;
+  };
+}
+
+const presentOf = (text) => JSON.stringify(JSON.parse(text).present);
+
+/** A line along the tube, a little different each time. */
+function strokeOf(random) {
+  const shift = 6 * random() - 3;
+  return smallTube.middle.filter((_, i) => i % 9 === 0).map(([x, y]) => [x, y + shift]);
+}
+
+async function drawQuickly(page, stroke) {
+  const path = await toClient(page, stroke);
+  await page.mouse.move(path[0].x, path[0].y);
+  await page.mouse.down();
+  for (const at of path.slice(1)) await page.mouse.move(at.x, at.y);
+  await page.mouse.up();
+}
+
+/** One random thing that a visitor does; says how it is taken back. */
+function gesture(page, random) {
+  const choose = (list) => list[Math.floor(random() * list.length)];
+  const kinds = [
+    ['undo', () => drawQuickly(page, strokeOf(random))],
+    ['undo', () => drawQuickly(page, strokeOf(random))],
+    ['undo', () => run(page, 'set-section', { section: choose(['circle', 'square', 'star', 'hexagon']) })],
+    ['undo', () => run(page, 'set-caps', { both: choose(['round', 'flat', 'pointed', 'open']) })],
+    ['undo', () => run(page, 'rename-model', { name: `Model ${Math.floor(random() * 1e6)}` })],
+    ['redo', () => page.keyboard.press('Control+z')],
+    ['undo', () => page.keyboard.press('Control+Shift+z')],
+    ['undo', () => page.keyboard.press('Delete')],
+  ];
+  const [takenBack, act] = choose(kinds);
+  return { takenBack, act };
+}
+
+/** Works until it is killed; what it knows of the model before that is in `states`. */
+async function workUntilKilled(page, random, states) {
+  const session = await page.context().newCDPSession(page);
+  const gone = new Promise((resolve) => { page.once('crash', resolve); page.once('close', resolve); });
+  const delay = 40 + random() * 500, crash = random() < 0.75;
+  const killing = new Promise((resolve) => { setTimeout(resolve, delay); }).then(() => (
+    crash ? session.send('Page.crash').catch(() => undefined) : page.close({ runBeforeUnload: false })));
+  let inHand = null;
+  try {
+    for (;;) {
+      inHand = gesture(page, random);
+      // A refused command (nothing to undo, no part) is no gesture; a killed page ends the round below.
+      await inHand.act().catch((error) => { if (page.isClosed() || /crash|closed/i.test(error.message)) throw error; });
+      states.push(await history(page));
+      inHand = null;
+    }
+  } catch (error) {
+    if (!/crash|closed|destroyed|detached/i.test(error.message)) throw error;
+  }
+  await gone;
+  await killing;
+  await page.close().catch(() => undefined);
+  return inHand;
+}
+
+/** What came back, compared with what is known: 'whole', 'in-hand' (even the gesture in hand is there), 'one-lost' or 'lost'. */
+async function verdict(page, states, inHand) {
+  const back = await history(page);
+  if (back === states.at(-1)) return 'whole';
+  if (inHand) {
+    await run(page, inHand.takenBack).catch(() => undefined);
+    const before = presentOf(await history(page)) === presentOf(states.at(-1));
+    await run(page, inHand.takenBack === 'undo' ? 'redo' : 'undo').catch(() => undefined);
+    if (before) return 'in-hand';
+  }
+  return states.length > 1 && back === states.at(-2) ? 'one-lost' : 'lost';
+}
+
+test(`a page that is killed ${kRounds} times at random comes back each time, at most the last gesture old`, { timeout: 1_200_000 }, async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'spineloft-kill-'));
+  const site = await startSite({ isolated: false });
+  const context = await startKeptBrowser(folder);
+  const random = seeded(20261121);
+  const counts = { whole: 0, 'in-hand': 0, 'one-lost': 0, lost: 0 };
+  let gestures = 0, inGesture = 0;
+  const started = Date.now();
+  try {
+    let states = null, inHand = null;
+    for (let round = 0; round <= kRounds; ++round) {
+      const page = await context.newPage();
+      await page.goto(`${site.url}?threads=0`, { waitUntil: 'commit' });
+      await page.waitForFunction(() => window.spineloft !== undefined);
+      await page.evaluate(() => window.spineloft.ready);
+      if (states) {
+        const result = await verdict(page, states, inHand);
+        counts[result] += 1;
+        assert.notEqual(result, 'lost', `round ${round}`);
+      }
+      if (round === kRounds) break;
+      if (round % kModelRounds === 0) {
+        await run(page, 'new-model').catch(() => undefined);
+        await page.evaluate(() => window.spineloft.idle());
+        await openPicture(page, smallTube.png, 'tube.png');
+      }
+      states = [await history(page)];
+      inHand = await workUntilKilled(page, random, states);
+      gestures += states.length - 1;
+      inGesture += inHand ? 1 : 0;
+    }
+    t.diagnostic(`${kRounds} kills (${inGesture} in the middle of a gesture), ${gestures} gestures, ${JSON.stringify(counts)}, ${Math.round((Date.now() - started) / 1000)} s`);
+  } finally {
+    await context.close();
+    await site.close();
+    rmSync(folder, { recursive: true, force: true });
+  }
+});

@@ -1,0 +1,449 @@
+// The models of this device: which one is open here, bringing it back, changing to another one, and what is said
+// when keeping does not work. One tab writes a model (claims.ts); every step of it is written down (journal_writer.ts).
+import { hideBanner, showBanner } from '../banner.ts';
+import { Failure, sentenceOf } from '../failure.ts';
+import { toast } from '../toasts.ts';
+import { makeClaims } from './claims.ts';
+import type { Claims } from './claims.ts';
+import { JournalWriter, kTrashMs } from './journal_writer.ts';
+import type { HistorySource, JournalEvent } from './journal_writer.ts';
+import { unpackPhoto } from './pack.ts';
+import type { RawPhoto } from './pack.ts';
+import { recall, remember, tabName } from './session.ts';
+import { ModelStore, newModelId } from './store.ts';
+import type { KeptModel, ModelInfo } from './store.ts';
+import { shrunkPicture } from './thumbnail.ts';
+import { StoreFailure, storeFailureOf } from './trouble.ts';
+
+/** What the keeper needs of the engine. */
+export interface KeptEngine extends HistorySource {
+  layPhotoBy(photo: RawPhoto): string;
+  /** Replaces the model; an empty base is an empty one. How many records were damaged. Throws a Failure, and then nothing has changed. */
+  restore(base: string, records: string[]): number;
+  openProject(bytes: Uint8Array): void;
+  run(id: string, args?: Record<string, unknown>): void;
+  thumbnail(width: number, height: number): Uint8ClampedArray | null;
+}
+
+/** What the keeper needs of the page. */
+export interface KeeperPage {
+  /** The list of models or the state of keeping is another one. */
+  changed(): void;
+  /** Whether this tab may change the model. */
+  setReadOnly(readOnly: boolean): void;
+  showModels(): void;
+  pickModelFile(): void;
+  askName(title: string, text: string, value: string): Promise<string | null>;
+  /** True when the model may go although it is kept nowhere. */
+  mayLose(): Promise<boolean>;
+}
+
+export type KeepEvent = { type: 'keep'; what: string; id: string };
+
+const kThumbnail = { width: 208, height: 156 }, kThumbnailMs = 1200;
+const kNoModel = 'none';
+
+export class Keeper {
+  private store: ModelStore | null = null;
+  private trouble: StoreFailure | null = null;
+  private claims: Claims | null = null;
+  private writer: JournalWriter;
+  private readonly token = newModelId();
+  private readonly tab = tabName();
+  private queue: Promise<unknown> = Promise.resolve();
+  private changing = 0;
+  private thumbnailTimer = 0;
+  private readOnly = false;
+  private askedToPersist = false;
+
+  constructor(private readonly engine: KeptEngine, private readonly page: KeeperPage) {
+    this.writer = this.makeWriter();
+    document.addEventListener('visibilitychange', () => this.seen());
+  }
+
+  /** Id of the open model; null while it is empty and new. */
+  get current(): string | null {
+    return this.writer.model;
+  }
+
+  get isBusy(): boolean {
+    return this.changing > 0 || this.writer.isBusy;
+  }
+
+  /** True when closing the page loses nothing. */
+  get isSafe(): boolean {
+    return this.writer.isSafe && this.changing === 0;
+  }
+
+  /** Opens the store and brings back the model that was open here last. Never rejects. */
+  start(): Promise<void> {
+    return this.change(async () => {
+      try {
+        this.store = await ModelStore.open();
+        this.claims = makeClaims(this.store, this.tab, {
+          finish: async (id) => { if (id === this.current) await this.writer.settled(); },
+          lost: (id) => { if (id === this.current) this.lose(); },
+        });
+        this.writer = this.makeWriter();
+        await this.store.sweep(Date.now() - kTrashMs);
+        await this.bringBack();
+      } catch (thrown) {
+        this.trouble = storeFailureOf(thrown);
+      }
+      this.page.changed();
+    });
+  }
+
+  /** One step of the document. */
+  take(event: JournalEvent): void {
+    this.writer.take(event);
+    if (event.parts > 0) this.askToPersist();
+  }
+
+  /** What a command asks for. */
+  handle(event: KeepEvent): void {
+    const id = event.id || null;
+    switch (event.what) {
+      case 'new-model': this.complainOf(this.newModel()); break;
+      case 'open-model': if (id) this.complainOf(this.openModel(id)); else this.page.showModels(); break;
+      case 'open-file': this.page.pickModelFile(); break;
+      case 'duplicate-model': this.complainOf(id ? this.duplicate(id) : this.copyHere()); break;
+      case 'delete-model': if (id) this.complainOf(this.remove(id)); break;
+    }
+  }
+
+  /** All models, the last changed first. */
+  async list(): Promise<ModelInfo[]> {
+    if (!this.store) return [];
+    try {
+      return await this.store.list();
+    } catch {
+      return [];
+    }
+  }
+
+  /** Ids of models that other tabs have open. */
+  async elsewhere(): Promise<Set<string>> {
+    const ids = await (this.claims?.all().catch(() => []) ?? []);
+    return new Set(ids.filter((id) => id !== this.current || this.readOnly));
+  }
+
+  newModel(): Promise<void> {
+    return this.change(async () => {
+      if (!(await this.finishCurrent())) return;
+      this.engine.restore('', []);
+      this.settleOn(null);
+    });
+  }
+
+  openModel(id: string): Promise<void> {
+    return this.change(async () => {
+      if (id === this.current && !this.readOnly) return;
+      if (!(await this.finishCurrent())) return;
+      if (!(await this.claims?.claim(id))) {
+        await this.offerHeld(id);
+        return;
+      }
+      await this.openClaimed(id);
+    });
+  }
+
+  /** Opens a project file as a new model. Rejects with the engine's Failure, and then nothing has changed. */
+  openProject(bytes: Uint8Array): Promise<void> {
+    return this.change(async () => {
+      if (!(await this.finishCurrent())) return;
+      this.engine.openProject(bytes);
+      this.settleOn(null);
+      this.writer.rewrite();
+    });
+  }
+
+  /** A copy of a model in the list. */
+  duplicate(id: string): Promise<void> {
+    return this.change(async () => {
+      if (id === this.current) await this.writer.settled();
+      const info = await this.store?.info(id);
+      if (!info) return;
+      const copy = await this.store?.duplicate(id, copyName(info.name), Date.now());
+      if (copy) toast(`${copy.name} is in your models.`);
+      this.page.changed();
+    });
+  }
+
+  /** Goes on with a copy; the model as it is stays in the list. */
+  copyHere(): Promise<void> {
+    return this.change(async () => {
+      await this.writer.settled();
+      const { name } = this.engine.about();
+      this.settleOn(null);
+      this.writer.rewrite();
+      this.engine.run('rename-model', { name: copyName(name) });
+      toast(`This is ${copyName(name)} now. The model as it was stays in your models.`);
+    });
+  }
+
+  async rename(id: string): Promise<void> {
+    const info = await this.store?.info(id);
+    const name = info && (await this.page.askName('Rename model', 'A name for this model', info.name));
+    if (!name?.trim()) return;
+    if (id === this.current) this.engine.run('rename-model', { name });
+    else await this.store?.rename(id, name.trim().slice(0, 200));
+    await this.writer.settled();
+    this.page.changed();
+  }
+
+  /** Takes a model off the device; for a while it can be brought back. */
+  async remove(id: string): Promise<void> {
+    const info = await this.store?.info(id);
+    if (!info) throw new Failure('NoSuchModel', 'There is no such model on this device.');
+    if ((await this.elsewhere()).has(id)) throw new Failure('OpenElsewhere', `${info.name} is open in another tab. Close it there first.`);
+    if (id === this.current) await this.newModel();
+    await this.store?.delete(id, Date.now());
+    if (this.writer.isInTrouble) {
+      // Its room is wanted now.
+      await this.store?.sweep(Date.now());
+      this.writer.retry();
+      this.page.changed();
+      return;
+    }
+    this.page.changed();
+    const bringBack = async () => {
+      await this.store?.undelete(id);
+      this.page.changed();
+    };
+    toast(`${info.name} is deleted.`, 'info', { label: 'Undo', run: () => this.complainOf(bringBack()) });
+  }
+
+  /** Resolves when nothing is being written or changed any more. */
+  async settled(): Promise<void> {
+    while (this.isBusy) {
+      await this.queue.catch(() => undefined);
+      await this.writer.settled();
+    }
+  }
+
+  // ---- changing to another model, one after the other -------------------------------------------
+
+  private change<T>(work: () => Promise<T>): Promise<T> {
+    this.changing += 1;
+    const done = this.queue.then(work, work).finally(() => {
+      this.changing -= 1;
+      this.page.changed();
+    });
+    this.queue = done.catch(() => undefined);
+    return done;
+  }
+
+  private complainOf(work: Promise<unknown>): void {
+    work.catch((thrown: unknown) => toast(thrown instanceof StoreFailure ? thrown.message : sentenceOf(thrown), 'error'));
+  }
+
+  /** Everything of the open model is on the disk. False when the visitor would rather stay. */
+  private async finishCurrent(): Promise<boolean> {
+    await this.writer.settled();
+    const isEmpty = this.engine.about().pictures === 0;
+    if (!this.writer.isSafe && !isEmpty) return this.page.mayLose();
+    if (!isEmpty) await this.keepThumbnail();
+    await this.writer.settled();
+    return true;
+  }
+
+  /** From now on the engine's history is this model's (null: a new one's). Nothing of the old one is pending. */
+  private settleOn(info: ModelInfo | null): void {
+    const old = this.current;
+    if (old && old !== info?.id) this.claims?.release(old);
+    clearTimeout(this.thumbnailTimer);
+    this.setReadOnly(false);
+    this.writer.attach(info);
+    this.rememberOpen(info?.id ?? null);
+    hideBanner('elsewhere');
+  }
+
+  private async openClaimed(id: string): Promise<void> {
+    const store = this.store;
+    try {
+      const kept = await store?.read(id, this.token);
+      if (!kept) throw new Failure('NoSuchModel', 'There is no such model on this device.');
+      await this.layPhotosBy(kept);
+      await this.writer.settled();
+      const damaged = this.engine.restore(kept.base, kept.records) + kept.lost;
+      this.settleOn(kept.info);
+      if (kept.info.newName !== null) this.engine.run('rename-model', { name: kept.info.newName });
+      if (damaged > 0) {
+        // What comes next must not stand behind what cannot be read.
+        this.writer.rewrite();
+        const steps = damaged === 1 ? 'The last step' : `The last ${damaged} steps`;
+        toast(`${steps} of ${kept.info.name} could not be read and ${damaged === 1 ? 'is' : 'are'} left out.`, 'error');
+      }
+    } catch (thrown) {
+      if (id !== this.current) this.claims?.release(id);
+      throw thrown;
+    }
+  }
+
+  private async layPhotosBy(kept: KeptModel): Promise<void> {
+    for (const hash of kept.info.photos) {
+      const packed = await this.store?.photo(hash);
+      const photo = packed && (await unpackPhoto(packed));
+      if (photo) this.engine.layPhotoBy(photo);
+    }
+  }
+
+  private async bringBack(): Promise<void> {
+    const id = recall('model') ?? (await this.store?.setting('open'));
+    if (typeof id !== 'string' || id === kNoModel) return;
+    const info = await this.store?.info(id);
+    if (!info || info.deleted !== null) return;
+    if (!(await this.claimPatiently(id))) {
+      await this.offerHeld(id);
+      return;
+    }
+    try {
+      await this.openClaimed(id);
+      const startOver = { label: 'Start a new one', run: () => this.complainOf(this.newModel()) };
+      if (info.pictures > 0) toast(`Welcome back. ${info.name} is as you left it.`, 'info', startOver);
+    } catch (thrown) {
+      toast(`${info.name} could not be brought back: ${sentenceOf(thrown)}`, 'error');
+    }
+  }
+
+  /** What this tab was before may hold the model for a moment longer. */
+  private async claimPatiently(id: string): Promise<boolean> {
+    for (let tries = recall('model') === id ? 10 : 3; tries > 0; --tries) {
+      if (await this.claims?.claim(id)) return true;
+      if (tries > 1) await new Promise((resolve) => setTimeout(resolve, 100));
+    }
+    return false;
+  }
+
+  // ---- tabs -------------------------------------------------------------------------------------
+
+  private async offerHeld(id: string): Promise<void> {
+    const name = (await this.store?.info(id))?.name ?? 'This model';
+    showBanner({
+      id: 'elsewhere',
+      text: `${name} is open in another tab. To keep both from writing over each other, only one tab can change it.`,
+      actions: [
+        { label: 'Open a copy', run: () => this.complainOf(this.openCopyOf(id)) },
+        { label: 'Take over here', run: () => this.complainOf(this.takeOver(id)) },
+      ],
+      canDismiss: true,
+    });
+  }
+
+  private openCopyOf(id: string): Promise<void> {
+    return this.change(async () => {
+      const info = await this.store?.info(id);
+      const copy = info && (await this.store?.duplicate(id, copyName(info.name), Date.now()));
+      if (!copy || !(await this.finishCurrent()) || !(await this.claims?.claim(copy.id))) return;
+      await this.openClaimed(copy.id);
+    });
+  }
+
+  private takeOver(id: string): Promise<void> {
+    return this.change(async () => {
+      if (!this.readOnly && !(await this.finishCurrent())) return;
+      await this.claims?.take(id);
+      await this.openClaimed(id);
+    });
+  }
+
+  /** Another tab has the open model now. */
+  private lose(): void {
+    if (this.readOnly) return;
+    const id = this.current;
+    this.writer.stop();
+    this.setReadOnly(true);
+    showBanner({
+      id: 'elsewhere',
+      text: `${this.engine.about().name} is open in another tab now. Here it can only be looked at.`,
+      actions: [
+        { label: 'Open a copy', run: () => this.complainOf(this.copyHere()) },
+        { label: 'Take over here', run: () => { if (id) this.complainOf(this.takeOver(id)); } },
+      ],
+      canDismiss: false,
+    });
+  }
+
+  private setReadOnly(readOnly: boolean): void {
+    this.readOnly = readOnly;
+    this.page.setReadOnly(readOnly);
+  }
+
+  // ---- writing ----------------------------------------------------------------------------------
+
+  private makeWriter(): JournalWriter {
+    return new JournalWriter(this.engine, this.store, this.token, {
+      begin: async () => {
+        const id = newModelId();
+        await this.claims?.claim(id);
+        return id;
+      },
+      reopen: async () => {
+        this.store?.close();
+        this.store = await ModelStore.open();
+        return this.store;
+      },
+      kept: (info) => this.onKept(info),
+      trouble: (failure) => this.onTrouble(failure),
+      taken: () => this.lose(),
+    });
+  }
+
+  private onKept(info: ModelInfo): void {
+    this.rememberOpen(info.id);
+    clearTimeout(this.thumbnailTimer);
+    this.thumbnailTimer = window.setTimeout(() => void this.keepThumbnail(), kThumbnailMs);
+    this.page.changed();
+  }
+
+  private onTrouble(failure: StoreFailure | null): void {
+    if (!failure) {
+      hideBanner('trouble');
+      toast('Your work is kept on this device again.');
+      return;
+    }
+    const real = failure.code === 'missing' ? (this.trouble ?? failure) : failure;
+    const actions = [{ label: 'Save a file', run: () => this.engine.run('save-project') }];
+    if (real.code === 'full') actions.push({ label: 'Your models', run: () => this.page.showModels() });
+    showBanner({ id: 'trouble', text: real.message, actions, canDismiss: true });
+    this.page.changed();
+  }
+
+  /** For the list; a model without one is none the worse. */
+  private async keepThumbnail(): Promise<void> {
+    const id = this.current;
+    const pixels = id && !this.readOnly ? this.engine.thumbnail(kThumbnail.width, kThumbnail.height) : null;
+    if (!id || !pixels) return;
+    try {
+      await this.store?.setThumbnail(id, this.token, await shrunkPicture(pixels, kThumbnail));
+    } catch {
+      // The next one may work.
+    }
+  }
+
+  private rememberOpen(id: string | null): void {
+    if (recall('model') === (id ?? kNoModel)) return;
+    remember('model', id ?? kNoModel);
+    void this.store?.set('open', id ?? kNoModel).catch(() => undefined);
+  }
+
+  private seen(): void {
+    if (document.visibilityState === 'hidden') void this.keepThumbnail();
+    else this.writer.retry();
+  }
+
+  /** Once there is a part: browsers keep what they were asked to keep. */
+  private askToPersist(): void {
+    if (this.askedToPersist || !this.store) return;
+    this.askedToPersist = true;
+    void navigator.storage?.persist?.().catch(() => false);
+  }
+}
+
+/** "Swan copy", "Swan copy 2", "Swan copy 3" … */
+function copyName(name: string): string {
+  const [, stem = name, , number] = /^(.*?) copy( (\d+))?$/.exec(name) ?? [];
+  if (stem === name) return `${name} copy`;
+  return `${stem} copy ${number ? Number(number) + 1 : 2}`;
+}
