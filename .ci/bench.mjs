@@ -8,6 +8,7 @@ import { buildSite } from './build.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
 import { buildDir, root } from './lib/paths.mjs';
 import { mainProgram, output, run, say, Stop, talkOnStderr } from './lib/run.mjs';
+import { editingTimes } from './lib/editing_bench.mjs';
 import { siteSizes } from './lib/site.mjs';
 import { setup } from './setup.mjs';
 
@@ -129,7 +130,7 @@ async function accuracy(data) {
 await mainProgram(async () => {
   const { json, markdown: page, data } = options();
   talkOnStderr();
-  await setup(['native', 'wasm', 'node']);
+  await setup(['native', 'wasm', 'node', 'browser']);
   await buildTargets('native-release', ['spineloft', 'spineloft_bench']);
   await buildTargets('wasm-release', ['spineloft_bench']);
   await buildTargets('wasm-release-st', ['spineloft_bench']);
@@ -139,10 +140,14 @@ await mainProgram(async () => {
     machine: { cpu: cpus()[0]?.model ?? 'unknown', cores: cpus().length, node: process.version },
     stages: await stageTimes(),
     sizes: siteSizes(),
+    editing: await editingTimes(),
   };
   printStages(result.stages);
   result.growth = growth(result.stages);
   printTable('Growth: slope of log time over log size', result.growth, { of: 'what', ...Object.fromEntries(builds(result.stages).map((build) => [build, build])) });
+  const { parts, ribs, ...gestures } = result.editing;
+  printTable(`Editing ${parts} parts of ${ribs} ribs in Chromium: from the pointer to the screen`,
+    Object.entries(gestures).map(([name, times]) => ({ name, ...times })), { gesture: 'name', 'median ms': 'median_ms', 'p95 ms': 'p95_ms' });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
   if (existsSync(folder)) {

@@ -4,8 +4,27 @@
 /** A point in picture pixels: x to the right, y down, pixel centres at integers. */
 export type PicturePoint = [x: number, y: number];
 
-/** How sure a rib end is: on an edge, bridged between edges, or guessed from its neighbours. */
-export type RibState = 'edge' | 'bridged' | 'guessed';
+/** How sure a rib end is: on an edge, bridged between edges, guessed from its neighbours, put there by hand, or held there. */
+export type RibState = 'edge' | 'bridged' | 'guessed' | 'edited' | 'locked';
+
+/** One end of one rib of the selected part. */
+export interface RibEnd {
+  rib: number;
+  side: 'left' | 'right';
+}
+
+/** Where a part stands instead of where it was drawn. */
+export interface Pose {
+  /** The line of its bone; empty: as drawn. */
+  stroke: PicturePoint[];
+  /** [place 0…1, picture pixels towards the viewer]. */
+  depth: [at: number, depth: number][];
+  /** Turns of a coil and how far it is from its line, picture pixels. */
+  turns: number;
+  radius: number;
+  /** Its ends are joined. */
+  closed: boolean;
+}
 
 export interface Rib {
   center: PicturePoint;
@@ -13,6 +32,9 @@ export interface Rib {
   right: PicturePoint;
   leftState: RibState;
   rightState: RibState;
+  /** Other places where the end might stand, best first. */
+  leftOthers: PicturePoint[];
+  rightOthers: PicturePoint[];
 }
 
 /** One of the slices along a bone. */
@@ -53,6 +75,13 @@ export interface Part {
   /** Keys of the two ends: 'flat', 'round', 'pointed' or 'open'. */
   caps: { start: string; end: string };
   ribs: Rib[];
+  /** How many ends were put somewhere, ribs added and left out by hand. */
+  edits: { ends: number; added: number; removed: number };
+  /** Scribbles over edges that do not count for this part. */
+  ignored: number;
+  pose: Pose;
+  /** The handles of its bone, from start to end. */
+  bone: PicturePoint[];
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */
@@ -80,6 +109,8 @@ export interface ShownPicture extends PictureInfo {
   strokes: number;
   /** True once something is drawn that a bone could go through. */
   finished: boolean;
+  /** Scribbles over edges that count for none of its parts. */
+  ignored: number;
 }
 
 export type PenSize = 'fine' | 'medium' | 'bold';
@@ -98,7 +129,7 @@ export interface State {
   parts: Part[];
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'pen' and 'eraser' on paper … */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper */
   tool: string;
   /** Steps that undo and redo could go. */
   undo: number;
@@ -117,6 +148,16 @@ export interface State {
   activity: { label: string; done: number } | null;
   /** What the gesture in hand would make, and of which part (null: a new one); fresh when its shape is up to date. */
   preview: { points: number; part: number | null; fresh: boolean; ribs: number; triangles: number; costMs: number } | null;
+  /** What lies under the pointer; −1: none. `mark` is a scribble. */
+  hover: { part: number | null; end: RibEnd | null; other: number; handle: number; bone: boolean; depth: number; mark: number };
+  /** What the arrow keys move. */
+  chosen: { end: RibEnd | null; handle: number };
+  /** Rib ends that the line in hand moves. */
+  touched: RibEnd[];
+  /** How the tools work; reaches are shares of the bone's length, the brush is in CSS pixels. */
+  options: {
+    ribReach: number; boneReach: number; bothSides: boolean; keepRibs: boolean; wholePicture: boolean; depthByPressure: boolean; brush: number;
+  };
   /** The visitor's own slices. */
   shelf: { id: number; name: string }[];
   /** Index of the slice that is changed next, of several along the bone. */
