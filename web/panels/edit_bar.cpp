@@ -56,21 +56,22 @@ struct Cell {
   int row = 0;
 };
 
-/// Cells in rows no wider than `room`; with words where all of it then fits in one row.
+/// Cells in rows no wider than `room`; the first ones get their words as far as one row allows.
 std::vector<Cell> arrange(const PanelEnv& env, std::span<const Item> items, double room,
                           float side) {
   std::vector<Cell> cells;
-  for (const bool words : {true, false}) {
-    cells.clear();
-    double width = 0;
-    for (const Item& item : items) {
-      const app::Command* command = app::findCommand(item.id);
-      if (command == nullptr) continue;
-      const double own = words && item.words ? wordButtonWidth(env, command->label, side) : side;
-      cells.push_back({item, own, 0});
-      width += own + kGap;
-    }
-    if (width <= room) return cells;
+  double width = 0;
+  for (const Item& item : items) {
+    if (app::findCommand(item.id) == nullptr) continue;
+    cells.push_back({item, side, 0});
+    width += side + kGap;
+  }
+  for (Cell& cell : cells) {
+    if (!cell.item.words) continue;
+    const double own = wordButtonWidth(env, app::findCommand(cell.item.id)->label, side);
+    if (width + own - side > room) continue;
+    cell.width = own;
+    width += own - side;
   }
   double x = 0;
   int row = 0;
@@ -144,7 +145,9 @@ void drawEditBar(const PanelEnv& env) {
   const app::Rect& view = env.ui().layout.picture;
   if (items.empty() || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
-  const double room = view.width - kChipRoom - 2 * (kMargin + kPadding);
+  // On a phone the view's name gives way.
+  const double chip = env.ui().layout.stacked ? 0 : kChipRoom;
+  const double room = view.width - chip - 2 * (kMargin + kPadding);
   const std::vector<Cell> cells = arrange(env, items, room, side);
   if (cells.empty() || room < side) return;
   const int rows = cells.back().row + 1;

@@ -193,7 +193,9 @@ void drawViewChrome(const PanelEnv& env) {
   }
   splitter(layout);
   const bool onPicture = env.ui().focus == app::Focus::Picture;
-  chip(env, layout.picture, "Picture", onPicture);
+  const app::ToolKind tool = env.ui().tool;
+  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand;
+  if (plain || !layout.stacked) chip(env, layout.picture, "Picture", onPicture);
   chip(env, layout.solid, "Solid", !onPicture);
   legend(env, layout.picture);
   hints(env);

@@ -5,7 +5,7 @@
 namespace spineloft::tools {
 namespace {
 
-constexpr double kLineReach = 110;  // CSS pixels: how far an end may go to meet the line
+constexpr double kLineReach = 60;   // CSS pixels: how far an end may go to meet the line
 
 }  // namespace
 
