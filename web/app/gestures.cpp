@@ -156,6 +156,11 @@ void Gestures::startPinch(const tools::ToolEnv& env) {
 void Gestures::move(const PointerEvent& event, Contact& contact, const tools::ToolEnv& env) {
   const ClientPoint before = contact.at;
   contact.at = pointOf(event);
+  // Browsers report a second mouse button as a move that names it.
+  if (event.device == Device::Mouse && event.button > 0) {
+    if (tool_ && toolContact_ == event.id) cancel(env);
+    return;
+  }
   if (pinching_ && contacts_.size() >= 2) {
     const ClientPoint other = &contact == &contacts_[0] ? contacts_[1].at : contacts_[0].at;
     if (&contact != &contacts_[0] && &contact != &contacts_[1]) return;

@@ -96,6 +96,9 @@ TEST_CASE("every gesture of every tool is taken back without a trace, in every w
       [](Editor& rig) {
         rig.pointer(PointerKind::Down, rig.lastX, rig.lastY, Device::Mouse, 1, 2);
       },
+      [](Editor& rig) {  // as browsers tell of a second button
+        rig.app->pointer({PointerKind::Move, 1, Device::Mouse, 2, 3, rig.lastX, rig.lastY, 0, 0, 0});
+      },
       [](Editor& rig) { rig.pointer(PointerKind::Cancel, rig.lastX, rig.lastY); },
       [](Editor& rig) { rig.run("cancel"); },
   };
