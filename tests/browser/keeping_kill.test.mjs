@@ -57,24 +57,33 @@ function gesture(page, random) {
 /** Works until it is killed; what it knows of the model before that is in `states`. */
 async function workUntilKilled(page, random, states) {
   const session = await page.context().newCDPSession(page);
-  const gone = new Promise((resolve) => { page.once('crash', resolve); page.once('close', resolve); });
-  const delay = 40 + random() * 500, crash = random() < 0.75;
-  const killing = new Promise((resolve) => { setTimeout(resolve, delay); }).then(() => (
-    crash ? session.send('Page.crash').catch(() => undefined) : page.close({ runBeforeUnload: false })));
+  // Calls into a page that died need not ever come back: its death ends them.
+  const gone = new Promise((_, reject) => {
+    page.once('crash', () => reject(new Error('crashed')));
+    page.once('close', () => reject(new Error('closed')));
+  });
+  const untilGone = (work) => {
+    work.catch(() => undefined);
+    return Promise.race([work, gone]);
+  };
+  const crash = random() < 0.75;
+  setTimeout(() => {
+    if (crash) session.send('Page.crash').catch(() => undefined);
+    else page.close({ runBeforeUnload: false }).catch(() => undefined);
+  }, 40 + random() * 500);
   let inHand = null;
   try {
     for (;;) {
       inHand = gesture(page, random);
-      // A refused command (nothing to undo, no part) is no gesture; a killed page ends the round below.
-      await inHand.act().catch((error) => { if (page.isClosed() || /crash|closed/i.test(error.message)) throw error; });
-      states.push(await history(page));
+      // A refused command (nothing to undo, no part) is no gesture; a dead page ends the round.
+      await untilGone(inHand.act()).catch((error) => { if (/crash|closed/i.test(error.message)) throw error; });
+      states.push(await untilGone(history(page)));
       inHand = null;
     }
   } catch (error) {
     if (!/crash|closed|destroyed|detached/i.test(error.message)) throw error;
   }
-  await gone;
-  await killing;
+  await gone.catch(() => undefined);
   await page.close().catch(() => undefined);
   return inHand;
 }
