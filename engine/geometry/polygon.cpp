@@ -47,34 +47,68 @@ SectionPoint centroid(std::span<const SectionPoint> polygon) {
   return polygon[0] + weighted / total;
 }
 
-bool isSimple(std::span<const SectionPoint> polygon) {
-  const std::size_t n = polygon.size();
-  if (n < 3) return false;
+bool areSimple(std::span<const SectionPoint> points, std::span<const std::size_t> sizes) {
   struct Edge {
-    double low, high;
-    std::size_t at;
+    SectionPoint a, b;
+    double low, high;  // of x
+    std::size_t at, first, size;  // its place in its polygon, and which polygon
   };
-  std::vector<Edge> edges(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const SectionPoint a = polygon[i], b = polygon[(i + 1) % n];
-    if (!isFinite(a) || a == b || foldsBack(a, b, polygon[(i + 2) % n])) return false;
-    edges[i] = {std::min(a.x, b.x), std::max(a.x, b.x), i};
+  std::vector<Edge> edges;
+  edges.reserve(points.size());
+  std::size_t first = 0;
+  for (const std::size_t size : sizes) {
+    if (size < 3) return false;
+    const std::span<const SectionPoint> polygon = points.subspan(first, size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const SectionPoint a = polygon[i], b = polygon[(i + 1) % size];
+      if (!isFinite(a) || a == b || foldsBack(a, b, polygon[(i + 2) % size])) return false;
+      edges.push_back({a, b, std::min(a.x, b.x), std::max(a.x, b.x), i, first, size});
+    }
+    first += size;
   }
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.low < b.low; });
-  std::vector<Edge> active;
+  const auto neighbours = [](const Edge& a, const Edge& b) {
+    if (a.first != b.first) return false;
+    const std::size_t gap = a.at > b.at ? a.at - b.at : b.at - a.at;
+    return gap == 1 || gap == a.size - 1;
+  };
+  std::vector<const Edge*> active;
   for (const Edge& edge : edges) {
-    std::erase_if(active, [&](const Edge& other) { return other.high < edge.low; });
-    for (const Edge& other : active) {
-      const std::size_t gap = edge.at > other.at ? edge.at - other.at : other.at - edge.at;
-      if (gap == 1 || gap == n - 1) continue;
-      if (touch(polygon[edge.at], polygon[(edge.at + 1) % n], polygon[other.at],
-                polygon[(other.at + 1) % n])) {
-        return false;
-      }
+    std::erase_if(active, [&](const Edge* other) { return other->high < edge.low; });
+    for (const Edge* other : active) {
+      if (!neighbours(edge, *other) && touch(edge.a, edge.b, other->a, other->b)) return false;
     }
-    active.push_back(edge);
+    active.push_back(&edge);
   }
   return true;
+}
+
+bool isSimple(std::span<const SectionPoint> polygon) {
+  const std::size_t size = polygon.size();
+  return areSimple(polygon, {&size, 1});
+}
+
+std::optional<SectionPoint> kernelCentre(std::span<const SectionPoint> polygon) {
+  if (polygon.size() < 3) return std::nullopt;
+  SectionPoint low = polygon[0], high = polygon[0];
+  for (const SectionPoint& p : polygon) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  std::vector<SectionPoint> kernel = {low, {high.x, low.y}, high, {low.x, high.y}}, kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const SectionPoint a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    kept.clear();
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      const SectionPoint p = kernel[k], q = kernel[(k + 1) % kernel.size()];
+      const double atP = side(a, b, p), atQ = side(a, b, q);
+      if (atP >= 0) kept.push_back(p);
+      if ((atP > 0 && atQ < 0) || (atP < 0 && atQ > 0)) kept.push_back(lerp(p, q, atP / (atP - atQ)));
+    }
+    kernel.swap(kept);
+    if (kernel.size() < 3) return std::nullopt;
+  }
+  return centroid(kernel);
 }
 
 bool seesAllEdges(std::span<const SectionPoint> polygon, SectionPoint p, double margin) {

@@ -39,6 +39,15 @@ SectionPoint centroid(std::span<const SectionPoint> polygon);
 /// All coordinates finite. Cost: near linear (a sweep along x).
 bool isSimple(std::span<const SectionPoint> polygon);
 
+/// The same of several polygons together: each simple, and none touches another. The way of holes is
+/// not looked at. `sizes`: corners of each, one after the other in `points`.
+bool areSimple(std::span<const SectionPoint> points, std::span<const std::size_t> sizes);
+
+/// A point that sees every edge of the counter-clockwise polygon from inside: the centre of all such
+/// points (its kernel). None when there is no such point, or hardly one. Cost: corners × kernel's
+/// corners.
+std::optional<SectionPoint> kernelCentre(std::span<const SectionPoint> polygon);
+
 /// Whether `p` sees every edge of the counter-clockwise polygon from inside, with at least `margin`
 /// (units of the space) to the line of each edge: then a fan of triangles from `p` fills it.
 bool seesAllEdges(std::span<const SectionPoint> polygon, SectionPoint p, double margin);

@@ -43,6 +43,7 @@ PicturePoint middleOf(std::span<const PicturePoint> fan) {
 /// Takes a chord that may follow the last one, if need be a hair farther out.
 void admit(Chord chord, const CapSite& site, const ChordLimits& limits, Cap& cap) {
   if (chord.width() < limits.width) return;
+  chord.at = site.last.at;
   const Chord& last = cap.chords.empty() ? site.last : cap.chords.back();
   if (distance(last.left, chord.left) < limits.spacing &&
       distance(last.right, chord.right) < limits.spacing) {

@@ -25,7 +25,7 @@ struct CapSite {
 };
 
 /// The same chord for someone who travels the other way.
-inline Chord flipped(const Chord& chord) { return {chord.right, chord.left}; }
+inline Chord flipped(const Chord& chord) { return {chord.right, chord.left, chord.at}; }
 
 /// Chords and tip of a cap; nothing for Flat and Open.
 Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,

@@ -89,9 +89,10 @@ void fillGap(std::span<const Chord> left, std::span<const Chord> ahead, const Ch
   const Chord a = out.back(), b = ahead.front();
   for (std::size_t k = 0; k < left.size(); ++k) {
     const double t = static_cast<double>(k + 1) / static_cast<double>(left.size() + 1);
-    const Chord even{lerp(a.left, b.left, t), lerp(a.right, b.right, t)};
-    std::array<Chord, 3> ways = {Chord{even.left, left[k].right}, Chord{left[k].left, even.right},
-                                 even};
+    const double at = left[k].at;
+    const Chord even{lerp(a.left, b.left, t), lerp(a.right, b.right, t), at};
+    std::array<Chord, 3> ways = {Chord{even.left, left[k].right, at},
+                                 Chord{left[k].left, even.right, at}, even};
     if (distance(left[k].right, even.right) < distance(left[k].left, even.left)) {
       std::swap(ways[0], ways[1]);  // move the nearer end
     }
@@ -185,7 +186,8 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits) {
       if (square != PicturePoint{}) across = square;
     }
     if (across == PicturePoint{}) across = {0, 1};
-    chords[i] = {middle - across * (limits.width / 2), middle + across * (limits.width / 2)};
+    chords[i].left = middle - across * (limits.width / 2);
+    chords[i].right = middle + across * (limits.width / 2);
   }
 }
 

@@ -13,6 +13,7 @@ namespace spineloft::loft {
 /// in the direction in which the chords follow each other. Picture pixels.
 struct Chord {
   PicturePoint left, right;
+  double at = 0;  ///< its share of the spine's length; caps have that of their end
   PicturePoint middle() const { return (left + right) / 2; }
   PicturePoint across() const { return right - left; }
   double width() const { return distance(left, right); }

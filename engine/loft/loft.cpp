@@ -9,6 +9,8 @@
 #include "engine/geometry/polygon.h"
 #include "engine/loft/caps.h"
 #include "engine/loft/chords.h"
+#include "engine/loft/section_track.h"
+#include "engine/loft/stations.h"
 #include "engine/loft/sweep.h"
 
 namespace spineloft::loft {
@@ -21,10 +23,6 @@ constexpr std::array kCapNames = {
     CapName{CapStyle::Open, "open", "Open"},
 };
 static_assert(kCapNames.size() == static_cast<std::size_t>(CapStyle::kCount));
-
-/// A section is never flatter than this share of its width: a rib along the centre line would
-/// otherwise have no depth at all.
-constexpr double kLeastDepth = 0.25;
 
 /// Ribs as chords, ready for repair, in the order and direction in which they sweep a positive
 /// area.
@@ -39,13 +37,15 @@ PicturePoint clamped(PicturePoint p) {
   return {std::clamp(p.x, -kFarthest, kFarthest), std::clamp(p.y, -kFarthest, kFarthest)};
 }
 
-Input readRibs(const ribs::RibSet& set) {
+/// `place`: share of the spine's length at which a rib stands.
+template <class Place>
+Input readRibs(const ribs::RibSet& set, const Place& place) {
   Input input;
   input.chords.reserve(set.ribs.size());
   PicturePoint low{kFarthest, kFarthest}, high{-kFarthest, -kFarthest};
   for (const ribs::Rib& rib : set.ribs) {
     if (!isFinite(rib.left) || !isFinite(rib.right)) continue;
-    const Chord chord{clamped(rib.left), clamped(rib.right)};
+    const Chord chord{clamped(rib.left), clamped(rib.right), place(rib)};
     input.chords.push_back(chord);
     for (const PicturePoint& p : {chord.left, chord.right}) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -77,7 +77,7 @@ Input readRibs(const ribs::RibSet& set) {
 }
 
 /// Limits below which float coordinates or the mesh laws would make triangles without area.
-ChordLimits limitsFor(const Input& input, const SweepSection& section, double strictness) {
+ChordLimits limitsFor(const Input& input, double shortestEdge, double strictness) {
   constexpr double kSpacingShare = 2e-5, kWidthShare = 2e-4;  // of the diagonal
   constexpr double kSteps = 16;  // float steps that a triangle's edge spans at least
   const double step =
@@ -85,28 +85,8 @@ ChordLimits limitsFor(const Input& input, const SweepSection& section, double st
   ChordLimits limits;
   limits.spacing = strictness * std::max(kSpacingShare * input.diagonal, step);
   limits.width = strictness * std::max(kWidthShare * input.diagonal,
-                                       step / (section.shortestEdge * kLeastDepth * (1 - kWall)));
+                                       step / (shortestEdge * kLeastDepth * (1 - kWall)));
   return limits;
-}
-
-/// Direction of the smoothed centre line at each of `middles`; the raw difference where `reach` is
-/// 0.
-std::vector<PicturePoint> travelAlong(std::span<const PicturePoint> middles, double reach) {
-  const std::size_t n = middles.size();
-  const double sigma = std::max(reach, 0.25);
-  std::vector<double> weights;
-  for (double k = 1; k <= std::max(1.0, std::ceil(3 * sigma)); ++k) {
-    weights.push_back(k * std::exp((1 - k * k) / (2 * sigma * sigma)));
-  }
-  std::vector<PicturePoint> travel(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    PicturePoint sum;
-    for (std::size_t k = 1; k <= weights.size(); ++k) {
-      sum += weights[k - 1] * (middles[std::min(i + k, n - 1)] - middles[i > k ? i - k : 0]);
-    }
-    travel[i] = normalized(sum);
-  }
-  return travel;
 }
 
 /// The stretch between the caps, and the tips that ribs without width made.
@@ -141,7 +121,8 @@ void thicken(std::vector<Chord>& chords, const ChordLimits& limits) {
   const Chord chord = chords.front();
   const double half = std::max(2 * limits.spacing, 0.05 * chord.width());
   const PicturePoint step = normalized(forwardOf(chord.across())) * half;
-  chords = {{chord.left - step, chord.right - step}, {chord.left + step, chord.right + step}};
+  chords = {{chord.left - step, chord.right - step, chord.at},
+            {chord.left + step, chord.right + step, chord.at}};
 }
 
 /// A cap's direction: along the centre line, unless that runs along the rib.
@@ -149,23 +130,6 @@ PicturePoint capTravel(const Chord& chord, PicturePoint travel) {
   constexpr double kSlanted = 0.5;  // cosine: ribs more slanted than 60° are not believed
   const PicturePoint square = normalized(forwardOf(chord.across()));
   return dot(square, travel) < kSlanted ? square : travel;
-}
-
-/// All chords of the part in order, and its two ends.
-struct Outline {
-  std::vector<Chord> chords;
-  std::optional<PicturePoint> startTip, endTip;
-  bool startOpen = false, endOpen = false;
-  std::size_t bodyBegin = 0, bodyEnd = 0;  ///< the chords that are ribs; none when not known
-};
-
-std::vector<PicturePoint> middlesOf(const Outline& outline) {
-  std::vector<PicturePoint> middles;
-  middles.reserve(outline.chords.size() + 2);
-  if (outline.startTip) middles.push_back(*outline.startTip);
-  for (const Chord& chord : outline.chords) middles.push_back(chord.middle());
-  if (outline.endTip) middles.push_back(*outline.endTip);
-  return middles;
 }
 
 Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
@@ -222,46 +186,6 @@ void spread(Outline& outline, const ChordLimits& limits) {
   push(outline.chords.back(), outline.endTip);
 }
 
-/// Ribs wobble by a pixel; seen from the front that is the silhouette, but in depth it would be a
-/// wrinkle. The window shrinks towards the ends, so that steady tapers and both ends stay as they are.
-void smoothDepths(std::span<Station> body, double reach) {
-  std::vector<double> depths(body.size());
-  for (std::size_t i = 0; i < body.size(); ++i) depths[i] = body[i].depth;
-  std::vector<double> weights;
-  for (double k = 0; k <= std::ceil(3 * reach); ++k) {
-    weights.push_back(reach > 0 ? std::exp(-k * k / (2 * reach * reach)) : 1);
-  }
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    const std::size_t window = std::min({weights.size() - 1, i, body.size() - 1 - i});
-    double sum = depths[i], total = 1;
-    for (std::size_t k = 1; k <= window; ++k) {
-      sum += weights[k] * (depths[i - k] + depths[i + k]);
-      total += 2 * weights[k];
-    }
-    constexpr double kMost = 1.5;  // a waist between wide ribs must not become a blade
-    body[i].depth = std::clamp(sum / total, depths[i] / kMost, depths[i] * kMost);
-  }
-}
-
-Sweep sweepOf(const Outline& outline, double centring) {
-  const std::vector<PicturePoint> travel = travelAlong(middlesOf(outline), centring);
-  const std::size_t first = outline.startTip ? 1 : 0;
-  Sweep sweep;
-  sweep.startTip = outline.startTip;
-  sweep.endTip = outline.endTip;
-  sweep.startOpen = outline.startOpen;
-  sweep.endOpen = outline.endOpen;
-  sweep.stations.reserve(outline.chords.size());
-  for (std::size_t i = 0; i < outline.chords.size(); ++i) {
-    const PicturePoint across = outline.chords[i].across();
-    const double square = std::abs(cross(across, travel[first + i]));
-    sweep.stations.push_back({outline.chords[i], std::max(square, kLeastDepth * norm(across)) / 2});
-  }
-  const std::size_t body = outline.bodyEnd - outline.bodyBegin;
-  smoothDepths(std::span(sweep.stations).subspan(outline.bodyBegin, body), centring);
-  return sweep;
-}
-
 /// Touches x = ±1 and stays in [−1, 1]².
 bool spansTheSquare(const Section& section) {
   constexpr double kClose = 1e-6;
@@ -279,23 +203,66 @@ Status checkInput(image::Size picture, const LoftParams& params) {
   return checkParams(params);
 }
 
-/// `section` is known to be good.
-Result<mesh::TriMesh> loftChecked(const ribs::RibSet& ribs, image::Size picture,
-                                  const LoftParams& params, const Section& section) {
-  const Input input = readRibs(ribs);
+/// Everything a loft is made from; all of it is known to be good. `spine` may be null.
+struct Plan {
+  const ribs::RibSet& ribs;
+  image::Size picture;
+  LoftParams params;
+  const SectionTrack& track;
+  const PosedSpine* spine;
+};
+
+/// Shares of the spine's length at which ribs stand: on the spine where it is known, else along the
+/// line of their centres.
+std::vector<double> placesOf(const ribs::RibSet& set, const PosedSpine* spine) {
+  std::vector<double> places;
+  double length = 0, last = 0;
+  const ribs::Rib* before = nullptr;
+  for (const ribs::Rib& rib : set.ribs) {
+    if (isFinite(rib.center) && before != nullptr) length += distance(before->center, rib.center);
+    if (isFinite(rib.center)) before = &rib;
+    if (spine != nullptr && isFinite(rib.center)) last = std::max(last, shareAt(*spine, rib.center));
+    places.push_back(spine != nullptr ? last : length);
+  }
+  if (spine != nullptr) return places;
+  const double steps = static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = length > 0 && std::isfinite(length) ? places[i] / length
+                                                    : static_cast<double>(i) / steps;
+  }
+  return places;
+}
+
+Result<mesh::TriMesh> loftPlan(Plan plan) {
+  const ribs::Rib* first = plan.ribs.ribs.data();
+  // Nothing looks at the places of ribs unless something changes along the spine.
+  const StationMaker maker{plan.track, plan.params, plan.spine};
+  std::vector<double> places;
+  if (maker.changes()) places = placesOf(plan.ribs, plan.spine);
+  const Input input = readRibs(plan.ribs, [&](const ribs::Rib& rib) {
+    return places.empty() ? 0.0 : places[static_cast<std::size_t>(&rib - first)];
+  });
   if (input.chords.size() < 2) return Error::TooFewRibs;
   if (input.diagonal < kSamePoint) return {Error::TooFewRibs, "all in one point"};
-  const SweepSection sweepSection = prepareSection(section.points);
+  const bool many = plan.track.sizes().size() > 1, ring = maker.ring();
+  LoftParams& params = plan.params;
+  for (CapStyle* cap : {&params.startCap, &params.endCap}) {
+    if (many || ring || (*cap == CapStyle::Open && !plan.track.hollow())) *cap = CapStyle::Flat;
+  }
   // Nearly always the first try is lawful. Ribs that touch or lie in one line need the stricter
   // ones.
   constexpr std::array kStrictness = {1.0, 1.0, 8.0, 64.0};
   for (std::size_t attempt = 0; attempt < kStrictness.size(); ++attempt) {
-    const ChordLimits limits = limitsFor(input, sweepSection, kStrictness[attempt]);
+    const ChordLimits limits = limitsFor(input, plan.track.shortestEdge(), kStrictness[attempt]);
     Body body = repairBody(input.chords, limits);
+    if (many || ring) {
+      body.startTip.reset();
+      body.endTip.reset();
+    }
     if (body.chords.size() == 1 && !body.startTip && !body.endTip) thicken(body.chords, limits);
     Outline outline = addCaps(body, input, params, limits);
     if (attempt > 0) spread(outline, limits);
-    mesh::TriMesh mesh = sweepMesh(sweepOf(outline, params.centring), sweepSection, picture);
+    mesh::TriMesh mesh = sweepMesh(maker.sweep(outline), plan.picture);
     if (hasSoundTriangles(mesh)) return mesh;
   }
   return {Error::SectionInvalid, "too fine for ribs of this size"};
@@ -323,6 +290,9 @@ Status checkParams(const LoftParams& params) {
   if (params.startCap >= CapStyle::kCount || params.endCap >= CapStyle::kCount) {
     return {Error::ValueOutOfRange, "cap"};
   }
+  if (params.sectionPoints < kMinSectionPoints || params.sectionPoints > kMaxSectionPoints) {
+    return {Error::ValueOutOfRange, "section points"};
+  }
   if (params.capRings < 1 || params.capRings > 64) return {Error::ValueOutOfRange, "cap rings"};
   if (!(params.centring >= 0 && params.centring <= 10)) return {Error::ValueOutOfRange, "centring"};
   if (!geometry::isValid(params.twist, -kMostTwist, kMostTwist) ||
@@ -334,12 +304,28 @@ Status checkParams(const LoftParams& params) {
   return checkStops(params.sections);
 }
 
+namespace {
+
+Result<mesh::TriMesh> loftAlong(const ribs::RibSet& ribs, image::Size picture,
+                                const LoftParams& params, const PosedSpine* spine) {
+  if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
+  const bool ring = spine != nullptr && spine->closed;
+  const Result<SectionTrack> track =
+      SectionTrack::along(params.sections, params.sectionPoints, ring);
+  if (!track.ok()) return track.failure();
+  return loftPlan({ribs, picture, params, track.value(), spine});
+}
+
+}  // namespace
+
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params) {
-  if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
-  const Result<Section> section = presetSection(params.sections.front().shape.preset, params.sectionPoints);
-  if (!section.ok()) return section.failure();
-  return loftChecked(ribs, picture, params, section.value());
+  return loftAlong(ribs, picture, params, nullptr);
+}
+
+Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
+                               const LoftParams& params, const PosedSpine& spine) {
+  return loftAlong(ribs, picture, params, &spine);
 }
 
 Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
@@ -350,7 +336,8 @@ Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
   if (!spansTheSquare(section)) return {Error::SectionInvalid, "does not span the square"};
   if (!geometry::isSimple(points)) return {Error::SectionInvalid, "touches itself"};
   if (geometry::signedArea(points) <= 0) return {Error::SectionInvalid, "runs clockwise"};
-  return loftChecked(ribs, picture, params, section);
+  const SectionTrack track = SectionTrack::fixed(section.points);
+  return loftPlan({ribs, picture, params, track, nullptr});
 }
 
 }  // namespace spineloft::loft

@@ -10,6 +10,7 @@
 #include "engine/base/result.h"
 #include "engine/geometry/along.h"
 #include "engine/image/image.h"
+#include "engine/loft/posed.h"
 #include "engine/loft/section.h"
 #include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/ribs.h"
@@ -50,6 +51,9 @@ inline constexpr double kFarthest = 1e6;
 inline constexpr double kMostTwist = 64, kMostTilt = 1.2;  ///< radians
 inline constexpr double kLeastSquash = 0.05, kMostSquash = 8;
 
+/// The thinner side of a bulged section keeps at least this share of its depth.
+inline constexpr double kLeastSide = 0.04;
+
 /// Everything a loft depends on besides its ribs and its pose.
 struct LoftParams {
   std::vector<SectionStop> sections{SectionStop{}};  ///< at least one, in order
@@ -81,8 +85,20 @@ Status checkParams(const LoftParams& params);
 /// `kMouthDepth` of the way to the other end (both ends open: right through, genus 1).
 /// Ribs with a coordinate that is not finite are left out; coordinates are clamped to ±kFarthest.
 /// Errors: TooFewRibs (fewer than 2 ribs, or all in one point), ValueOutOfRange, SectionInvalid.
+///
+/// Along the spine: sections go from stop to stop (section.h) and always touch both rib ends; squash
+/// scales depth, bulge the front by 1 + b and the back by 1 − b (never below kLeastSide), twist then
+/// turns the section (ribs give its size; only where it is 0 the outline passes through the rib ends),
+/// tilt shears it along the spine so that a round bar stays a round bar. Sections of several pieces or
+/// with holes end flat whatever the caps, and so do open ends of sections that no point sees whole.
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params);
+
+/// The same in a pose: ribs are repaired where they were traced, then every section is carried by the
+/// frames of the spine, and wears the picture it was traced on. A closed spine makes a ring without
+/// caps: sizes and curves meet halfway near the seam, and twist is rounded to full turns.
+Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
+                               const LoftParams& params, const PosedSpine& spine);
 
 /// The same with a section of one's own instead of the preset (`section` and `sectionPoints` of the
 /// params are not read). It must be simple and counter-clockwise, lie in [−1, 1]² and touch x = ±1 (to

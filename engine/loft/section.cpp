@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/loft/contour.h"
+
 namespace spineloft::loft {
 namespace {
 
@@ -212,16 +214,12 @@ std::string_view sectionKey(SectionPreset preset) {
   return {};
 }
 
-Result<Section> presetSection(SectionPreset preset, int count) {
-  if (count < kMinSectionPoints || count > kMaxSectionPoints) {
-    return {Error::ValueOutOfRange, "section points"};
-  }
+Contour presetContour(SectionPreset preset, int count) {
   const Outline outline = outlineOf(preset);
-  if (outline.empty()) return {Error::ValueOutOfRange, "section"};
   double total = 0;
   for (const Piece& piece : outline) total += piece.length();
-  Section section;
-  section.points.reserve(static_cast<std::size_t>(count) + outline.size());
+  Contour contour;
+  contour.points.reserve(static_cast<std::size_t>(count) + outline.size());
   for (const Piece& piece : outline) {
     const int steps = std::max(1, static_cast<int>(std::lround(piece.length() / total * count)));
     for (int i = 0; i < steps; ++i) {
@@ -231,10 +229,19 @@ Result<Section> presetSection(SectionPreset preset, int count) {
       if (std::abs(std::abs(p.x) - 1) < kRounding) p.x = std::copysign(1.0, p.x);
       if (std::abs(p.x) < kRounding) p.x = 0;
       if (std::abs(p.y) < kRounding) p.y = 0;
-      section.points.push_back(p);
+      contour.points.push_back(p);
+      contour.knot.push_back(i == 0);
     }
   }
-  return section;
+  return contour;
+}
+
+Result<Section> presetSection(SectionPreset preset, int count) {
+  if (count < kMinSectionPoints || count > kMaxSectionPoints) {
+    return {Error::ValueOutOfRange, "section points"};
+  }
+  if (preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "section"};
+  return Section{presetContour(preset, count).points};
 }
 
 }  // namespace spineloft::loft

@@ -36,9 +36,11 @@ struct Section {
   bool operator==(const Section&) const = default;
 };
 
-/// A section as a person chose it: a preset, or closed curves of their own. Drawn: outer curves
-/// counter-clockwise, holes clockwise, simple, not touching each other, together touching x = −1 and
-/// x = +1 within [−1, 1]²; at most kMostContours curves of 3…kMostDrawnPoints points.
+/// A section as a person chose it: a preset, or closed curves of their own. Drawn: simple curves that
+/// do not touch each other, in either direction; one inside another is a hole, one inside that a piece
+/// again. At most kMostContours curves of 3…kMostDrawnPoints points. The loft scales them evenly and
+/// moves them along x so that together they touch x = −1 and x = +1. Sections of several curves always
+/// end flat.
 struct SectionShape {
   SectionShape(SectionPreset chosen = SectionPreset::Circle) : preset(chosen) {}
   SectionPreset preset;                             ///< when nothing is drawn

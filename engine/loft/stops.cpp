@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/geometry/polygon.h"
+#include "engine/loft/contour.h"
 #include "engine/loft/section.h"
 
 namespace spineloft::loft {
@@ -53,32 +53,62 @@ double blendAt(const Blend& blend, double t) {
 
 Status checkShape(const SectionShape& shape) {
   if (shape.preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "slice"};
-  if (shape.contours.size() > kMostContours) return {Error::SectionInvalid, "too many curves"};
-  for (const auto& contour : shape.contours) {
-    if (contour.size() < 3 || contour.size() > kMostDrawnPoints) {
-      return {Error::SectionInvalid, "a curve needs 3 to 5000 points"};
-    }
-    if (!std::ranges::all_of(contour, [](SectionPoint p) { return isFinite(p); })) {
-      return {Error::SectionInvalid, "not finite"};
-    }
-    if (!geometry::isSimple(contour)) return {Error::SectionInvalid, "touches itself"};
-  }
+  if (!shape.drawn()) return Done{};
+  const Result<std::vector<SectionPiece>> pieces = readShape(shape);
+  if (!pieces) return pieces.failure();
   return Done{};
 }
+
+namespace {
+
+/// How many holes each outer curve has, in order of size: equal for shapes that can become each other.
+std::vector<int> makeUp(const std::vector<SectionPiece>& pieces) {
+  std::vector<int> holes(pieces.size(), 0), outers;
+  for (const SectionPiece& piece : pieces) {
+    if (piece.hole) ++holes[piece.outer];
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].hole) outers.push_back(holes[i]);
+  }
+  std::ranges::sort(outers);
+  return outers;
+}
+
+bool joinsItsStops(const Blend& blend) {
+  if (blend.kind != BlendKind::Custom || blend.custom.empty()) return true;
+  constexpr double kClose = 1e-6;
+  return std::abs(geometry::valueAt(blend.custom, 0, 0)) < kClose &&
+         std::abs(geometry::valueAt(blend.custom, 1, 1) - 1) < kClose;
+}
+
+}  // namespace
 
 Status checkStops(std::span<const SectionStop> stops) {
   if (stops.empty() || stops.size() > kMostStops) return {Error::ValueOutOfRange, "slices"};
   double before = -1;
+  std::vector<int> first;
   for (const SectionStop& stop : stops) {
     if (!(stop.at >= 0 && stop.at <= 1)) return {Error::ValueOutOfRange, "place of a slice"};
     if (before >= 0 && stop.at - before < geometry::kLeastStep) {
       return {Error::ValueOutOfRange, "slices too close"};
     }
-    before = stop.at;
-    if (stop.blend.kind >= BlendKind::kCount || !geometry::isValid(stop.blend.custom, -1, 2)) {
+    if (stop.blend.kind >= BlendKind::kCount || !geometry::isValid(stop.blend.custom, -1, 2) ||
+        !joinsItsStops(stop.blend)) {
       return {Error::ValueOutOfRange, "blend"};
     }
-    if (Status shape = checkShape(stop.shape); !shape) return shape;
+    if (stop.shape.preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "slice"};
+    std::vector<int> pieces = {0};
+    if (stop.shape.drawn()) {
+      const Result<std::vector<SectionPiece>> read = readShape(stop.shape);
+      if (!read) return read.failure();
+      pieces = makeUp(read.value());
+    }
+    if (before >= 0 && pieces != first) {
+      return {Error::SectionInvalid,
+              "all slices of one part need the same number of pieces and holes"};
+    }
+    if (before < 0) first = std::move(pieces);
+    before = stop.at;
   }
   return Done{};
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulate.h"
@@ -25,12 +25,31 @@ struct RingPath {
   bool joined = false;
 };
 
+/// The station at share `t` of the way between two; its section joins the sweep.
+Station between(const Station& a, const Station& b, double t, Sweep& sweep) {
+  Station station = a;
+  station.centre = lerp(a.centre, b.centre, t);
+  station.across = lerp(a.across, b.across, t);
+  station.depth = lerp(a.depth, b.depth, t);
+  station.middle = lerp(a.middle, b.middle, t);
+  station.half = lerp(a.half, b.half, t);
+  if (a.shape != b.shape) {
+    const std::size_t size = sweep.count() + 1;
+    station.shape = sweep.shapes.size() / size;
+    for (std::size_t i = 0; i < size; ++i) {
+      const SectionPoint p = lerp(sweep.shape(a.shape)[i], sweep.shape(b.shape)[i], t);
+      sweep.shapes.push_back(p);
+    }
+  }
+  return station;
+}
+
 /// Inner rings of a mouth at the front of `stations`, from the mouth inwards to the floor.
-std::vector<Ring> mouthRings(std::span<const Station> stations) {
+std::vector<Ring> mouthRings(std::span<const Station> stations, Sweep& sweep) {
   constexpr double kInner = 1 - kWall;
   std::vector<double> along(stations.size(), 0.0);
   for (std::size_t i = 1; i < stations.size(); ++i) {
-    along[i] = along[i - 1] + distance(stations[i - 1].chord.middle(), stations[i].chord.middle());
+    along[i] = along[i - 1] + distance(stations[i - 1].centre, stations[i].centre);
   }
   const double floor = kMouthDepth * along.back();
   std::vector<Ring> rings;
@@ -38,34 +57,31 @@ std::vector<Ring> mouthRings(std::span<const Station> stations) {
   // A ring just before the floor would leave slivers: skip it.
   for (; i + 1 < stations.size() && along[i] <= 0.98 * floor; ++i)
     rings.push_back({stations[i], kInner});
-  const Station& a = stations[i - 1];
-  const Station& b = stations[i];
   const double step = along[i] - along[i - 1];
   const double t = step > 0 ? std::clamp((floor - along[i - 1]) / step, 0.05, 1.0) : 0.5;
-  rings.push_back({{{lerp(a.chord.left, b.chord.left, t), lerp(a.chord.right, b.chord.right, t)},
-                    a.depth + (b.depth - a.depth) * t},
-                   kInner});
+  rings.push_back({between(stations[i - 1], stations[i], t, sweep), kInner});
   return rings;
 }
 
-RingPath pathOf(const Sweep& sweep) {
+RingPath pathOf(Sweep& sweep) {
   RingPath path;
   const std::vector<Station>& stations = sweep.stations;
-  const bool deep = stations.size() >= 2;
+  const bool deep = stations.size() >= 2 && !sweep.joined;
   const bool startOpen = sweep.startOpen && deep, endOpen = sweep.endOpen && deep;
   path.rings.reserve(2 * stations.size() + 2);
   if (startOpen && !endOpen) {
-    const std::vector<Ring> mouth = mouthRings(stations);
+    const std::vector<Ring> mouth = mouthRings(stations, sweep);
     path.rings.assign(mouth.rbegin(), mouth.rend());
   }
   for (const Station& station : stations) path.rings.push_back({station, 1});
+  path.joined = sweep.joined;
   if (startOpen && endOpen) {
     for (auto s = stations.rbegin(); s != stations.rend(); ++s)
       path.rings.push_back({*s, 1 - kWall});
     path.joined = true;
   } else if (endOpen) {
     const std::vector<Station> backwards(stations.rbegin(), stations.rend());
-    const std::vector<Ring> mouth = mouthRings(backwards);
+    const std::vector<Ring> mouth = mouthRings(backwards, sweep);
     path.rings.insert(path.rings.end(), mouth.begin(), mouth.end());
   }
   return path;
@@ -74,9 +90,9 @@ RingPath pathOf(const Sweep& sweep) {
 /// Puts vertices and triangles into a mesh.
 class Builder {
  public:
-  Builder(const SweepSection& section, image::Size picture, std::size_t rings)
-      : section_(section),
-        count_(static_cast<std::uint32_t>(section.points.size())),
+  Builder(const Sweep& sweep, image::Size picture, std::size_t rings)
+      : sweep_(sweep),
+        count_(static_cast<std::uint32_t>(sweep.count())),
         uPerPixel_(1.0 / picture.width),
         vPerPixel_(1.0 / picture.height) {
     mesh_.positions.reserve(rings * count_ + 2);
@@ -87,58 +103,80 @@ class Builder {
   /// Returns the ring's first vertex.
   std::uint32_t ring(const Ring& ring) {
     const std::uint32_t first = static_cast<std::uint32_t>(mesh_.positions.size());
-    for (const SectionPoint& p : section_.points) place(ring, shrunk(p, ring.scale));
+    const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
+    for (const SectionPoint& p : shape.first(count_)) {
+      place(ring.station, ring.scale == 1 ? p : lerp(shape[count_], p, ring.scale));
+    }
     return first;
   }
 
-  /// The wall between two rings; the second follows the first along the surface.
+  /// The walls between two rings; the second follows the first along the surface.
   void band(std::uint32_t a, std::uint32_t b) {
-    for (std::uint32_t k = 0; k < count_; ++k) {
-      const std::uint32_t l = k + 1 < count_ ? k + 1 : 0;
-      const std::uint32_t a0 = a + k, a1 = a + l, b0 = b + k, b1 = b + l;
-      constexpr double kTie = 1 + 1e-5;  // equal diagonals: always the same one
-      if (squared(a0, b1) <= squared(a1, b0) * kTie) {
-        mesh_.triangles.push_back({a0, b0, b1});
-        mesh_.triangles.push_back({a0, b1, a1});
-      } else {
-        mesh_.triangles.push_back({a0, b0, a1});
-        mesh_.triangles.push_back({a1, b0, b1});
+    std::uint32_t first = 0;
+    for (const std::size_t size : sweep_.sizes) {
+      const std::uint32_t count = static_cast<std::uint32_t>(size);
+      for (std::uint32_t k = 0; k < count; ++k) {
+        const std::uint32_t l = first + (k + 1 < count ? k + 1 : 0);
+        quad({a + first + k, a + l, b + first + k, b + l});
       }
+      first += count;
     }
   }
 
-  /// A cone from a ring to a point of the picture plane; `before`: the point comes first.
-  void tip(std::uint32_t ring, PicturePoint at, bool before) {
-    fan(ring, vertex({at.x, -at.y, 0}, at), !before);
+  /// A cone from a ring to a point; `before`: the point comes first.
+  void tip(std::uint32_t ring, const Tip& tip, bool before) {
+    fan(ring, vertex(tip.at, tip.paint), !before);
   }
 
-  /// A flat lid on a ring; `before`: it closes the start of the path.
-  void lid(std::uint32_t first, const Ring& ring, bool before) {
-    if (section_.starShaped) {
-      fan(first, place(ring, section_.centre), !before);
-      return;
+  /// A flat lid on a ring; `before`: it closes the start of the path. False when the section cannot be
+  /// filled.
+  bool lid(std::uint32_t first, const Ring& ring, bool before) {
+    const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
+    constexpr double kMargin = 0.02;  // section units: thinner lid triangles would be slivers
+    if (sweep_.sizes.size() == 1 && geometry::seesAllEdges(shape.first(count_), shape[count_], kMargin)) {
+      fan(first, place(ring.station, shape[count_]), !before);
+      return true;
     }
-    for (const auto& [i, j, k] : section_.lid) {
+    const auto triangles = geometry::triangulate(shape.first(count_), sweep_.sizes);
+    for (const auto& [i, j, k] : triangles) {
       if (before) {
         mesh_.triangles.push_back({first + i, first + j, first + k});
       } else {
         mesh_.triangles.push_back({first + i, first + k, first + j});
       }
     }
+    return !triangles.empty();
   }
 
   mesh::TriMesh take() { return std::move(mesh_); }
 
  private:
-  SectionPoint shrunk(SectionPoint p, double scale) const {
-    return scale == 1 ? p : lerp(section_.centre, p, scale);
+  void quad(const std::array<std::uint32_t, 4>& corners) {
+    const auto [a0, a1, b0, b1] = corners;
+    constexpr double kTie = 1 + 1e-5;  // equal diagonals: always the same one
+    if (squared(a0, b1) <= squared(a1, b0) * kTie) {
+      mesh_.triangles.push_back({a0, b0, b1});
+      mesh_.triangles.push_back({a0, b1, a1});
+    } else {
+      mesh_.triangles.push_back({a0, b0, a1});
+      mesh_.triangles.push_back({a1, b0, b1});
+    }
   }
 
-  std::uint32_t place(const Ring& ring, SectionPoint p) {
-    const Chord& chord = ring.station.chord;
-    const PicturePoint at = chord.middle() + chord.across() * (p.x / 2);
-    const PicturePoint paint = chord.middle() + chord.across() * (paintedAt(p.x) / 2);
-    return vertex({at.x, -at.y, ring.station.depth * p.y}, paint);
+  std::uint32_t place(const Station& station, SectionPoint p) {
+    ModelPoint off = station.across * p.x + station.depth * p.y;
+    if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
+    const double x = std::clamp(p.x, -1.0, 1.0);
+    return vertex(station.centre + off, station.middle + station.half * paintedAt(x));
+  }
+
+  /// From a point at `off` to where it may stand: 1 is the centre of the bend.
+  static ModelPoint heldBack(ModelPoint off, ModelPoint bend) {
+    constexpr double kFree = 0.7, kMost = 0.95;
+    const double reach = dot(off, bend);
+    if (reach <= kFree) return {};
+    const double held = kFree + (kMost - kFree) * (1 - std::exp(-(reach - kFree) / (kMost - kFree)));
+    return bend * ((held - reach) / dot(bend, bend));
   }
 
   /// Where across the rib (−1…1) the picture is taken from for the surface at x. The fourth power
@@ -176,7 +214,7 @@ class Builder {
     return x * x + y * y + z * z;
   }
 
-  const SweepSection& section_;
+  const Sweep& sweep_;
   std::uint32_t count_;
   double uPerPixel_, vPerPixel_;
   mesh::TriMesh mesh_;
@@ -195,24 +233,18 @@ double signedVolume(const mesh::TriMesh& mesh) {
 
 }  // namespace
 
-SweepSection prepareSection(std::span<const SectionPoint> points) {
-  SweepSection section;
-  section.points.assign(points.begin(), points.end());
-  section.centre = geometry::centroid(points);
-  constexpr double kMargin = 0.02;  // section units: thinner lid triangles would be slivers
-  section.starShaped = geometry::seesAllEdges(points, section.centre, kMargin);
-  if (!section.starShaped) section.lid = geometry::triangulate(points);
-  section.shortestEdge = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    section.shortestEdge =
-        std::min(section.shortestEdge, distance(points[i], points[(i + 1) % points.size()]));
-  }
-  return section;
+std::size_t Sweep::count() const {
+  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
 }
 
-mesh::TriMesh sweepMesh(const Sweep& sweep, const SweepSection& section, image::Size picture) {
+std::span<const SectionPoint> Sweep::shape(std::size_t which) const {
+  const std::size_t size = count() + 1;
+  return std::span(shapes).subspan(which * size, size);
+}
+
+mesh::TriMesh sweepMesh(Sweep sweep, image::Size picture) {
   const RingPath path = pathOf(sweep);
-  Builder builder(section, picture, path.rings.size());
+  Builder builder(sweep, picture, path.rings.size());
   std::uint32_t first = 0, last = 0;
   for (std::size_t i = 0; i < path.rings.size(); ++i) {
     const std::uint32_t ring = builder.ring(path.rings[i]);
@@ -225,13 +257,13 @@ mesh::TriMesh sweepMesh(const Sweep& sweep, const SweepSection& section, image::
   } else {
     if (sweep.startTip) {
       builder.tip(first, *sweep.startTip, true);
-    } else {
-      builder.lid(first, path.rings.front(), true);
+    } else if (!builder.lid(first, path.rings.front(), true)) {
+      return {};
     }
     if (sweep.endTip) {
       builder.tip(last, *sweep.endTip, false);
-    } else {
-      builder.lid(last, path.rings.back(), false);
+    } else if (!builder.lid(last, path.rings.back(), false)) {
+      return {};
     }
   }
   mesh::TriMesh mesh = builder.take();
@@ -243,6 +275,7 @@ mesh::TriMesh sweepMesh(const Sweep& sweep, const SweepSection& section, image::
 }
 
 bool hasSoundTriangles(const mesh::TriMesh& mesh) {
+  if (mesh.triangles.empty()) return false;
   const mesh::Bounds bounds = mesh::boundsOf(mesh);
   double diagonal = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,4 @@
-// From sections standing in the picture to triangles. Internal to loft/.
+// From sections standing in space to triangles. Internal to loft/.
 #pragma once
 
 #include <array>
@@ -6,40 +6,46 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/vec.h"
 #include "engine/image/image.h"
-#include "engine/loft/chords.h"
 #include "engine/mesh/tri_mesh.h"
 
 namespace spineloft::loft {
 
-/// A section with what its use as a wall and as a lid needs.
-struct SweepSection {
-  std::vector<SectionPoint> points;
-  SectionPoint centre;      ///< hub of the lid's triangles, and what an inner wall shrinks towards
-  bool starShaped = false;  ///< the centre sees every edge; else `lid` fills the section
-  std::vector<std::array<std::uint32_t, 3>> lid;
-  double shortestEdge = 0;  ///< section units
-};
-SweepSection prepareSection(std::span<const SectionPoint> points);
-
-/// One section in place: across its chord, `depth` picture pixels for section y = 1.
+/// One section in place: section point (x, y) stands at centre + across · x + depth · y.
 struct Station {
-  Chord chord;
-  double depth = 0;
+  ModelPoint centre, across, depth;
+  /// Towards the centre of the bend here, 1 over its radius: what would reach beyond that centre is
+  /// held back, so that a bend tighter than the part is thick does not fold. 0: nothing is.
+  ModelPoint bend;
+  PicturePoint middle, half;  ///< the same in the picture: x = 0 and x = 1 take their colour there
+  std::size_t shape = 0;      ///< which of Sweep::shapes
 };
 
-/// Stations in order (≥ 1; with a single one at least one tip) and how the two ends are closed: by
-/// a tip, by an inner wall, else by a lid. Openings of a single station are lids.
+/// The point that closes an end.
+struct Tip {
+  ModelPoint at;
+  PicturePoint paint;
+};
+
+/// Stations in order (≥ 1; with a single one at least one tip) and how the two ends are closed: joined
+/// to each other (≥ 3 stations), by a tip, by an inner wall, else by a lid. Openings of a single
+/// station are lids.
 struct Sweep {
+  std::vector<std::size_t> sizes;     ///< points of each curve of the section
+  std::vector<SectionPoint> shapes;   ///< one after the other: all curves' points, then the hub
   std::vector<Station> stations;
-  std::optional<PicturePoint> startTip, endTip;
-  bool startOpen = false, endOpen = false;
+  std::optional<Tip> startTip, endTip;
+  bool startOpen = false, endOpen = false, joined = false;
+
+  std::size_t count() const;  ///< points of a section
+  std::span<const SectionPoint> shape(std::size_t which) const;  ///< count() + 1 points
 };
 
-/// The closed mesh in ModelSpace, with UV.
-mesh::TriMesh sweepMesh(const Sweep& sweep, const SweepSection& section, image::Size picture);
+/// The closed mesh in ModelSpace, with UV. Empty when a lid cannot be filled.
+mesh::TriMesh sweepMesh(Sweep sweep, image::Size picture);
 
-/// No triangle that the law of area (mesh/laws.h) would refuse, with a factor 2 in hand.
+/// No triangle that the law of area (mesh/laws.h) would refuse, with a factor 2 in hand; not empty.
 bool hasSoundTriangles(const mesh::TriMesh& mesh);
 
 }  // namespace spineloft::loft

@@ -22,10 +22,12 @@ Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs
   shape.spine = traced.spine;
   shape.generated = traced.generated;
   shape.ribs = ribs::applyEdits(shape.spine, shape.generated, recipe.edits);
-  shape.shown = shape.ribs;
-  for (const PicturePoint& p : shape.spine.points) shape.centreLine.push_back({p.x, -p.y, 0});
+  const Result<loft::PosedSpine> posed = loft::poseSpine(shape.spine, recipe.pose);
+  if (!posed) return posed.failure();
+  shape.shown = loft::poseRibs(posed.value(), shape.ribs);
+  shape.centreLine = loft::centreLine(posed.value(), shape.spine.points.size());
   const double edited = nowMs(clock);
-  Result<mesh::TriMesh> solid = loft::loftRibs(shape.ribs, picture, recipe.loft);
+  Result<mesh::TriMesh> solid = loft::loftRibs(shape.ribs, picture, recipe.loft, posed.value());
   if (!solid) return solid.failure();
   shape.mesh = std::move(solid).value();
   shape.ms.ribs = edited - started;

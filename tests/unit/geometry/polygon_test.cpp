@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -120,4 +121,114 @@ TEST_CASE("area, centre and sight of a shape with a known answer") {
   Points clockwise(ell.rbegin(), ell.rend());
   CHECK(signedArea(view(clockwise)) == doctest::Approx(-3));
   CHECK_FALSE(seesAllEdges(clockwise, {0.5, 0.5}, 0));
+}
+
+namespace {
+
+/// A star-shaped polygon with clockwise star-shaped holes in it, one after the other.
+struct Pierced {
+  Points points;
+  std::vector<std::size_t> sizes;
+};
+Pierced randomPierced(Rng& rng) {
+  Pierced shape;
+  const auto ring = [&](SectionPoint centre, double low, double high, bool clockwise) {
+    const int corners = 3 + static_cast<int>(rng.below(24));
+    Points part;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 6.283185307179586 * i / corners, radius = rng.uniform(low, high);
+      part.push_back(centre + SectionPoint{radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    if (clockwise) std::reverse(part.begin(), part.end());
+    shape.points.insert(shape.points.end(), part.begin(), part.end());
+    shape.sizes.push_back(part.size());
+  };
+  const int holes = static_cast<int>(rng.below(6));
+  const bool square = rng.below(2) == 0;
+  if (square) {  // many corners in one line
+    for (const SectionPoint p : {SectionPoint{-3, -3}, {0, -3}, {3, -3}, {3, 0}, {3, 3}, {0, 3}, {-3, 3}, {-3, 0}}) {
+      shape.points.push_back(p);
+    }
+    shape.sizes.push_back(8);
+  } else {
+    ring({0, 0}, 5, 9, false);
+  }
+  for (int i = 0; i < holes; ++i) {
+    const double angle = 6.283185307179586 * i / 6;
+    const SectionPoint centre{1.8 * std::cos(angle), 1.8 * std::sin(angle)};
+    if (square && i % 2 == 0) {  // holes in one line with each other and the square's corners
+      for (const SectionPoint p : {SectionPoint{-.5, -.5}, {-.5, .5}, {.5, .5}, {.5, -.5}}) {
+        shape.points.push_back(centre + p);
+      }
+      shape.sizes.push_back(4);
+    } else {
+      ring(centre, 0.2, 0.8, true);
+    }
+  }
+  return shape;
+}
+
+}  // namespace
+
+TEST_CASE("triangles fill polygons with holes and several pieces: all corners used, areas add up") {
+  Rng rng(31);
+  int pierced = 0;
+  for (int round = 0; round < 600; ++round) {
+    Pierced shape = randomPierced(rng);
+    if (round % 5 == 0) {  // a second piece far away
+      for (const SectionPoint p : {SectionPoint{20, 0}, {21, 0}, {20, 1}}) shape.points.push_back(p);
+      shape.sizes.push_back(3);
+    }
+    if (!areSimple(shape.points, shape.sizes)) continue;
+    const bool inside = holds(view(shape.points).first(shape.sizes[0]), {1.8, 0});
+    if (!inside) continue;
+    CAPTURE(round);
+    double area = 0;
+    std::size_t first = 0, holes = 0, outers = 0;
+    for (const std::size_t size : shape.sizes) {
+      const double part = signedArea(view(shape.points).subspan(first, size));
+      area += part;
+      (part > 0 ? outers : holes) += 1;
+      first += size;
+    }
+    pierced += holes > 1;
+    const auto triangles = triangulate(view(shape.points), shape.sizes);
+    REQUIRE(triangles.size() == shape.points.size() + 2 * holes - 2 * outers);
+    double sum = 0;
+    std::vector<bool> used(shape.points.size(), false);
+    for (const auto& [a, b, c] : triangles) {
+      const double part = cross(shape.points[b] - shape.points[a], shape.points[c] - shape.points[a]) / 2;
+      CHECK(part > 0);
+      sum += part;
+      used[a] = used[b] = used[c] = true;
+    }
+    CHECK(sum == doctest::Approx(area).epsilon(1e-12));
+    CHECK(std::all_of(used.begin(), used.end(), [](bool u) { return u; }));
+  }
+  CHECK(pierced > 150);
+}
+
+TEST_CASE("the centre of the kernel sees every edge, and a spiral has none") {
+  Rng rng(32);
+  for (int round = 0; round < 300; ++round) {
+    const Points points = randomPolygon(rng);  // star-shaped from the origin
+    const auto centre = kernelCentre(points);
+    REQUIRE(centre.has_value());
+    CHECK(seesAllEdges(points, *centre, -1e-9));
+  }
+  const Points spiral = {{-1, -1}, {1, -1}, {1, 1}, {-0.6, 1}, {-0.6, -0.2}, {0.2, -0.2},
+                         {0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.6}, {0.6, 0.6}, {0.6, -0.6}, {-1, -0.6}};
+  CHECK(isSimple(spiral));
+  CHECK_FALSE(kernelCentre(spiral).has_value());
+}
+
+TEST_CASE("polygons that touch each other are not simple together") {
+  const Points far = {{0, 0}, {1, 0}, {0, 1}, {2, 2}, {3, 2}, {2, 3}};
+  const std::array<std::size_t, 2> sizes = {3, 3};
+  CHECK(areSimple(far, sizes));
+  Points touching = far;
+  touching[3] = {0.5, 0.5};
+  CHECK_FALSE(areSimple(touching, sizes));
+  CHECK(holds(view(far).first(3), {0.2, 0.2}));
+  CHECK_FALSE(holds(view(far).first(3), {0.8, 0.8}));
 }

@@ -1,0 +1,150 @@
+#include "engine/loft/section_track.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/rng.h"
+#include "engine/geometry/polygon.h"
+#include "engine/loft/loft.h"
+#include "tests/support/generators.h"
+#include "tests/support/mesh_laws.h"
+
+using namespace spineloft;
+using namespace spineloft::loft;
+using namespace spineloft::testing;
+
+namespace {
+
+using Curve = std::vector<SectionPoint>;
+
+SectionShape drawn(std::vector<Curve> curves) {
+  SectionShape shape;
+  shape.contours = std::move(curves);
+  return shape;
+}
+
+/// Every section on the way is sound and touches both rib ends.
+void requireSoundWay(const SectionShape& a, const SectionShape& b, BlendKind kind) {
+  const std::vector<SectionStop> stops = {{0, a, {kind, {}}}, {1, b, {kind, {}}}};
+  REQUIRE(checkStops(stops).ok());
+  const auto track = SectionTrack::along(stops, 48, false);
+  REQUIRE(track.ok());
+  for (int i = 0; i <= 30; ++i) {
+    CAPTURE(i);
+    Curve points;
+    track.value().appendShape(i / 30.0, points);
+    points.pop_back();
+    REQUIRE(points.size() == track.value().count());
+    CHECK(geometry::areSimple(points, track.value().sizes()));
+    const auto [low, high] = std::ranges::minmax_element(points, {}, &SectionPoint::x);
+    CHECK(low->x == -1);
+    CHECK(high->x == 1);
+  }
+}
+
+/// A polygon that its middle does not see whole: a thick, wobbling, bent bar.
+Curve bentBar(Rng& rng) {
+  Curve outer, inner;
+  const double turn = rng.uniform(2, 4.5), start = rng.uniform(0, 6);
+  for (int i = 0; i <= 24; ++i) {
+    const double angle = start + turn * i / 24, thick = rng.uniform(0.1, 0.25);
+    outer.push_back({(0.7 + thick) * std::cos(angle), (0.7 + thick) * std::sin(angle)});
+    inner.push_back({(0.7 - thick) * std::cos(angle), (0.7 - thick) * std::sin(angle)});
+  }
+  outer.insert(outer.end(), inner.rbegin(), inner.rend());
+  return outer;
+}
+
+Curve radial(Rng& rng, int corners) {
+  Curve curve;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners, radius = rng.uniform(0.4, 1);
+    curve.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return curve;
+}
+
+}  // namespace
+
+TEST_CASE("between any two presets every section is simple and touches both rib ends") {
+  for (const SectionName& a : sectionNames()) {
+    for (const SectionName& b : sectionNames()) {
+      CAPTURE(std::string(a.key));
+      CAPTURE(std::string(b.key));
+      requireSoundWay(a.preset, b.preset, BlendKind::Linear);
+    }
+  }
+}
+
+TEST_CASE("drawn sections too, whatever their points and their direction, and beyond their stops") {
+  Rng rng(4);
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    Curve a = round % 2 ? bentBar(rng) : radial(rng, 3 + static_cast<int>(rng.below(60)));
+    Curve b = round % 3 ? bentBar(rng) : radial(rng, 3 + static_cast<int>(rng.below(60)));
+    if (round % 5 == 0) std::ranges::reverse(b);
+    requireSoundWay(drawn({a}), drawn({b}), static_cast<BlendKind>(round % 5));
+    requireSoundWay(SectionPreset::Star, drawn({b}), BlendKind::Overshoot);
+  }
+}
+
+TEST_CASE("5000 points become 4, and the direction of drawing does not matter") {
+  Curve circle;
+  for (int i = 0; i < 5000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 5000;
+    circle.push_back({std::cos(angle), std::sin(angle)});
+  }
+  const Curve square = {{1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
+  requireSoundWay(drawn({circle}), drawn({square}), BlendKind::Ease);
+  Curve back = circle;
+  std::ranges::reverse(back);
+  const auto area = [&](const Curve& c) {
+    const std::vector<SectionStop> stops = {{0, drawn({c}), {}}, {1, drawn({square}), {}}};
+    Curve points;
+    SectionTrack::along(stops, 48, false).value().appendShape(0.5, points);
+    points.pop_back();
+    return geometry::signedArea(std::span<const SectionPoint>(points));
+  };
+  CHECK(area(circle) > 3.1);
+  CHECK(area(back) == doctest::Approx(area(circle)).epsilon(2e-3));
+}
+
+TEST_CASE("a section with a hole makes a tube, one of two pieces two shells") {
+  const auto set = straightRibs({100, 400}, {500, 400}, 11, [](double) { return 80.0; });
+  LoftParams params;
+  const Curve outer = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, hole = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}};
+  params.sections = {{0.5, drawn({outer, hole}), {}}};
+  const auto tube = loftRibs(set, {1000, 800}, params);
+  REQUIRE(tube.ok());
+  const auto report = requireLawful(tube.value());
+  CHECK(report.genus == 1);
+  CHECK(report.shells == 1);
+  CHECK(report.volume == doctest::Approx(400 * 40 * 40 * 3.0).epsilon(1e-5));
+  params.sections = {{0.5, drawn({{{-1, -.4}, {-.2, -.4}, {-.2, .4}, {-1, .4}}, {{.2, -.4}, {1, -.4}, {1, .4}, {.2, .4}}}), {}}};
+  const auto strands = loftRibs(set, {1000, 800}, params);
+  REQUIRE(strands.ok());
+  CHECK(requireLawful(strands.value()).shells == 2);
+}
+
+TEST_CASE("sections that cannot be are refused with the reason") {
+  const Curve square = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const auto refused = [](std::vector<Curve> curves) {
+    return checkShape(drawn(std::move(curves))).error() == Error::SectionInvalid;
+  };
+  CHECK(checkShape(drawn({square})).ok());
+  CHECK(checkShape(drawn({{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}, {-1, -1}}})).ok());
+  CHECK(refused({{{-1, -1}, {1, 1}, {1, -1}, {-1, 1}}}));
+  CHECK(refused({{{-1, 0}, {1, 0}}}));
+  CHECK(refused({square, {{0, 0}, {2, 0}, {2, 0.5}}}));
+  const auto scaled = [](Curve c, double by) {
+    for (SectionPoint& p : c) p = p * by;
+    return c;
+  };
+  CHECK(checkShape(drawn({square, scaled(square, 0.5)})).ok());
+  CHECK(checkShape(drawn({square, scaled(square, 0.5), scaled(square, 0.2)})).ok());
+  const std::vector<SectionStop> stops = {{0, drawn({square, scaled(square, 0.5)}), {}}, {1, SectionPreset::Circle, {}}};
+  CHECK(checkStops(stops).error() == Error::SectionInvalid);
+}
