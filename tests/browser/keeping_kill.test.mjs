@@ -77,8 +77,11 @@ async function workUntilKilled(page, random, states) {
       inHand = gesture(page, random);
       // A refused command (nothing to undo, no part) is no gesture; a dead page ends the round.
       await untilGone(inHand.act()).catch((error) => { if (/crash|closed/i.test(error.message)) throw error; });
-      states.push(await untilGone(history(page)));
+      const now = await untilGone(history(page));
+      if (now !== states.at(-1)) states.push(now);
       inHand = null;
+      // No hand is quicker than this between two gestures.
+      await untilGone(new Promise((resolve) => { setTimeout(resolve, 20 + random() * 60); }));
     }
   } catch (error) {
     if (!/crash|closed|destroyed|detached/i.test(error.message)) throw error;
@@ -127,6 +130,8 @@ test(`a page that is killed ${kRounds} times at random comes back each time, at 
         await page.evaluate(() => window.spineloft.idle());
         await openPicture(page, smallTube.png, 'tube.png');
       }
+      // What the verdict undid and did again was no hand's work: only from here on the page is in a hurry.
+      await page.evaluate(() => window.spineloft.idle());
       states = [await history(page)];
       inHand = await workUntilKilled(page, random, states);
       gestures += states.length - 1;
