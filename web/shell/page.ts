@@ -224,7 +224,7 @@ export class Page {
     // Every stroke on paper has its edges looked for; nobody who draws needs to know.
     const drawing = this.state?.tool === 'pen' || this.state?.tool === 'eraser';
     const activity = drawing ? null : this.state?.activity ?? null;
-    if (this.isBusy) {
+    if (this.opening.size > 0) {
       const cancel = () => this.opening.forEach((aborter) => aborter.abort());
       this.progress.set({ label: 'Opening the picture', done: null, cancel });
     } else if (activity) {
