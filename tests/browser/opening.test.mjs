@@ -147,7 +147,7 @@ test('dropping something that is no file says so', () => onPage(kit, {}, async (
     data.setData('text/plain', 'hello');
     document.body.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer: data }));
   });
-  assert.match(await toastText(page), /not a picture file/);
+  assert.match(await toastText(page), /was not a file/);
 }));
 
 test('errors stay at least six seconds and can be dismissed', () => onPage(kit, {}, async (page) => {
