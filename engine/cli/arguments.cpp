@@ -92,13 +92,13 @@ UsageProblem oneFile(const Words& words, const char* what) {
   return {"There is one file name too many, " + words.files[1] + "."};
 }
 
-/// Outputs must not fall on one another or on an input.
+/// Outputs must not fall on one another or on an input; empty names are none.
 std::optional<UsageProblem> clash(std::span<const std::string> inputs,
                                   std::span<const std::string> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) continue;
     for (const std::string& input : inputs) {
-      if (samePlace(outputs[i], input))
+      if (!input.empty() && samePlace(outputs[i], input))
         return UsageProblem{"The output " + outputs[i] + " would replace an input."};
     }
     for (std::size_t j = 0; j < i; ++j) {
@@ -168,23 +168,31 @@ std::optional<UsageProblem> readOutputs(const Words& words, LoftArguments& loft)
     }
     loft.objInPicture = space == "image";
   }
-  const std::array inputs{loft.image, loft.stroke};
+  const std::array inputs{loft.image, loft.stroke, loft.recipe};
   const std::array outputs{loft.out, loft.mask, loft.ribs, loft.report};
   return clash(inputs, outputs);
 }
 
 Arguments parseLoft(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 10> kKnown{
-      "--stroke", "--stroke-name", "--section", "--caps",   "--height-mm",
-      "--out",    "--mask",        "--ribs",    "--report", "--obj-space"};
+  static constexpr std::array<std::string_view, 11> kKnown{
+      "--stroke", "--stroke-name", "--recipe", "--section", "--caps",     "--height-mm",
+      "--out",    "--mask",        "--ribs",   "--report",  "--obj-space"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
-  if (words.files.size() != 1) return oneFile(words, "the picture to loft from");
-  if (!words.has("--stroke")) return UsageProblem{"Name the stroke's file with --stroke."};
   LoftArguments loft;
-  loft.image = words.files[0];
   loft.stroke = words.option("--stroke");
   loft.strokeName = words.option("--stroke-name");
+  loft.recipe = words.option("--recipe");
+  if (words.files.size() > 1 || (words.files.empty() && loft.recipe.empty())) {
+    return oneFile(words, "the picture to loft from");
+  }
+  if (!words.files.empty()) loft.image = words.files[0];
+  if (loft.stroke.empty() && loft.recipe.empty()) {
+    return UsageProblem{"Name the stroke's file with --stroke."};
+  }
+  if (!loft.recipe.empty() && (words.has("--section") || words.has("--caps"))) {
+    return UsageProblem{"The section and the caps stand in the recipe; leave --section and --caps out."};
+  }
   if (const auto problem = readShape(words, loft)) return *problem;
   if (const auto problem = readOutputs(words, loft)) return *problem;
   return loft;
@@ -262,6 +270,9 @@ std::string usageText() {
           "  --stroke FILE        JSON: a list of [x, y] picture pixels, or {\"spines\": {name: "
           "list}}\n"
           "  --stroke-name NAME   which of the spines (default: the first)\n"
+          "  --recipe FILE        instead of --section and --caps: JSON of a part or of a whole\n"
+          "                       document, as projects hold it; then IMAGE and --stroke are only\n"
+          "                       needed where the recipe has no picture or no stroke of its own\n"
           "  --section NAME       "
        << keysOf(loft::sectionNames()) << "\n  --caps NAME          " << keysOf(loft::capNames())
        << "\n"

@@ -17,11 +17,13 @@ struct HelpArguments {};
 struct VersionArguments {};
 
 struct LoftArguments {
-  std::string image, stroke;
+  std::string image;       ///< empty only with a recipe
+  std::string stroke;      ///< empty only with a recipe
   std::string strokeName;  ///< empty: the first in the file
+  std::string recipe;      ///< JSON of a part or of a whole document; says section and caps
   loft::SectionPreset section = loft::SectionPreset::Circle;
   loft::CapStyle caps = loft::CapStyle::Round;
-  double heightMm = document::Document{}.height.value;
+  std::optional<double> heightMm;  ///< without: the recipe's, or the usual one
   /// Empty where the output is not wanted.
   std::string out, mask, ribs, report;
   publish::Format format = publish::Format::Glb;  ///< of `out`

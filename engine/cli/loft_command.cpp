@@ -10,6 +10,7 @@
 #include "engine/io/json_values.h"
 #include "engine/io/obj.h"
 #include "engine/io/picture_file.h"
+#include "engine/io/recipe_file.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
@@ -18,13 +19,16 @@
 namespace spineloft::cli {
 namespace {
 
-/// What the outputs are written from.
+/// What the outputs are written from: a document whose parts all have a shape.
 struct Model {
   document::Document document;
   pipeline::Derived derived;
   io::NamedNumbers milliseconds;
-  const pipeline::PartShape& shape() const { return *derived.parts.front().shape; }
-  image::Size picture() const { return document.pictures.front()->size; }
+  /// The picture and the shape of a part.
+  image::Size picture(std::size_t part) const {
+    return findPicture(document, document.parts[part]->recipe.picture)->size;
+  }
+  const pipeline::PartShape& shape(std::size_t part) const { return *derived.parts[part].shape; }
 };
 
 Result<image::Picture> readPicture(const std::string& path) {
@@ -53,9 +57,10 @@ Result<document::Document> author(const LoftArguments& arguments, image::Picture
   draw.stroke = std::move(stroke);
   draw.section = arguments.section;
   draw.startCap = draw.endCap = arguments.caps;
+  const double height = arguments.heightMm.value_or(document::Document{}.height.value);
   const std::vector<document::Action> actions{
       document::AddPicture{name, std::make_shared<const image::Picture>(std::move(picture))},
-      document::RenameDocument{name}, document::SetHeight{Millimetres{arguments.heightMm}},
+      document::RenameDocument{name}, document::SetHeight{Millimetres{height}},
       std::move(draw)};
   document::Document document;
   for (const document::Action& action : actions) {
@@ -66,28 +71,80 @@ Result<document::Document> author(const LoftArguments& arguments, image::Picture
   return document;
 }
 
-Result<Model> makeModel(const LoftArguments& arguments) {
-  Result<std::vector<PicturePoint>> stroke = readStrokeFile(arguments);
-  if (!stroke.ok()) return stroke.failure();
-  const double started = nowMs();
-  Result<image::Picture> picture = readPicture(arguments.image);
-  if (!picture.ok()) return picture.failure();
-  const double decoded = nowMs();
-  Result<document::Document> document =
-      author(arguments, std::move(picture).value(), std::move(stroke).value());
-  if (!document.ok()) return {document.error(), arguments.stroke};
+/// The document of a recipe, on the picture and with the stroke of the arguments where they name them.
+Result<document::Document> follow(const LoftArguments& arguments, image::Picture* picture,
+                                  std::vector<PicturePoint> stroke) {
+  const Result<std::string> text = readText(arguments.recipe);
+  if (!text.ok()) return text.failure();
+  io::RecipeInput input;
+  if (picture != nullptr) {
+    input.photo = std::make_shared<const image::Picture>(std::move(*picture));
+    input.photoName = std::filesystem::path(arguments.image).stem().string();
+  }
+  input.stroke = std::move(stroke);
+  Result<document::Document> document = io::readRecipe(text.value(), input);
+  if (!document.ok()) {
+    const std::string& why = document.failure().detail;
+    return {document.error(), arguments.recipe + (why.empty() ? "" : ": " + why)};
+  }
+  if (!arguments.heightMm) return document;
+  return document::update(document.value(), document::SetHeight{Millimetres{*arguments.heightMm}});
+}
+
+/// Every part of the document with its shape. Error: the first failure of one of them.
+Result<Model> deriveModel(document::Document document, io::NamedNumbers milliseconds) {
+  if (document.parts.empty()) return Error::NothingToExport;
   pipeline::Cache cache;
   double edgesMs = 0;
   Result<pipeline::Derived> derived =
-      pipeline::deriveWithEdges(document.value(), cache, Progress(), nowMs, &edgesMs);
+      pipeline::deriveWithEdges(document, cache, Progress(), nowMs, &edgesMs);
   if (!derived.ok()) return derived.failure();
-  const pipeline::DerivedPart& part = derived.value().parts.front();
-  if (!part.shape) return part.failure.value_or(Failure{Error::NothingToExport, {}});
-  const pipeline::StageMs ms = part.shape->ms;
-  return Model{
-      std::move(document).value(),
-      std::move(derived).value(),
-      {{"decode", decoded - started}, {"edges", edgesMs}, {"ribs", ms.ribs}, {"loft", ms.loft}}};
+  double ribsMs = 0, loftMs = 0;
+  for (std::size_t i = 0; i < document.parts.size(); ++i) {
+    const pipeline::DerivedPart& part = derived.value().parts[i];
+    if (!part.shape) {
+      Failure failure = part.failure.value_or(Failure{Error::NothingToExport, {}});
+      if (failure.detail.empty()) failure.detail = document.parts[i]->name;
+      return failure;
+    }
+    ribsMs += part.shape->ms.ribs;
+    loftMs += part.shape->ms.loft;
+  }
+  milliseconds.insert(milliseconds.end(), {{"edges", edgesMs}, {"ribs", ribsMs}, {"loft", loftMs}});
+  return Model{std::move(document), std::move(derived).value(), std::move(milliseconds)};
+}
+
+Result<Model> makeModel(const LoftArguments& arguments) {
+  std::vector<PicturePoint> stroke;
+  if (!arguments.stroke.empty()) {
+    Result<std::vector<PicturePoint>> read = readStrokeFile(arguments);
+    if (!read.ok()) return read.failure();
+    stroke = std::move(read).value();
+  }
+  const double started = nowMs();
+  Result<image::Picture> picture = image::Picture{};
+  if (!arguments.image.empty()) picture = readPicture(arguments.image);
+  if (!picture.ok()) return picture.failure();
+  const double decoded = nowMs();
+  Result<document::Document> document =
+      arguments.recipe.empty()
+          ? author(arguments, std::move(picture).value(), std::move(stroke))
+          : follow(arguments, arguments.image.empty() ? nullptr : &picture.value(),
+                   std::move(stroke));
+  if (!document.ok()) {
+    if (!arguments.recipe.empty()) return document.failure();
+    return {document.error(), arguments.stroke};
+  }
+  return deriveModel(std::move(document).value(), {{"decode", decoded - started}});
+}
+
+/// What only makes sense for one part is not asked of several. Error: JsonInvalid.
+Status checkOutputs(const LoftArguments& arguments, const Model& model) {
+  const bool forOne = !arguments.mask.empty() || !arguments.ribs.empty() || arguments.objInPicture;
+  if (!forOne || model.document.parts.size() == 1) return Done{};
+  return {Error::JsonInvalid, arguments.recipe + ": it has " +
+                                  std::to_string(model.document.parts.size()) +
+                                  " parts; --mask, --ribs and --obj-space image are for one"};
 }
 
 Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
@@ -96,23 +153,28 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
   }
   io::ExportPart part;
   part.name = model.document.parts.front()->name;
-  part.mesh = &model.shape().mesh;
+  part.mesh = &model.shape(0).mesh;
   return io::writeObj({&part, 1}, io::ObjSpace::Image);
 }
 
 Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
 
+/// Of one part an object, of several a list of them; the times are those of all.
 std::string reportOf(const Model& model) {
-  const pipeline::PartShape& shape = model.shape();
-  io::LoftReport report;
-  report.picture = model.picture();
-  report.ribs = shape.ribs.ribs.size();
-  report.vertices = shape.mesh.positions.size();
-  report.triangles = shape.mesh.triangles.size();
-  report.energy = shape.ribs.energy;
-  report.mesh = mesh::inspect(shape.mesh);
-  report.milliseconds = model.milliseconds;
-  return io::writeReport(report);
+  std::string text;
+  for (std::size_t i = 0; i < model.document.parts.size(); ++i) {
+    const pipeline::PartShape& shape = model.shape(i);
+    io::LoftReport report;
+    report.picture = model.picture(i);
+    report.ribs = shape.ribs.ribs.size();
+    report.vertices = shape.mesh.positions.size();
+    report.triangles = shape.mesh.triangles.size();
+    report.energy = shape.ribs.energy;
+    report.mesh = mesh::inspect(shape.mesh);
+    report.milliseconds = model.milliseconds;
+    text += (text.empty() ? "" : ",\n") + io::writeReport(report);
+  }
+  return model.document.parts.size() == 1 ? text : "[" + text + "]\n";
 }
 
 }  // namespace
@@ -121,6 +183,7 @@ Status runLoft(const LoftArguments& arguments, std::ostream& out) {
   Result<Model> made = makeModel(arguments);
   if (!made.ok()) return made.failure();
   Model& model = made.value();
+  if (Status status = checkOutputs(arguments, model); !status.ok()) return status;
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& path, Result<Bytes> bytes) -> Status {
     if (!bytes.ok()) return bytes.failure();
@@ -133,18 +196,23 @@ Status runLoft(const LoftArguments& arguments, std::ostream& out) {
       return status;
   }
   if (!arguments.mask.empty()) {
-    const image::Mask mask = pipeline::rasteriseSilhouette(model.shape().mesh, model.picture());
+    const image::Mask mask = pipeline::rasteriseSilhouette(model.shape(0).mesh, model.picture(0));
     if (Status status = add(arguments.mask, io::encodeMaskPng(mask)); !status.ok()) return status;
   }
   if (!arguments.ribs.empty()) {
-    files.push_back({arguments.ribs, bytesOf(io::writeRibs(model.shape().ribs))});
+    files.push_back({arguments.ribs, bytesOf(io::writeRibs(model.shape(0).ribs))});
   }
   model.milliseconds.emplace_back("write", nowMs() - started);
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(model))});
   if (Status status = writeAll(files); !status.ok()) return status;
 
-  out << model.shape().ribs.ribs.size() << " ribs, " << model.shape().mesh.triangles.size()
-      << " triangles";
+  std::size_t ribs = 0, triangles = 0;
+  for (std::size_t i = 0; i < model.document.parts.size(); ++i) {
+    ribs += model.shape(i).ribs.ribs.size();
+    triangles += model.shape(i).mesh.triangles.size();
+  }
+  if (model.document.parts.size() > 1) out << model.document.parts.size() << " parts, ";
+  out << ribs << " ribs, " << triangles << " triangles";
   for (const OutputFile& file : files) out << (&file == &files.front() ? ": " : ", ") << file.path;
   out << '\n';
   return Done{};

@@ -22,7 +22,7 @@ function maskBounds({ width, height, data }) {
 
 test('help names every option, version the version, both on standard output', () => {
   const help = works('--help').stdout;
-  for (const word of ['--stroke', '--stroke-name', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays']) {
+  for (const word of ['--stroke', '--stroke-name', '--recipe', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays']) {
     assert.ok(help.includes(word), word);
   }
   assert.equal(works('loft', '--help').stdout, help);

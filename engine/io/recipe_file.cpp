@@ -1,0 +1,232 @@
+#include "engine/io/recipe_file.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <utility>
+
+#include "engine/document/checks.h"
+#include "engine/io/document_json.h"
+
+namespace spineloft::io {
+namespace {
+
+using document::Document;
+using document::Part;
+using document::PictureEntry;
+
+/// In larger recipes the value at fault is not searched for, members: it takes a reading for each.
+constexpr std::size_t kMostSearched = 2000;
+
+/// How many values of a recipe are at fault.
+using Faults = std::function<std::size_t(const Json&)>;
+using Place = std::vector<std::string>;  ///< keys, outermost first
+
+Json::json_pointer pointerTo(const Place& place, std::size_t depth) {
+  Json::json_pointer pointer;
+  for (std::size_t i = 0; i < depth; ++i) pointer /= place[i];
+  return pointer;
+}
+
+/// Members of objects, and elements of lists of objects, at any depth.
+void collectPlaces(const Json& json, Place& here, std::vector<Place>& places) {
+  const bool list = json.is_array() && std::ranges::any_of(json, &Json::is_object);
+  if (!json.is_object() && !list) return;
+  for (const auto& [key, value] : json.items()) {
+    here.push_back(key);
+    if (places.size() < kMostSearched) places.push_back(here);
+    collectPlaces(value, here, places);
+    here.pop_back();
+  }
+}
+
+/// The innermost place without which fewer values are at fault; empty when there is none.
+Place faultIn(const Json& whole, const Faults& faults) {
+  std::vector<Place> places;
+  Place here;
+  collectPlaces(whole, here, places);
+  if (places.size() >= kMostSearched) return {};
+  std::ranges::stable_sort(places, std::greater(), &Place::size);
+  const std::size_t all = faults(whole);
+  for (const Place& place : places) {
+    Json without = whole;
+    Json& around = without[pointerTo(place, place.size() - 1)];
+    if (around.is_object()) {
+      around.erase(place.back());
+    } else {
+      around.erase(static_cast<std::size_t>(std::stoul(place.back())));
+    }
+    if (faults(without) < all) return place;
+  }
+  return {};
+}
+
+/// Says which value is at fault: "recipe.loft.twist is damaged or out of range".
+Failure wrongValue(const Json& whole, const Faults& faults) {
+  std::string path;
+  for (const std::string& key : faultIn(whole, faults)) path += (path.empty() ? "" : ".") + key;
+  if (path.empty()) path = "a value";
+  return {Error::JsonInvalid, path + " is damaged or out of range"};
+}
+
+/// The first key of what was left over, with the keys around it; empty when nothing was.
+std::string firstKey(const Json& rest) {
+  if (!rest.is_object()) return {};
+  for (const auto& [key, value] : rest.items()) {
+    if (key == kLengthKey) continue;
+    const std::string inner = firstKey(value);
+    return inner.empty() ? key : key + "." + inner;
+  }
+  return {};
+}
+
+/// The name that a picture or a part gets when it is made.
+void nameIfNone(Json& element, std::uint32_t id) {
+  if (element.contains("name")) return;
+  Part part;
+  PictureEntry picture;
+  part.id.value = picture.id.value = id;
+  const bool isPart = element.contains("recipe");
+  element["name"] = isPart ? document::fallbackName(part) : document::fallbackName(picture);
+}
+
+Status checkPhoto(const RecipeInput& input, bool wanted) {
+  if (wanted && !input.photo) {
+    return {Error::JsonInvalid, "it stands on a photo, whose file must be named too"};
+  }
+  if (!wanted && input.photo) {
+    return {Error::JsonInvalid, "it brings its own pictures and stands on no photo"};
+  }
+  return Done{};
+}
+
+/// A document with nothing but the photo.
+Document boardOf(const RecipeInput& input) {
+  PictureEntry entry;
+  entry.id = PictureId{1};
+  entry.size = {input.photo->width, input.photo->height};
+  entry.picture = input.photo;
+  entry.contentHash = document::contentHash(*input.photo);
+  entry.name = document::tidyName(input.photoName, document::fallbackName(entry));
+  Document board;
+  board.name = entry.name;
+  board.pictures.push_back(std::move(entry));
+  board.lastPictureId = board.lastPartId = 1;
+  return board;
+}
+
+/// The line of a part: what is wrong with it is said as of a drawn one.
+Status checkLine(const Document& board, const Json& recipe) {
+  document::LoftRecipe line;
+  line.picture = PictureId{1};
+  if (!recipe.contains("stroke")) return Error::StrokeTooShort;
+  if (!get(recipe["stroke"], line.stroke)) {
+    return {Error::JsonInvalid, "recipe.stroke is no list x, y, x, y … of numbers"};
+  }
+  return document::checkStroke(board, line);
+}
+
+Result<Document> withPart(Json json, const RecipeInput& input) {
+  if (!json.contains("recipe")) json = Json{{"recipe", std::move(json)}};
+  if (Status photo = checkPhoto(input, true); !photo) return photo.failure();
+  Json& recipe = json["recipe"];
+  if (!recipe.is_object()) return {Error::JsonInvalid, "recipe is no object"};
+  json["id"] = recipe["picture"] = 1;
+  nameIfNone(json, 1);
+  if (!input.stroke.empty()) recipe["stroke"] = toJson(input.stroke);
+  Document document = boardOf(input);
+  if (Status line = checkLine(document, recipe); !line) return line.failure();
+
+  const PictureSource none;
+  ReadNotes notes;
+  Result<Part> part = partFrom(json, document, {notes, none});
+  if (!part || !notes.clean()) {
+    return wrongValue(json, [&](const Json& whole) {
+      ReadNotes found;
+      const bool sound = partFrom(whole, document, {found, none}).ok();
+      return found.dropped + found.repaired + (sound ? 0 : 1);
+    });
+  }
+  const std::string& extra = part.value().extra;
+  if (const std::string key = firstKey(Json::parse(extra, nullptr, false)); !key.empty()) {
+    return {Error::JsonInvalid, "there is nothing named " + key};
+  }
+  document.parts.push_back(std::move(part).value());
+  return document;
+}
+
+/// Puts the photo in the place of the ones that the pictures name. Error: JsonInvalid.
+Status takePhoto(Json& pictures, const RecipeInput& input) {
+  std::vector<Json*> photos;
+  for (Json& picture : pictures) {
+    if (picture.is_object() && picture.contains("photo")) photos.push_back(&picture);
+  }
+  if (Status photo = checkPhoto(input, !photos.empty()); !photo) return photo;
+  for (Json* picture : photos) {
+    const Json hash = hashKey(document::contentHash(*input.photo));
+    Json& named = (*picture)["photo"];
+    if (photos.size() > 1 && named != hash) {
+      return {Error::JsonInvalid, "it stands on several photos; save it as a .spineloft file"};
+    }
+    named = hash;
+    if (!picture->contains("size")) {
+      (*picture)["size"] = toJson(image::Size{input.photo->width, input.photo->height});
+    }
+  }
+  return Done{};
+}
+
+/// What people leave out of a list is filled in: names, and the last id, which is the largest.
+void completeList(Json& json, const char* list, const char* last) {
+  if (!json.contains(list)) return;
+  std::uint32_t largest = 0;
+  for (Json& element : json[list]) {
+    std::uint32_t id = 0;
+    if (!element.is_object()) continue;
+    if (element.contains("id") && get(element["id"], id)) largest = std::max(largest, id);
+    nameIfNone(element, id);
+  }
+  if (!json.contains(last)) json[last] = std::min(largest, kMostId);
+}
+
+Result<Document> wholeDocument(Json json, const RecipeInput& input) {
+  if (!input.stroke.empty()) {
+    return {Error::JsonInvalid, "a whole document has lines of its own"};
+  }
+  if (!json.contains("version")) json["version"] = kProjectVersion;
+  Json& pictures = json["pictures"];
+  if (pictures.is_null()) pictures = Json::array();
+  if (Status photo = takePhoto(pictures, input); !photo) return photo.failure();
+  completeList(json, "pictures", "lastPictureId");
+  completeList(json, "parts", "lastPartId");
+  const PictureSource source = [&](std::uint64_t) { return input.photo; };
+  ReadNotes notes;
+  Result<Document> document = documentFrom(json, {notes, source}, MissingPhoto::Drop);
+  if (!document) {
+    if (document.error() == Error::ProjectTooNew) return document;
+    return {Error::JsonInvalid, document.failure().detail};
+  }
+  if (notes.clean()) return document;
+  return wrongValue(json, [&](const Json& whole) {
+    ReadNotes found;
+    const bool sound = documentFrom(whole, {found, source}, MissingPhoto::Drop).ok();
+    return sound ? found.dropped + found.repaired : std::size_t{1} << 20;
+  });
+}
+
+}  // namespace
+
+Result<Document> readRecipe(std::string_view json, const RecipeInput& input) {
+  try {
+    Result<Json> parsed = parseJson(json);
+    if (!parsed) return {Error::JsonInvalid, parsed.failure().detail};
+    Json recipe = std::move(parsed).value();
+    if (!recipe.is_object()) return {Error::JsonInvalid, "it is no object"};
+    return recipe.contains("parts") ? wholeDocument(std::move(recipe), input)
+                                    : withPart(std::move(recipe), input);
+  } catch (const std::exception&) {  // the JSON library and the standard one only throw for memory
+    return Error::OutOfMemory;
+  }
+}
+
+}  // namespace spineloft::io

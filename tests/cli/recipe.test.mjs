@@ -1,0 +1,153 @@
+// spineloft loft --recipe: what a person authored, as JSON, becomes the model that the page would make.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import validator from 'gltf-validator';
+import { barFolder, barStroke, fails, glbJson, readJson, readObj, works, workFolder } from '../support/cli.mjs';
+
+const recipes = fileURLToPath(new URL('../../assets/docs/recipes/', import.meta.url));
+const recipe = (name) => join(recipes, `${name}.json`);
+
+function write(folder, name, json) {
+  writeFileSync(folder.path(name), typeof json === 'string' ? json : JSON.stringify(json));
+  return folder.path(name);
+}
+
+/** Lofts the recipe and returns the reports of its parts. */
+function reports(folder, file, ...rest) {
+  works('loft', ...rest, '--recipe', file, '--report', folder.path('report.json'));
+  return [readJson(folder.path('report.json'))].flat();
+}
+
+test('every recipe of the guide makes closed solids and a GLB without a fault that can be edited again', async (t) => {
+  const names = readdirSync(recipes).map((file) => file.replace(/\.json$/, ''));
+  assert.deepEqual(names.sort(), ['helix', 'toothpaste-tube', 'twisted-pasta']);
+  const folder = workFolder(t);
+  for (const name of names) {
+    const glb = folder.path(`${name}.glb`);
+    works('loft', '--recipe', recipe(name), '--out', glb);
+    for (const { mesh } of reports(folder, recipe(name))) {
+      assert.ok(mesh.closed && mesh.lawful && mesh.genus === 0 && mesh.volume > 0, name);
+    }
+    const { issues } = await validator.validateBytes(new Uint8Array(readFileSync(glb)));
+    assert.equal(issues.numErrors + issues.numWarnings, 0, JSON.stringify(issues.messages));
+    works('open', glb, '--document', folder.path('again.json'));
+    works('loft', '--recipe', folder.path('again.json'), '--out', folder.path('again.glb'));
+    assert.deepEqual(readFileSync(folder.path('again.glb')), readFileSync(glb), `${name} from the document of its GLB`);
+  }
+});
+
+test('the helix winds three times round its line and its bar stays as thick', (t) => {
+  const folder = workFolder(t);
+  const json = readJson(recipe('helix'));
+  const [{ mesh }] = reports(folder, recipe('helix'), '--out', folder.path('helix.obj'), '--obj-space', 'image');
+  delete json.parts[0].recipe.pose;
+  const [straight] = reports(folder, write(folder, 'straight.json', json), '--out', folder.path('bar.obj'), '--obj-space', 'image');
+  const extent = (name, axis) => {
+    const along = readObj(folder.path(name)).vertices.map((vertex) => vertex[axis]);
+    return Math.max(...along) - Math.min(...along);
+  };
+  const thick = extent('bar.obj', 0);
+  for (const axis of [0, 2]) {
+    assert.ok(Math.abs(extent('helix.obj', axis) / (220 + thick) - 1) < 0.03, `axis ${axis}: ${extent('helix.obj', axis)}`);
+  }
+  // The volume grows as the length of the line: the first and the last half turn grow out of it.
+  const longer = (turns) => Math.hypot(2 * Math.PI * 110 * turns, 512) / 512;
+  const times = mesh.volume / straight.mesh.volume;
+  assert.ok(times > longer(2) && times < longer(3), `${times}`);
+});
+
+test('a twist turns the pasta and leaves its volume', (t) => {
+  const folder = workFolder(t);
+  const json = readJson(recipe('twisted-pasta'));
+  const [twisted] = reports(folder, recipe('twisted-pasta'));
+  json.parts[0].recipe.loft.twist = [];
+  const [straight] = reports(folder, write(folder, 'straight.json', json));
+  assert.ok(Math.abs(twisted.mesh.volume / straight.mesh.volume - 1) < 0.03, `${twisted.mesh.volume} and ${straight.mesh.volume}`);
+  assert.ok(twisted.mesh.area > 1.02 * straight.mesh.area);
+});
+
+test('a part is put on the picture, with its own stroke or with one that is named', (t) => {
+  const folder = barFolder(t);
+  const loft = { sections: [{ shape: { preset: 'square' } }], startCap: 'flat', endCap: 'flat' };
+  const part = write(folder, 'part.json', { name: 'Post', recipe: { stroke: barStroke.flat(), loft } });
+  const bare = write(folder, 'bare.json', { stroke: barStroke.flat(), loft });
+  const style = write(folder, 'style.json', { recipe: { loft } });
+  const stroke = ['--stroke', folder.path('stroke.json')];
+  const stl = (...args) => {
+    works('loft', folder.path('bar.png'), ...args, '--out', folder.path('a.stl'));
+    return readFileSync(folder.path('a.stl'));
+  };
+  const wanted = stl(...stroke, '--section', 'square', '--caps', 'flat');
+  assert.deepEqual(stl('--recipe', part), wanted);
+  assert.deepEqual(stl('--recipe', bare), wanted);
+  assert.deepEqual(stl('--recipe', style, ...stroke), wanted);
+  works('loft', folder.path('bar.png'), '--recipe', part, '--out', folder.path('a.glb'), '--height-mm', '50');
+  const { name, parts, height } = glbJson(readFileSync(folder.path('a.glb'))).extensions.SPINELOFT_project.document;
+  assert.deepEqual([name, parts[0].name, height], ['bar', 'Post', 50]);
+});
+
+test('the document of a saved model is a recipe on its photo, and needs it', (t) => {
+  const folder = barFolder(t);
+  works('loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), '--out', folder.path('bar.glb'));
+  works('open', folder.path('bar.glb'), '--document', folder.path('bar.json'));
+  works('loft', folder.path('bar.png'), '--recipe', folder.path('bar.json'), '--out', folder.path('again.glb'));
+  assert.deepEqual(readFileSync(folder.path('again.glb')), readFileSync(folder.path('bar.glb')));
+  assert.match(fails(3, 'loft', '--recipe', folder.path('bar.json')), /stands on a photo/);
+  assert.match(fails(3, 'loft', folder.path('bar.png'), '--recipe', recipe('helix')), /brings its own pictures/);
+  assert.match(fails(3, 'loft', folder.path('bar.png'), '--recipe', folder.path('bar.json'), '--stroke', folder.path('stroke.json')), /lines of its own/);
+  const twice = readJson(folder.path('bar.json'));
+  twice.pictures.push({ ...twice.pictures[0], id: 2, photo: '0123456789abcdef' });
+  assert.match(fails(3, 'loft', folder.path('bar.png'), '--recipe', write(folder, 'twice.json', twice)), /several photos/);
+});
+
+test('a bad recipe ends with 3, says where it is bad, and leaves nothing behind', (t) => {
+  const folder = barFolder(t);
+  const stroke = barStroke.flat();
+  const bad = [
+    ['', /not JSON/],
+    ['{', /not JSON/],
+    ['[]', /no object/],
+    ['['.repeat(100000), /too deep/],
+    [{ recipe: 7 }, /recipe is no object/],
+    [{ recipe: {} }, /too short/],
+    [{ stroke: [1, 2, 3] }, /recipe\.stroke/],
+    [{ stroke: [1, 2, 'x', 4] }, /recipe\.stroke/],
+    [{ stroke: [-500, -500, -400, -500] }, /outside/],
+    [{ stroke, loft: { twist: [0, 0, 1, 1e9] } }, /recipe\.loft\.twist is damaged or out of range/],
+    [{ stroke, loft: { sections: [{}, { at: 0.5, shape: { preset: 'banana' } }] } }, /recipe\.loft\.sections\.1\.shape\.preset/],
+    [{ stroke, pose: { coilTurns: 1000, coilRadius: 5 } }, /recipe\.pose\.coilTurns/],
+    [{ stroke, spine: { ribs: 'many' } }, /recipe\.spine\.ribs/],
+    [{ stroke, loft: { twsit: [0, 0, 1, 1] } }, /nothing named recipe\.loft\.twsit/],
+    [{ recipe: { stroke }, look: { colour: 'red' } }, /look\.colour/],
+    [{ parts: 3 }, /parts is damaged/],
+    [{ version: 1000, parts: [] }, /newer/],
+  ];
+  for (const [json, words] of bad) {
+    const file = write(folder, 'bad.json', json);
+    const before = folder.list();
+    const picture = json.parts === undefined ? [folder.path('bar.png')] : [];
+    const sentence = fails(3, 'loft', ...picture, '--recipe', file, '--out', folder.path('a.glb'));
+    assert.match(sentence, words, JSON.stringify(json).slice(0, 200));
+    assert.match(sentence, /bad\.json/);
+    assert.deepEqual(folder.list(), before);
+  }
+  const tube = readJson(recipe('toothpaste-tube'));
+  tube.parts[1].recipe.loft.sections[0].shape.preset = 'geer';
+  assert.match(fails(3, 'loft', '--recipe', write(folder, 'tube.json', tube)), /parts\.1\.recipe\.loft\.sections\.0\.shape\.preset/);
+  assert.match(fails(3, 'loft', '--recipe', folder.path('none.json')), /none\.json/);
+  assert.match(fails(3, 'loft', '--recipe', write(folder, 'empty.json', { parts: [] })), /no part/);
+  assert.match(fails(3, 'loft', '--recipe', recipe('toothpaste-tube'), '--mask', folder.path('m.png')), /2 parts.*for one/);
+});
+
+test('a recipe says section and caps itself, and is no output', (t) => {
+  const folder = barFolder(t);
+  for (const word of ['--section', '--caps']) {
+    assert.match(fails(2, 'loft', '--recipe', recipe('helix'), word, word === '--caps' ? 'flat' : 'star'), /stand in the recipe/);
+  }
+  const part = write(folder, 'part.json', { stroke: barStroke.flat() });
+  assert.match(fails(2, 'loft', folder.path('bar.png'), '--recipe', part, '--report', part), /replace an input/);
+  assert.match(fails(2, 'loft', 'one.png', 'two.png', '--recipe', part), /two\.png/);
+});
