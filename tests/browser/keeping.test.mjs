@@ -1,7 +1,8 @@
 // Models are kept on the device by themselves: across reloads, in a list, in one tab at a time, and with words where it fails.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { drawWithMouse, idle, onPage, openPicture, run, state, toastText, useSite } from './support/page.mjs';
+import { drawWithMouse, dropFiles, exported, idle, onPage, openPicture, run, state, toastText, useSite } from './support/page.mjs';
 import { history, inStore, models, smallTube as tube } from './support/keeping.mjs';
 
 const kit = useSite();
@@ -319,5 +320,51 @@ test('a model whose base is damaged is said and stays in the list; the page work
 
 test('the status line tells how much undo history there is', () => onPage(kit, quick, async (page) => {
   await drawPart(page);
-  assert.match(await page.locator('#status-history').innerText(), /^Undo history: \d+\.\d MB of 64 MB$/);
+  assert.match(await page.locator('#status-history').innerText(), /^Undo history: [1-9]\d* KB of 64 MB$/);
+}));
+
+test('Ctrl+S saves a project file; dropped on the page it opens as a model of its own, and the open one stays', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  await run(page, 'rename-model', { name: 'Swan neck' });
+  const coming = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  const download = await coming;
+  assert.equal(download.suggestedFilename(), 'swan-neck.spineloft');
+  const file = kit.file('swan-neck.spineloft', readFileSync(await download.path()));
+  await run(page, 'set-section', { section: 'star', part: 1 });
+  await idle(page);
+  await dropFiles(page, [file]);
+  await page.waitForFunction(() => window.spineloft.state().undo === 0 && window.spineloft.state().parts.length === 1);
+  await idle(page);
+  assert.equal((await state(page)).parts[0].section, 'circle');
+  assert.equal((await state(page)).documentName, 'Swan neck');
+  assert.equal((await models(page)).length, 2);
+  assert.equal((await inStore(page, 'photos')).length, 1, 'the file brings the same photo');
+  await reload(page);
+  assert.equal((await state(page)).parts[0].section, 'circle');
+}));
+
+test('a GLB that was saved here goes on; one of another program or a damaged file gets a sentence and changes nothing', () => onPage(kit, quick, async (page) => {
+  await drawPart(page);
+  const glb = await exported(page, 'glb');
+  const before = await history(page);
+  const json = Buffer.from('{"asset":{"version":"2.0"}} ');
+  const head = Buffer.alloc(20);
+  for (const [i, value] of [0x46546c67, 2, 20 + json.length, json.length, 0x4e4f534a].entries()) head.writeUInt32LE(value, 4 * i);
+  for (const [name, bytes, says] of [
+    ['foreign.glb', Buffer.concat([head, json]), /not made with SpineLoft/],
+    ['cut.spineloft', glb.subarray(0, glb.length >> 1), /damaged/i],
+    ['text.spineloft', Buffer.from('hello'), /./],
+  ]) {
+    await dropFiles(page, [kit.file(name, bytes)]);
+    assert.match(await toastText(page), says, name);
+    assert.equal(await history(page), before, name);
+    await page.locator('#toasts [role=alert] .toast-close').last().click();
+  }
+  await run(page, 'new-model');
+  await idle(page);
+  await page.locator('#model-picker').setInputFiles(kit.file('ours.glb', glb));
+  await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+  const code = await page.evaluate(() => window.spineloft.openProject(new Blob(['x'])).then(() => null, (error) => error.code));
+  assert.equal(code, 'NoProjectInside');
 }));

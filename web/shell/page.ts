@@ -266,8 +266,9 @@ function summary(state: State): string {
   return selected ? `${parts} · ${selected.name}: ${selected.ribs.length} ribs` : parts;
 }
 
-/** "Undo history: 1.2 MB of 64 MB". */
-function historyText(state: State): string {
-  const megabytes = (bytes: number, digits: number) => `${(bytes / 1_048_576).toFixed(digits)} MB`;
-  return `Undo history: ${megabytes(state.history.bytes, 1)} of ${megabytes(state.history.budget, 0)}`;
+/** "Undo history: 12 KB of 64 MB". */
+function historyText({ history: { bytes, budget } }: State): string {
+  const megabyte = 1_048_576;
+  const taken = bytes < megabyte ? `${Math.ceil(bytes / 1024)} KB` : `${(bytes / megabyte).toFixed(1)} MB`;
+  return `Undo history: ${taken} of ${Math.round(budget / megabyte)} MB`;
 }

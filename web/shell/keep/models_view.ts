@@ -99,7 +99,7 @@ export class ModelsView {
     const frame = make('span', { class: 'model-frame' });
     if (model.thumbnail) frame.append(this.picture(model.thumbnail));
     else frame.append(icon('box'));
-    const where = isElsewhere ? 'open in another tab' : isOpen ? 'open' : '';
+    const where = isElsewhere ? 'in another tab' : isOpen ? 'open' : '';
     if (where) frame.append(make('span', { class: 'model-badge' }, where));
     const detail = `${countText(model)} · ${whenText(model.modified, Date.now())}`;
     const button = make('button', { type: 'button', class: 'model-open' }, frame,
