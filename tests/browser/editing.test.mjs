@@ -137,9 +137,12 @@ test('a gesture is taken back by Escape, the right button and a second finger, w
   await page.mouse.up();
   const session = await page.context().newCDPSession(page);
   const touch = (type, ...points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(({ x, y }, id) => ({ x, y, id })) });
+  // Far enough to be no part of a two-finger tap, which would undo.
+  const far = { x: from.x + 40, y: from.y + 20 };
   await touch('touchStart', from);
-  await touch('touchMove', to);
-  await touch('touchStart', to, { x: to.x + 90, y: to.y + 60 });
+  await touch('touchMove', far);
+  assert.notEqual((await state(page)).preview, null);
+  await touch('touchStart', far, { x: far.x + 90, y: far.y + 60 });
   await touch('touchEnd');
   await session.detach();
   await idle(page);

@@ -12,6 +12,8 @@ import { history, smallTube, startKeptBrowser } from './support/keeping.mjs';
 const kRounds = Number(process.env.SPINELOFT_KILLS ?? 200);
 /** Rounds until a new model is begun. */
 const kModelRounds = 20;
+/** A page that cannot be killed or does not come up in that time fails the test instead of holding it up. */
+const kPatienceMs = 60_000;
 
 function seeded(seed) {
   let state = seed >>> 0;
@@ -37,6 +39,22 @@ async function drawQuickly(page, stroke) {
   await page.mouse.up();
 }
 
+/** The history once what was pressed last has reached the model: input is taken at the next frame. */
+const historyAfter = (page) => page.evaluate(() => new Promise((resolve) => {
+  requestAnimationFrame(() => requestAnimationFrame(() => resolve(window.spineloft.history())));
+}));
+
+async function patiently(work, what) {
+  let timer;
+  const late = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error(`${what} took too long`)), kPatienceMs); });
+  work.catch(() => undefined);
+  try {
+    return await Promise.race([work, late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
 /** One random thing that a visitor does; says how it is taken back. */
 function gesture(page, random) {
   const choose = (list) => list[Math.floor(random() * list.length)];
@@ -50,8 +68,9 @@ function gesture(page, random) {
     ['undo', () => page.keyboard.press('Control+Shift+z')],
     ['undo', () => page.keyboard.press('Delete')],
   ];
-  const [takenBack, act] = choose(kinds);
-  return { takenBack, act };
+  const kind = choose(kinds);
+  const [takenBack, act] = kind;
+  return { takenBack, act, kind: kinds.indexOf(kind) };
 }
 
 /** Works until it is killed; what it knows of the model before that is in `states`. */
@@ -67,17 +86,18 @@ async function workUntilKilled(page, random, states) {
     return Promise.race([work, gone]);
   };
   const crash = random() < 0.75;
+  const close = () => page.close({ runBeforeUnload: false }).catch(() => undefined);
   setTimeout(() => {
-    if (crash) session.send('Page.crash').catch(() => undefined);
-    else page.close({ runBeforeUnload: false }).catch(() => undefined);
-  }, 40 + random() * 500);
+    if (crash) session.send('Page.crash').catch(close);
+    else close();
+  }, 40 + random() * 900);
   let inHand = null;
   try {
     for (;;) {
       inHand = gesture(page, random);
       // A refused command (nothing to undo, no part) is no gesture; a dead page ends the round.
       await untilGone(inHand.act()).catch((error) => { if (/crash|closed/i.test(error.message)) throw error; });
-      const now = await untilGone(history(page));
+      const now = await untilGone(historyAfter(page));
       if (now !== states.at(-1)) states.push(now);
       inHand = null;
       // No hand is quicker than this between two gestures.
@@ -104,6 +124,13 @@ async function verdict(page, states, inHand) {
   return states.length > 1 && back === states.at(-2) ? 'one-lost' : 'lost';
 }
 
+/** What is known of a loss, to find its cause. */
+async function told(page, states, inHand) {
+  const back = await history(page);
+  const steps = (text) => { const { past, future } = JSON.parse(text); return `${past?.length} steps back, ${future?.length} forth`; };
+  return `${states.length} states, came back as ${states.indexOf(back)} (${steps(back)}; last known ${steps(states.at(-1))}), in hand ${inHand?.kind ?? 'nothing'}`;
+}
+
 test(`a page that is killed ${kRounds} times at random comes back each time, at most the last gesture old`, { timeout: 1_200_000 }, async (t) => {
   const folder = mkdtempSync(join(tmpdir(), 'spineloft-kill-'));
   const site = await startSite({ isolated: false });
@@ -118,11 +145,11 @@ test(`a page that is killed ${kRounds} times at random comes back each time, at 
       const page = await context.newPage();
       await page.goto(`${site.url}?threads=0`, { waitUntil: 'commit' });
       await page.waitForFunction(() => window.spineloft !== undefined);
-      await page.evaluate(() => window.spineloft.ready);
+      await patiently(page.evaluate(() => window.spineloft.ready), `starting round ${round}`);
       if (states) {
-        const result = await verdict(page, states, inHand);
+        const result = await patiently(verdict(page, states, inHand), `looking at round ${round}`);
         counts[result] += 1;
-        assert.notEqual(result, 'lost', `round ${round}`);
+        assert.notEqual(result, 'lost', `round ${round}: ${await told(page, states, inHand)}`);
       }
       if (round === kRounds) break;
       if (round % kModelRounds === 0) {
@@ -133,7 +160,7 @@ test(`a page that is killed ${kRounds} times at random comes back each time, at 
       // What the verdict undid and did again was no hand's work: only from here on the page is in a hurry.
       await page.evaluate(() => window.spineloft.idle());
       states = [await history(page)];
-      inHand = await workUntilKilled(page, random, states);
+      inHand = await patiently(workUntilKilled(page, random, states), `killing the page of round ${round}`);
       gestures += states.length - 1;
       inGesture += inHand ? 1 : 0;
     }

@@ -144,6 +144,8 @@ export class JournalWriter {
     // A microtask later: not inside a call into the engine.
     this.running = Promise.resolve().then(() => this.writeAll()).finally(() => {
       this.running = null;
+      // A step that came after the last look; after a failure the next step tries again.
+      if (!this.failure && this.pending.length > 0) this.start();
     });
   }
 
