@@ -1,6 +1,7 @@
 #version 300 es
 // Parts: from ModelSpace through the world to the screen.
 uniform mat4 toWorld, toClip, toEye;
+uniform vec4 area;  // of the uv that the texture covers: left, top, width, height
 in vec3 position;
 in vec3 normal;
 in vec2 uv;
@@ -10,6 +11,6 @@ void main() {
   vec4 world = toWorld * vec4(position, 1.0);
   eyeNormal = mat3(toEye) * normal;  // toWorld scales evenly: directions stay
   eyePosition = (toEye * world).xyz;
-  at = uv;
+  at = (uv - area.xy) / area.zw;
   gl_Position = toClip * world;
 }

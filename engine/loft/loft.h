@@ -42,9 +42,6 @@ inline constexpr double kPointLength = 2.0;
 inline constexpr double kWall = 0.2;
 /// How far an open end is hollow, as a share of the part's length.
 inline constexpr double kMouthDepth = 0.9;
-/// How far inside the outline the surface at the rim takes its colour from, in half widths: the last
-/// pixels before an outline are mixed with the background.
-inline constexpr double kRimInset = 0.08;
 /// Rib ends farther out are brought back to here, picture pixels: beyond it floats are too coarse.
 inline constexpr double kFarthest = 1e6;
 
@@ -75,8 +72,8 @@ Status checkParams(const LoftParams& params);
 /// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in
 /// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen
 /// from the front the outline passes through every rib end. UV = picture coordinates
-/// ((x + ½) / width, (y + ½) / height), clamped; towards the rim they turn inwards by up to
-/// kRimInset, so that no background is painted on the sides.
+/// ((x + ½) / width, (y + ½) / height), clamped. The colours there are for surface/part_texture.h, which
+/// keeps those of the background off the rim.
 ///
 /// Depth: a section reaches as far to the viewer as half the part's true width, measured square to
 /// its smoothed centre line, so a slanted rib across a round bar gives the slanted cut of a round bar.

@@ -167,7 +167,7 @@ class Builder {
     ModelPoint off = station.across * p.x + station.depth * p.y;
     if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
     const double x = std::clamp(p.x, -1.0, 1.0);
-    return vertex(station.centre + off, station.middle + station.half * paintedAt(x));
+    return vertex(station.centre + off, station.middle + station.half * x);
   }
 
   /// From a point at `off` to where it may stand: 1 is the centre of the bend.
@@ -178,10 +178,6 @@ class Builder {
     const double held = kFree + (kMost - kFree) * (1 - std::exp(-(reach - kFree) / (kMost - kFree)));
     return bend * ((held - reach) / dot(bend, bend));
   }
-
-  /// Where across the rib (−1…1) the picture is taken from for the surface at x. The fourth power
-  /// leaves the front as it is and turns inwards only near the rim.
-  static double paintedAt(double x) { return x * (1 - kRimInset * x * x * x * x); }
 
   /// `paint`: the point of the picture that colours the vertex.
   std::uint32_t vertex(ModelPoint p, PicturePoint paint) {

@@ -84,10 +84,10 @@ class Cache {
   std::size_t bytes() const;
 
   static constexpr std::uint64_t kKeptRounds = 32;
-  /// About 400 parts of 100 ribs; 25 previews; 100 parts of usual size besides those shown; the marks
+  /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those shown; the marks
   /// of 4 pictures.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20,
-                               kShapeBytes = 32u << 20, kIgnoredBytes = 16u << 20;
+                               kShapeBytes = 64u << 20, kIgnoredBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 

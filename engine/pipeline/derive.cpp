@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/pipeline/keys.h"
+#include "engine/pipeline/part_texture.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -89,6 +90,9 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
       Result<PartShape> made = shapeOf(part.recipe, *entry, cache, false, clock);
       if (made) {
         made.value().key = key;
+        if (const auto pixels = cache.pixels(*entry)) {
+          made.value().texture = textureStage(made.value(), *pixels.value());
+        }
         result.shape = std::make_shared<const PartShape>(std::move(made).value());
         cache.keepShape(result.shape);
       } else {

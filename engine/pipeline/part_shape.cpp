@@ -47,7 +47,8 @@ std::size_t bytesOf(const PartShape& shape) {
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) +
          bytesOf(shape.generated) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
-         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv);
+         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) +
+         (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }
 
 std::size_t bytesOf(const ribs::IgnoredEdges& ignored) {

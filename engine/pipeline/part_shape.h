@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "engine/ribs/ignored.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
+#include "engine/surface/part_texture.h"
 
 namespace spineloft::pipeline {
 
@@ -42,6 +44,8 @@ struct PartShape {
   ribs::RibSet shown;      ///< in the pose, seen from the front; equal to `ribs` at rest
   std::vector<ModelPoint> centreLine;  ///< the spine in the pose, ≥ 2 points, one a generated rib
   mesh::TriMesh mesh;      ///< ModelSpace
+  /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
+  std::shared_ptr<const surface::PartTexture> texture;
   std::uint64_t key = 0;  ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;             ///< times of its ribs and loft stages; what was known already took none
 };

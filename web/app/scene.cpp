@@ -32,12 +32,25 @@ Source sourceOf(const document::Document& document, const pipeline::Derived& der
   return {document::findPicture(document, id), pipeline::pixelsOf(document, derived, id)};
 }
 
+/// A finished shape has a texture of its own; one in hand wears the picture itself.
+void wear(const Source& source, const pipeline::PartShape& shape, gl::SceneMesh& mesh) {
+  if (shape.texture) {
+    const surface::UvArea& area = shape.texture->area;
+    mesh.texture = {Hasher().text("texture").number(shape.key).value() | 1u, &shape.texture->pixels};
+    mesh.textureArea = {static_cast<float>(area.left), static_cast<float>(area.top),
+                        static_cast<float>(area.right - area.left),
+                        static_cast<float>(area.bottom - area.top)};
+  } else if (shape.key == 0 && source.pixels) {
+    mesh.texture = textureOf(*source.entry, *source.pixels);
+  }
+}
+
 gl::SceneMesh meshOf(const Source& source, const document::Look& look,
                      const pipeline::PartShape& shape) {
   gl::SceneMesh mesh;
   mesh.mesh = &shape.mesh;
   mesh.toWorld = worldOf(*source.entry);
-  if (look.textured && source.pixels) mesh.texture = textureOf(*source.entry, *source.pixels);
+  if (look.textured) wear(source, shape, mesh);
   for (std::size_t i = 0; i < 3; ++i) mesh.colour[i] = static_cast<float>(look.colour[i]) / 255.f;
   return mesh;
 }

@@ -28,6 +28,8 @@ struct SceneMesh {
   const mesh::TriMesh* mesh = nullptr;   ///< alive while the scene is drawn
   Mat4 toWorld;                          ///< a uniform scale and a shift
   std::optional<SceneTexture> texture;   ///< else `colour` alone
+  /// What of the mesh's UV the texture covers: left, top, width, height.
+  std::array<float, 4> textureArea{0, 0, 1, 1};
   std::array<float, 3> colour{1, 1, 1};  ///< sRGB, 0…1
   float glow = 0;  ///< 0…1: how much it is lit
 };

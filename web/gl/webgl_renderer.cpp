@@ -274,7 +274,8 @@ class WebGlRenderer final : public Renderer {
     glUniformMatrix4fv(uniform(program, "toEye"), 1, GL_FALSE, scene.view.m.data());
     glUniform1i(uniform(program, "picture"), 0);
     const GLint toWorld = uniform(program, "toWorld"), colour = uniform(program, "colour"),
-                textured = uniform(program, "textured"), glow = uniform(program, "glow");
+                textured = uniform(program, "textured"), glow = uniform(program, "glow"),
+                area = uniform(program, "area");
     for (const SceneMesh& item : scene.meshes) {
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
       const GpuMesh& mesh = meshes_.get(item.key, *item.mesh);
@@ -282,6 +283,7 @@ class WebGlRenderer final : public Renderer {
       glUniform3f(colour, item.colour[0], item.colour[1], item.colour[2]);
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
       glUniform1f(glow, item.glow);
+      glUniform4fv(area, 1, item.textureArea.data());
       glActiveTexture(GL_TEXTURE0);
       glBindTexture(GL_TEXTURE_2D, texture);
       glBindVertexArray(mesh.array.name());

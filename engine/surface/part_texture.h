@@ -1,0 +1,50 @@
+// The picture on a part: what it shows of the part alone, cut out, without its surroundings.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/image/image.h"
+
+namespace spineloft::surface {
+
+/// A rectangle of a picture in its UV (0…1, v down).
+struct UvArea {
+  double left = 0, top = 0, right = 1, bottom = 1;
+  bool operator==(const UvArea&) const = default;
+};
+
+/// Opaque pixels that lie over `area` of the picture: the UV (u, v) of the picture is at
+/// ((u − left) / (right − left), (v − top) / (bottom − top)) of them.
+struct PartTexture {
+  image::Image pixels;
+  UvArea area;
+  bool operator==(const PartTexture&) const = default;
+};
+
+/// Most pixels of one part's texture; larger cut-outs are averaged down.
+inline constexpr long long kTexturePixels = 2'000'000;
+
+/// A surface over the picture. Spans must outlive the call.
+struct Wrapped {
+  std::span<const std::array<float, 2>> uv;                    ///< in the picture, 0…1
+  std::span<const std::array<std::uint32_t, 3>> triangles;     ///< of indices into uv
+  /// Polygons (picture UV, convex or nearly so) in which the picture certainly shows the part; empty:
+  /// it does everywhere. Elsewhere the background or another thing may show.
+  std::span<const std::vector<PicturePoint>> sure;
+};
+
+/// Cuts out what the triangles cover of the picture's working copy and bleeds the colours from well
+/// inside that over its rim and beyond (bleed.h), so that no colour from around the part is on it.
+/// Transparent pixels are filled too, and where the part is not sure those that look like what is
+/// around it and not like its sure places. When nothing would be left, the rim is believed after all.
+/// None when no pixel that is covered can be seen, or nothing is covered. Linear in the pixels of the
+/// cut-out and the rows of the triangles.
+std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);
+
+}  // namespace spineloft::surface

@@ -1,0 +1,154 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/rng.h"
+#include "engine/document/update.h"
+#include "engine/pipeline/derive.h"
+#include "tests/support/front_view.h"
+#include "tests/support/mesh_laws.h"
+
+using namespace spineloft;
+using namespace spineloft::document;
+using spineloft::testing::requireLawful;
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+
+double middleAt(int x) { return 120 + 22 * std::sin(x / 60.0); }
+double halfAt(int x) { return 30 + 14 * std::cos(x / 45.0); }
+bool isThing(int x, int y) { return x >= 30 && x <= 290 && std::abs(y - middleAt(x)) <= halfAt(x); }
+
+/// A tapering, curved thing with soft stripes on a ground of one loud colour; its outline is mixed
+/// with the ground as a camera mixes it.
+image::Picture stripedPicture(std::array<double, 3> ground) {
+  image::Image out{kWidth, kHeight, {}};
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double inside = std::clamp(halfAt(x) - std::abs(y - middleAt(x)) + 0.5, 0.0, 1.0) *
+                            std::clamp(std::min(x - 30.0, 290.0 - x) + 0.5, 0.0, 1.0);
+      const double stripe = 0.5 + 0.5 * std::sin(x / 9.0 + y / 17.0);
+      const std::array<double, 3> thing = {40 + 60 * stripe, 120 + 80 * stripe, 40 + 20 * stripe};
+      for (std::size_t c = 0; c < 3; ++c) {
+        out.pixels.push_back(std::uint8_t(std::lround(ground[c] + inside * (thing[c] - ground[c]))));
+      }
+      out.pixels.push_back(255);
+    }
+  }
+  return image::makePicture(std::move(out));
+}
+
+std::vector<PicturePoint> middleStroke() {
+  std::vector<PicturePoint> stroke;
+  for (int x = 36; x <= 284; x += 4) stroke.push_back({double(x), middleAt(x)});
+  return stroke;
+}
+
+Document stripedDocument(std::array<double, 3> ground) {
+  const auto picture = std::make_shared<const image::Picture>(stripedPicture(ground));
+  Document document = update({}, AddPicture{"striped", picture}).value();
+  return update(document, DrawSpine{PictureId{1}, middleStroke()}).value();
+}
+
+std::shared_ptr<const pipeline::PartShape> shapeOf(const Document& document) {
+  pipeline::Cache cache;
+  return pipeline::deriveWithEdges(document, cache, {}).value().parts[0].shape;
+}
+
+testing::ColourAt wearing(const surface::PartTexture& texture) {
+  return [&texture](double u, double v) {
+    const surface::UvArea& a = texture.area;
+    return testing::sampled(texture.pixels, (u - a.left) / (a.right - a.left), (v - a.top) / (a.bottom - a.top));
+  };
+}
+
+}  // namespace
+
+TEST_CASE("seen from the front a part looks as its picture does, to 30 dB") {
+  const Document document = stripedDocument({200, 190, 180});
+  const auto shape = shapeOf(document);
+  REQUIRE(shape);
+  REQUIRE(shape->texture);
+  requireLawful(shape->mesh);
+  auto seen = testing::frontView(shape->mesh, {kWidth, kHeight}, wearing(*shape->texture));
+  // Its round ends reach over the thing's flat ones: the ground there is not the part's.
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!isThing(int(i % kWidth), int(i / kWidth))) seen[i].reset();
+  }
+  CHECK(std::ranges::count_if(seen, [](const auto& p) { return p.has_value(); }) > 12000);
+  const double found = testing::psnr(seen, document.pictures[0]->picture->working);
+  MESSAGE("front view: " << found << " dB");
+  CHECK(found >= 30);
+}
+
+TEST_CASE("a loud ground leaves no trace on the part, on its rim neither") {
+  const auto shape = shapeOf(stripedDocument({255, 0, 255}));
+  REQUIRE(shape);
+  REQUIRE(shape->texture);
+  const auto colour = wearing(*shape->texture);
+  // The thing itself is green: its green is the largest of the three everywhere.
+  const auto isClean = [&](double u, double v) {
+    const auto [r, g, b] = colour(u, v);
+    return g > r + 5 && g > b + 5;
+  };
+  const mesh::TriMesh& mesh = shape->mesh;
+  int soiled = 0;
+  for (const auto& uv : mesh.uv) soiled += isClean(uv[0], uv[1]) ? 0 : 1;
+  for (const auto& t : mesh.triangles) {
+    for (const double w : {0.2, 0.5, 0.8}) {
+      const auto mixed = [&](std::size_t k) {
+        return mesh.uv[t[0]][k] * w + mesh.uv[t[1]][k] * (1 - w) / 2 + mesh.uv[t[2]][k] * (1 - w) / 2;
+      };
+      soiled += isClean(mixed(0), mixed(1)) ? 0 : 1;
+    }
+  }
+  CHECK(soiled == 0);
+}
+
+TEST_CASE("what stands before a part does not colour it where its ends were bridged") {
+  // A red post before the lower half of the thing.
+  image::Picture picture = stripedPicture({200, 190, 180});
+  for (int y = 126; y < kHeight; ++y) {
+    for (int x = 150; x < 172; ++x) {
+      std::uint8_t* p = picture.working.pixels.data() + 4 * (std::size_t(y) * kWidth + std::size_t(x));
+      p[0] = 230, p[1] = 20, p[2] = 20;
+    }
+  }
+  const auto shared = std::make_shared<const image::Picture>(picture);
+  Document document = update({}, AddPicture{"post", shared}).value();
+  document = update(document, DrawSpine{PictureId{1}, middleStroke()}).value();
+  const auto shape = shapeOf(document);
+  REQUIRE(shape);
+  REQUIRE(shape->texture);
+  // Wherever a rib end over the post was bridged or guessed, its own colour is not the post's.
+  int looked = 0, red = 0;
+  for (const ribs::Rib& rib : shape->ribs.ribs) {
+    for (const bool left : {true, false}) {
+      const ribs::RibState state = left ? rib.leftState : rib.rightState;
+      const PicturePoint end = left ? rib.left : rib.right;
+      if (state != ribs::RibState::Bridged && state != ribs::RibState::Guessed) continue;
+      if (end.x < 152 || end.x > 169 || end.y < 126) continue;
+      const auto [r, g, b] = wearing(*shape->texture)((end.x + 0.5) / kWidth, (end.y + 0.5) / kHeight);
+      red += g > r ? 0 : 1;
+      ++looked;
+    }
+  }
+  CHECK(looked > 0);
+  CHECK(red == 0);
+}
+
+TEST_CASE("a texture depends on nothing but the shape and what it shows") {
+  const Document document = stripedDocument({200, 190, 180});
+  const auto a = shapeOf(document), b = shapeOf(update(document, SetLook{PartId{1}, {false, {1, 2, 3}}}).value());
+  REQUIRE((a && a->texture && b && b->texture));
+  CHECK(*a->texture == *b->texture);
+  CHECK(a->texture->pixels.pixels.size() % 4 == 0);
+  for (const auto& uv : a->mesh.uv) {
+    CHECK(double(uv[0]) >= a->texture->area.left - 1e-6);
+    CHECK(double(uv[0]) <= a->texture->area.right + 1e-6);
+    CHECK(double(uv[1]) >= a->texture->area.top - 1e-6);
+    CHECK(double(uv[1]) <= a->texture->area.bottom + 1e-6);
+  }
+}
