@@ -86,6 +86,28 @@ std::vector<PicturePoint> usableFan(const CapSite& site, const ChordLimits& limi
   return fan;
 }
 
+/// Where the way from `inside` to `p` leaves the side that runs on from `from` in direction `along`,
+/// with the part on the side of `inside`; `p` when it does not.
+PicturePoint within(PicturePoint p, PicturePoint inside, PicturePoint from, PicturePoint along) {
+  const double at = cross(along, p - from), here = cross(along, inside - from);
+  if (at * here >= 0 || here == 0) return p;
+  return lerp(inside, p, here / (here - at));
+}
+
+/// A cap goes on as the sides run: a fan that is broader than an end that closes would sit on it as a
+/// knob, for which there is no rib. What lies beyond the run of a closing side is brought back to it.
+void keepWithinSides(const CapSite& site, std::vector<PicturePoint>& fan) {
+  constexpr double kClosing = 0.6;  // sine of the angle between the sides: less is a mere taper
+  const PicturePoint left = normalized(site.last.left - site.shoulder.left),
+                     right = normalized(site.last.right - site.shoulder.right);
+  const double opening = cross(left, right) * (cross(site.travel, site.last.across()) < 0 ? -1 : 1);
+  if (!(opening < -kClosing)) return;
+  const PicturePoint inside = site.last.middle();
+  for (PicturePoint& p : fan) {
+    p = within(within(p, inside, site.last.left, left), inside, site.last.right, right);
+  }
+}
+
 Cap fanCap(const CapSite& site, std::span<const PicturePoint> fan, int rings,
            const ChordLimits& limits) {
   // An even number of pieces in all makes the middle of the outline one of its points: the tip.
@@ -123,9 +145,12 @@ Cap dome(const CapSite& site, double height, int rings, const ChordLimits& limit
 Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,
             CapStyle style) {
   if (style != CapStyle::Round && style != CapStyle::Pointed) return {};
-  const std::vector<PicturePoint> fan = usableFan(site, limits);
+  std::vector<PicturePoint> fan = usableFan(site, limits);
+  if (style == CapStyle::Round) keepWithinSides(site, fan);
   const double halfWidth = std::abs(cross(site.last.across(), site.travel)) / 2;
   if (style == CapStyle::Round) {
+    // A fan that was found, but not beyond the last rib: the part ends there.
+    if (fan.empty() && !site.fan.empty()) return {};
     return fan.empty() ? dome(site, kDomeHeight * halfWidth, params.capRings, limits)
                        : fanCap(site, fan, params.capRings, limits);
   }

@@ -20,6 +20,7 @@ struct Cap {
 /// What a cap continues. For the start of a part, the part is seen from the other end: `flipped`.
 struct CapSite {
   Chord last, before;   ///< the end's chord and its inner neighbour (the same when there is none)
+  Chord shoulder;       ///< an earlier chord, about half the end's width back: the way the sides run
   PicturePoint travel;  ///< unit direction of the centre line there, outwards
   std::span<const PicturePoint> fan;  ///< outline from last.left round to last.right, or empty
 };
@@ -27,7 +28,8 @@ struct CapSite {
 /// The same chord for someone who travels the other way.
 inline Chord flipped(const Chord& chord) { return {chord.right, chord.left, chord.at}; }
 
-/// Chords and tip of a cap; nothing for Flat and Open.
+/// Chords and tip of a cap; nothing for Flat and Open, nor for Round where the fan says that the part
+/// ends before its last chord.
 Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,
             CapStyle style);
 

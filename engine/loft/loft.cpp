@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "engine/base/limits.h"
 #include "engine/geometry/polygon.h"
@@ -132,6 +133,20 @@ PicturePoint capTravel(const Chord& chord, PicturePoint travel) {
   return dot(square, travel) < kSlanted ? square : travel;
 }
 
+/// The chord before the last of `chords`, nearest to it, whose ends are both half its width away; else
+/// the first.
+template <class Chords>
+Chord shoulderOf(const Chords& chords) {
+  const Chord last = chords.back();
+  const double away = last.width() / 2;
+  for (const Chord& chord : chords | std::views::reverse) {
+    if (distance(chord.left, last.left) >= away && distance(chord.right, last.right) >= away) {
+      return chord;
+    }
+  }
+  return chords.front();
+}
+
 Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
                 const ChordLimits& limits) {
   const std::vector<Chord>& chords = body.chords;
@@ -144,8 +159,9 @@ Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
     const Chord last = flipped(chords.front()),
                 before = flipped(chords[std::min<std::size_t>(1, n - 1)]);
     std::vector<PicturePoint> fan(input.startFan.rbegin(), input.startFan.rend());
-    const Cap cap = planCap({last, before, capTravel(last, -travel[first]), fan}, params, limits,
-                            params.startCap);
+    const Cap cap = planCap({last, before, flipped(shoulderOf(chords | std::views::reverse)),
+                             capTravel(last, -travel[first]), fan},
+                            params, limits, params.startCap);
     std::vector<Chord> all;
     all.reserve(cap.chords.size() + n);
     for (auto chord = cap.chords.rbegin(); chord != cap.chords.rend(); ++chord) {
@@ -160,7 +176,8 @@ Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
   outline.bodyEnd = outline.bodyBegin + n;
   if (!body.endTip) {
     const Chord last = chords.back(), before = chords[n >= 2 ? n - 2 : 0];
-    const Cap cap = planCap({last, before, capTravel(last, travel[first + n - 1]), input.endFan},
+    const Cap cap = planCap({last, before, shoulderOf(chords),
+                             capTravel(last, travel[first + n - 1]), input.endFan},
                             params, limits, params.endCap);
     outline.chords.insert(outline.chords.end(), cap.chords.begin(), cap.chords.end());
     outline.endTip = cap.tip;

@@ -20,7 +20,8 @@ namespace spineloft::loft {
 /// How an end of the part is finished. Values are saved in files: only ever append.
 enum class CapStyle : std::uint8_t {
   Flat,     ///< cut off at the last rib
-  Round,    ///< a dome beyond the last rib that follows the end fan where there is one
+  Round,    ///< a dome beyond the last rib that follows the end fan where there is one, as far as it
+            ///< lies beyond the rib and between the sides where they close
   Pointed,  ///< runs out into a tip
   Open,     ///< a hollow mouth: the wall turns inwards at the last rib and closes inside, so that the
             ///< solid stays closed and printable
@@ -78,7 +79,7 @@ Status checkParams(const LoftParams& params);
 /// Depth: a section reaches as far to the viewer as half the part's true width, measured square to
 /// its smoothed centre line, so a slanted rib across a round bar gives the slanted cut of a round bar.
 /// Ribs at an end without width become a tip, whatever the cap. Round caps without a fan are domes
-/// `kDomeHeight` of the half width high; open ones leave a wall of `kWall` of the half width and reach
+/// `kDomeHeight` of the half width high, those whose fan does not lie beyond the last rib are flat; open ones leave a wall of `kWall` of the half width and reach
 /// `kMouthDepth` of the way to the other end (both ends open: right through, genus 1).
 /// Ribs with a coordinate that is not finite are left out; coordinates are clamped to ±kFarthest.
 /// Errors: TooFewRibs (fewer than 2 ribs, or all in one point), ValueOutOfRange, SectionInvalid.

@@ -1,0 +1,85 @@
+// Round caps keep to what their fans say and to the way the sides run: no knob on a broad end.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/loft/loft.h"
+#include "tests/support/generators.h"
+#include "tests/support/mesh_laws.h"
+
+using namespace spineloft;
+using namespace spineloft::loft;
+using namespace spineloft::testing;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr image::Size kPicture{1000, 800};
+
+mesh::TriMesh capped(const ribs::RibSet& set, CapStyle end) {
+  LoftParams params;
+  params.startCap = CapStyle::Flat;
+  params.endCap = end;
+  params.sectionPoints = 96;
+  const auto mesh = loftRibs(set, kPicture, params);
+  REQUIRE(mesh.ok());
+  requireLawful(mesh.value());
+  return mesh.value();
+}
+
+/// A half circle of `radius` about the end of the spine at (500, 400), from the left to the right.
+ribs::EndFan halfCircle(double radius, double ahead) {
+  ribs::EndFan fan;
+  for (int i = 1; i <= 11; ++i) {
+    const double angle = kPi * i / 12;
+    fan.points.push_back({500 + ahead + radius * std::sin(angle), 400 - radius * std::cos(angle)});
+  }
+  return fan;
+}
+
+/// Straight to (440, 400), then closing by `slope` a side and pixel up to (500, 400).
+ribs::RibSet closing(double slope) {
+  return straightRibs({100, 400}, {500, 400}, 81, [=](double t) {
+    return 200 - 2 * slope * std::max(0.0, 400 * t - 340);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("an end whose fan lies behind its last rib is cut off there, not domed") {
+  ribs::RibSet set = straightRibs({100, 400}, {500, 400}, 41, [](double) { return 80.0; });
+  set.endFan = halfCircle(40, -60);
+  CHECK(capped(set, CapStyle::Round) == capped(set, CapStyle::Flat));
+  set.endFan = {};
+  CHECK(mesh::boundsOf(capped(set, CapStyle::Round)).high[0] == doctest::Approx(500 + kDomeHeight * 40));
+}
+
+TEST_CASE("a fan broader than an end that closes makes no knob: the cap stays between the sides") {
+  for (const double slope : {0.7, 1.0, 1.4}) {
+    const double half = 100 - slope * 60;
+    ribs::RibSet set = closing(slope);
+    set.endFan = halfCircle(half, 0);
+    const auto mesh = capped(set, CapStyle::Round);
+    const double beyond = mesh::boundsOf(mesh).high[0] - 500;
+    CHECK(beyond > 0.3 * std::min(half, half / slope));
+    for (const auto& v : mesh.positions) {
+      if (v[0] <= 500) continue;
+      const double side = half - slope * (v[0] - 500);
+      CHECK(std::abs(v[1] + 400) <= side + 0.02 * half);
+    }
+  }
+}
+
+TEST_CASE("parallel and opening sides leave the fan as it is") {
+  for (const double slope : {0.0, 0.05, -0.4}) {
+    ribs::RibSet set = closing(slope);
+    set.endFan = halfCircle(100 - slope * 60, 0);
+    const auto mesh = capped(set, CapStyle::Round);
+    for (const PicturePoint p : set.endFan.points) {
+      double nearest = 1e9;
+      for (const auto& v : mesh.positions) nearest = std::min(nearest, std::hypot(v[0] - p.x, -v[1] - p.y));
+      CHECK(nearest < 2e-3);
+    }
+  }
+}
