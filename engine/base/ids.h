@@ -15,5 +15,6 @@ struct Id {
 
 using PartId = Id<struct PartTag>;
 using PictureId = Id<struct PictureTag>;
+using StepId = Id<struct StepTag>;
 
 }  // namespace spineloft

@@ -35,6 +35,8 @@ enum class Error {
   // document
   NoSuchPart,
   NoSuchPicture,
+  NoSuchStep,
+  AlreadyUsed,    ///< a part or solid that is inside another solid already
   ValueOutOfRange, ///< a parameter outside the range of the parameter table
   NothingToUndo,
   NothingToRedo,

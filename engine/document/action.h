@@ -118,10 +118,54 @@ struct RenameDocument {
   std::string name;
 };
 
+/// A new solid from parts and solids. Operands that stand in the same step come out of it, and the new
+/// solid takes the place of the first; those that stand in different ones are refused (AlreadyUsed).
+struct CombineParts {
+  StepKind kind = StepKind::Join;
+  std::vector<Operand> operands;
+  double wall = Step{}.wall;
+  Opening opening;
+};
+/// Kind and measures of a solid; operands, name and look are not looked at.
+struct SetStep {
+  StepId step;
+  StepKind kind = StepKind::Join;
+  double blend = 0, wall = Step{}.wall;
+  Opening opening;
+};
+/// The same operands in another order.
+struct OrderOperands {
+  StepId step;
+  std::vector<Operand> operands;
+};
+/// Breaks a solid apart: what it is made of takes its place.
+struct ReleaseStep {
+  StepId step;
+};
+/// Takes a solid and every part in it away.
+struct DeleteStep {
+  StepId step;
+};
+struct RenameStep {
+  StepId step;
+  std::string name;
+};
+struct ShowStep {
+  StepId step;
+  bool visible = true;
+};
+/// `own`: everywhere, else every face looks as the part it comes from.
+struct SetStepLook {
+  StepId step;
+  bool own = false;
+  Look look = {};
+};
+
 using Action =
     std::variant<AddPicture, RemovePicture, DrawSpine, RedrawSpine, SetSection, SetCaps, SetLook,
                  SetParameter, RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument,
                  PoseSpine, EditRibs, IgnoreForPart, IgnoreForPicture, SetSections, SetAlong,
-                 AddSketch, DrawOnSketch, RenamePicture>;
+                 AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep, OrderOperands,
+                 ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook>;
 
 }  // namespace spineloft::document

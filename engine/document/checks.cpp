@@ -9,6 +9,8 @@ namespace spineloft::document {
 
 std::string fallbackName(const Part& part) { return "Part " + std::to_string(part.id.value); }
 
+std::string fallbackName(const Step& step) { return "Solid " + std::to_string(step.id.value); }
+
 std::string fallbackName(const PictureEntry& entry) {
   return (entry.isSketch() ? "Sketch " : "Picture ") + std::to_string(entry.id.value);
 }

@@ -14,6 +14,8 @@ inline constexpr std::string_view kFallbackDocumentName = "Model";
 /// "Part 3"; "Sketch 2", "Picture 1".
 std::string fallbackName(const Part& part);
 std::string fallbackName(const PictureEntry& entry);
+/// "Solid 2".
+std::string fallbackName(const Step& step);
 
 /// Valid UTF-8 of at most kMaxNameBytes, cut between characters; `fallback` replaces emptiness.
 std::string tidyName(std::string name, std::string_view fallback);

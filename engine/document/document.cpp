@@ -76,10 +76,16 @@ const Part* findPart(const Document& document, PartId id) {
 
 std::size_t bytesBeyond(const Document& base, const Document& next) {
   std::size_t bytes = sizeof(Document) + next.name.size() + next.extra.size() +
-                      (next.pictures.size() + next.parts.size()) * sizeof(Box<Part>);
+                      (next.pictures.size() + next.parts.size() + next.steps.size()) * sizeof(Box<Part>);
   for (const Box<Part>& part : next.parts) {
     const Box<Part>* before = boxOf(base.parts, part->id);
     if (before == nullptr || !before->shares(part)) bytes += bytesOf(*part);
+  }
+  for (const Box<Step>& step : next.steps) {
+    const Box<Step>* before = boxOf(base.steps, step->id);
+    if (before == nullptr || !before->shares(step)) {
+      bytes += sizeof(Step) + step->name.size() + step->extra.size() + bytesOf(step->operands);
+    }
   }
   for (const Box<PictureEntry>& entry : next.pictures) {
     const Box<PictureEntry>* before = boxOf(base.pictures, entry->id);

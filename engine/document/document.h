@@ -13,6 +13,8 @@
 #include "engine/base/ids.h"
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
+#include "engine/document/look.h"
+#include "engine/document/step.h"
 #include "engine/image/image.h"
 #include "engine/image/sketch.h"
 #include "engine/loft/loft.h"
@@ -55,13 +57,6 @@ struct LoftRecipe {
   bool operator==(const LoftRecipe&) const = default;
 };
 
-/// How a part's surface looks.
-struct Look {
-  bool textured = true;                              ///< the picture on the surface, else `colour`
-  std::array<std::uint8_t, 3> colour{236, 158, 92};  ///< sRGB
-  bool operator==(const Look&) const = default;
-};
-
 struct Part {
   PartId id;
   std::string name;  ///< UTF-8, at most kMaxNameBytes
@@ -76,8 +71,9 @@ struct Document {
   std::string name = "Model";
   std::vector<Box<PictureEntry>> pictures;  ///< in the order they were added
   std::vector<Box<Part>> parts;             ///< in the order of the part list
+  std::vector<Box<Step>> steps;             ///< solids made from them: a forest (step.h)
   Millimetres height{100};             ///< "How tall?": of the whole model when exported
-  std::uint32_t lastPictureId = 0, lastPartId = 0;  ///< ids are never reused
+  std::uint32_t lastPictureId = 0, lastPartId = 0, lastStepId = 0;  ///< ids are never reused
   std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Document&) const = default;
 };

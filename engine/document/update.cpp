@@ -5,6 +5,7 @@
 
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
+#include "engine/document/update_steps.h"
 
 namespace spineloft::document {
 namespace {
@@ -54,6 +55,12 @@ struct Apply {
   Status roomForPicture() const {
     if (document.pictures.size() < kMostPictures) return Done{};
     return {Error::ValueOutOfRange, "too many pictures"};
+  }
+
+  /// A part goes, out of every step too.
+  void erasePart(PartId id) const {
+    takeOut(document, {id, {}});
+    std::erase_if(document.parts, [&](const Part& p) { return p.id == id; });
   }
 
   Status operator()(const AddPicture& a) const {
@@ -109,7 +116,11 @@ struct Apply {
   }
   Status operator()(const RemovePicture& a) const {
     if (findPicture(document, a.picture) == nullptr) return Error::NoSuchPicture;
-    std::erase_if(document.parts, [&](const Part& p) { return p.recipe.picture == a.picture; });
+    std::vector<PartId> gone;
+    for (const Part& part : document.parts) {
+      if (part.recipe.picture == a.picture) gone.push_back(part.id);
+    }
+    for (const PartId id : gone) erasePart(id);
     std::erase_if(document.pictures, [&](const PictureEntry& p) { return p.id == a.picture; });
     return Done{};
   }
@@ -220,9 +231,17 @@ struct Apply {
   }
   Status operator()(const DeletePart& a) const {
     if (findPart(document, a.part) == nullptr) return Error::NoSuchPart;
-    std::erase_if(document.parts, [&](const Part& p) { return p.id == a.part; });
+    erasePart(a.part);
     return Done{};
   }
+  Status operator()(const CombineParts& a) const { return applyStep(document, a); }
+  Status operator()(const SetStep& a) const { return applyStep(document, a); }
+  Status operator()(const OrderOperands& a) const { return applyStep(document, a); }
+  Status operator()(const ReleaseStep& a) const { return applyStep(document, a); }
+  Status operator()(const DeleteStep& a) const { return applyStep(document, a); }
+  Status operator()(const RenameStep& a) const { return applyStep(document, a); }
+  Status operator()(const ShowStep& a) const { return applyStep(document, a); }
+  Status operator()(const SetStepLook& a) const { return applyStep(document, a); }
   Status operator()(const SetHeight& a) const {
     if (!(a.height.value >= kMinHeightMm && a.height.value <= kMaxHeightMm)) {
       return {Error::ValueOutOfRange, "height 1 mm to 10 m"};

@@ -232,11 +232,26 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   return {Error::ProjectInvalid, part.name};
 }
 
+Result<document::Step> stepFrom(Json json, const Reading& reading) {
+  document::Step step;
+  const document::Step standard;
+  read(json, step, reading);
+  mendName(step.name, document::fallbackName(step), reading.notes);
+  mend(step.blend >= 0 && step.blend <= document::kMostBlend, step.blend, 0.0, reading.notes);
+  mend(step.wall >= document::kLeastWall && step.wall <= document::kMostWall, step.wall,
+       standard.wall, reading.notes);
+  mend(step.opening.depth >= 0 && step.opening.depth <= document::kMostOpening, step.opening.depth,
+       0.0, reading.notes);
+  if (!document::checkStep(step)) return {Error::ProjectInvalid, step.name};
+  return step;
+}
+
 Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto missing) {
   if (!json.is_object()) return {Error::ProjectInvalid, "no document"};
   if (Status version = migrate(json); !version) return version.failure();
   Json pictures = takeList(json, "pictures", reading.notes);
   Json parts = takeList(json, "parts", reading.notes);
+  Json steps = takeList(json, "steps", reading.notes);
   Document document;
   readFrame(std::move(json), document, reading);
   for (Json& picture : pictures) {
@@ -264,6 +279,16 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     }
   }
   mendIds(document.parts, document.lastPartId, reading.notes);
+  for (Json& element : steps) {
+    Result<document::Step> step = stepFrom(std::move(element), reading);
+    if (step && document.steps.size() < document::kMostSteps) {
+      document.steps.push_back(std::move(step).value());
+    } else {
+      ++reading.notes.dropped;
+    }
+  }
+  mendIds(document.steps, document.lastStepId, reading.notes);
+  reading.notes.repaired += document::mendForest(document);
   return document;
 }
 

@@ -51,5 +51,8 @@ Result<document::PictureEntry> pictureFrom(Json json, const Reading& reading);
 /// Its id may be 0.
 Result<document::Part> partFrom(Json json, const document::Document& document,
                                 const Reading& reading);
+/// A step; whether it fits into the forest is the caller's business (document::mendForest). Error:
+/// ProjectInvalid (no sound step). Its id may be 0.
+Result<document::Step> stepFrom(Json json, const Reading& reading);
 
 }  // namespace spineloft::io

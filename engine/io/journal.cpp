@@ -65,6 +65,7 @@ Json changeOf(const Document& before, const Document& after) {
   add("frame", difference(frameJson(before), frameJson(after)));
   add("pictures", listChange(before.pictures, after.pictures));
   add("parts", listChange(before.parts, after.parts));
+  add("steps", listChange(before.steps, after.steps));
   return change;
 }
 
@@ -115,6 +116,13 @@ bool isWhole(const Document& before, const Document& after) {
   if (after.pictures.size() > document::kMostPictures || after.parts.size() > document::kMostParts) {
     return false;
   }
+  const auto known = [&](const document::Step& step) {
+    return step.id.value != 0 && step.id.value <= after.lastStepId;
+  };
+  if (after.steps.size() > document::kMostSteps || after.lastStepId > kMostId ||
+      !std::ranges::all_of(after.steps, known) || !document::isForest(after)) {
+    return false;
+  }
   for (const PictureEntry& entry : after.pictures) {
     const PictureEntry* old = document::findPicture(before, entry.id);
     if (old != nullptr && old->size != entry.size) return false;
@@ -141,6 +149,7 @@ std::optional<Document> changed(const Document& before, const Json& change,
     readFrame(std::move(json), after, reading);
     after.pictures = before.pictures;
     after.parts = before.parts;
+    after.steps = before.steps;
   }
   if (const Json* pictures = memberOf(change, "pictures")) {
     auto list = changedList(before.pictures, *pictures,
@@ -153,6 +162,12 @@ std::optional<Document> changed(const Document& before, const Json& change,
                             [&](Json json) { return partFrom(std::move(json), after, reading); });
     if (!list) return std::nullopt;
     after.parts = std::move(*list);
+  }
+  if (const Json* steps = memberOf(change, "steps")) {
+    auto list = changedList(before.steps, *steps,
+                            [&](Json json) { return stepFrom(std::move(json), reading); });
+    if (!list) return std::nullopt;
+    after.steps = std::move(*list);
   }
   if (!notes.clean() || !isWhole(before, after)) return std::nullopt;
   return after;

@@ -61,6 +61,26 @@ bool keep(const std::optional<T>& found, T& value) {
   if (found) value = *found;
   return found.has_value();
 }
+std::string_view keyOf(document::StepKind value) { return document::stepKindKey(value); }
+std::string_view keyOf(document::OpeningSide value) { return document::openingKey(value); }
+
+namespace {
+
+/// The enumerator with this key.
+template <class T>
+bool fromKeys(std::string_view key, T& value) {
+  for (int i = 0; i < static_cast<int>(T::kCount); ++i) {
+    if (keyOf(static_cast<T>(i)) != key) continue;
+    value = static_cast<T>(i);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool fromKey(std::string_view key, document::StepKind& value) { return fromKeys(key, value); }
+bool fromKey(std::string_view key, document::OpeningSide& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, loft::SectionPreset& value) {
   return keep(loft::sectionFromKey(key), value);
 }

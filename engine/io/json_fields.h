@@ -154,6 +154,33 @@ void members(V& v, T& value) {
   v("visible", visible);
   v.beyond(extra);
 }
+template <class V, Is<document::Operand> T>
+void members(V& v, T& value) {
+  auto& [part, step] = value;
+  v("part", part);
+  v("step", step);
+}
+template <class V, Is<document::Opening> T>
+void members(V& v, T& value) {
+  auto& [side, depth] = value;
+  v("side", side);
+  v("depth", depth);
+}
+template <class V, Is<document::Step> T>
+void members(V& v, T& value) {
+  auto& [id, name, kind, operands, blend, wall, opening, ownLook, look, visible, extra] = value;
+  v("id", id);
+  v.always("name", name);
+  v("kind", kind);
+  v("operands", operands);
+  v("blend", blend);
+  v("wall", wall);
+  v("opening", opening);
+  v("ownLook", ownLook);
+  v("look", look);
+  v("visible", visible);
+  v.beyond(extra);
+}
 template <class V, Is<document::PictureEntry> T>
 void members(V& v, T& value) {
   auto& [id, name, size, picture, sketch, contentHash, ignored, extra] = value;
@@ -167,13 +194,15 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Document> T>
 void members(V& v, T& value) {
-  auto& [name, pictures, parts, height, lastPictureId, lastPartId, extra] = value;
+  auto& [name, pictures, parts, steps, height, lastPictureId, lastPartId, lastStepId, extra] = value;
   v.always("name", name);
   v.elements("pictures", pictures);
   v.elements("parts", parts);
+  v.elementsIfAny("steps", steps);
   v("height", height);
   v("lastPictureId", lastPictureId);
   v("lastPartId", lastPartId);
+  v("lastStepId", lastStepId);
   v.beyond(extra);
 }
 
@@ -188,10 +217,14 @@ std::string_view keyOf(loft::SectionPreset value);
 std::string_view keyOf(loft::CapStyle value);
 std::string_view keyOf(loft::BlendKind value);
 std::string_view keyOf(ribs::Side value);
+std::string_view keyOf(document::StepKind value);
+std::string_view keyOf(document::OpeningSide value);
 bool fromKey(std::string_view key, loft::SectionPreset& value);
 bool fromKey(std::string_view key, loft::CapStyle& value);
 bool fromKey(std::string_view key, loft::BlendKind& value);
 bool fromKey(std::string_view key, ribs::Side& value);
+bool fromKey(std::string_view key, document::StepKind& value);
+bool fromKey(std::string_view key, document::OpeningSide& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
 
@@ -269,6 +302,10 @@ class WriteMembers {
   template <class T>
   void elements(const char* key, const std::vector<Box<T>>& values) {
     if (withElements) always(key, values);
+  }
+  template <class T>
+  void elementsIfAny(const char* key, const std::vector<Box<T>>& values) {
+    if (!values.empty()) elements(key, values);
   }
   void beyond(const std::string& extra) {
     if (!extra.empty()) putBack(out_, extra);
@@ -407,6 +444,8 @@ class ReadMembers {
   /// The pictures and parts of a document are read one by one (document_json.cpp).
   template <class T>
   void elements(const char*, std::vector<Box<T>>&) {}
+  template <class T>
+  void elementsIfAny(const char*, std::vector<Box<T>>&) {}
   void beyond(std::string& extra) { extra = takeRest(object_, reading_); }
 
  private:

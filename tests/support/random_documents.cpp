@@ -234,6 +234,88 @@ struct Make<RenamePicture> {
   }
 };
 
+StepId anyStep(Rng& rng, const Document& document) {
+  if (document.steps.empty() || rng.below(20) == 0) return StepId{rng.below(9)};
+  return document.steps[rng.below(static_cast<std::uint32_t>(document.steps.size()))]->id;
+}
+
+Opening anyOpening(Rng& rng) {
+  return {static_cast<OpeningSide>(rng.below(static_cast<std::uint32_t>(OpeningSide::kCount) + 1)),
+          rng.uniform(0, 0.95)};
+}
+
+template <>
+struct Make<CombineParts> {
+  static CombineParts from(Rng& rng, const Document& d) {
+    CombineParts combine;
+    combine.kind = static_cast<StepKind>(rng.below(static_cast<std::uint32_t>(StepKind::kCount) + 1));
+    const std::uint32_t count = combine.kind == StepKind::Hollow ? 1 : 2 + rng.below(3);
+    std::vector<Operand> free;
+    for (const Part& part : d.parts) {
+      if (holderOf(d, {part.id, {}}) == nullptr) free.push_back({part.id, {}});
+    }
+    for (const Step& step : d.steps) {
+      if (holderOf(d, {{}, step.id}) == nullptr) free.push_back({{}, step.id});
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      // Now and then one that is in a step already, twice there, or not there at all.
+      if (free.empty() || rng.below(12) == 0) {
+        combine.operands.push_back({anyPart(rng, d), {}});
+        continue;
+      }
+      const std::uint32_t at = rng.below(static_cast<std::uint32_t>(free.size()));
+      combine.operands.push_back(free[at]);
+      free.erase(free.begin() + at);
+    }
+    combine.wall = rng.uniform(0, 0.3);
+    combine.opening = anyOpening(rng);
+    return combine;
+  }
+};
+template <>
+struct Make<SetStep> {
+  static SetStep from(Rng& rng, const Document& d) {
+    const StepId id = anyStep(rng, d);
+    const Step* step = findStep(d, id);
+    return {id, step && rng.below(2) == 0 ? step->kind : static_cast<StepKind>(rng.below(4)),
+            rng.uniform(0, 0.22), rng.uniform(0, 0.4), anyOpening(rng)};
+  }
+};
+template <>
+struct Make<OrderOperands> {
+  static OrderOperands from(Rng& rng, const Document& d) {
+    OrderOperands order{anyStep(rng, d), {}};
+    if (const Step* step = findStep(d, order.step)) order.operands = step->operands;
+    if (rng.below(4) != 0) std::ranges::reverse(order.operands);
+    if (rng.below(10) == 0) order.operands.push_back({PartId{1}, {}});
+    return order;
+  }
+};
+template <>
+struct Make<ReleaseStep> {
+  static ReleaseStep from(Rng& rng, const Document& d) { return {anyStep(rng, d)}; }
+};
+template <>
+struct Make<DeleteStep> {
+  static DeleteStep from(Rng& rng, const Document& d) { return {anyStep(rng, d)}; }
+};
+template <>
+struct Make<RenameStep> {
+  static RenameStep from(Rng& rng, const Document& d) {
+    return {anyStep(rng, d), std::string(rng.below(300), 'w')};
+  }
+};
+template <>
+struct Make<ShowStep> {
+  static ShowStep from(Rng& rng, const Document& d) { return {anyStep(rng, d), rng.below(2) == 0}; }
+};
+template <>
+struct Make<SetStepLook> {
+  static SetStepLook from(Rng& rng, const Document& d) {
+    return {anyStep(rng, d), rng.below(2) == 0, {false, {static_cast<std::uint8_t>(rng.below(256)), 7, 9}}};
+  }
+};
+
 template <std::size_t... I>
 Action makeAction(std::index_sequence<I...>, std::size_t which, Rng& rng, const Document& d) {
   using Maker = Action (*)(Rng&, const Document&);
@@ -286,6 +368,10 @@ document::Action randomAction(Rng& rng, const document::Document& document) {
       rng.below(4) != 0) {
     which = 2;
   }
+  // So would steps that are asked for before there is any.
+  const std::size_t combine = Action(CombineParts{}).index(), lastOfSteps = Action(SetStepLook{}).index();
+  if (which > combine && which <= lastOfSteps && document.steps.empty()) which = combine;
+  if (which == combine && document.parts.size() < 2) which = 2;
   return makeAction(std::make_index_sequence<kActions>{}, which, rng, document);
 }
 

@@ -115,6 +115,7 @@ void Studio::clear() {
   document::Document empty;
   empty.lastPictureId = document().lastPictureId;
   empty.lastPartId = document().lastPartId;
+  empty.lastStepId = document().lastStepId;
   const document::Document before = document();
   tell(history_.commit(std::move(empty)), before);
   changed();
