@@ -28,6 +28,11 @@ enum class Error {
   PictureTooSmall,    ///< shorter than kMinPictureSide on a side
   PictureTooLarge,    ///< header declares more pixels than we accept; refused before decoding
   // shapes
+  RegionEmpty,     ///< an outline without an area, or with less than a few pixels
+  RegionOutside,   ///< no part of a region lies on its picture
+  RegionTooFine,   ///< an outline with more detail than a solid can be made of
+  NotABone,        ///< only for parts that were lofted along a spine
+  NotARegion,      ///< only for puffs and flat pieces
   TooFewRibs,     ///< a loft needs at least 2 ribs
   SectionInvalid, ///< cross-section with fewer than 3 distinct points, or not finite
   MeshInvalid,    ///< a mesh given for export breaks a mesh law

@@ -69,6 +69,24 @@ struct IgnoreForPicture {
   PictureId picture;
   std::vector<ribs::IgnoreMark> marks;
 };
+/// What a region becomes, and how.
+using RegionSolid = std::variant<inflate::PuffParams, sheet::SheetParams>;
+/// A new part from a region.
+struct DrawRegion {
+  Region region;
+  RegionSolid solid;
+  Look look = {};
+};
+/// Another region for a puff or a flat piece: drawn anew, or with points moved.
+struct RedrawRegion {
+  PartId part;
+  Region region;
+};
+/// How a puff or a flat piece is made of its region; the other kind makes it the other kind.
+struct ShapeRegion {
+  PartId part;
+  RegionSolid solid;
+};
 /// One section for the whole part.
 struct SetSection {
   PartId part;
@@ -166,6 +184,7 @@ using Action =
                  SetParameter, RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument,
                  PoseSpine, EditRibs, IgnoreForPart, IgnoreForPicture, SetSections, SetAlong,
                  AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep, OrderOperands,
-                 ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook>;
+                 ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook,
+                 DrawRegion, RedrawRegion, ShapeRegion>;
 
 }  // namespace spineloft::document

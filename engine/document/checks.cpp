@@ -1,11 +1,17 @@
 #include "engine/document/checks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/base/text.h"
 #include "engine/ribs/spine.h"
 
 namespace spineloft::document {
+namespace {
+
+constexpr double kFarthest = 1e6;  // picture pixels: beyond it is no place that a hand means
+
+}  // namespace
 
 std::string fallbackName(const Part& part) { return "Part " + std::to_string(part.id.value); }
 
@@ -43,6 +49,40 @@ Status checkStroke(const Document& document, const LoftRecipe& recipe) {
   const Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, entry->size, recipe.spine);
   if (!spine) return spine.failure();
   return Done{};
+}
+
+Status checkRegion(const Document& document, const Region& region) {
+  const PictureEntry* entry = findPicture(document, region.picture);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  const bool isRibbon = region.ribbon != 0;
+  if (isRibbon && !(region.ribbon >= kLeastRibbon && region.ribbon <= kMostRibbon)) {
+    return {Error::ValueOutOfRange, "width of the line"};
+  }
+  if (region.contours.size() > kMostContours) return {Error::ValueOutOfRange, "too many outlines"};
+  std::size_t points = 0;
+  const std::size_t least = isRibbon ? 2 : 3;
+  bool any = false, onPicture = false;
+  for (const auto& contour : region.contours) {
+    points += contour.size();
+    any = any || contour.size() >= least;
+    for (const PicturePoint p : contour) {
+      if (!isFinite(p) || std::abs(p.x) > kFarthest || std::abs(p.y) > kFarthest) {
+        return Error::StrokeNotFinite;
+      }
+      onPicture = onPicture || (p.x >= -0.5 && p.y >= -0.5 && p.x <= entry->size.width - 0.5 &&
+                                p.y <= entry->size.height - 0.5);
+    }
+  }
+  if (points > kMostRegionPoints) return {Error::ValueOutOfRange, "too many points"};
+  if (!any) return Error::RegionEmpty;
+  if (!onPicture) return Error::RegionOutside;
+  return Done{};
+}
+
+Status checkDrawn(const Document& document, const Recipe& recipe) {
+  if (const Region* region = regionOf(recipe)) return checkRegion(document, *region);
+  const auto* loft = std::get_if<LoftRecipe>(&recipe);
+  return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);
 }
 
 }  // namespace spineloft::document

@@ -28,4 +28,11 @@ bool isValid(const ribs::IgnoreMark& mark);
 /// ribs::cleanSpine.
 Status checkStroke(const Document& document, const LoftRecipe& recipe);
 
+/// Whether a region lies on its picture. Errors: NoSuchPicture, ValueOutOfRange (too many points, a
+/// pen's width out of range), StrokeNotFinite, RegionEmpty, RegionOutside.
+Status checkRegion(const Document& document, const Region& region);
+
+/// What was drawn for a part: that of the two above for its kind.
+Status checkDrawn(const Document& document, const Recipe& recipe);
+
 }  // namespace spineloft::document

@@ -1,6 +1,8 @@
 #include "engine/document/document.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "engine/base/hash.h"
 
@@ -26,10 +28,15 @@ std::size_t bytesOf(const image::SketchStroke& stroke) {
   return sizeof(stroke) + bytesOf(stroke.points) + bytesOf(stroke.pressure);
 }
 
-std::size_t bytesOf(const Part& part) {
-  const LoftRecipe& recipe = part.recipe;
-  std::size_t bytes = sizeof(Part) + part.name.size() + part.extra.size() +
-                      bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) +
+std::size_t bytesOf(const Region& region) {
+  std::size_t bytes = bytesOf<std::vector<PicturePoint>>(region.contours);
+  for (const auto& contour : region.contours) bytes += bytesOf(contour);
+  return bytes;
+}
+
+// What a recipe holds beyond its own size.
+std::size_t heldBy(const LoftRecipe& recipe) {
+  std::size_t bytes = bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) +
                       bytesOf(recipe.edits.added) + bytesOf(recipe.edits.removed) +
                       bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) +
                       bytesOf(recipe.pose.depth.points);
@@ -42,6 +49,13 @@ std::size_t bytesOf(const Part& part) {
     for (const auto& contour : stop.shape.contours) bytes += sizeof(contour) + bytesOf(contour);
   }
   return bytes;
+}
+std::size_t heldBy(const PuffRecipe& recipe) { return bytesOf(recipe.region); }
+std::size_t heldBy(const SheetRecipe& recipe) { return bytesOf(recipe.region); }
+
+std::size_t bytesOf(const Part& part) {
+  return sizeof(Part) + part.name.size() + part.extra.size() +
+         std::visit([](const auto& recipe) { return heldBy(recipe); }, part.recipe);
 }
 
 /// `before` is the same entry in the other document, or null.
@@ -60,7 +74,50 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
   return bytes;
 }
 
+constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {
+    "loft", "puff", "sheet"};
+
 }  // namespace
+
+std::string_view kindKey(PartKind kind) {
+  const auto at = static_cast<std::size_t>(kind);
+  return at < kKindKeys.size() ? kKindKeys[at] : std::string_view();
+}
+
+PartKind kindFromKey(std::string_view key) {
+  return static_cast<PartKind>(std::ranges::find(kKindKeys, key) - kKindKeys.begin());
+}
+
+Recipe emptyRecipe(PartKind kind) {
+  if (kind == PartKind::Puff) return PuffRecipe{};
+  if (kind == PartKind::Sheet) return SheetRecipe{};
+  return LoftRecipe{};
+}
+
+const LoftRecipe& loftIn(const Part& part) {
+  static const LoftRecipe kNone;
+  const LoftRecipe* loft = loftOf(part);
+  return loft ? *loft : kNone;
+}
+
+const Region* regionOf(const Recipe& recipe) {
+  if (const auto* puff = std::get_if<PuffRecipe>(&recipe)) return &puff->region;
+  if (const auto* sheet = std::get_if<SheetRecipe>(&recipe)) return &sheet->region;
+  return nullptr;
+}
+Region* regionOf(Recipe& recipe) {
+  return const_cast<Region*>(regionOf(std::as_const(recipe)));  // what it is given is not const
+}
+
+PictureId pictureOf(const Recipe& recipe) {
+  if (const Region* region = regionOf(recipe)) return region->picture;
+  const auto* loft = std::get_if<LoftRecipe>(&recipe);
+  return loft ? loft->picture : PictureId{};
+}
+void setPicture(Recipe& recipe, PictureId picture) {
+  if (Region* region = regionOf(recipe)) region->picture = picture;
+  if (auto* loft = std::get_if<LoftRecipe>(&recipe)) loft->picture = picture;
+}
 
 const PictureEntry* findPicture(const Document& document, PictureId id) {
   const auto at = std::ranges::find_if(

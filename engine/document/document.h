@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/base/box.h"
@@ -17,10 +18,12 @@
 #include "engine/document/step.h"
 #include "engine/image/image.h"
 #include "engine/image/sketch.h"
+#include "engine/inflate/puff_params.h"
 #include "engine/loft/loft.h"
 #include "engine/loft/pose.h"
 #include "engine/ribs/edits.h"
 #include "engine/ribs/ribs.h"
+#include "engine/sheet/sheet_params.h"
 
 namespace spineloft::document {
 
@@ -57,10 +60,38 @@ struct LoftRecipe {
   bool operator==(const LoftRecipe&) const = default;
 };
 
+/// A piece of a picture: what closed outlines enclose, by even-odd (an outline within another is a
+/// hole), or what a pen of a width leaves along open lines.
+struct Region {
+  PictureId picture;                                ///< on which it was drawn
+  std::vector<std::vector<PicturePoint>> contours;  ///< as drawn
+  double ribbon = 0;  ///< picture pixels: the pen's width, contours are open lines; 0: closed outlines
+  bool operator==(const Region&) const = default;
+};
+
+/// Recipe of a part that swells from a region.
+struct PuffRecipe {
+  Region region;
+  inflate::PuffParams puff;
+  bool operator==(const PuffRecipe&) const = default;
+};
+
+/// Recipe of a flat piece: a region with thickness.
+struct SheetRecipe {
+  Region region;
+  sheet::SheetParams sheet;
+  bool operator==(const SheetRecipe&) const = default;
+};
+
+/// Every way of making a part. PartKind counts the alternatives in this order.
+using Recipe = std::variant<LoftRecipe, PuffRecipe, SheetRecipe>;
+enum class PartKind : std::uint8_t { Loft, Puff, Sheet, kCount };
+static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
+
 struct Part {
   PartId id;
   std::string name;  ///< UTF-8, at most kMaxNameBytes
-  LoftRecipe recipe;
+  Recipe recipe;
   Look look;
   bool visible = true;
   std::string extra;  ///< as PictureEntry::extra
@@ -77,6 +108,36 @@ struct Document {
   std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Document&) const = default;
 };
+
+inline PartKind kindOf(const Recipe& recipe) { return static_cast<PartKind>(recipe.index()); }
+inline PartKind kindOf(const Part& part) { return kindOf(part.recipe); }
+/// "loft", "puff", "sheet": in files and in the API.
+std::string_view kindKey(PartKind kind);
+/// Error: none of them: kCount.
+PartKind kindFromKey(std::string_view key);
+/// A recipe of this kind with nothing drawn yet.
+Recipe emptyRecipe(PartKind kind);
+
+/// The recipe of this kind, or null.
+inline const LoftRecipe* loftOf(const Part& part) { return std::get_if<LoftRecipe>(&part.recipe); }
+inline LoftRecipe* loftOf(Part& part) { return std::get_if<LoftRecipe>(&part.recipe); }
+inline const PuffRecipe* puffOf(const Part& part) { return std::get_if<PuffRecipe>(&part.recipe); }
+inline PuffRecipe* puffOf(Part& part) { return std::get_if<PuffRecipe>(&part.recipe); }
+inline const SheetRecipe* sheetOf(const Part& part) { return std::get_if<SheetRecipe>(&part.recipe); }
+inline SheetRecipe* sheetOf(Part& part) { return std::get_if<SheetRecipe>(&part.recipe); }
+/// The loft that a part is, or an empty one for other kinds: for what is only looked at.
+const LoftRecipe& loftIn(const Part& part);
+/// The region of a puff or a flat piece, or null.
+const Region* regionOf(const Recipe& recipe);
+Region* regionOf(Recipe& recipe);
+
+/// The picture on which it was drawn.
+PictureId pictureOf(const Recipe& recipe);
+inline PictureId pictureOf(const Part& part) { return pictureOf(part.recipe); }
+void setPicture(Recipe& recipe, PictureId picture);
+
+inline constexpr std::size_t kMostContours = 500, kMostRegionPoints = 100000;
+inline constexpr double kLeastRibbon = 0.5, kMostRibbon = 2000;  ///< picture pixels
 
 inline constexpr std::size_t kMaxNameBytes = 200;
 inline constexpr std::size_t kMostParts = 5000, kMostPictures = 500;

@@ -7,30 +7,82 @@
 namespace spineloft::document {
 namespace {
 
-int whole(double value) { return static_cast<int>(std::lround(value)); }
+/// What `value` holds of the recipe of kind R: a member of it, read and written as a double.
+template <class R, auto Part, auto Member>
+ParamInfo entry(ParamInfo info) {
+  info.get = [](const Recipe& recipe) {
+    const R* mine = std::get_if<R>(&recipe);
+    return mine ? static_cast<double>((mine->*Part).*Member) : 0.0;
+  };
+  info.set = [](Recipe& recipe, double value) {
+    R* mine = std::get_if<R>(&recipe);
+    if (mine == nullptr) return;
+    auto& member = (mine->*Part).*Member;
+    using T = std::remove_reference_t<decltype(member)>;
+    if constexpr (std::is_same_v<T, double>) {
+      member = value;
+    } else {
+      member = static_cast<T>(std::lround(value));
+    }
+  };
+  return info;
+}
 
-constexpr std::array kTable = {
-    ParamInfo{"ribs", "Ribs", "ribs", 2, 400, 1,
-              [](const LoftRecipe& r) { return static_cast<double>(r.spine.ribs); },
-              [](LoftRecipe& r, double v) { r.spine.ribs = whole(v); }},
-    ParamInfo{"smoothness", "Smoothing of the bone", "", 0, 0.2, 0.005,
-              [](const LoftRecipe& r) { return r.spine.smoothness; },
-              [](LoftRecipe& r, double v) { r.spine.smoothness = v; }},
-    ParamInfo{"sides", "Corners around", "", 12, 128, 4,
-              [](const LoftRecipe& r) { return static_cast<double>(r.loft.sectionPoints); },
-              [](LoftRecipe& r, double v) { r.loft.sectionPoints = whole(v); }},
-    ParamInfo{"cap-rings", "Rings of round ends", "", 1, 32, 1,
-              [](const LoftRecipe& r) { return static_cast<double>(r.loft.capRings); },
-              [](LoftRecipe& r, double v) { r.loft.capRings = whole(v); }},
-};
+std::span<const ParamInfo> loftTable() {
+  using loft::LoftParams, ribs::SpineParams;
+  constexpr auto kSpine = &LoftRecipe::spine;
+  constexpr auto kLoft = &LoftRecipe::loft;
+  static const std::array kTable = {
+      entry<LoftRecipe, kSpine, &SpineParams::ribs>({"ribs", "Ribs", "ribs", 2, 400, 1}),
+      entry<LoftRecipe, kSpine, &SpineParams::smoothness>(
+          {"smoothness", "Smoothing of the bone", "", 0, 0.2, 0.005}),
+      entry<LoftRecipe, kLoft, &LoftParams::sectionPoints>(
+          {"sides", "Corners around", "", 12, 128, 4}),
+      entry<LoftRecipe, kLoft, &LoftParams::capRings>(
+          {"cap-rings", "Rings of round ends", "", 1, 32, 1}),
+  };
+  return kTable;
+}
+
+std::span<const ParamInfo> puffTable() {
+  using inflate::PuffParams;
+  constexpr auto kPuff = &PuffRecipe::puff;
+  static const std::array kTable = {
+      entry<PuffRecipe, kPuff, &PuffParams::height>(
+          {"height", "Height", "times", inflate::kLeastHeight, inflate::kMostHeight, 0.05}),
+      entry<PuffRecipe, kPuff, &PuffParams::points>(
+          {"points", "Points", "", inflate::kLeastPoints, inflate::kMostPoints, 100}),
+  };
+  return kTable;
+}
+
+std::span<const ParamInfo> sheetTable() {
+  using sheet::SheetParams;
+  constexpr auto kSheet = &SheetRecipe::sheet;
+  static const std::array kTable = {
+      entry<SheetRecipe, kSheet, &SheetParams::thickness>(
+          {"thickness", "Thickness", "of the picture", sheet::kLeastThickness,
+           sheet::kMostThickness, 0.002}),
+      entry<SheetRecipe, kSheet, &SheetParams::edgeSize>(
+          {"edge-size", "Size of the edge", "of half the thickness", 0, 1, 0.05}),
+      entry<SheetRecipe, kSheet, &SheetParams::depth>(
+          {"depth", "Nearer", "of the picture", -sheet::kMostDepth, sheet::kMostDepth, 0.005}),
+  };
+  return kTable;
+}
 
 }  // namespace
 
-std::span<const ParamInfo> paramTable() { return kTable; }
+std::span<const ParamInfo> paramTable(PartKind kind) {
+  if (kind == PartKind::Puff) return puffTable();
+  if (kind == PartKind::Sheet) return sheetTable();
+  return loftTable();
+}
 
-const ParamInfo* findParam(std::string_view key) {
-  const auto at = std::ranges::find(kTable, key, &ParamInfo::key);
-  return at == kTable.end() ? nullptr : &*at;
+const ParamInfo* findParam(PartKind kind, std::string_view key) {
+  const auto table = paramTable(kind);
+  const auto at = std::ranges::find(table, key, &ParamInfo::key);
+  return at == table.end() ? nullptr : &*at;
 }
 
 }  // namespace spineloft::document

@@ -1,4 +1,4 @@
-// The one parameter table of a loft recipe: it feeds sliders, files, validation and test generators.
+// The parameter tables, one a kind of recipe: they feed sliders, files, validation and test generators.
 #pragma once
 
 #include <span>
@@ -13,14 +13,15 @@ struct ParamInfo {
   std::string_view label;  ///< on the page
   std::string_view unit;   ///< "", "px", "ribs" …
   double low = 0, high = 0, step = 0;
-  double (*get)(const LoftRecipe&) = nullptr;
+  /// Expect a recipe of the table's kind.
+  double (*get)(const Recipe&) = nullptr;
   /// Expects a value within the range, on a whole step.
-  void (*set)(LoftRecipe&, double) = nullptr;
+  void (*set)(Recipe&, double) = nullptr;
 };
 
-/// In a fixed order; keys are unique; the default is `get(LoftRecipe{})`.
-std::span<const ParamInfo> paramTable();
+/// In a fixed order; keys are unique in a table; the default is `get(emptyRecipe(kind))`.
+std::span<const ParamInfo> paramTable(PartKind kind);
 /// The entry with this key, or null.
-const ParamInfo* findParam(std::string_view key);
+const ParamInfo* findParam(PartKind kind, std::string_view key);
 
 }  // namespace spineloft::document

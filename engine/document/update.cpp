@@ -39,6 +39,11 @@ Status edit(std::vector<Box<T>>& list, Id id, Error missing, const Change& chang
   return Done{};
 }
 
+Recipe recipeOf(const Region& region, const RegionSolid& solid) {
+  if (const auto* puff = std::get_if<inflate::PuffParams>(&solid)) return PuffRecipe{region, *puff};
+  return SheetRecipe{region, *std::get_if<sheet::SheetParams>(&solid)};
+}
+
 /// Applies one action to a copy of the document; every action has its overload, or this does not
 /// compile.
 struct Apply {
@@ -47,6 +52,33 @@ struct Apply {
   template <class Change>
   Status editPart(PartId id, const Change& change) const {
     return edit(document.parts, id, Error::NoSuchPart, change);
+  }
+  /// The same for what only a loft has. Error: NotABone.
+  template <class Change>
+  Status editLoft(PartId id, const Change& change) const {
+    return editPart(id, [&](Part& part) -> Status {
+      LoftRecipe* loft = loftOf(part);
+      return loft ? change(*loft) : Status(Error::NotABone);
+    });
+  }
+  /// And for what only a region has. Error: NotARegion.
+  template <class Change>
+  Status editRegion(PartId id, const Change& change) const {
+    return editPart(id, [&](Part& part) -> Status {
+      return regionOf(part.recipe) ? change(part) : Status(Error::NotARegion);
+    });
+  }
+  Status roomForPart() const {
+    if (document.parts.size() < kMostParts) return Done{};
+    return {Error::ValueOutOfRange, "too many parts"};
+  }
+  void addPart(Recipe recipe, const Look& look) const {
+    Part part;
+    part.recipe = std::move(recipe);
+    part.look = look;
+    part.id = PartId{++document.lastPartId};
+    part.name = fallbackName(part);
+    document.parts.push_back(std::move(part));
   }
   template <class Change>
   Status editPicture(PictureId id, const Change& change) const {
@@ -118,7 +150,7 @@ struct Apply {
     if (findPicture(document, a.picture) == nullptr) return Error::NoSuchPicture;
     std::vector<PartId> gone;
     for (const Part& part : document.parts) {
-      if (part.recipe.picture == a.picture) gone.push_back(part.id);
+      if (pictureOf(part) == a.picture) gone.push_back(part.id);
     }
     for (const PartId id : gone) erasePart(id);
     std::erase_if(document.pictures, [&](const PictureEntry& p) { return p.id == a.picture; });
@@ -126,77 +158,100 @@ struct Apply {
   }
   Status operator()(const DrawSpine& a) const {
     if (!known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
-    if (document.parts.size() >= kMostParts) return {Error::ValueOutOfRange, "too many parts"};
+    if (Status room = roomForPart(); !room) return room;
     if (Status shape = loft::checkShape(a.section); !shape) return shape;
-    Part part;
-    part.recipe.picture = a.picture;
-    part.recipe.stroke = a.stroke;
-    part.recipe.loft.sections.front().shape = a.section;
-    part.recipe.loft.startCap = a.startCap;
-    part.recipe.loft.endCap = a.endCap;
-    part.recipe.pose.depth = a.depth;
-    part.look = a.look;
-    if (!loft::isValid(part.recipe.pose)) return {Error::ValueOutOfRange, "depth"};
-    if (Status stroke = checkStroke(document, part.recipe); !stroke) return stroke;
-    part.id = PartId{++document.lastPartId};
-    part.name = fallbackName(part);
-    document.parts.push_back(std::move(part));
+    LoftRecipe recipe;
+    recipe.picture = a.picture;
+    recipe.stroke = a.stroke;
+    recipe.loft.sections.front().shape = a.section;
+    recipe.loft.startCap = a.startCap;
+    recipe.loft.endCap = a.endCap;
+    recipe.pose.depth = a.depth;
+    if (!loft::isValid(recipe.pose)) return {Error::ValueOutOfRange, "depth"};
+    if (Status stroke = checkStroke(document, recipe); !stroke) return stroke;
+    addPart(std::move(recipe), a.look);
     return Done{};
   }
+  Status operator()(const DrawRegion& a) const {
+    if (Status room = roomForPart(); !room) return room;
+    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
+      return Error::ValueOutOfRange;
+    }
+    if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
+    addPart(recipeOf(a.region, a.solid), a.look);
+    return Done{};
+  }
+  Status operator()(const RedrawRegion& a) const {
+    if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
+    return editRegion(a.part, [&](Part& part) -> Status {
+      *regionOf(part.recipe) = a.region;
+      return Done{};
+    });
+  }
+  Status operator()(const ShapeRegion& a) const {
+    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
+      return Error::ValueOutOfRange;
+    }
+    return editRegion(a.part, [&](Part& part) -> Status {
+      const Region region = *regionOf(part.recipe);
+      part.recipe = recipeOf(region, a.solid);
+      return Done{};
+    });
+  }
   Status operator()(const RedrawSpine& a) const {
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.stroke = a.stroke;
-      return checkStroke(document, part.recipe);
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.stroke = a.stroke;
+      return checkStroke(document, loft);
     });
   }
   Status operator()(const PoseSpine& a) const {
     if (!loft::isValid(a.pose)) return {Error::ValueOutOfRange, "pose"};
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.pose = a.pose;
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.pose = a.pose;
       return Done{};
     });
   }
   Status operator()(const EditRibs& a) const {
     if (!ribs::isValid(a.edits)) return {Error::ValueOutOfRange, "rib edits"};
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.edits = a.edits;
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.edits = a.edits;
       return Done{};
     });
   }
   Status operator()(const IgnoreForPart& a) const {
     if (!isValid(a.marks)) return {Error::ValueOutOfRange, "scribble"};
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.ignored = a.marks;
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.ignored = a.marks;
       return Done{};
     });
   }
   Status operator()(const SetSection& a) const {
     if (Status shape = loft::checkShape(a.section); !shape) return shape;
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.loft.sections = {loft::SectionStop{}};
-      part.recipe.loft.sections.front().shape = a.section;
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.loft.sections = {loft::SectionStop{}};
+      loft.loft.sections.front().shape = a.section;
       return Done{};
     });
   }
   Status operator()(const SetSections& a) const {
     if (Status stops = loft::checkStops(a.sections); !stops) return stops;
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.loft.sections = a.sections;
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.loft.sections = a.sections;
       return Done{};
     });
   }
   Status operator()(const SetAlong& a) const {
     if (a.kind >= AlongKind::kCount) return {Error::ValueOutOfRange, "curve"};
-    return editPart(a.part, [&](Part& part) -> Status {
-      alongOf(part.recipe.loft, a.kind) = a.curve;
-      return loft::checkParams(part.recipe.loft);
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      alongOf(loft.loft, a.kind) = a.curve;
+      return loft::checkParams(loft.loft);
     });
   }
   Status operator()(const SetCaps& a) const {
     if (!known(a.start) || !known(a.end)) return Error::ValueOutOfRange;
-    return editPart(a.part, [&](Part& part) -> Status {
-      part.recipe.loft.startCap = a.start;
-      part.recipe.loft.endCap = a.end;
+    return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
+      loft.loft.startCap = a.start;
+      loft.loft.endCap = a.end;
       return Done{};
     });
   }
@@ -207,14 +262,14 @@ struct Apply {
     });
   }
   Status operator()(const SetParameter& a) const {
-    const ParamInfo* info = findParam(a.key);
-    if (info == nullptr) return {Error::ValueOutOfRange, a.key};
-    // Written so that NaN fails too.
-    if (!(a.value >= info->low && a.value <= info->high)) return {Error::ValueOutOfRange, a.key};
-    const double steps = std::round((a.value - info->low) / info->step);
     return editPart(a.part, [&](Part& part) -> Status {
+      const ParamInfo* info = findParam(kindOf(part), a.key);
+      if (info == nullptr) return {Error::ValueOutOfRange, a.key};
+      // Written so that NaN fails too.
+      if (!(a.value >= info->low && a.value <= info->high)) return {Error::ValueOutOfRange, a.key};
+      const double steps = std::round((a.value - info->low) / info->step);
       info->set(part.recipe, std::min(info->high, info->low + steps * info->step));
-      return checkStroke(document, part.recipe);
+      return checkDrawn(document, part.recipe);
     });
   }
   Status operator()(const RenamePart& a) const {

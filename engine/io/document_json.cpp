@@ -16,8 +16,11 @@ using document::PictureEntry;
 
 constexpr const char* kVersionKey = "version";
 
-static_assert(kProjectVersion == 1, "a new version needs its migration here, and a golden file");
-constexpr std::array<Migration, kProjectVersion - 1> kMigrations{};
+/// Version 2 brought puffs and flat pieces; what version 1 wrote means the same.
+void fromVersion1(Json&) {}
+
+static_assert(kProjectVersion == 2, "a new version needs its migration here, and a golden file");
+constexpr std::array<Migration, kProjectVersion - 1> kMigrations{fromVersion1};
 
 /// Whether brackets outside strings nest at most kMostDepth deep; the rest is the parser's business.
 bool isShallow(std::string_view text) {
@@ -86,12 +89,6 @@ void mendLoft(loft::LoftParams& params, ReadNotes& notes) {
 
 void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
   const document::LoftRecipe standard;
-  for (const document::ParamInfo& info : document::paramTable()) {
-    const double value = info.get(recipe);
-    if (value >= info.low && value <= info.high) continue;
-    info.set(recipe, info.get(standard));
-    ++notes.repaired;
-  }
   const double spacing = recipe.spine.minSpacing;
   mend(spacing >= 0.1 && spacing <= 100, recipe.spine.minSpacing, standard.spine.minSpacing, notes);
   mend(ribs::inRange(recipe.ribs), recipe.ribs, {}, notes);
@@ -99,6 +96,24 @@ void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
   mendMarks(recipe.ignored, notes);
   mend(loft::isValid(recipe.pose), recipe.pose, {}, notes);
   mendLoft(recipe.loft, notes);
+}
+void mendRecipe(document::PuffRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.puff), recipe.puff, {}, notes);
+}
+void mendRecipe(document::SheetRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.sheet), recipe.sheet, {}, notes);
+}
+
+void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
+  const document::PartKind kind = document::kindOf(recipe);
+  const document::Recipe standard = document::emptyRecipe(kind);
+  for (const document::ParamInfo& info : document::paramTable(kind)) {
+    const double value = info.get(recipe);
+    if (value >= info.low && value <= info.high) continue;
+    info.set(recipe, info.get(standard));
+    ++notes.repaired;
+  }
+  std::visit([&](auto& one) { mendRecipe(one, notes); }, recipe);
 }
 
 void mendName(std::string& name, std::string_view fallback, ReadNotes& notes) {
@@ -226,7 +241,7 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   read(json, part, reading);
   mendName(part.name, document::fallbackName(part), reading.notes);
   mendRecipe(part.recipe, reading.notes);
-  const Status stroke = document::checkStroke(document, part.recipe);
+  const Status stroke = document::checkDrawn(document, part.recipe);
   if (stroke) return part;
   if (stroke.error() == Error::NoSuchPicture) return {Error::NoSuchPicture, part.name};
   return {Error::ProjectInvalid, part.name};

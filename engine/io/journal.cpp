@@ -131,7 +131,7 @@ bool isWhole(const Document& before, const Document& after) {
   return after.lastPictureId <= kMostId && after.lastPartId <= kMostId &&
          std::ranges::all_of(after.parts, [&](const Part& part) {
            return part.id.value != 0 && part.id.value <= after.lastPartId &&
-                  document::findPicture(after, part.recipe.picture) != nullptr;
+                  document::findPicture(after, document::pictureOf(part)) != nullptr;
          });
 }
 

@@ -12,6 +12,11 @@ constexpr double kMostWhole = 9007199254740992;  // 2⁵³
 /// Longest text of unknown keys that one picture, part or document carries along, bytes.
 constexpr std::size_t kMostExtra = 1 << 18;
 
+constexpr std::array<std::string_view, static_cast<std::size_t>(inflate::PuffSides::kCount)>
+    kSidesKeys = {"both", "front", "back"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(sheet::EdgeKind::kCount)>
+    kEdgeKeys = {"sharp", "bevel", "round"};
+
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 void mergeBack(Json& out, Json& rest);
@@ -55,6 +60,25 @@ std::string_view keyOf(loft::BlendKind value) {
   return at == names.end() ? std::string_view() : at->key;
 }
 std::string_view keyOf(ribs::Side value) { return value == ribs::Side::Left ? "left" : "right"; }
+
+std::string_view keyOf(inflate::PuffSides value) {
+  const auto at = static_cast<std::size_t>(value);
+  return at < kSidesKeys.size() ? kSidesKeys[at] : std::string_view();
+}
+std::string_view keyOf(sheet::EdgeKind value) {
+  const auto at = static_cast<std::size_t>(value);
+  return at < kEdgeKeys.size() ? kEdgeKeys[at] : std::string_view();
+}
+bool fromKey(std::string_view key, inflate::PuffSides& value) {
+  const auto at = std::ranges::find(kSidesKeys, key);
+  if (at != kSidesKeys.end()) value = static_cast<inflate::PuffSides>(at - kSidesKeys.begin());
+  return at != kSidesKeys.end();
+}
+bool fromKey(std::string_view key, sheet::EdgeKind& value) {
+  const auto at = std::ranges::find(kEdgeKeys, key);
+  if (at != kEdgeKeys.end()) value = static_cast<sheet::EdgeKind>(at - kEdgeKeys.begin());
+  return at != kEdgeKeys.end();
+}
 
 template <class T>
 bool keep(const std::optional<T>& found, T& value) {

@@ -138,6 +138,40 @@ void members(V& v, T& value) {
   v("pose", pose);
   v("loft", loft);
 }
+template <class V, Is<document::Region> T>
+void members(V& v, T& value) {
+  auto& [picture, contours, ribbon] = value;
+  v("picture", picture);
+  v("contours", contours);
+  v("ribbon", ribbon);
+}
+template <class V, Is<inflate::PuffParams> T>
+void members(V& v, T& value) {
+  auto& [height, sides, points] = value;
+  v("height", height);
+  v("sides", sides);
+  v("points", points);
+}
+template <class V, Is<sheet::SheetParams> T>
+void members(V& v, T& value) {
+  auto& [thickness, edge, edgeSize, depth] = value;
+  v("thickness", thickness);
+  v("edge", edge);
+  v("edgeSize", edgeSize);
+  v("depth", depth);
+}
+template <class V, Is<document::PuffRecipe> T>
+void members(V& v, T& value) {
+  auto& [region, puff] = value;
+  v("region", region);
+  v("puff", puff);
+}
+template <class V, Is<document::SheetRecipe> T>
+void members(V& v, T& value) {
+  auto& [region, sheet] = value;
+  v("region", region);
+  v("sheet", sheet);
+}
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
   auto& [textured, colour] = value;
@@ -149,7 +183,7 @@ void members(V& v, T& value) {
   auto& [id, name, recipe, look, visible, extra] = value;
   v("id", id);
   v.always("name", name);
-  v("recipe", recipe);
+  v.recipe("kind", "recipe", recipe);
   v("look", look);
   v("visible", visible);
   v.beyond(extra);
@@ -219,12 +253,16 @@ std::string_view keyOf(loft::BlendKind value);
 std::string_view keyOf(ribs::Side value);
 std::string_view keyOf(document::StepKind value);
 std::string_view keyOf(document::OpeningSide value);
+std::string_view keyOf(inflate::PuffSides value);
+std::string_view keyOf(sheet::EdgeKind value);
 bool fromKey(std::string_view key, loft::SectionPreset& value);
 bool fromKey(std::string_view key, loft::CapStyle& value);
 bool fromKey(std::string_view key, loft::BlendKind& value);
 bool fromKey(std::string_view key, ribs::Side& value);
 bool fromKey(std::string_view key, document::StepKind& value);
 bool fromKey(std::string_view key, document::OpeningSide& value);
+bool fromKey(std::string_view key, inflate::PuffSides& value);
+bool fromKey(std::string_view key, sheet::EdgeKind& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
 
@@ -294,6 +332,13 @@ class WriteMembers {
   template <class T>
   void always(const char* key, const T& value) {
     out_[key] = toJson(value);
+  }
+  /// One of several kinds; the kind of a loft is not written, as in the files of version 1.
+  void recipe(const char* kindKey, const char* key, const document::Recipe& value) {
+    if (document::kindOf(value) != document::PartKind::Loft) {
+      out_[kindKey] = document::kindKey(document::kindOf(value));
+    }
+    std::visit([&](const auto& one) { (*this)(key, one); }, value);
   }
   void photo(const char* key, const std::shared_ptr<const image::Picture>& picture,
              std::uint64_t contentHash) {
@@ -438,6 +483,19 @@ class ReadMembers {
   template <class T>
   void always(const char* key, T& value) {
     (*this)(key, value);
+  }
+  /// An unknown kind leaves an empty loft, which no document holds.
+  void recipe(const char* kindKey, const char* key, document::Recipe& value) {
+    const auto kind = object_.find(kindKey);
+    if (kind != object_.end()) {
+      const auto* name = kind->template get_ptr<const std::string*>();
+      const document::PartKind known =
+          name ? document::kindFromKey(*name) : document::PartKind::kCount;
+      value = document::emptyRecipe(known);
+      object_.erase(kind);
+      if (known == document::PartKind::kCount) return;
+    }
+    std::visit([&](auto& one) { (*this)(key, one); }, value);
   }
   /// A photo that is not there leaves `picture` empty and the hash set.
   void photo(const char* key, std::shared_ptr<const image::Picture>& picture, std::uint64_t& hash);

@@ -18,7 +18,7 @@ namespace spineloft::io {
 
 /// What this program writes; it reads 1 … this. Every version has a golden file in tests/golden and a
 /// migration step that a test runs.
-inline constexpr int kProjectVersion = 1;
+inline constexpr int kProjectVersion = 2;
 
 /// Finds a photo by its content hash; null when it is not there.
 using PictureSource = std::function<std::shared_ptr<const image::Picture>(std::uint64_t)>;

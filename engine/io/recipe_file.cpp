@@ -115,6 +115,18 @@ Document boardOf(const RecipeInput& input) {
   return board;
 }
 
+/// The region of a puff or a flat piece, put on the photo.
+Status checkOutline(const Document& board, Json& recipe) {
+  if (!recipe["region"].is_object()) return Error::RegionEmpty;
+  document::Region region;
+  recipe["region"]["picture"] = 1;
+  Json copy = recipe["region"];
+  ReadNotes notes;
+  const PictureSource none;
+  read(copy, region, Reading{notes, none});
+  return document::checkRegion(board, region);
+}
+
 /// The line of a part: what is wrong with it is said as of a drawn one.
 Status checkLine(const Document& board, const Json& recipe) {
   document::LoftRecipe line;
@@ -131,11 +143,18 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
   if (Status photo = checkPhoto(input, true); !photo) return photo.failure();
   Json& recipe = json["recipe"];
   if (!recipe.is_object()) return {Error::JsonInvalid, "recipe is no object"};
-  json["id"] = recipe["picture"] = 1;
+  json["id"] = 1;
   nameIfNone(json, 1);
-  if (!input.stroke.empty()) recipe["stroke"] = toJson(input.stroke);
   Document document = boardOf(input);
-  if (Status line = checkLine(document, recipe); !line) return line.failure();
+  const auto kind = json.find("kind");
+  const bool isRegion = kind != json.end() && *kind != document::kindKey(document::PartKind::Loft);
+  if (isRegion) {
+    if (Status outline = checkOutline(document, recipe); !outline) return outline.failure();
+  } else {
+    recipe["picture"] = 1;
+    if (!input.stroke.empty()) recipe["stroke"] = toJson(input.stroke);
+    if (Status line = checkLine(document, recipe); !line) return line.failure();
+  }
 
   const PictureSource none;
   ReadNotes notes;

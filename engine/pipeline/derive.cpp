@@ -24,9 +24,10 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
   return known;
 }
 
-// The shape of a recipe, with the ribs that are traced already or the edges that are known.
-Result<PartShape> shapeOf(const document::LoftRecipe& recipe, const document::PictureEntry& entry,
-                          Cache& cache, bool preview, const Clock& clock) {
+// The shape of a loft, with the ribs that are traced already or the edges that are known.
+Result<PartShape> loftShape(const document::LoftRecipe& recipe,
+                            const document::PictureEntry& entry, Cache& cache, bool preview,
+                            const Clock& clock) {
   static const image::EdgeMap kNoEdges;
   const double started = nowMs(clock);
   const std::uint64_t key = traceKey(recipe, entry);
@@ -54,6 +55,21 @@ Result<PartShape> shapeOf(const document::LoftRecipe& recipe, const document::Pi
   return shape;
 }
 
+bool needsEdges(const document::Recipe& recipe) {
+  return document::kindOf(recipe) == document::PartKind::Loft;
+}
+
+Result<PartShape> shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry,
+                          Cache& cache, bool preview, const Clock& clock) {
+  if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
+    return loftShape(*loft, entry, cache, preview, clock);
+  }
+  if (const auto* puff = std::get_if<document::PuffRecipe>(&recipe)) {
+    return puffStage(*puff, entry.size, clock);
+  }
+  return sheetStage(std::get<document::SheetRecipe>(recipe), entry.size, clock);
+}
+
 }  // namespace
 
 const image::Picture* pixelsOf(const document::Document& document, const Derived& derived,
@@ -76,7 +92,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
   }
   for (const document::Part& part : document.parts) {
     DerivedPart result{part.id, nullptr, std::nullopt, false};
-    const document::PictureEntry* entry = findPicture(document, part.recipe.picture);
+    const document::PictureEntry* entry = findPicture(document, pictureOf(part));
     if (entry == nullptr) {
       result.failure = Failure{Error::NoSuchPicture, part.name};
       derived.parts.push_back(std::move(result));
@@ -84,7 +100,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     }
     const std::uint64_t key = shapeKey(part.recipe, *entry);
     result.shape = cache.shape(key);
-    const bool known = cache.edges(entry->contentHash) != nullptr;
+    const bool known = !needsEdges(part.recipe) || cache.edges(entry->contentHash) != nullptr;
     if (!result.shape && !known) result.waiting = true;
     if (!result.shape && known) {
       Result<PartShape> made = shapeOf(part.recipe, *entry, cache, false, clock);
@@ -106,9 +122,9 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
 }
 
 Result<PartShape> previewShape(const document::Document& document,
-                               const document::LoftRecipe& recipe, Cache& cache,
+                               const document::Recipe& recipe, Cache& cache,
                                const Clock& clock) {
-  const document::PictureEntry* entry = findPicture(document, recipe.picture);
+  const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
   return shapeOf(recipe, *entry, cache, true, clock);
 }

@@ -48,7 +48,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
 /// while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture, those
 /// of the stages.
 Result<PartShape> previewShape(const document::Document& document,
-                               const document::LoftRecipe& recipe, Cache& cache,
+                               const document::Recipe& recipe, Cache& cache,
                                const Clock& clock = {});
 
 /// As `derive`, but finds missing edges on the calling thread first (command line, tests). `edgesMs`,

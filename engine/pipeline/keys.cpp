@@ -86,6 +86,16 @@ void mix(Hasher& hasher, const loft::Pose& pose) {
   mixAll(hasher, coilTurns, coilRadius, closed);
 }
 
+/// A region's solid takes nothing from the picture but its size.
+std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
+  const auto& [picture, contours, ribbon] = region;
+  Hasher hasher;
+  hasher.number(entry.size.width).number(entry.size.height).number(contours.size());
+  for (const auto& contour : contours) mix(hasher, contour);
+  hasher.number(ribbon);
+  return hasher.value();
+}
+
 }  // namespace
 
 std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
@@ -115,6 +125,28 @@ std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::Pictu
   mix(hasher, pose);
   mix(hasher, loft);
   return hasher.value();
+}
+
+std::uint64_t shapeKey(const document::PuffRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [region, puff] = recipe;
+  const auto& [height, sides, points] = puff;
+  Hasher hasher;
+  hasher.text("puff").number(regionKey(region, entry));
+  mixAll(hasher, height, sides, points);
+  return hasher.value();
+}
+
+std::uint64_t shapeKey(const document::SheetRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [region, params] = recipe;
+  const auto& [thickness, edge, edgeSize, depth] = params;
+  Hasher hasher;
+  hasher.text("sheet").number(regionKey(region, entry));
+  mixAll(hasher, thickness, edge, edgeSize, depth);
+  return hasher.value();
+}
+
+std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry) {
+  return std::visit([&](const auto& one) { return shapeKey(one, entry); }, recipe);
 }
 
 }  // namespace spineloft::pipeline

@@ -16,7 +16,14 @@ std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::Pic
 /// RibParams.
 std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
-/// Of a whole shape: the trace's, the edits, the pose and the loft.
+/// Of a whole shape of any kind.
+std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry);
+
+/// Of a lofted one: the trace's, the edits, the pose and the loft.
 std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+
+/// Of a puff and of a flat piece: the region, the picture's size, the parameters.
+std::uint64_t shapeKey(const document::PuffRecipe& recipe, const document::PictureEntry& entry);
+std::uint64_t shapeKey(const document::SheetRecipe& recipe, const document::PictureEntry& entry);
 
 }  // namespace spineloft::pipeline

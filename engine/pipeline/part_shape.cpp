@@ -15,6 +15,14 @@ std::size_t bytesOf(const ribs::RibSet& set) {
          (set.startFan.points.size() + set.endFan.points.size()) * sizeof(PicturePoint);
 }
 
+std::size_t bytesOf(const std::vector<std::vector<PicturePoint>>& contours) {
+  std::size_t bytes = 0;
+  for (const auto& contour : contours) {
+    bytes += sizeof(contour) + contour.size() * sizeof(PicturePoint);
+  }
+  return bytes;
+}
+
 Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced,
                             image::Size picture, const Clock& clock) {
   const double started = nowMs(clock);
@@ -46,7 +54,7 @@ std::size_t bytesOf(const PartShape& shape) {
   const mesh::TriMesh& m = shape.mesh;
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) +
-         bytesOf(shape.generated) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
+         bytesOf(shape.contours) + bytesOf(shape.generated) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
          bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) +
          (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }

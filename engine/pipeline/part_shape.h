@@ -36,13 +36,15 @@ struct TracedRibs {
   ribs::RibSet generated;
 };
 
-/// One part as derived from its recipe.
+/// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
+/// puffs and flat pieces; for others they are empty.
 struct PartShape {
   ribs::Spine spine;       ///< as traced
   ribs::RibSet generated;  ///< what the search found
   ribs::RibSet ribs;       ///< with the edits laid over
   ribs::RibSet shown;      ///< in the pose, seen from the front; equal to `ribs` at rest
   std::vector<ModelPoint> centreLine;  ///< the spine in the pose, ≥ 2 points, one a generated rib
+  std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned, closed
   mesh::TriMesh mesh;      ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
@@ -72,6 +74,13 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
 /// those of the stages, OutOfMemory.
 Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
                              image::Size picture, const Clock& clock = {});
+
+/// Of a region: clean → swell, and clean → give thickness. `key` of the result is 0; the times stand in
+/// `ms.loft`. Errors: RegionEmpty, RegionTooFine, OutOfMemory.
+Result<PartShape> puffStage(const document::PuffRecipe& recipe, image::Size picture,
+                            const Clock& clock = {});
+Result<PartShape> sheetStage(const document::SheetRecipe& recipe, image::Size picture,
+                             const Clock& clock = {});
 
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,

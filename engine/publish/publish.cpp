@@ -108,7 +108,7 @@ Result<Shelf> gather(const document::Document& document, const pipeline::Derived
     }
     const document::Part* part = document::findPart(document, shown.id);
     if (part == nullptr || !part->visible || !shown.shape) continue;
-    const document::PictureEntry* entry = document::findPicture(document, part->recipe.picture);
+    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
     if (entry == nullptr) continue;
     io::ExportPart out;
     out.name = part->name;

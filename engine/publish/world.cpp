@@ -21,7 +21,7 @@ std::optional<WorldBounds> worldBounds(const document::Document& document,
   for (const pipeline::DerivedPart& shown : derived.parts) {
     const document::Part* part = document::findPart(document, shown.id);
     if (part == nullptr || !part->visible || !shown.shape) continue;
-    const document::PictureEntry* entry = document::findPicture(document, part->recipe.picture);
+    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
     if (entry == nullptr) continue;
     const WorldFrame frame = worldFrame(entry->size);
     for (const auto& p : shown.shape->mesh.positions) {

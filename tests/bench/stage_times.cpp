@@ -82,7 +82,7 @@ void timeRibDrag(bench::Report& report, const image::Picture& picture, const ima
     return ribs::RibEdits{{{.at = 0.5, .out = 40.0 + 0.3 * move, .reach = 0.1}}, {}, {}};
   };
   report.stage("rib drag to mesh", kMoves, [&](int move) {
-    LoftRecipe recipe = model.parts[3]->recipe;
+    LoftRecipe recipe = *document::loftOf(*model.parts[3]);
     recipe.edits = dragged(move);
     must(pipeline::previewShape(model, recipe, cache));
   });

@@ -77,7 +77,7 @@ loft::LoftParams fullLoft() {
 
 }  // namespace
 
-Document completeDocument() {
+Document documentOfVersion1() {
   Document document;
   document.name = "Golden swan";
   document.pictures.push_back(photo());
@@ -85,29 +85,50 @@ Document completeDocument() {
   Part full;
   full.id = PartId{3};
   full.name = "Tail";
-  full.recipe = fullRecipe();
-  full.recipe.loft = fullLoft();
+  LoftRecipe recipe = fullRecipe();
+  recipe.loft = fullLoft();
+  full.recipe = recipe;
   full.look = {false, {10, 200, 30}};
   full.visible = false;
   full.extra = R"({"bones":[1,2],"recipe":{"loft":{"sections":{"#length":2,"1":{"glow":3}}}}})";
   Part plain;
   plain.id = PartId{4};
   plain.name = "Part 4";
-  plain.recipe.picture = PictureId{2};
-  plain.recipe.stroke = {{30, 72}, {160, 70}};
-  plain.recipe.spine.ribs = 8;  // few triangles: the golden file stays small
-  plain.recipe.loft.sectionPoints = 12;
-  plain.recipe.loft.capRings = 2;
+  LoftRecipe small;
+  small.picture = PictureId{2};
+  small.stroke = {{30, 72}, {160, 70}};
+  small.spine.ribs = 8;  // few triangles: the golden file stays small
+  small.loft.sectionPoints = 12;
+  small.loft.capRings = 2;
+  plain.recipe = small;
   Part drawn = plain;
   drawn.id = PartId{7};
   drawn.name = "Part 7";
-  drawn.recipe.picture = PictureId{5};
-  drawn.recipe.stroke = {{20, 40}, {100, 40}};
+  small.picture = PictureId{5};
+  small.stroke = {{20, 40}, {100, 40}};
+  drawn.recipe = small;
   for (const Part& part : {full, plain, drawn}) document.parts.push_back(part);
   document.height = {87.5};
   document.lastPictureId = 6;
   document.lastPartId = 9;
   document.extra = R"({"sky":"blue"})";
+  return document;
+}
+
+Document completeDocument() {
+  Document document = documentOfVersion1();
+  Part puff;
+  puff.id = PartId{10};
+  puff.name = "Belly";
+  puff.recipe = PuffRecipe{{PictureId{2}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
+                           {1.5, inflate::PuffSides::Front, 400}};
+  Part sheet;
+  sheet.id = PartId{11};
+  sheet.name = "Ear";
+  sheet.recipe = SheetRecipe{{PictureId{5}, {{{20, 20}, {60, 24.5}}}, 6},
+                             {0.08, sheet::EdgeKind::Bevel, 0.25, -0.125}};
+  for (const Part& part : {puff, sheet}) document.parts.push_back(part);
+  document.lastPartId = 12;
   return document;
 }
 

@@ -30,8 +30,8 @@ std::shared_ptr<const image::Picture> anyPhoto(std::uint64_t hash) {
 /// What is wrong with a document that was read.
 std::string faultOf(const document::Document& document) {
   for (const document::Part& part : document.parts) {
-    const document::LoftRecipe& recipe = part.recipe;
-    if (!document::checkStroke(document, recipe)) return "a part without a usable stroke";
+    if (!document::checkDrawn(document, part.recipe)) return "a part without anything drawn";
+    const document::LoftRecipe& recipe = document::loftIn(part);
     if (!ribs::isValid(recipe.edits) || !loft::isValid(recipe.pose) ||
         !loft::checkParams(recipe.loft) || !document::isValid(recipe.ignored)) {
       return "a part that could not have been made";

@@ -121,7 +121,7 @@ struct Make<SetLook> {
 template <>
 struct Make<SetParameter> {
   static SetParameter from(Rng& rng, const Document& d) {
-    const auto table = paramTable();
+    const auto table = paramTable(static_cast<PartKind>(rng.below(3)));
     const ParamInfo& info = table[rng.below(static_cast<std::uint32_t>(table.size()))];
     const double room = info.high - info.low;
     return {anyPart(rng, d), std::string(info.key),
@@ -314,6 +314,47 @@ struct Make<SetStepLook> {
   static SetStepLook from(Rng& rng, const Document& d) {
     return {anyStep(rng, d), rng.below(2) == 0, {false, {static_cast<std::uint8_t>(rng.below(256)), 7, 9}}};
   }
+};
+
+Region anyRegion(Rng& rng, const Document& d) {
+  Region region{anyPicture(rng, d), {}, 0};
+  for (std::uint32_t i = 1 + rng.below(3); i > 0; --i) {
+    const PicturePoint middle{rng.uniform(0.2, 0.8) * kWidth, rng.uniform(0.2, 0.8) * kHeight};
+    auto& contour = region.contours.emplace_back();
+    for (const SectionPoint p : anyContour(rng)) {
+      contour.push_back(middle + PicturePoint{p.x, p.y} * rng.uniform(3, 30));
+    }
+  }
+  if (rng.below(4) == 0) region.ribbon = rng.uniform(0, 12);
+  if (rng.below(15) == 0) region.contours[0].clear();
+  if (rng.below(15) == 0) region.contours.clear();
+  return region;
+}
+
+RegionSolid anySolid(Rng& rng) {
+  if (rng.below(2) == 0) {
+    return inflate::PuffParams{rng.uniform(0, 3), static_cast<inflate::PuffSides>(rng.below(4)),
+                               static_cast<int>(rng.below(900))};
+  }
+  return sheet::SheetParams{rng.uniform(0, 0.4), static_cast<sheet::EdgeKind>(rng.below(4)),
+                            rng.uniform(-0.05, 1.05), rng.uniform(-0.5, 0.5)};
+}
+
+template <>
+struct Make<DrawRegion> {
+  static DrawRegion from(Rng& rng, const Document& d) {
+    return {anyRegion(rng, d), anySolid(rng), {}};
+  }
+};
+template <>
+struct Make<RedrawRegion> {
+  static RedrawRegion from(Rng& rng, const Document& d) {
+    return {anyPart(rng, d), anyRegion(rng, d)};
+  }
+};
+template <>
+struct Make<ShapeRegion> {
+  static ShapeRegion from(Rng& rng, const Document& d) { return {anyPart(rng, d), anySolid(rng)}; }
 };
 
 template <std::size_t... I>

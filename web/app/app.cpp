@@ -87,7 +87,7 @@ void App::settle() {
   settleChosen();
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
   const bool orphaned =
-      ui_.preview && (!document::findPicture(document, ui_.preview->recipe.picture) ||
+      ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||
                       (ui_.preview->part && !document::findPart(document, ui_.preview->part)));
   if (orphaned) {
     gestures_.cancel(toolEnv());

@@ -22,7 +22,7 @@ constexpr double kFirstCoil = 3;  // turns
 constexpr double kFarNudge = 10;  // picture pixels, with shift
 
 Subject subjectFor(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
+  const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return {};
   return subjectOf(env.studio.document(), env.studio.derived(), part->id);
 }
@@ -34,15 +34,15 @@ bool findsEdges(Env env) { return !env.ui.edit.keepRibs; }
 bool byPressure(Env env) { return env.ui.edit.depthByPressure; }
 bool penSeen(Env env) { return env.ui.penSeen; }
 bool isJoined(Env env) {
-  const document::Part* part = partOf(env, {});
-  return part != nullptr && part->recipe.pose.closed;
+  const document::Part* part = loftPartOf(env, {});
+  return part != nullptr && document::loftIn(*part).pose.closed;
 }
 bool isCoiled(Env env) {
-  const document::Part* part = partOf(env, {});
-  return part != nullptr && part->recipe.pose.coilTurns != 0;
+  const document::Part* part = loftPartOf(env, {});
+  return part != nullptr && document::loftIn(*part).pose.coilTurns != 0;
 }
 bool pointChosen(Env env) {
-  if (!hasSelection(env)) return false;
+  if (!hasBone(env)) return false;
   if (env.ui.tool == ToolKind::Ribs) return env.ui.chosen.end.has_value();
   return boneTool(env) && env.ui.chosen.handle >= 0;
 }
@@ -50,9 +50,10 @@ bool pointChosen(Env env) {
 Outcome useBone(Env env, const Json&) {
   env.ui.tool = ToolKind::Bone;
   env.ui.redraw = {};
-  if (hasSelection(env)) return {};
+  if (hasBone(env)) return {};
   for (const document::Part& part : env.studio.document().parts) {
-    if (part.recipe.picture == env.ui.picture && part.visible) env.ui.selection = part.id;
+    const bool fits = document::pictureOf(part) == env.ui.picture && document::loftOf(part) != nullptr;
+    if (fits && part.visible) env.ui.selection = part.id;
   }
   return {};
 }
@@ -70,7 +71,7 @@ bool keepFor(Env env, const Json& args) {
 
 Outcome bendSpine(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const std::optional<PicturePoint> to = pointOf(args, "to");
   if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
   const double reach = std::clamp(args.number("reach").value_or(env.ui.edit.boneReach), 0.0, 1.0);
@@ -87,7 +88,7 @@ Outcome bendSpine(Env env, const Json& args) {
 
 Outcome moveSpine(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const std::optional<PicturePoint> by = pointOf(args, "by");
   if (!by || !isFinite(*by)) return missing("how far: [x, y] in picture pixels");
   return putLine(env, subject, ribs::shiftStroke(boneLine(subject), *by), keepFor(env, args));
@@ -95,7 +96,7 @@ Outcome moveSpine(Env env, const Json& args) {
 
 Outcome extendSpine(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const std::optional<PicturePoint> to = pointOf(args, "to");
   if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
   const bool atStart = args.flag("start").value_or(false);
@@ -106,9 +107,9 @@ Outcome extendSpine(Env env, const Json& args) {
 /// Changes the pose of the part that is meant.
 template <class Change>
 Outcome editPose(Env env, const Json& args, const Change& change) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
-  document::PoseSpine pose{part->id, part->recipe.pose};
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
+  document::PoseSpine pose{part->id, document::loftIn(*part).pose};
   change(pose.pose, *part);
   return outcomeOf(env.studio.act(pose));
 }
@@ -190,7 +191,7 @@ Outcome chooseHandle(Env env, const Json& args) {
 /// From the side for an upright bone, from above for a lying one: where its depth is seen best.
 Outcome sideView(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   UiState& ui = env.ui;
   const auto& line = subject.shape->centreLine;
   const auto [left, right] = std::ranges::minmax(line, {}, &ModelPoint::x);
@@ -233,7 +234,7 @@ std::optional<PicturePoint> nudgeOf(const Json& args) {
 Outcome nudge(Env env, const Json& args) {
   const std::optional<PicturePoint> by = nudgeOf(args);
   const Subject subject = subjectFor(env, {});
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
   const Chosen& chosen = env.ui.chosen;
   const std::string part = std::to_string(subject.part->id.value);
@@ -249,7 +250,7 @@ Outcome nudge(Env env, const Json& args) {
   }
   const std::string burst = "bone " + part + " " + std::to_string(chosen.handle);
   if (env.ui.focus == Focus::Solid) {
-    loft::Pose pose = subject.part->recipe.pose;
+    loft::Pose pose = document::loftIn(*subject.part).pose;
     pose.depth = raiseDepth(pose.depth, handlePlace(chosen.handle), by->x - by->y,
                             env.ui.edit.boneReach);
     const document::Action action = document::PoseSpine{subject.part->id, std::move(pose)};
@@ -278,11 +279,11 @@ constexpr std::array kTable = {
     Command{"reset-pose", "Back to the picture", "image-down", "", "bone", kNone,
             "The part stands where it was drawn again", isPosed, nullptr, resetPose},
     Command{"join-ends", "Join ends", "link", "J", "bone", kNone,
-            "The two ends meet and make a ring", hasSelection, isJoined, joinEnds},
+            "The two ends meet and make a ring", hasBone, isJoined, joinEnds},
     Command{"coil", "Coil", "shell", "C", "bone", kNone, "The bone winds like a spring",
-            hasSelection, isCoiled, coil},
+            hasBone, isCoiled, coil},
     Command{"side-view", "Side view", "rotate-3d", "V", "bone", kNone,
-            "See the part from the side, and drag its bone out of the picture", hasSelection,
+            "See the part from the side, and drag its bone out of the picture", hasBone,
             nullptr, sideView},
     Command{"depth-by-pressure", "Depth by pressure", "signature", "", "bone", kNone,
             "Pressing harder with the pen brings the bone nearer", penSeen, byPressure,
@@ -291,24 +292,24 @@ constexpr std::array kTable = {
             "Arrows move it by one pixel, with Shift by ten", pointChosen, nullptr, nudge,
             pointChosen},
     Command{"bend-spine", "Bend a bone by numbers", "spline", "", "bone", kPoint,
-            "A place on the bone and where it goes", hasSelection, nullptr, bendSpine},
+            "A place on the bone and where it goes", hasBone, nullptr, bendSpine},
     Command{"move-spine", "Move a bone by numbers", "move", "", "bone", kBy,
-            "How far, in picture pixels", hasSelection, nullptr, moveSpine},
+            "How far, in picture pixels", hasBone, nullptr, moveSpine},
     Command{"extend-spine", "Lengthen a bone by numbers", "spline", "", "bone", kPoint,
-            "Where its end or start goes", hasSelection, nullptr, extendSpine},
+            "Where its end or start goes", hasBone, nullptr, extendSpine},
     Command{"pose-spine", "Pose a bone by numbers", "bone", "", "bone", kLine,
-            "Another line for the same ribs", hasSelection, nullptr, poseSpine},
+            "Another line for the same ribs", hasBone, nullptr, poseSpine},
     Command{"set-depth", "Depth by numbers", "move-3d", "", "bone", kPoints,
-            "Places along the bone and their depth", hasSelection, nullptr, setDepth},
+            "Places along the bone and their depth", hasBone, nullptr, setDepth},
     Command{"choose-handle", "Choose a bone point by number", "crosshair", "", "bone", kHandle,
-            "The number of a point of the bone", hasSelection, nullptr, chooseHandle},
+            "The number of a point of the bone", hasBone, nullptr, chooseHandle},
 };
 
 }  // namespace
 
 bool isPosed(const CommandEnv& env) {
-  const document::Part* part = partOf(env, {});
-  return part != nullptr && !part->recipe.pose.isRest();
+  const document::Part* part = loftPartOf(env, {});
+  return part != nullptr && !document::loftIn(*part).pose.isRest();
 }
 
 std::span<const Command> boneCommands() { return kTable; }

@@ -58,6 +58,10 @@ const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& 
 const document::Part* partOf(const CommandEnv& env, const Json& args);
 /// A part is selected: what makes commands about a part possible without naming one.
 bool hasSelection(const CommandEnv& env);
+/// It is a loft: has a bone, ribs and slices.
+bool hasBone(const CommandEnv& env);
+/// The lofted part that `args` name, else the selected one; null when there is none.
+const document::Part* loftPartOf(const CommandEnv& env, const Json& args);
 /// One of its ribs is chosen.
 bool hasChosenRib(const CommandEnv& env);
 /// It stands in a pose.

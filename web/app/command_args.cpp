@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "web/app/command_actions.h"
+
 namespace spineloft::app {
 namespace {
 
@@ -20,6 +22,12 @@ Outcome missing(std::string_view what) {
 }
 
 Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
+
+Outcome noBone(const CommandEnv& env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  const bool other = part != nullptr && document::loftOf(*part) == nullptr;
+  return refuse({other ? Error::NotABone : Error::NoSuchPart, {}});
+}
 
 std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_view key) {
   const Json* list = args.find(key);

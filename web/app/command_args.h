@@ -15,6 +15,8 @@ namespace spineloft::app {
 /// "This needs …."
 Outcome missing(std::string_view what);
 Outcome noPart();
+/// Why a part that is meant cannot be worked on as a loft: it is none, or it is not there.
+Outcome noBone(const CommandEnv& env, const Json& args);
 
 /// [[x, y], …] under `key`; none when it is anything else. Numbers that are no numbers become NaN, so
 /// that the engine can refuse them by name.

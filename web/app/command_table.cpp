@@ -84,8 +84,8 @@ void sectionChoices(Env env, JsonWriter& json) {
 
 void capChoices(Env env, JsonWriter& json) {
   const document::Part* part = partOf(env, Json());
-  const loft::CapStyle start = part ? part->recipe.loft.startCap : env.ui.startCap;
-  const loft::CapStyle end = part ? part->recipe.loft.endCap : env.ui.endCap;
+  const loft::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui.startCap;
+  const loft::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui.endCap;
   for (const loft::CapName& name : loft::capNames()) {
     writeChoice(json, name.key, name.label, name.style == start && name.style == end);
   }
@@ -148,7 +148,7 @@ constexpr std::array kTable = {
             "part",
             {},
             "The next line replaces the bone of this part",
-            hasSelection,
+            hasBone,
             redrawing,
             redrawMode},
     Command{"undo",
@@ -448,6 +448,7 @@ constexpr std::array kTable = {
 }  // namespace
 
 bool hasSelection(const CommandEnv& env) { return partOf(env, Json()) != nullptr; }
+bool hasBone(const CommandEnv& env) { return loftPartOf(env, Json()) != nullptr; }
 
 std::span<const Command> generalCommands() { return kTable; }
 

@@ -84,8 +84,10 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
   if (!enabled(*command, env)) {
     // Commands about a part may name one that is not selected.
     const bool named = namesPart(args) && partOf(env, args) != nullptr;
-    const auto about = {hasSelection, hasChosenRib, isPosed};
+    const auto about = {hasSelection, hasBone, hasChosenRib, isPosed};
     if (!named || std::ranges::count(about, command->enabled) == 0) {
+      const bool other = command->enabled == hasBone && hasSelection(env);
+      if (other) return refuse({Error::NotABone, {}});
       return Refusal{"NotNow", std::string(command->label) + " is not possible right now."};
     }
   }

@@ -55,13 +55,14 @@ Subject subjectOf(const document::Document& document, const pipeline::Derived& d
   const std::size_t count = std::min(document.parts.size(), derived.parts.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (document.parts[i]->id != id || !derived.parts[i].shape) continue;
+    if (document::loftOf(*document.parts[i]) == nullptr) continue;
     return {&*document.parts[i], derived.parts[i].shape.get()};
   }
   return {};
 }
 
 ribs::EditScene sceneOf(const Subject& subject) {
-  return {subject.shape->spine, subject.shape->ribs, subject.part->recipe.edits};
+  return {subject.shape->spine, subject.shape->ribs, document::loftIn(*subject.part).edits};
 }
 
 PicturePoint endPoint(const ribs::Rib& rib, ribs::Side side) {
@@ -87,7 +88,7 @@ std::string ribSentence(const ribs::RibSet& set, ribs::EndRef end) {
 }
 
 std::vector<PicturePoint> boneLine(const Subject& subject) {
-  const std::vector<PicturePoint>& posed = subject.part->recipe.pose.stroke;
+  const std::vector<PicturePoint>& posed = document::loftIn(*subject.part).pose.stroke;
   return posed.empty() ? subject.shape->spine.points : posed;
 }
 
@@ -102,11 +103,12 @@ void putBone(document::LoftRecipe& recipe, std::vector<PicturePoint> line, bool 
 
 std::vector<document::Action> boneActions(const document::Part& part,
                                           std::vector<PicturePoint> line, bool keepRibs) {
-  document::LoftRecipe recipe = part.recipe;
+  const document::LoftRecipe& before = document::loftIn(part);
+  document::LoftRecipe recipe = before;
   putBone(recipe, std::move(line), keepRibs);
   std::vector<document::Action> actions;
   if (!keepRibs) actions.push_back(document::RedrawSpine{part.id, std::move(recipe.stroke)});
-  if (recipe.pose != part.recipe.pose) {
+  if (recipe.pose != before.pose) {
     actions.push_back(document::PoseSpine{part.id, std::move(recipe.pose)});
   }
   return actions;
@@ -189,7 +191,7 @@ Marks marksOf(const document::Document& document, PictureId picture, PartId part
     marks.picture = entry->ignored;
   }
   const document::Part* owner = document::findPart(document, part);
-  if (owner != nullptr && owner->recipe.picture == picture) marks.part = owner->recipe.ignored;
+  if (owner != nullptr && document::pictureOf(*owner) == picture) marks.part = document::loftIn(*owner).ignored;
   return marks;
 }
 

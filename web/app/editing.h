@@ -14,13 +14,13 @@
 
 namespace spineloft::app {
 
-/// A part with its shape. Both stay alive while document and derived do.
+/// A lofted part with its shape. Both stay alive while document and derived do.
 struct Subject {
   const document::Part* part = nullptr;
   const pipeline::PartShape* shape = nullptr;  ///< null only with `part`
   explicit operator bool() const { return shape != nullptr; }
 };
-/// Empty for a part that there is not, or that has no shape (yet).
+/// Empty for a part that there is not, that has no shape (yet), or that is no loft.
 Subject subjectOf(const document::Document& document, const pipeline::Derived& derived, PartId id);
 
 /// Its ribs as seen, for the gestures of engine/ribs. The subject must not be empty.

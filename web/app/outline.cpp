@@ -25,6 +25,15 @@ bool nearSpine(const pipeline::PartShape& shape, PicturePoint p, double reach) {
   return false;
 }
 
+/// By even-odd: not in a hole.
+bool holdsRegion(const std::vector<std::vector<PicturePoint>>& contours, PicturePoint p) {
+  bool in = false;
+  for (const auto& contour : contours) {
+    if (geometry::holds(std::span<const PicturePoint>(contour), p)) in = !in;
+  }
+  return in;
+}
+
 }  // namespace
 
 void outlineOf(const ribs::RibSet& set, const loft::LoftParams& params,
@@ -50,8 +59,10 @@ PartId partAt(const document::Document& document, const pipeline::Derived& deriv
   for (std::size_t i = count; i-- > 0;) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
-    if (!shape || !part.visible || part.recipe.picture != picture) continue;
-    outlineOf(shape->shown, part.recipe.loft, outline);
+    if (!shape || !part.visible || document::pictureOf(part) != picture) continue;
+    if (holdsRegion(shape->contours, p)) return part.id;
+    if (document::loftOf(part) == nullptr) continue;
+    outlineOf(shape->shown, document::loftIn(part).loft, outline);
     if (geometry::holds(std::span<const PicturePoint>(outline), p) || nearSpine(*shape, p, reach)) return part.id;
   }
   return {};

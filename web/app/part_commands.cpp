@@ -27,12 +27,14 @@ Outcome setLook(Env env, const Json& args, const document::Look& look) {
 /// Selects a part; the next part is made like it, as the panels show.
 void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
-  if (env.ui.picture != part.recipe.picture) env.ui.pictureView.fitted = true;
-  env.ui.picture = part.recipe.picture;
+  if (env.ui.picture != document::pictureOf(part)) env.ui.pictureView.fitted = true;
+  env.ui.picture = document::pictureOf(part);
   env.ui.redraw = {};
-  env.ui.section = part.recipe.loft.sections.front().shape;
-  env.ui.startCap = part.recipe.loft.startCap;
-  env.ui.endCap = part.recipe.loft.endCap;
+  if (const document::LoftRecipe* loft = document::loftOf(part)) {
+    env.ui.section = loft->loft.sections.front().shape;
+    env.ui.startCap = loft->loft.startCap;
+    env.ui.endCap = loft->loft.endCap;
+  }
   env.ui.look = part.look;
 }
 
@@ -54,6 +56,11 @@ const document::Part* partOf(const CommandEnv& env, const Json& args) {
     id = idFrom(args, "id");
   }
   return document::findPart(env.studio.document(), id);
+}
+
+const document::Part* loftPartOf(const CommandEnv& env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  return part != nullptr && document::loftOf(*part) != nullptr ? part : nullptr;
 }
 
 document::Look currentLook(const CommandEnv& env) {
@@ -88,8 +95,8 @@ Outcome drawSpine(Env env, const Json& args) {
 }
 
 Outcome redrawSpine(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
   const PartId id = part->id;
@@ -110,12 +117,12 @@ Outcome newPart(Env env, const Json&) {
 }
 
 Outcome redrawMode(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   if (!env.ui.redraw) return {};
   env.ui.tool = ToolKind::Draw;
-  env.ui.picture = part->recipe.picture;
+  env.ui.picture = document::pictureOf(*part);
   sendStatus(env.host, "Draw the new line of " + part->name + ".");
   return {};
 }
@@ -169,8 +176,8 @@ Outcome showPart(Env env, const Json& args) {
 Outcome setCaps(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr && namesPart(args)) return noPart();
-  auto start = capOf(args, "start", part ? part->recipe.loft.startCap : env.ui.startCap);
-  auto end = capOf(args, "end", part ? part->recipe.loft.endCap : env.ui.endCap);
+  auto start = capOf(args, "start", part ? document::loftIn(*part).loft.startCap : env.ui.startCap);
+  auto end = capOf(args, "end", part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
   if (args.text("both") != nullptr) start = end = capOf(args, "both", {});
   if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
   env.ui.startCap = *start;

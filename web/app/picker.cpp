@@ -101,7 +101,7 @@ PartId Picker::partUnderRay(const document::Document& document, const pipeline::
   for (std::size_t i = 0; i < count; ++i) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
-    const document::PictureEntry* picture = document::findPicture(document, part.recipe.picture);
+    const document::PictureEntry* picture = document::findPicture(document, document::pictureOf(part));
     if (!shape || !part.visible || picture == nullptr) continue;
     const publish::WorldFrame frame = publish::worldFrame(picture->size);
     const double s = 1 / frame.scale;

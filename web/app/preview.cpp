@@ -13,10 +13,10 @@ Preview& previewPart(UiState& ui, const document::Part& part) {
 
 Preview& previewNewPart(UiState& ui) {
   Preview& preview = ui.preview.emplace();
-  preview.recipe.picture = ui.picture;
-  preview.recipe.loft.sections.front().shape = ui.section;
-  preview.recipe.loft.startCap = ui.startCap;
-  preview.recipe.loft.endCap = ui.endCap;
+  preview.loft().picture = ui.picture;
+  preview.loft().loft.sections.front().shape = ui.section;
+  preview.loft().loft.startCap = ui.startCap;
+  preview.loft().loft.endCap = ui.endCap;
   preview.look = ui.look;
   return preview;
 }

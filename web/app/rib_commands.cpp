@@ -35,7 +35,7 @@ bool bothSides(Env env) { return env.ui.edit.bothSides; }
 bool wholePicture(Env env) { return env.ui.edit.wholePicture; }
 bool softens(Env env) { return ribsTool(env) || env.ui.tool == ToolKind::Bone; }
 bool ribsByKeys(Env env) { return ribsTool(env) && hasChosenRib(env); }
-bool pointsByKeys(Env env) { return softens(env) && hasSelection(env); }
+bool pointsByKeys(Env env) { return softens(env) && hasBone(env); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasMarks(Env env) {
@@ -75,7 +75,7 @@ Outcome edit(Env env, const Subject& subject, ribs::RibEdits edits) {
 template <class Change>
 Outcome editEnd(Env env, const Json& args, const Change& change) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const std::optional<ribs::EndRef> end = endFor(env, args, subject);
   if (!end) return noRib();
   return edit(env, subject, change(sceneOf(subject), *end));
@@ -86,9 +86,10 @@ void use(Env env, ToolKind tool) {
   env.ui.tool = tool;
   env.ui.redraw = {};
   env.ui.focus = Focus::Picture;
-  if (hasSelection(env) || tool == ToolKind::Ignore) return;
+  if (hasBone(env) || tool == ToolKind::Ignore) return;
   for (const document::Part& part : env.studio.document().parts) {
-    if (part.recipe.picture == env.ui.picture && part.visible) env.ui.selection = part.id;
+    const bool fits = document::pictureOf(part) == env.ui.picture && document::loftOf(part) != nullptr;
+    if (fits && part.visible) env.ui.selection = part.id;
   }
 }
 
@@ -117,11 +118,11 @@ Outcome moveRibEnd(Env env, const Json& args) {
 
 Outcome shapeRibs(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const auto stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
   const document::PictureEntry* entry =
-      document::findPicture(env.studio.document(), subject.part->recipe.picture);
+      document::findPicture(env.studio.document(), document::pictureOf(*subject.part));
   const int side = entry ? std::max(entry->size.width, entry->size.height) : 0;
   const double within = args.number("within").value_or(kDefaultWithin * side);
   const bool both = args.flag("both").value_or(env.ui.edit.bothSides);
@@ -143,7 +144,7 @@ Outcome takePlace(Env env, const Json& args) {
 
 Outcome addRib(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const auto& ribs = subject.shape->ribs.ribs;
   std::optional<PicturePoint> p = pointOf(args, "to");
   const std::optional<ribs::EndRef> end = endFor(env, args, subject);
@@ -168,7 +169,7 @@ Outcome addRib(Env env, const Json& args) {
 
 Outcome deleteRib(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   if (subject.shape->ribs.ribs.size() <= 2) {
     return Refusal{"NotNow", "A part keeps at least two ribs. Delete the part instead."};
   }
@@ -194,14 +195,14 @@ Outcome resetRib(Env env, const Json& args) {
 
 Outcome resetRibs(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   return edit(env, subject, {});
 }
 
 Outcome thin(Env env, const Json& args, double factor) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
-  const document::ParamInfo* info = document::findParam("ribs");
+  if (!subject) return noBone(env, args);
+  const document::ParamInfo* info = document::findParam(document::PartKind::Loft, "ribs");
   const double now = info->get(subject.part->recipe);
   const double wanted = std::clamp(std::round(now * factor), info->low, info->high);
   const std::size_t before = subject.shape->ribs.ribs.size();
@@ -243,11 +244,11 @@ Outcome toggleBoth(Env env, const Json& args) {
 
 Outcome chooseRib(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, args);
   const std::optional<ribs::EndRef> end = endFor(env, args, subject);
   if (!end) return noRib();
   env.ui.selection = subject.part->id;
-  env.ui.picture = subject.part->recipe.picture;
+  env.ui.picture = document::pictureOf(*subject.part);
   env.ui.tool = ToolKind::Ribs;
   env.ui.chosen = {end, -1};
   return {};
@@ -256,7 +257,7 @@ Outcome chooseRib(Env env, const Json& args) {
 /// The next rib end of the same side, or the next handle of the bone.
 Outcome step(Env env, int by) {
   const Subject subject = subjectFor(env, {});
-  if (!subject) return noPart();
+  if (!subject) return noBone(env, {});
   Chosen& chosen = env.ui.chosen;
   if (env.ui.tool == ToolKind::Bone) {
     const int from = chosen.handle >= 0 ? chosen.handle : (by > 0 ? -1 : 0);
@@ -287,7 +288,7 @@ Outcome ignore(Env env, const Json& args) {
   const ribs::IgnoreMark mark{*stroke, args.number("radius").value_or(kDefaultRadius)};
   const document::Part* part = partOf(env, args);
   if (args.flag("picture").value_or(env.ui.edit.wholePicture || part == nullptr)) {
-    const PictureId picture = part && namesPart(args) ? part->recipe.picture : env.ui.picture;
+    const PictureId picture = part && namesPart(args) ? document::pictureOf(*part) : env.ui.picture;
     const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
     if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
     std::vector<ribs::IgnoreMark> marks = entry->ignored;
@@ -295,7 +296,7 @@ Outcome ignore(Env env, const Json& args) {
     return outcomeOf(env.studio.act(document::IgnoreForPicture{entry->id, std::move(marks)}));
   }
   if (part == nullptr) return noPart();
-  std::vector<ribs::IgnoreMark> marks = part->recipe.ignored;
+  std::vector<ribs::IgnoreMark> marks = document::loftIn(*part).ignored;
   marks.push_back(mark);
   return outcomeOf(env.studio.act(document::IgnoreForPart{part->id, std::move(marks)}));
 }
@@ -359,7 +360,7 @@ constexpr std::array kTable = {
     Command{"other-end", "Other end", "arrow-left-right", "X", "ribs", kNone,
             "Choose the other end of the rib", pointsByKeys, nullptr, otherEnd},
     Command{"add-rib", "Add rib", "circle-plus", "A, Insert", "ribs", kNone,
-            "One more rib beside the chosen one", hasSelection, nullptr, addRib},
+            "One more rib beside the chosen one", hasBone, nullptr, addRib},
     Command{"delete-rib", "Delete rib", "circle-minus", "Delete, Backspace", "ribs", kNone,
             "Leave the chosen rib out", hasChosenRib, nullptr, deleteRib, ribsByKeys},
     Command{"lock-rib", "Lock rib", "lock", "L", "ribs", kNone,
@@ -367,11 +368,11 @@ constexpr std::array kTable = {
     Command{"reset-rib", "Reset rib", "rotate-ccw", "Shift+R", "ribs", kNone,
             "Back to where the chosen rib was found", hasChosenRib, nullptr, resetRib},
     Command{"reset-ribs", "Reset all ribs", "refresh-cw", "", "ribs", kNone,
-            "All ribs back to where they were found", hasSelection, nullptr, resetRibs},
+            "All ribs back to where they were found", hasBone, nullptr, resetRibs},
     Command{"fewer-ribs", "Fewer ribs", "rows-2", "Shift+F", "ribs", kNone,
-            "Fewer ribs for this part", hasSelection, nullptr, fewerRibs},
+            "Fewer ribs for this part", hasBone, nullptr, fewerRibs},
     Command{"more-ribs", "More ribs", "rows-4", "Shift+M", "ribs", kNone,
-            "More ribs for this part", hasSelection, nullptr, moreRibs},
+            "More ribs for this part", hasBone, nullptr, moreRibs},
     Command{"both-sides", "Both sides", "flip-horizontal-2", "Shift+B", "ribs", kNone,
             "The line changes the other side as well", hasParts, bothSides, toggleBoth},
     Command{"ignore-whole-picture", "For the whole picture", "image", "", "ribs", kNone,
@@ -383,13 +384,13 @@ constexpr std::array kTable = {
     Command{"clear-ignored", "Remove scribbles", "trash-2", "", "ribs", kNone,
             "All edges count again", hasMarks, nullptr, clearIgnore},
     Command{"choose-rib", "Choose a rib by number", "crosshair", "", "ribs", kEnd,
-            "A rib and a side", hasSelection, nullptr, chooseRib},
+            "A rib and a side", hasBone, nullptr, chooseRib},
     Command{"move-rib-end", "Move a rib end by numbers", "move", "", "ribs", kEnd,
-            "A rib end and where it goes", hasSelection, nullptr, moveRibEnd},
+            "A rib end and where it goes", hasBone, nullptr, moveRibEnd},
     Command{"shape-ribs", "Shape by numbers", "line-squiggle", "", "ribs", kLine,
-            "A stroke in picture pixels", hasSelection, nullptr, shapeRibs},
+            "A stroke in picture pixels", hasBone, nullptr, shapeRibs},
     Command{"take-place", "Take another edge", "crosshair", "", "ribs", kEnd,
-            "One of the other places of a rib end", hasSelection, nullptr, takePlace},
+            "One of the other places of a rib end", hasBone, nullptr, takePlace},
     Command{"ignore", "Ignore edges by numbers", "ban", "", "ribs", kLine,
             "A stroke in picture pixels", hasPicture, nullptr, ignore},
     Command{"remove-ignore", "Remove a scribble by number", "x", "", "ribs", kMark,
@@ -399,7 +400,7 @@ constexpr std::array kTable = {
 }  // namespace
 
 bool hasChosenRib(const CommandEnv& env) {
-  return hasSelection(env) && env.ui.chosen.end.has_value();
+  return hasBone(env) && env.ui.chosen.end.has_value();
 }
 
 std::span<const Command> ribCommands() { return kTable; }

@@ -61,7 +61,7 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
   for (std::size_t i = 0; i < count; ++i) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
-    const Source source = sourceOf(document, derived, part.recipe.picture);
+    const Source source = sourceOf(document, derived, document::pictureOf(part));
     if (!shape || !part.visible || source.entry == nullptr) continue;
     if (previewOf(ui, part.id)) continue;
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
@@ -76,7 +76,7 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
                 const UiState& ui, gl::Scene& scene) {
   if (!ui.preview || !ui.preview->shape) return;
   const Preview& preview = *ui.preview;
-  const Source source = sourceOf(document, derived, preview.recipe.picture);
+  const Source source = sourceOf(document, derived, document::pictureOf(preview.recipe));
   if (source.entry == nullptr) return;
   gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
   mesh.key = Hasher().text("preview").number(preview.revision).value() | 1u;

@@ -44,7 +44,7 @@ int sideOf(const Json& args, std::string_view key, int fallback) {
 void show(Env env, PictureId id) {
   UiState& ui = env.ui;
   const document::Part* part = document::findPart(env.studio.document(), ui.selection);
-  if (part != nullptr && part->recipe.picture != id) ui.selection = {};
+  if (part != nullptr && document::pictureOf(*part) != id) ui.selection = {};
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), id);
   if (ui.picture != id) {
     ui.pictureView.fitted = true;
@@ -200,7 +200,7 @@ Outcome removePicture(Env env, const Json& args) {
   env.ui.pictureMenu = {};
   const auto parts =
       std::ranges::count_if(env.studio.document().parts, [&](const document::Part& part) {
-        return part.recipe.picture == entry->id;
+        return document::pictureOf(part) == entry->id;
       });
   const std::string name = entry->name;
   const Status status = env.studio.act(document::RemovePicture{entry->id});

@@ -141,7 +141,7 @@ void previewBoard(UiState& ui, const document::Document& document) {
     if (!board.live) ui.preview.reset();
     if (!shape || !board.live) return;  // the last good one stays while the hand moves
   }
-  loft::LoftParams params = part->recipe.loft;
+  loft::LoftParams params = document::loftIn(*part).loft;
   const std::size_t stop = std::min(board.stop, params.sections.size() - 1);
   params.sections[stop].shape = std::move(shape).value();
   if (!loft::checkStops(params.sections)) return;

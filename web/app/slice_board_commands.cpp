@@ -51,15 +51,15 @@ Outcome change(Env env, Drawing next) {
 }
 
 Outcome editSlice(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
+  const document::Part* part = loftPartOf(env, args);
   if (part == nullptr && args.find("part") != nullptr) return refuse({Error::NoSuchPart, {}});
   std::size_t stop = part ? pickedStop(env.ui, *part) : 0;
   if (const std::optional<double> index = args.number("slice"); index && part) {
-    const auto count = static_cast<double>(part->recipe.loft.sections.size());
+    const auto count = static_cast<double>(document::loftIn(*part).loft.sections.size());
     if (!(*index >= 0 && *index < count)) return refuse({Error::ValueOutOfRange, "slice"});
     stop = static_cast<std::size_t>(*index);
   }
-  const loft::SectionShape shape = part ? part->recipe.loft.sections[stop].shape : env.ui.section;
+  const loft::SectionShape shape = part ? document::loftIn(*part).loft.sections[stop].shape : env.ui.section;
   if (part) {
     env.ui.selection = part->id;
     env.ui.slices.part = part->id;
@@ -80,7 +80,7 @@ Outcome done(Env env, const Json&) {
   if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
   const loft::SectionShape shape = std::move(made).value();
   if (const document::Part* part = document::findPart(env.studio.document(), board.part)) {
-    std::vector<loft::SectionStop> stops = part->recipe.loft.sections;
+    std::vector<loft::SectionStop> stops = document::loftIn(*part).loft.sections;
     stops[std::min(board.stop, stops.size() - 1)].shape = shape;
     const Status status = env.studio.act(document::SetSections{part->id, std::move(stops)});
     if (!status) return refuse(status.failure());

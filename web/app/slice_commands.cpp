@@ -5,6 +5,7 @@
 #include <string>
 
 #include "web/app/command_actions.h"
+#include "web/app/command_args.h"
 #include "web/app/command_groups.h"
 #include "web/app/messages.h"
 #include "web/app/slice_editing.h"
@@ -16,15 +17,10 @@ namespace {
 using Env = const CommandEnv&;
 using Stops = std::vector<loft::SectionStop>;
 
-Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
-Outcome missing(std::string_view what) {
-  return Refusal{"ArgumentMissing", "This needs " + std::string(what) + "."};
-}
-
-const document::Part* selected(Env env) { return partOf(env, Json()); }
+const document::Part* selected(Env env) { return loftPartOf(env, Json()); }
 bool hasSeveral(Env env) {
   const document::Part* part = selected(env);
-  return part != nullptr && part->recipe.loft.sections.size() > 1;
+  return part != nullptr && document::loftIn(*part).loft.sections.size() > 1;
 }
 bool hasShelf(Env env) { return !env.ui.slices.shelf.empty(); }
 bool hasDrawn(Env env) { return pickedShape(env.ui, selected(env)).drawn(); }
@@ -35,7 +31,7 @@ bool placing(Env env) { return env.ui.slices.placing; }
 std::optional<std::size_t> stopOf(Env env, const Json& args, const document::Part& part) {
   if (args.find("slice") == nullptr) return pickedStop(env.ui, part);
   const std::optional<double> index = args.number("slice");
-  const auto count = static_cast<double>(part.recipe.loft.sections.size());
+  const auto count = static_cast<double>(document::loftIn(part).loft.sections.size());
   if (!index || !(*index >= 0 && *index < count)) return std::nullopt;
   return static_cast<std::size_t>(*index);
 }
@@ -53,8 +49,8 @@ Outcome setStops(Env env, PartId part, Stops stops) {
 }
 
 Outcome setSlices(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const Json* list = args.find("slices");
   if (list == nullptr || list->array() == nullptr) return missing("a list of slices");
   Stops stops;
@@ -73,8 +69,8 @@ Outcome setSlices(Env env, const Json& args) {
 }
 
 Outcome addSlice(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::optional<double> at = args.number("at");
   if (!at) {
     env.ui.slices.placing = !env.ui.slices.placing;
@@ -86,7 +82,7 @@ Outcome addSlice(Env env, const Json& args) {
   if (!shape) return refuse(shape.failure());
   const PartId id = part->id;
   std::size_t added = 0;
-  Stops stops = withStop(part->recipe.loft.sections, *at,
+  Stops stops = withStop(document::loftIn(*part).loft.sections, *at,
                          shape.value().value_or(pickedShape(env.ui, part)), added);
   env.ui.slices.placing = false;
   if (Outcome outcome = setStops(env, id, std::move(stops))) return outcome;
@@ -96,24 +92,24 @@ Outcome addSlice(Env env, const Json& args) {
 }
 
 Outcome moveSlice(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::optional<std::size_t> stop = stopOf(env, args, *part);
   const std::optional<double> to = args.number("to");
   if (!stop) return noSlice();
   if (!to) return missing("a place from 0 to 1");
   if (!(*to >= 0 && *to <= 1)) return refuse({Error::ValueOutOfRange, "to"});
   const PartId id = part->id;
-  Outcome outcome = setStops(env, id, withMovedStop(part->recipe.loft.sections, *stop, *to));
+  Outcome outcome = setStops(env, id, withMovedStop(document::loftIn(*part).loft.sections, *stop, *to));
   if (!outcome) pick(env, id, *stop);
   return outcome;
 }
 
 Outcome nudge(Env env, double by) {
   const document::Part* part = selected(env);
-  if (part == nullptr) return noPart();
+  if (part == nullptr) return noBone(env, {});
   const std::size_t stop = pickedStop(env.ui, *part);
-  const auto& stops = part->recipe.loft.sections;
+  const auto& stops = document::loftIn(*part).loft.sections;
   return setStops(env, part->id, withMovedStop(stops, stop, stops[stop].at + by));
 }
 constexpr double kNudge = 0.02;
@@ -121,22 +117,22 @@ Outcome nudgeOn(Env env, const Json&) { return nudge(env, kNudge); }
 Outcome nudgeBack(Env env, const Json&) { return nudge(env, -kNudge); }
 
 Outcome removeSlice(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::optional<std::size_t> stop = stopOf(env, args, *part);
   if (!stop) return noSlice();
-  if (part->recipe.loft.sections.size() < 2) {
+  if (document::loftIn(*part).loft.sections.size() < 2) {
     return Refusal{"NotNow", "This is the part's only slice. Choose another one instead."};
   }
   const PartId id = part->id;
-  Outcome outcome = setStops(env, id, withoutStop(part->recipe.loft.sections, *stop));
+  Outcome outcome = setStops(env, id, withoutStop(document::loftIn(*part).loft.sections, *stop));
   if (!outcome) pick(env, id, *stop > 0 ? *stop - 1 : 0);
   return outcome;
 }
 
 Outcome selectSlice(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::optional<std::size_t> stop = stopOf(env, args, *part);
   if (!stop) return noSlice();
   env.ui.selection = part->id;
@@ -146,20 +142,20 @@ Outcome selectSlice(Env env, const Json& args) {
 
 Outcome nextSlice(Env env, const Json&) {
   const document::Part* part = selected(env);
-  if (part == nullptr) return noPart();
-  pick(env, part->id, (pickedStop(env.ui, *part) + 1) % part->recipe.loft.sections.size());
+  if (part == nullptr) return noBone(env, {});
+  pick(env, part->id, (pickedStop(env.ui, *part) + 1) % document::loftIn(*part).loft.sections.size());
   sendStatus(env.host, "Slice " + std::to_string(env.ui.slices.stop + 1) + " of " +
-                           std::to_string(part->recipe.loft.sections.size()) + ".");
+                           std::to_string(document::loftIn(*part).loft.sections.size()) + ".");
   return {};
 }
 
 Outcome setBlend(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::optional<std::size_t> stop = stopOf(env, args, *part);
   if (!stop) return noSlice();
   if (args.text("blend") == nullptr) return missing("a blend");
-  Stops stops = part->recipe.loft.sections;
+  Stops stops = document::loftIn(*part).loft.sections;
   Result<loft::Blend> blend = blendFrom(args, stops[*stop].blend);
   if (!blend) return refuse(blend.failure());
   stops[*stop].blend = std::move(blend).value();
@@ -170,7 +166,7 @@ void blendChoices(Env env, JsonWriter& json) {
   const document::Part* part = selected(env);
   for (const loft::BlendName& name : loft::blendNames()) {
     const bool on =
-        part && part->recipe.loft.sections[pickedStop(env.ui, *part)].blend.kind == name.kind;
+        part && document::loftIn(*part).loft.sections[pickedStop(env.ui, *part)].blend.kind == name.kind;
     json.beginObject().key("value").text(name.key).key("label").text(name.label);
     json.key("toggled").flag(on).endObject();
   }
@@ -184,8 +180,8 @@ Outcome setAlongCurve(Env env, PartId part, document::AlongKind kind, geometry::
 }
 
 Outcome setAlong(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::string* key = args.text("kind");
   const AlongInfo* info = key ? findAlong(*key) : nullptr;
   if (info == nullptr) return missing("a kind: twist, squash, tilt or bulge");
@@ -196,8 +192,8 @@ Outcome setAlong(Env env, const Json& args) {
 }
 
 Outcome alongShape(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noBone(env, args);
   const std::string* name = args.text("shape");
   if (name == nullptr) return missing("a shape such as twist/turn");
   const std::size_t slash = name->find('/');
@@ -312,7 +308,7 @@ constexpr std::array kTable = {
             "slice",
             {},
             "Tap the bone where another slice shall be",
-            hasSelection,
+            hasBone,
             placing,
             addSlice},
     Command{"next-slice",
@@ -372,7 +368,7 @@ constexpr std::array kTable = {
             "slice",
             {"shape", alongChoices},
             "Twist, flatten or lean the part along its bone",
-            hasSelection,
+            hasBone,
             nullptr,
             alongShape},
     Command{"show-along",
@@ -382,7 +378,7 @@ constexpr std::array kTable = {
             "slice",
             {},
             "Show the curves of twist, depth and lean",
-            hasSelection,
+            hasBone,
             alongShown,
             showAlong},
     Command{"keep-slice",
@@ -402,7 +398,7 @@ constexpr std::array kTable = {
             "slice",
             {"slices"},
             "All slices along the bone",
-            hasSelection,
+            hasBone,
             nullptr,
             setSlices},
     Command{"move-slice",
@@ -412,7 +408,7 @@ constexpr std::array kTable = {
             "slice",
             {"to"},
             "Move a slice along the bone",
-            hasSelection,
+            hasBone,
             nullptr,
             moveSlice},
     Command{"select-slice",
@@ -422,7 +418,7 @@ constexpr std::array kTable = {
             "slice",
             {"slice"},
             "Choose one of the slices along the bone",
-            hasSelection,
+            hasBone,
             nullptr,
             selectSlice},
     Command{"set-along",
@@ -432,7 +428,7 @@ constexpr std::array kTable = {
             "slice",
             {"points"},
             "Twist, depth, lean or front along the bone",
-            hasSelection,
+            hasBone,
             nullptr,
             setAlong},
     Command{"rename-slice",
@@ -497,7 +493,7 @@ Outcome setSection(const CommandEnv& env, const Json& args) {
   if (!read) return refuse(read.failure());
   if (!read.value()) return missing("the name of a slice, or its contours");
   const loft::SectionShape shape = *std::move(read).value();
-  const document::Part* part = partOf(env, args);
+  const document::Part* part = loftPartOf(env, args);
   const bool named = args.find("part") != nullptr || args.find("id") != nullptr;
   if (part == nullptr && named) return noPart();
   env.ui.section = shape;
@@ -507,7 +503,7 @@ Outcome setSection(const CommandEnv& env, const Json& args) {
   }
   const std::optional<std::size_t> stop = stopOf(env, args, *part);
   if (!stop) return noSlice();
-  Stops stops = part->recipe.loft.sections;
+  Stops stops = document::loftIn(*part).loft.sections;
   stops[*stop].shape = shape;
   return setStops(env, part->id, std::move(stops));
 }

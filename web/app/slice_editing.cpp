@@ -73,19 +73,19 @@ double between(std::span<const loft::SectionStop> stops, std::size_t index, doub
 
 void previewLoft(UiState& ui, const document::Part& part, loft::LoftParams params) {
   Preview& preview = previewPart(ui, part);
-  if (preview.recipe.loft == params) return;
-  preview.recipe.loft = std::move(params);
+  if (preview.loft().loft == params) return;
+  preview.loft().loft = std::move(params);
   preview.fresh = false;
 }
 
 std::size_t pickedStop(const UiState& ui, const document::Part& part) {
   if (ui.slices.part != part.id) return 0;
-  return std::min(ui.slices.stop, part.recipe.loft.sections.size() - 1);
+  return std::min(ui.slices.stop, document::loftIn(part).loft.sections.size() - 1);
 }
 
 const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* part) {
   if (part == nullptr) return ui.section;
-  return part->recipe.loft.sections[pickedStop(ui, *part)].shape;
+  return document::loftIn(*part).loft.sections[pickedStop(ui, *part)].shape;
 }
 
 Stops withStop(std::span<const loft::SectionStop> stops, double at, const loft::SectionShape& shape,

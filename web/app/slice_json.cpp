@@ -167,7 +167,7 @@ void readShelf(SliceUi& slices, const Json& shelf) {
 
 void writeSlices(JsonWriter& json, const document::Part& part) {
   json.key("slices").beginArray();
-  for (const loft::SectionStop& stop : part.recipe.loft.sections) {
+  for (const loft::SectionStop& stop : document::loftIn(part).loft.sections) {
     const auto holes = std::ranges::count_if(stop.shape.contours, isHole);
     const auto curves = stop.shape.drawn() ? std::ssize(stop.shape.contours) : 1;
     json.beginObject().key("at").number(stop.at).key("section").text(nameOf(stop.shape));
@@ -178,7 +178,7 @@ void writeSlices(JsonWriter& json, const document::Part& part) {
   json.endArray().key("along").beginObject();
   for (const AlongInfo& info : alongTable()) {
     json.key(info.key);
-    writeCurve(json, alongOf(part.recipe.loft, info.kind), info.unit);
+    writeCurve(json, alongOf(document::loftIn(part).loft, info.kind), info.unit);
   }
   json.endObject();
 }

@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "engine/document/params.h"
+#include "engine/io/json_fields.h"
 #include "web/app/colour_text.h"
 #include "web/app/editing.h"
 
@@ -14,10 +16,15 @@ void writePoint(JsonWriter& json, std::string_view key, PicturePoint p) {
   json.key(key).beginArray().number(p.x).number(p.y).endArray();
 }
 
-void writeLine(JsonWriter& json, std::string_view key, std::span<const PicturePoint> points) {
-  json.key(key).beginArray();
+void writeLine(JsonWriter& json, std::span<const PicturePoint> points) {
+  json.beginArray();
   for (const PicturePoint p : points) json.beginArray().number(p.x).number(p.y).endArray();
   json.endArray();
+}
+
+void writeLine(JsonWriter& json, std::string_view key, std::span<const PicturePoint> points) {
+  json.key(key);
+  writeLine(json, points);
 }
 
 void writeOthers(JsonWriter& json, std::string_view key, const ribs::OtherPlaces& others) {
@@ -86,29 +93,57 @@ void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
   json.endArray();
 }
 
+/// Of puffs and flat pieces: the region as drawn and as cleaned, and their numbers.
+void writeRegion(JsonWriter& json, const document::Part& part, const pipeline::PartShape* shape) {
+  const document::Region* region = document::regionOf(part.recipe);
+  if (region == nullptr) return;
+  json.key("contours").beginArray();
+  for (const auto& contour : region->contours) writeLine(json, contour);
+  json.endArray().key("ribbon").number(region->ribbon);
+  json.key("outlines").number(shape ? static_cast<double>(shape->contours.size()) : 0);
+  if (const document::PuffRecipe* puff = document::puffOf(part)) {
+    json.key("sides").text(io::keyOf(puff->puff.sides));
+  }
+  if (const document::SheetRecipe* sheet = document::sheetOf(part)) {
+    json.key("edge").text(io::keyOf(sheet->sheet.edge));
+  }
+}
+
+void writeParameters(JsonWriter& json, const document::Part& part) {
+  json.key("parameters").beginObject();
+  for (const document::ParamInfo& info : document::paramTable(document::kindOf(part))) {
+    json.key(info.key).number(info.get(part.recipe));
+  }
+  json.endObject();
+}
+
 void writePart(JsonWriter& json, const document::Part& part, const pipeline::DerivedPart& derived) {
   static const ribs::RibSet kNoRibs;
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
-  const loft::SectionShape& shape = part.recipe.loft.sections.front().shape;
-  json.key("kind").text("loft").key("section");
+  // What only lofts have is that of an empty one for other kinds.
+  const document::LoftRecipe& loft = document::loftIn(part);
+  const loft::SectionShape& shape = loft.loft.sections.front().shape;
+  json.key("kind").text(document::kindKey(document::kindOf(part))).key("section");
   json.text(shape.drawn() ? "drawn" : loft::sectionKey(shape.preset));
   writeSlices(json, part);
   json.key("caps").beginObject();
-  json.key("start").text(loft::capKey(part.recipe.loft.startCap));
-  json.key("end").text(loft::capKey(part.recipe.loft.endCap)).endObject();
+  json.key("start").text(loft::capKey(loft.loft.startCap));
+  json.key("end").text(loft::capKey(loft.loft.endCap)).endObject();
   json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
-  json.key("colour").text(colourText(part.look.colour)).key("picture").number(part.recipe.picture.value);
+  json.key("colour").text(colourText(part.look.colour)).key("picture").number(document::pictureOf(part).value);
   json.key("waiting").flag(derived.waiting);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   writeRibs(json, derived.shape ? derived.shape->ribs : kNoRibs);
-  const ribs::RibEdits& edits = part.recipe.edits;
+  const ribs::RibEdits& edits = loft.edits;
   json.key("edits").beginObject().key("ends").number(static_cast<double>(edits.ends.size()));
   json.key("added").number(static_cast<double>(edits.added.size()));
   json.key("removed").number(static_cast<double>(edits.removed.size())).endObject();
-  json.key("ignored").number(static_cast<double>(part.recipe.ignored.size()));
-  writePose(json, part.recipe.pose);
-  writeLine(json, "bone", derived.shape ? boneHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
+  json.key("ignored").number(static_cast<double>(loft.ignored.size()));
+  writePose(json, loft.pose);
+  writeLine(json, "bone", derived.shape && document::loftOf(part) ? boneHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
+  writeRegion(json, part, derived.shape.get());
+  writeParameters(json, part);
   json.key("triangles");
   json.number(derived.shape ? static_cast<double>(derived.shape->mesh.triangles.size()) : 0);
   json.endObject();
@@ -168,7 +203,7 @@ void writePreview(JsonWriter& json, const UiState& ui) {
   }
   const Preview& preview = *ui.preview;
   const auto& shape = preview.shape;
-  json.beginObject().key("points").number(static_cast<double>(preview.recipe.stroke.size()));
+  json.beginObject().key("points").number(static_cast<double>(preview.loft().stroke.size()));
   json.key("part");
   preview.part ? json.number(preview.part.value) : json.null();
   json.key("fresh").flag(preview.fresh);

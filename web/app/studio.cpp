@@ -201,7 +201,7 @@ void Studio::report(const pipeline::Derived& derived) {
   }
 }
 
-Result<pipeline::PartShape> Studio::preview(const document::LoftRecipe& recipe) {
+Result<pipeline::PartShape> Studio::preview(const document::Recipe& recipe) {
   return pipeline::previewShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
 }
 

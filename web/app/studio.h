@@ -52,7 +52,7 @@ class Studio {
   const pipeline::Derived& derived();
 
   /// What a recipe would become, with the edges known so far (pipeline::previewShape).
-  Result<pipeline::PartShape> preview(const document::LoftRecipe& recipe);
+  Result<pipeline::PartShape> preview(const document::Recipe& recipe);
 
   /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
   Status save(publish::Format format);

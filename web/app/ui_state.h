@@ -39,7 +39,7 @@ enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look };
 /// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
 /// allows, and both views show it in place of the part. See preview.h.
 struct Preview {
-  document::LoftRecipe recipe;
+  document::Recipe recipe;
   PartId part;         ///< the one that it replaces on the screen; none: a new part
   document::Look look;
   bool fresh = false;  ///< `shape` is of this very recipe
@@ -47,6 +47,16 @@ struct Preview {
   std::uint64_t revision = 0;                ///< of `shape`; none other had it
   double costMs = 0;                         ///< what the last shape took
   double nextMs = 0;                         ///< not before this time is the next one made
+  /// The loft that `recipe` is; gestures of lofts make it one.
+  document::LoftRecipe& loft() {
+    auto* loft = std::get_if<document::LoftRecipe>(&recipe);
+    return loft ? *loft : recipe.emplace<document::LoftRecipe>();
+  }
+  const document::LoftRecipe& loft() const {
+    static const document::LoftRecipe kNone;
+    const auto* loft = std::get_if<document::LoftRecipe>(&recipe);
+    return loft ? *loft : kNone;
+  }
 };
 
 /// Where the strip of pictures shows a small copy of one.

@@ -77,8 +77,8 @@ void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float wi
 
 void capChooser(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
-  const loft::CapStyle start = part ? part->recipe.loft.startCap : env.ui().startCap;
-  const loft::CapStyle end = part ? part->recipe.loft.endCap : env.ui().endCap;
+  const loft::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui().startCap;
+  const loft::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui().endCap;
   if (env.ui().layout.strip) {
     const float half = (width - 24) / 2;
     if (half < 240) {

@@ -91,10 +91,10 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   const app::Preview* preview = env.ui().preview && env.ui().preview->part == part.id
                                     ? &*env.ui().preview
                                     : nullptr;
-  loft::Pose pose = preview ? preview->recipe.pose : part.recipe.pose;
+  loft::Pose pose = preview ? preview->loft().pose : document::loftIn(part).pose;
   double& own = turns ? pose.coilTurns : pose.coilRadius;
   const document::PictureEntry* entry =
-      document::findPicture(env.document(), part.recipe.picture);
+      document::findPicture(env.document(), document::pictureOf(part));
   const int size = entry ? std::max(entry->size.width, entry->size.height) : 100;
   auto value = static_cast<float>(own);
   ImGui::SetNextItemWidth(width);
@@ -105,7 +105,7 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   if (changed) {
     own = static_cast<double>(value);
     app::Preview& shown = app::previewPart(env.ui(), part);
-    shown.recipe.pose = pose;
+    shown.loft().pose = pose;
     shown.fresh = false;
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
@@ -119,8 +119,8 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
 void coilCard(const PanelEnv& env, const app::Rect& above) {
   const document::Part* part = env.selected();
   if (part == nullptr || env.ui().tool != app::ToolKind::Bone) return;
-  const bool coils = part->recipe.pose.coilTurns != 0 ||
-                     (env.ui().preview && env.ui().preview->recipe.pose.coilTurns != 0);
+  const bool coils = document::loftIn(*part).pose.coilTurns != 0 ||
+                     (env.ui().preview && env.ui().preview->loft().pose.coilTurns != 0);
   if (!coils) return;
   const double width = std::min(320.0, env.ui().layout.picture.width - 2 * kMargin);
   const app::Rect card{above.right() - width, above.bottom() + 6, width, 44};

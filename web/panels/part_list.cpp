@@ -11,7 +11,7 @@ namespace {
 
 void row(const PanelEnv& env, const document::Part& part, float width) {
   const bool selected = part.id == env.ui().selection;
-  const bool elsewhere = part.recipe.picture != env.ui().picture;
+  const bool elsewhere = document::pictureOf(part) != env.ui().picture;
   const float height = buttonSide(env);
   const float buttons = height + (selected ? height : 0);
   ImGui::PushID(static_cast<int>(part.id.value));
@@ -36,7 +36,7 @@ void row(const PanelEnv& env, const document::Part& part, float width) {
                part.name.c_str());
   list.PopClipRect();
   if (elsewhere) {
-    const document::PictureEntry* picture = findPicture(env.document(), part.recipe.picture);
+    const document::PictureEntry* picture = findPicture(env.document(), document::pictureOf(part));
     if (picture != nullptr) tooltip("On " + picture->name);
   }
   if (pressed) {

@@ -88,17 +88,28 @@ void drawSpine(ImDrawList& list, const app::UiState& ui, std::span<const Picture
   }
 }
 
-void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& part,
-                 const ribs::RibSet& set) {
-  static std::vector<PicturePoint> outline;  // reused from frame to frame
-  app::outlineOf(set, part.recipe.loft, outline);
-  const bool selected = part.id == env.ui().selection, lit = part.id == env.ui().hover.part;
+void outlineStroke(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> outline,
+                   bool selected, bool lit) {
   const float halo = selected ? 4.5f : lit ? 6.f : 3.f;
   const float width = selected ? 2.2f : lit ? 2.f : 1.4f;
   const ImU32 glow = lit && !selected ? kGlow : rgb(0xffffff, selected ? 200 : 120);
-  picturePolyline(list, env.ui(), outline, {glow, halo}, true);
-  picturePolyline(list, env.ui(), outline, {selected || lit ? kInk : rgb(0x1f2430, 120), width},
-                  true);
+  picturePolyline(list, ui, outline, {glow, halo}, true);
+  picturePolyline(list, ui, outline, {selected || lit ? kInk : rgb(0x1f2430, 120), width}, true);
+}
+
+void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& part,
+                 const ribs::RibSet& set) {
+  static std::vector<PicturePoint> outline;  // reused from frame to frame
+  app::outlineOf(set, document::loftIn(part).loft, outline);
+  outlineStroke(list, env.ui(), outline, part.id == env.ui().selection,
+                part.id == env.ui().hover.part);
+}
+
+/// The outlines of a puff or a flat piece; before there is a solid, as they were drawn.
+void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& part,
+                const std::vector<std::vector<PicturePoint>>& contours) {
+  const bool selected = part.id == env.ui().selection, lit = part.id == env.ui().hover.part;
+  for (const auto& contour : contours) outlineStroke(list, env.ui(), contour, selected, lit);
 }
 
 /// The ends that follow a dragged one, brighter the more they do.
@@ -154,7 +165,7 @@ void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subj
     return ref && ref->rib < seen.ribs.size();
   };
   if (known(end)) {
-    const ribs::EditScene scene{subject.shape->spine, seen, subject.part->recipe.edits};
+    const ribs::EditScene scene{subject.shape->spine, seen, document::loftIn(*subject.part).edits};
     drawReach(list, ui, scene, *end);
   }
   const bool dragging = ui.preview.has_value();
@@ -185,7 +196,7 @@ void drawTouched(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& s
 }
 
 void drawBoneTool(ImDrawList& list, const app::UiState& ui, const app::Subject& subject) {
-  const document::LoftRecipe& recipe = subject.part->recipe;
+  const document::LoftRecipe& recipe = document::loftIn(*subject.part);
   const bool posed = !recipe.pose.stroke.empty();
   if (posed) picturePolyline(list, ui, subject.shape->spine.points,
                              {rgb(0x2457d6, 130), 1.6f, LineStyle::Dashed});
@@ -271,9 +282,11 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& shape = env.derived.parts[i].shape;
     const document::Part& part = parts[i];
-    if (part.recipe.picture != ui.picture || !part.visible) continue;
-    if (!shape) {
-      drawSpine(list, ui, part.recipe.stroke);
+    if (document::pictureOf(part) != ui.picture || !part.visible) continue;
+    if (const document::Region* region = document::regionOf(part.recipe)) {
+      drawRegion(list, env, part, shape ? shape->contours : region->contours);
+    } else if (!shape) {
+      drawSpine(list, ui, document::loftIn(part).stroke);
     } else if (part.id == ui.selection && !drawingNew) {
       drawSelected(list, env, {&part, shape.get()});
     } else {
@@ -285,7 +298,7 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
 void drawPreview(ImDrawList& list, const app::UiState& ui) {
   if (!ui.preview || ui.tool != app::ToolKind::Draw) return;
   if (ui.preview->shape && !ui.preview->part) drawRibs(list, ui, {ui.preview->shape->shown});
-  drawSpine(list, ui, ui.preview->recipe.stroke);
+  drawSpine(list, ui, ui.preview->loft().stroke);
 }
 
 }  // namespace

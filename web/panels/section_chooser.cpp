@@ -21,7 +21,7 @@ void choose(const PanelEnv& env, app::Json::Object args) {
     return;
   }
   const document::Part* part = env.selected();
-  if (part && part->recipe.loft.sections.size() > 1) {
+  if (part && document::loftIn(*part).loft.sections.size() > 1) {
     args.emplace_back("slice", static_cast<double>(app::pickedStop(env.ui(), *part)));
   }
   env.sink.run("set-section", std::move(args));
@@ -72,7 +72,7 @@ std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
            std::ranges::any_of(out, [&](const auto* other) { return *other == shape; });
   };
   for (const document::Part& part : env.document().parts) {
-    for (const loft::SectionStop& stop : part.recipe.loft.sections) {
+    for (const loft::SectionStop& stop : document::loftIn(part).loft.sections) {
       if (stop.shape.drawn() && !known(stop.shape)) out.push_back(&stop.shape);
     }
   }

@@ -195,7 +195,7 @@ void drawSketchBar(const PanelEnv& env) {
   }
   line(env);
   const bool hasParts = std::ranges::any_of(env.document().parts, [&](const document::Part& part) {
-    return part.recipe.picture == sketch->id;
+    return document::pictureOf(part) == sketch->id;
   });
   boneButton(env, bone, drawing && !hasParts && app::looksFinished(*sketch));
   endCard();

@@ -194,9 +194,9 @@ void alongPanel(const PanelEnv& env, float width) {
     return;
   }
   const app::Preview* preview = app::previewOf(env.ui(), part->id);
-  const loft::LoftParams& params = preview ? preview->recipe.loft : part->recipe.loft;
+  const loft::LoftParams& params = preview ? preview->loft().loft : document::loftIn(*part).loft;
   const app::AlongInfo& info = app::alongInfo(env.ui().slices.along);
-  geometry::AlongCurve curve = app::alongOf(part->recipe.loft, info.kind);
+  geometry::AlongCurve curve = app::alongOf(document::loftIn(*part).loft, info.kind);
   for (geometry::AlongPoint& p : curve.points) p.value /= info.unit;
   const auto [low, high] = rangeOf(info, curve);  // steady while a point is dragged
   const bool blending = env.ui().slices.graph && !env.ui().slices.graphs.empty() &&
@@ -224,7 +224,7 @@ void alongPanel(const PanelEnv& env, float width) {
                {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width, 116}},
                curve);
   }
-  shapes(env, info, !app::alongOf(part->recipe.loft, info.kind).empty(), width);
+  shapes(env, info, !app::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
 }
 
 }  // namespace spineloft::panels

@@ -65,12 +65,12 @@ void drawSliceOverlay(const PanelEnv& env) {
   app::UiState& ui = env.ui();
   carriedTile(env);
   const document::Part* part = env.selected();
-  if (part == nullptr || part->recipe.picture != ui.picture || ui.slices.board) return;
+  if (part == nullptr || document::pictureOf(*part) != ui.picture || ui.slices.board) return;
   const app::Preview* preview = app::previewOf(ui, part->id);
   const pipeline::PartShape* shape =
       preview ? &*preview->shape : app::shapeOf(env.document(), env.derived, part->id);
   if (shape == nullptr || shape->centreLine.size() < 2) return;
-  const auto& stops = preview ? preview->recipe.loft.sections : part->recipe.loft.sections;
+  const auto& stops = preview ? preview->loft().loft.sections : document::loftIn(*part).loft.sections;
   const app::Rect& view = ui.layout.picture;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},

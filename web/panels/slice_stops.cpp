@@ -91,7 +91,7 @@ void blends(const PanelEnv& env, const Stops& stops, std::size_t picked, float w
 void stopBar(const PanelEnv& env, float width) {
   const document::Part& part = *env.selected();
   const app::Preview* preview = app::previewOf(env.ui(), part.id);
-  const Stops& stops = preview ? preview->recipe.loft.sections : part.recipe.loft.sections;
+  const Stops& stops = preview ? preview->loft().loft.sections : document::loftIn(part).loft.sections;
   const std::size_t picked = std::min(app::pickedStop(env.ui(), part), stops.size() - 1);
   const float side = buttonSide(env);
   ImGui::Dummy({0, 2});

@@ -50,7 +50,7 @@ void drawSolidOverlay(const PanelEnv& env) {
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);
   if (ui.tool != app::ToolKind::Bone || !subject || !subject.part->visible) return;
   const document::PictureEntry* entry =
-      document::findPicture(env.document(), subject.part->recipe.picture);
+      document::findPicture(env.document(), document::pictureOf(*subject.part));
   if (entry == nullptr) return;
   const app::Preview* preview = app::previewOf(ui, subject.part->id);
   const app::Subject shown{subject.part, preview ? &*preview->shape : subject.shape};

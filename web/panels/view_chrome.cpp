@@ -171,7 +171,7 @@ void hints(const PanelEnv& env) {
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
-  if (rib && part && !part->recipe.pose.isRest() && view.height > 300) {
+  if (rib && part && !document::loftIn(*part).pose.isRest() && view.height > 300) {
     pill(env, {x, static_cast<float>(view.bottom()) - 84},
          {"Ribs are changed where they were drawn", rgb(0xffffff, 235), kMuted});
   }

@@ -15,7 +15,7 @@ void DepthTool::begin(const ToolEnv& env, const ToolEvent& event) {
   handle_ = pickInSolid(env, event).depth;
   const app::Subject subject = app::subjectOf(env.document, env.derived, env.ui.selection);
   const document::PictureEntry* entry =
-      subject ? document::findPicture(env.document, subject.part->recipe.picture) : nullptr;
+      subject ? document::findPicture(env.document, document::pictureOf(*subject.part)) : nullptr;
   if (handle_ < 0 || entry == nullptr) return;
   const publish::WorldFrame frame = publish::worldFrame(entry->size);
   const ModelPoint at = app::depthHandles(subject)[static_cast<std::size_t>(handle_)];
@@ -38,10 +38,10 @@ void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
   const double unit2 = dot(unit_, unit_);
   if (!watch_.moved() || !subject || handle_ < 0 || !(unit2 > 0)) return;
   const double by = dot(event.at - from_, unit_) / unit2;
-  depth_ = app::raiseDepth(subject.part->recipe.pose.depth, app::handlePlace(handle_), by,
+  depth_ = app::raiseDepth(document::loftIn(*subject.part).pose.depth, app::handlePlace(handle_), by,
                            env.ui.edit.boneReach);
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.recipe.pose.depth = depth_;
+  preview.loft().pose.depth = depth_;
   preview.fresh = false;
 }
 

@@ -26,7 +26,7 @@ geometry::AlongCurve DragGraph::current(const ToolEnv& env) const {
   const document::Part* part = document::findPart(env.document, env.ui.selection);
   geometry::AlongCurve curve;
   if (part == nullptr) return curve;
-  const loft::LoftParams& params = part->recipe.loft;
+  const loft::LoftParams& params = document::loftIn(*part).loft;
   if (isBlend()) return params.sections[app::pickedStop(env.ui, *part)].blend.custom;
   curve = app::alongOf(params, env.ui.slices.along);
   for (AlongPoint& p : curve.points) p.value /= app::alongInfo(env.ui.slices.along).unit;
@@ -100,7 +100,7 @@ void DragGraph::show(const ToolEnv& env) {
   geometry::AlongCurve curve = *env.ui.slices.graph;
   env.ui.slices.marked =
       point_ < curve.points.size() ? std::optional(curve.points[point_].at) : std::nullopt;
-  loft::LoftParams params = part->recipe.loft;
+  loft::LoftParams params = document::loftIn(*part).loft;
   if (isBlend()) {
     params.sections[app::pickedStop(env.ui, *part)].blend.custom = std::move(curve);
     env.ui.slices.marked.reset();

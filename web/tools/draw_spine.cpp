@@ -16,7 +16,7 @@ void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
   if (!watch_.moved()) return;
   if (!env.ui.preview) start(env, event);
-  document::LoftRecipe& recipe = env.ui.preview->recipe;
+  document::LoftRecipe& recipe = env.ui.preview->loft();
   if (!extend(env, recipe.stroke, event.at)) return;
   // A pen that leaves the glass weighs nothing: that is not how the line was meant to end.
   pressure_.push_back(event.pressure > 0 ? event.pressure : pressure_.back());
@@ -32,8 +32,8 @@ bool DrawSpine::usesPressure(const ToolEnv& env, const ToolEvent& event) {
 void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
   const document::Part* part = document::findPart(env.document, env.ui.redraw);
   app::Preview& preview = part ? app::previewPart(env.ui, *part) : app::previewNewPart(env.ui);
-  preview.recipe.picture = env.ui.picture;
-  preview.recipe.stroke = {toPicture(env, watch_.start())};
+  preview.loft().picture = env.ui.picture;
+  preview.loft().stroke = {toPicture(env, watch_.start())};
   pressure_ = {event.pressure};
 }
 
@@ -45,7 +45,7 @@ void DrawSpine::commit(const ToolEnv& env) {
     env.sink.run("select-part", app::Json::Object{{"id", part.value}});
     return;
   }
-  const document::LoftRecipe recipe = std::move(env.ui.preview->recipe);
+  const document::LoftRecipe recipe = std::move(env.ui.preview->loft());
   const PartId redraw = env.ui.redraw;
   env.ui.preview.reset();
   app::Json::Object args{{"stroke", strokeJson(recipe.stroke)}};

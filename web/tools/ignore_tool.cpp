@@ -18,8 +18,8 @@ void IgnoreTool::move(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = editedPart(env);
   if (!extend(env, hand.stroke, event.at) || !subject) return;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.recipe.ignored = subject.part->recipe.ignored;
-  preview.recipe.ignored.push_back({hand.stroke, hand.radius});
+  preview.loft().ignored = document::loftIn(*subject.part).ignored;
+  preview.loft().ignored.push_back({hand.stroke, hand.radius});
   preview.fresh = false;
 }
 

@@ -69,7 +69,7 @@ void pickBone(const app::Subject& subject, PicturePoint p, double reach, double 
 
 app::Subject editedPart(const ToolEnv& env) {
   const app::Subject subject = app::subjectOf(env.document, env.derived, env.ui.selection);
-  if (!subject || subject.part->recipe.picture != env.ui.picture) return {};
+  if (!subject || document::pictureOf(*subject.part) != env.ui.picture) return {};
   return subject;
 }
 
@@ -125,7 +125,7 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = app::subjectOf(env.document, env.derived, ui.selection);
   if (ui.tool == app::ToolKind::Bone && subject) {
     const document::PictureEntry* entry =
-        document::findPicture(env.document, subject.part->recipe.picture);
+        document::findPicture(env.document, document::pictureOf(*subject.part));
     const std::vector<ModelPoint> handles = app::depthHandles(subject);
     double nearest = reachOf(event);
     for (std::size_t i = 0; entry != nullptr && i < handles.size(); ++i) {

@@ -30,7 +30,7 @@ void RibTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved() || !under_.end || under_.other >= 0 || !subject) return;
   to_ = toPicture(env, event.at) + offset_;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.recipe.edits =
+  preview.loft().edits =
       ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
   preview.fresh = false;
 }

@@ -57,8 +57,8 @@ const char* sliceCursor(const ToolEnv& env, app::ClientPoint at) {
 
 std::optional<std::size_t> sliceHandleAt(const ToolEnv& env, app::ClientPoint at, double reach) {
   const document::Part* part = document::findPart(env.document, env.ui.selection);
-  if (part == nullptr || part->recipe.picture != env.ui.picture) return std::nullopt;
-  const auto& stops = part->recipe.loft.sections;
+  if (part == nullptr || document::pictureOf(*part) != env.ui.picture) return std::nullopt;
+  const auto& stops = document::loftIn(*part).loft.sections;
   const pipeline::PartShape* shape = app::shapeOf(env.document, env.derived, part->id);
   if (stops.size() < 2 || shape == nullptr) return std::nullopt;
   std::optional<std::size_t> best;

@@ -21,7 +21,7 @@ DropPlace dropPlace(const ToolEnv& env, app::ClientPoint at) {
                             kDropReach / env.ui.pictureView.zoom);
   const document::Part* chosen = document::findPart(env.document, env.ui.selection);
   const pipeline::PartShape* shape = app::shapeOf(env.document, env.derived, env.ui.selection);
-  if (chosen && shape && chosen->recipe.picture == env.ui.picture &&
+  if (chosen && shape && document::pictureOf(*chosen) == env.ui.picture &&
       app::nearestPlace(*shape, p).distance * env.ui.pictureView.zoom < kDropReach) {
     part = chosen->id;  // where parts overlap, the selected one is meant
   }
@@ -44,7 +44,7 @@ void SlideSlice::move(const ToolEnv& env, const ToolEvent& event) {
   const app::BonePlace place = app::nearestPlace(*shape, toPicture(env, event.at));
   at_ = place.at;
   off_ = place.distance * env.ui.pictureView.zoom > kPulledOff;
-  loft::LoftParams params = part->recipe.loft;
+  loft::LoftParams params = document::loftIn(*part).loft;
   params.sections = off_ ? app::withoutStop(params.sections, stop_)
                          : app::withMovedStop(params.sections, stop_, at_);
   app::previewLoft(env.ui, *part, std::move(params));

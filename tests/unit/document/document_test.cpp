@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -33,6 +34,13 @@ Document onePart() {
                               loft::CapStyle::Flat, loft::CapStyle::Pointed, {}}});
 }
 
+/// A loft, a puff and a flat piece, in this order.
+Document everyKind() {
+  const Region region{PictureId{1}, {{{20, 20}, {60, 20}, {60, 60}, {20, 60}}}, 0};
+  return after(onePart(), {DrawRegion{region, inflate::PuffParams{}, {}},
+                           DrawRegion{region, sheet::SheetParams{}, {}}});
+}
+
 /// The document with its first part changed behind the back of `update`.
 template <class Change>
 Document with(Document document, const Change& change) {
@@ -54,10 +62,10 @@ TEST_CASE("drawing a spine makes a part with the stroke, section and caps that w
   const Document document = onePart();
   REQUIRE(document.parts.size() == 1);
   const Part& part = document.parts[0];
-  CHECK(part.recipe.stroke == kStroke);
-  CHECK(part.recipe.loft.sections.front().shape == loft::SectionPreset::Star);
-  CHECK(part.recipe.loft.startCap == loft::CapStyle::Flat);
-  CHECK(part.recipe.loft.endCap == loft::CapStyle::Pointed);
+  CHECK(loftOf(part)->stroke == kStroke);
+  CHECK(loftOf(part)->loft.sections.front().shape == loft::SectionPreset::Star);
+  CHECK(loftOf(part)->loft.startCap == loft::CapStyle::Flat);
+  CHECK(loftOf(part)->loft.endCap == loft::CapStyle::Pointed);
   CHECK(part.name == "Part 1");
   CHECK(findPart(document, part.id) == &part);
   CHECK(findPicture(document, PictureId{1})->name == "cat.png");
@@ -67,9 +75,9 @@ TEST_CASE("drawing a spine makes a part with the stroke, section and caps that w
 TEST_CASE("each setter changes exactly what it names") {
   const Document before = onePart();
   const PartId id = before.parts[0]->id;
-  Document expected = with(before, [](Part& part) { part.recipe.loft.sections.front().shape = loft::SectionPreset::Gear; });
+  Document expected = with(before, [](Part& part) { loftOf(part)->loft.sections.front().shape = loft::SectionPreset::Gear; });
   CHECK(after(before, {SetSection{id, loft::SectionPreset::Gear}}) == expected);
-  expected = with(before, [](Part& part) { part.recipe.loft.startCap = loft::CapStyle::Open; });
+  expected = with(before, [](Part& part) { loftOf(part)->loft.startCap = loft::CapStyle::Open; });
   CHECK(after(before, {SetCaps{id, loft::CapStyle::Open, loft::CapStyle::Pointed}}) == expected);
   expected = with(before, [](Part& part) { part.look = {false, {1, 2, 3}}; });
   CHECK(after(before, {SetLook{id, {false, {1, 2, 3}}}}) == expected);
@@ -83,7 +91,7 @@ TEST_CASE("each setter changes exactly what it names") {
   expected = before;
   expected.name = "Dragon";
   CHECK(after(before, {RenameDocument{"Dragon"}}) == expected);
-  expected = with(before, [](Part& part) { part.recipe.stroke = {{10, 30}, {80, 40}}; });
+  expected = with(before, [](Part& part) { loftOf(part)->stroke = {{10, 30}, {80, 40}}; });
   CHECK(after(before, {RedrawSpine{id, {{10, 30}, {80, 40}}}}) == expected);
 }
 
@@ -93,7 +101,7 @@ TEST_CASE("removing a picture takes the parts drawn on it away, and ids are neve
                               DrawSpine{PictureId{2}, kStroke}});
   document = after(document, {RemovePicture{PictureId{1}}});
   REQUIRE(document.parts.size() == 1);
-  CHECK(document.parts[0]->recipe.picture == PictureId{2});
+  CHECK(pictureOf(*document.parts[0]) == PictureId{2});
   document = after(document, {DeletePart{document.parts[0]->id},
                               DrawSpine{PictureId{2}, kStroke},
                               AddPicture{"", ellipsePicture(96, 72)}});
@@ -128,25 +136,78 @@ TEST_CASE("a refused action names its reason") {
   CHECK(errorOf(document, SetParameter{id, "ribs", nan}) == Error::ValueOutOfRange);
 }
 
-TEST_CASE("every parameter can be set to each end of its range and no further") {
-  const Document document = onePart();
-  const PartId id = document.parts[0]->id;
-  std::set<std::string_view> keys;
-  for (const ParamInfo& info : paramTable()) {
-    CHECK(keys.insert(info.key).second);
-    CHECK(findParam(info.key) == &info);
-    const std::string key(info.key);
-    for (const double value : {info.low, info.high}) {
-      const Document set = after(document, {SetParameter{id, key, value}});
-      CHECK(info.get(set.parts[0]->recipe) == doctest::Approx(value));
+TEST_CASE("every parameter of every kind can be set to each end of its range and no further") {
+  const Document document = everyKind();
+  for (const Part& part : document.parts) {
+    const PartKind kind = kindOf(part);
+    const PartId id = part.id;
+    std::set<std::string_view> keys;
+    for (const ParamInfo& info : paramTable(kind)) {
+      CHECK(keys.insert(info.key).second);
+      CHECK(findParam(kind, info.key) == &info);
+      const std::string key(info.key);
+      for (const double value : {info.low, info.high}) {
+        const Document set = after(document, {SetParameter{id, key, value}});
+        CHECK(info.get(findPart(set, id)->recipe) == doctest::Approx(value));
+      }
+      const double initial = info.get(emptyRecipe(kind));
+      CHECK(initial >= info.low);
+      CHECK(initial <= info.high);
+      CHECK(errorOf(document, SetParameter{id, key, info.low - info.step}) ==
+            Error::ValueOutOfRange);
+      CHECK(errorOf(document, SetParameter{id, key, info.high + info.step}) ==
+            Error::ValueOutOfRange);
     }
-    const double initial = info.get(LoftRecipe{});
-    CHECK(initial >= info.low);
-    CHECK(initial <= info.high);
-    CHECK(errorOf(document, SetParameter{id, key, info.low - info.step}) == Error::ValueOutOfRange);
-    CHECK(errorOf(document, SetParameter{id, key, info.high + info.step}) ==
-          Error::ValueOutOfRange);
   }
+}
+
+TEST_CASE("what is for one kind of part is refused by the others, and nothing changes") {
+  const Document document = everyKind();
+  const PartId loft = document.parts[0]->id, puff = document.parts[1]->id;
+  const Region region = *regionOf(document.parts[1]->recipe);
+  for (const Action& action : std::vector<Action>{
+           RedrawSpine{puff, kStroke}, PoseSpine{puff, {}}, EditRibs{puff, {}},
+           IgnoreForPart{puff, {}}, SetSection{puff, {}}, SetSections{puff, {loft::SectionStop{}}},
+           SetAlong{puff, AlongKind::Twist, {}}, SetCaps{puff}}) {
+    CHECK(errorOf(document, action) == Error::NotABone);
+  }
+  CHECK(errorOf(document, RedrawRegion{loft, region}) == Error::NotARegion);
+  CHECK(errorOf(document, ShapeRegion{loft, inflate::PuffParams{}}) == Error::NotARegion);
+  CHECK(errorOf(document, SetParameter{puff, "ribs", 20}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetParameter{loft, "height", 1}) == Error::ValueOutOfRange);
+}
+
+TEST_CASE("a puff becomes a flat piece of the same region and back") {
+  const Document document = everyKind();
+  const PartId id = document.parts[1]->id;
+  const Document flat = after(document, {ShapeRegion{id, sheet::SheetParams{0.1}}});
+  REQUIRE(sheetOf(*findPart(flat, id)) != nullptr);
+  CHECK(sheetOf(*findPart(flat, id))->region == *regionOf(document.parts[1]->recipe));
+  const Document back = after(flat, {ShapeRegion{id, puffOf(document.parts[1])->puff}});
+  CHECK(back == document);
+}
+
+TEST_CASE("a region that is no region is refused with a sentence of its own") {
+  const Document document = everyKind();
+  const Region good = *regionOf(document.parts[1]->recipe);
+  const auto errorFor = [&](auto change) {
+    Region region = good;
+    change(region);
+    return errorOf(document, DrawRegion{region, inflate::PuffParams{}});
+  };
+  CHECK(errorFor([](Region& r) { r.contours.clear(); }) == Error::RegionEmpty);
+  CHECK(errorFor([](Region& r) { r.contours = {{{1, 1}, {2, 2}}}; }) == Error::RegionEmpty);
+  CHECK(errorFor([](Region& r) {
+          for (PicturePoint& p : r.contours[0]) p.x += 1000;
+        }) == Error::RegionOutside);
+  CHECK(errorFor([](Region& r) { r.contours[0][0].x = std::nan(""); }) == Error::StrokeNotFinite);
+  CHECK(errorFor([](Region& r) { r.contours[0][0].y = 1e9; }) == Error::StrokeNotFinite);
+  CHECK(errorFor([](Region& r) { r.picture = PictureId{99}; }) == Error::NoSuchPicture);
+  CHECK(errorFor([](Region& r) { r.ribbon = -1; }) == Error::ValueOutOfRange);
+  CHECK(errorFor([](Region& r) { r.contours.resize(kMostContours + 1); }) ==
+        Error::ValueOutOfRange);
+  CHECK(errorOf(document, DrawRegion{good, inflate::PuffParams{0}}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, DrawRegion{good, sheet::SheetParams{-1}}) == Error::ValueOutOfRange);
 }
 
 TEST_CASE("long names are cut between characters and empty ones replaced") {

@@ -38,6 +38,14 @@ struct KeyCollector {
     keys.insert(key);
     if constexpr (Struct<T>) members(*this, value);
   }
+  void recipe(const char* kindKey, const char* key, document::Recipe&) {
+    keys.insert(kindKey);
+    for (const document::PartKind kind :
+         {document::PartKind::Loft, document::PartKind::Puff, document::PartKind::Sheet}) {
+      document::Recipe recipe = document::emptyRecipe(kind);
+      std::visit([&](auto& one) { (*this)(key, one); }, recipe);
+    }
+  }
   void operator()(const char* key, std::vector<loft::SectionStop>&) {
     keys.insert(key);
     loft::SectionStop stop;
@@ -76,7 +84,7 @@ TEST_CASE("the golden file of version 1 opens as what was saved, and its parts a
   const auto read = readProject(testFile("golden/project-v1.spineloft"), &notes);
   REQUIRE(read.ok());
   CHECK(notes.clean());
-  const document::Document expected = completeDocument();
+  const document::Document expected = documentOfVersion1();
   CHECK(read.value() == expected);
   for (std::size_t i = 0; i < expected.pictures.size(); ++i) {
     if (expected.pictures[i]->isSketch()) continue;
@@ -93,7 +101,7 @@ TEST_CASE("the golden file of version 1 opens as what was saved, and its parts a
 
 TEST_CASE("the golden document of version 1 reads as what was written") {
   const auto bytes = testFile("golden/document-v1.json");
-  const document::Document expected = completeDocument();
+  const document::Document expected = documentOfVersion1();
   ReadNotes notes;
   const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                                  [&](std::uint64_t) { return expected.pictures[0]->picture; }, &notes);
@@ -131,6 +139,22 @@ TEST_CASE("the golden document with solids reads as what was written") {
   cut.operands = {{{}, StepId{3}}, {PartId{3}, {}}};
   CHECK(read.value().steps == std::vector<Box<document::Step>>{body, mug, cut});
   CHECK(read.value().lastStepId == 4);
+}
+
+TEST_CASE("the golden document with regions reads as what was written") {
+  const auto bytes = testFile("golden/document-v2-regions.json");
+  ReadNotes notes;
+  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                                 [](std::uint64_t) { return nullptr; }, &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  const document::PuffRecipe belly{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
+                                   {1.5, inflate::PuffSides::Front, 400}};
+  const document::SheetRecipe ear{{PictureId{1}, {{{20, 20}, {60, 24.5}}}, 6},
+                                  {0.08, sheet::EdgeKind::Bevel, 0.25, -0.125}};
+  REQUIRE(read.value().parts.size() == 2);
+  CHECK(read.value().parts[0]->recipe == document::Recipe(belly));
+  CHECK(read.value().parts[1]->recipe == document::Recipe(ear));
 }
 
 TEST_CASE("the golden documents hold every key that a document can have") {

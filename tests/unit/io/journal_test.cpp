@@ -137,7 +137,7 @@ TEST_CASE("records that do not belong to a history end its play without harm") {
         readHistory(writeHistory(one.history), std::span(other.records).subspan(i, 1), photos);
     REQUIRE(read.ok());
     for (const Part& part : read.value().history.present().parts) {
-      CHECK(findPicture(read.value().history.present(), part.recipe.picture) != nullptr);
+      CHECK(findPicture(read.value().history.present(), document::pictureOf(part)) != nullptr);
     }
   }
 }

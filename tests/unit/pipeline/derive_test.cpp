@@ -91,7 +91,7 @@ TEST_CASE("dropping every cache changes nothing that is seen") {
 
 TEST_CASE("every authored value of a recipe and its picture is part of the shape's key") {
   const Document document = ellipseDocument();
-  const LoftRecipe recipe = document.parts[0]->recipe;
+  const LoftRecipe recipe = *document::loftOf(*document.parts[0]);
   const PictureEntry entry = document.pictures[0];
   const std::uint64_t key = shapeKey(recipe, entry);
   CHECK(shapeKey(recipe, entry) == key);
@@ -167,7 +167,7 @@ TEST_CASE("marks of the picture and of the part reach the ribs alike, and are ke
   CHECK_FALSE(ofPart->generated == plain->generated);
   const std::vector<ribs::IgnoreMark> far{{{{-900, -900}}, 3}};
   CHECK(shapeWith(IgnoreForPart{PartId{1}, far})->generated == plain->generated);
-  LoftRecipe recipe = document.parts[0]->recipe;
+  LoftRecipe recipe = *document::loftOf(*document.parts[0]);
   const std::size_t before = cache.bytes();
   for (int i = 0; i < 200; ++i) {
     recipe.ignored = {{{{20.0, 10.0 + 0.1 * i}}, 5}};
@@ -194,7 +194,7 @@ TEST_CASE("a preview is what the part becomes, and is traced only once") {
   deriveWithEdges(document, cache, {}).value();
   const DrawSpine drawn{PictureId{1}, {{40, 70}, {96, 75}, {150, 72}}};
   const Document next = update(document, drawn).value();
-  const LoftRecipe& recipe = next.parts[1]->recipe;
+  const LoftRecipe& recipe = *document::loftOf(*next.parts[1]);
   const auto preview = previewShape(document, recipe, cache);
   REQUIRE(preview.ok());
   forgetEdges(cache, document);
@@ -207,7 +207,7 @@ TEST_CASE("a preview is what the part becomes, and is traced only once") {
 TEST_CASE("a preview before the edges are known is guessed, and not kept") {
   const Document document = ellipseDocument();
   Cache cache;
-  const LoftRecipe& recipe = document.parts[0]->recipe;
+  const LoftRecipe& recipe = *document::loftOf(*document.parts[0]);
   const auto guess = previewShape(document, recipe, cache);
   REQUIRE(guess.ok());
   CHECK(guess.value().ribs.ribs[3].leftState == ribs::RibState::Guessed);
@@ -223,7 +223,7 @@ TEST_CASE("a thousand previews leave the cache small and the document's ribs in 
   Cache cache;
   const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;
   const std::size_t before = cache.bytes();
-  LoftRecipe recipe = document.parts[0]->recipe;
+  LoftRecipe recipe = *document::loftOf(*document.parts[0]);
   recipe.spine.ribs = 40;
   recipe.ribs.levels = 16;
   for (int i = 0; i < 1000; ++i) {

@@ -23,7 +23,7 @@ TEST_CASE("work that gets no memory says so, and works again when there is some"
   {
     const auto edges = cache.edges(model.pictures[0]->contentHash);
     const testing::ScarceMemory scarce(kLimit);
-    const auto shape = pipeline::shapePart(model.parts[0]->recipe, *edges, {400, 300}, {});
+    const auto shape = pipeline::shapePart(*document::loftOf(*model.parts[0]), *edges, {400, 300}, {});
     REQUIRE_FALSE(shape.ok());
     CHECK(shape.error() == Error::OutOfMemory);
   }

@@ -1,0 +1,97 @@
+#include "engine/sheet/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/refine.h"
+#include "engine/geometry/spread.h"
+#include "engine/mesh/two_sided.h"
+
+namespace spineloft::sheet {
+namespace {
+
+constexpr double kHalfPi = 1.57079632679489662;
+/// Steps of a rounding from the wall to the face.
+constexpr int kRoundSteps = 5;
+/// An edge smaller than this share of half the thickness is sharp.
+constexpr double kLeastEdge = 0.02;
+/// The outline has a point about every so much of the square root of the area, and the faces one a
+/// lattice cell.
+constexpr double kOutlineShare = 0.02, kFaceShare = 0.08;
+/// But not coarser along the outline than this many times a step of its edge.
+constexpr double kMostAspect = 5;
+
+/// Half of the cut across the rim: how high the surface stands at a distance from it.
+class Profile {
+ public:
+  Profile(const SheetParams& params, double thickness)
+      : half_(thickness / 2),
+        edge_(params.edge == EdgeKind::Sharp || params.edgeSize < kLeastEdge
+                  ? 0
+                  : params.edgeSize * thickness / 2),
+        round_(params.edge == EdgeKind::Round) {}
+
+  double half() const { return half_; }
+  double rim() const { return half_ - edge_; }
+  double heightAt(double away) const {
+    if (away >= edge_) return half_;
+    if (!round_) return half_ - edge_ + away;
+    const double left = edge_ - away;
+    return half_ - edge_ + std::sqrt(std::max(0.0, edge_ * edge_ - left * left));
+  }
+  /// Distances from the rim where the surface gets a row of points.
+  std::vector<double> rows() const {
+    std::vector<double> rows;
+    if (!(edge_ > 0)) return rows;
+    const int steps = round_ ? kRoundSteps : 1;
+    for (int k = 1; k < steps; ++k) rows.push_back(edge_ * (1 - std::cos(kHalfPi * k / steps)));
+    rows.push_back(edge_);
+    return rows;
+  }
+  /// Between rows, on the surface.
+  double step() const { return edge_ * (round_ ? kHalfPi / kRoundSteps : std::sqrt(2.0)); }
+
+ private:
+  double half_, edge_;
+  bool round_;
+};
+
+}  // namespace
+
+Result<mesh::TriMesh> sheet(const geometry::Contours& contours, image::Size picture,
+                            const SheetParams& params) {
+  if (!isValid(params)) return Error::ValueOutOfRange;
+  const double area = geometry::areaOf(contours);
+  if (!(area > 0)) return Error::RegionEmpty;
+  const double side = std::max({1, picture.width, picture.height});
+  const Profile profile(params, params.thickness * side);
+  const double size = std::sqrt(area);
+  double along = kOutlineShare * size;
+  if (profile.step() > 0) {
+    along = std::clamp(kMostAspect * profile.step(), 0.5 * along, along);
+  }
+  const geometry::PlaneRegion region =
+      geometry::planeRegion(geometry::sampleRegion(contours, along));
+  geometry::PlaneMesh mesh(region.points, region.sizes);
+  if (mesh.empty()) return Error::RegionTooFine;
+  const std::vector<double> rows = profile.rows();
+  const auto heightAt = [&](SectionPoint p) {
+    return profile.heightAt(geometry::distanceToRim(region.points, region.sizes, p));
+  };
+  const double face = kFaceShare * size;
+  const double step = profile.step() > 0 ? std::min(profile.step(), face) : face;
+  geometry::spreadPoints(mesh, region.sizes, {step, face},
+                         {[&](std::size_t) { return rows; }, heightAt});
+  std::vector<double> up(mesh.points().size()), down(up.size());
+  const double middle = params.depth * side;
+  for (std::size_t i = 0; i < up.size(); ++i) {
+    const double high = i < mesh.rim() ? profile.rim() : heightAt(mesh.points()[i]);
+    up[i] = middle + high;
+    down[i] = middle - high;
+  }
+  return mesh::solidBetween({mesh, up}, {mesh, down}, region.sizes,
+                            {static_cast<double>(picture.width),
+                             static_cast<double>(picture.height)});
+}
+
+}  // namespace spineloft::sheet

@@ -1,0 +1,20 @@
+// Flat pieces: a region with thickness, its edge sharp, bevelled or rounded.
+#pragma once
+
+#include "engine/base/result.h"
+#include "engine/geometry/region.h"
+#include "engine/image/image.h"
+#include "engine/mesh/tri_mesh.h"
+#include "engine/sheet/sheet_params.h"
+
+namespace spineloft::sheet {
+
+/// The solid over a region, params.thickness of the picture's longer side thick, its middle at
+/// params.depth. The edge is cut by the distance to the outline, so that it meets itself in a ridge where
+/// the region is narrow and never crosses itself. ModelSpace; UV as seen from the front; closed, with a
+/// handle for every hole. `contours` as geometry::cleanRegion gives them; `picture` in original pixels.
+/// Errors: RegionEmpty, RegionTooFine, ValueOutOfRange.
+Result<mesh::TriMesh> sheet(const geometry::Contours& contours, image::Size picture,
+                            const SheetParams& params);
+
+}  // namespace spineloft::sheet
