@@ -26,7 +26,7 @@ struct Model {
   io::NamedNumbers milliseconds;
   /// The picture and the shape of a part.
   image::Size picture(std::size_t part) const {
-    return findPicture(document, document.parts[part]->recipe.picture)->size;
+    return findPicture(document, document::pictureOf(*document.parts[part]))->size;
   }
   const pipeline::PartShape& shape(std::size_t part) const { return *derived.parts[part].shape; }
 };
