@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace spineloft::geometry {
 namespace {
@@ -22,14 +21,25 @@ struct Place {
 /// Points by the cells of a grid, to find those near another.
 class Neighbours {
  public:
-  explicit Neighbours(double cell) : cell_(cell) {}
+  /// `cell`: no smaller than the distances asked for; within the bounds of `rim`.
+  Neighbours(double cell, std::span<const SectionPoint> rim) {
+    SectionPoint high = low_ = rim[0];
+    for (const SectionPoint p : rim) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const double width = high.x - low_.x, height = high.y - low_.y;
+    cell_ = std::max(cell, std::sqrt(width * height / kMostCells) + (width + height) / kMostCells);
+    nx_ = static_cast<int>(width / cell_) + 1;
+    ny_ = static_cast<int>(height / cell_) + 1;
+    last_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), -1);
+  }
   bool isFree(const Place& p, double least) const {
-    const auto [x, y] = cellOf(p.at);
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const auto found = cells_.find(key(x + dx, y + dy));
-        if (found == cells_.end()) continue;
-        for (const Place& q : found->second) {
+    const int cx = column(p.at.x), cy = row(p.at.y);
+    for (int y = std::max(0, cy - 1); y <= std::min(ny_ - 1, cy + 1); ++y) {
+      for (int x = std::max(0, cx - 1); x <= std::min(nx_ - 1, cx + 1); ++x) {
+        for (int i = last_[cellAt(x, y)]; i >= 0; i = before_[static_cast<std::size_t>(i)]) {
+          const Place& q = places_[static_cast<std::size_t>(i)];
           const SectionPoint step = p.at - q.at;
           const double up = p.height - q.height;
           if (dot(step, step) + up * up < least * least) return false;
@@ -39,26 +49,29 @@ class Neighbours {
     return true;
   }
   void add(const Place& p) {
-    const auto [x, y] = cellOf(p.at);
-    cells_[key(x, y)].push_back(p);
+    int& last = last_[cellAt(column(p.at.x), row(p.at.y))];
+    before_.push_back(last);
+    last = static_cast<int>(places_.size());
+    places_.push_back(p);
   }
 
  private:
-  struct Cell {
-    int x, y;
-  };
-  Cell cellOf(SectionPoint p) const {
-    const auto step = [&](double v) {
-      return static_cast<int>(std::floor(std::clamp(v / cell_, -1e8, 1e8)));
-    };
-    return {step(p.x), step(p.y)};
+  static constexpr double kMostCells = 1e6;
+  int column(double x) const {
+    return static_cast<int>(std::clamp((x - low_.x) / cell_, 0.0, nx_ - 1.0));
   }
-  static std::uint64_t key(int x, int y) {
-    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32) |
-           static_cast<std::uint32_t>(y);
+  int row(double y) const {
+    return static_cast<int>(std::clamp((y - low_.y) / cell_, 0.0, ny_ - 1.0));
   }
-  double cell_;
-  std::unordered_map<std::uint64_t, std::vector<Place>> cells_;
+  std::size_t cellAt(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
+           static_cast<std::size_t>(x);
+  }
+  SectionPoint low_{};
+  double cell_ = 1;
+  int nx_ = 1, ny_ = 1;
+  std::vector<int> last_, before_;  ///< chains of places, by cell; −1 ends one
+  std::vector<Place> places_;
 };
 
 /// The normal into the region at every corner of the rim, as long as takes it one unit away from both
@@ -91,15 +104,78 @@ double toSegment(SectionPoint p, SectionPoint a, SectionPoint b) {
 
 }  // namespace
 
-double distanceToRim(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes,
-                     SectionPoint p) {
-  double nearest = INFINITY;
-  std::size_t first = 0;
-  for (const std::size_t size : sizes) {
-    for (std::size_t i = 0, j = size - 1; i < size; j = i++) {
-      nearest = std::min(nearest, toSegment(p, rim[first + j], rim[first + i]));
+RimDistance::RimDistance(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes) {
+  SectionPoint high = low_ = rim[0];
+  for (const SectionPoint p : rim) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double width = high.x - low_.x, height = high.y - low_.y;
+  const double cells = 2 * static_cast<double>(rim.size()) + 16;
+  cell_ = std::max(std::sqrt(width * height / cells), std::max(width, height) / cells);
+  if (!(cell_ > 0)) cell_ = 1;
+  nx_ = static_cast<int>(width / cell_) + 1;
+  ny_ = static_cast<int>(height / cell_) + 1;
+  first_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) + 1, 0);
+  // Twice: how many edges each cell gets, then the edges.
+  std::vector<std::uint32_t> at;
+  for (const bool counting : {true, false}) {
+    std::size_t begin = 0;
+    for (const std::size_t size : sizes) {
+      for (std::size_t i = 0, j = size - 1; i < size; j = i++) {
+        const Edge edge{rim[begin + j], rim[begin + i]};
+        const Cell a = cellOf(edge.a), b = cellOf(edge.b);
+        for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y) {
+          for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x) {
+            const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
+                                     static_cast<std::size_t>(x);
+            if (counting) {
+              ++first_[cell + 1];
+            } else {
+              edges_[at[cell]++] = edge;
+            }
+          }
+        }
+      }
+      begin += size;
     }
-    first += size;
+    if (!counting) break;
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    at.assign(first_.begin(), first_.end() - 1);
+    edges_.resize(first_.back());
+  }
+}
+
+RimDistance::Cell RimDistance::cellOf(SectionPoint p) const {
+  const auto step = [&](double v, int count) {
+    return static_cast<int>(std::clamp(v / cell_, 0.0, count - 1.0));
+  };
+  return {step(p.x - low_.x, nx_), step(p.y - low_.y, ny_)};
+}
+
+double RimDistance::inCell(int x, int y, SectionPoint p) const {
+  double nearest = INFINITY;
+  if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return nearest;
+  const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
+                           static_cast<std::size_t>(x);
+  for (std::uint32_t e = first_[cell]; e < first_[cell + 1]; ++e) {
+    nearest = std::min(nearest, toSegment(p, edges_[e].a, edges_[e].b));
+  }
+  return nearest;
+}
+
+double RimDistance::to(SectionPoint p) const {
+  const Cell at = cellOf(p);
+  double nearest = INFINITY;
+  // Squares of cells round p, larger and larger: what lies beyond the square is farther than its half.
+  for (int r = 0; r <= std::max(nx_, ny_); ++r) {
+    for (int y = at.y - r; y <= at.y + r; ++y) {
+      const bool whole = y == at.y - r || y == at.y + r;
+      for (int x = at.x - r; x <= at.x + r; x += whole || r == 0 ? 1 : 2 * r) {
+        nearest = std::min(nearest, inCell(x, y, p));
+      }
+    }
+    if (nearest <= r * cell_) break;
   }
   return nearest;
 }
@@ -110,7 +186,8 @@ void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing s
                                       mesh.points().begin() +
                                           static_cast<std::ptrdiff_t>(mesh.rim()));
   const std::vector<SectionPoint> normals = inwardNormals(rim, sizes);
-  Neighbours neighbours(kNearest * spacing.lattice);
+  const RimDistance distances(rim, sizes);
+  Neighbours neighbours(kNearest * spacing.lattice, rim);
   for (const SectionPoint p : rim) neighbours.add({p, surface.height(p)});
   const auto offer = [&](SectionPoint p, double least) {
     if (!mesh.find(p)) return;
@@ -129,7 +206,7 @@ void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing s
       if (row >= rows[i].size()) continue;
       const double away = rows[i][row];
       const SectionPoint p = rim[i] + normals[i] * away;
-      if (distanceToRim(rim, sizes, p) >= kRowSlack * away) offer(p, spacing.rows);
+      if (distances.to(p) >= kRowSlack * away) offer(p, spacing.rows);
     }
   }
   SectionPoint low = rim[0], high = rim[0];

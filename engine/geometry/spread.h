@@ -30,8 +30,28 @@ void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing s
 
 inline constexpr double kNearest = 0.62;
 
-/// Distance from a point to the rim of a mesh, given its outlines.
-double distanceToRim(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes,
-                     SectionPoint p);
+/// Distances to outlines, from a grid of their edges.
+class RimDistance {
+ public:
+  /// The outlines must outlive it; ≥ 1 point.
+  RimDistance(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes);
+  /// From any point; exact.
+  double to(SectionPoint p) const;
+
+ private:
+  struct Edge {
+    SectionPoint a, b;
+  };
+  struct Cell {
+    int x, y;
+  };
+  Cell cellOf(SectionPoint p) const;
+  double inCell(int x, int y, SectionPoint p) const;
+  SectionPoint low_{};
+  double cell_ = 1;
+  int nx_ = 1, ny_ = 1;
+  std::vector<std::uint32_t> first_;  ///< by cell: where its edges begin in `edges_`
+  std::vector<Edge> edges_;
+};
 
 }  // namespace spineloft::geometry

@@ -20,7 +20,7 @@ constexpr double kSteep = 0.95;
 constexpr std::size_t kMostRows = 64;
 /// Heights below this share of the spacing would make both sides touch.
 constexpr double kLeastHeightShare = 1e-3;
-constexpr int kRelaxRounds = 3;
+constexpr int kRelaxRounds = 2;
 
 /// A mesh with its heights, and what is needed to go on with it.
 struct Cushion {

@@ -86,11 +86,12 @@ void mix(Hasher& hasher, const loft::Pose& pose) {
   mixAll(hasher, coilTurns, coilRadius, closed);
 }
 
-/// A region's solid takes nothing from the picture but its size.
+/// A region's solid takes only its size from the picture, its texture the pixels.
 std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
   const auto& [picture, contours, ribbon] = region;
   Hasher hasher;
-  hasher.number(entry.size.width).number(entry.size.height).number(contours.size());
+  hasher.number(entry.contentHash).number(entry.size.width).number(entry.size.height);
+  hasher.number(contours.size());
   for (const auto& contour : contours) mix(hasher, contour);
   hasher.number(ribbon);
   return hasher.value();

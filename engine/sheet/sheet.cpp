@@ -75,9 +75,8 @@ Result<mesh::TriMesh> sheet(const geometry::Contours& contours, image::Size pict
   geometry::PlaneMesh mesh(region.points, region.sizes);
   if (mesh.empty()) return Error::RegionTooFine;
   const std::vector<double> rows = profile.rows();
-  const auto heightAt = [&](SectionPoint p) {
-    return profile.heightAt(geometry::distanceToRim(region.points, region.sizes, p));
-  };
+  const geometry::RimDistance distances(region.points, region.sizes);
+  const auto heightAt = [&](SectionPoint p) { return profile.heightAt(distances.to(p)); };
   const double face = kFaceShare * size;
   const double step = profile.step() > 0 ? std::min(profile.step(), face) : face;
   geometry::spreadPoints(mesh, region.sizes, {step, face},
