@@ -37,6 +37,8 @@ constexpr std::array kTexts = {
               "That outline lies outside the picture. Draw it round the thing in the picture."},
     ErrorText{Error::RegionTooFine, "RegionTooFine",
               "That outline is too tangled to make a part of. Draw a simpler one."},
+    ErrorText{Error::NothingCutOut, "NothingCutOut",
+              "I found no clear thing there. Draw a line round it instead."},
     ErrorText{Error::NotABone, "NotABone",
               "This part has no bone and no ribs. Choose one that was drawn with a line."},
     ErrorText{Error::NotARegion, "NotARegion",

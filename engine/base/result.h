@@ -31,6 +31,7 @@ enum class Error {
   RegionEmpty,     ///< an outline without an area, or with less than a few pixels
   RegionOutside,   ///< no part of a region lies on its picture
   RegionTooFine,   ///< an outline with more detail than a solid can be made of
+  NothingCutOut,   ///< no thing was found where a hint said
   NotABone,        ///< only for parts that were lofted along a spine
   NotARegion,      ///< only for puffs and flat pieces
   TooFewRibs,     ///< a loft needs at least 2 ribs

@@ -77,7 +77,7 @@ loft::LoftParams fullLoft() {
 
 }  // namespace
 
-Document documentOfVersion1() {
+Document completeDocument() {
   Document document;
   document.name = "Golden swan";
   document.pictures.push_back(photo());
@@ -112,23 +112,6 @@ Document documentOfVersion1() {
   document.lastPictureId = 6;
   document.lastPartId = 9;
   document.extra = R"({"sky":"blue"})";
-  return document;
-}
-
-Document completeDocument() {
-  Document document = documentOfVersion1();
-  Part puff;
-  puff.id = PartId{10};
-  puff.name = "Belly";
-  puff.recipe = PuffRecipe{{PictureId{2}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
-                           {1.5, inflate::PuffSides::Front, 400}};
-  Part sheet;
-  sheet.id = PartId{11};
-  sheet.name = "Ear";
-  sheet.recipe = SheetRecipe{{PictureId{5}, {{{20, 20}, {60, 24.5}}}, 6},
-                             {0.08, sheet::EdgeKind::Bevel, 0.25, -0.125}};
-  for (const Part& part : {puff, sheet}) document.parts.push_back(part);
-  document.lastPartId = 12;
   return document;
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("the golden file of version 1 opens as what was saved, and its parts a
   const auto read = readProject(testFile("golden/project-v1.spineloft"), &notes);
   REQUIRE(read.ok());
   CHECK(notes.clean());
-  const document::Document expected = documentOfVersion1();
+  const document::Document expected = completeDocument();
   CHECK(read.value() == expected);
   for (std::size_t i = 0; i < expected.pictures.size(); ++i) {
     if (expected.pictures[i]->isSketch()) continue;
@@ -101,7 +101,7 @@ TEST_CASE("the golden file of version 1 opens as what was saved, and its parts a
 
 TEST_CASE("the golden document of version 1 reads as what was written") {
   const auto bytes = testFile("golden/document-v1.json");
-  const document::Document expected = documentOfVersion1();
+  const document::Document expected = completeDocument();
   ReadNotes notes;
   const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                                  [&](std::uint64_t) { return expected.pictures[0]->picture; }, &notes);

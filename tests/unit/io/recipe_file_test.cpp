@@ -44,7 +44,7 @@ TEST_CASE("the recipes of the guide are documents whose parts are solids, and co
 
 TEST_CASE("the golden document is no recipe: it stands on a photo, and on its own it says so") {
   const std::string text = textOfFile("golden/document-v1.json");
-  const document::Document whole = documentOfVersion1();
+  const document::Document whole = completeDocument();
   RecipeInput input;
   CHECK(readRecipe(text, input).error() == Error::JsonInvalid);
   input.photo = whole.pictures.front()->picture;
