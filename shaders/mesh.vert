@@ -9,7 +9,7 @@ out vec3 eyeNormal, eyePosition;
 out vec2 at;
 void main() {
   vec4 world = toWorld * vec4(position, 1.0);
-  eyeNormal = mat3(toEye) * normal;  // toWorld scales evenly: directions stay
+  eyeNormal = mat3(toEye) * (mat3(toWorld) * normal);  // turned or mirrored, evenly scaled
   eyePosition = (toEye * world).xyz;
   at = (uv - area.xy) / area.zw;
   gl_Position = toClip * world;

@@ -16,5 +16,6 @@ struct Id {
 using PartId = Id<struct PartTag>;
 using PictureId = Id<struct PictureTag>;
 using StepId = Id<struct StepTag>;
+using GroupId = Id<struct GroupTag>;
 
 }  // namespace spineloft

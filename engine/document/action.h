@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -129,6 +130,42 @@ struct ShowPart {
 struct DeletePart {
   PartId part;
 };
+/// Where parts stand, all at once. The same placement as before is no error.
+struct PlaceParts {
+  struct One {
+    PartId part;
+    Placement placement = {};
+    std::optional<MirrorPlane> mirror = {};  ///< live symmetry: it shows a second time beyond this plane
+  };
+  std::vector<One> parts;
+};
+/// Copies that stand right behind their originals in the list, moved by `by`; with `over` mirrored
+/// copies. The copies of a whole group are a new group.
+struct DuplicateParts {
+  std::vector<PartId> parts;
+  WorldPoint by = {};
+  std::optional<MirrorPlane> over = {};
+};
+/// Makes one group of parts, behind the first of them in the list. Those of other groups leave them.
+struct GroupParts {
+  std::vector<PartId> parts;
+  std::string name;
+};
+/// Its parts stand alone again, where they are.
+struct Ungroup {
+  GroupId group;
+};
+struct RenameGroup {
+  GroupId group;
+  std::string name;
+};
+/// Moves parts, in their order, before another one in the list, or to its end. A single part that
+/// comes to lie between two parts of a group joins it; one that leaves its group's neighbourhood
+/// leaves the group.
+struct MoveInList {
+  std::vector<PartId> parts;
+  PartId before;  ///< none: the end
+};
 struct SetHeight {
   Millimetres height;
 };
@@ -185,6 +222,7 @@ using Action =
                  PoseSpine, EditRibs, IgnoreForPart, IgnoreForPicture, SetSections, SetAlong,
                  AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep, OrderOperands,
                  ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook,
-                 DrawRegion, RedrawRegion, ShapeRegion>;
+                 DrawRegion, RedrawRegion, ShapeRegion, PlaceParts, DuplicateParts, GroupParts, Ungroup,
+                 RenameGroup, MoveInList>;
 
 }  // namespace spineloft::document

@@ -16,6 +16,7 @@ constexpr double kFarthest = 1e6;  // picture pixels: beyond it is no place that
 std::string fallbackName(const Part& part) { return "Part " + std::to_string(part.id.value); }
 
 std::string fallbackName(const Step& step) { return "Solid " + std::to_string(step.id.value); }
+std::string fallbackName(const Group& group) { return "Group " + std::to_string(group.id.value); }
 
 std::string fallbackName(const PictureEntry& entry) {
   return (entry.isSketch() ? "Sketch " : "Picture ") + std::to_string(entry.id.value);

@@ -16,6 +16,7 @@ std::string fallbackName(const Part& part);
 std::string fallbackName(const PictureEntry& entry);
 /// "Solid 2".
 std::string fallbackName(const Step& step);
+std::string fallbackName(const Group& group);
 
 /// Valid UTF-8 of at most kMaxNameBytes, cut between characters; `fallback` replaces emptiness.
 std::string tidyName(std::string name, std::string_view fallback);

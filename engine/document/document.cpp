@@ -131,9 +131,23 @@ const Part* findPart(const Document& document, PartId id) {
   return at == document.parts.end() ? nullptr : &at->get();
 }
 
+const Group* findGroup(const Document& document, GroupId id) {
+  const auto at = std::ranges::find(document.groups, id, &Group::id);
+  return at == document.groups.end() ? nullptr : &*at;
+}
+
+std::vector<PartId> partsOfGroup(const Document& document, GroupId id) {
+  std::vector<PartId> parts;
+  for (const Part& part : document.parts) {
+    if (id && part.group == id) parts.push_back(part.id);
+  }
+  return parts;
+}
+
 std::size_t bytesBeyond(const Document& base, const Document& next) {
   std::size_t bytes = sizeof(Document) + next.name.size() + next.extra.size() +
                       (next.pictures.size() + next.parts.size() + next.steps.size()) * sizeof(Box<Part>);
+  for (const Group& group : next.groups) bytes += sizeof(Group) + group.name.size();
   for (const Box<Part>& part : next.parts) {
     const Box<Part>* before = boxOf(base.parts, part->id);
     if (before == nullptr || !before->shares(part)) bytes += bytesOf(*part);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -15,6 +16,7 @@
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
 #include "engine/document/look.h"
+#include "engine/document/placement.h"
 #include "engine/document/step.h"
 #include "engine/image/image.h"
 #include "engine/image/sketch.h"
@@ -94,8 +96,18 @@ struct Part {
   Recipe recipe;
   Look look;
   bool visible = true;
+  Placement placement;
+  std::optional<MirrorPlane> mirror;  ///< it shows a second time, mirrored over this plane
+  GroupId group;                      ///< none: it stands alone
   std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Part&) const = default;
+};
+
+/// Parts that are taken in hand together. It has at least one part; Part::group says which.
+struct Group {
+  GroupId id;
+  std::string name;  ///< UTF-8, at most kMaxNameBytes
+  bool operator==(const Group&) const = default;
 };
 
 struct Document {
@@ -103,8 +115,10 @@ struct Document {
   std::vector<Box<PictureEntry>> pictures;  ///< in the order they were added
   std::vector<Box<Part>> parts;             ///< in the order of the part list
   std::vector<Box<Step>> steps;             ///< solids made from them: a forest (step.h)
+  std::vector<Group> groups;                ///< in the order they were made
   Millimetres height{100};             ///< "How tall?": of the whole model when exported
-  std::uint32_t lastPictureId = 0, lastPartId = 0, lastStepId = 0;  ///< ids are never reused
+  /// Ids are never reused.
+  std::uint32_t lastPictureId = 0, lastPartId = 0, lastStepId = 0, lastGroupId = 0;
   std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Document&) const = default;
 };
@@ -146,6 +160,9 @@ inline constexpr double kMinHeightMm = 1, kMaxHeightMm = 10000;
 /// The entry, or null.
 const PictureEntry* findPicture(const Document& document, PictureId id);
 const Part* findPart(const Document& document, PartId id);
+const Group* findGroup(const Document& document, GroupId id);
+/// In the order of the list.
+std::vector<PartId> partsOfGroup(const Document& document, GroupId id);
 
 /// Bytes of memory that `next` holds and `base` does not: values in boxes that both share, and photos
 /// that both show, cost nothing. What a step of undo costs (History).

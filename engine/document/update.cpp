@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/document/arrange.h"
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
 #include "engine/document/update_steps.h"
@@ -154,6 +155,7 @@ struct Apply {
     }
     for (const PartId id : gone) erasePart(id);
     std::erase_if(document.pictures, [&](const PictureEntry& p) { return p.id == a.picture; });
+    dropEmptyGroups(document);
     return Done{};
   }
   Status operator()(const DrawSpine& a) const {
@@ -287,6 +289,7 @@ struct Apply {
   Status operator()(const DeletePart& a) const {
     if (findPart(document, a.part) == nullptr) return Error::NoSuchPart;
     erasePart(a.part);
+    dropEmptyGroups(document);
     return Done{};
   }
   Status operator()(const CombineParts& a) const { return applyStep(document, a); }
@@ -297,6 +300,12 @@ struct Apply {
   Status operator()(const RenameStep& a) const { return applyStep(document, a); }
   Status operator()(const ShowStep& a) const { return applyStep(document, a); }
   Status operator()(const SetStepLook& a) const { return applyStep(document, a); }
+  Status operator()(const PlaceParts& a) const { return arrange(document, a); }
+  Status operator()(const DuplicateParts& a) const { return arrange(document, a); }
+  Status operator()(const GroupParts& a) const { return arrange(document, a); }
+  Status operator()(const Ungroup& a) const { return arrange(document, a); }
+  Status operator()(const RenameGroup& a) const { return arrange(document, a); }
+  Status operator()(const MoveInList& a) const { return arrange(document, a); }
   Status operator()(const SetHeight& a) const {
     if (!(a.height.value >= kMinHeightMm && a.height.value <= kMaxHeightMm)) {
       return {Error::ValueOutOfRange, "height 1 mm to 10 m"};

@@ -146,6 +146,31 @@ void mendIds(std::vector<Box<T>>& boxes, std::uint32_t& last, ReadNotes& notes) 
   }
 }
 
+/// Groups without a part go; a part of a group that is not there stands alone.
+void mendGroups(Document& document, ReadNotes& notes) {
+  std::set<std::uint32_t> known;
+  weed(document.groups, document::kMostParts,
+       [&](const document::Group& group) {
+         const std::uint32_t id = group.id.value;
+         return id != 0 && id <= kMostId && !document::partsOfGroup(document, group.id).empty() &&
+                known.insert(id).second;
+       },
+       notes);
+  for (document::Group& group : document.groups) {
+    mendName(group.name, document::fallbackName(group), notes);
+  }
+  for (Box<Part>& box : document.parts) {
+    if (!box->group || known.contains(box->group.value)) continue;
+    Part part = box;
+    part.group = {};
+    box = std::move(part);
+    ++notes.repaired;
+  }
+  mend(document.lastGroupId <= kMostId, document.lastGroupId, 0u, notes);
+  const std::uint32_t most = known.empty() ? 0 : *known.rbegin();
+  mend(most <= document.lastGroupId, document.lastGroupId, most, notes);
+}
+
 Status migrate(Json& json) {
   const auto at = json.find(kVersionKey);
   int version = 0;
@@ -241,6 +266,8 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   read(json, part, reading);
   mendName(part.name, document::fallbackName(part), reading.notes);
   mendRecipe(part.recipe, reading.notes);
+  mend(document::isValid(part.placement), part.placement, {}, reading.notes);
+  mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
   const Status stroke = document::checkDrawn(document, part.recipe);
   if (stroke) return part;
   if (stroke.error() == Error::NoSuchPicture) return {Error::NoSuchPicture, part.name};
@@ -294,6 +321,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     }
   }
   mendIds(document.parts, document.lastPartId, reading.notes);
+  mendGroups(document, reading.notes);
   for (Json& element : steps) {
     Result<document::Step> step = stepFrom(std::move(element), reading);
     if (step && document.steps.size() < document::kMostSteps) {

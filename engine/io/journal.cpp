@@ -128,9 +128,15 @@ bool isWhole(const Document& before, const Document& after) {
     if (old != nullptr && old->size != entry.size) return false;
     if (entry.id.value == 0 || entry.id.value > after.lastPictureId) return false;
   }
+  for (const document::Group& group : after.groups) {
+    if (group.id.value == 0 || group.id.value > after.lastGroupId) return false;
+    if (document::partsOfGroup(after, group.id).empty()) return false;
+  }
   return after.lastPictureId <= kMostId && after.lastPartId <= kMostId &&
+         after.lastGroupId <= kMostId &&
          std::ranges::all_of(after.parts, [&](const Part& part) {
            return part.id.value != 0 && part.id.value <= after.lastPartId &&
+                  (!part.group || document::findGroup(after, part.group) != nullptr) &&
                   document::findPicture(after, document::pictureOf(part)) != nullptr;
          });
 }

@@ -166,6 +166,18 @@ Json toJson(const ribs::IgnoreMark& mark) {
   return Json::array({toJson(radius), toJson(stroke)});
 }
 
+Json toJson(const geometry::Turn& turn) {
+  const auto& [w, x, y, z] = turn;
+  return Json::array({toJson(w), toJson(x), toJson(y), toJson(z)});
+}
+
+Json toJson(const std::optional<document::MirrorPlane>& plane) {
+  if (!plane) return nullptr;
+  const auto& [point, normal] = *plane;
+  return Json::array({toJson(point.x), toJson(point.y), toJson(point.z), toJson(normal.x),
+                      toJson(normal.y), toJson(normal.z)});
+}
+
 Json toJson(const image::SketchStroke& stroke) {
   const auto& [points, pressure, radius, erase, colour] = stroke;
   return Json::array(
@@ -291,6 +303,29 @@ bool get(const Json& from, ribs::IgnoreMark& to) {
   if (!from.is_array() || from.size() != 2) return false;
   if (!get(from[0], radius) || !getPoints(from[1], stroke)) return false;
   to = std::move(mark);
+  return true;
+}
+
+bool get(const Json& from, geometry::Turn& to) {
+  geometry::Turn turn;
+  const bool four = from.is_array() && from.size() == 4 && get(from[0], turn.w) &&
+                    get(from[1], turn.x) && get(from[2], turn.y) && get(from[3], turn.z);
+  if (four) to = turn;
+  return four;
+}
+
+bool get(const Json& from, std::optional<document::MirrorPlane>& to) {
+  if (from.is_null()) {
+    to.reset();
+    return true;
+  }
+  std::array<double, 6> numbers{};
+  if (!from.is_array() || from.size() != numbers.size()) return false;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!get(from[i], numbers[i])) return false;
+  }
+  to = document::MirrorPlane{{numbers[0], numbers[1], numbers[2]},
+                             {numbers[3], numbers[4], numbers[5]}};
   return true;
 }
 

@@ -178,14 +178,32 @@ void members(V& v, T& value) {
   v("textured", textured);
   v("colour", colour);
 }
+template <class V, Is<document::Placement> T>
+void members(V& v, T& value) {
+  auto& [pivot, move, turn, scale, mirrored] = value;
+  v("pivot", pivot);
+  v("move", move);
+  v("turn", turn);
+  v("scale", scale);
+  v("mirrored", mirrored);
+}
+template <class V, Is<document::Group> T>
+void members(V& v, T& value) {
+  auto& [id, name] = value;
+  v("id", id);
+  v.always("name", name);
+}
 template <class V, Is<document::Part> T>
 void members(V& v, T& value) {
-  auto& [id, name, recipe, look, visible, extra] = value;
+  auto& [id, name, recipe, look, visible, placement, mirror, group, extra] = value;
   v("id", id);
   v.always("name", name);
   v.recipe("kind", "recipe", recipe);
   v("look", look);
   v("visible", visible);
+  v("placement", placement);
+  v("mirror", mirror);
+  v("group", group);
   v.beyond(extra);
 }
 template <class V, Is<document::Operand> T>
@@ -228,15 +246,18 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Document> T>
 void members(V& v, T& value) {
-  auto& [name, pictures, parts, steps, height, lastPictureId, lastPartId, lastStepId, extra] = value;
+  auto& [name, pictures, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId,
+         lastGroupId, extra] = value;
   v.always("name", name);
   v.elements("pictures", pictures);
   v.elements("parts", parts);
   v.elementsIfAny("steps", steps);
+  v("groups", groups);
   v("height", height);
   v("lastPictureId", lastPictureId);
   v("lastPartId", lastPartId);
   v("lastStepId", lastStepId);
+  v("lastGroupId", lastGroupId);
   v.beyond(extra);
 }
 
@@ -290,9 +311,15 @@ Json toJson(const std::array<std::uint8_t, 3>& colour);  ///< "#rrggbb"
 Json toJson(const geometry::AlongCurve& curve);          ///< [at, value, at, value, …]
 Json toJson(const ribs::EndEdit& edit);         ///< [side, at, along, out, reach, locked]
 Json toJson(const ribs::IgnoreMark& mark);      ///< [radius, [x, y, …]]
+Json toJson(const geometry::Turn& turn);                        ///< [w, x, y, z]
+Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or point and normal in one list
 Json toJson(const image::SketchStroke& stroke); ///< [radius, erase, colour, [x, y, …], [pressure, …]]
 template <Struct T>
 Json toJson(const T& value);
+template <class Space>
+Json toJson(Vec3<Space> p) {
+  return Json::array({toJson(p.x), toJson(p.y), toJson(p.z)});
+}
 template <class Space>
 Json toJson(const std::vector<Vec2<Space>>& points) {  // [x, y, x, y, …]
   Json out = Json::array();
@@ -395,7 +422,17 @@ bool get(const Json& from, std::array<std::uint8_t, 3>& to);
 bool get(const Json& from, geometry::AlongCurve& to);
 bool get(const Json& from, ribs::EndEdit& to);
 bool get(const Json& from, ribs::IgnoreMark& to);
+bool get(const Json& from, geometry::Turn& to);
+bool get(const Json& from, std::optional<document::MirrorPlane>& to);
 bool get(const Json& from, image::SketchStroke& to);
+template <class Space>
+bool get(const Json& from, Vec3<Space>& to) {
+  Vec3<Space> p;
+  const bool three = from.is_array() && from.size() == 3 && get(from[0], p.x) &&
+                     get(from[1], p.y) && get(from[2], p.z);
+  if (three) to = p;
+  return three;
+}
 template <class Tag>
 bool get(const Json& from, Id<Tag>& to) {
   return get(from, to.value);

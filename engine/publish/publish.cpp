@@ -1,6 +1,7 @@
 #include "engine/publish/publish.h"
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <new>
 #include <span>
@@ -44,11 +45,18 @@ Export standing(const WorldBounds& bounds, double height) {
   return {base, height / (bounds.high.y - bounds.low.y)};
 }
 
-io::Placement placementOf(image::Size picture, const Export& target) {
-  const WorldFrame frame = worldFrame(picture);
-  return {{frame.centre.x + target.base.x / frame.scale, frame.centre.y + target.base.y / frame.scale,
-           frame.centre.z + target.base.z / frame.scale},
-          frame.scale * target.scale};
+/// For a mesh in ModelSpace, or one that is turned about the origin of `toWorld` already.
+io::Placement placementOf(const pipeline::ToWorld& toWorld, bool isTurned, const Export& target) {
+  const ModelPoint origin = isTurned ? ModelPoint{} : toWorld.origin;
+  const WorldPoint from = (target.base - toWorld.shift) / toWorld.scale;
+  return {{origin.x + from.x, origin.y + from.y, origin.z + from.z}, toWorld.scale * target.scale};
+}
+
+/// Turned and mirrored as in the world, still as large as in ModelSpace: floats keep their precision.
+mesh::TriMesh turnedMesh(const mesh::TriMesh& mesh, pipeline::ToWorld toWorld) {
+  for (double& m : toWorld.linear) m /= toWorld.scale;
+  toWorld.shift = {};
+  return pipeline::worldMesh(mesh, toWorld);
 }
 
 /// Every picture of the document that the file needs, encoded once; photos without loss when the
@@ -83,6 +91,7 @@ struct Shelf {
   std::vector<io::ExportPart> parts;
   std::vector<io::ExportPicture> pictures;
   std::vector<PictureId> ids;
+  std::deque<mesh::TriMesh> turned;  ///< meshes of parts that are turned; where they are, they stay
 };
 
 /// Index of the picture on the shelf.
@@ -111,9 +120,6 @@ Result<Shelf> gather(const document::Document& document, const pipeline::Derived
     const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
     if (entry == nullptr) continue;
     io::ExportPart out;
-    out.name = part->name;
-    out.mesh = &shown.shape->mesh;
-    out.placement = placementOf(entry->size, target);
     for (std::size_t c = 0; c < 3; ++c) {
       out.colour[c] = static_cast<float>(part->look.colour[c]) / 255.0f;
     }
@@ -123,7 +129,14 @@ Result<Shelf> gather(const document::Document& document, const pipeline::Derived
       if (!index) return index.failure();
       out.picture = index.value();
     }
-    shelf.parts.push_back(std::move(out));
+    for (const pipeline::ToWorld& toWorld : pipeline::copiesInWorld(*part, entry->size)) {
+      const bool turned = !toWorld.isStraight();
+      if (turned) shelf.turned.push_back(turnedMesh(shown.shape->mesh, toWorld));
+      out.name = out.mesh == nullptr ? part->name : part->name + " mirrored";
+      out.mesh = turned ? &shelf.turned.back() : &shown.shape->mesh;
+      out.placement = placementOf(toWorld, turned, target);
+      shelf.parts.push_back(out);
+    }
   }
   return shelf;
 }

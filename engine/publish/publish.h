@@ -12,6 +12,7 @@
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
+#include "engine/pipeline/world.h"
 
 namespace spineloft::publish {
 
@@ -24,23 +25,11 @@ std::optional<Format> formatFromKey(std::string_view key);
 std::string_view formatKey(Format format);
 std::string_view mediaType(Format format);
 
-/// ModelSpace → WorldSpace for parts of a picture of this size: the picture's centre goes to the
-/// origin and its longer side to length 1. `world = (model − centre) · scale`.
-struct WorldFrame {
-  double scale = 1;
-  ModelPoint centre;
-  WorldPoint toWorld(ModelPoint p) const {
-    return {(p.x - centre.x) * scale, (p.y - centre.y) * scale, (p.z - centre.z) * scale};
-  }
-};
-WorldFrame worldFrame(image::Size picture);
-
-/// Bounds in WorldSpace of all visible parts that have a shape; none without one.
-struct WorldBounds {
-  WorldPoint low, high;
-};
-std::optional<WorldBounds> worldBounds(const document::Document& document,
-                                       const pipeline::Derived& derived);
+// How parts come to the world is the pipeline's (world.h).
+using pipeline::worldBounds;
+using pipeline::WorldBounds;
+using pipeline::worldFrame;
+using pipeline::WorldFrame;
 
 /// What goes into a GLB besides the visible parts.
 struct Options {

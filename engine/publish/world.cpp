@@ -1,41 +1,9 @@
-#include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 
 #include "engine/publish/publish.h"
 
 namespace spineloft::publish {
-
-WorldFrame worldFrame(image::Size picture) {
-  // Pixel centres are at integers, so that the picture spans −½ … size − ½.
-  const double width = std::max(1, picture.width), height = std::max(1, picture.height);
-  return {1 / std::max(width, height), {(width - 1) / 2, -(height - 1) / 2, 0}};
-}
-
-std::optional<WorldBounds> worldBounds(const document::Document& document,
-                                       const pipeline::Derived& derived) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  WorldBounds bounds{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  bool any = false;
-  for (const pipeline::DerivedPart& shown : derived.parts) {
-    const document::Part* part = document::findPart(document, shown.id);
-    if (part == nullptr || !part->visible || !shown.shape) continue;
-    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
-    if (entry == nullptr) continue;
-    const WorldFrame frame = worldFrame(entry->size);
-    for (const auto& p : shown.shape->mesh.positions) {
-      const WorldPoint w = frame.toWorld({p[0], p[1], p[2]});
-      bounds.low = {std::min(bounds.low.x, w.x), std::min(bounds.low.y, w.y),
-                    std::min(bounds.low.z, w.z)};
-      bounds.high = {std::max(bounds.high.x, w.x), std::max(bounds.high.y, w.y),
-                     std::max(bounds.high.z, w.z)};
-      any = true;
-    }
-  }
-  if (!any) return std::nullopt;
-  return bounds;
-}
 
 std::optional<Format> formatFromKey(std::string_view key) {
   for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project}) {

@@ -357,6 +357,65 @@ struct Make<ShapeRegion> {
   static ShapeRegion from(Rng& rng, const Document& d) { return {anyPart(rng, d), anySolid(rng)}; }
 };
 
+std::vector<PartId> anyParts(Rng& rng, const Document& d) {
+  std::vector<PartId> parts(rng.below(4));
+  for (PartId& part : parts) part = anyPart(rng, d);
+  std::ranges::sort(parts);
+  parts.erase(std::ranges::unique(parts).begin(), parts.end());
+  return parts;
+}
+GroupId anyGroup(Rng& rng, const Document& d) {
+  if (d.groups.empty() || rng.below(10) == 0) return GroupId{rng.below(9)};
+  return d.groups[rng.below(static_cast<std::uint32_t>(d.groups.size()))].id;
+}
+WorldPoint anyWorldPoint(Rng& rng, double far) {
+  return {rng.uniform(-far, far), rng.uniform(-far, far), rng.uniform(-far, far)};
+}
+std::optional<MirrorPlane> anyMirror(Rng& rng) {
+  if (rng.below(2) == 0) return std::nullopt;
+  return MirrorPlane{anyWorldPoint(rng, 1), normalized(anyWorldPoint(rng, 1))};
+}
+template <>
+struct Make<PlaceParts> {
+  static PlaceParts from(Rng& rng, const Document& d) {
+    PlaceParts action;
+    for (const PartId part : anyParts(rng, d)) {
+      action.parts.push_back({part, randomPlacement(rng), anyMirror(rng)});
+      if (rng.below(20) == 0) action.parts.back().placement.scale = -1;
+      if (rng.below(4) == 0) action.parts.back().placement = {};
+    }
+    return action;
+  }
+};
+template <>
+struct Make<DuplicateParts> {
+  static DuplicateParts from(Rng& rng, const Document& d) {
+    return {anyParts(rng, d), anyWorldPoint(rng, 0.5), anyMirror(rng)};
+  }
+};
+template <>
+struct Make<GroupParts> {
+  static GroupParts from(Rng& rng, const Document& d) {
+    return {anyParts(rng, d), std::string(rng.below(20), 'g')};
+  }
+};
+template <>
+struct Make<Ungroup> {
+  static Ungroup from(Rng& rng, const Document& d) { return {anyGroup(rng, d)}; }
+};
+template <>
+struct Make<RenameGroup> {
+  static RenameGroup from(Rng& rng, const Document& d) {
+    return {anyGroup(rng, d), std::string(rng.below(300), 'h')};
+  }
+};
+template <>
+struct Make<MoveInList> {
+  static MoveInList from(Rng& rng, const Document& d) {
+    return {anyParts(rng, d), rng.below(3) == 0 ? PartId{} : anyPart(rng, d)};
+  }
+};
+
 template <std::size_t... I>
 Action makeAction(std::index_sequence<I...>, std::size_t which, Rng& rng, const Document& d) {
   using Maker = Action (*)(Rng&, const Document&);
@@ -397,6 +456,19 @@ std::vector<PicturePoint> randomStroke(Rng& rng, int width, int height) {
     stroke.push_back({left + (right - left) * t, y + wave * std::sin(5 * t)});
   }
   return stroke;
+}
+
+document::Placement randomPlacement(Rng& rng) {
+  document::Placement placement;
+  const auto point = [&] {
+    return WorldPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+  };
+  placement.pivot = point();
+  placement.move = point();
+  placement.turn = geometry::turnAbout(point(), rng.uniform(-3.1, 3.1));
+  placement.scale = std::exp(rng.uniform(-1.5, 1.5));
+  placement.mirrored = rng.below(3) == 0;
+  return placement;
 }
 
 document::Action randomAction(Rng& rng, const document::Document& document) {

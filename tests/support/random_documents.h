@@ -14,6 +14,9 @@ std::shared_ptr<const image::Picture> ellipsePicture(int width, int height, std:
 /// A stroke through the middle of a picture of that size: 2…60 points, wavy, inside.
 std::vector<PicturePoint> randomStroke(Rng& rng, int width, int height);
 
+/// Anywhere near, turned, 0.2 to 4.5 times as large, sometimes mirrored.
+document::Placement randomPlacement(Rng& rng);
+
 /// Any action of the variant, mostly one that applies to this document, sometimes one that does not.
 document::Action randomAction(Rng& rng, const document::Document& document);
 

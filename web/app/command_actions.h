@@ -54,6 +54,10 @@ bool canRedoOnBoard(const CommandEnv& env);
 /// The command of a key while the board is open; null: the board has no use for it.
 const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event);
 
+/// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other
+/// parts of its picture, or beside what is there (pipeline::standBeside). One step.
+std::vector<document::Action> standingActions(const CommandEnv& env, document::Action draw,
+                                              const document::Recipe& recipe);
 /// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
 const document::Part* partOf(const CommandEnv& env, const Json& args);
 /// A part is selected: what makes commands about a part possible without naming one.

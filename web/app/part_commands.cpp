@@ -48,6 +48,21 @@ std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key,
 
 }  // namespace
 
+std::vector<document::Action> standingActions(Env env, document::Action draw,
+                                              const document::Recipe& recipe) {
+  std::vector<document::Action> actions{std::move(draw)};
+  const document::Document& document = env.studio.document();
+  if (document.parts.empty()) return actions;
+  const Result<pipeline::PartShape> shape = env.studio.preview(recipe);
+  if (!shape) return actions;  // the drawing itself says why
+  const document::Placement placement = pipeline::standBeside(
+      document, env.studio.derived(), document::pictureOf(recipe), shape.value().mesh);
+  if (placement.isRest()) return actions;
+  const PartId next{document.lastPartId + 1};
+  actions.push_back(document::PlaceParts{{{next, placement, {}}}});
+  return actions;
+}
+
 const document::Part* partOf(const CommandEnv& env, const Json& args) {
   PartId id = env.ui.selection;
   if (args.find("part") != nullptr) {
@@ -87,7 +102,13 @@ Outcome drawSpine(Env env, const Json& args) {
   if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
   draw.startCap = *start;
   draw.endCap = *end;
-  if (const Status status = env.studio.act(draw); !status) return refuse(status.failure());
+  document::LoftRecipe recipe;
+  recipe.picture = draw.picture;
+  recipe.stroke = draw.stroke;
+  recipe.loft.sections.front().shape = draw.section;
+  recipe.pose.depth = draw.depth;
+  const Status status = env.studio.act(standingActions(env, std::move(draw), recipe));
+  if (!status) return refuse(status.failure());
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.redraw = {};
   env.ui.framePending = true;

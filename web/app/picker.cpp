@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/publish/publish.h"
+#include "web/app/placing.h"
 
 namespace spineloft::app {
 namespace {
@@ -18,8 +18,12 @@ struct Run {
 
 /// Where a ray in ModelSpace meets the mesh first, as a multiple of its direction (Möller and
 /// Trumbore 1997).
-double firstHit(const mesh::TriMesh& mesh, Run run, ModelPoint eye, ModelPoint direction) {
-  double nearest = std::numeric_limits<double>::infinity();
+struct MeshHit {
+  double far = std::numeric_limits<double>::infinity();
+  std::size_t triangle = 0;
+};
+MeshHit hitOf(const mesh::TriMesh& mesh, Run run, ModelPoint eye, ModelPoint direction) {
+  MeshHit nearest;
   const auto corner = [&](std::uint32_t vertex) {
     const auto& p = mesh.positions[vertex];
     return ModelPoint{p[0], p[1], p[2]};
@@ -38,9 +42,17 @@ double firstHit(const mesh::TriMesh& mesh, Run run, ModelPoint eye, ModelPoint d
     const double v = dot(direction, q) / det;
     if (v < 0 || u + v > 1) continue;
     const double t = dot(ac, q) / det;
-    if (t > 0 && t < nearest) nearest = t;
+    if (t > 0 && t < nearest.far) nearest = {t, i};
   }
   return nearest;
+}
+
+WorldPoint normalOf(const mesh::TriMesh& mesh, std::size_t triangle,
+                    const pipeline::ToWorld& toWorld) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  const WorldPoint at = toWorld(mesh.positions[a]);
+  const WorldPoint out = cross(toWorld(mesh.positions[b]) - at, toWorld(mesh.positions[c]) - at);
+  return normalized(toWorld.flips ? -out : out);
 }
 
 /// How far along the ray the box begins (0 inside it); infinite when the ray misses it.
@@ -92,9 +104,9 @@ const Picker::Entry& Picker::entryOf(const std::shared_ptr<const pipeline::PartS
   return entries_.back();
 }
 
-PartId Picker::partUnderRay(const document::Document& document, const pipeline::Derived& derived,
-                            const Ray& ray) {
-  PartId best;
+RayHit Picker::firstHit(const document::Document& document, const pipeline::Derived& derived,
+                        const UiState& ui, const Ray& ray, std::span<const PartId> without) {
+  RayHit best;
   // In ModelSpace of each part; lengths along the ray stay comparable, as its direction is scaled.
   double nearest = std::numeric_limits<double>::infinity();
   const std::size_t count = std::min(document.parts.size(), derived.parts.size());
@@ -103,20 +115,21 @@ PartId Picker::partUnderRay(const document::Document& document, const pipeline::
     const auto& shape = derived.parts[i].shape;
     const document::PictureEntry* picture = document::findPicture(document, document::pictureOf(part));
     if (!shape || !part.visible || picture == nullptr) continue;
-    const publish::WorldFrame frame = publish::worldFrame(picture->size);
-    const double s = 1 / frame.scale;
-    const ModelPoint eye{ray.eye.x * s + frame.centre.x, ray.eye.y * s + frame.centre.y,
-                         ray.eye.z * s + frame.centre.z};
-    const ModelPoint direction{ray.direction.x * s, ray.direction.y * s, ray.direction.z * s};
+    if (std::ranges::count(without, part.id) > 0) continue;
     const Entry& entry = entryOf(shape);
-    if (!(toBox(entry.whole, eye, direction) < nearest)) continue;
-    for (std::size_t run = 0; run < entry.runs.size(); ++run) {
-      if (!(toBox(entry.runs[run], eye, direction) < nearest)) continue;
-      const Run triangles{run * kRun, std::min((run + 1) * kRun, shape->mesh.triangles.size())};
-      const double hit = firstHit(shape->mesh, triangles, eye, direction);
-      if (hit >= nearest) continue;
-      nearest = hit;
-      best = part.id;
+    for (const pipeline::ToWorld& toWorld : shownCopies(ui, part, picture->size)) {
+      const ModelPoint eye = toWorld.toModel(ray.eye);
+      const ModelPoint direction = toWorld.alongInModel(ray.direction);
+      if (!(toBox(entry.whole, eye, direction) < nearest)) continue;
+      for (std::size_t run = 0; run < entry.runs.size(); ++run) {
+        if (!(toBox(entry.runs[run], eye, direction) < nearest)) continue;
+        const Run triangles{run * kRun, std::min((run + 1) * kRun, shape->mesh.triangles.size())};
+        const MeshHit hit = hitOf(shape->mesh, triangles, eye, direction);
+        if (hit.far >= nearest) continue;
+        nearest = hit.far;
+        best = {part.id, ray.eye + ray.direction * hit.far,
+                normalOf(shape->mesh, hit.triangle, toWorld)};
+      }
     }
   }
   return best;

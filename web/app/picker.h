@@ -4,17 +4,31 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "web/app/outline.h"
+#include "web/app/ui_state.h"
 
 namespace spineloft::app {
 
+/// Where a ray meets a part first.
+struct RayHit {
+  PartId part;  ///< none: it meets none
+  WorldPoint at, normal;  ///< unit, out of the part
+  explicit operator bool() const { return static_cast<bool>(part); }
+};
+
 class Picker {
  public:
+  /// Of the visible parts but those in `without`, where they are shown (a twin counts as its part).
+  RayHit firstHit(const document::Document& document, const pipeline::Derived& derived,
+                  const UiState& ui, const Ray& ray, std::span<const PartId> without = {});
   /// The visible part whose surface the ray meets first; none when it meets none.
   PartId partUnderRay(const document::Document& document, const pipeline::Derived& derived,
-                      const Ray& ray);
+                      const UiState& ui, const Ray& ray) {
+    return firstHit(document, derived, ui, ray).part;
+  }
 
  private:
   struct Box {

@@ -4,6 +4,7 @@
 
 #include "engine/base/hash.h"
 #include "engine/publish/publish.h"
+#include "web/app/placing.h"
 #include "web/app/preview.h"
 
 namespace spineloft::app {
@@ -15,10 +16,27 @@ gl::SceneTexture textureOf(const document::PictureEntry& entry, const image::Pic
   return {entry.contentHash | 1u, &pixels.working};
 }
 
-gl::Mat4 worldOf(const document::PictureEntry& entry) {
-  const publish::WorldFrame frame = publish::worldFrame(entry.size);
-  return gl::scaleThenShift(frame.scale, -frame.centre.x * frame.scale,
-                            -frame.centre.y * frame.scale, -frame.centre.z * frame.scale);
+gl::Mat4 matrixOf(const pipeline::ToWorld& toWorld) {
+  gl::Mat4 out;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      out.m[4 * column + row] = static_cast<float>(toWorld.linear[3 * row + column]);
+    }
+  }
+  const WorldPoint shift = toWorld(ModelPoint{});
+  out.m[12] = static_cast<float>(shift.x);
+  out.m[13] = static_cast<float>(shift.y);
+  out.m[14] = static_cast<float>(shift.z);
+  return out;
+}
+
+/// The mesh as often as it is seen.
+void addCopies(gl::SceneMesh mesh, const pipeline::Copies& copies, gl::Scene& scene) {
+  for (const pipeline::ToWorld& toWorld : copies) {
+    mesh.toWorld = matrixOf(toWorld);
+    mesh.flips = toWorld.flips;
+    scene.meshes.push_back(mesh);
+  }
 }
 
 /// Where a picture's parts get their surface from.
@@ -49,7 +67,6 @@ gl::SceneMesh meshOf(const Source& source, const document::Look& look,
                      const pipeline::PartShape& shape) {
   gl::SceneMesh mesh;
   mesh.mesh = &shape.mesh;
-  mesh.toWorld = worldOf(*source.entry);
   if (look.textured) wear(source, shape, mesh);
   for (std::size_t i = 0; i < 3; ++i) mesh.colour[i] = static_cast<float>(look.colour[i]) / 255.f;
   return mesh;
@@ -67,8 +84,8 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
     mesh.key = shape->key | 1u;
     const bool several = document.parts.size() > 1;
-    mesh.glow = several && part.id == ui.selection ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
-    scene.meshes.push_back(mesh);
+    mesh.glow = several && isSelected(document, ui, part.id) ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
+    addCopies(mesh, shownCopies(ui, part, source.entry->size), scene);
   }
 }
 
@@ -80,7 +97,7 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
   if (source.entry == nullptr) return;
   gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
   mesh.key = Hasher().text("preview").number(preview.revision).value() | 1u;
-  scene.meshes.push_back(mesh);
+  addCopies(mesh, previewCopies(document, derived, ui, source.entry->size), scene);
 }
 
 /// The floor lies just below the lowest part.
@@ -88,10 +105,11 @@ void addFloor(gl::Scene& scene) {
   if (scene.meshes.empty()) return;
   WorldPoint low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
   for (const gl::SceneMesh& mesh : scene.meshes) {
-    const double s = mesh.toWorld.m[0];
-    const WorldPoint shift{mesh.toWorld.m[12], mesh.toWorld.m[13], mesh.toWorld.m[14]};
+    const auto& m = mesh.toWorld.m;
     for (const auto& p : mesh.mesh->positions) {
-      const WorldPoint w = WorldPoint{p[0], p[1], p[2]} * s + shift;
+      const WorldPoint w{m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12],
+                         m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13],
+                         m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]};
       low = {std::min(low.x, w.x), std::min(low.y, w.y), std::min(low.z, w.z)};
       high = {std::max(high.x, w.x), std::max(high.y, w.y), std::max(high.z, w.z)};
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/ids.h"
+#include "engine/document/action.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 #include "engine/ribs/edit_gestures.h"
@@ -28,9 +29,11 @@ enum class ToolKind : std::uint8_t {
   Ignore,  ///< scribbles over edges that do not count
   Pen,     ///< draws on a sketch
   Eraser,  ///< paper again
+  Place,   ///< moves, turns and scales parts in the solid view
   kCount
 };
-/// "draw", "hand", "ribs", "shape", "bone", "ignore", "pen", "eraser".
+/// "draw", "hand", "ribs", "shape", "bone", "ignore", "pen", "eraser",
+/// "move".
 std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
 enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look };
@@ -65,6 +68,16 @@ struct Thumbnail {
   Rect at;
 };
 
+/// Handles of the gizmo that places parts, see web/app/gizmo.h.
+enum class GizmoHandle : std::uint8_t {
+  None,
+  MoveX, MoveY, MoveZ,  ///< arrows along the world's axes
+  TurnX, TurnY, TurnZ,  ///< rings about them
+  Plane,                ///< in the plane of the view
+  Depth,                ///< away from the eye and back
+  Scale,
+};
+
 /// What lies under the pointer: lit in the views, and what a press would act on.
 struct Hover {
   PartId part;                      ///< in either view
@@ -74,6 +87,7 @@ struct Hover {
   bool bone = false;                ///< its bone, beside the handles
   int depth = -1;                   ///< a handle of its depth, in the solid view
   int mark = -1;                    ///< a scribble (see marksOf)
+  GizmoHandle gizmo = GizmoHandle::None;
   bool operator==(const Hover&) const = default;
 };
 
@@ -105,6 +119,12 @@ struct EditOptions {
   bool operator==(const EditOptions&) const = default;
 };
 inline constexpr double kMostReach = 0.5;
+
+/// How parts are taken in hand; lasts until it is changed.
+struct PlaceOptions {
+  bool snap = false;  ///< a dragged part settles on the surface under the pointer
+  bool operator==(const PlaceOptions&) const = default;
+};
 
 /// A camera on its way.
 struct CameraFlight {
@@ -141,6 +161,12 @@ struct UiState {
   loft::SectionShape section;
   loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
   document::Look look;
+
+  std::vector<PartId> alsoSelected;  ///< besides `selection`, each once (see placing.h)
+  PlaceOptions place;
+  /// Where the gesture in hand has the parts it holds; empty between gestures.
+  std::vector<document::PlaceParts::One> placing;
+  GizmoHandle held = GizmoHandle::None;  ///< by the gesture in hand
 
   std::optional<Preview> preview;
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews

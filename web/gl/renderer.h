@@ -26,7 +26,8 @@ struct SceneTexture {
 struct SceneMesh {
   std::uint64_t key = 0;                 ///< equal keys, equal geometry; never 0
   const mesh::TriMesh* mesh = nullptr;   ///< alive while the scene is drawn
-  Mat4 toWorld;                          ///< a uniform scale and a shift
+  Mat4 toWorld;                          ///< a turn or mirror, a uniform scale and a shift
+  bool flips = false;                    ///< `toWorld` mirrors
   std::optional<SceneTexture> texture;   ///< else `colour` alone
   /// What of the mesh's UV the texture covers: left, top, width, height.
   std::array<float, 4> textureArea{0, 0, 1, 1};

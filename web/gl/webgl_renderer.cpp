@@ -280,6 +280,7 @@ class WebGlRenderer final : public Renderer {
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
       const GpuMesh& mesh = meshes_.get(item.key, *item.mesh);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
+      glFrontFace(item.flips ? GL_CW : GL_CCW);
       glUniform3f(colour, item.colour[0], item.colour[1], item.colour[2]);
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
       glUniform1f(glow, item.glow);
@@ -289,6 +290,7 @@ class WebGlRenderer final : public Renderer {
       glBindVertexArray(mesh.array.name());
       glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
     }
+    glFrontFace(GL_CCW);
     glBindVertexArray(0);
   }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "web/app/editing.h"
+#include "web/app/placing.h"
 #include "web/app/preview.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -13,9 +14,9 @@ namespace {
 
 struct Projector {
   const app::UiState& ui;
-  publish::WorldFrame frame;
+  pipeline::ToWorld toWorld;
   std::optional<ImVec2> operator()(ModelPoint p) const {
-    const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid, frame.toWorld(p));
+    const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid, toWorld(p));
     if (!at) return std::nullopt;
     return ImVec2{static_cast<float>(at->x), static_cast<float>(at->y)};
   }
@@ -58,7 +59,7 @@ void drawSolidOverlay(const PanelEnv& env) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
-  const Projector at{ui, publish::worldFrame(entry->size)};
+  const Projector at{ui, *app::shownCopies(ui, *subject.part, entry->size).begin()};
   drawLine(list, at, shown.shape->centreLine);
   const std::vector<ModelPoint> handles = app::depthHandles(shown);
   for (std::size_t i = 0; i < handles.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "web/tools/depth_tool.h"
 
+#include "web/app/placing.h"
 #include "web/app/preview.h"
 
 namespace spineloft::tools {
@@ -17,13 +18,14 @@ void DepthTool::begin(const ToolEnv& env, const ToolEvent& event) {
   const document::PictureEntry* entry =
       subject ? document::findPicture(env.document, document::pictureOf(*subject.part)) : nullptr;
   if (handle_ < 0 || entry == nullptr) return;
-  const publish::WorldFrame frame = publish::worldFrame(entry->size);
+  const pipeline::Copies copies = app::shownCopies(env.ui, *subject.part, entry->size);
+  const pipeline::ToWorld& toWorld = *copies.begin();
   const ModelPoint at = app::depthHandles(subject)[static_cast<std::size_t>(handle_)];
   const app::Camera& camera = env.ui.camera;
   const app::Rect& view = env.ui.layout.solid;
-  const WorldPoint here = frame.toWorld(at), nearer = frame.toWorld(at + ModelPoint{0, 0, 1});
+  const WorldPoint here = toWorld(at), nearer = toWorld(at + ModelPoint{0, 0, 1});
   const auto a = app::pointOnCanvas(camera, view, here), b = app::pointOnCanvas(camera, view, nearer);
-  const auto c = app::pointOnCanvas(camera, view, here + camera.up() * frame.scale);
+  const auto c = app::pointOnCanvas(camera, view, here + camera.up() * toWorld.scale);
   if (!a || !b || !c) return;
   const double most = distance(*a, *c);
   unit_ = *b - *a;

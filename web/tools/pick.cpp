@@ -5,6 +5,7 @@
 
 #include "web/app/outline.h"
 #include "web/app/picker.h"
+#include "web/app/placing.h"
 
 namespace spineloft::tools {
 namespace {
@@ -128,16 +129,18 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
         document::findPicture(env.document, document::pictureOf(*subject.part));
     const std::vector<ModelPoint> handles = app::depthHandles(subject);
     double nearest = reachOf(event);
+    const pipeline::Copies copies =
+        app::shownCopies(ui, *subject.part, entry ? entry->size : image::Size{});
     for (std::size_t i = 0; entry != nullptr && i < handles.size(); ++i) {
-      const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid,
-                                   publish::worldFrame(entry->size).toWorld(handles[i]));
+      const auto at =
+          app::pointOnCanvas(ui.camera, ui.layout.solid, (*copies.begin())(handles[i]));
       if (!at || distance(*at, event.at) > nearest) continue;
       nearest = distance(*at, event.at);
       hover.depth = static_cast<int>(i);
     }
   }
   const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
-  hover.part = env.picker->partUnderRay(env.document, env.derived, ray);
+  hover.part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   return hover;
 }
 

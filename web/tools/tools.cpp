@@ -29,6 +29,7 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
     case ToolKind::Eraser:
       return std::make_unique<SketchPen>(kind == ToolKind::Eraser);
     case ToolKind::Hand:
+    case ToolKind::Place:  // which works in the solid view
     case ToolKind::kCount:
       break;
   }

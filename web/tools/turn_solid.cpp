@@ -20,7 +20,7 @@ void TurnSolid::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
   const app::Ray ray{env.ui.camera.eye(),
                      app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
-  const PartId part = env.picker->partUnderRay(env.document, env.derived, ray);
+  const PartId part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   env.sink.run("select-part", app::Json::Object{{"id", part.value}});
 }
 

@@ -157,6 +157,24 @@ TEST_CASE("the golden document with regions reads as what was written") {
   CHECK(read.value().parts[1]->recipe == document::Recipe(ear));
 }
 
+TEST_CASE("the golden document with parts that were placed, mirrored and grouped reads as what was written") {
+  const auto bytes = testFile("golden/document-v2-placed.json");
+  ReadNotes notes;
+  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                                 [](std::uint64_t) { return nullptr; }, &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  REQUIRE(read.value().parts.size() == 2);
+  const document::Part& wing = read.value().parts[0];
+  CHECK(wing.placement ==
+        document::Placement{{0.25, -0.125, 1.0 / 3}, {1, 0.5, -2}, {0.5, 0.5, -0.5, 0.5}, 1.75, true});
+  CHECK(wing.mirror == document::MirrorPlane{{0.125, 0, 0}, {0.6, 0, 0.8}});
+  CHECK(wing.group == GroupId{2});
+  CHECK(read.value().parts[1]->placement == document::Placement{});
+  CHECK(read.value().groups == std::vector<document::Group>{{GroupId{2}, "Wings"}});
+  CHECK(read.value().lastGroupId == 3);
+}
+
 TEST_CASE("the golden documents hold every key that a document can have") {
   std::set<std::string> found, wanted;
   for (const auto& [name, bytes] : testFiles("golden")) {

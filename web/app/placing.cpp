@@ -1,0 +1,160 @@
+#include "web/app/placing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/document/update.h"
+
+namespace spineloft::app {
+namespace {
+
+using document::PlaceParts;
+
+const mesh::TriMesh* shapeOf(const pipeline::Derived& derived, PartId part) {
+  const auto at = std::ranges::find(derived.parts, part, &pipeline::DerivedPart::id);
+  return at == derived.parts.end() || !at->shape ? nullptr : &at->shape->mesh;
+}
+
+/// The placement about a pivot of its own: one that was never placed gets the middle of its shape.
+document::Placement withPivot(const document::Document& document, const document::Part& part,
+                              const document::Placement& placement, const mesh::TriMesh& shape) {
+  const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(part));
+  if (entry == nullptr || placement.pivot != WorldPoint{}) return placement;
+  return document::about(placement, pipeline::middleOf(shape, pipeline::worldFrame(entry->size)));
+}
+
+double along(WorldPoint p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+}  // namespace
+
+std::vector<PartId> withGroup(const document::Document& document, PartId id) {
+  const document::Part* part = document::findPart(document, id);
+  if (part == nullptr) return {};
+  return part->group ? document::partsOfGroup(document, part->group) : std::vector<PartId>{id};
+}
+
+std::vector<PartId> selectedParts(const document::Document& document, const UiState& ui) {
+  std::vector<PartId> parts;
+  if (!ui.selection) return parts;
+  for (const document::Part& part : document.parts) {
+    if (isSelected(document, ui, part.id)) parts.push_back(part.id);
+  }
+  return parts;
+}
+
+bool isSelected(const document::Document& document, const UiState& ui, PartId id) {
+  const auto chosen = [&](PartId part) {
+    return part == ui.selection || std::ranges::count(ui.alsoSelected, part) > 0;
+  };
+  if (!ui.selection) return false;
+  if (chosen(id)) return true;
+  const document::Part* part = document::findPart(document, id);
+  if (part == nullptr || !part->group) return false;
+  return std::ranges::any_of(document.parts, [&](const document::Part& other) {
+    return other.group == part->group && chosen(other.id);
+  });
+}
+
+PlaceParts::One standOf(const UiState& ui, const document::Part& part) {
+  const auto held = std::ranges::find(ui.placing, part.id, &PlaceParts::One::part);
+  if (held != ui.placing.end()) return *held;
+  return {part.id, part.placement, part.mirror};
+}
+
+pipeline::Copies shownCopies(const UiState& ui, const document::Part& part, image::Size picture) {
+  const PlaceParts::One one = standOf(ui, part);
+  return pipeline::copiesInWorld(one.placement, one.mirror, picture);
+}
+
+pipeline::Copies previewCopies(const document::Document& document,
+                               const pipeline::Derived& derived, const UiState& ui,
+                               image::Size picture) {
+  if (!ui.preview || !ui.preview->shape) return pipeline::copiesInWorld({}, {}, picture);
+  const document::Part* part = document::findPart(document, ui.preview->part);
+  if (part != nullptr) return shownCopies(ui, *part, picture);
+  const document::Placement beside = pipeline::standBeside(
+      document, derived, document::pictureOf(ui.preview->recipe), ui.preview->shape->mesh);
+  return pipeline::copiesInWorld(beside, {}, picture);
+}
+
+std::optional<WorldPoint> centreOf(const document::Document& document,
+                                   const pipeline::Derived& derived, const UiState& ui,
+                                   std::span<const PartId> parts) {
+  WorldPoint sum;
+  int count = 0;
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(document, id);
+    const mesh::TriMesh* shape = shapeOf(derived, id);
+    if (part == nullptr || shape == nullptr || !part->visible) continue;
+    const document::Placement placement =
+        withPivot(document, *part, standOf(ui, *part).placement, *shape);
+    sum += placement(placement.pivot);
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+std::vector<PlaceParts::One> movedParts(const document::Document& document,
+                                        const pipeline::Derived& derived,
+                                        std::span<const PartId> parts,
+                                        const document::Motion& motion) {
+  std::vector<PlaceParts::One> moved;
+  bool planesToo = false;
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(document, id);
+    planesToo = planesToo || (part != nullptr && !part->mirror);
+  }
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(document, id);
+    if (part == nullptr) continue;
+    document::Placement placement = part->placement;
+    if (const mesh::TriMesh* shape = shapeOf(derived, id)) {
+      placement = withPivot(document, *part, placement, *shape);
+    }
+    PlaceParts::One one{id, document::moved(placement, motion), part->mirror};
+    if (one.mirror && planesToo) one.mirror = document::moved(*one.mirror, motion);
+    moved.push_back(one);
+  }
+  return moved;
+}
+
+double mmPerUnit(const document::Document& document, const pipeline::Derived& derived) {
+  const auto bounds = pipeline::worldBounds(document, derived);
+  const double tall = bounds ? bounds->high.y - bounds->low.y : 0;
+  return tall > 0 ? document.height.value / tall : 0;
+}
+
+std::vector<document::Action> placeActions(const document::Document& document,
+                                           const pipeline::Derived& derived,
+                                           std::vector<PlaceParts::One> parts) {
+  constexpr double kSteps = 100;  // heights are kept in hundredths of a millimetre
+  std::vector<document::Action> actions{PlaceParts{std::move(parts)}};
+  const Result<document::Document> after = document::update(document, actions.front());
+  const auto was = pipeline::worldBounds(document, derived);
+  if (!after || !was) return actions;
+  const auto is = pipeline::worldBounds(after.value(), derived);
+  const double before = was->high.y - was->low.y, now = is->high.y - is->low.y;
+  if (!(before > 0) || !(now > 0) || now == before) return actions;
+  const double mm = std::round(document.height.value * now / before * kSteps) / kSteps;
+  actions.push_back(document::SetHeight{
+      {std::clamp(mm, document::kMinHeightMm, document::kMaxHeightMm)}});
+  return actions;
+}
+
+document::MirrorPlane planeFor(const document::Document& document,
+                               const pipeline::Derived& derived, std::span<const PartId> parts,
+                               int axis) {
+  document::MirrorPlane plane;
+  plane.normal = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  const auto others = pipeline::boundsWithout(document, derived, parts);
+  const auto own = pipeline::boundsOf(document, derived, parts);
+  if (others) {
+    plane.point = others->centre();
+  } else if (own) {
+    plane.point = own->centre() + plane.normal * (along(own->high - own->low, axis) / 2);
+  }
+  return plane;
+}
+
+}  // namespace spineloft::app

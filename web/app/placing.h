@@ -1,0 +1,58 @@
+// Parts in hand in the solid view: which ones, where they are shown, and what a motion makes of them.
+// Tools preview and commands act through the same functions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/document/action.h"
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+#include "engine/pipeline/world.h"
+#include "web/app/ui_state.h"
+
+namespace spineloft::app {
+
+/// Every selected part with the rest of its group, in the order of the list; none without a selection.
+std::vector<PartId> selectedParts(const document::Document& document, const UiState& ui);
+bool isSelected(const document::Document& document, const UiState& ui, PartId part);
+/// The part with the rest of its group.
+std::vector<PartId> withGroup(const document::Document& document, PartId part);
+
+/// Where a part is shown now: where the gesture in hand has it, else where it stands.
+document::PlaceParts::One standOf(const UiState& ui, const document::Part& part);
+pipeline::Copies shownCopies(const UiState& ui, const document::Part& part, image::Size picture);
+/// The same for the shape in ui.preview, whose part may not be there yet.
+pipeline::Copies previewCopies(const document::Document& document,
+                               const pipeline::Derived& derived, const UiState& ui,
+                               image::Size picture);
+
+/// About what the parts turn and grow: the mean of their pivots where they are shown. None without a
+/// part that has a shape.
+std::optional<WorldPoint> centreOf(const document::Document& document,
+                                   const pipeline::Derived& derived, const UiState& ui,
+                                   std::span<const PartId> parts);
+
+/// The parts after a motion. Planes of live symmetry go along when something moves that has none: an
+/// ear moves against its twin, a whole animal takes both along.
+std::vector<document::PlaceParts::One> movedParts(const document::Document& document,
+                                                  const pipeline::Derived& derived,
+                                                  std::span<const PartId> parts,
+                                                  const document::Motion& motion);
+
+/// Millimetres that a unit of the world is now; 0 when there is nothing to measure.
+double mmPerUnit(const document::Document& document, const pipeline::Derived& derived);
+
+/// As actions: parts keep their size in millimetres, so that the model's height changes with them.
+std::vector<document::Action> placeActions(const document::Document& document,
+                                           const pipeline::Derived& derived,
+                                           std::vector<document::PlaceParts::One> parts);
+
+/// A plane through the middle of everything but `parts` (of themselves: at their right, upper or front
+/// side, when there is nothing else); `axis` 0, 1, 2: x, y, z.
+document::MirrorPlane planeFor(const document::Document& document,
+                               const pipeline::Derived& derived, std::span<const PartId> parts,
+                               int axis);
+
+}  // namespace spineloft::app
