@@ -93,7 +93,6 @@ void settleGroup(Document& document, PartId id) {
   }
   if (group == own) return;
   edit(*at, [&](Part& part) { part.group = group; });
-  dropEmptyGroups(document);
 }
 
 }  // namespace
@@ -181,7 +180,6 @@ Status arrange(Document& document, const GroupParts& action) {
   Parts members = takeOut(document.parts, ids);
   for (Box<Part>& box : members) edit(box, [&](Part& part) { part.group = group; });
   document.parts.insert(document.parts.begin() + first, members.begin(), members.end());
-  dropEmptyGroups(document);
   return Done{};
 }
 
@@ -190,7 +188,6 @@ Status arrange(Document& document, const Ungroup& action) {
   for (Box<Part>& box : document.parts) {
     if (box->group == action.group) edit(box, [](Part& part) { part.group = {}; });
   }
-  dropEmptyGroups(document);
   return Done{};
 }
 

@@ -17,7 +17,7 @@ Status arrange(Document& document, const Ungroup& action);
 Status arrange(Document& document, const RenameGroup& action);
 Status arrange(Document& document, const MoveInList& action);
 
-/// Groups whose last part is gone go as well.
+/// Groups whose last part is gone go as well; what `update` does after every action.
 void dropEmptyGroups(Document& document);
 
 }  // namespace spineloft::document

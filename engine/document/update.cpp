@@ -155,7 +155,6 @@ struct Apply {
     }
     for (const PartId id : gone) erasePart(id);
     std::erase_if(document.pictures, [&](const PictureEntry& p) { return p.id == a.picture; });
-    dropEmptyGroups(document);
     return Done{};
   }
   Status operator()(const DrawSpine& a) const {
@@ -289,7 +288,6 @@ struct Apply {
   Status operator()(const DeletePart& a) const {
     if (findPart(document, a.part) == nullptr) return Error::NoSuchPart;
     erasePart(a.part);
-    dropEmptyGroups(document);
     return Done{};
   }
   Status operator()(const CombineParts& a) const { return applyStep(document, a); }
@@ -325,6 +323,7 @@ Result<Document> update(const Document& document, const Action& action) {
   Document next = document;
   const Status status = std::visit(Apply{next}, action);
   if (!status) return status.failure();
+  dropEmptyGroups(next);
   return next;
 }
 

@@ -84,6 +84,13 @@ void App::settle() {
   settleSketching(document, ui_);
   if (!document::findPicture(document, ui_.pictureMenu)) ui_.pictureMenu = {};
   if (!document::findPart(document, ui_.selection)) ui_.selection = {};
+  std::erase_if(ui_.alsoSelected, [&](PartId id) {
+    return !ui_.selection || id == ui_.selection || !document::findPart(document, id);
+  });
+  const bool lost = std::ranges::any_of(ui_.placing, [&](const document::PlaceParts::One& one) {
+    return !document::findPart(document, one.part);
+  });
+  if (lost) gestures_.cancel(toolEnv());
   settleChosen();
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
   const bool orphaned =
@@ -249,6 +256,7 @@ void App::announce() {
 void App::feedPanels(const platform::PointerEvent& event) {
   ImGuiIO& io = ImGui::GetIO();
   using platform::PointerKind;
+  io.AddKeyEvent(ImGuiMod_Shift, (event.modifiers & platform::kShift) != 0);
   io.AddMouseSourceEvent(event.device == platform::Device::Touch ? ImGuiMouseSource_TouchScreen
                          : event.device == platform::Device::Pen ? ImGuiMouseSource_Pen
                                                                  : ImGuiMouseSource_Mouse);
@@ -472,7 +480,8 @@ void App::contextRestored() {
 
 void App::answer(std::string_view id, std::string_view text) {
   constexpr std::string_view kRename = "rename-part:", kRenamePicture = "rename-picture:",
-                             kRenameSlice = "rename-slice:";
+                             kRenameSlice = "rename-slice:", kPlace = "place:",
+                             kRenameGroup = "rename-group:";
   const auto numberAfter = [&](std::string_view prefix) {
     std::uint32_t number = 0;
     const std::string_view digits = id.substr(prefix.size());
@@ -484,6 +493,18 @@ void App::answer(std::string_view id, std::string_view text) {
     std::ranges::replace(number, ',', '.');
     const std::optional<Json> value = Json::parse(number);
     sink_.run("set-height", Json::Object{{"mm", value && value->number() ? *value : Json(0)}});
+  } else if (id.starts_with(kPlace)) {
+    std::string number(text);
+    std::ranges::replace(number, ',', '.');
+    const std::optional<Json> value = Json::parse(number);
+    if (value && value->number()) {
+      sink_.run("set-place", Json::Object{{std::string(id.substr(kPlace.size())), *value}});
+    } else {
+      sendError(host_, "That is no number. Type one such as 12.5.");
+    }
+  } else if (id.starts_with(kRenameGroup)) {
+    sink_.run("rename-group",
+              Json::Object{{"group", numberAfter(kRenameGroup)}, {"name", std::string(text)}});
   } else if (id.starts_with(kRename)) {
     sink_.run("rename-part", Json::Object{{"part", numberAfter(kRename)}, {"name", text}});
   } else if (id.starts_with(kRenamePicture)) {

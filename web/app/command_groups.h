@@ -13,6 +13,7 @@ std::span<const Command> boneCommands();     ///< moving and posing spines: bone
 std::span<const Command> sliceCommands();    ///< sections along the spine, curves: slice_commands.cpp
 std::span<const Command> sliceBoardCommands();  ///< drawing a slice: slice_board_commands.cpp
 std::span<const Command> sketchCommands();   ///< paper, pen and eraser: sketch_commands.cpp
+std::span<const Command> placeCommands();    ///< places, copies, groups: place_commands.cpp
 std::span<const Command> keepCommands();     ///< models on this device, project files: keep_commands.cpp
 
 }  // namespace spineloft::app

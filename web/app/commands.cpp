@@ -14,7 +14,7 @@ namespace {
 
 /// In the order of the command bar.
 constexpr std::array kGroups = {generalCommands, ribCommands, boneCommands, sliceCommands,
-                                sliceBoardCommands, sketchCommands, keepCommands};
+                                sliceBoardCommands, sketchCommands, placeCommands, keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;

@@ -146,8 +146,11 @@ std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place 
 }
 
 void Gestures::startPinch(const tools::ToolEnv& env) {
-  if (tool_) tool_->cancel(env);
-  tool_.reset();
+  const bool joins = tool_ && tool_->takesPair() && contacts_.size() == 2;
+  if (tool_ && !joins) {
+    tool_->cancel(env);
+    tool_.reset();
+  }
   splitting_ = false;
   pinching_ = true;
   pinchPlace_ = contacts_.front().place;
@@ -164,8 +167,12 @@ void Gestures::move(const PointerEvent& event, Contact& contact, const tools::To
   if (pinching_ && contacts_.size() >= 2) {
     const ClientPoint other = &contact == &contacts_[0] ? contacts_[1].at : contacts_[0].at;
     if (&contact != &contacts_[0] && &contact != &contacts_[1]) return;
-    const tools::FingerPair from{before, other}, to{contact.at, other};
-    if (pinchPlace_ == Place::Picture) {
+    const bool first = &contact == &contacts_[0];
+    const tools::FingerPair from = first ? tools::FingerPair{before, other} : tools::FingerPair{other, before};
+    const tools::FingerPair to = first ? tools::FingerPair{contact.at, other} : tools::FingerPair{other, contact.at};
+    if (tool_) {
+      tool_->followPair(env, from, to);
+    } else if (pinchPlace_ == Place::Picture) {
       tools::pinchPicture(env, from, to);
     } else if (pinchPlace_ == Place::Solid) {
       tools::pinchSolid(env, from, to);
@@ -181,9 +188,10 @@ void Gestures::release(const PointerEvent& event, const tools::ToolEnv& env) {
   Contact* contact = find(event.id);
   if (contact == nullptr) return;
   if (event.buttons != 0 && event.device == Device::Mouse) return;  // another button is still down
-  if (tool_ && toolContact_ == event.id) {
+  if (tool_ && (toolContact_ == event.id || pinching_)) {
+    // Of two fingers on one thing the first that lets go ends it.
     const std::unique_ptr<tools::Tool> tool = std::move(tool_);
-    tool->move(env, toolEvent(event));
+    if (!pinching_) tool->move(env, toolEvent(event));
     tool->commit(env);
   }
   splitting_ = false;

@@ -99,6 +99,15 @@ inline constexpr std::array kIcons = {
     Icon{"layout-grid", 57599},
     Icon{"folder-open", 57927},
     Icon{"copy", 57502},
+    Icon{"scaling", 58092},
+    Icon{"magnet", 58037},
+    Icon{"group", 58468},
+    Icon{"ungroup", 58471},
+    Icon{"arrow-down-to-line", 58453},
+    Icon{"scan-face", 58225},
+    Icon{"square-stack", 58530},
+    Icon{"chevron-up", 57456},
+    Icon{"chevron-down", 57453},
 };
 
 /// 0 for a name that is not in the table.

@@ -9,6 +9,7 @@
 #include "web/app/command_args.h"
 #include "web/app/editing.h"
 #include "web/app/messages.h"
+#include "web/app/placing.h"
 
 namespace spineloft::app {
 namespace {
@@ -27,6 +28,7 @@ Outcome setLook(Env env, const Json& args, const document::Look& look) {
 /// Selects a part; the next part is made like it, as the panels show.
 void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
+  env.ui.alsoSelected.clear();
   if (env.ui.picture != document::pictureOf(part)) env.ui.pictureView.fitted = true;
   env.ui.picture = document::pictureOf(part);
   env.ui.redraw = {};
@@ -149,19 +151,33 @@ Outcome redrawMode(Env env, const Json& args) {
 }
 
 Outcome deletePart(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
-  return outcomeOf(env.studio.act(document::DeletePart{part->id}));
+  if (partOf(env, args) == nullptr) return noPart();
+  std::vector<document::Action> actions;
+  if (namesPart(args)) {
+    actions.push_back(document::DeletePart{partOf(env, args)->id});
+  } else {
+    for (const PartId id : selectedParts(env.studio.document(), env.ui)) {
+      actions.push_back(document::DeletePart{id});
+    }
+  }
+  return outcomeOf(env.studio.act(actions));
 }
 
 Outcome selectPart(Env env, const Json& args) {
   const Json* id = args.find("id");
+  const bool add = args.flag("add").value_or(false);
   if (id != nullptr && (id->isNull() || id->number() == 0)) {
+    if (add) return {};  // beside the parts: what is in hand stays there
     env.ui.selection = {};
+    env.ui.alsoSelected.clear();
     return {};
   }
   const document::Part* part = namesPart(args) ? partOf(env, args) : nullptr;
   if (part == nullptr) return noPart();
+  if (add && env.ui.selection) {
+    addToSelection(env.studio.document(), env.ui, part->id);
+    return {};
+  }
   select(env, *part);
   return {};
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "engine/document/update.h"
 
@@ -53,6 +55,19 @@ bool isSelected(const document::Document& document, const UiState& ui, PartId id
   return std::ranges::any_of(document.parts, [&](const document::Part& other) {
     return other.group == part->group && chosen(other.id);
   });
+}
+
+void addToSelection(const document::Document& document, UiState& ui, PartId id) {
+  if (!isSelected(document, ui, id)) {
+    ui.alsoSelected.push_back(id);
+    return;
+  }
+  const std::vector<PartId> leaving = withGroup(document, id);
+  const auto leaves = [&](PartId part) { return std::ranges::count(leaving, part) > 0; };
+  std::erase_if(ui.alsoSelected, leaves);
+  if (!leaves(ui.selection)) return;
+  ui.selection = ui.alsoSelected.empty() ? PartId{} : ui.alsoSelected.front();
+  std::erase(ui.alsoSelected, ui.selection);
 }
 
 PlaceParts::One standOf(const UiState& ui, const document::Part& part) {
@@ -155,6 +170,51 @@ document::MirrorPlane planeFor(const document::Document& document,
     plane.point = own->centre() + plane.normal * (along(own->high - own->low, axis) / 2);
   }
   return plane;
+}
+
+std::optional<document::Motion> settleOn(const document::Document& document,
+                                         const pipeline::Derived& derived,
+                                         std::span<const PartId> parts, WorldPoint at,
+                                         WorldPoint normal) {
+  constexpr double kLevel = 1e-9;  // as low as the lowest, world units
+  const auto bounds = pipeline::boundsOf(document, derived, parts);
+  if (!bounds) return std::nullopt;
+  const WorldPoint middle = bounds->centre();
+  double lowest = std::numeric_limits<double>::infinity(), nearest = lowest;
+  WorldPoint foot;
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(document, id);
+    const mesh::TriMesh* shape = shapeOf(derived, id);
+    const document::PictureEntry* entry =
+        part ? document::findPicture(document, document::pictureOf(*part)) : nullptr;
+    if (entry == nullptr || shape == nullptr || !part->visible) continue;
+    const pipeline::Copies copies = pipeline::copiesInWorld(*part, entry->size);
+    for (const auto& p : shape->positions) {
+      const WorldPoint w = (*copies.begin())(p);
+      const double level = dot(w, normal), aside = distance(w, middle);
+      if (level > lowest + kLevel || (level > lowest - kLevel && aside >= nearest)) continue;
+      lowest = std::min(lowest, level);
+      nearest = aside;
+      foot = w;
+    }
+  }
+  document::Motion motion;
+  motion.move = at - foot;
+  return motion;
+}
+
+double placeNumber(const document::Document& document, const pipeline::Derived& derived,
+                   const document::Part& part, std::string_view key) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const geometry::Angles angles = geometry::anglesOf(part.placement.turn);
+  const double mm = mmPerUnit(document, derived);
+  if (key == "x") return part.placement.move.x * mm;
+  if (key == "y") return part.placement.move.y * mm;
+  if (key == "z") return part.placement.move.z * mm;
+  if (key == "tip") return angles.tip * kDegrees;
+  if (key == "turn") return angles.turn * kDegrees;
+  if (key == "lean") return angles.roll * kDegrees;
+  return key == "size" ? part.placement.scale * 100 : 0;
 }
 
 }  // namespace spineloft::app

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/document/action.h"
@@ -17,6 +18,8 @@ namespace spineloft::app {
 /// Every selected part with the rest of its group, in the order of the list; none without a selection.
 std::vector<PartId> selectedParts(const document::Document& document, const UiState& ui);
 bool isSelected(const document::Document& document, const UiState& ui, PartId part);
+/// One more part in hand, or no longer: with the last one gone nothing is selected.
+void addToSelection(const document::Document& document, UiState& ui, PartId part);
 /// The part with the rest of its group.
 std::vector<PartId> withGroup(const document::Document& document, PartId part);
 
@@ -54,5 +57,18 @@ std::vector<document::Action> placeActions(const document::Document& document,
 document::MirrorPlane planeFor(const document::Document& document,
                                const pipeline::Derived& derived, std::span<const PartId> parts,
                                int axis);
+
+/// The motion, without a turn, after which the parts touch a surface at `at`: of all their points the
+/// lowest along the surface's `normal` (of several the one nearest to their middle) comes to lie there.
+/// None without a part that has a shape.
+std::optional<document::Motion> settleOn(const document::Document& document,
+                                         const pipeline::Derived& derived,
+                                         std::span<const PartId> parts, WorldPoint at,
+                                         WorldPoint normal);
+
+/// What is shown and typed of a part's place: "x", "y", "z" in millimetres, "tip", "turn", "lean" in
+/// degrees, "size" in percent. 0 for another key.
+double placeNumber(const document::Document& document, const pipeline::Derived& derived,
+                   const document::Part& part, std::string_view key);
 
 }  // namespace spineloft::app

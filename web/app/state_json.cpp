@@ -6,6 +6,8 @@
 #include "engine/io/json_fields.h"
 #include "web/app/colour_text.h"
 #include "web/app/editing.h"
+#include "web/app/gizmo.h"
+#include "web/app/placing.h"
 
 #include "web/app/slice_json.h"
 
@@ -117,7 +119,68 @@ void writeParameters(JsonWriter& json, const document::Part& part) {
   json.endObject();
 }
 
-void writePart(JsonWriter& json, const document::Part& part, const pipeline::DerivedPart& derived) {
+void writeNumbers(JsonWriter& json, std::string_view key, std::initializer_list<double> values) {
+  json.key(key).beginArray();
+  for (const double value : values) json.number(value);
+  json.endArray();
+}
+
+/// Where a part stands: in the world, and in the numbers that are shown.
+void writePlacement(JsonWriter& json, const CommandEnv& env, const document::Part& part) {
+  const document::Placement& at = part.placement;
+  const auto number = [&](std::string_view key) {
+    return placeNumber(env.studio.document(), env.studio.derived(), part, key);
+  };
+  json.key("placement").beginObject();
+  writeNumbers(json, "pivot", {at.pivot.x, at.pivot.y, at.pivot.z});
+  writeNumbers(json, "move", {at.move.x, at.move.y, at.move.z});
+  writeNumbers(json, "turn", {at.turn.w, at.turn.x, at.turn.y, at.turn.z});
+  json.key("scale").number(at.scale).key("mirrored").flag(at.mirrored);
+  writeNumbers(json, "mm", {number("x"), number("y"), number("z")});
+  writeNumbers(json, "degrees", {number("tip"), number("turn"), number("lean")});
+  json.endObject().key("mirror");
+  if (part.mirror) {
+    const auto& [point, normal] = *part.mirror;
+    json.beginArray().number(point.x).number(point.y).number(point.z);
+    json.number(normal.x).number(normal.y).number(normal.z).endArray();
+  } else {
+    json.null();
+  }
+  json.key("group");
+  part.group ? json.number(part.group.value) : json.null();
+}
+
+/// What is in hand, the groups, and where the handles of the gizmo are on the canvas.
+void writePlacing(JsonWriter& json, const CommandEnv& env) {
+  const UiState& ui = env.ui;
+  const document::Document& document = env.studio.document();
+  const std::vector<PartId> parts = selectedParts(document, ui);
+  json.key("selected").beginArray();
+  for (const PartId part : parts) json.number(part.value);
+  json.endArray().key("groups").beginArray();
+  for (const document::Group& group : document.groups) {
+    json.beginObject().key("id").number(group.id.value).key("name").text(group.name).endObject();
+  }
+  json.endArray().key("snap").flag(ui.place.snap).key("gizmo");
+  const auto centre = centreOf(document, env.studio.derived(), ui, parts);
+  const std::optional<Gizmo> gizmo =
+      centre && ui.tool == ToolKind::Place ? gizmoAt(ui, *centre) : std::nullopt;
+  if (!gizmo) {
+    json.null();
+    return;
+  }
+  json.beginObject();
+  writeNumbers(json, "at", {gizmo->at.x, gizmo->at.y});
+  json.key("held").flag(ui.held != GizmoHandle::None).key("knobs").beginArray();
+  for (const Gizmo::Knob& knob : gizmo->knobs) {
+    json.beginObject().key("handle").text(handleKey(knob.handle));
+    writeNumbers(json, "at", {knob.at.x, knob.at.y});
+    json.endObject();
+  }
+  json.endArray().endObject();
+}
+
+void writePart(JsonWriter& json, const CommandEnv& env, const document::Part& part, const pipeline::DerivedPart& derived) {
   static const ribs::RibSet kNoRibs;
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
   // What only lofts have is that of an empty one for other kinds.
@@ -132,6 +195,7 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
   json.key("colour").text(colourText(part.look.colour)).key("picture").number(document::pictureOf(part).value);
   json.key("waiting").flag(derived.waiting);
+  writePlacement(json, env, part);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   writeRibs(json, derived.shape ? derived.shape->ribs : kNoRibs);
@@ -225,7 +289,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writePen(json, ui.sketching);
   json.key("parts").beginArray();
   for (std::size_t i = 0; i < document.parts.size(); ++i) {
-    writePart(json, document.parts[i], derived.parts[i]);
+    writePart(json, env, document.parts[i], derived.parts[i]);
   }
   json.endArray().key("selection");
   ui.selection ? json.number(ui.selection.value) : json.null();
@@ -246,6 +310,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writePreview(json, ui);
   writeSliceUi(json, ui.slices);
   writeEditing(json, ui);
+  writePlacing(json, env);
   json.key("looks").text(ui.look.textured ? "picture" : "colour");
   json.key("heightMm").number(document.height.value);
   json.key("documentName").text(document.name);

@@ -36,7 +36,7 @@ enum class ToolKind : std::uint8_t {
 /// "move".
 std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
-enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look };
+enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look, Place };
 
 /// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
 /// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
@@ -126,6 +126,13 @@ struct PlaceOptions {
   bool operator==(const PlaceOptions&) const = default;
 };
 
+/// A row of the part list: a part, or the group whose first part it is.
+struct ListRow {
+  PartId part;
+  GroupId group;
+  bool operator==(const ListRow&) const = default;
+};
+
 /// A camera on its way.
 struct CameraFlight {
   Camera from, to;
@@ -166,6 +173,7 @@ struct UiState {
   PlaceOptions place;
   /// Where the gesture in hand has the parts it holds; empty between gestures.
   std::vector<document::PlaceParts::One> placing;
+  std::optional<ListRow> listDrag;       ///< the row of the part list that is dragged
   GizmoHandle held = GizmoHandle::None;  ///< by the gesture in hand
 
   std::optional<Preview> preview;

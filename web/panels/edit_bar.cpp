@@ -1,4 +1,4 @@
-// What the tool in use can be told, in the upper right corner of the picture view: commands as buttons,
+// What the tool in use can be told, in the upper right corner of its view: commands as buttons,
 // with their words where there is room, and the sliders of a coil.
 #include <imgui.h>
 
@@ -33,7 +33,12 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
   static constexpr Item kIgnore[] = {{"brush-smaller"}, {"brush-larger"},
                                      {"ignore-whole-picture", true}, {"clear-ignored", true}};
   static constexpr Item kDraw[] = {{"depth-by-pressure", true}};
+  static constexpr Item kPlace[] = {{"snap-to-surface", true}, {"drop-on-floor", true},
+                                    {"face-front", true}, {"duplicate", true}, {"mirror-copy"},
+                                    {"symmetry", true}, {"group", true}, {"ungroup"}};
   switch (ui.tool) {
+    case app::ToolKind::Place:
+      return kPlace;
     case app::ToolKind::Ribs:
       return kRibs;
     case app::ToolKind::Shape:
@@ -142,7 +147,8 @@ void coilCard(const PanelEnv& env, const app::Rect& above) {
 
 void drawEditBar(const PanelEnv& env) {
   const std::span<const Item> items = itemsOf(env.ui());
-  const app::Rect& view = env.ui().layout.picture;
+  const bool places = env.ui().tool == app::ToolKind::Place;  // which works in the solid view
+  const app::Rect& view = places ? env.ui().layout.solid : env.ui().layout.picture;
   if (items.empty() || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
   // On a phone the view's name gives way.

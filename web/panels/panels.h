@@ -28,6 +28,7 @@ void draw(const PanelEnv& env);
 // Its pieces.
 void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
 void drawSolidOverlay(const PanelEnv& env);    ///< the bone with the handles of its depth
+void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand
 void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told
 void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, splitter
 void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
@@ -43,6 +44,7 @@ void sectionChooser(const PanelEnv& env, float width);
 void stopBar(const PanelEnv& env, float width);     ///< slices along the selected part's bone
 void alongPanel(const PanelEnv& env, float width);  ///< twist, depth, lean, front along the bone
 void capChooser(const PanelEnv& env, float width);
+void placePanel(const PanelEnv& env, float width);  ///< where the selected part stands, in numbers
 void lookPanel(const PanelEnv& env, float width);
 
 }  // namespace spineloft::panels

@@ -1,25 +1,65 @@
-// The parts, in the order they were drawn.
+// The parts in their order: chosen, taken in hand together, dragged to other places.
 #include <imgui.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "web/app/placing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
 namespace spineloft::panels {
 namespace {
 
+constexpr float kIndent = 14;        // of the parts of a group, CSS pixels
+constexpr float kLongPress = 0.45f;  // seconds
+constexpr float kDragSlop = 6;       // CSS pixels
+
+/// Where a row of the list is, and what stands in it.
+struct Place {
+  app::ListRow row;
+  std::vector<PartId> parts;
+  float top = 0, bottom = 0;
+};
+
+/// The drawing at the left of a row is what it is dragged by. `parts` go along.
+void grip(const PanelEnv& env, const Place& place, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("grip", {width, place.bottom - place.top});
+  if (ImGui::IsItemActivated()) env.ui().listDrag = place.row;
+  if (!ImGui::IsItemHovered() || env.ui().touch) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float x = at.x + 3, y = (place.top + place.bottom) / 2;
+  for (const float dy : {-5.f, 0.f, 5.f}) list.AddCircleFilled({x, y + dy}, 1.4f, kMuted, 8);
+}
+
+bool draggedFar() { return ImGui::GetIO().MouseDragMaxDistanceSqr[0] >= kDragSlop * kDragSlop; }
+
+/// Shift, or a finger that stays, takes one more part in hand.
+bool takesMore(const PanelEnv& env) {
+  const bool stayed = env.ui().touch && ImGui::GetIO().MouseDownDurationPrev[0] >= kLongPress;
+  return stayed || ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+}
+
 void row(const PanelEnv& env, const document::Part& part, float width) {
   const bool selected = part.id == env.ui().selection;
+  const bool inHand = app::isSelected(env.document(), env.ui(), part.id);
   const bool elsewhere = document::pictureOf(part) != env.ui().picture;
   const float height = buttonSide(env);
   const float buttons = height + (selected ? height : 0);
+  const float grips = 30;
   ImGui::PushID(static_cast<int>(part.id.value));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool pressed = ImGui::InvisibleButton("row", {width - buttons, height});
-  if (selected || ImGui::IsItemHovered()) {
-    list.AddRectFilled(at, {at.x + width, at.y + height}, selected ? kAccentSoft : kHover, 8);
+  if (inHand) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
+  grip(env, {{part.id, {}}, {part.id}, at.y, at.y + height}, grips);
+  ImGui::SameLine(0, 0);
+  const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height});
+  if (!inHand && ImGui::IsItemHovered()) {
+    list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }
   const auto& c = part.look.colour;
   const ImVec2 dot{at.x + 15, at.y + height / 2};
@@ -31,7 +71,7 @@ void row(const PanelEnv& env, const document::Part& part, float width) {
   list.AddText({at.x + 30, at.y + (height - textHeight) / 2},
                !part.visible ? rgb(0x5c6474, 150)
                : elsewhere   ? kMuted
-               : selected    ? kAccent
+               : inHand      ? kAccent
                              : kInk,
                part.name.c_str());
   list.PopClipRect();
@@ -40,7 +80,9 @@ void row(const PanelEnv& env, const document::Part& part, float width) {
     if (picture != nullptr) tooltip("On " + picture->name);
   }
   if (pressed) {
-    if (selected && ImGui::IsMouseDoubleClicked(0)) {
+    if (takesMore(env)) {
+      env.sink.run("select-part", app::Json::Object{{"id", part.id.value}, {"add", true}});
+    } else if (selected && ImGui::IsMouseDoubleClicked(0)) {
       env.sink.run("rename-part", app::Json::Object{{"part", part.id.value}});
     } else {
       env.sink.run("select-part", app::Json::Object{{"id", part.id.value}});
@@ -60,6 +102,68 @@ void row(const PanelEnv& env, const document::Part& part, float width) {
   ImGui::PopID();
 }
 
+/// The name of a group above its parts: a press takes them all in hand.
+void groupRow(const PanelEnv& env, const document::Group& group, const Place& place, float width) {
+  const float height = place.bottom - place.top;
+  ImGui::PushID(static_cast<int>(group.id.value));
+  ImGui::PushID("group");
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  grip(env, place, 24);
+  ImGui::SameLine(0, 0);
+  const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
+  const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;
+  list.PushClipRect(at, {at.x + width - height, at.y + height}, true);
+  list.AddText(env.fonts.icons, size * 1.1f, {at.x + 8, at.y + (height - size * 1.1f) / 2}, kMuted,
+               iconText("group"));
+  list.AddText(env.fonts.bold, size, {at.x + 30, at.y + (height - size) / 2}, kInk,
+               group.name.c_str());
+  list.PopClipRect();
+  if (pressed && ImGui::IsMouseDoubleClicked(0)) {
+    env.sink.run("rename-group", app::Json::Object{{"group", group.id.value}});
+  } else if (pressed) {
+    env.sink.run("select-part", app::Json::Object{{"id", place.parts.front().value}});
+  }
+  ImGui::SameLine(0, 0);
+  if (iconButton(env, {"ungroup", "ungroup", "Each part by itself again", false, true, height})) {
+    env.sink.run("ungroup", app::Json::Object{{"part", place.parts.front().value}});
+  }
+  ImGui::PopID();
+  ImGui::PopID();
+}
+
+/// A row that is dragged: a line where it would go, and the move when it is let go.
+void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width) {
+  const std::optional<app::ListRow> dragged = env.ui().listDrag;
+  if (!dragged) return;
+  const bool moved = draggedFar();
+  const auto own = std::ranges::find(places, *dragged, &Place::row);
+  const float y = ImGui::GetIO().MousePos.y;
+  const auto next = std::ranges::find_if(
+      places, [&](const Place& place) { return y < (place.top + place.bottom) / 2; });
+  if (moved && own != places.end()) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float line = next == places.end() ? places.back().bottom : next->top - 1;
+    const float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMin().x;
+    list.AddRectFilled({x, line - 1.5f}, {x + width, line + 1.5f}, kAccent, 1.5f);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  if (ImGui::IsMouseDown(0)) return;
+  env.ui().listDrag.reset();
+  if (!draggedFar()) {
+    env.sink.run("select-part",
+                 app::Json::Object{{"id", dragged->part.value}, {"add", takesMore(env)}});
+    return;
+  }
+  if (own == places.end()) return;
+  const PartId before = next == places.end() ? PartId{} : next->parts.front();
+  if (std::ranges::count(own->parts, before) > 0) return;
+  app::Json::Array ids;
+  for (const PartId id : own->parts) ids.push_back(id.value);
+  env.sink.run("move-in-list", app::Json::Object{{"parts", std::move(ids)}, {"before", before.value}});
+}
+
 }  // namespace
 
 void partList(const PanelEnv& env) {
@@ -73,8 +177,28 @@ void partList(const PanelEnv& env) {
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6, 2});
-  for (const document::Part& part : parts) row(env, part, width);
+  std::vector<Place> places;
+  GroupId above;
+  for (const document::Part& part : parts) {
+    const document::Group* group = document::findGroup(env.document(), part.group);
+    const float height = buttonSide(env);
+    if (group != nullptr && part.group != above) {
+      const float y = ImGui::GetCursorScreenPos().y;
+      std::vector<PartId> members = document::partsOfGroup(env.document(), group->id);
+      const app::ListRow header{members.front(), group->id};
+      places.push_back({header, std::move(members), y, y + height});
+      groupRow(env, *group, places.back(), width);
+    }
+    above = part.group;
+    const float indent = group != nullptr ? kIndent : 0;
+    if (indent > 0) ImGui::Indent(indent);
+    const float y = ImGui::GetCursorScreenPos().y;
+    places.push_back({{part.id, {}}, {part.id}, y, y + height});
+    row(env, part, width - indent);
+    if (indent > 0) ImGui::Unindent(indent);
+  }
   ImGui::PopStyleVar();
+  dragRows(env, places, width);
 }
 
 }  // namespace spineloft::panels

@@ -17,7 +17,7 @@ struct Tab {
 constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"},
                               Tab{app::PanelTab::Slice, "Slice"},
                               Tab{app::PanelTab::Along, "Twist"}, Tab{app::PanelTab::Ends, "Ends"},
-                              Tab{app::PanelTab::Look, "Look"}};
+                              Tab{app::PanelTab::Look, "Look"}, Tab{app::PanelTab::Place, "Place"}};
 
 /// A heading that opens and folds what is below it. True while it is open.
 bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
@@ -55,6 +55,7 @@ void column(const PanelEnv& env) {
   if (section(env, app::PanelTab::Along, "Twist and depth")) alongPanel(env, width);
   if (section(env, app::PanelTab::Ends, "Ends")) capChooser(env, width);
   if (section(env, app::PanelTab::Look, "Look")) lookPanel(env, width);
+  if (env.selected() && section(env, app::PanelTab::Place, "Place")) placePanel(env, width);
   ImGui::Dummy({0, 8});
 }
 
@@ -106,11 +107,14 @@ void strip(const PanelEnv& env, const app::Rect& at) {
     case app::PanelTab::Ends:
       capChooser(env, width);
       break;
+    case app::PanelTab::Place:
+      placePanel(env, width);
+      break;
     case app::PanelTab::Look:
       lookPanel(env, width);
       break;
   }
-  dragScroll();
+  if (!env.ui().listDrag) dragScroll();
   ImGui::EndChild();
 }
 
@@ -139,7 +143,7 @@ void drawSidePanel(const PanelEnv& env) {
     strip(env, layout.panel);
   } else {
     column(env);
-    dragScroll();
+    if (!env.ui().listDrag) dragScroll();
   }
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -12,6 +12,8 @@ ImU32 toolColour(app::ToolKind tool) {
       return kSpine;
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);
+    case app::ToolKind::Place:
+      return rgb(0x5b3fb5);
     default:
       return kAccent;
   }

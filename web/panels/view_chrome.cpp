@@ -194,9 +194,10 @@ void drawViewChrome(const PanelEnv& env) {
   splitter(layout);
   const bool onPicture = env.ui().focus == app::Focus::Picture;
   const app::ToolKind tool = env.ui().tool;
-  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand;
+  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand ||
+                     tool == app::ToolKind::Place;
   if (plain || !layout.stacked) chip(env, layout.picture, "Picture", onPicture);
-  chip(env, layout.solid, "Solid", !onPicture);
+  if (tool != app::ToolKind::Place || !layout.stacked) chip(env, layout.solid, "Solid", !onPicture);
   legend(env, layout.picture);
   hints(env);
   // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
@@ -207,8 +208,8 @@ void drawViewChrome(const PanelEnv& env) {
   constexpr std::string_view kPartOnPaper[] = {"hand", "ribs", "shape", "bone", "ignore-edges", "fit"};
   constexpr std::string_view kPictureAll[] = {"draw", "hand",         "ribs",     "shape",
                                               "bone", "ignore-edges", "zoom-out", "zoom-in", "fit"};
-  constexpr std::string_view kSolidFew[] = {"home-view"};
-  constexpr std::string_view kSolidAll[] = {"zoom-out", "zoom-in", "home-view"};
+  constexpr std::string_view kSolidFew[] = {"move", "home-view"};
+  constexpr std::string_view kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const std::string_view>;
   const bool few =
       layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
@@ -266,6 +267,7 @@ void draw(const PanelEnv& env) {
   drawPictureStrip(env);
   drawSliceOverlay(env);
   drawSolidOverlay(env);
+  drawPlaceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);
   drawEditBar(env);

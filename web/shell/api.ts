@@ -62,6 +62,20 @@ export interface AlongCurves {
   bulge: [number, number][];
 }
 
+/** Where a part stands: p ↦ pivot + move + turn(scale · (p − pivot)), x mirrored first when `mirrored`. A picture's longer side is 1. */
+export interface Placement {
+  pivot: [number, number, number];
+  move: [number, number, number];
+  /** Unit quaternion, w first. */
+  turn: [number, number, number, number];
+  scale: number;
+  mirrored: boolean;
+  /** `move` in millimetres: right, up, to the front. */
+  mm: [number, number, number];
+  /** `turn` in degrees: tipped over, turned round, leaning. */
+  degrees: [number, number, number];
+}
+
 export interface Part {
   id: number;
   name: string;
@@ -89,6 +103,11 @@ export interface Part {
   colour: string;
   /** Id of the picture that it was drawn on. */
   picture: number;
+  placement: Placement;
+  /** Plane of live symmetry: a point and a unit normal; null: it shows once. */
+  mirror: [number, number, number, number, number, number] | null;
+  /** Id of its group. */
+  group: number | null;
   /** True while its shape waits for the edges of its picture. */
   waiting: boolean;
   /** Name of the error that left it without a shape. */
@@ -127,9 +146,16 @@ export interface State {
   /** What pen and eraser are set to, and how many points the stroke in hand has. */
   pen: { size: PenSize; eraser: PenSize; colour: string; points: number | null };
   parts: Part[];
+  /** Ids of all parts in hand: the selected ones with the rest of their groups. */
+  selected: number[];
+  groups: { id: number; name: string }[];
+  /** A dragged part settles on the surface under the pointer. */
+  snap: boolean;
+  /** The handles for placing, CSS pixels of the canvas: 'x', 'y', 'z', 'turn-x', 'turn-y', 'turn-z', 'plane', 'depth', 'scale'. */
+  gizmo: { at: [number, number]; held: boolean; knobs: { handle: string; at: [number, number] }[] } | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move' */
   tool: string;
   /** Steps that undo and redo could go. */
   undo: number;

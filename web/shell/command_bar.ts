@@ -15,7 +15,7 @@ const kOnlyWhenPossible = new Set(['pen', 'eraser']);
 /** What moves into the More menu first when the bar is too narrow. */
 const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture', 'eraser', 'pen'];
 const kGroupTitles: Record<string, string> = {
-  file: 'File', picture: 'Picture', draw: 'Draw', tool: 'Tools', edit: 'Edit', history: 'Edit', part: 'Part', ribs: 'Ribs', bone: 'Bone', slice: 'Slice',
+  file: 'File', picture: 'Picture', draw: 'Draw', tool: 'Tools', edit: 'Edit', history: 'Edit', part: 'Part', ribs: 'Ribs', bone: 'Bone', slice: 'Slice', place: 'Places',
   section: 'Slice', board: 'Drawing a slice', caps: 'Ends', look: 'Look', view: 'View', model: 'Model', help: 'Help',
 };
 

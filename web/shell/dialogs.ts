@@ -71,6 +71,7 @@ const kSheetGroups = [
   { title: 'Tools', groups: ['tool', 'draw'] },
   { title: 'Ribs', groups: ['ribs'] },
   { title: 'Bone', groups: ['bone'] },
+  { title: 'Places', groups: ['place'] },
   { title: 'Part and slice', groups: ['part', 'slice', 'board', 'section', 'caps', 'look'] },
   { title: 'Edit', groups: ['edit', 'history'] },
   { title: 'File', groups: ['file', 'picture', 'model'] },
@@ -84,7 +85,8 @@ export function showShortcutSheet(commands: Command[]): void {
   const kbd = (shortcut: string) => {
     const span = make('span', {});
     const keys = shortcut.split(', ');
-    const shown = keys.length > 4 && keys.every((key) => key.includes('Arrow')) ? ['Arrows', 'Shift+Arrows'] : keys;
+    const arrows = keys.filter((key) => key.includes('Arrow'));
+    const shown = arrows.length > 4 ? ['Arrows', 'Shift+Arrows', ...keys.filter((key) => !arrows.includes(key))] : keys;
     for (const key of shown) span.append(make('kbd', {}, shortcutText(key)), ' ');
     return span;
   };

@@ -8,6 +8,7 @@ import {
   FlipVertical2, Square, MousePointer2, Waypoints, History, Bookmark, BookmarkPlus, Tornado,
   ChartSpline, ChartLine, MoveHorizontal, Flower, Diamond,
   Copy, EllipsisVertical, FilePlus, FolderOpen, LayoutGrid, Save, SaveAll, TriangleAlert,
+  ArrowDownToLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -29,6 +30,8 @@ const kIcons: Record<string, string> = {
   'move-horizontal': MoveHorizontal, flower: Flower, diamond: Diamond,
   copy: Copy, 'ellipsis-vertical': EllipsisVertical, 'file-plus': FilePlus, 'folder-open': FolderOpen, 'layout-grid': LayoutGrid, save: Save,
   'save-all': SaveAll, 'triangle-alert': TriangleAlert,
+  'arrow-down-to-line': ArrowDownToLine, 'chevron-up': ChevronUp, group: Group, magnet: Magnet, 'scan-face': ScanFace,
+  'square-stack': SquareStack, ungroup: Ungroup,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

@@ -9,7 +9,10 @@ image::Size shownPicture(const ToolEnv& env) {
   return entry ? entry->size : image::Size{};
 }
 
-void PanPicture::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
+void PanPicture::begin(const ToolEnv&, const ToolEvent& event) {
+  watch_.begin(event);
+  adds_ = (event.modifiers & platform::kShift) != 0;
+}
 
 void PanPicture::move(const ToolEnv& env, const ToolEvent& event) {
   const app::ClientPoint by = watch_.move(event);
@@ -21,7 +24,7 @@ void PanPicture::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
   const PicturePoint p = env.ui.pictureView.toPicture(watch_.start(), env.ui.layout.picture);
   const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
-  env.sink.run("select-part", app::Json::Object{{"id", part.value}});
+  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", adds_}});
 }
 
 }  // namespace spineloft::tools

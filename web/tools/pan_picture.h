@@ -14,6 +14,7 @@ class PanPicture final : public Tool {
 
  private:
   DragWatch watch_;
+  bool adds_ = false;  ///< a click takes one more part in hand
 };
 
 /// Size of the shown picture; 0 × 0 without one.

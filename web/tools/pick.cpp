@@ -6,6 +6,7 @@
 #include "web/app/outline.h"
 #include "web/app/picker.h"
 #include "web/app/placing.h"
+#include "web/tools/place_tool.h"
 
 namespace spineloft::tools {
 namespace {
@@ -139,6 +140,9 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
       hover.depth = static_cast<int>(i);
     }
   }
+  if (const std::optional<app::Gizmo> gizmo = shownGizmo(env)) {
+    hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
+  }
   const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
   hover.part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   return hover;
@@ -147,7 +151,11 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
 const char* cursorFor(const app::UiState& ui, app::Focus view) {
   using app::ToolKind;
   const app::Hover& hover = ui.hover;
-  if (view == app::Focus::Solid) return hover.depth >= 0 ? "ns-resize" : "grab";
+  if (view == app::Focus::Solid) {
+    const bool body = ui.tool == ToolKind::Place && hover.part;
+    if (hover.depth >= 0) return "ns-resize";
+    return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";
+  }
   switch (ui.tool) {
     case ToolKind::Hand:
       return "grab";

@@ -31,6 +31,8 @@ struct ToolEnv {
 /// A press that moves less than this is a click, in CSS pixels.
 inline constexpr double kMouseSlop = 4, kTouchSlop = 9;
 
+struct FingerPair;  // pinch.h
+
 /// begin, any number of moves, then commit or cancel: one gesture.
 class Tool {
  public:
@@ -39,6 +41,9 @@ class Tool {
   virtual void move(const ToolEnv& env, const ToolEvent& event) = 0;
   virtual void commit(const ToolEnv& env) = 0;
   virtual void cancel(const ToolEnv& env) = 0;
+  /// Whether a second finger joins the gesture instead of ending it; then `followPair` leads it.
+  virtual bool takesPair() const { return false; }
+  virtual void followPair(const ToolEnv&, const FingerPair&, const FingerPair&) {}
 };
 
 /// Tells a click from a drag.

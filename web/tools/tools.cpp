@@ -5,6 +5,7 @@
 #include "web/tools/draw_spine.h"
 #include "web/tools/ignore_tool.h"
 #include "web/tools/pan_picture.h"
+#include "web/tools/place_tool.h"
 #include "web/tools/rib_tool.h"
 #include "web/tools/shape_tool.h"
 #include "web/tools/sketch_pen.h"
@@ -37,7 +38,10 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
 }
 
 std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
-  if (pickInSolid(env, event).depth >= 0) return std::make_unique<DepthTool>();
+  const app::Hover under = pickInSolid(env, event);
+  if (under.depth >= 0) return std::make_unique<DepthTool>();
+  const bool held = under.gizmo != app::GizmoHandle::None || under.part;
+  if (env.ui.tool == app::ToolKind::Place && held) return std::make_unique<PlaceTool>();
   return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
 }
 

@@ -2,7 +2,10 @@
 
 namespace spineloft::tools {
 
-void TurnSolid::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
+void TurnSolid::begin(const ToolEnv&, const ToolEvent& event) {
+  watch_.begin(event);
+  adds_ = (event.modifiers & platform::kShift) != 0;
+}
 
 void TurnSolid::move(const ToolEnv& env, const ToolEvent& event) {
   const app::ClientPoint by = watch_.move(event);
@@ -21,7 +24,7 @@ void TurnSolid::commit(const ToolEnv& env) {
   const app::Ray ray{env.ui.camera.eye(),
                      app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
   const PartId part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
-  env.sink.run("select-part", app::Json::Object{{"id", part.value}});
+  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", adds_}});
 }
 
 }  // namespace spineloft::tools

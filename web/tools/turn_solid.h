@@ -17,6 +17,7 @@ class TurnSolid final : public Tool {
  private:
   Mode mode_;
   DragWatch watch_;
+  bool adds_ = false;  ///< a click takes one more part in hand
 };
 
 }  // namespace spineloft::tools

@@ -1,0 +1,119 @@
+// The gizmo of the parts in hand: arrows, rings, and knobs for depth and size.
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "web/app/gizmo.h"
+#include "web/app/placing.h"
+#include "web/panels/panels.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr std::array<ImU32, 3> kAxisColour = {rgb(0xd0412f), rgb(0x2f9a4b), rgb(0x2b62d9)};
+
+ImVec2 vec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+bool isMove(app::GizmoHandle handle) {
+  return handle == app::GizmoHandle::MoveX || handle == app::GizmoHandle::MoveY ||
+         handle == app::GizmoHandle::MoveZ;
+}
+
+void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float size) {
+  const float dx = to.x - from.x, dy = to.y - from.y;
+  const float length = std::max(1.f, std::sqrt(dx * dx + dy * dy));
+  const float ux = dx / length, uy = dy / length;
+  const ImVec2 neck{to.x - ux * size * 0.8f, to.y - uy * size * 0.8f};
+  list.AddLine(from, neck, rgb(0xffffff, 200), 6);
+  list.AddLine(from, neck, colour, 3.2f);
+  const ImVec2 tip{to.x + ux * size * 0.7f, to.y + uy * size * 0.7f};
+  const ImVec2 a{neck.x - uy * size * 0.75f, neck.y + ux * size * 0.75f};
+  const ImVec2 b{neck.x + uy * size * 0.75f, neck.y - ux * size * 0.75f};
+  list.AddTriangleFilled(tip, a, b, colour);
+  list.AddTriangle(tip, a, b, rgb(0xffffff, 220), 1.4f);
+}
+
+void ring(ImDrawList& list, const std::vector<app::ClientPoint>& points, ImU32 colour, bool hot) {
+  for (const auto& [ink, width] : {std::pair{rgb(0xffffff, 150), hot ? 6.f : 4.f},
+                                   {colour, hot ? 3.4f : 1.8f}}) {
+    list.PathClear();
+    for (const app::ClientPoint p : points) list.PathLineTo(vec(p));
+    list.PathStroke(ink, ImDrawFlags_Closed, width);
+  }
+}
+
+/// A round knob with a sign drawn in it.
+void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const char* icon, bool hot) {
+  const float radius = (env.ui().touch ? 16.f : 11.f) + (hot ? 2.f : 0.f);
+  list.AddCircleFilled(at, radius + 1.5f, rgb(0xffffff, 235), 32);
+  list.AddCircleFilled(at, radius, hot ? colour : kSurface, 32);
+  list.AddCircle(at, radius, colour, 32, 2);
+  ImFont* font = env.fonts.icons;
+  const float size = radius * 1.3f;
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, icon);
+  list.AddText(font, size, {at.x - extent.x / 2, at.y - extent.y / 2}, hot ? kSurface : colour, icon);
+}
+
+/// What the handle under the pointer does, beside the gizmo.
+void words(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo, app::GizmoHandle handle) {
+  const char* text = app::handleWords(handle);
+  if (*text == 0) return;
+  ImFont* font = env.fonts.small;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+  const app::Rect& view = env.ui().layout.solid;
+  const float x = std::clamp(static_cast<float>(gizmo.at.x) - extent.x / 2,
+                             static_cast<float>(view.x) + 12,
+                             static_cast<float>(view.right()) - extent.x - 12);
+  const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.55),
+                             static_cast<float>(view.y) + 8, static_cast<float>(view.bottom()) - 26);
+  list.AddRectFilled({x - 9, y - 4}, {x + extent.x + 9, y + extent.y + 4}, rgb(0x1f2430, 225), 8);
+  list.AddText(font, size, {x, y}, kSurface, text);
+}
+
+}  // namespace
+
+void drawPlaceOverlay(const PanelEnv& env) {
+  app::UiState& ui = env.ui();
+  if (ui.tool != app::ToolKind::Place) return;
+  const std::vector<PartId> parts = app::selectedParts(env.document(), ui);
+  const auto centre = app::centreOf(env.document(), env.derived, ui, parts);
+  const std::optional<app::Gizmo> gizmo = centre ? app::gizmoAt(ui, *centre) : std::nullopt;
+  if (!gizmo) return;
+  const app::Rect& view = ui.layout.solid;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
+                    {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  const bool holding = ui.held != app::GizmoHandle::None;
+  const app::GizmoHandle hot = holding ? ui.held : ui.hover.gizmo;
+  const std::string turnIcon = iconText("rotate-3d"), depthIcon = iconText("move-3d"),
+                    scaleIcon = iconText("scaling"), moveIcon = iconText("move");
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool lit = app::axisOf(hot) == axis && !isMove(hot);
+    if (holding && !lit) continue;
+    ring(list, gizmo->ring(ui.camera, view, axis), kAxisColour[static_cast<std::size_t>(axis)], lit);
+  }
+  for (const app::Gizmo::Knob& one : gizmo->knobs) {
+    const bool lit = one.handle == hot;
+    if (holding && !lit) continue;
+    const int axis = app::axisOf(one.handle);
+    const ImU32 colour = axis >= 0 ? kAxisColour[static_cast<std::size_t>(axis)] : kInk;
+    if (isMove(one.handle)) {
+      arrow(list, vec(gizmo->at), vec(one.at), colour, (ui.touch ? 15.f : 11.f) + (lit ? 3.f : 0.f));
+    } else {
+      const std::string& icon = axis >= 0                                ? turnIcon
+                                : one.handle == app::GizmoHandle::Scale ? scaleIcon
+                                : one.handle == app::GizmoHandle::Depth ? depthIcon
+                                                                        : moveIcon;
+      knob(env, list, vec(one.at), colour, icon.c_str(), lit);
+    }
+  }
+  words(env, list, *gizmo, hot);
+  list.PopClipRect();
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,76 @@
+// Where the selected part stands, in numbers that can be typed.
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+
+#include "web/app/placing.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+struct Field {
+  const char* key;
+  const char* word;
+  const char* unit;
+};
+constexpr std::array kFields = {Field{"x", "Right", "mm"}, Field{"y", "Up", "mm"},
+                                Field{"z", "Front", "mm"}, Field{"tip", "Tip", "\xc2\xb0"},
+                                Field{"turn", "Turn", "\xc2\xb0"}, Field{"lean", "Lean", "\xc2\xb0"}};
+
+/// A word above a number in a box; a press asks for another number.
+void field(const PanelEnv& env, const document::Part& part, const Field& what, float width) {
+  const float height = env.ui().touch ? 48.f : 40.f;
+  ImGui::PushID(what.key);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton("box", {width, height});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool hot = ImGui::IsItemHovered();
+  list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);
+  list.AddRect(at, {at.x + width, at.y + height}, hot ? kMuted : kLine, 8);
+  const double value = app::placeNumber(env.document(), env.derived, part, what.key);
+  char text[40];
+  std::snprintf(text, sizeof text, "%.1f %s", value == 0 ? 0.0 : value, what.unit);
+  ImFont* small = env.fonts.small;
+  const float size = small->FontSize * ImGui::GetIO().FontGlobalScale;
+  list.PushClipRect(at, {at.x + width, at.y + height}, true);
+  list.AddText(small, size * 0.92f, {at.x + 8, at.y + 4}, kMuted, what.word);
+  list.AddText(small, size, {at.x + 8, at.y + height - size - 5}, kInk, text);
+  list.PopClipRect();
+  ImGui::PopID();
+  if (pressed) env.sink.run("ask-place", app::Json::Object{{"field", what.key}});
+}
+
+}  // namespace
+
+void placePanel(const PanelEnv& env, float width) {
+  const document::Part* part = env.selected();
+  if (part == nullptr) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    label(env.fonts.small, kMuted, "Choose a part first.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  const bool strip = env.ui().layout.strip;
+  const int columns = strip && width >= 560 ? 7 : 3;
+  const float gap = 6;
+  const float each = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (std::size_t i = 0; i < kFields.size(); ++i) {
+    if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
+    field(env, *part, kFields[i], each);
+  }
+  if (columns == 7) ImGui::SameLine();
+  field(env, *part, {"size", "Size", "%"}, each);
+  const float side = buttonSide(env);
+  for (const char* id : {"drop-on-floor", "face-front", "duplicate", "mirror-copy", "symmetry"}) {
+    if (columns != 7 || id[0] != 'd' || id[1] != 'r') ImGui::SameLine(0, 2);
+    if (ImGui::GetContentRegionAvail().x < side) ImGui::NewLine();
+    commandButton(env, id, side);
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace spineloft::panels
