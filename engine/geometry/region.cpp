@@ -17,11 +17,11 @@ constexpr std::size_t kLeastSamples = 8;
 
 double yUpArea(std::span<const PicturePoint> contour) { return -signedArea(contour); }
 
-/// Without points on top of the one before; closed.
-std::vector<PicturePoint> tidy(const std::vector<PicturePoint>& contour) {
+/// Without points on top of the one before; what is `closed` not back at its beginning.
+std::vector<PicturePoint> tidy(const std::vector<PicturePoint>& contour, bool closed) {
   if (contour.empty()) return {};
   std::vector<PicturePoint> out = dropRepeats(std::span<const PicturePoint>(contour), kSamePoint);
-  while (out.size() > 1 && distance(out.front(), out.back()) <= kSamePoint) out.pop_back();
+  while (closed && out.size() > 1 && distance(out.front(), out.back()) <= kSamePoint) out.pop_back();
   return out;
 }
 
@@ -148,7 +148,7 @@ PlaneRegion planeRegion(const Contours& contours) {
 Result<Contours> cleanRegion(const Contours& drawn, double ribbon, PictureFrame frame) {
   Contours contours;
   for (const auto& contour : drawn) {
-    std::vector<PicturePoint> clean = tidy(contour);
+    std::vector<PicturePoint> clean = tidy(contour, !(ribbon > 0));
     if (clean.size() >= (ribbon > 0 ? 1u : 3u)) contours.push_back(std::move(clean));
   }
   if (contours.empty()) return Error::RegionEmpty;

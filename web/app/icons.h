@@ -14,6 +14,9 @@ struct Icon {
 };
 
 inline constexpr std::array kIcons = {
+    Icon{"cloud", 57480},
+    Icon{"puzzle", 58012},
+    Icon{"lasso", 57806},
     Icon{"pencil", 57849},
     Icon{"hand", 57815},
     Icon{"plus", 57661},

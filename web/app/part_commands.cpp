@@ -140,11 +140,13 @@ Outcome newPart(Env env, const Json&) {
 }
 
 Outcome redrawMode(Env env, const Json& args) {
-  const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr) return noBone(env, args);
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   if (!env.ui.redraw) return {};
-  env.ui.tool = ToolKind::Draw;
+  env.ui.tool = document::puffOf(*part)    ? ToolKind::Puff
+                : document::sheetOf(*part) ? ToolKind::Sheet
+                                           : ToolKind::Draw;
   env.ui.picture = document::pictureOf(*part);
   sendStatus(env.host, "Draw the new line of " + part->name + ".");
   return {};

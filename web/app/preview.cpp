@@ -1,5 +1,7 @@
 #include "web/app/preview.h"
 
+#include <algorithm>
+
 namespace spineloft::app {
 
 Preview& previewPart(UiState& ui, const document::Part& part) {
@@ -19,6 +21,22 @@ Preview& previewNewPart(UiState& ui) {
   preview.loft().loft.endCap = ui.endCap;
   preview.look = ui.look;
   return preview;
+}
+
+document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line,
+                              image::Size size) {
+  constexpr double kOpen = 0.3;     // the gap's share of the way: an open line
+  constexpr double kRibbon = 0.03;  // of the picture's longer side
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+  const double gap = line.empty() ? 0 : distance(line.front(), line.back());
+  document::Region region{picture, {}, 0};
+  if (gap > kOpen * length) {
+    region.ribbon = std::clamp(kRibbon * std::max(size.width, size.height), document::kLeastRibbon,
+                               document::kMostRibbon);
+  }
+  region.contours.push_back(std::move(line));
+  return region;
 }
 
 const Preview* previewOf(const UiState& ui, PartId part) {

@@ -9,6 +9,9 @@ namespace spineloft::app {
 Preview& previewPart(UiState& ui, const document::Part& part);
 /// A preview of the next part, made as the panels say, on the picture in view.
 Preview& previewNewPart(UiState& ui);
+/// The region that a line round a thing, or along one, stands for: closed where its ends are near each
+/// other, else a ribbon of a usual width for a picture of this size.
+document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line, image::Size size);
 /// The preview that stands for this part on the screen, once it has a shape; else null.
 const Preview* previewOf(const UiState& ui, PartId part);
 

@@ -27,13 +27,14 @@ enum class ToolKind : std::uint8_t {
   Shape,   ///< a line that nearby rib ends grow or shrink to
   Bone,    ///< moves, bends and extends the spine; a new stroke reposes
   Ignore,  ///< scribbles over edges that do not count
+  Puff,    ///< a line round a thing: it swells
+  Sheet,   ///< the same: a flat piece
   Pen,     ///< draws on a sketch
   Eraser,  ///< paper again
   Place,   ///< moves, turns and scales parts in the solid view
   kCount
 };
-/// "draw", "hand", "ribs", "shape", "bone", "ignore", "pen", "eraser",
-/// "move".
+/// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move".
 std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
 enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look, Place };
@@ -68,6 +69,12 @@ struct Thumbnail {
   Rect at;
 };
 
+/// A point of the region of a part, as drawn.
+struct OutlinePoint {
+  std::size_t contour = 0, point = 0;
+  bool operator==(const OutlinePoint&) const = default;
+};
+
 /// Handles of the gizmo that places parts, see web/app/gizmo.h.
 enum class GizmoHandle : std::uint8_t {
   None,
@@ -88,6 +95,7 @@ struct Hover {
   int depth = -1;                   ///< a handle of its depth, in the solid view
   int mark = -1;                    ///< a scribble (see marksOf)
   GizmoHandle gizmo = GizmoHandle::None;
+  std::optional<OutlinePoint> outline;  ///< of the selected puff or flat piece
   bool operator==(const Hover&) const = default;
 };
 
@@ -168,6 +176,8 @@ struct UiState {
   loft::SectionShape section;
   loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
   document::Look look;
+  inflate::PuffParams puff;
+  sheet::SheetParams sheet;
 
   std::vector<PartId> alsoSelected;  ///< besides `selection`, each once (see placing.h)
   PlaceOptions place;

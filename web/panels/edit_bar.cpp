@@ -36,7 +36,13 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
   static constexpr Item kPlace[] = {{"snap-to-surface", true}, {"drop-on-floor", true},
                                     {"face-front", true}, {"duplicate", true}, {"mirror-copy"},
                                     {"symmetry", true}, {"group", true}, {"ungroup"}};
+  static constexpr Item kPuff[] = {{"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
+  static constexpr Item kSheet[] = {{"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
   switch (ui.tool) {
+    case app::ToolKind::Puff:
+      return kPuff;
+    case app::ToolKind::Sheet:
+      return kSheet;
     case app::ToolKind::Place:
       return kPlace;
     case app::ToolKind::Ribs:

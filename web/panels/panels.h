@@ -41,6 +41,7 @@ void drawSliceBoard(const PanelEnv& env);      ///< the board on which a slice i
 
 void partList(const PanelEnv& env);
 void sectionChooser(const PanelEnv& env, float width);
+void regionPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a puff or flat piece
 void stopBar(const PanelEnv& env, float width);     ///< slices along the selected part's bone
 void alongPanel(const PanelEnv& env, float width);  ///< twist, depth, lean, front along the bone
 void capChooser(const PanelEnv& env, float width);

@@ -10,6 +10,7 @@
 #include "web/app/editing.h"
 #include "web/app/outline.h"
 #include "web/app/preview.h"
+#include "web/app/region_editing.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -108,8 +109,21 @@ void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& pa
 /// The outlines of a puff or a flat piece; before there is a solid, as they were drawn.
 void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& part,
                 const std::vector<std::vector<PicturePoint>>& contours) {
-  const bool selected = part.id == env.ui().selection, lit = part.id == env.ui().hover.part;
-  for (const auto& contour : contours) outlineStroke(list, env.ui(), contour, selected, lit);
+  const app::UiState& ui = env.ui();
+  const bool selected = part.id == ui.selection, lit = part.id == ui.hover.part;
+  const app::Preview* preview = app::previewOf(ui, part.id);
+  const auto& shown = preview ? preview->shape->contours : contours;
+  for (const auto& contour : shown) outlineStroke(list, ui, contour, selected, lit);
+  const bool drags = ui.tool == app::ToolKind::Puff || ui.tool == app::ToolKind::Sheet;
+  const document::Region* region =
+      document::regionOf(preview ? preview->recipe : part.recipe);
+  if (!selected || !drags || region == nullptr) return;
+  for (const app::OutlinePoint at : app::outlineHandles(*region)) {
+    const bool hot = ui.hover.outline == at;
+    const ImVec2 c = onCanvas(ui, app::pointOf(*region, at));
+    list.AddCircleFilled(c, hot ? 8.f : 6.f, kSurface, 20);
+    list.AddCircleFilled(c, hot ? 6.f : 4.2f, toolColour(ui.tool), 20);
+  }
 }
 
 /// The ends that follow a dragged one, brighter the more they do.

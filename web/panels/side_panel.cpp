@@ -42,6 +42,12 @@ bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
   return open;
 }
 
+/// The selected part when it is a puff or a flat piece, else null.
+const document::Part* selectedRegion(const PanelEnv& env) {
+  const document::Part* part = env.selected();
+  return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
+}
+
 void column(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
@@ -49,11 +55,16 @@ void column(const PanelEnv& env) {
   ImGui::SameLine(width - 24);
   commandButton(env, "new-part", 32);
   partList(env);
-  if (section(env, app::PanelTab::Slice, env.selected() ? "Slice" : "Slice of the next part")) {
-    sectionChooser(env, width);
+  if (const document::Part* region = selectedRegion(env)) {
+    const char* title = document::puffOf(*region) ? "Puff" : "Flat piece";
+    if (section(env, app::PanelTab::Slice, title)) regionPanel(env, *region, width);
+  } else {
+    if (section(env, app::PanelTab::Slice, env.selected() ? "Slice" : "Slice of the next part")) {
+      sectionChooser(env, width);
+    }
+    if (section(env, app::PanelTab::Along, "Twist and depth")) alongPanel(env, width);
+    if (section(env, app::PanelTab::Ends, "Ends")) capChooser(env, width);
   }
-  if (section(env, app::PanelTab::Along, "Twist and depth")) alongPanel(env, width);
-  if (section(env, app::PanelTab::Ends, "Ends")) capChooser(env, width);
   if (section(env, app::PanelTab::Look, "Look")) lookPanel(env, width);
   if (env.selected() && section(env, app::PanelTab::Place, "Place")) placePanel(env, width);
   ImGui::Dummy({0, 8});
@@ -86,6 +97,10 @@ void tabs(const PanelEnv& env, float width) {
   ImGui::PopStyleVar();
 }
 
+void noBone(const PanelEnv& env) {
+  label(env.fonts.small, kMuted, "This part has no bone: its numbers are under Slice.");
+}
+
 void strip(const PanelEnv& env, const app::Rect& at) {
   const float width = static_cast<float>(at.width) - 20;
   ImGui::SetCursorPos({10, 0});
@@ -94,18 +109,19 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   ImGui::EndGroup();
   ImGui::SetCursorPos({10, env.ui().touch ? 47.f : 43.f});
   ImGui::BeginChild("content", {width, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  const document::Part* region = selectedRegion(env);
   switch (env.ui().tab) {
     case app::PanelTab::Parts:
       partList(env);
       break;
     case app::PanelTab::Slice:
-      sectionChooser(env, width);
+      region ? regionPanel(env, *region, width) : sectionChooser(env, width);
       break;
     case app::PanelTab::Along:
-      alongPanel(env, width);
+      region ? noBone(env) : alongPanel(env, width);
       break;
     case app::PanelTab::Ends:
-      capChooser(env, width);
+      region ? noBone(env) : capChooser(env, width);
       break;
     case app::PanelTab::Place:
       placePanel(env, width);

@@ -10,6 +10,9 @@ ImU32 toolColour(app::ToolKind tool) {
       return rgb(0xb01f72);
     case app::ToolKind::Bone:
       return kSpine;
+    case app::ToolKind::Puff:
+    case app::ToolKind::Sheet:
+      return rgb(0x8a4bc9);
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);
     case app::ToolKind::Place:

@@ -201,13 +201,13 @@ void drawViewChrome(const PanelEnv& env) {
   legend(env, layout.picture);
   hints(env);
   // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
-  constexpr std::string_view kFirst[] = {"draw", "hand", "fit"};
-  constexpr std::string_view kPictureFew[] = {"draw",  "hand", "ribs",        "shape",
-                                              "bone", "ignore-edges", "fit"};
-  constexpr std::string_view kOnPaper[] = {"hand", "fit"};  // beside the card of the pen
-  constexpr std::string_view kPartOnPaper[] = {"hand", "ribs", "shape", "bone", "ignore-edges", "fit"};
-  constexpr std::string_view kPictureAll[] = {"draw", "hand",         "ribs",     "shape",
-                                              "bone", "ignore-edges", "zoom-out", "zoom-in", "fit"};
+  constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
+  constexpr std::string_view kPictureFew[] = {"draw",  "puff", "sheet", "hand",         "ribs",
+                                              "shape", "bone", "ignore-edges", "fit"};
+  constexpr std::string_view kOnPaper[] = {"puff", "sheet", "hand", "fit"};  // beside the card of the pen
+  constexpr std::string_view kPartOnPaper[] = {"puff", "sheet", "hand", "ribs", "shape", "bone", "ignore-edges", "fit"};
+  constexpr std::string_view kPictureAll[] = {"draw",  "puff", "sheet",        "hand",     "ribs",
+                                              "shape", "bone", "ignore-edges", "zoom-out", "zoom-in", "fit"};
   constexpr std::string_view kSolidFew[] = {"move", "home-view"};
   constexpr std::string_view kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const std::string_view>;

@@ -7,6 +7,7 @@ import {
   Link, Shell, Rotate3d, ScanSearch, Anchor, FlipHorizontal2, ArrowLeftRight, Move, Move3d, Crosshair, Signature, ImageDown,
   FlipVertical2, Square, MousePointer2, Waypoints, History, Bookmark, BookmarkPlus, Tornado,
   ChartSpline, ChartLine, MoveHorizontal, Flower, Diamond,
+  Cloud, Puzzle, Lasso,
   Copy, EllipsisVertical, FilePlus, FolderOpen, LayoutGrid, Save, SaveAll, TriangleAlert,
   ArrowDownToLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup,
 } from 'lucide-static';
@@ -28,6 +29,7 @@ const kIcons: Record<string, string> = {
   waypoints: Waypoints, history: History, bookmark: Bookmark,
   'bookmark-plus': BookmarkPlus, tornado: Tornado, 'chart-spline': ChartSpline, 'chart-line': ChartLine,
   'move-horizontal': MoveHorizontal, flower: Flower, diamond: Diamond,
+  cloud: Cloud, puzzle: Puzzle, lasso: Lasso,
   copy: Copy, 'ellipsis-vertical': EllipsisVertical, 'file-plus': FilePlus, 'folder-open': FolderOpen, 'layout-grid': LayoutGrid, save: Save,
   'save-all': SaveAll, 'triangle-alert': TriangleAlert,
   'arrow-down-to-line': ArrowDownToLine, 'chevron-up': ChevronUp, group: Group, magnet: Magnet, 'scan-face': ScanFace,

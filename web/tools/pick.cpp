@@ -6,6 +6,7 @@
 #include "web/app/outline.h"
 #include "web/app/picker.h"
 #include "web/app/placing.h"
+#include "web/app/region_editing.h"
 #include "web/tools/place_tool.h"
 
 namespace spineloft::tools {
@@ -113,6 +114,12 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = editedPart(env);
   if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
+  } else if (ui.tool == ToolKind::Puff || ui.tool == ToolKind::Sheet) {
+    const document::Part* part = document::findPart(env.document, ui.selection);
+    const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
+    if (region != nullptr && region->picture == ui.picture) {
+      hover.outline = app::handleAt(*region, p, reach);
+    }
   } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
     pickRib(subject, ui, p, reach, hover);
   } else if (subject && ui.tool == ToolKind::Bone) {
@@ -166,6 +173,9 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     case ToolKind::Bone:
       if (hover.handle >= 0) return "grab";
       return hover.bone ? "move" : "crosshair";
+    case ToolKind::Puff:
+    case ToolKind::Sheet:
+      return hover.outline ? "grab" : "crosshair";
     case ToolKind::Ignore:
       return hover.mark >= 0 ? "pointer" : "cell";
     default:

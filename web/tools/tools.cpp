@@ -6,6 +6,7 @@
 #include "web/tools/ignore_tool.h"
 #include "web/tools/pan_picture.h"
 #include "web/tools/place_tool.h"
+#include "web/tools/region_tool.h"
 #include "web/tools/rib_tool.h"
 #include "web/tools/shape_tool.h"
 #include "web/tools/sketch_pen.h"
@@ -26,6 +27,9 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
       return std::make_unique<BoneTool>();
     case ToolKind::Ignore:
       return std::make_unique<IgnoreTool>();
+    case ToolKind::Puff:
+    case ToolKind::Sheet:
+      return std::make_unique<RegionTool>();
     case ToolKind::Pen:
     case ToolKind::Eraser:
       return std::make_unique<SketchPen>(kind == ToolKind::Eraser);

@@ -1,0 +1,151 @@
+#include "engine/inflate/puff.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "tests/support/mesh_laws.h"
+#include "tests/support/outlines.h"
+
+using namespace spineloft;
+using namespace spineloft::inflate;
+using namespace spineloft::testing;
+
+namespace {
+
+constexpr image::Size kSize{500, 400};
+
+mesh::TriMesh puffed(const geometry::Contours& drawn, const PuffParams& params = {},
+                     double ribbon = 0) {
+  const auto clean = geometry::cleanRegion(drawn, ribbon, {500, 400});
+  REQUIRE(clean.ok());
+  Result<mesh::TriMesh> solid = puff(clean.value(), kSize, params);
+  REQUIRE(solid.ok());
+  requireLawful(solid.value());
+  return std::move(solid).value();
+}
+
+double highest(const mesh::TriMesh& mesh) {
+  float high = 0;
+  for (const auto& p : mesh.positions) high = std::max(high, p[2]);
+  return static_cast<double>(high);
+}
+
+/// The smallest angle of all triangles, degrees.
+double worstAngle(const mesh::TriMesh& mesh) {
+  double worst = 180;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto at = [&](std::size_t k) {
+        const auto& p = mesh.positions[t[(c + k) % 3]];
+        return ModelPoint{p[0], p[1], p[2]};
+      };
+      const ModelPoint a = at(1) - at(0), b = at(2) - at(0);
+      worst = std::min(worst, std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi);
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("a circle becomes a ball to 1 % in height, volume and area, better with more points") {
+  const double r = 150, ball = 4 * std::numbers::pi / 3 * r * r * r;
+  double before = 1;
+  for (const int points : {500, 2000, 4000}) {
+    const mesh::TriMesh mesh = puffed({ellipse({200, 200}, r, r, 600)}, {1, PuffSides::Both, points});
+    const mesh::MeshReport report = mesh::inspect(mesh);
+    const double off = std::abs(report.volume / ball - 1);
+    CHECK(off < before);
+    before = off;
+    if (points < 2000) continue;
+    CHECK(off < 0.01);
+    CHECK(highest(mesh) == doctest::Approx(r).epsilon(0.01));
+    CHECK(report.area == doctest::Approx(4 * std::numbers::pi * r * r).epsilon(0.01));
+    CHECK(mesh.positions.size() < 1.3 * points);
+    CHECK(worstAngle(mesh) > 20);
+  }
+}
+
+TEST_CASE("an ellipse becomes an ellipsoid") {
+  // −Δu = 4 has u = 2 a² b² / (a² + b²) · (1 − x²/a² − y²/b²), so that √u is an ellipsoid.
+  const double a = 180, b = 70;
+  const mesh::TriMesh mesh = puffed({ellipse({240, 200}, a, b, 500)});
+  const double c = a * b * std::sqrt(2 / (a * a + b * b));
+  CHECK(highest(mesh) == doctest::Approx(c).epsilon(0.01));
+  CHECK(mesh::inspect(mesh).volume ==
+        doctest::Approx(4 * std::numbers::pi / 3 * a * b * c).epsilon(0.01));
+  for (const auto& p : mesh.positions) {
+    const double x = (static_cast<double>(p[0]) - 240) / a, y = (static_cast<double>(p[1]) + 200) / b;
+    const double z = static_cast<double>(p[2]) / c;
+    CHECK(x * x + y * y + z * z == doctest::Approx(1).epsilon(0.03));
+  }
+}
+
+TEST_CASE("sampling the same outline differently changes the solid by less than 1 %") {
+  Rng rng(3);
+  for (int round = 0; round < 4; ++round) {
+    const std::uint64_t seed = 100 + static_cast<std::uint64_t>(round);
+    Rng once(seed), again(seed);
+    const mesh::TriMesh dense = puffed({blob(once, {250, 200}, 110, 900)});
+    const mesh::TriMesh sparse = puffed({blob(again, {250, 200}, 110, 131)});
+    CHECK(mesh::inspect(dense).volume ==
+          doctest::Approx(mesh::inspect(sparse).volume).epsilon(0.01));
+    CHECK(highest(dense) == doctest::Approx(highest(sparse)).epsilon(0.01));
+    CHECK(worstAngle(dense) > 5);
+  }
+}
+
+TEST_CASE("one-sided puffs are half of the whole one, flat in the picture's plane") {
+  const geometry::Contours drawn{ellipse({200, 200}, 120, 90, 300)};
+  const double whole = mesh::inspect(puffed(drawn)).volume;
+  for (const PuffSides sides : {PuffSides::Front, PuffSides::Back}) {
+    const mesh::TriMesh mesh = puffed(drawn, {1, sides, 2000});
+    CHECK(mesh::inspect(mesh).volume == doctest::Approx(whole / 2).epsilon(1e-3));
+    for (const auto& p : mesh.positions) CHECK((sides == PuffSides::Front ? p[2] >= 0 : p[2] <= 0));
+  }
+}
+
+TEST_CASE("the height scales what stands out of the picture, the size everything") {
+  Rng rng(8), same(8);
+  const Outline small = blob(rng, {120, 120}, 50, 200);
+  Outline large = blob(same, {0, 0}, 50, 200);
+  for (PicturePoint& p : large) p = p * 2 + PicturePoint{200, 200};
+  const double volume = mesh::inspect(puffed({small})).volume;
+  CHECK(mesh::inspect(puffed({small}, {0.5, PuffSides::Both, 2000})).volume ==
+        doctest::Approx(volume / 2).epsilon(0.01));
+  CHECK(mesh::inspect(puffed({small}, {2, PuffSides::Both, 2000})).volume ==
+        doctest::Approx(volume * 2).epsilon(0.01));
+  CHECK(mesh::inspect(puffed({large})).volume == doctest::Approx(volume * 8).epsilon(0.01));
+}
+
+TEST_CASE("every hole is a handle and every piece a shell") {
+  const geometry::Contours drawn{ellipse({120, 200}, 100, 100, 200), ellipse({90, 200}, 25, 25, 60),
+                                 ellipse({160, 200}, 25, 25, 60), ellipse({380, 200}, 80, 80, 150)};
+  const mesh::MeshReport report = mesh::inspect(puffed(drawn));
+  CHECK(report.genus == 2);
+  CHECK(report.shells == 2);
+  CHECK(mesh::inspect(puffed({{{100, 100}, {300, 100}, {200, 300}, {100, 100}}}, {}, 20)).genus == 1);
+}
+
+TEST_CASE("thin, sharp, tiny, tangled and full-picture regions are lawful too") {
+  puffed({rectangle(20, 100, 480, 103)});
+  puffed({{{20, 200}, {480, 195}, {480, 205}}});
+  puffed({ellipse({100, 100}, 2.5, 2.5, 20)});
+  puffed({rectangle(-50, -50, 900, 900)});
+  puffed({{{50, 50}, {250, 250}, {250, 50}, {50, 250}}});
+  Outline comb;
+  for (int i = 0; i < 20; ++i) {
+    const double x = 40 + 20 * i;
+    comb.insert(comb.end(), {{x, 50}, {x + 3, 50}, {x + 3, 330}, {x + 18, 330}});
+  }
+  comb.insert(comb.end(), {{440, 350}, {40, 350}});
+  puffed({comb});
+  Rng rng(21);
+  for (int round = 0; round < 10; ++round) {
+    Outline scribble;
+    for (int i = 0; i < 8; ++i) scribble.push_back({rng.uniform(20, 480), rng.uniform(20, 380)});
+    puffed({scribble}, {rng.uniform(0.1, 3), PuffSides::Both, 600});
+  }
+}

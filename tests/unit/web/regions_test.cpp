@@ -1,0 +1,168 @@
+// Puffs and flat pieces on the page: drawn, tapped, changed, by hand and by command.
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "tests/unit/web/rig.h"
+
+using namespace spineloft;
+using test::Rig;
+
+namespace {
+
+app::Json lastPart(Rig& rig) { return rig.state().find("parts")->array()->back(); }
+
+/// A loop round the bar, drawn with the pointer.
+void drawLoop(Rig& rig, bool lift = true) {
+  const int steps = 40;
+  for (int i = 0; i <= steps; ++i) {
+    const double a = 2 * std::numbers::pi * i / steps;
+    const auto p = rig.at(100 + 25 * std::cos(a), 100 + 75 * std::sin(a));
+    rig.pointer(i == 0 ? platform::PointerKind::Down : platform::PointerKind::Move, p.x, p.y);
+    rig.lastX = p.x;
+    rig.lastY = p.y;
+  }
+  if (lift) rig.lift();
+  rig.settle();
+}
+
+constexpr std::string_view kSquare = R"({"contours":[[[60,60],[140,60],[140,140],[60,140]]]})";
+
+}  // namespace
+
+TEST_CASE("a line drawn round a thing becomes a puff, or a flat piece with that tool") {
+  Rig rig;
+  rig.openBar();
+  for (const std::string_view tool : {"puff", "sheet"}) {
+    CHECK(rig.run(tool).flag("ok") == true);
+    CHECK(*rig.state().text("tool") == tool);
+    drawLoop(rig);
+    const app::Json part = lastPart(rig);
+    CHECK(*part.text("kind") == tool);
+    CHECK(part.number("outlines") == 1);
+    CHECK(*part.number("triangles") > 300);
+    CHECK(part.find("failure")->isNull());
+    CHECK(rig.state().number("selection") == part.number("id"));
+    rig.run("select-part", R"({"id":null})");  // its points would be dragged
+  }
+  CHECK(rig.parts() == 2);
+  rig.run("undo");
+  CHECK(rig.parts() == 1);
+}
+
+TEST_CASE("the puff grows under the pen, and taking the gesture back leaves nothing") {
+  Rig rig;
+  rig.openBar();
+  rig.run("puff");
+  drawLoop(rig, false);
+  const app::Json state = rig.state();
+  const app::Json* preview = state.find("preview");
+  REQUIRE(!preview->isNull());
+  CHECK(*preview->number("triangles") > 100);
+  rig.key("Escape", "Escape");
+  CHECK(rig.state().find("preview")->isNull());
+  CHECK(rig.parts() == 0);
+  CHECK(rig.state().number("undo") == 1);
+}
+
+TEST_CASE("an open line becomes a ribbon") {
+  Rig rig;
+  rig.openBar();
+  rig.run("sheet");
+  rig.press(40, 40, 160, 150);
+  rig.lift();
+  rig.settle();
+  CHECK(*lastPart(rig).number("ribbon") > 0);
+}
+
+TEST_CASE("a tap cuts the thing out; a tap beside it selects what is there") {
+  Rig rig;
+  rig.openBar();
+  rig.run("puff");
+  auto p = rig.at(100, 60);
+  rig.click(p.x, p.y);
+  REQUIRE(rig.parts() == 1);
+  const app::Json contours = *lastPart(rig).find("contours");
+  REQUIRE(contours.array()->size() == 1);
+  for (const app::Json& point : *contours.array()->front().array()) {
+    const double x = *(*point.array())[0].number(), y = *(*point.array())[1].number();
+    CHECK((x > 76 && x < 124 && y > 26 && y < 174));
+  }
+  rig.run("select-part", R"({"id":null})");
+  p = rig.at(100, 100);
+  rig.click(p.x, p.y);
+  CHECK(rig.parts() == 1);
+  CHECK(rig.state().number("selection") == lastPart(rig).number("id"));
+}
+
+TEST_CASE("a point of the outline is dragged, and the solid follows") {
+  Rig rig;
+  rig.openBar();
+  rig.run("draw-sheet", kSquare);
+  rig.run("sheet");
+  rig.settle();
+  rig.press(60, 60, 40, 30);
+  CHECK(!rig.state().find("preview")->isNull());
+  rig.lift();
+  rig.settle();
+  const app::Json part = lastPart(rig);
+  const app::Json& corner = part.find("contours")->array()->front().array()->front();
+  CHECK(*(*corner.array())[0].number() == doctest::Approx(40).epsilon(0.05));
+  CHECK(*(*corner.array())[1].number() == doctest::Approx(30).epsilon(0.05));
+  CHECK(rig.parts() == 1);
+}
+
+TEST_CASE("commands change a region part, and turn one kind into the other and back") {
+  Rig rig;
+  rig.openBar();
+  rig.run("draw-puff", kSquare);
+  CHECK(*lastPart(rig).text("sides") == "both");
+  rig.run("puff-front");
+  CHECK(*lastPart(rig).text("sides") == "front");
+  const double height = *lastPart(rig).find("parameters")->number("height");
+  rig.run("thicker");
+  CHECK(*lastPart(rig).find("parameters")->number("height") > height);
+  rig.run("make-sheet");
+  CHECK(*lastPart(rig).text("kind") == "sheet");
+  rig.run("edge-bevel");
+  CHECK(*lastPart(rig).text("edge") == "bevel");
+  CHECK(rig.run("set-parameter", R"({"part":1,"key":"thickness","value":0.1})").flag("ok") == true);
+  rig.run("make-puff");
+  CHECK(*lastPart(rig).text("kind") == "puff");
+  CHECK(rig.run("move-outline-point", R"({"point":0,"to":[50,50]})").flag("ok") == true);
+  CHECK(rig.run("redraw-region", R"({"line":[[30,30],[90,30],[90,90],[30,90],[30,31]]})").flag("ok") ==
+        true);
+  CHECK(rig.run("redraw").flag("ok") == true);
+  CHECK(*rig.state().text("tool") == "puff");
+}
+
+TEST_CASE("what is about bones says so on a puff, and what is about regions on a loft") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  CHECK(*rig.run("thicker", R"({"part":1})").text("error") == "NotNow");
+  CHECK(*rig.run("redraw-region", R"({"part":1,"line":[[1,1]]})").text("error") == "NotNow");
+  rig.run("draw-puff", kSquare);
+  for (const std::string_view id : {"reset-ribs", "more-ribs", "coil", "join-ends", "side-view"}) {
+    const app::Json answer = rig.run(id);
+    CHECK_MESSAGE(*answer.text("error") == "NotABone", id);
+  }
+}
+
+TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
+  Rig rig;
+  rig.openBar();
+  const auto errorOf = [&](std::string_view args) { return *rig.run("draw-puff", args).text("error"); };
+  CHECK(errorOf("{}") == "ArgumentMissing");
+  CHECK(errorOf(R"({"contours":[]})") == "RegionEmpty");
+  CHECK(errorOf(R"({"contours":[[[5,5],[6,5],[6,6],[5,6]]]})") == "RegionEmpty");
+  CHECK(errorOf(R"({"contours":[[[900,900],[990,900],[990,990]]]})") == "RegionOutside");
+  CHECK(errorOf(R"({"contours":[[[null,5],[80,5],[80,80]]]})") == "StrokeNotFinite");
+  CHECK(errorOf(R"({"contours":[[[20,20],[80,20],[80,80]]],"height":99})") == "ValueOutOfRange");
+  CHECK(*rig.run("cut-out", "{}").text("error") == "ArgumentMissing");
+  CHECK(*rig.run("cut-out", R"({"at":[900,900]})").text("error") == "ValueOutOfRange");
+  CHECK(rig.parts() == 0);
+  CHECK(rig.run("draw-puff", R"({"contours":[[[-90,-90],[290,-90],[290,290],[-90,290]]]})").flag("ok") ==
+        true);
+  CHECK(rig.host.said("cut off"));
+}

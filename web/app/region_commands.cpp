@@ -1,0 +1,342 @@
+// Commands about puffs and flat pieces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/document/checks.h"
+#include "engine/geometry/region.h"
+#include "engine/io/json_fields.h"
+#include "engine/vision/cut_out.h"
+#include "web/app/command_actions.h"
+#include "web/app/command_args.h"
+#include "web/app/command_groups.h"
+#include "web/app/messages.h"
+#include "web/app/preview.h"
+#include "web/app/region_editing.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
+bool puffTool(Env env) { return env.ui.tool == ToolKind::Puff; }
+bool sheetTool(Env env) { return env.ui.tool == ToolKind::Sheet; }
+
+/// The puff or flat piece that is meant, or null.
+const document::Part* regionPart(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
+}
+bool hasRegion(Env env) { return regionPart(env, {}) != nullptr; }
+
+Outcome noRegion(Env env, const Json& args) {
+  return refuse({partOf(env, args) ? Error::NotARegion : Error::NoSuchPart, {}});
+}
+
+Outcome use(Env env, ToolKind tool, std::string_view hint) {
+  env.ui.tool = tool;
+  env.ui.redraw = {};
+  env.ui.focus = Focus::Picture;
+  sendStatus(env.host, hint);
+  return {};
+}
+Outcome usePuff(Env env, const Json&) {
+  return use(env, ToolKind::Puff, "Draw a line round a thing, or tap it: it swells.");
+}
+Outcome useSheet(Env env, const Json&) {
+  return use(env, ToolKind::Sheet, "Draw a line round a thing, or tap it: it becomes a flat piece.");
+}
+
+/// What the arguments say about a region: `line` as a hand draws it, `contours` as they are, or `lines`
+/// with the pen's `width`. None when they say nothing.
+std::optional<document::Region> regionFrom(Env env, const Json& args, PictureId picture) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
+  if (entry == nullptr) return std::nullopt;
+  if (auto line = strokeOf(args, "line")) return regionOfLine(picture, std::move(*line), entry->size);
+  const Json* list = args.find("contours");
+  const bool open = list == nullptr;
+  if (open) list = args.find("lines");
+  if (list == nullptr || list->array() == nullptr) return std::nullopt;
+  document::Region region{picture, {}, 0};
+  for (const Json& one : *list->array()) {
+    auto contour = strokeOf(Json::Object{{"stroke", one}});
+    if (!contour) return std::nullopt;
+    region.contours.push_back(std::move(*contour));
+  }
+  if (open) {
+    const int side = std::max(entry->size.width, entry->size.height);
+    region.ribbon = args.number("width").value_or(0.03 * side);
+  }
+  return region;
+}
+Outcome missingRegion() {
+  return missing("a line: a list of [x, y] picture pixels round the thing (or contours, or lines)");
+}
+
+/// Says so when a part of what was drawn is cut off.
+void tellCut(Env env, const document::Region& region) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
+  if (entry == nullptr) return;
+  const double room = 1;  // pixels: less is a hand at the edge
+  for (const auto& contour : region.contours) {
+    for (const PicturePoint p : contour) {
+      if (p.x >= -room && p.y >= -room && p.x <= entry->size.width - 1 + room &&
+          p.y <= entry->size.height - 1 + room) {
+        continue;
+      }
+      sendStatus(env.host, "What lies outside the picture is cut off.");
+      return;
+    }
+  }
+}
+
+/// Whether a solid can be made of it at all; so that what cannot be shown is refused before it is kept.
+Status makesSolid(Env env, const document::Region& region) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  if (Status drawn = document::checkRegion(env.studio.document(), region); !drawn) return drawn;
+  const auto clean = geometry::cleanRegion(
+      region.contours, region.ribbon,
+      {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
+  return clean ? Status(Done{}) : Status(clean.failure());
+}
+
+Outcome addRegion(Env env, document::Region region, document::RegionSolid solid) {
+  if (const Status sound = makesSolid(env, region); !sound) return refuse(sound.failure());
+  const document::DrawRegion draw{std::move(region), solid, env.ui.look};
+  if (const Status status = env.studio.act(draw); !status) return refuse(status.failure());
+  tellCut(env, draw.region);
+  env.ui.selection = env.studio.document().parts.back()->id;
+  env.ui.redraw = {};
+  env.ui.framePending = true;
+  return {};
+}
+
+Result<inflate::PuffParams> puffFrom(const Json& args, inflate::PuffParams params) {
+  params.height = args.number("height").value_or(params.height);
+  if (const std::string* sides = args.text("sides")) {
+    if (!io::fromKey(*sides, params.sides)) return {Error::ValueOutOfRange, *sides};
+  }
+  return params;
+}
+Result<sheet::SheetParams> sheetFrom(const Json& args, sheet::SheetParams params) {
+  params.thickness = args.number("thickness").value_or(params.thickness);
+  params.edgeSize = args.number("edgeSize").value_or(params.edgeSize);
+  params.depth = args.number("depth").value_or(params.depth);
+  if (const std::string* edge = args.text("edge")) {
+    if (!io::fromKey(*edge, params.edge)) return {Error::ValueOutOfRange, *edge};
+  }
+  return params;
+}
+
+Outcome drawPuff(Env env, const Json& args) {
+  auto region = regionFrom(env, args, env.ui.picture);
+  if (!region) return missingRegion();
+  const Result<inflate::PuffParams> params = puffFrom(args, env.ui.puff);
+  if (!params) return refuse(params.failure());
+  return addRegion(env, std::move(*region), params.value());
+}
+Outcome drawSheet(Env env, const Json& args) {
+  auto region = regionFrom(env, args, env.ui.picture);
+  if (!region) return missingRegion();
+  const Result<sheet::SheetParams> params = sheetFrom(args, env.ui.sheet);
+  if (!params) return refuse(params.failure());
+  return addRegion(env, std::move(*region), params.value());
+}
+
+Outcome redraw(Env env, PartId part, document::Region region) {
+  if (const Status sound = makesSolid(env, region); !sound) return refuse(sound.failure());
+  tellCut(env, region);
+  const Status status = env.studio.act(document::RedrawRegion{part, std::move(region)});
+  if (!status) return refuse(status.failure());
+  env.ui.selection = part;
+  env.ui.redraw = {};
+  return {};
+}
+Outcome redrawRegion(Env env, const Json& args) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr) return noRegion(env, args);
+  auto region = regionFrom(env, args, document::pictureOf(*part));
+  if (!region) return missingRegion();
+  return redraw(env, part->id, std::move(*region));
+}
+
+Outcome movePoint(Env env, const Json& args) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr) return noRegion(env, args);
+  const document::Region& region = *document::regionOf(part->recipe);
+  const std::optional<PicturePoint> to = pointOf(args, "to");
+  const double contour = args.number("contour").value_or(0), point = args.number("point").value_or(-1);
+  if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
+  if (!(contour >= 0 && contour < static_cast<double>(region.contours.size())) || !(point >= 0)) {
+    return refuse({Error::ValueOutOfRange, "point"});
+  }
+  const OutlinePoint at{static_cast<std::size_t>(contour), static_cast<std::size_t>(point)};
+  if (at.point >= region.contours[at.contour].size()) return refuse({Error::ValueOutOfRange, "point"});
+  return redraw(env, part->id, withMovedPoint(region, at, *to));
+}
+
+/// Points along a hint line, or a single point.
+std::vector<PicturePoint> hintsOf(const Json& args, std::string_view key) {
+  if (auto line = strokeOf(args, key)) return *line;
+  if (const auto point = pointOf(args, key)) return {*point};
+  return {};
+}
+
+Outcome cutOut(Env env, const Json& args) {
+  const document::PictureEntry* entry =
+      document::findPicture(env.studio.document(), env.ui.picture);
+  if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
+  vision::CutHints hints;
+  if (const auto at = pointOf(args, "at")) hints.inside.push_back(*at);
+  for (const PicturePoint p : hintsOf(args, "inside")) hints.inside.push_back(p);
+  hints.outside = hintsOf(args, "outside");
+  if (const auto box = strokeOf(args, "box"); box && box->size() == 2) {
+    const PicturePoint a = (*box)[0], b = (*box)[1];
+    hints.box = {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+  }
+  if (hints.inside.empty() && !hints.box) return missing("where the thing is: at, inside, or a box");
+  const image::Picture* pixels =
+      pipeline::pixelsOf(env.studio.document(), env.studio.derived(), entry->id);
+  if (pixels == nullptr) return refuse({Error::PictureEmpty, {}});
+  auto contours = vision::cutOut(*pixels, hints);
+  if (!contours) return refuse(contours.failure());
+  document::Region region{entry->id, std::move(contours).value(), 0};
+  if (namesPart(args)) {
+    const document::Part* part = regionPart(env, args);
+    if (part == nullptr) return noRegion(env, args);
+    return redraw(env, part->id, std::move(region));
+  }
+  const std::string* as = args.text("as");
+  const bool flat = as ? *as == "sheet" : env.ui.tool == ToolKind::Sheet;
+  if (flat) return addRegion(env, std::move(region), env.ui.sheet);
+  return addRegion(env, std::move(region), env.ui.puff);
+}
+
+/// The way of the selected part, or of the next one, with a change; another kind becomes this one.
+template <class Change>
+Outcome shapePuff(Env env, const Json& args, const Change& change) {
+  const document::Part* part = regionPart(env, args);
+  const document::PuffRecipe* recipe = part ? document::puffOf(*part) : nullptr;
+  inflate::PuffParams params = recipe ? recipe->puff : env.ui.puff;
+  change(params);
+  env.ui.puff = params;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::ShapeRegion{part->id, params}));
+}
+template <class Change>
+Outcome shapeSheet(Env env, const Json& args, const Change& change) {
+  const document::Part* part = regionPart(env, args);
+  const document::SheetRecipe* recipe = part ? document::sheetOf(*part) : nullptr;
+  sheet::SheetParams params = recipe ? recipe->sheet : env.ui.sheet;
+  change(params);
+  env.ui.sheet = params;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::ShapeRegion{part->id, params}));
+}
+
+template <inflate::PuffSides kSides>
+Outcome setSides(Env env, const Json& args) {
+  return shapePuff(env, args, [](inflate::PuffParams& params) { params.sides = kSides; });
+}
+template <inflate::PuffSides kSides>
+bool hasSides(Env env) {
+  const document::Part* part = regionPart(env, {});
+  if (part != nullptr) return document::puffOf(*part) && document::puffOf(*part)->puff.sides == kSides;
+  return env.ui.puff.sides == kSides;
+}
+template <sheet::EdgeKind kEdge>
+Outcome setEdge(Env env, const Json& args) {
+  return shapeSheet(env, args, [](sheet::SheetParams& params) { params.edge = kEdge; });
+}
+template <sheet::EdgeKind kEdge>
+bool hasEdge(Env env) {
+  const document::Part* part = regionPart(env, {});
+  if (part != nullptr) return document::sheetOf(*part) && document::sheetOf(*part)->sheet.edge == kEdge;
+  return env.ui.sheet.edge == kEdge;
+}
+
+bool isPuff(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part != nullptr && document::puffOf(*part) != nullptr;
+}
+bool isSheet(Env env) { return hasRegion(env) && !isPuff(env); }
+Outcome makePuff(Env env, const Json& args) {
+  if (regionPart(env, args) == nullptr) return noRegion(env, args);
+  return shapePuff(env, args, [](inflate::PuffParams&) {});
+}
+Outcome makeSheet(Env env, const Json& args) {
+  if (regionPart(env, args) == nullptr) return noRegion(env, args);
+  return shapeSheet(env, args, [](sheet::SheetParams&) {});
+}
+
+/// More or less of what makes the part high: one notch.
+Outcome notch(Env env, const Json& args, double factor) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr) return noRegion(env, args);
+  if (document::puffOf(*part)) {
+    return shapePuff(env, args, [&](inflate::PuffParams& params) {
+      params.height = std::clamp(params.height * factor, inflate::kLeastHeight, inflate::kMostHeight);
+    });
+  }
+  return shapeSheet(env, args, [&](sheet::SheetParams& params) {
+    params.thickness =
+        std::clamp(params.thickness * factor, sheet::kLeastThickness, sheet::kMostThickness);
+  });
+}
+constexpr double kNotch = 1.25;
+Outcome thicker(Env env, const Json& args) { return notch(env, args, kNotch); }
+Outcome thinner(Env env, const Json& args) { return notch(env, args, 1 / kNotch); }
+
+constexpr Argument kNone{}, kLine{"line"}, kPoint{"to"}, kAt{"at"};
+using inflate::PuffSides, sheet::EdgeKind;
+
+constexpr std::array kTable = {
+    Command{"puff", "Puff", "cloud", "9, U", "tool", kNone,
+            "Draw round a thing or tap it: it swells", hasPicture, puffTool, usePuff},
+    Command{"sheet", "Flat piece", "puzzle", "0, Y", "tool", kNone,
+            "Draw round a thing or tap it: it becomes a flat piece", hasPicture, sheetTool, useSheet},
+    Command{"puff-both", "Both sides", "circle-dot", "", "part", kNone,
+            "The puff swells to the front and to the back", hasPicture, hasSides<PuffSides::Both>,
+            setSides<PuffSides::Both>},
+    Command{"puff-front", "Front only", "arrow-right", "", "part", kNone,
+            "The puff has a flat back", hasPicture, hasSides<PuffSides::Front>,
+            setSides<PuffSides::Front>},
+    Command{"puff-back", "Back only", "arrow-right", "", "part", kNone,
+            "The puff has a flat front", hasPicture, hasSides<PuffSides::Back>,
+            setSides<PuffSides::Back>},
+    Command{"edge-sharp", "Sharp edge", "square", "", "part", kNone,
+            "The flat piece has a sharp edge", hasPicture, hasEdge<EdgeKind::Sharp>,
+            setEdge<EdgeKind::Sharp>},
+    Command{"edge-bevel", "Cut edge", "diamond", "", "part", kNone,
+            "The edge of the flat piece is cut off slantwise", hasPicture, hasEdge<EdgeKind::Bevel>,
+            setEdge<EdgeKind::Bevel>},
+    Command{"edge-round", "Round edge", "circle-dot", "", "part", kNone,
+            "The flat piece has a round edge", hasPicture, hasEdge<EdgeKind::Round>,
+            setEdge<EdgeKind::Round>},
+    Command{"make-puff", "Make it a puff", "cloud", "", "part", kNone,
+            "The flat piece swells", hasRegion, isPuff, makePuff},
+    Command{"make-sheet", "Make it flat", "puzzle", "", "part", kNone,
+            "The puff becomes a flat piece", hasRegion, isSheet, makeSheet},
+    Command{"thicker", "Thicker", "plus", "Shift+U", "part", kNone,
+            "A higher puff, a thicker piece", hasRegion, nullptr, thicker},
+    Command{"thinner", "Thinner", "minus", "Shift+Y", "part", kNone,
+            "A lower puff, a thinner piece", hasRegion, nullptr, thinner},
+    Command{"cut-out", "Cut out by a point", "lasso", "", "part", kAt,
+            "A point on the thing, or a box round it", hasPicture, nullptr, cutOut},
+    Command{"draw-puff", "Puff by numbers", "cloud", "", "part", kLine,
+            "A line in picture pixels", hasPicture, nullptr, drawPuff},
+    Command{"draw-sheet", "Flat piece by numbers", "puzzle", "", "part", kLine,
+            "A line in picture pixels", hasPicture, nullptr, drawSheet},
+    Command{"redraw-region", "New outline by numbers", "lasso", "", "part", kLine,
+            "A line in picture pixels", hasRegion, nullptr, redrawRegion},
+    Command{"move-outline-point", "Move an outline point by numbers", "move", "", "part", kPoint,
+            "A point of the outline and where it goes", hasRegion, nullptr, movePoint},
+};
+
+}  // namespace
+
+std::span<const Command> regionCommands() { return kTable; }
+
+}  // namespace spineloft::app

@@ -1,0 +1,109 @@
+#include "web/tools/region_tool.h"
+
+#include <utility>
+
+#include "web/app/outline.h"
+#include "web/app/preview.h"
+#include "web/app/region_editing.h"
+
+namespace spineloft::tools {
+namespace {
+
+constexpr int kPreviewPoints = 900;  // of a puff under the pen
+
+document::Recipe previewRecipe(const app::UiState& ui, document::Region region) {
+  if (ui.tool == app::ToolKind::Sheet) return document::SheetRecipe{std::move(region), ui.sheet};
+  inflate::PuffParams puff = ui.puff;
+  puff.points = std::min(puff.points, kPreviewPoints);
+  return document::PuffRecipe{std::move(region), puff};
+}
+
+}  // namespace
+
+void RegionTool::begin(const ToolEnv& env, const ToolEvent& event) {
+  watch_.begin(event);
+  const app::Hover under = pickInPicture(env, event);
+  grabbed_ = under.outline;
+  part_ = env.ui.selection;
+}
+
+void RegionTool::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
+  if (!watch_.moved()) return;
+  if (grabbed_) {
+    drag(env, event);
+  } else {
+    draw(env, event);
+  }
+}
+
+void RegionTool::drag(const ToolEnv& env, const ToolEvent& event) {
+  const document::Part* part = document::findPart(env.document, part_);
+  if (part == nullptr) return;
+  to_ = toPicture(env, event.at);
+  app::Preview& preview = app::previewPart(env.ui, *part);
+  preview.recipe = part->recipe;
+  document::Region* region = document::regionOf(preview.recipe);
+  if (region == nullptr) return;
+  *region = app::withMovedPoint(*region, *grabbed_, to_);
+  preview.fresh = false;
+}
+
+void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
+  app::InHand& hand = env.ui.inHand;
+  if (hand.stroke.empty()) {
+    hand.stroke.push_back(toPicture(env, watch_.start()));
+    const document::Part* redraw = document::findPart(env.document, env.ui.redraw);
+    if (redraw && document::regionOf(redraw->recipe)) {
+      app::previewPart(env.ui, *redraw);
+    } else {
+      app::Preview& preview = env.ui.preview.emplace();
+      preview.look = env.ui.look;
+    }
+  }
+  if (!extend(env, hand.stroke, event.at) || !env.ui.preview) return;
+  const document::PictureEntry* entry = document::findPicture(env.document, env.ui.picture);
+  if (entry == nullptr) return;
+  env.ui.preview->recipe =
+      previewRecipe(env.ui, app::regionOfLine(entry->id, hand.stroke, entry->size));
+  env.ui.preview->fresh = false;
+}
+
+void RegionTool::tap(const ToolEnv& env) const {
+  const PicturePoint p = toPicture(env, watch_.start());
+  const PartId under = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
+  if (under) {
+    env.sink.run("select-part", app::Json::Object{{"id", under.value}});
+  } else {
+    env.sink.run("cut-out", app::Json::Object{{"at", pointJson(p)}});
+  }
+}
+
+void RegionTool::commit(const ToolEnv& env) {
+  const app::InHand hand = std::exchange(env.ui.inHand, {});
+  const PartId redraw = env.ui.redraw;
+  const bool dragged = grabbed_ && watch_.moved();
+  env.ui.preview.reset();
+  if (dragged) {
+    env.sink.run("move-outline-point",
+                 app::Json::Object{{"part", part_.value},
+                                   {"contour", static_cast<double>(grabbed_->contour)},
+                                   {"point", static_cast<double>(grabbed_->point)},
+                                   {"to", pointJson(to_)}});
+  } else if (hand.stroke.empty()) {
+    if (!grabbed_) tap(env);
+  } else if (redraw) {
+    env.sink.run("redraw-region",
+                 app::Json::Object{{"part", redraw.value}, {"line", strokeJson(hand.stroke)}});
+  } else {
+    env.sink.run(env.ui.tool == app::ToolKind::Sheet ? "draw-sheet" : "draw-puff",
+                 app::Json::Object{{"line", strokeJson(hand.stroke)}});
+  }
+}
+
+void RegionTool::cancel(const ToolEnv& env) {
+  env.ui.preview.reset();
+  env.ui.inHand = {};
+}
+
+}  // namespace spineloft::tools
