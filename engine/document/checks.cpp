@@ -62,7 +62,8 @@ Status checkRegion(const Document& document, const Region& region) {
   if (region.contours.size() > kMostContours) return {Error::ValueOutOfRange, "too many outlines"};
   std::size_t points = 0;
   const std::size_t least = isRibbon ? 2 : 3;
-  bool any = false, onPicture = false;
+  bool any = false;
+  PicturePoint low{kFarthest, kFarthest}, high{-kFarthest, -kFarthest};
   for (const auto& contour : region.contours) {
     points += contour.size();
     any = any || contour.size() >= least;
@@ -70,12 +71,14 @@ Status checkRegion(const Document& document, const Region& region) {
       if (!isFinite(p) || std::abs(p.x) > kFarthest || std::abs(p.y) > kFarthest) {
         return Error::StrokeNotFinite;
       }
-      onPicture = onPicture || (p.x >= -0.5 && p.y >= -0.5 && p.x <= entry->size.width - 0.5 &&
-                                p.y <= entry->size.height - 0.5);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
   }
   if (points > kMostRegionPoints) return {Error::ValueOutOfRange, "too many points"};
   if (!any) return Error::RegionEmpty;
+  const bool onPicture = high.x >= -0.5 && high.y >= -0.5 && low.x <= entry->size.width - 0.5 &&
+                         low.y <= entry->size.height - 0.5;
   if (!onPicture) return Error::RegionOutside;
   return Done{};
 }

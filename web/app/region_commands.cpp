@@ -293,9 +293,9 @@ constexpr Argument kNone{}, kLine{"line"}, kPoint{"to"}, kAt{"at"};
 using inflate::PuffSides, sheet::EdgeKind;
 
 constexpr std::array kTable = {
-    Command{"puff", "Puff", "cloud", "9, U", "tool", kNone,
+    Command{"puff", "Puff", "cloud", "U", "tool", kNone,
             "Draw round a thing or tap it: it swells", hasPicture, puffTool, usePuff},
-    Command{"sheet", "Flat piece", "puzzle", "0, Y", "tool", kNone,
+    Command{"sheet", "Flat piece", "puzzle", "Y", "tool", kNone,
             "Draw round a thing or tap it: it becomes a flat piece", hasPicture, sheetTool, useSheet},
     Command{"puff-both", "Both sides", "circle-dot", "", "part", kNone,
             "The puff swells to the front and to the back", hasPicture, hasSides<PuffSides::Both>,
