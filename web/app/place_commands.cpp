@@ -179,7 +179,7 @@ Outcome askPlace(Env env, const Json& args) {
   if (field == kFields.end()) return missing("which number: x, y, z, tip, turn, lean or size");
   char text[32];
   std::snprintf(text, sizeof text, "%.4g",
-                placeNumber(documentOf(env), env.studio.derived(), *lead, field->key));
+                placeNumber(*lead, field->key, mmPerUnit(documentOf(env), env.studio.derived())));
   sendQuestion(env.host, {"place:" + std::string(field->key), field->title, field->text, text});
   return {};
 }

@@ -203,11 +203,9 @@ std::optional<document::Motion> settleOn(const document::Document& document,
   return motion;
 }
 
-double placeNumber(const document::Document& document, const pipeline::Derived& derived,
-                   const document::Part& part, std::string_view key) {
+double placeNumber(const document::Part& part, std::string_view key, double mm) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   const geometry::Angles angles = geometry::anglesOf(part.placement.turn);
-  const double mm = mmPerUnit(document, derived);
   if (key == "x") return part.placement.move.x * mm;
   if (key == "y") return part.placement.move.y * mm;
   if (key == "z") return part.placement.move.z * mm;

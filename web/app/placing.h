@@ -67,8 +67,7 @@ std::optional<document::Motion> settleOn(const document::Document& document,
                                          WorldPoint normal);
 
 /// What is shown and typed of a part's place: "x", "y", "z" in millimetres, "tip", "turn", "lean" in
-/// degrees, "size" in percent. 0 for another key.
-double placeNumber(const document::Document& document, const pipeline::Derived& derived,
-                   const document::Part& part, std::string_view key);
+/// degrees, "size" in percent; `mm` as of mmPerUnit. 0 for another key.
+double placeNumber(const document::Part& part, std::string_view key, double mm);
 
 }  // namespace spineloft::app

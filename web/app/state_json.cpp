@@ -126,11 +126,9 @@ void writeNumbers(JsonWriter& json, std::string_view key, std::initializer_list<
 }
 
 /// Where a part stands: in the world, and in the numbers that are shown.
-void writePlacement(JsonWriter& json, const CommandEnv& env, const document::Part& part) {
+void writePlacement(JsonWriter& json, const document::Part& part, double mm) {
   const document::Placement& at = part.placement;
-  const auto number = [&](std::string_view key) {
-    return placeNumber(env.studio.document(), env.studio.derived(), part, key);
-  };
+  const auto number = [&](std::string_view key) { return placeNumber(part, key, mm); };
   json.key("placement").beginObject();
   writeNumbers(json, "pivot", {at.pivot.x, at.pivot.y, at.pivot.z});
   writeNumbers(json, "move", {at.move.x, at.move.y, at.move.z});
@@ -180,7 +178,9 @@ void writePlacing(JsonWriter& json, const CommandEnv& env) {
   json.endArray().endObject();
 }
 
-void writePart(JsonWriter& json, const CommandEnv& env, const document::Part& part, const pipeline::DerivedPart& derived) {
+/// `mm`: as of mmPerUnit.
+void writePart(JsonWriter& json, const document::Part& part, const pipeline::DerivedPart& derived,
+               double mm) {
   static const ribs::RibSet kNoRibs;
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
   // What only lofts have is that of an empty one for other kinds.
@@ -195,7 +195,7 @@ void writePart(JsonWriter& json, const CommandEnv& env, const document::Part& pa
   json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
   json.key("colour").text(colourText(part.look.colour)).key("picture").number(document::pictureOf(part).value);
   json.key("waiting").flag(derived.waiting);
-  writePlacement(json, env, part);
+  writePlacement(json, part, mm);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   writeRibs(json, derived.shape ? derived.shape->ribs : kNoRibs);
@@ -287,9 +287,10 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writePicture(json, document::findPicture(document, ui.picture));
   writePictureList(json, document);
   writePen(json, ui.sketching);
+  const double mm = mmPerUnit(document, derived);
   json.key("parts").beginArray();
   for (std::size_t i = 0; i < document.parts.size(); ++i) {
-    writePart(json, env, document.parts[i], derived.parts[i]);
+    writePart(json, document.parts[i], derived.parts[i], mm);
   }
   json.endArray().key("selection");
   ui.selection ? json.number(ui.selection.value) : json.null();

@@ -21,7 +21,7 @@ constexpr std::array kFields = {Field{"x", "Right", "mm"}, Field{"y", "Up", "mm"
                                 Field{"turn", "Turn", "\xc2\xb0"}, Field{"lean", "Lean", "\xc2\xb0"}};
 
 /// A word above a number in a box; a press asks for another number.
-void field(const PanelEnv& env, const document::Part& part, const Field& what, float width) {
+void field(const PanelEnv& env, const Field& what, double value, float width) {
   const float height = env.ui().touch ? 48.f : 40.f;
   ImGui::PushID(what.key);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -30,7 +30,6 @@ void field(const PanelEnv& env, const document::Part& part, const Field& what, f
   const bool hot = ImGui::IsItemHovered();
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);
   list.AddRect(at, {at.x + width, at.y + height}, hot ? kMuted : kLine, 8);
-  const double value = app::placeNumber(env.document(), env.derived, part, what.key);
   char text[40];
   std::snprintf(text, sizeof text, "%.1f %s", value == 0 ? 0.0 : value, what.unit);
   ImFont* small = env.fonts.small;
@@ -53,6 +52,7 @@ void placePanel(const PanelEnv& env, float width) {
     ImGui::PopTextWrapPos();
     return;
   }
+  const double mm = app::mmPerUnit(env.document(), env.derived);
   const bool strip = env.ui().layout.strip;
   const int columns = strip && width >= 560 ? 7 : 3;
   const float gap = 6;
@@ -60,10 +60,10 @@ void placePanel(const PanelEnv& env, float width) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t i = 0; i < kFields.size(); ++i) {
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
-    field(env, *part, kFields[i], each);
+    field(env, kFields[i], app::placeNumber(*part, kFields[i].key, mm), each);
   }
   if (columns == 7) ImGui::SameLine();
-  field(env, *part, {"size", "Size", "%"}, each);
+  field(env, {"size", "Size", "%"}, app::placeNumber(*part, "size", mm), each);
   const float side = buttonSide(env);
   for (const char* id : {"drop-on-floor", "face-front", "duplicate", "mirror-copy", "symmetry"}) {
     if (columns != 7 || id[0] != 'd' || id[1] != 'r') ImGui::SameLine(0, 2);

@@ -291,3 +291,46 @@ TEST_CASE("a part that settles touches the surface under the pointer, and nothin
   }
   CHECK(settled > 10);
 }
+
+TEST_CASE("what is moved together stays together, twins of live symmetry too; an ear alone moves against its twin") {
+  document::Document document =
+      document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(
+                                                           test::barPicture())}).value();
+  for (int i = 0; i < 3; ++i) {
+    document = document::update(document, document::DrawSpine{PictureId{1}, {{100, 40}, {100, 160}}})
+                   .value();
+  }
+  pipeline::Cache cache;
+  const pipeline::Derived derived = pipeline::deriveWithEdges(document, cache, {}).value();
+  const mesh::TriMesh& shape = derived.parts[0].shape->mesh;
+  constexpr image::Size kSize{200, 200};
+  const document::MirrorPlane plane{{0.1, 0, 0}, {1, 0, 0}};
+  Rng rng(12);
+  const auto point = [&] {
+    return WorldPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+  };
+  for (int i = 0; i < 40; ++i) {
+    // The first part stands where it was traced, without a pivot of its own.
+    document = document::update(document,
+                                document::PlaceParts{{{PartId{2}, testing::randomPlacement(rng), plane},
+                                                      {PartId{3}, testing::randomPlacement(rng), {}}}})
+                   .value();
+    const document::Motion motion{point(), point(), geometry::turnAbout(point(), rng.uniform(-3, 3)),
+                                  rng.uniform(0.5, 2)};
+    const PartId all[] = {PartId{1}, PartId{2}, PartId{3}}, ear[] = {PartId{2}};
+    const auto moved = movedParts(document, derived, all, motion);
+    REQUIRE(moved.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto before = pipeline::copiesInWorld(*document.parts[k], kSize);
+      const auto after = pipeline::copiesInWorld(moved[k].placement, moved[k].mirror, kSize);
+      REQUIRE(before.count == after.count);
+      for (std::size_t copy = 0; copy < before.count; ++copy) {
+        for (std::size_t v = 0; v < shape.positions.size(); v += 37) {
+          const auto& p = shape.positions[v];
+          CHECK(distance(after.all[copy](p), motion(before.all[copy](p))) < 1e-9);
+        }
+      }
+    }
+    CHECK(movedParts(document, derived, ear, motion)[0].mirror == plane);
+  }
+}
