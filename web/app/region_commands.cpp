@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 #include "engine/document/checks.h"
 #include "engine/geometry/region.h"
@@ -105,7 +107,17 @@ Status makesSolid(Env env, const document::Region& region) {
 Outcome addRegion(Env env, document::Region region, document::RegionSolid solid) {
   if (const Status sound = makesSolid(env, region); !sound) return refuse(sound.failure());
   const document::DrawRegion draw{std::move(region), solid, env.ui.look};
-  if (const Status status = env.studio.act(draw); !status) return refuse(status.failure());
+  const document::Recipe recipe = std::visit(
+      [&]<class Params>(const Params& params) -> document::Recipe {
+        if constexpr (std::is_same_v<Params, inflate::PuffParams>) {
+          return document::PuffRecipe{draw.region, params};
+        } else {
+          return document::SheetRecipe{draw.region, params};
+        }
+      },
+      solid);
+  const Status status = env.studio.act(standingActions(env, draw, recipe));
+  if (!status) return refuse(status.failure());
   tellCut(env, draw.region);
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.redraw = {};
