@@ -3,10 +3,13 @@
 // inside, sRGB out.
 precision highp float;
 uniform sampler2D picture;  // sRGB
-uniform vec3 colour;        // sRGB
+uniform vec3 colour, second;  // sRGB; the second one below `split`
+uniform float split;
+uniform int finish;  // 0 plain, 1 clay, 2 glaze, 3 metal
 uniform float textured, glow;
 in vec3 eyeNormal, eyePosition;
 in vec2 at;
+in float modelHeight;
 out vec4 result;
 
 vec3 decode(vec3 srgb) {
@@ -17,11 +20,32 @@ vec3 encode(vec3 linear) {
              step(0.0031308, linear));
 }
 
+// What a ball of the material shows towards the normal n of the eye (a matcap, by formula).
+vec3 ball(vec3 n, vec3 albedo) {
+  float top = dot(n, normalize(vec3(-0.4, 0.75, 0.55)));
+  float edge = 1.0 - n.z;
+  if (finish == 1) {  // dull, with warm shade and a soft bright rim
+    vec3 shade = albedo * albedo * vec3(0.50, 0.42, 0.40);
+    return mix(shade, albedo * 1.02, smoothstep(-0.7, 0.9, top)) + vec3(0.10) * edge * edge;
+  }
+  if (finish == 2) {  // a window reflected in it
+    vec3 base = albedo * mix(0.42, 1.0, smoothstep(-0.8, 0.8, top));
+    float window = smoothstep(0.86, 0.90, top) + 0.35 * smoothstep(0.80, 0.97, dot(n, normalize(vec3(0.6, -0.1, 0.6))));
+    return base + vec3(0.75) * window + vec3(0.28) * pow(edge, 3.0);
+  }
+  // Sky, horizon and ground, mirrored.
+  float height = n.y * 0.9 + 0.12 * n.x;
+  float sky = smoothstep(0.02, 0.75, height), ground = smoothstep(-0.06, -0.8, height);
+  float mirror = 0.20 + 0.75 * sky + 0.35 * ground + 0.9 * smoothstep(0.90, 0.97, top);
+  return mix(albedo, vec3(1.0), 0.18) * mirror + vec3(0.15) * pow(edge, 2.0);
+}
+
 void main() {
   vec3 n = normalize(eyeNormal);
   vec3 v = normalize(-eyePosition);
   vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
-  vec3 plain = decode(colour);
+  float soft = max(fwidth(modelHeight), 1e-5);
+  vec3 plain = decode(mix(second, colour, smoothstep(split - soft, split + soft, modelHeight)));
   vec4 texel = texture(picture, at);
   vec3 albedo = textured > 0.5 ? mix(plain, texel.rgb, texel.a) : plain;
 
@@ -32,6 +56,7 @@ void main() {
   float shine = pow(max(0.0, dot(n, normalize(key + v))), 42.0) * 0.16;
   float rim = pow(1.0 - max(0.0, dot(n, v)), 3.0);
   vec3 light = albedo * (ambient + diffuse) + vec3(shine) + vec3(0.05) * rim;
+  if (finish != 0) light = ball(n, plain);
   light = mix(light, vec3(1.0, 0.62, 0.16), glow * rim * 0.55);
   result = vec4(encode(clamp(light, 0.0, 1.0)), 1.0);
 }

@@ -7,10 +7,12 @@ in vec3 normal;
 in vec2 uv;
 out vec3 eyeNormal, eyePosition;
 out vec2 at;
+out float modelHeight;
 void main() {
   vec4 world = toWorld * vec4(position, 1.0);
   eyeNormal = mat3(toEye) * (mat3(toWorld) * normal);  // turned or mirrored, evenly scaled
   eyePosition = (toEye * world).xyz;
+  modelHeight = position.y;
   at = (uv - area.xy) / area.zw;
   gl_Position = toClip * world;
 }

@@ -145,7 +145,7 @@ std::optional<UsageProblem> readFormat(const std::string& out, publish::Format& 
   if (out.empty()) return std::nullopt;
   const auto known = publish::formatFromKey(lowerExtension(out));
   if (!known) {
-    return UsageProblem{"The output " + out + " must end in .glb, .obj, .stl or .spineloft."};
+    return UsageProblem{"The output " + out + " must end in .glb, .obj, .zip, .stl, .3mf or .spineloft."};
   }
   format = *known;
   return std::nullopt;
@@ -280,9 +280,9 @@ std::string usageText() {
        << document::kMinHeightMm << " to " << document::kMaxHeightMm << " (default "
        << document::Document{}.height.value
        << ")\n"
-          "  --out FILE           .glb (metres), .obj, .stl (millimetres) or .spineloft; the first and\n"
+          "  --out FILE           .glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and\n"
           "                       the last can be opened again and edited\n"
-          "  --obj-space SPACE    world (default: y up, the picture's longer side is 1) or image\n"
+          "  --obj-space SPACE    world (default: y up, millimetres) or image\n"
           "                       (picture pixels, y down, z towards the viewer)\n"
           "  --mask FILE.png      the part's silhouette, as large as the picture\n"
           "  --ribs FILE.json     the ribs' ends in picture pixels\n"

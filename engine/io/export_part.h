@@ -34,6 +34,8 @@ struct ExportPart {
   Placement placement;
   std::optional<std::size_t> picture;             ///< index of the picture on its surface; needs UV
   std::array<float, 3> colour{0.8f, 0.8f, 0.8f};  ///< sRGB 0…1, where there is no picture
+  double roughness = 0.8, metallic = 0;           ///< 0…1
+  bool faceted = false;                           ///< every triangle flat, where the format has normals
 };
 
 /// An encoded picture file (PNG or JPEG) as it shall lie in the 3D file; bytes must outlive the

@@ -45,7 +45,7 @@ class Writer {
   }
 
   void addPart(const ExportPart& part, int texture, const GlbOptions& options) {
-    mesh::ShadedMesh shaded = mesh::shade(*part.mesh, options.creaseAngle);
+    mesh::ShadedMesh shaded = mesh::shade(*part.mesh, part.faceted ? 0 : options.creaseAngle);
     for (auto& p : shaded.positions) {
       const std::array<double, 3> at = placed(part.placement, p);
       p = {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
@@ -167,8 +167,8 @@ class Writer {
   int material(const ExportPart& part, const std::string& name, int texture) {
     tinygltf::Material material;
     material.name = name;
-    material.pbrMetallicRoughness.metallicFactor = 0;
-    material.pbrMetallicRoughness.roughnessFactor = 0.8;
+    material.pbrMetallicRoughness.metallicFactor = part.metallic;
+    material.pbrMetallicRoughness.roughnessFactor = part.roughness;
     if (texture >= 0) {
       material.pbrMetallicRoughness.baseColorTexture.index = texture;
     } else {

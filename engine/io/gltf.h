@@ -10,14 +10,14 @@
 namespace spineloft::io {
 
 struct GlbOptions {
-  double creaseAngle = mesh::kCreaseAngle;  ///< edges sharper than this stay sharp, radians 0…π
+  /// Edges sharper than this stay sharp, radians 0…π; all of them on a part that is faceted.
+  double creaseAngle = mesh::kCreaseAngle;
   bool operator==(const GlbOptions&) const = default;
 };
 
 /// One node, mesh and material a part, in metres (placements scale to metres), y up, front +z; one
 /// scene. Normals always; texture coordinates and the picture as base colour where a part has one;
-/// every picture that a part uses is stored once, as the bytes given. Roughness 0.8, not metallic,
-/// seen from outside only. Equal input gives equal bytes. Passes the Khronos validator without
+/// every picture that a part uses is stored once, as the bytes given. Seen from outside only. Equal input gives equal bytes. Passes the Khronos validator without
 /// errors or warnings. Errors: those of checkParts, PictureUnreadable (a used picture is neither
 /// PNG nor JPEG), ValueOutOfRange (options), OutOfMemory (over 4 GiB, which GLB cannot hold, or no
 /// memory).

@@ -60,6 +60,7 @@ std::string_view keyOf(loft::BlendKind value) {
   return at == names.end() ? std::string_view() : at->key;
 }
 std::string_view keyOf(ribs::Side value) { return value == ribs::Side::Left ? "left" : "right"; }
+std::string_view keyOf(surface::Paint value) { return surface::finishOf(value).key; }
 
 std::string_view keyOf(inflate::PuffSides value) {
   const auto at = static_cast<std::size_t>(value);
@@ -113,6 +114,9 @@ bool fromKey(std::string_view key, loft::CapStyle& value) {
 }
 bool fromKey(std::string_view key, loft::BlendKind& value) {
   return keep(loft::blendFromKey(key), value);
+}
+bool fromKey(std::string_view key, surface::Paint& value) {
+  return keep(surface::paintFromKey(key), value);
 }
 bool fromKey(std::string_view key, ribs::Side& value) {
   if (key != "left" && key != "right") return false;

@@ -174,9 +174,12 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
-  auto& [textured, colour] = value;
+  auto& [textured, colour, paint, second, faceted] = value;
   v("textured", textured);
   v("colour", colour);
+  v("paint", paint);
+  v("second", second);
+  v("faceted", faceted);
 }
 template <class V, Is<document::Placement> T>
 void members(V& v, T& value) {
@@ -276,6 +279,7 @@ std::string_view keyOf(document::StepKind value);
 std::string_view keyOf(document::OpeningSide value);
 std::string_view keyOf(inflate::PuffSides value);
 std::string_view keyOf(sheet::EdgeKind value);
+std::string_view keyOf(surface::Paint value);
 bool fromKey(std::string_view key, loft::SectionPreset& value);
 bool fromKey(std::string_view key, loft::CapStyle& value);
 bool fromKey(std::string_view key, loft::BlendKind& value);
@@ -284,6 +288,7 @@ bool fromKey(std::string_view key, document::StepKind& value);
 bool fromKey(std::string_view key, document::OpeningSide& value);
 bool fromKey(std::string_view key, inflate::PuffSides& value);
 bool fromKey(std::string_view key, sheet::EdgeKind& value);
+bool fromKey(std::string_view key, surface::Paint& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
 

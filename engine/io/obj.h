@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "engine/base/result.h"
 #include "engine/io/export_part.h"
@@ -21,5 +22,11 @@ enum class ObjSpace {
 /// in plain decimals, the fewest digits that give back the same float; lines end in \n. Errors:
 /// those of checkParts (pictures are not looked at), OutOfMemory.
 Result<Bytes> writeObj(std::span<const ExportPart> parts, ObjSpace space = ObjSpace::World);
+
+/// An archive of NAME.obj (ObjSpace::World), NAME.mtl with one material a part, and the pictures as
+/// NAME.png or NAME.jpg. `name` in characters that file names and OBJ's lines may have: no spaces.
+/// Errors: those of checkParts, PictureUnreadable, OutOfMemory.
+Result<Bytes> writeObjZip(std::span<const ExportPart> parts, std::span<const ExportPicture> pictures,
+                          const std::string& name);
 
 }  // namespace spineloft::io

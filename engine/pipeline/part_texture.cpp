@@ -60,6 +60,7 @@ std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image:
 
 std::shared_ptr<const surface::PartTexture> textureStage(const PartShape& shape,
                                                          const image::Picture& pixels) {
+  if (shape.mesh.uv.size() != shape.mesh.positions.size()) return nullptr;
   try {
     const auto sure = sureParts(shape.ribs, {pixels.width, pixels.height});
     std::optional<surface::PartTexture> made = surface::partTexture(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <memory>
 #include <new>
 #include <span>
 #include <utility>
@@ -12,6 +11,8 @@
 #include "engine/io/picture_file.h"
 #include "engine/io/project_file.h"
 #include "engine/io/stl.h"
+#include "engine/io/three_mf.h"
+#include "engine/publish/dressing.h"
 
 namespace spineloft::publish {
 namespace {
@@ -19,18 +20,10 @@ namespace {
 /// Quality of a texture's JPEG: no visible blocks, a fifth of the size of a PNG.
 constexpr int kTextureQuality = 92;
 
-bool isOpaque(const image::Image& image) {
-  for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
-    if (image.pixels[i] != 255) return false;
-  }
-  return true;
-}
-
-/// The working copy, encoded anew, so that nothing of the original file (place, camera) goes along.
-Result<Bytes> encodeTexture(const image::Picture& picture) {
-  return isOpaque(picture.working) ? io::encodeJpeg(picture.working, kTextureQuality)
-                                   : io::encodePng(picture.working);
-}
+struct Model {
+  const document::Document& document;
+  const pipeline::Derived& derived;
+};
 
 /// Where the world's `base` goes to the file's origin, and file units per world unit.
 struct Export {
@@ -59,138 +52,109 @@ mesh::TriMesh turnedMesh(const mesh::TriMesh& mesh, pipeline::ToWorld toWorld) {
   return pipeline::worldMesh(mesh, toWorld);
 }
 
-/// Every picture of the document that the file needs, encoded once; photos without loss when the
-/// project goes along, so that the same bytes serve as texture and as photo.
-class Encoded {
- public:
-  explicit Encoded(bool lossless) : lossless_(lossless) {}
-
-  Result<std::span<const std::uint8_t>> of(const document::PictureEntry& entry,
-                                           const image::Picture& picture) {
-    for (const Item& item : items_) {
-      if (item.contentHash == entry.contentHash) return std::span<const std::uint8_t>(*item.bytes);
-    }
-    Result<Bytes> bytes =
-        lossless_ && !entry.isSketch() ? io::writePhoto(picture) : encodeTexture(picture);
-    if (!bytes) return bytes.failure();
-    items_.push_back({entry.contentHash, std::make_unique<Bytes>(std::move(bytes).value())});
-    return std::span<const std::uint8_t>(*items_.back().bytes);
-  }
-
- private:
-  struct Item {
-    std::uint64_t contentHash;
-    std::unique_ptr<Bytes> bytes;  ///< stays where it is: spans point to it
-  };
-  bool lossless_;
-  std::vector<Item> items_;
-};
-
-/// Parts and encoded pictures as the writers want them.
+/// Parts as the writers want them, and what they point to.
 struct Shelf {
   std::vector<io::ExportPart> parts;
-  std::vector<io::ExportPicture> pictures;
-  std::vector<PictureId> ids;
   std::deque<mesh::TriMesh> turned;  ///< meshes of parts that are turned; where they are, they stay
+  Wardrobe wardrobe;
+  Bytes atlas;  ///< encoded
+  std::vector<io::ExportPicture> pictures;
 };
 
-/// Index of the picture on the shelf.
-Result<std::size_t> shelve(Shelf& shelf, Encoded& encoded, const document::PictureEntry& entry,
-                           const image::Picture& picture) {
-  const auto known = std::ranges::find(shelf.ids, entry.id);
-  if (known != shelf.ids.end()) return static_cast<std::size_t>(known - shelf.ids.begin());
-  const Result<std::span<const std::uint8_t>> bytes = encoded.of(entry, picture);
+/// Whether a format shows pictures at all.
+bool showsPictures(Format format) { return format != Format::Obj && format != Format::Stl; }
+
+/// Encoded from pixels, so that nothing of the original files (place, camera) goes along.
+Status encodeAtlas(Shelf& shelf, Format format) {
+  if (!shelf.wardrobe.atlas) return Done{};
+  Result<Bytes> bytes = format == Format::ObjZip
+                            ? io::encodePng(*shelf.wardrobe.atlas)
+                            : io::encodeJpeg(*shelf.wardrobe.atlas, kTextureQuality);
   if (!bytes) return bytes.failure();
-  shelf.ids.push_back(entry.id);
-  shelf.pictures.push_back({entry.name, bytes.value()});
-  return shelf.ids.size() - 1;
+  shelf.atlas = std::move(bytes).value();
+  shelf.pictures.push_back({"texture", shelf.atlas});
+  return Done{};
 }
 
-/// Takes the parts' pictures from `encoded`; parts have no pictures without it.
-Result<Shelf> gather(const document::Document& document, const pipeline::Derived& derived,
-                     const Export& target, Encoded* encoded, const Progress& progress) {
-  Shelf shelf;
-  for (const pipeline::DerivedPart& shown : derived.parts) {
-    if (!progress.advance(0.5 * static_cast<double>(shelf.parts.size()) /
-                          static_cast<double>(derived.parts.size()))) {
-      return Error::Cancelled;
-    }
-    const document::Part* part = document::findPart(document, shown.id);
+Status gather(const Model& model, const Export& target, Format format, Shelf& shelf) {
+  std::vector<Bare> bare;
+  for (const pipeline::DerivedPart& shown : model.derived.parts) {
+    const document::Part* part = document::findPart(model.document, shown.id);
     if (part == nullptr || !part->visible || !shown.shape) continue;
-    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
+    const document::PictureEntry* entry = document::findPicture(model.document, document::pictureOf(*part));
     if (entry == nullptr) continue;
-    io::ExportPart out;
-    for (std::size_t c = 0; c < 3; ++c) {
-      out.colour[c] = static_cast<float>(part->look.colour[c]) / 255.0f;
-    }
-    const image::Picture* pixels = pipeline::pixelsOf(document, derived, entry->id);
-    if (encoded != nullptr && part->look.textured && pixels != nullptr) {
-      const Result<std::size_t> index = shelve(shelf, *encoded, *entry, *pixels);
-      if (!index) return index.failure();
-      out.picture = index.value();
-    }
+    bool first = true;
     for (const pipeline::ToWorld& toWorld : pipeline::copiesInWorld(*part, entry->size)) {
       const bool turned = !toWorld.isStraight();
       if (turned) shelf.turned.push_back(turnedMesh(shown.shape->mesh, toWorld));
-      out.name = out.mesh == nullptr ? part->name : part->name + " mirrored";
-      out.mesh = turned ? &shelf.turned.back() : &shown.shape->mesh;
+      io::ExportPart out;
+      out.name = first ? part->name : part->name + " mirrored";
       out.placement = placementOf(toWorld, turned, target);
-      shelf.parts.push_back(out);
+      shelf.parts.push_back(std::move(out));
+      bare.push_back({&part->look, turned ? &shelf.turned.back() : &shown.shape->mesh, shown.shape.get(), nullptr});
+      first = false;
     }
   }
-  return shelf;
+  for (std::size_t i = 0; i < bare.size(); ++i) bare[i].part = &shelf.parts[i];
+  shelf.wardrobe = dress(bare, showsPictures(format));
+  return encodeAtlas(shelf, format);
 }
 
-Result<Bytes> writeModel(const document::Document& document, const pipeline::Derived& derived,
-                         Format format, Encoded& encoded, const Progress& progress) {
-  const std::optional<WorldBounds> bounds = worldBounds(document, derived);
+Result<Bytes> writeModel(const Model& model, Format format, const Progress& progress) {
+  const std::optional<WorldBounds> bounds = worldBounds(model.document, model.derived);
   if (!bounds) return Error::NothingToExport;
   constexpr double kMetresPerMm = 1e-3;
   const bool isGlb = format == Format::Glb || format == Format::Project;
-  Export target;
-  if (isGlb) target = standing(*bounds, document.height.value * kMetresPerMm);
-  if (format == Format::Stl) target = standing(*bounds, document.height.value);
-  Result<Shelf> shelf = gather(document, derived, target, isGlb ? &encoded : nullptr, progress);
-  if (!shelf) return shelf.failure();
-  std::vector<io::ExportPart>& parts = shelf.value().parts;
-  const std::span<const io::ExportPicture> pictures = shelf.value().pictures;
-  if (format == Format::Obj) return io::writeObj(parts);
-  if (format == Format::Stl) return io::writeStl(parts);
-  if (format == Format::Project) {
-    // What cannot be shown must not keep the work from being saved.
-    std::erase_if(parts, [&](const io::ExportPart& part) {
-      return !io::checkParts({&part, 1}, pictures.size());
-    });
+  const Export target = standing(*bounds, model.document.height.value * (isGlb ? kMetresPerMm : 1));
+  Shelf shelf;
+  if (const Status status = gather(model, target, format, shelf); !status) return status.failure();
+  if (!progress.advance(0.4)) return Error::Cancelled;
+  std::vector<io::ExportPart>& parts = shelf.parts;
+  switch (format) {
+    case Format::Obj: return io::writeObj(parts);
+    case Format::Stl: return io::writeStl(parts);
+    case Format::ObjZip: return io::writeObjZip(parts, shelf.pictures, plainName(model.document));
+    case Format::ThreeMf: return io::write3mf(parts, shelf.pictures);
+    case Format::Project:
+      // What cannot be shown must not keep the work from being saved.
+      std::erase_if(parts, [&](const io::ExportPart& part) {
+        return !io::checkParts({&part, 1}, shelf.pictures.size());
+      });
+      break;
+    case Format::Glb: break;
   }
-  return io::writeGlb(parts, pictures);
+  return io::writeGlb(parts, shelf.pictures);
 }
 
 Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Document& document,
-                         Encoded& encoded, const Progress& progress) {
+                         const Progress& progress) {
+  std::deque<Bytes> kept;
   std::vector<io::ProjectPhoto> photos;
   for (const document::PictureEntry& entry : document.pictures) {
     if (!progress.advance(0.5 + 0.4 * static_cast<double>(photos.size()) /
                                     static_cast<double>(document.pictures.size()))) {
       return Error::Cancelled;
     }
-    if (entry.isSketch()) continue;
-    const Result<std::span<const std::uint8_t>> bytes = encoded.of(entry, *entry.picture);
+    const bool known = std::ranges::any_of(
+        photos, [&](const io::ProjectPhoto& photo) { return photo.picture == entry.picture; });
+    if (entry.isSketch() || known) continue;
+    Result<Bytes> bytes = io::writePhoto(*entry.picture);
     if (!bytes) return bytes.failure();
-    photos.push_back({entry.picture, bytes.value()});
+    kept.push_back(std::move(bytes).value());
+    photos.push_back({entry.picture, kept.back()});
   }
   return io::embedProject(glb, document, photos);
 }
 
-Result<Bytes> write(const document::Document& document, const pipeline::Derived& derived,
-                    Format format, const Progress& progress, const Options& options) {
+Result<Bytes> write(const Model& model, Format format, const Progress& progress,
+                    const Options& options) {
   const bool withProject =
       format == Format::Project || (format == Format::Glb && options.withProject);
-  Encoded encoded(withProject);
-  Result<Bytes> bytes = writeModel(document, derived, format, encoded, progress);
+  Result<Bytes> bytes = writeModel(model, format, progress);
   if (format == Format::Project && !bytes && bytes.error() == Error::NothingToExport) {
     bytes = Bytes{};
   }
-  if (bytes && withProject) bytes = addProject(bytes.value(), document, encoded, progress);
+  if (bytes && withProject) bytes = addProject(bytes.value(), model.document, progress);
   if (!progress.advance(1)) return Error::Cancelled;
   return bytes;
 }
@@ -200,7 +164,7 @@ Result<Bytes> write(const document::Document& document, const pipeline::Derived&
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
                       Format format, const Progress& progress, const Options& options) {
   try {
-    return write(document, derived, format, progress, options);
+    return write({document, derived}, format, progress, options);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }

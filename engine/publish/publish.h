@@ -19,8 +19,9 @@ namespace spineloft::publish {
 using Bytes = std::vector<std::uint8_t>;
 
 /// Project: the GLB under a name of its own, also of a board without any part.
-enum class Format : std::uint8_t { Glb, Obj, Stl, Project };
-/// "glb", "obj", "stl", "spineloft"; none for anything else.
+/// ObjZip: OBJ with its materials and its texture in one archive.
+enum class Format : std::uint8_t { Glb, Obj, Stl, Project, ObjZip, ThreeMf };
+/// "glb", "obj", "stl", "spineloft", "zip", "3mf"; none for anything else.
 std::optional<Format> formatFromKey(std::string_view key);
 std::string_view formatKey(Format format);
 std::string_view mediaType(Format format);
@@ -38,16 +39,21 @@ struct Options {
 };
 
 /// All visible parts as one file.
-/// - GLB: metres, y up, +z to the viewer, standing on y = 0 and centred in x and z, as tall as
-///   Document::height; one node a part, its picture as base-colour texture where it is textured. The
-///   whole editable document is inside: io::readProject gives it back.
+/// All stand on the ground, centred, as tall as Document::height.
+/// - GLB: metres, y up, +z to the viewer; one node a part, one texture for all that wear a picture or two
+///   colours (dressing.h). The whole editable document is inside: io::readProject gives it back.
 /// - Project: the same bytes; with nothing to show, or a part that cannot be shown, it is written all
 ///   the same.
-/// - STL: millimetres, z up, standing on z = 0, as tall as Document::height.
-/// - OBJ: WorldSpace as it is on the screen, one object a part.
+/// - STL: millimetres, z up.
+/// - 3MF: millimetres, z up, in the positive octant, with colours and texture.
+/// - OBJ: millimetres, y up, one object a part; ObjZip: the same with materials and texture.
+/// Pictures are encoded anew: nothing that a photo's file said besides its pixels is in any of them.
 /// Errors: NothingToExport (not for Project), MeshInvalid (not for Project), Cancelled, OutOfMemory.
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
                       Format format, const Progress& progress, const Options& options = {});
+
+/// The model's name in portable characters, such as "swan-neck".
+std::string plainName(const document::Document& document);
 
 /// A file name such as "swan-neck-100mm.glb": the model's name in portable characters and its height; a
 /// project's is without its height, "swan-neck.spineloft".

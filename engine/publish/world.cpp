@@ -6,7 +6,8 @@
 namespace spineloft::publish {
 
 std::optional<Format> formatFromKey(std::string_view key) {
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project}) {
+  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip,
+                              Format::ThreeMf}) {
     if (key == formatKey(format)) return format;
   }
   return std::nullopt;
@@ -18,6 +19,8 @@ std::string_view formatKey(Format format) {
     case Format::Obj: return "obj";
     case Format::Stl: return "stl";
     case Format::Project: return "spineloft";
+    case Format::ObjZip: return "zip";
+    case Format::ThreeMf: return "3mf";
   }
   return {};
 }
@@ -29,11 +32,13 @@ std::string_view mediaType(Format format) {
     case Format::Stl: return "model/stl";
     // A GLB, but no browser should give it a GLB's ending.
     case Format::Project: return "application/octet-stream";
+    case Format::ObjZip: return "application/zip";
+    case Format::ThreeMf: return "model/3mf";
   }
   return {};
 }
 
-std::string fileName(const document::Document& document, Format format) {
+std::string plainName(const document::Document& document) {
   // Letters and digits stay, everything else becomes single hyphens; other scripts' letters are kept
   // as they are, for every file system of today stores UTF-8.
   std::string name;
@@ -46,13 +51,17 @@ std::string fileName(const document::Document& document, Format format) {
     }
   }
   while (!name.empty() && name.back() == '-') name.pop_back();
-  if (name.empty()) name = "model";
+  return name.empty() ? "model" : name;
+}
+
+std::string fileName(const document::Document& document, Format format) {
+  std::string name = plainName(document);
   if (format == Format::Project) return name + '.' + std::string(formatKey(format));
   // Tenths of a millimetre are as fine as a printer gets.
   const long long tenths = std::llround(document.height.value * 10);
   name += '-' + std::to_string(tenths / 10);
   if (tenths % 10 != 0) name += '.' + std::to_string(tenths % 10);
-  return name + "mm." + std::string(formatKey(format));
+  return name + (format == Format::ObjZip ? "mm-obj." : "mm.") + std::string(formatKey(format));
 }
 
 }  // namespace spineloft::publish

@@ -108,7 +108,7 @@ test('the STL is as tall as asked, in millimetres', (t) => {
   assert.ok(Math.abs(plain.high[2] - plain.low[2] - 100) < 1e-3, 'a hundred millimetres unless told');
 });
 
-test('an OBJ in picture space fits the mask, and in world space has y up and the longer side 1', (t) => {
+test('an OBJ in picture space fits the mask, and in world space has y up and stands there in millimetres', (t) => {
   const folder = barFolder(t);
   loft(folder, '--out', folder.path('image.obj'), '--obj-space', 'image', '--mask', folder.path('mask.png'));
   loft(folder, '--out', folder.path('world.obj'));
@@ -121,10 +121,11 @@ test('an OBJ in picture space fits the mask, and in world space has y up and the
   assert.ok(Math.abs(range(image, 0)[0] - bounds.left) <= 1 && Math.abs(range(image, 0)[1] - bounds.right) <= 1);
   assert.ok(Math.abs(range(image, 1)[0] - bounds.top) <= 1 && Math.abs(range(image, 1)[1] - bounds.bottom) <= 1);
   assert.equal(image.vertices.length, world.vertices.length);
-  const side = Math.max(bar.width, bar.height);
+  const [[left, right], [top, bottom], [back, front]] = [0, 1, 2].map((axis) => range(image, axis));
+  const scale = 100 / (bottom - top);
   image.vertices.forEach(([x, y, z], i) => {
-    const wanted = [(x - (bar.width - 1) / 2) / side, -(y - (bar.height - 1) / 2) / side, z / side];
-    wanted.forEach((value, axis) => assert.ok(Math.abs(value - world.vertices[i][axis]) < 1e-5, `vertex ${i}`));
+    const wanted = [(x - (left + right) / 2) * scale, (bottom - y) * scale, (z - (back + front) / 2) * scale];
+    wanted.forEach((value, axis) => assert.ok(Math.abs(value - world.vertices[i][axis]) < 1e-3, `vertex ${i}`));
   });
   assert.ok(sixVolumes(world) > 0 && sixVolumes(image) > 0, 'outward in their own axes');
 });

@@ -115,7 +115,11 @@ template <>
 struct Make<SetLook> {
   static SetLook from(Rng& rng, const Document& d) {
     return {anyPart(rng, d),
-            {rng.below(2) == 0, {static_cast<std::uint8_t>(rng.below(256)), 20, 30}}};
+            {rng.below(2) == 0,
+             {static_cast<std::uint8_t>(rng.below(256)), 20, 30},
+             static_cast<surface::Paint>(rng.below(static_cast<std::uint32_t>(surface::Paint::kCount))),
+             {9, static_cast<std::uint8_t>(rng.below(256)), 7},
+             rng.below(2) == 0}};
   }
 };
 template <>

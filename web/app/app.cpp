@@ -243,6 +243,7 @@ void App::announce() {
   json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
   json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
   json_.flag(studio_.unsaved()).flag(studio_.busy()).flag(ui_.look.textured);
+  json_.number(static_cast<int>(ui_.look.paint)).flag(ui_.look.faceted).text(colourText(ui_.look.second));
   json_.number(static_cast<double>(ui_.slices.stop)).flag(ui_.slices.board.has_value());
   if (ui_.slices.board) json_.number(static_cast<double>(ui_.slices.board->past.size()));
   json_.flag(ui_.slices.placing).number(static_cast<double>(ui_.slices.shelf.size()));

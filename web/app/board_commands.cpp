@@ -47,7 +47,6 @@ Outcome nudge(Env env, ClientPoint by) {
   return {};
 }
 
-Outcome save(Env env, publish::Format format) { return outcomeOf(env.studio.save(format)); }
 
 }  // namespace
 
@@ -79,9 +78,11 @@ Outcome clearBoard(Env env, const Json&) {
   return {};
 }
 
-Outcome saveGlb(Env env, const Json&) { return save(env, publish::Format::Glb); }
-Outcome saveObj(Env env, const Json&) { return save(env, publish::Format::Obj); }
-Outcome saveStl(Env env, const Json&) { return save(env, publish::Format::Stl); }
+Outcome saveAs(const CommandEnv& env, publish::Format format) {
+  return outcomeOf(env.studio.save(format));
+}
+Outcome saveGlb(Env env, const Json&) { return saveAs(env, publish::Format::Glb); }
+Outcome saveStl(Env env, const Json&) { return saveAs(env, publish::Format::Stl); }
 
 Outcome setHeight(Env env, const Json& args) {
   if (const std::optional<double> mm = args.number("mm")) {

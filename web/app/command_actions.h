@@ -9,7 +9,6 @@ namespace spineloft::app {
 Outcome openPicture(const CommandEnv& env, const Json& args);
 Outcome clearBoard(const CommandEnv& env, const Json& args);
 Outcome saveGlb(const CommandEnv& env, const Json& args);
-Outcome saveObj(const CommandEnv& env, const Json& args);
 Outcome saveStl(const CommandEnv& env, const Json& args);
 Outcome setHeight(const CommandEnv& env, const Json& args);
 
@@ -70,6 +69,10 @@ const document::Part* loftPartOf(const CommandEnv& env, const Json& args);
 bool hasChosenRib(const CommandEnv& env);
 /// It stands in a pose.
 bool isPosed(const CommandEnv& env);
+/// Saves the model in this form, as a download.
+Outcome saveAs(const CommandEnv& env, publish::Format format);
+/// Gives a new look to the part that is meant, or to the next part.
+Outcome setLook(const CommandEnv& env, const Json& args, const document::Look& look);
 /// Its look, or the look of the next part when none is selected.
 document::Look currentLook(const CommandEnv& env);
 /// Turns the camera so that it sees every part, from home or from where it looks.

@@ -15,6 +15,7 @@ std::span<const Command> sliceCommands();    ///< sections along the spine, curv
 std::span<const Command> sliceBoardCommands();  ///< drawing a slice: slice_board_commands.cpp
 std::span<const Command> sketchCommands();   ///< paper, pen and eraser: sketch_commands.cpp
 std::span<const Command> placeCommands();    ///< places, copies, groups: place_commands.cpp
+std::span<const Command> lookCommands();     ///< surfaces, files with them: look_commands.cpp
 std::span<const Command> keepCommands();     ///< models on this device, project files: keep_commands.cpp
 
 }  // namespace spineloft::app

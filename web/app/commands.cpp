@@ -13,9 +13,10 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands, ribCommands,        regionCommands,
-                                boneCommands,    sliceCommands,      sliceBoardCommands,
-                                sketchCommands,  placeCommands,      keepCommands};
+constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,
+                                boneCommands,    sliceCommands, sliceBoardCommands,
+                                sketchCommands,  placeCommands, lookCommands,
+                                keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;

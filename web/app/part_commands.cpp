@@ -16,15 +16,6 @@ namespace {
 
 using Env = const CommandEnv&;
 
-/// Gives a new look to the part that is meant, or to the next part.
-Outcome setLook(Env env, const Json& args, const document::Look& look) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr && namesPart(args)) return noPart();
-  env.ui.look = look;
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::SetLook{part->id, look}));
-}
-
 /// Selects a part; the next part is made like it, as the panels show.
 void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
@@ -78,6 +69,14 @@ const document::Part* partOf(const CommandEnv& env, const Json& args) {
 const document::Part* loftPartOf(const CommandEnv& env, const Json& args) {
   const document::Part* part = partOf(env, args);
   return part != nullptr && document::loftOf(*part) != nullptr ? part : nullptr;
+}
+
+Outcome setLook(const CommandEnv& env, const Json& args, const document::Look& look) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr && namesPart(args)) return noPart();
+  env.ui.look = look;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::SetLook{part->id, look}));
 }
 
 document::Look currentLook(const CommandEnv& env) {
@@ -237,7 +236,11 @@ Outcome setColour(Env env, const Json& args) {
   if (text == nullptr) return missing("a colour such as #ec9e5c");
   const auto colour = colourFrom(*text);
   if (!colour) return refuse({Error::ValueOutOfRange, *text});
-  return setLook(env, args, {false, *colour});
+  const document::Part* part = partOf(env, args);
+  document::Look look = part ? part->look : env.ui.look;
+  look.textured = false;
+  look.colour = *colour;
+  return setLook(env, args, look);
 }
 
 Outcome setParameter(Env env, const Json& args) {

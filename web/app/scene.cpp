@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/hash.h"
+#include "engine/mesh/laws.h"
 #include "engine/publish/publish.h"
 #include "web/app/placing.h"
 #include "web/app/preview.h"
@@ -63,13 +64,42 @@ void wear(const Source& source, const pipeline::PartShape& shape, gl::SceneMesh&
   }
 }
 
+std::array<float, 3> shares(const std::array<std::uint8_t, 3>& colour) {
+  std::array<float, 3> out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<float>(colour[i]) / 255.f;
+  return out;
+}
+
+void paint(const document::Look& look, const mesh::TriMesh& solid, gl::SceneMesh& mesh) {
+  switch (look.paint) {
+    case surface::Paint::TwoTone: {
+      const mesh::Bounds bounds = mesh::boundsOf(solid);
+      mesh.second = shares(look.second);
+      mesh.split = static_cast<float>((bounds.low[1] + bounds.high[1]) / 2);
+      break;
+    }
+    case surface::Paint::Clay: mesh.finish = gl::Finish::Clay; break;
+    case surface::Paint::Glaze: mesh.finish = gl::Finish::Glaze; break;
+    case surface::Paint::Metal: mesh.finish = gl::Finish::Metal; break;
+    case surface::Paint::Plain:
+    case surface::Paint::kCount: break;
+  }
+}
+
 gl::SceneMesh meshOf(const Source& source, const document::Look& look,
                      const pipeline::PartShape& shape) {
   gl::SceneMesh mesh;
   mesh.mesh = &shape.mesh;
   if (look.textured) wear(source, shape, mesh);
-  for (std::size_t i = 0; i < 3; ++i) mesh.colour[i] = static_cast<float>(look.colour[i]) / 255.f;
+  mesh.colour = shares(look.colour);
+  mesh.faceted = look.faceted;
+  if (!look.textured) paint(look, *mesh.mesh, mesh);
   return mesh;
+}
+
+/// Of the mesh as it lies on the GPU.
+std::uint64_t keyOf(std::uint64_t shape, const document::Look& look) {
+  return Hasher().text("mesh").number(shape).number(look.faceted).value() | 1u;
 }
 
 void addParts(const document::Document& document, const pipeline::Derived& derived,
@@ -82,7 +112,7 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     if (!shape || !part.visible || source.entry == nullptr) continue;
     if (previewOf(ui, part.id)) continue;
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
-    mesh.key = shape->key | 1u;
+    mesh.key = keyOf(shape->key, part.look);
     const bool several = document.parts.size() > 1;
     mesh.glow = several && isSelected(document, ui, part.id) ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
     addCopies(mesh, shownCopies(ui, part, source.entry->size), scene);
@@ -96,7 +126,7 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
   const Source source = sourceOf(document, derived, document::pictureOf(preview.recipe));
   if (source.entry == nullptr) return;
   gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
-  mesh.key = Hasher().text("preview").number(preview.revision).value() | 1u;
+  mesh.key = keyOf(Hasher().text("preview").number(preview.revision).value(), preview.look);
   addCopies(mesh, previewCopies(document, derived, ui, source.entry->size), scene);
 }
 

@@ -193,7 +193,10 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.key("start").text(loft::capKey(loft.loft.startCap));
   json.key("end").text(loft::capKey(loft.loft.endCap)).endObject();
   json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
-  json.key("colour").text(colourText(part.look.colour)).key("picture").number(document::pictureOf(part).value);
+  json.key("colour").text(colourText(part.look.colour));
+  json.key("paint").text(surface::finishOf(part.look.paint).key);
+  json.key("second").text(colourText(part.look.second)).key("faceted").flag(part.look.faceted);
+  json.key("picture").number(document::pictureOf(part).value);
   json.key("waiting").flag(derived.waiting);
   writePlacement(json, part, mm);
   json.key("failure");

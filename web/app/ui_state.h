@@ -178,6 +178,7 @@ struct UiState {
   document::Look look;
   inflate::PuffParams puff;
   sheet::SheetParams sheet;
+  bool secondColour = false;  ///< the colours of the panel are for what is below
 
   std::vector<PartId> alsoSelected;  ///< besides `selection`, each once (see placing.h)
   PlaceOptions place;

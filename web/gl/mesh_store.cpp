@@ -44,8 +44,8 @@ GpuMesh MeshStore::takeSpare() {
   return mesh;
 }
 
-void MeshStore::upload(GpuMesh& target, const mesh::TriMesh& mesh) {
-  const mesh::ShadedMesh shaded = mesh::shade(mesh);
+void MeshStore::upload(GpuMesh& target, const SceneMesh& item) {
+  const mesh::ShadedMesh shaded = mesh::shade(*item.mesh, item.faceted ? 0 : mesh::kCreaseAngle);
   staging_.clear();
   for (std::size_t i = 0; i < shaded.positions.size(); ++i) {
     const std::array<float, 2> uv = shaded.uv.empty() ? std::array<float, 2>{} : shaded.uv[i];
@@ -64,14 +64,14 @@ void MeshStore::upload(GpuMesh& target, const mesh::TriMesh& mesh) {
   target.count = static_cast<GLsizei>(shaded.triangles.size() * 3);
 }
 
-const GpuMesh& MeshStore::get(std::uint64_t key, const mesh::TriMesh& mesh) {
-  const auto at = std::ranges::find(slots_, key, &Slot::key);
+const GpuMesh& MeshStore::get(const SceneMesh& item) {
+  const auto at = std::ranges::find(slots_, item.key, &Slot::key);
   if (at != slots_.end()) {
     at->used = true;
     return at->mesh;
   }
-  Slot slot{key, takeSpare(), true};
-  upload(slot.mesh, mesh);
+  Slot slot{item.key, takeSpare(), true};
+  upload(slot.mesh, item);
   slots_.push_back(std::move(slot));
   return slots_.back().mesh;
 }

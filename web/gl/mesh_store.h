@@ -18,8 +18,8 @@ struct GpuMesh {
 /// Vertex attributes: 0 position, 1 normal, 2 uv.
 class MeshStore {
  public:
-  /// The mesh, uploaded now if it is new. Valid until the next call.
-  const GpuMesh& get(std::uint64_t key, const mesh::TriMesh& mesh);
+  /// The mesh of this item, uploaded now if it is new. Valid until the next call.
+  const GpuMesh& get(const SceneMesh& item);
   /// Retires what was not asked for since the last call.
   void endFrame();
   /// The context is lost: forgets every name.
@@ -32,7 +32,7 @@ class MeshStore {
     bool used = true;
   };
   GpuMesh takeSpare();
-  void upload(GpuMesh& target, const mesh::TriMesh& mesh);
+  void upload(GpuMesh& target, const SceneMesh& item);
   std::vector<Slot> slots_;
   std::vector<GpuMesh> spares_;
   std::vector<float> staging_;

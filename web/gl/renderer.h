@@ -23,6 +23,9 @@ struct SceneTexture {
   const image::Image* image = nullptr;
 };
 
+/// How a surface takes the light.
+enum class Finish : std::uint8_t { Plain, Clay, Glaze, Metal };
+
 struct SceneMesh {
   std::uint64_t key = 0;                 ///< equal keys, equal geometry; never 0
   const mesh::TriMesh* mesh = nullptr;   ///< alive while the scene is drawn
@@ -32,6 +35,11 @@ struct SceneMesh {
   /// What of the mesh's UV the texture covers: left, top, width, height.
   std::array<float, 4> textureArea{0, 0, 1, 1};
   std::array<float, 3> colour{1, 1, 1};  ///< sRGB, 0…1
+  /// A second colour below `split`, a height in the mesh's own space.
+  std::optional<std::array<float, 3>> second;
+  float split = 0;
+  Finish finish = Finish::Plain;
+  bool faceted = false;  ///< every triangle flat; part of `key`
   float glow = 0;  ///< 0…1: how much it is lit
 };
 

@@ -275,16 +275,20 @@ class WebGlRenderer final : public Renderer {
     glUniform1i(uniform(program, "picture"), 0);
     const GLint toWorld = uniform(program, "toWorld"), colour = uniform(program, "colour"),
                 textured = uniform(program, "textured"), glow = uniform(program, "glow"),
-                area = uniform(program, "area");
+                area = uniform(program, "area"), second = uniform(program, "second"),
+                split = uniform(program, "split"), finish = uniform(program, "finish");
     for (const SceneMesh& item : scene.meshes) {
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
-      const GpuMesh& mesh = meshes_.get(item.key, *item.mesh);
+      const GpuMesh& mesh = meshes_.get(item);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
       glFrontFace(item.flips ? GL_CW : GL_CCW);
       glUniform3f(colour, item.colour[0], item.colour[1], item.colour[2]);
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
       glUniform1f(glow, item.glow);
       glUniform4fv(area, 1, item.textureArea.data());
+      glUniform3fv(second, 1, (item.second ? *item.second : item.colour).data());
+      glUniform1f(split, item.split);
+      glUniform1i(finish, static_cast<GLint>(item.finish));
       glActiveTexture(GL_TEXTURE0);
       glBindTexture(GL_TEXTURE_2D, texture);
       glBindVertexArray(mesh.array.name());
@@ -313,7 +317,7 @@ class WebGlRenderer final : public Renderer {
     glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, fromSky.m.data());
     const GLint toWorld = uniform(program, "toWorld");
     for (const SceneMesh& item : scene.meshes) {
-      const GpuMesh& mesh = meshes_.get(item.key, *item.mesh);
+      const GpuMesh& mesh = meshes_.get(item);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
       glBindVertexArray(mesh.array.name());
       glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);

@@ -4,8 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
+#include "engine/surface/finish.h"
 #include "web/app/command_actions.h"
 #include "web/app/swatches.h"
 #include "web/panels/theme.h"
@@ -18,39 +22,121 @@ unsigned hexOf(const std::array<std::uint8_t, 3>& colour) {
   return (unsigned{colour[0]} << 16) | (unsigned{colour[1]} << 8) | colour[2];
 }
 
-/// Two halves of one pill.
-void pictureOrColour(const PanelEnv& env, bool textured, float width) {
+/// One of several words in a pill.
+struct Choice {
+  const char* id;
+  std::string_view text;
+  bool on;
+};
+
+/// A pill of words, one of which is chosen; returns the one that was pressed, or none.
+std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> choices, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = env.ui().touch ? 44.f : 36.f;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xf1eee7), kRadius);
-  const struct {
-    const char* id;
-    const char* text;
-    bool on;
-  } halves[] = {{"picture", "Picture", textured}, {"colour", "Colour", !textured}};
-  for (int i = 0; i < 2; ++i) {
+  const float each = width / static_cast<float>(choices.size());
+  std::optional<std::size_t> pressed;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, 0);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton(halves[i].id, {width / 2, height});
-    if (halves[i].on) {
-      list.AddRectFilled({corner.x + 3, corner.y + 3},
-                         {corner.x + width / 2 - 3, corner.y + height - 3}, kSurface, kRadius - 2);
-      list.AddRect({corner.x + 3, corner.y + 3}, {corner.x + width / 2 - 3, corner.y + height - 3},
-                   kLine, kRadius - 2);
+    if (ImGui::InvisibleButton(choices[i].id, {each, height}) && !choices[i].on) pressed = i;
+    const ImVec2 low{corner.x + 3, corner.y + 3}, high{corner.x + each - 3, corner.y + height - 3};
+    if (choices[i].on) {
+      list.AddRectFilled(low, high, kSurface, kRadius - 2);
+      list.AddRect(low, high, kLine, kRadius - 2);
     }
-    ImGui::PushFont(halves[i].on ? env.fonts.bold : env.fonts.text);
-    const ImVec2 extent = ImGui::CalcTextSize(halves[i].text);
-    list.AddText({corner.x + (width / 2 - extent.x) / 2, corner.y + (height - extent.y) / 2},
-                 halves[i].on ? kAccent : kMuted, halves[i].text);
+    ImGui::PushFont(choices[i].on ? env.fonts.bold : env.fonts.text);
+    const char* first = choices[i].text.data();
+    const char* last = first + choices[i].text.size();
+    const ImVec2 extent = ImGui::CalcTextSize(first, last);
+    list.AddText({corner.x + (each - extent.x) / 2, corner.y + (height - extent.y) / 2},
+                 choices[i].on ? kAccent : kMuted, first, last);
     ImGui::PopFont();
-    if (pressed && !halves[i].on) {
-      env.sink.run("toggle-texture", app::Json::Object{{"textured", i == 0}});
-    }
+  }
+  return pressed;
+}
+
+void pictureOrColour(const PanelEnv& env, bool textured, float width) {
+  const std::array choices = {Choice{"picture", "Picture", textured}, Choice{"colour", "Colour", !textured}};
+  if (const auto pressed = pill(env, choices, width)) {
+    env.sink.run("toggle-texture", app::Json::Object{{"textured", *pressed == 0}});
   }
 }
 
+/// A ball as the paint shows it.
+void ball(ImDrawList& list, ImVec2 centre, float radius, const document::Look& look) {
+  const auto mixed = [&](float light) {
+    const auto channel = [&](std::size_t i) {
+      const float c = static_cast<float>(look.colour[i]);
+      return static_cast<int>(light > 1 ? 255 - (255 - c) * (2 - light) : c * light);
+    };
+    return IM_COL32(channel(0), channel(1), channel(2), 255);
+  };
+  const auto spot = [&](float share, float light) {
+    const float off = radius * (1 - share) * 0.45f;
+    list.AddCircleFilled({centre.x - off, centre.y - off}, radius * share, mixed(light), 28);
+  };
+  switch (look.paint) {
+    case surface::Paint::TwoTone: {
+      list.AddCircleFilled(centre, radius, mixed(1), 28);
+      const auto& s = look.second;
+      list.PathArcTo(centre, radius, 0, 3.14159f, 20);
+      list.PathFillConvex(IM_COL32(s[0], s[1], s[2], 255));
+      break;
+    }
+    case surface::Paint::Clay:
+      list.AddCircleFilled(centre, radius, mixed(0.72f), 28);
+      spot(0.75f, 0.9f);
+      spot(0.4f, 1.02f);
+      break;
+    case surface::Paint::Glaze:
+      list.AddCircleFilled(centre, radius, mixed(0.8f), 28);
+      spot(0.8f, 1);
+      spot(0.22f, 1.85f);
+      break;
+    case surface::Paint::Metal:
+      list.AddCircleFilled(centre, radius, mixed(0.45f), 28);
+      spot(0.85f, 0.75f);
+      spot(0.55f, 1.25f);
+      spot(0.25f, 1.8f);
+      break;
+    case surface::Paint::Plain:
+    case surface::Paint::kCount: list.AddCircleFilled(centre, radius, mixed(1), 28);
+  }
+  list.AddCircle(centre, radius, rgb(0x1f2430, 40), 28, 1);
+}
+
+/// A row of paints: what the colour is made of.
+void paints(const PanelEnv& env, const document::Look& look, float width) {
+  const auto finishes = surface::finishes();
+  const auto count = static_cast<float>(finishes.size());
+  const float gap = 6, wide = std::floor((width - gap * (count - 1)) / count);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+  for (std::size_t i = 0; i < finishes.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    document::Look shown = look;
+    shown.paint = finishes[i].paint;
+    const bool on = !look.textured && look.paint == finishes[i].paint;
+    const bool pressed = tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
+                              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) {
+                                ball(list, centre, radius * 0.95f, shown);
+                              });
+    if (pressed) env.sink.run("set-paint", app::Json::Object{{"paint", finishes[i].key}});
+  }
+  ImGui::PopStyleVar();
+}
+
+/// Colours to pick from; of the second one when there are two and it is being chosen.
 void swatches(const PanelEnv& env, const document::Look& look, float width) {
+  const bool twoTone = !look.textured && look.paint == surface::Paint::TwoTone;
+  bool& second = env.ui().secondColour;
+  if (!twoTone) second = false;
+  if (twoTone) {
+    const std::array choices = {Choice{"above", "Above", !second}, Choice{"below", "Below", second}};
+    if (const auto pressed = pill(env, choices, width)) second = *pressed == 1;
+  }
+  const std::array<std::uint8_t, 3>& chosen = second ? look.second : look.colour;
   const int columns = env.ui().layout.strip ? 10 : 5;
   const float gap = 6;
   const float side = std::floor(std::min(
@@ -66,14 +152,23 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddCircleFilled(centre, radius, rgb(swatch.hex), 32);
     list.AddCircle(centre, radius, rgb(0x1f2430, 40), 32, 1);
-    if (!look.textured && hexOf(look.colour) == swatch.hex) {
+    if (!look.textured && hexOf(chosen) == swatch.hex) {
       list.AddCircle(centre, radius + 2.5f, kAccent, 36, 2);
     } else if (ImGui::IsItemHovered()) {
       list.AddCircle(centre, radius + 2.5f, kLine, 36, 2);
     }
-    if (pressed) env.sink.run("set-colour", app::Json::Object{{"colour", swatch.value}});
+    if (pressed) {
+      env.sink.run(second ? "set-second-colour" : "set-colour", app::Json::Object{{"colour", swatch.value}});
+    }
   }
   ImGui::PopStyleVar();
+}
+
+void smoothOrFaceted(const PanelEnv& env, bool faceted, float width) {
+  const std::array choices = {Choice{"smooth", "Smooth", !faceted}, Choice{"faceted", "Facets", faceted}};
+  if (const auto pressed = pill(env, choices, width)) {
+    env.sink.run("toggle-facets", app::Json::Object{{"faceted", *pressed == 1}});
+  }
 }
 
 /// Nearest of 1, 2, 5, 10, 20, 50 … above or below.
@@ -124,14 +219,13 @@ void howTall(const PanelEnv& env, float width) {
 void lookPanel(const PanelEnv& env, float width) {
   const document::Look look = app::currentLook(env.env);
   if (env.ui().layout.strip && width >= 640) {
-    ImGui::BeginGroup();
-    pictureOrColour(env, look.textured, 220);
-    ImGui::EndGroup();
-    ImGui::SameLine(0, 24);
-    ImGui::BeginGroup();
-    label(env.fonts.small, kMuted, "How tall?");
-    howTall(env, 220);
-    ImGui::EndGroup();
+    const float third = std::floor((width - 32) / 3);
+    pictureOrColour(env, look.textured, third);
+    ImGui::SameLine(0, 16);
+    smoothOrFaceted(env, look.faceted, third);
+    ImGui::SameLine(0, 16);
+    howTall(env, third);
+    paints(env, look, std::min(width, 520.f));
     swatches(env, look, width);
     return;
   }
@@ -140,11 +234,16 @@ void lookPanel(const PanelEnv& env, float width) {
     ImGui::SameLine(0, width * 0.04f);
     howTall(env, width * 0.48f);
     swatches(env, look, width);
+    paints(env, look, width);
+    smoothOrFaceted(env, look.faceted, width);
     return;
   }
   pictureOrColour(env, look.textured, width);
   ImGui::Dummy({0, 2});
+  paints(env, look, width);
   swatches(env, look, width);
+  ImGui::Dummy({0, 2});
+  smoothOrFaceted(env, look.faceted, width);
   heading(env, "How tall?");
   howTall(env, width);
 }

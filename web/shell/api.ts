@@ -101,6 +101,11 @@ export interface Part {
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */
   textured: boolean;
   colour: string;
+  /** Without the picture: 'plain', 'two-tone', 'clay', 'glaze' or 'metal'; the colour below of 'two-tone'. */
+  paint: string;
+  second: string;
+  /** True when every triangle is flat. */
+  faceted: boolean;
   /** Id of the picture that it was drawn on. */
   picture: number;
   placement: Placement;
@@ -232,7 +237,8 @@ export interface Command {
   } | null;
 }
 
-export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft';
+/** 'zip': OBJ with its colours and its picture. */
+export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft' | 'zip' | '3mf';
 
 /** A model that this device keeps. */
 export interface KeptModelInfo {

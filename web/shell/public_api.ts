@@ -5,7 +5,7 @@ import { Failure } from './failure.ts';
 import type { ModelInfo } from './keep/store.ts';
 
 const kPollMs = 12;
-const kFormats: ExportFormat[] = ['glb', 'obj', 'stl', 'spineloft'];
+const kFormats: ExportFormat[] = ['glb', 'obj', 'stl', 'spineloft', 'zip', '3mf'];
 
 export interface ApiPage {
   /** Null until the engine runs. */
@@ -92,7 +92,7 @@ export function installApi(api: ApiPage): void {
     async exportModel(format) {
       const engine = await running();
       if (!kFormats.includes(format)) {
-        throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj, stl or spineloft.`);
+        throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj, zip, stl, 3mf or spineloft.`);
       }
       return engine.exportModel(format);
     },

@@ -175,6 +175,20 @@ TEST_CASE("the golden document with parts that were placed, mirrored and grouped
   CHECK(read.value().lastGroupId == 3);
 }
 
+TEST_CASE("the golden document with paints reads as what was written") {
+  const auto bytes = testFile("golden/document-v1-looks.json");
+  ReadNotes notes;
+  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                                 [](std::uint64_t) { return nullptr; }, &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  REQUIRE(read.value().parts.size() == 2);
+  const document::Look scales{false, {10, 20, 30}, surface::Paint::TwoTone, {200, 230, 0}, true};
+  CHECK(read.value().parts[0]->look == scales);
+  const document::Look shell{true, document::Look{}.colour, surface::Paint::Metal, document::Look{}.second, false};
+  CHECK(read.value().parts[1]->look == shell);
+}
+
 TEST_CASE("the golden documents hold every key that a document can have") {
   std::set<std::string> found, wanted;
   for (const auto& [name, bytes] : testFiles("golden")) {

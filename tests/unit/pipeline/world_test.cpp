@@ -101,7 +101,13 @@ TEST_CASE("the file of a placed part holds the placed mesh, its twin and its mir
         update(document, PlaceParts{{{PartId{1}, placement, mirror}}}).value();
     const auto obj = publish::publish(placed, derived, publish::Format::Obj, {});
     REQUIRE(obj.ok());
-    const std::vector<WorldPoint> written = verticesOf(obj.value());
+    // From millimetres back to the world: the file stands on the ground, centred, as tall as asked for.
+    const std::optional<WorldBounds> shown = worldBounds(placed, derived);
+    REQUIRE(shown);
+    const double mm = placed.height.value / (shown->high.y - shown->low.y);
+    const WorldPoint base{(shown->low.x + shown->high.x) / 2, shown->low.y, (shown->low.z + shown->high.z) / 2};
+    std::vector<WorldPoint> written = verticesOf(obj.value());
+    for (WorldPoint& p : written) p = p / mm + base;
     std::vector<WorldPoint> expected;
     for (const ToWorld& toWorld : copiesInWorld(*placed.parts[0], kSize)) {
       requireLawful(worldMesh(mesh, toWorld));

@@ -89,32 +89,32 @@ TEST_CASE("hidden parts are not exported, and without a visible part there is no
   CHECK(text.find("Part 1") == std::string::npos);
   CHECK(text.find("Part 2") != std::string::npos);
   document = update(document, ShowPart{PartId{2}, false}).value();
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl}) {
+  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::ObjZip, Format::ThreeMf}) {
     const auto none = publish::publish(document, derived, format, {});
     REQUIRE_FALSE(none.ok());
     CHECK(none.error() == Error::NothingToExport);
   }
 }
 
-TEST_CASE("a GLB without its project holds a picture once, and only when a visible part wears it") {
+TEST_CASE("a GLB holds one texture for all parts that wear a picture, and none when none does") {
   Document document = twoParts();
   const auto jpegs = [&] {
     const Bytes glb =
         publish::publish(document, derivedOf(document), Format::Glb, {}, {.withProject = false}).value();
+    CHECK(timesFound(glb, {0x89, 'P', 'N', 'G'}) == 0);
     return timesFound(glb, {0xff, 0xd8, 0xff});
   };
-  CHECK(jpegs() == 2);
-  document = update(document, DrawSpine{PictureId{1}, {{60, 60}, {130, 80}}}).value();
-  CHECK(jpegs() == 2);
-  document = update(document, SetLook{PartId{2}, {false, {200, 10, 10}}}).value();
   CHECK(jpegs() == 1);
+  document = update(document, SetLook{PartId{1}, {false, {200, 10, 10}}}).value();
+  CHECK(jpegs() == 1);
+  document = update(document, SetLook{PartId{2}, {false, {200, 10, 10}}}).value();
+  CHECK(jpegs() == 0);
 }
 
-TEST_CASE("a GLB with its project holds every photo once, whether as texture, as photo or as both") {
+TEST_CASE("a GLB with its project holds every photo once") {
   Document document = twoParts();
   const auto pngs = [&] {
     const Bytes glb = publish::publish(document, derivedOf(document), Format::Glb, {}).value();
-    CHECK(timesFound(glb, {0xff, 0xd8, 0xff}) == 0);
     return timesFound(glb, {0x89, 'P', 'N', 'G'});
   };
   CHECK(pngs() == 2);
@@ -170,7 +170,8 @@ TEST_CASE("a cancelled export gives nothing, and equal models give equal bytes")
   const pipeline::Derived derived = derivedOf(document);
   const Progress cancelled;
   cancelled.cancel();
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project}) {
+  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip,
+                              Format::ThreeMf}) {
     const auto none = publish::publish(document, derived, format, cancelled);
     REQUIRE_FALSE(none.ok());
     CHECK(none.error() == Error::Cancelled);
@@ -192,5 +193,7 @@ TEST_CASE("file names carry the model's name and size in portable characters") {
   document.height = {12.54};
   CHECK(fileName(document, Format::Stl) == "model-12.5mm.stl");
   document.name = "K\xc3\xa4" "fer";
+  CHECK(fileName(document, Format::ObjZip) == "k\xc3\xa4" "fer-12.5mm-obj.zip");
+  CHECK(fileName(document, Format::ThreeMf) == "k\xc3\xa4" "fer-12.5mm.3mf");
   CHECK(fileName(document, Format::Obj) == "k\xc3\xa4" "fer-12.5mm.obj");
 }
