@@ -1,6 +1,7 @@
 // Stage times on made-up inputs, as JSON on standard output: native, and as wasm under Node.
 // Nothing is asserted about times; a run that cannot make its part ends with 1.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -92,6 +93,21 @@ void timeRibDrag(bench::Report& report, const image::Picture& picture, const ima
   });
 }
 
+/// A blob of 400 pixels, hand-drawn: 300 points.
+void reportRegionStages(bench::Report& report) {
+  document::Region region{PictureId{1}, {{}}, 0};
+  for (int i = 0; i < 300; ++i) {
+    const double a = 6.283185307179586 * i / 300, r = 180 + 14 * std::sin(3 * a) + 9 * std::sin(5 * a + 1);
+    region.contours[0].push_back({250 + r * std::cos(a), 250 + r * std::sin(a)});
+  }
+  const document::PuffRecipe puff{region, {1, inflate::PuffSides::Both, 4000}};
+  const document::PuffRecipe moving{region, {1, inflate::PuffSides::Both, 900}};
+  const document::SheetRecipe sheet{region, {}};
+  report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::puffStage(puff, {500, 500})); });
+  report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::puffStage(moving, {500, 500})); });
+  report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::sheetStage(sheet, {500, 500})); });
+}
+
 void printStageTimes() {
   const image::Size size{1024, 768}, photo{2304, 1728};
   const image::Picture picture = bench::tubePicture(size), large = bench::tubePicture(photo);
@@ -118,6 +134,7 @@ void printStageTimes() {
   report.stage("silhouette", 21, [&](int) {
     if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);
   });
+  reportRegionStages(report);
   constexpr int kMoves = 60;
   for (const int ribs : {100, 200}) {
     recipe.spine.ribs = ribs;
