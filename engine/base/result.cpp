@@ -46,8 +46,8 @@ constexpr std::array kTexts = {
     ErrorText{Error::TooFewRibs, "TooFewRibs",
               "The part has fewer than two ribs. Draw a longer line through the object."},
     ErrorText{Error::SectionInvalid, "SectionInvalid",
-              "That slice has no shape. Choose or draw a closed shape with at least three "
-              "corners."},
+              "That slice does not work here. Choose another one, or draw a closed shape with at least "
+              "three corners."},
     ErrorText{Error::MeshInvalid, "MeshInvalid",
               "A part is not a closed solid, so it cannot be saved. Undo the last change."},
     ErrorText{Error::NothingToExport, "NothingToExport",

@@ -80,7 +80,10 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionStop> stops, int
       const std::vector<std::size_t> match = matched(shapes.back(), pieces.value());
       Pieces sorted;
       for (const std::size_t j : match) {
-        if (j >= pieces.value().size()) return {Error::SectionInvalid, "slices differ in their pieces"};
+        if (j >= pieces.value().size()) {
+          return {Error::SectionInvalid,
+                  "slices next to each other need equally many pieces, with equally many holes"};
+        }
         sorted.push_back(pieces.value()[j]);
       }
       for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i].outer = shapes.back()[i].outer;

@@ -68,8 +68,12 @@ void App::layout() {
   if (!ui_.slices.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
-    ui_.pictureView =
-        fitPicture(entry->size, ui_.layout.picture);
+    // Where the bar of the tool takes much of the view, the picture stays clear of it.
+    Rect clear = ui_.layout.picture;
+    clear.y += ui_.headRoom;
+    clear.height = std::max(1.0, clear.height - ui_.headRoom);
+    ui_.pictureView = fitPicture(entry->size, clear);
+    ui_.pictureView.centre.y -= ui_.headRoom / 2 / ui_.pictureView.zoom;
   }
 }
 
@@ -77,8 +81,7 @@ void App::layout() {
 void App::settle() {
   const document::Document& document = studio_.document();
   if (!document::findPicture(document, ui_.picture)) {
-    ui_.picture = document.pictures.empty() ? PictureId{} : document.pictures.back()->id;
-    ui_.pictureView.fitted = true;
+    lookAt(ui_, document.pictures.empty() ? PictureId{} : document.pictures.back()->id);
     gestures_.cancel(toolEnv());
   }
   settleSketching(document, ui_);
@@ -326,6 +329,15 @@ void App::wheel(const platform::WheelEvent& event) {
   touch();
 }
 
+/// What is in hand, on the views or on its way out of a panel, goes back to where it came from.
+void App::cancelGesture() {
+  gestures_.cancel(toolEnv());
+  if (!ui_.slices.carried) return;
+  ui_.slices.pressed.reset();
+  ui_.slices.carried.reset();
+  ui_.slices.marked.reset();
+}
+
 bool App::key(const platform::KeyEvent& event) {
   if (event.code == "Space") {
     ui_.spaceHeld = event.down;
@@ -333,9 +345,10 @@ bool App::key(const platform::KeyEvent& event) {
     return true;
   }
   if (!event.down) return false;
-  if (event.key == "Escape" && gestures_.active()) {
-    gestures_.cancel(toolEnv());
-    touch();
+  const bool inHand = gestures_.active() || ui_.slices.carried;
+  if (event.key == "Escape" && inHand) {
+    cancelGesture();
+    touch(2);
     return true;
   }
   if (const char* id = boardCommandForKey(env(), event)) {
@@ -379,8 +392,7 @@ const std::string& App::addPicture(image::Picture picture, std::string_view name
     status = studio_.act(actions);
   }
   if (!status) return answerWith(refuse(status.failure()));
-  ui_.picture = studio_.document().pictures.back()->id;
-  ui_.pictureView.fitted = true;
+  lookAt(ui_, studio_.document().pictures.back()->id);
   ui_.selection = {};
   ui_.redraw = {};
   ui_.focus = Focus::Picture;
@@ -407,7 +419,7 @@ const std::string& App::run(std::string_view id, std::string_view argsJson) {
   Outcome outcome;
   const std::optional<Json> args = argsJson.empty() ? Json() : Json::parse(argsJson);
   if (args) {
-    if (id == "cancel") gestures_.cancel(toolEnv());
+    if (id == "cancel") cancelGesture();
     outcome = runCommand(env(), id, *args);
     settle();
     studio_.derived();

@@ -74,6 +74,7 @@ class App final : public platform::Page {
   /// Runs what tools and panels asked for; refusals become toasts.
   void runCalls();
   void settle();
+  void cancelGesture();
   void settleChosen();
   void showOtherModel();
   void layout();

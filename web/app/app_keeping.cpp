@@ -89,6 +89,8 @@ void App::showOtherModel() {
   ui_.preview.reset();
   ui_.selection = ui_.redraw = {};
   ui_.picture = {};
+  ui_.seen.clear();
+  ui_.pictureView.fitted = true;
   ui_.tool = ToolKind::Draw;
   ui_.focus = Focus::Picture;
   ui_.flight.reset();

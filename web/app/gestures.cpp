@@ -91,6 +91,9 @@ void Gestures::hover(const PointerEvent& event, const tools::ToolEnv& env) {
     env.ui.hover = tools::pickInPicture(env, last_);
   } else if (place == Place::Solid) {
     env.ui.hover = tools::pickInSolid(env, last_);
+  } else if (place == Place::Slices) {
+    env.ui.hover = {};
+    env.ui.hover.along = tools::placeInGraph(env.ui, hover_);
   } else {
     env.ui.hover = {};
   }

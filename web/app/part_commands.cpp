@@ -20,8 +20,7 @@ using Env = const CommandEnv&;
 void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
   env.ui.alsoSelected.clear();
-  if (env.ui.picture != document::pictureOf(part)) env.ui.pictureView.fitted = true;
-  env.ui.picture = document::pictureOf(part);
+  lookAt(env.ui, document::pictureOf(part));
   env.ui.redraw = {};
   if (const document::LoftRecipe* loft = document::loftOf(part)) {
     env.ui.section = loft->loft.sections.front().shape;
@@ -146,7 +145,7 @@ Outcome redrawMode(Env env, const Json& args) {
   env.ui.tool = document::puffOf(*part)    ? ToolKind::Puff
                 : document::sheetOf(*part) ? ToolKind::Sheet
                                            : ToolKind::Draw;
-  env.ui.picture = document::pictureOf(*part);
+  lookAt(env.ui, document::pictureOf(*part));
   sendStatus(env.host, "Draw the new line of " + part->name + ".");
   return {};
 }

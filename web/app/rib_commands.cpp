@@ -248,7 +248,7 @@ Outcome chooseRib(Env env, const Json& args) {
   const std::optional<ribs::EndRef> end = endFor(env, args, subject);
   if (!end) return noRib();
   env.ui.selection = subject.part->id;
-  env.ui.picture = document::pictureOf(*subject.part);
+  lookAt(env.ui, document::pictureOf(*subject.part));
   env.ui.tool = ToolKind::Ribs;
   env.ui.chosen = {end, -1};
   return {};

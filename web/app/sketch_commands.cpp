@@ -40,17 +40,16 @@ int sideOf(const Json& args, std::string_view key, int fallback) {
                                                                        : -1;
 }
 
-/// What comes into view is seen whole, with nothing of another picture chosen.
+/// What comes into view is seen as it was last, with nothing of another picture chosen.
 void show(Env env, PictureId id) {
   UiState& ui = env.ui;
   const document::Part* part = document::findPart(env.studio.document(), ui.selection);
   if (part != nullptr && document::pictureOf(*part) != id) ui.selection = {};
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), id);
-  if (ui.picture != id) {
-    ui.pictureView.fitted = true;
-    if (entry != nullptr) sendStatus(env.host, entry->name + " is in view.");
+  if (ui.picture != id && entry != nullptr) {
+    sendStatus(env.host, entry->name + " is in view.");
   }
-  ui.picture = id;
+  lookAt(ui, id);
   ui.pictureMenu = {};
   ui.redraw = {};
   ui.preview.reset();

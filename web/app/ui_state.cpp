@@ -1,6 +1,8 @@
 #include "web/app/ui_state.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace spineloft::app {
 
@@ -9,6 +11,17 @@ std::string_view toolKey(ToolKind tool) {
       {"draw",  "hand",  "ribs", "shape",  "bone", "ignore",
        "puff", "sheet", "pen",  "eraser", "move"};
   return tool < ToolKind::kCount ? kKeys[static_cast<std::size_t>(tool)] : std::string_view();
+}
+
+void lookAt(UiState& ui, PictureId picture) {
+  if (ui.picture == picture) return;
+  if (ui.picture) ui.seen.push_back({ui.picture, ui.pictureView});
+  ui.picture = picture;
+  ui.pictureView.fitted = true;
+  const auto at = std::ranges::find(ui.seen, picture, &SeenPicture::picture);
+  if (at == ui.seen.end()) return;
+  ui.pictureView = at->view;
+  ui.seen.erase(at);
 }
 
 }  // namespace spineloft::app

@@ -96,6 +96,8 @@ struct Hover {
   int mark = -1;                    ///< a scribble (see marksOf)
   GizmoHandle gizmo = GizmoHandle::None;
   std::optional<OutlinePoint> outline;  ///< of the selected puff or flat piece
+  std::optional<double> along;      ///< a place of the selected part's bone: at it, or in a graph
+  std::optional<ClientPoint> brush; ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
 };
 
@@ -147,6 +149,12 @@ struct CameraFlight {
   double startMs = 0, lengthMs = 300;
 };
 
+/// How a picture was looked at when another came into view.
+struct SeenPicture {
+  PictureId picture;
+  PictureView view;
+};
+
 struct UiState {
   Layout layout;
   double canvasWidth = 0, canvasHeight = 0, dpr = 1;
@@ -161,13 +169,16 @@ struct UiState {
   Chosen chosen;
   InHand inHand;
   EditOptions edit;
-  PictureId picture;          ///< the one in the picture view
+  PictureId picture;          ///< the one in the picture view (see lookAt)
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
   PartId redraw;              ///< the next stroke is for this part
   PictureId pictureMenu;      ///< whose small menu is open
   Sketching sketching;        ///< pen and eraser
 
   PictureView pictureView;
+  std::vector<SeenPicture> seen;  ///< how the other pictures were last looked at
+  bool legendOpen = false;        ///< on a phone, where it is folded at first
+  double headRoom = 0;  ///< CSS pixels at the head of the picture view that its bar takes on a phone
   Camera camera;
   std::optional<CameraFlight> flight;
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
@@ -197,5 +208,8 @@ struct UiState {
   std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame
   std::vector<Rect> overlays;  ///< ImGui windows above the views, as of the last frame
 };
+
+/// Brings a picture into view as it was last looked at, the first time whole.
+void lookAt(UiState& ui, PictureId picture);
 
 }  // namespace spineloft::app

@@ -139,8 +139,9 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
   const std::array<std::uint8_t, 3>& chosen = second ? look.second : look.colour;
   const int columns = env.ui().layout.strip ? 10 : 5;
   const float gap = 6;
+  const float most = env.ui().touch ? 44.f : 40.f;
   const float side = std::floor(std::min(
-      (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), 40.f));
+      (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), most));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t i = 0; i < app::kSwatches.size(); ++i) {
     const app::Swatch& swatch = app::kSwatches[i];

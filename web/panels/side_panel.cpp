@@ -25,7 +25,7 @@ bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
   unsigned& folded = env.ui().folded;
   ImGui::Dummy({0, 2});
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = env.ui().touch ? 40.f : 28.f;
+  const float width = ImGui::GetContentRegionAvail().x, height = env.ui().touch ? 44.f : 28.f;
   if (ImGui::InvisibleButton(text, {width, height})) folded ^= bit;
   const bool open = (folded & bit) == 0;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -52,8 +52,9 @@ void column(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
   label(env.fonts.bold, kInk, "Parts");
-  ImGui::SameLine(width - 24);
-  commandButton(env, "new-part", 32);
+  const float side = env.ui().touch ? 44.f : 32.f;
+  ImGui::SameLine(width - side + 8);
+  commandButton(env, "new-part", side);
   partList(env);
   if (const document::Part* region = selectedRegion(env)) {
     const char* title = document::puffOf(*region) ? "Puff" : "Flat piece";

@@ -143,11 +143,26 @@ void settings(const PanelEnv& env, bool all) {
   if (dotButton(env, "ink", 8, ink, open == app::PenMenu::Colour)) toggle(app::PenMenu::Colour);
 }
 
+/// How much an eraser or a scribble would cover that began here.
+void brushRing(const PanelEnv& env, app::ClientPoint at) {
+  const app::UiState& ui = env.ui();
+  const double radius = erasing(env)
+                            ? app::kEraserRadii[ui.sketching.eraserSize] * ui.pictureView.zoom
+                            : ui.edit.brush;
+  const ImVec2 centre{static_cast<float>(at.x), static_cast<float>(at.y)};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddCircle(centre, static_cast<float>(radius) + 1, rgb(0xffffff, 160), 0, 1);
+  list.AddCircle(centre, static_cast<float>(radius), kMuted, 0, 1.2f);
+}
+
 }  // namespace
 
 void drawInk(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
-  if (!ui.sketching.stroke) return;
+  if (!ui.sketching.stroke) {
+    if (ui.hover.brush) brushRing(env, *ui.hover.brush);
+    return;
+  }
   const image::SketchStroke& stroke = *ui.sketching.stroke;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImU32 colour = stroke.erase ? rgb(0xffffff) : colourOf(stroke.colour);

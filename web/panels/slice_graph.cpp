@@ -159,6 +159,10 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
       marked && graph.kind == app::GraphArea::Kind::Along) {
     list.AddLine({x(*marked), at.y}, {x(*marked), end.y}, kGlow, 3);
   }
+  const auto& hovered = env.ui().hover.along;
+  const bool pointed = hovered && !env.ui().slices.marked &&
+                       graph.kind == app::GraphArea::Kind::Along;
+  if (pointed) list.AddLine({x(*hovered), at.y}, {x(*hovered), end.y}, kMuted, 1);
   constexpr int kSteps = 64;
   for (int i = 0; i <= kSteps; ++i) {
     const double t = static_cast<double>(i) / kSteps;
@@ -175,6 +179,9 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
   char text[48] = "";
   if (dragging && env.ui().slices.graphPoint < curve.points.size()) {
     std::snprintf(text, sizeof text, "%.2g%s", curve.points[env.ui().slices.graphPoint].value,
+                  graph.unit);
+  } else if (pointed && !curve.empty()) {
+    std::snprintf(text, sizeof text, "%.2g%s", geometry::valueAt(curve, *hovered, graph.rest),
                   graph.unit);
   } else if (curve.empty() && graph.kind == app::GraphArea::Kind::Along) {
     std::snprintf(text, sizeof text, "Tap to bend the line");

@@ -77,6 +77,10 @@ void drawSliceOverlay(const PanelEnv& env) {
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
   const auto place = [&](double at) { return onCanvas(ui, app::placeOnBone(*shape, at)); };
   const float r = ui.touch ? 17.f : 13.f;
+  if (ui.hover.along && !ui.slices.marked) {
+    list.AddCircleFilled(place(*ui.hover.along), 5, kSurface, 20);
+    list.AddCircle(place(*ui.hover.along), 5, kSpine, 20, 2);
+  }
   if (ui.slices.marked) {
     list.AddCircleFilled(place(*ui.slices.marked), 9, rgb(0xffd166, 200), 24);
     list.AddCircle(place(*ui.slices.marked), 9, kInk, 24, 1.5f);

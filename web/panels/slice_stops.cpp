@@ -20,7 +20,7 @@ using Stops = std::vector<loft::SectionStop>;
 
 /// The bone as a line with the slices on it; a press picks one.
 void bar(const PanelEnv& env, const Stops& stops, std::size_t picked, float width) {
-  const float height = env.ui().touch ? 48.f : 42.f, r = height / 2 - 3;
+  const float height = env.ui().touch ? 50.f : 42.f, r = height / 2 - 3;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float left = at.x + r + 2, right = at.x + width - r - 2, y = at.y + height / 2;
   ImDrawList& list = *ImGui::GetWindowDrawList();

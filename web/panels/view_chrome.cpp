@@ -89,8 +89,20 @@ std::vector<LegendEntry> statesInView(const PanelEnv& env) {
   return found;
 }
 
-/// Colour and line style of the rib ends, in the lower left corner of the picture view; on a phone,
-/// where that would cover the picture, beside the view's name while nothing else is there.
+/// On a phone the legend would cover the picture: it comes and goes with a tap. True while it is open.
+bool legendButton(const PanelEnv& env, const app::Rect& view) {
+  const float side = buttonSide(env);
+  const double width = static_cast<double>(side) + 8;
+  beginCard(env, "legend", {view.right() - kMargin - width, view.y + kMargin, width, width});
+  bool& open = env.ui().legendOpen;
+  const char* tip = "What the colours of the ribs mean";
+  if (iconButton(env, {"legend", "list", tip, open, true, side})) open = !open;
+  endCard();
+  return open;
+}
+
+/// Colour and line style of the rib ends, in the lower left corner of the picture view; on a phone
+/// below its button, while nothing else is there.
 void legend(const PanelEnv& env, const app::Rect& view) {
   const std::vector<LegendEntry> entries = statesInView(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
@@ -98,6 +110,7 @@ void legend(const PanelEnv& env, const app::Rect& view) {
   const app::ToolKind tool = env.ui().tool;
   const bool barThere = tool != app::ToolKind::Draw && tool != app::ToolKind::Hand;
   if (entries.empty() || view.width < 330 || view.height < 200 || (stacked && barThere)) return;
+  if (stacked && !legendButton(env, view)) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImFont* font = env.fonts.small;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale, line = size + 6;
@@ -111,11 +124,11 @@ void legend(const PanelEnv& env, const app::Rect& view) {
     widest = std::max(widest, widthOf(entry.text));
   }
   // The buttons keep the right of the lower edge.
-  const bool column = !stacked && width > view.width - 360;
+  const bool column = stacked || width > view.width - 360;
   const float height = column ? line * static_cast<float>(entries.size()) + 8 : line + 8;
   if (column) width = widest + 12;
   const ImVec2 at = stacked ? ImVec2(static_cast<float>(view.right() - kMargin) - width,
-                                     static_cast<float>(view.y + kMargin))
+                                     static_cast<float>(view.y + kMargin) + buttonSide(env) + 14)
                             : ImVec2(static_cast<float>(view.x + kMargin),
                                      static_cast<float>(view.bottom() - kMargin - (onPaper ? kPenRoom : 0)) -
                                         height);
@@ -254,8 +267,9 @@ void drawActivity(const PanelEnv& env) {
   list.AddRectFilled(at, {at.x + length, at.y + 6}, kLine, 3);
   const float done = static_cast<float>(std::clamp(activity->progress.done(), 0.03, 1.0));
   list.AddRectFilled(at, {at.x + length * done, at.y + 6}, kAccent, 3);
-  ImGui::SetCursorPos({static_cast<float>(width) - 42, 8});
-  if (iconButton(env, {"stop", "x", "Cancel", false, true, 34})) env.env.studio.cancelWork();
+  const float side = env.ui().touch ? 44.f : 34.f;
+  ImGui::SetCursorPos({static_cast<float>(width) - side - 8, (52 - side) / 2});
+  if (iconButton(env, {"stop", "x", "Cancel", false, true, side})) env.env.studio.cancelWork();
   ImGui::End();
   ImGui::PopStyleVar();
 }

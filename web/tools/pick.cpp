@@ -7,6 +7,7 @@
 #include "web/app/picker.h"
 #include "web/app/placing.h"
 #include "web/app/region_editing.h"
+#include "web/app/slice_editing.h"
 #include "web/tools/place_tool.h"
 
 namespace spineloft::tools {
@@ -124,6 +125,12 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
     pickRib(subject, ui, p, reach, hover);
   } else if (subject && ui.tool == ToolKind::Bone) {
     pickBone(subject, p, reach, std::max(kLineReach, reachOf(event) * 0.7) * scale, hover);
+  }
+  if (ui.tool == ToolKind::Eraser || ui.tool == ToolKind::Ignore) {
+    hover.brush = event.at;
+  } else if (subject && subject.shape->centreLine.size() > 1 && ui.tool != ToolKind::Pen) {
+    const app::BonePlace place = app::nearestPlace(*subject.shape, p);
+    if (place.distance <= kLineReach * scale) hover.along = place.at;
   }
   return hover;
 }

@@ -44,6 +44,12 @@ std::unique_ptr<Tool> sliceTool(const ToolEnv& env, const ToolEvent& event) {
   return nullptr;
 }
 
+std::optional<double> placeInGraph(const app::UiState& ui, app::ClientPoint at) {
+  const app::GraphArea* graph = ui.slices.board ? nullptr : graphAt(ui, at);
+  if (graph == nullptr || graph->kind != app::GraphArea::Kind::Along) return std::nullopt;
+  return std::clamp((at.x - graph->at.x) / graph->at.width, 0.0, 1.0);
+}
+
 const char* sliceCursor(const ToolEnv& env, app::ClientPoint at) {
   if (onBoard(env.ui, at)) {
     return env.ui.slices.board->tool == app::BoardTool::Points ? "default" : "crosshair";

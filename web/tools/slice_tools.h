@@ -14,6 +14,9 @@ bool isForSlices(const app::UiState& ui, app::ClientPoint at);
 /// anywhere while a slice waits for its place. Null: the press is about something else.
 std::unique_ptr<Tool> sliceTool(const ToolEnv& env, const ToolEvent& event);
 
+/// The place along the bone that a graph shows at this point; none elsewhere.
+std::optional<double> placeInGraph(const app::UiState& ui, app::ClientPoint at);
+
 /// The CSS cursor of such a place; null elsewhere.
 const char* sliceCursor(const ToolEnv& env, app::ClientPoint at);
 
