@@ -7,13 +7,14 @@
 
 #include "engine/base/limits.h"
 #include "engine/geometry/polyline.h"
+#include "engine/geometry/stroke_line.h"
 
 namespace spineloft::loft {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 /// Points of a line before it is refined.
-constexpr std::size_t kLeastPoints = 64, kWorkPoints = 512;
+constexpr std::size_t kLeastPoints = 64;
 /// As ribs::SpineParams::smoothness.
 constexpr double kSmoothness = 0.1;
 constexpr double kFarOut = 1e6;  ///< picture pixels: beyond it floats are too coarse
@@ -32,16 +33,13 @@ Result<Plane> cleaned(const Plane& stroke, std::size_t count) {
     if (!isFinite(p)) return Error::StrokeNotFinite;
     points.push_back({std::clamp(p.x, -kFarOut, kFarOut), std::clamp(p.y, -kFarOut, kFarOut)});
   }
-  const bool backwards = points.back().x < points.front().x ||
-                         (points.back().x == points.front().x && points.back().y < points.front().y);
+  const bool backwards = !geometry::readsForwards(points);
   if (backwards) std::ranges::reverse(points);
   points = geometry::dropRepeats(std::span<const PicturePoint>(points), kSamePoint);
   if (points.size() < 2) return Error::StrokeTooShort;
-  for (int round = 0; round < 2; ++round) {
-    points = geometry::resample(std::span<const PicturePoint>(points), kWorkPoints);
-  }
-  const double wave = kSmoothness * static_cast<double>(kWorkPoints - 1);
-  points = geometry::smooth(points, std::pow(wave / kTurn, 2));
+  // Even twice: the first time cuts corners between points that were far apart.
+  points = geometry::evenStroke(geometry::evenStroke(points));
+  points = geometry::withoutWobble(points, kSmoothness);
   if (!(lengthOf(points) > kSamePoint)) return Error::StrokeTooShort;
   points = geometry::resample(std::span<const PicturePoint>(points), count);
   if (backwards) std::ranges::reverse(points);

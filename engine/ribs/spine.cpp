@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/limits.h"
 #include "engine/geometry/polyline.h"
+#include "engine/geometry/stroke_line.h"
 
 namespace spineloft::ribs {
 namespace {
 
 using Points = std::vector<PicturePoint>;
 
-// Points on which hooks are sought and wobble is smoothed, whatever the stroke's own density.
-constexpr std::size_t kWorkPoints = 512;
 // A crossing that leaves more than this share of the stroke on either side of it is a loop.
 constexpr double kHookShare = 0.15;
 // Hooks that are removed before the stroke is called looped.
@@ -99,17 +97,6 @@ bool removeHooks(Points& points) {
   return false;
 }
 
-// Whether the stroke reads smaller forwards than backwards: the direction in which it is worked on,
-// so that a stroke and its reverse go through the very same arithmetic.
-bool isCanonical(const Points& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PicturePoint a = points[i], b = points[points.size() - 1 - i];
-    if (a.x != b.x) return a.x < b.x;
-    if (a.y != b.y) return a.y < b.y;
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<Spine> cleanSpine(std::span<const PicturePoint> stroke, image::Size picture,
@@ -120,20 +107,16 @@ Result<Spine> cleanSpine(std::span<const PicturePoint> stroke, image::Size pictu
   }
   if (stroke.empty()) return Error::StrokeTooShort;
   Points points(stroke.begin(), stroke.end());
-  const bool forwards = isCanonical(points);
+  const bool forwards = geometry::readsForwards(points);
   if (!forwards) std::ranges::reverse(points);
   points = geometry::dropRepeats(std::span<const PicturePoint>(points), kSamePoint);
   if (points.size() < 2) return Error::StrokeTooShort;
   points = longestInside(points, picture);
   if (points.size() < 2) return Error::StrokeOutsidePicture;
 
-  points = geometry::resample(std::span<const PicturePoint>(points), kWorkPoints);
+  points = geometry::evenStroke(points);
   if (!removeHooks(points)) return Error::StrokeLoops;
-  points = geometry::resample(std::span<const PicturePoint>(points), kWorkPoints);
-  // A wobble of wavelength λ points is halved by the weight (λ / 2π)²: geometry::smooth damps it by
-  // 1 / (1 + weight² (2π/λ)⁴).
-  const double wave = params.smoothness * static_cast<double>(kWorkPoints - 1);
-  points = geometry::smooth(points, std::pow(wave / (2 * std::numbers::pi), 2));
+  points = geometry::withoutWobble(geometry::evenStroke(points), params.smoothness);
   if (!removeHooks(points)) return Error::StrokeLoops;
 
   const double length = geometry::arcLengths(std::span<const PicturePoint>(points)).back();
