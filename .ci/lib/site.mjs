@@ -99,6 +99,8 @@ async function bundle(folder, entryPoints, define) {
     assetNames: '[name]-[hash]',
     loader: { '.svg': 'text', '.ttf': 'file', '.woff2': 'file', '.png': 'file', '.jpg': 'file', '.webp': 'file', '.wasm': 'file', '.glsl': 'text' },
     define,
+    // manifold-3d asks for it where it runs in Node alone.
+    external: ['node:module'],
     plugins: [iconFont],
   }).catch((error) => {
     const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);

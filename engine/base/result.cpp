@@ -64,6 +64,19 @@ constexpr std::array kTexts = {
               "That value is out of range. Choose one within the limits shown."},
     ErrorText{Error::NothingToUndo, "NothingToUndo", "There is nothing to undo."},
     ErrorText{Error::NothingToRedo, "NothingToRedo", "There is nothing to redo."},
+    ErrorText{Error::SolidEmpty, "SolidEmpty",
+              "Nothing is left of that solid. Move its parts so that they overlap, or break it apart."},
+    ErrorText{Error::WallTooThick, "WallTooThick",
+              "The wall is too thick for that part: there is no room inside, or none at the opening. Choose a "
+              "thinner wall or another opening."},
+    ErrorText{Error::PartCrossesItself, "PartCrossesItself",
+              "A part goes through itself in a way that cannot be mended. Bend its bone less or make its ribs "
+              "shorter there."},
+    ErrorText{Error::SolidFailed, "SolidFailed",
+              "That solid could not be made. Undo the last change or break the solid apart."},
+    ErrorText{Error::SolverStopped, "SolverStopped",
+              "Putting the parts together was interrupted. Nothing is lost: change a part or press \"Try "
+              "again\"."},
     ErrorText{Error::FileUnreadable, "FileUnreadable",
               "The file cannot be read. Check its name and try again."},
     ErrorText{Error::FileUnwritable, "FileUnwritable",

@@ -46,6 +46,12 @@ enum class Error {
   ValueOutOfRange, ///< a parameter outside the range of the parameter table
   NothingToUndo,
   NothingToRedo,
+  // solids of steps
+  SolidEmpty,        ///< nothing is left of it
+  WallTooThick,      ///< no room inside for a hollow, or none at its opening
+  PartCrossesItself, ///< a part goes through itself in a way that cannot be mended
+  SolidFailed,       ///< the solver refused it
+  SolverStopped,     ///< the solver's worker died or could not be loaded
   // files and work
   FileUnreadable, ///< cannot be opened or read
   FileUnwritable, ///< cannot be written

@@ -27,7 +27,9 @@ Status checkParts(std::span<const ExportPart> parts, std::size_t pictures) {
   for (const ExportPart& part : parts) {
     const std::string name = cleanName(part.name);
     if (part.mesh == nullptr) return {Error::MeshInvalid, name + ": no mesh"};
-    const std::string broken = mesh::brokenLaw(mesh::inspect(*part.mesh));
+    const mesh::MeshReport report = mesh::inspect(*part.mesh);
+    const bool sound = report.finite && report.indexed && report.uvInRange;
+    const std::string broken = part.ofSolid && sound ? std::string() : mesh::brokenLaw(report);
     if (!broken.empty()) return {Error::MeshInvalid, name + ": " + broken};
     if (!inRange(part)) return {Error::ValueOutOfRange, name};
     if (!part.picture) continue;

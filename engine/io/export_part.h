@@ -36,6 +36,8 @@ struct ExportPart {
   std::array<float, 3> colour{0.8f, 0.8f, 0.8f};  ///< sRGB 0…1, where there is no picture
   double roughness = 0.8, metallic = 0;           ///< 0…1
   bool faceted = false;                           ///< every triangle flat, where the format has normals
+  bool ofSolid = false;  ///< some faces of a closed solid: open by itself
+  bool joins = false;    ///< belongs to the same node as the part before it
 };
 
 /// An encoded picture file (PNG or JPEG) as it shall lie in the 3D file; bytes must outlive the

@@ -58,6 +58,10 @@ class Writer {
     if (texture >= 0) primitive.attributes["TEXCOORD_0"] = attribute(shaded.uv, TINYGLTF_TYPE_VEC2);
     primitive.indices = indices(shaded);
     primitive.material = material(part, name, texture);
+    if (part.joins && !model_.meshes.empty()) {
+      model_.meshes.back().primitives.push_back(std::move(primitive));
+      return;
+    }
     tinygltf::Mesh mesh;
     mesh.name = name;
     mesh.primitives.push_back(std::move(primitive));

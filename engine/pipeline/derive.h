@@ -13,6 +13,7 @@
 #include "engine/pipeline/cache.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_shape.h"
+#include "engine/pipeline/solid.h"
 #include "engine/vision/edges.h"
 
 namespace spineloft::pipeline {
@@ -33,6 +34,9 @@ struct Derived {
   /// Pictures whose edges are not in the cache, each once: let a worker find them (detectEdges),
   /// keep them in the cache, derive again.
   std::vector<PictureId> wantedEdges;
+  /// Steps with what is known of their solids, same order as Document::steps; filled by whoever has a
+  /// solver. Empty: no step is solved, and parts show themselves.
+  std::vector<DerivedStep> steps;
 };
 
 /// The pixels of a picture of the document; null when there is no such picture or no pixels.

@@ -22,7 +22,7 @@ std::optional<WorldBounds> boundsIf(const document::Document& document, const De
   std::optional<WorldBounds> bounds;
   for (const DerivedPart& shown : derived.parts) {
     const document::Part* part = document::findPart(document, shown.id);
-    if (part == nullptr || !part->visible || !shown.shape || !wanted(shown.id)) continue;
+    if (part == nullptr || !shown.shape || !wanted(*part)) continue;
     const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
     if (entry == nullptr) continue;
     for (const ToWorld& toWorld : copiesInWorld(*part, entry->size)) {
@@ -125,17 +125,29 @@ void include(std::optional<WorldBounds>& bounds, WorldPoint p) {
 
 std::optional<WorldBounds> worldBounds(const document::Document& document,
                                        const Derived& derived) {
-  return boundsIf(document, derived, [](PartId) { return true; });
+  std::optional<WorldBounds> bounds = boundsIf(document, derived, [&](const document::Part& part) {
+    return showsItself(document, derived, part);
+  });
+  for (const document::Step& step : document.steps) {
+    const DerivedStep* shown = shownSolid(document, derived, step);
+    if (shown == nullptr) continue;
+    for (const auto& p : shown->solid->mesh.positions) include(bounds, {p[0], p[1], p[2]});
+  }
+  return bounds;
 }
 
 std::optional<WorldBounds> boundsOf(const document::Document& document, const Derived& derived,
                                     std::span<const PartId> parts) {
-  return boundsIf(document, derived, [&](PartId id) { return std::ranges::count(parts, id) > 0; });
+  return boundsIf(document, derived, [&](const document::Part& part) {
+    return part.visible && std::ranges::count(parts, part.id) > 0;
+  });
 }
 
 std::optional<WorldBounds> boundsWithout(const document::Document& document,
                                          const Derived& derived, std::span<const PartId> parts) {
-  return boundsIf(document, derived, [&](PartId id) { return std::ranges::count(parts, id) == 0; });
+  return boundsIf(document, derived, [&](const document::Part& part) {
+    return part.visible && std::ranges::count(parts, part.id) == 0;
+  });
 }
 
 WorldPoint middleOf(const mesh::TriMesh& shape, const WorldFrame& frame) {

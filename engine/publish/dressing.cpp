@@ -33,11 +33,19 @@ struct Cloth {
   bool painted = false;  ///< two colours, by height; else the picture
 };
 
+/// The mesh by whose height two colours lie: the part's own, before it was turned. Faces of a solid have none
+/// but themselves.
+const mesh::TriMesh& uprightOf(const Bare& bare) {
+  const bool copy = bare.shape != nullptr &&
+                    bare.shape->mesh.positions.size() == bare.mesh->positions.size();
+  return copy ? bare.shape->mesh : *bare.mesh;
+}
+
 std::array<double, 2> placeOf(const Bare& bare, const Cloth& cloth, std::size_t vertex,
                               const mesh::Bounds& bounds) {
   if (cloth.painted) {
     const double low = bounds.low[1], high = bounds.high[1];
-    const double y = static_cast<double>(bare.shape->mesh.positions[vertex][1]);
+    const double y = static_cast<double>(uprightOf(bare).positions[vertex][1]);
     return {0.5, high > low ? std::clamp((high - y) / (high - low), 0.0, 1.0) : 0.5};
   }
   const surface::UvArea& area = bare.shape->texture->area;
@@ -48,7 +56,7 @@ std::array<double, 2> placeOf(const Bare& bare, const Cloth& cloth, std::size_t 
 
 mesh::TriMesh remapped(const Bare& bare, const Cloth& cloth, const surface::UvArea& place) {
   mesh::TriMesh mesh = *bare.mesh;
-  const mesh::Bounds bounds = mesh::boundsOf(bare.shape->mesh);  // in its own space
+  const mesh::Bounds bounds = mesh::boundsOf(uprightOf(bare));  // in its own space
   mesh.uv.resize(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.uv.size(); ++v) {
     const auto [x, y] = placeOf(bare, cloth, v, bounds);
@@ -73,7 +81,8 @@ Wardrobe dress(std::span<const Bare> parts, bool pictures) {
     part.roughness = finish.roughness;
     part.metallic = finish.metallic;
     if (!pictures) continue;
-    if (look.textured && bare.shape->texture != nullptr && bare.mesh->uv.size() == bare.mesh->positions.size()) {
+    if (look.textured && bare.shape != nullptr && bare.shape->texture != nullptr &&
+        bare.mesh->uv.size() == bare.mesh->positions.size()) {
       cloths.push_back({i, &bare.shape->texture->pixels, false});
     } else if (!look.textured && look.paint == surface::Paint::TwoTone) {
       out.tiles.push_back(twoTone(look));

@@ -19,7 +19,7 @@ namespace spineloft::publish {
 struct Bare {
   const document::Look* look = nullptr;
   const mesh::TriMesh* mesh = nullptr;        ///< to be written
-  const pipeline::PartShape* shape = nullptr;  ///< of which `mesh` is a copy, turned or not
+  const pipeline::PartShape* shape = nullptr;  ///< of which `mesh` is a copy, turned or not; of faces of a solid their part; or null
   io::ExportPart* part = nullptr;             ///< gets material, mesh and picture
 };
 

@@ -76,11 +76,37 @@ Status encodeAtlas(Shelf& shelf, Format format) {
   return Done{};
 }
 
+/// The faces of a solid, one export part for each part of the document that they come from; all at once
+/// where the format knows no colours.
+void gatherSolid(const Model& model, const document::Step& step, const Export& target, Format format,
+                 Shelf& shelf, std::vector<Bare>& bare) {
+  const pipeline::DerivedStep* shown = shownSolid(model.document, model.derived, step);
+  if (shown == nullptr) return;
+  io::ExportPart out;
+  out.name = step.name;
+  out.placement = {{target.base.x, target.base.y, target.base.z}, target.scale};
+  out.ofSolid = true;  // closed; but the solver may leave triangles that are thinner than ours
+  if (!showsPictures(format)) {
+    shelf.parts.push_back(out);
+    bare.push_back({&step.look, &shown->solid->mesh, nullptr, nullptr});
+    return;
+  }
+  for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
+    const document::Part* part = document::findPart(model.document, piece.part);
+    const auto at = std::ranges::find(model.derived.parts, piece.part, &pipeline::DerivedPart::id);
+    const document::Look& look = part == nullptr || step.ownLook ? step.look : part->look;
+    shelf.parts.push_back(out);
+    bare.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(),
+                    nullptr});
+    out.joins = true;
+  }
+}
+
 Status gather(const Model& model, const Export& target, Format format, Shelf& shelf) {
   std::vector<Bare> bare;
   for (const pipeline::DerivedPart& shown : model.derived.parts) {
     const document::Part* part = document::findPart(model.document, shown.id);
-    if (part == nullptr || !part->visible || !shown.shape) continue;
+    if (part == nullptr || !showsItself(model.document, model.derived, *part) || !shown.shape) continue;
     const document::PictureEntry* entry = document::findPicture(model.document, document::pictureOf(*part));
     if (entry == nullptr) continue;
     bool first = true;
@@ -94,6 +120,9 @@ Status gather(const Model& model, const Export& target, Format format, Shelf& sh
       bare.push_back({&part->look, turned ? &shelf.turned.back() : &shown.shape->mesh, shown.shape.get(), nullptr});
       first = false;
     }
+  }
+  for (const document::Step& step : model.document.steps) {
+    gatherSolid(model, step, target, format, shelf, bare);
   }
   for (std::size_t i = 0; i < bare.size(); ++i) bare[i].part = &shelf.parts[i];
   shelf.wardrobe = dress(bare, showsPictures(format));

@@ -6,12 +6,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/base/hash.h"
 #include "engine/base/limits.h"
 #include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
 #include "web/app/editing.h"
 #include "web/app/messages.h"
 #include "web/app/slice_editing.h"
+#include "web/app/solid_editing.h"
 #include "web/app/scene.h"
 #include "web/app/state_json.h"
 #include "web/panels/panels.h"
@@ -96,6 +98,7 @@ void App::settle() {
   if (lost) gestures_.cancel(toolEnv());
   settleChosen();
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
+  settleSolids(document, ui_);
   const bool orphaned =
       ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||
                       (ui_.preview->part && !document::findPart(document, ui_.preview->part)));
@@ -146,6 +149,7 @@ void App::frame() {
   settle();
   growBoard(ui_, studio_.document());
   growPreview();
+  growSolid();
   frameNewPart();
   fly();
   beginUi();
@@ -234,6 +238,7 @@ void App::wake() {
 void App::announce() {
   json_.clear();
   json_.beginArray().number(static_cast<double>(studio_.revision()));
+  json_.number(ui_.solids.step.value).number(static_cast<double>(ui_.solids.picked.size()));
   json_.number(ui_.selection.value).number(ui_.redraw.value).number(ui_.picture.value);
   json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
   json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
@@ -250,7 +255,7 @@ void App::announce() {
   json_.number(static_cast<double>(ui_.slices.stop)).flag(ui_.slices.board.has_value());
   if (ui_.slices.board) json_.number(static_cast<double>(ui_.slices.board->past.size()));
   json_.flag(ui_.slices.placing).number(static_cast<double>(ui_.slices.shelf.size()));
-  json_.number(studio_.busy() ? std::floor(studio_.activity()->progress.done() * 20) : 0);
+  json_.number(studio_.busy() ? std::floor(studio_.activity()->done * 20) : 0);
   json_.endArray();
   if (json_.json() == announced_) return;
   announced_ = json_.json();
@@ -494,7 +499,7 @@ void App::contextRestored() {
 void App::answer(std::string_view id, std::string_view text) {
   constexpr std::string_view kRename = "rename-part:", kRenamePicture = "rename-picture:",
                              kRenameSlice = "rename-slice:", kPlace = "place:",
-                             kRenameGroup = "rename-group:";
+                             kRenameGroup = "rename-group:", kRenameStep = "rename-step:";
   const auto numberAfter = [&](std::string_view prefix) {
     std::uint32_t number = 0;
     const std::string_view digits = id.substr(prefix.size());
@@ -525,6 +530,8 @@ void App::answer(std::string_view id, std::string_view text) {
               Json::Object{{"picture", numberAfter(kRenamePicture)}, {"name", text}});
   } else if (id.starts_with(kRenameSlice)) {
     sink_.run("rename-slice", Json::Object{{"id", numberAfter(kRenameSlice)}, {"name", text}});
+  } else if (id.starts_with(kRenameStep)) {
+    sink_.run("rename-step", Json::Object{{"step", numberAfter(kRenameStep)}, {"name", text}});
   } else if (id == "rename-model" || id == "save-project-as") {
     sink_.run(id, Json::Object{{"name", text}});
   }
@@ -540,6 +547,29 @@ bool App::idle() {
 void App::cancelWork() {
   studio_.cancelWork();
   touch();
+}
+
+void App::solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) {
+  const std::optional<Json> answer = Json::parse(answerJson);
+  if (!answer) return;
+  studio_.takeSolid(*answer, bytes);
+  announce();
+  touch(2);
+}
+
+/// A gesture on a part of a solid changes the solid, as far as the solver keeps up.
+void App::growSolid() {
+  if (!ui_.placing.empty()) {
+    studio_.previewPlaced({ui_.placing});
+    return;
+  }
+  if (!ui_.preview || !ui_.preview->part || !ui_.preview->shape) {
+    studio_.endPreview();
+    return;
+  }
+  const Preview& preview = *ui_.preview;
+  const std::uint64_t key = Hasher().text("preview").number(preview.revision).value();
+  studio_.previewSolid({preview.part, key, &preview.shape->mesh});
 }
 
 void App::markSaved() {

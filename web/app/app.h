@@ -54,6 +54,7 @@ class App final : public platform::Page {
   void answer(std::string_view id, std::string_view text) override;
   bool idle() override;
   void cancelWork() override;
+  void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
   void markSaved() override;
   const std::string& history() override;
   const std::string& photos() override;
@@ -79,6 +80,7 @@ class App final : public platform::Page {
   void showOtherModel();
   void layout();
   void growPreview();
+  void growSolid();
   void fly();
   void frameNewPart();
   void beginUi();

@@ -16,6 +16,7 @@ namespace {
 constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,
                                 boneCommands,    sliceCommands, sliceBoardCommands,
                                 sketchCommands,  placeCommands, lookCommands,
+                                solidCommands,
                                 keepCommands};
 
 std::vector<Command> joinGroups() {

@@ -114,7 +114,7 @@ RayHit Picker::firstHit(const document::Document& document, const pipeline::Deri
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
     const document::PictureEntry* picture = document::findPicture(document, document::pictureOf(part));
-    if (!shape || !part.visible || picture == nullptr) continue;
+    if (!shape || !showsItself(document, derived, part) || picture == nullptr) continue;
     if (std::ranges::count(without, part.id) > 0) continue;
     const Entry& entry = entryOf(shape);
     for (const pipeline::ToWorld& toWorld : shownCopies(ui, part, picture->size)) {
@@ -130,6 +130,20 @@ RayHit Picker::firstHit(const document::Document& document, const pipeline::Deri
         best = {part.id, ray.eye + ray.direction * hit.far,
                 normalOf(shape->mesh, hit.triangle, toWorld)};
       }
+    }
+  }
+  for (const document::Step& step : document.steps) {
+    const pipeline::DerivedStep* shown = shownSolid(document, derived, step);
+    if (shown == nullptr) continue;
+    const ModelPoint eye{ray.eye.x, ray.eye.y, ray.eye.z},
+        direction{ray.direction.x, ray.direction.y, ray.direction.z};
+    for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
+      if (std::ranges::count(without, piece.part) > 0) continue;
+      const MeshHit hit = hitOf(piece.mesh, {0, piece.mesh.triangles.size()}, eye, direction);
+      if (hit.far >= nearest) continue;
+      nearest = hit.far;
+      best = {piece.part, ray.eye + ray.direction * hit.far,
+              normalOf(piece.mesh, hit.triangle, pipeline::ToWorld{})};
     }
   }
   return best;

@@ -109,7 +109,7 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
     const Source source = sourceOf(document, derived, document::pictureOf(part));
-    if (!shape || !part.visible || source.entry == nullptr) continue;
+    if (!shape || !showsItself(document, derived, part) || source.entry == nullptr) continue;
     if (previewOf(ui, part.id)) continue;
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
     mesh.key = keyOf(shape->key, part.look);
@@ -119,10 +119,52 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
   }
 }
 
+/// The faces of a solid look as the parts they come from.
+gl::SceneMesh pieceOf(const document::Document& document, const pipeline::Derived& derived,
+                      const document::Step& step, const pipeline::SolidPiece& piece) {
+  gl::SceneMesh mesh;
+  mesh.mesh = &piece.mesh;
+  const auto at = std::ranges::find_if(
+      document.parts, [&](const document::Part& part) { return part.id == piece.part; });
+  document::Look look = step.look;
+  if (at != document.parts.end()) {
+    const auto index = static_cast<std::size_t>(at - document.parts.begin());
+    const document::Part& part = *at;
+    if (!step.ownLook) look = part.look;
+    const Source source = sourceOf(document, derived, document::pictureOf(part));
+    const bool known = index < derived.parts.size() && derived.parts[index].shape;
+    if (look.textured && known && source.entry != nullptr) {
+      wear(source, *derived.parts[index].shape, mesh);
+    }
+  }
+  mesh.colour = shares(look.colour);
+  mesh.faceted = look.faceted;
+  if (!look.textured) paint(look, *mesh.mesh, mesh);
+  return mesh;
+}
+
+void addSolids(const document::Document& document, const pipeline::Derived& derived,
+               const UiState& ui, gl::Scene& scene) {
+  for (const document::Step& step : document.steps) {
+    const pipeline::DerivedStep* shown = shownSolid(document, derived, step);
+    if (shown == nullptr) continue;
+    std::size_t number = 0;
+    for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
+      gl::SceneMesh mesh = pieceOf(document, derived, step, piece);
+      const std::uint64_t key = Hasher().text("piece").number(shown->solid->key).number(number++).value();
+      mesh.key = Hasher().number(key).number(mesh.faceted).value() | 1u;
+      const bool chosen = piece.part && piece.part == ui.selection;
+      mesh.glow = chosen ? 0.7f : piece.part && piece.part == ui.hover.part ? 0.35f : 0.f;
+      scene.meshes.push_back(mesh);
+    }
+  }
+}
+
 void addPreview(const document::Document& document, const pipeline::Derived& derived,
                 const UiState& ui, gl::Scene& scene) {
   if (!ui.preview || !ui.preview->shape) return;
   const Preview& preview = *ui.preview;
+  if (solidOf(document, derived, preview.part) != nullptr) return;  // it changes the solid instead
   const Source source = sourceOf(document, derived, document::pictureOf(preview.recipe));
   if (source.entry == nullptr) return;
   gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
@@ -171,6 +213,7 @@ void buildScene(const document::Document& document, const pipeline::Derived& der
   scene.meshes.clear();
   scene.floorRadius = 0;
   addParts(document, derived, ui, scene);
+  addSolids(document, derived, ui, scene);
   addPreview(document, derived, ui, scene);
   addFloor(scene);
 }

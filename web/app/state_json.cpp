@@ -10,6 +10,7 @@
 #include "web/app/placing.h"
 
 #include "web/app/slice_json.h"
+#include "web/app/solid_editing.h"
 
 namespace spineloft::app {
 namespace {
@@ -253,13 +254,13 @@ void writePen(JsonWriter& json, const Sketching& pen) {
 
 void writeActivity(JsonWriter& json, const Studio& studio) {
   json.key("activity");
-  const std::optional<WorkerPool::Activity> activity = studio.activity();
+  const std::optional<Studio::Activity> activity = studio.activity();
   if (!activity) {
     json.null();
     return;
   }
   json.beginObject().key("label").text(activity->label);
-  json.key("done").number(activity->progress.done()).endObject();
+  json.key("done").number(activity->done).endObject();
 }
 
 void writePreview(JsonWriter& json, const UiState& ui) {
@@ -295,7 +296,9 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   for (std::size_t i = 0; i < document.parts.size(); ++i) {
     writePart(json, document.parts[i], derived.parts[i], mm);
   }
-  json.endArray().key("selection");
+  json.endArray();
+  writeSolids(json, env);
+  json.key("selection");
   ui.selection ? json.number(ui.selection.value) : json.null();
   json.key("tool").text(toolKey(ui.tool));
   json.key("redraw");

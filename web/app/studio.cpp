@@ -35,7 +35,8 @@ struct EdgeSearch {
 
 }  // namespace
 
-Studio::Studio(platform::Host& host, int threads) : host_(host), pool_(threads) {}
+Studio::Studio(platform::Host& host, int threads)
+    : host_(host), solids_(host), pool_(threads) {}
 
 Status Studio::act(std::span<const document::Action> actions, std::string_view burst) {
   document::Document next = document();
@@ -79,6 +80,8 @@ void Studio::open(document::History<document::Document> history) {
   history_ = std::move(history);
   saved_ = document();
   reported_.clear();
+  reportedSteps_.clear();
+  saveWaiting_.reset();
   changed();
 }
 
@@ -140,7 +143,74 @@ const pipeline::Derived& Studio::derived() {
     lastMs_.loft = part.shape->ms.loft;
   }
   report(derived_);
+  updateSolids();
   return derived_;
+}
+
+void Studio::updateSolids() {
+  previewing_ = false;
+  solids_.update(document(), derived_);
+  reportSolids();
+}
+
+void Studio::reportSolids() {
+  for (const pipeline::DerivedStep& step : derived_.steps) {
+    const std::pair entry{step.id, step.failure ? step.failure->error : Error::kCount};
+    const auto told = std::ranges::find(reportedSteps_, step.id, &decltype(reportedSteps_)::value_type::first);
+    if (told != reportedSteps_.end() && *told == entry) continue;
+    if (told != reportedSteps_.end()) reportedSteps_.erase(told);
+    if (!step.failure) continue;
+    reportedSteps_.push_back(entry);
+    const Error error = step.failure->error;
+    if (error == Error::Cancelled || error == Error::SolverStopped) continue;  // told already
+    const document::Part* part = document::findPart(document(), step.faulty);
+    sendError(host_, failureSentence({error, part == nullptr ? std::string() : part->name}));
+  }
+}
+
+void Studio::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) {
+  if (!solids_.take(answer, bytes)) return;
+  ++revision_;
+  if (answer.find("progress") != nullptr) return;
+  if (!stale_ && !previewing_) updateSolids();
+  if (!busy() && saveWaiting_) {
+    const publish::Format format = *std::exchange(saveWaiting_, std::nullopt);
+    if (const Status status = saveNow(format); !status) {
+      sendError(host_, failureSentence(status.failure()));
+    }
+  }
+}
+
+void Studio::previewSolid(const publish::Substitute& instead) {
+  if (document().steps.empty()) return;
+  previewing_ = true;
+  solids_.preview(document(), derived_, &instead);
+}
+
+void Studio::previewPlaced(const document::PlaceParts& places) {
+  if (document().steps.empty()) return;
+  const Result<document::Document> placed = document::update(document(), places);
+  if (!placed) return;
+  previewing_ = true;
+  solids_.preview(placed.value(), derived_, nullptr);
+}
+
+void Studio::endPreview() {
+  if (previewing_) updateSolids();
+}
+
+void Studio::solveAgain() {
+  solids_.again();
+  reportedSteps_.clear();
+  changed();
+}
+
+std::optional<Studio::Activity> Studio::activity() const {
+  if (const auto activity = pool_.activity()) {
+    return Activity{activity->label, activity->progress.done()};
+  }
+  if (solids_.busy()) return Activity{"Putting the parts together", solids_.done()};
+  return std::nullopt;
 }
 
 /// While the edges of a sketch with a new stroke are sought, its parts stay as they were.
@@ -206,6 +276,13 @@ Result<pipeline::PartShape> Studio::preview(const document::Recipe& recipe) {
 }
 
 Status Studio::save(publish::Format format) {
+  derived();
+  if (!solids_.busy()) return saveNow(format);
+  saveWaiting_ = format;
+  return Done{};
+}
+
+Status Studio::saveNow(publish::Format format) {
   if (document().parts.empty() && format != publish::Format::Project) return Error::NothingToExport;
   const document::Document written = document();
   pool_.submit(
@@ -236,7 +313,14 @@ Result<publish::Bytes> Studio::publishNow(publish::Format format) {
 
 bool Studio::pump() { return pool_.pump() > 0; }
 
-void Studio::cancelWork() { pool_.cancelAll(); }
+void Studio::cancelWork() {
+  pool_.cancelAll();
+  saveWaiting_.reset();
+  if (!solids_.busy()) return;
+  solids_.cancel();
+  if (!stale_) updateSolids();
+  ++revision_;
+}
 
 bool Studio::unsaved() const { return !document().parts.empty() && document() != saved_; }
 

@@ -17,6 +17,7 @@
 #include "engine/document/history.h"
 #include "engine/pipeline/derive.h"
 #include "engine/publish/publish.h"
+#include "web/app/solid_work.h"
 #include "web/platform/host.h"
 
 namespace spineloft::app {
@@ -61,10 +62,26 @@ class Studio {
 
   /// Takes in what the workers finished. True when something changed.
   bool pump();
-  bool busy() const { return !pool_.idle(); }
+  bool busy() const { return !pool_.idle() || solids_.busy(); }
   int threads() const { return pool_.threads(); }
-  std::optional<WorkerPool::Activity> activity() const { return pool_.activity(); }
+  /// What is going on, for a progress bar.
+  struct Activity {
+    std::string label;
+    double done = 0;
+  };
+  std::optional<Activity> activity() const;
   void cancelWork();
+
+  /// What the solver of solids says (SolidWork::take).
+  void takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
+  /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.
+  void previewSolid(const publish::Substitute& instead);
+  /// The same while parts are being placed.
+  void previewPlaced(const document::PlaceParts& places);
+  /// Back to the solids of the document, after a preview.
+  void endPreview();
+  /// Asks once more for solids that failed or were cancelled.
+  void solveAgain();
 
   const pipeline::StageMs& lastMs() const { return lastMs_; }
   /// There are parts that are in no file yet.
@@ -80,6 +97,9 @@ class Studio {
   void tellRecord(std::string record, const document::Document& before);
   void findEdges(PictureId id);
   void keepShown(const pipeline::Derived& before);
+  void updateSolids();
+  void reportSolids();
+  Status saveNow(publish::Format format);
   void report(const pipeline::Derived& derived);
   void finishSave(Result<publish::Bytes> bytes, publish::Format format,
                   const document::Document& written);
@@ -103,6 +123,11 @@ class Studio {
   };
   std::vector<Search> searching_;  ///< whose edges a worker seeks
   std::vector<std::pair<PartId, Error>> reported_;
+  std::vector<std::pair<StepId, Error>> reportedSteps_;
+  SolidWork solids_;
+  bool previewing_ = false;
+  /// Waits for the solids it is to hold.
+  std::optional<publish::Format> saveWaiting_;
   WorkerPool pool_;  ///< last: its jobs end before the rest goes
 };
 

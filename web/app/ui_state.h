@@ -155,6 +155,13 @@ struct SeenPicture {
   PictureView view;
 };
 
+/// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.
+struct SolidUi {
+  StepId step;                             ///< the chosen solid
+  std::vector<document::Operand> picked;   ///< ticked, in this order
+  std::vector<StepId> folded;              ///< whose parts the list does not show
+};
+
 struct UiState {
   Layout layout;
   double canvasWidth = 0, canvasHeight = 0, dpr = 1;
@@ -201,6 +208,7 @@ struct UiState {
   std::optional<Preview> preview;
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
   SliceUi slices;
+  SolidUi solids;
   double busySinceMs = -1;  ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
   bool touch = false;          ///< the last pointer was a finger: larger targets

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "web/app/placing.h"
+#include "web/panels/solid_list.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -44,14 +46,19 @@ bool takesMore(const PanelEnv& env) {
   return stayed || ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
 }
 
-void row(const PanelEnv& env, const document::Part& part, float width) {
+/// `indent` is not 0 for a part of a solid, which shows and hides as a whole.
+void row(const PanelEnv& env, const document::Part& part, float indent, float width) {
   const bool selected = part.id == env.ui().selection;
   const bool inHand = app::isSelected(env.document(), env.ui(), part.id);
   const bool elsewhere = document::pictureOf(part) != env.ui().picture;
   const float height = buttonSide(env);
-  const float buttons = height + (selected ? height : 0);
+  const bool free = indent <= 0, ticks = free && canTick(env, {part.id, {}});
+  const float buttons = height * (static_cast<float>(free) + static_cast<float>(ticks) +
+                                  static_cast<float>(selected));
   const float grips = 30;
   ImGui::PushID(static_cast<int>(part.id.value));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+  width -= indent;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (inHand) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
@@ -88,11 +95,17 @@ void row(const PanelEnv& env, const document::Part& part, float width) {
       env.sink.run("select-part", app::Json::Object{{"id", part.id.value}});
     }
   }
-  ImGui::SameLine(0, 0);
   const app::Json::Object which{{"part", part.id.value}};
+  if (ticks) {
+    ImGui::SameLine(0, 0);
+    tickButton(env, {part.id, {}}, height);
+  }
   const std::string_view eye = part.visible ? "eye" : "eye-off";
   const std::string_view tip = part.visible ? "Hide" : "Show";
-  if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-part", which);
+  if (free) {
+    ImGui::SameLine(0, 0);
+    if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-part", which);
+  }
   if (selected) {
     ImGui::SameLine(0, 0);
     if (iconButton(env, {"trash", "trash-2", "Delete  (Delete)", false, true, height})) {
@@ -178,8 +191,18 @@ void partList(const PanelEnv& env) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {6, 2});
   std::vector<Place> places;
+  std::set<StepId> drawn;
   GroupId above;
   for (const document::Part& part : parts) {
+    const document::Step* root = rootOf(env.document(), {part.id, {}});
+    if (root != nullptr) {
+      above = {};
+      if (!drawn.insert(root->id).second) continue;
+      solidRows(env, *root, width, [&](const document::Part& inner, float indent) {
+        row(env, inner, indent, width);
+      });
+      continue;
+    }
     const document::Group* group = document::findGroup(env.document(), part.group);
     const float height = buttonSide(env);
     if (group != nullptr && part.group != above) {
@@ -194,9 +217,10 @@ void partList(const PanelEnv& env) {
     if (indent > 0) ImGui::Indent(indent);
     const float y = ImGui::GetCursorScreenPos().y;
     places.push_back({{part.id, {}}, {part.id}, y, y + height});
-    row(env, part, width - indent);
+    row(env, part, 0, width - indent);
     if (indent > 0) ImGui::Unindent(indent);
   }
+  solidPanel(env, width);
   ImGui::PopStyleVar();
   dragRows(env, places, width);
 }

@@ -242,7 +242,7 @@ void drawViewChrome(const PanelEnv& env) {
 }
 
 void drawActivity(const PanelEnv& env) {
-  const std::optional<WorkerPool::Activity> activity = env.env.studio.activity();
+  const std::optional<app::Studio::Activity> activity = env.env.studio.activity();
   double& since = env.ui().busySinceMs;
   // Every stroke on paper has its edges looked for; nobody who draws needs to know.
   const app::ToolKind tool = env.ui().tool;
@@ -265,7 +265,7 @@ void drawActivity(const PanelEnv& env) {
   const float length = static_cast<float>(width) - 60;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + length, at.y + 6}, kLine, 3);
-  const float done = static_cast<float>(std::clamp(activity->progress.done(), 0.03, 1.0));
+  const float done = static_cast<float>(std::clamp(activity->done, 0.03, 1.0));
   list.AddRectFilled(at, {at.x + length * done, at.y + 6}, kAccent, 3);
   const float side = env.ui().touch ? 44.f : 34.f;
   ImGui::SetCursorPos({static_cast<float>(width) - side - 8, (52 - side) / 2});

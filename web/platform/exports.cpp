@@ -143,6 +143,11 @@ EMSCRIPTEN_KEEPALIVE int spl_idle() { return page() == nullptr || page()->idle()
 EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
   if (page() != nullptr) page()->cancelWork();
 }
+EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* bytes,
+                                     std::uint32_t length) {
+  if (page() == nullptr) return;
+  page()->solved(text(answer), {bytes, bytes == nullptr ? 0 : length});
+}
 EMSCRIPTEN_KEEPALIVE void spl_markSaved() {
   if (page() != nullptr) page()->markSaved();
 }

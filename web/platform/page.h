@@ -80,6 +80,9 @@ class Page {
   virtual bool idle() = 0;
   virtual void cancelWork() = 0;
   virtual void markSaved() = 0;
+  /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
+  /// web/app/solid_work.h).
+  virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;
 
   // Keeping models on the device; see web/app/keeping.h.
   /// The whole history as a base of the journal.

@@ -140,6 +140,44 @@ export interface ShownPicture extends PictureInfo {
 export type PenSize = 'fine' | 'medium' | 'bold';
 
 /** What is on the page now. A copy: changing it changes nothing. */
+/** What a solid is made of. */
+export type Operand = { part: number } | { step: number };
+
+/** A solid made of parts and other solids. */
+export interface Step {
+  id: number;
+  name: string;
+  kind: 'join' | 'cut' | 'common' | 'hollow';
+  operands: Operand[];
+  /** Radius at its seams and thickness of its wall; 1 is the longer side of a picture. */
+  blend: number;
+  wall: number;
+  /** 'none', 'start', 'end', 'up', 'down', 'left', 'right', 'front' or 'back', and the share cut off there. */
+  opening: string;
+  openingDepth: number;
+  visible: boolean;
+  /** It stands alone; else it is inside another solid. */
+  root: boolean;
+  /** One look everywhere, instead of those of its parts. */
+  ownLook: boolean;
+  textured: boolean;
+  colour: string;
+  /** 'inside': only the outermost solid is made and shown. */
+  status: 'ready' | 'waiting' | 'failed' | 'inside';
+  /** Why there is none, as an error's name and as a sentence, the part at fault and where it shows (world). */
+  failure: string | null;
+  sentence: string;
+  faulty: number | null;
+  at: [number, number, number] | null;
+  /** Of the last good solid: volume and area in units of the world. */
+  triangles: number;
+  volume: number;
+  area: number;
+  genus: number;
+  /** What the solver took. */
+  ms: number;
+}
+
 export interface State {
   version: string;
   /** The picture in view, in original pixels; null on the start page. */
@@ -158,6 +196,12 @@ export interface State {
   snap: boolean;
   /** The handles for placing, CSS pixels of the canvas: 'x', 'y', 'z', 'turn-x', 'turn-y', 'turn-z', 'plane', 'depth', 'scale'. */
   gizmo: { at: [number, number]; held: boolean; knobs: { handle: string; at: [number, number] }[] } | null;
+  /** Solids made of parts. */
+  steps: Step[];
+  /** Ticked in the list for the next solid, in this order. */
+  picked: Operand[];
+  /** Id of the chosen solid. */
+  selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
   /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move' */

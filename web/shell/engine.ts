@@ -6,6 +6,8 @@ import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
 import type { WorkingCopy } from './picture.ts';
+import { Solver } from './solids/solver.ts';
+import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 
 /** What the engine tells the shell; see `Host`. */
 export type EngineEvent =
@@ -17,6 +19,8 @@ export type EngineEvent =
   | { type: 'cursor'; css: string }
   | { type: 'shelf'; slices: unknown[] }
   | { type: 'status'; text: string }
+  | { type: 'stopSolving' }
+  | SolveEvent
   | JournalEvent
   | KeepEvent;
 
@@ -74,6 +78,7 @@ interface Module {
   _spl_idle(): number;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
+  _spl_solved(answer: number, bytes: number, length: number): void;
   _spl_history(): number;
   _spl_photos(): number;
   _spl_photo(hash: number, outSizes: number): number;
@@ -104,6 +109,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   const { default: create } = (await import(new URL(files.js, document.baseURI).href)) as { default: Factory };
   const queue: EngineEvent[] = [];
   let module: Module | null = null;
+  let solver: Solver | null = null;
   const deliver = () => {
     for (let event = queue.shift(); event; event = queue.shift()) onEvent(event);
   };
@@ -115,6 +121,12 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
         onEvent(raw);
         return;
       }
+      if (raw.type === 'solve' || raw.type === 'stopSolving') {
+        // At once: the meshes are only there now. Answers come later, never from within.
+        if (raw.type === 'solve') solver?.ask(raw);
+        else solver?.stop();
+        return;
+      }
       if (queue.length === 0) queueMicrotask(deliver);
       queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
     },
@@ -122,7 +134,18 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
   module = await create({ canvas, host, sharp });
-  return new Engine(module);
+  const engine = new Engine(module);
+  solver = solverOf(engine, module);
+  return engine;
+}
+
+function solverOf(engine: Engine, module: Module): Solver {
+  return new Solver({
+    start: () => new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module' }) as unknown as SolidWorker,
+    floats: (at, count) => new Float32Array(module.wasmMemory.buffer, at, count).slice(),
+    integers: (at, count) => new Uint32Array(module.wasmMemory.buffer, at, count).slice(),
+    answer: (json, bytes) => engine.solved(json, bytes),
+  });
 }
 
 function withBytes(raw: Extract<RawEvent, { type: 'file' }>, module: Module): EngineEvent {
@@ -242,6 +265,16 @@ export class Engine {
 
   markSaved(): void {
     this.module._spl_markSaved();
+  }
+
+  /** What the solver of solids says, with the arrays of a mesh. */
+  solved(answer: string, bytes: Uint8Array | null): void {
+    const at = bytes ? this.put(bytes) : 0;
+    try {
+      this.withStrings([answer], (text) => this.module._spl_solved(text[0]!, at, bytes?.length ?? 0));
+    } finally {
+      if (at !== 0) this.module._free(at);
+    }
   }
 
   /** The whole history as text: a base of the journal. */

@@ -8,6 +8,7 @@ import {
   FlipVertical2, Square, MousePointer2, Waypoints, History, Bookmark, BookmarkPlus, Tornado,
   ChartSpline, ChartLine, MoveHorizontal, Flower, Diamond,
   Cloud, Puzzle, Lasso,
+  SquaresUnite, SquaresSubtract, SquaresIntersect, CupSoda, Unlink,
   Copy, EllipsisVertical, FilePlus, FolderOpen, LayoutGrid, Save, SaveAll, TriangleAlert,
   ArrowDownToLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup,
 } from 'lucide-static';
@@ -30,6 +31,7 @@ const kIcons: Record<string, string> = {
   'bookmark-plus': BookmarkPlus, tornado: Tornado, 'chart-spline': ChartSpline, 'chart-line': ChartLine,
   'move-horizontal': MoveHorizontal, flower: Flower, diamond: Diamond,
   cloud: Cloud, puzzle: Puzzle, lasso: Lasso,
+  'squares-unite': SquaresUnite, 'squares-subtract': SquaresSubtract, 'squares-intersect': SquaresIntersect, 'cup-soda': CupSoda, unlink: Unlink,
   copy: Copy, 'ellipsis-vertical': EllipsisVertical, 'file-plus': FilePlus, 'folder-open': FolderOpen, 'layout-grid': LayoutGrid, save: Save,
   'save-all': SaveAll, 'triangle-alert': TriangleAlert,
   'arrow-down-to-line': ArrowDownToLine, 'chevron-up': ChevronUp, group: Group, magnet: Magnet, 'scan-face': ScanFace,

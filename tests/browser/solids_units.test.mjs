@@ -1,0 +1,206 @@
+// The solver of solids without a page: whatever parts it is given, what comes out is closed and outward or says why
+// there is none.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { identity, library, loft, measure, node, seeded, shell, shifted, solve, turned } from './support/solids.mjs';
+
+const { SolidKernel, DistanceField, Solver, findCrossings, ringsOf } = shell;
+const fresh = () => new SolidKernel(library);
+const near = (actual, wanted, share, what) => assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
+
+function lawful(solved, what) {
+  assert.equal(solved.failure, undefined, `${what}: ${JSON.stringify(solved.failure)}`);
+  const { mesh } = solved, found = measure(mesh);
+  assert.equal(found.open, 0, `${what} is closed`);
+  assert.ok(found.finite && found.volume > 0, `${what} is finite and outward`);
+  near(found.volume, mesh.volume, 1e-3, `${what}: volume as counted`);
+  assert.equal(mesh.runs.reduce((sum, run) => sum + run.count, 0), mesh.triangles.length / 3, `${what}: every face has an owner`);
+  assert.ok(mesh.uv.every((value) => value >= 0 && value <= 1), `${what}: uv in range`);
+  return found;
+}
+
+/** A part of the mesh `rod` as an operand. */
+const rod = (part, matrix = identity, mesh = 'rod') => ({ mesh, part, matrix });
+
+test('join, cut and common of two parts hold what sets say', () => {
+  const kernel = fresh(), meshes = { rod: loft() };
+  const alone = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const pair = [rod(1), rod(2, turned(Math.PI / 2, 0.5, -0.5))];
+  const [join, cut, common] = ['join', 'cut', 'common'].map((kind) => lawful(solve(kernel, [node(pair, { kind })], meshes), kind).volume);
+  near(join, 2 * alone - common, 1e-5, 'join');
+  near(cut, alone - common, 1e-5, 'cut');
+  // Two round bars of radius r that cross share 16/3 r³ (Steinmetz); ours are 16-gons.
+  near(common, (16 / 3) * 0.1 ** 3, 0.06, 'common');
+});
+
+test('every face belongs to its part and keeps its place in the picture', () => {
+  const { mesh } = solve(fresh(), [node([rod(7), rod(9, shifted(0.4, 0.05))])], { rod: loft() });
+  assert.deepEqual([...new Set(mesh.runs.map((run) => run.part))].sort(), [7, 9]);
+  for (const { part, first, count } of mesh.runs) {
+    for (const v of mesh.triangles.subarray(3 * first, 3 * (first + count))) {
+      // u runs along the rod from 0 to 1.
+      assert.ok(Math.abs(mesh.uv[2 * v] - (mesh.positions[3 * v] - (part === 9 ? 0.4 : 0))) < 1e-3);
+    }
+  }
+});
+
+test('parts that coincide, touch or lie a hair apart make solids', () => {
+  const kernel = fresh(), meshes = { rod: loft() };
+  const alone = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const volume = (operands, what) => lawful(solve(kernel, [node(operands)], meshes), what).volume;
+  near(volume([rod(1), rod(2)], 'the same twice'), alone, 1e-4, 'the same twice');
+  near(volume(Array.from({ length: 50 }, (_, i) => rod(i + 1)), 'fifty times the same'), alone, 1e-4, 'fifty times the same');
+  near(volume([rod(1), rod(2, shifted(1e-9, -1e-9, 1e-9))], 'a hair apart'), alone, 1e-4, 'a hair apart');
+  near(volume([rod(1), rod(2, shifted(0, 0.2))], 'side by side'), 2 * alone, 1e-4, 'side by side');
+  near(volume([rod(1), rod(2, shifted(1))], 'end to end'), 2 * alone, 1e-4, 'end to end');
+  assert.deepEqual(solve(kernel, [node([rod(1), rod(2)], { kind: 'cut' })]).failure, { error: 'SolidEmpty' });
+  assert.deepEqual(solve(kernel, [node([rod(1), rod(2, shifted(0, 5))], { kind: 'common' })]).failure, { error: 'SolidEmpty' });
+});
+
+test('random models of up to twenty parts are solids or empty', () => {
+  for (let seed = 1; seed <= 25; seed += 1) {
+    const random = seeded(seed), kernel = fresh();
+    const meshes = Object.fromEntries(Array.from({ length: 4 }, (_, i) => [`m${i}`, loft({ rings: 5 + Math.floor(20 * random()), around: 4 + Math.floor(14 * random()), radius: 0.04 + 0.15 * random(), bend: 2 * random(), wave: 0.3 * random() })]));
+    const nodes = [];
+    const operands = Array.from({ length: 2 + Math.floor(19 * random()) }, (_, i) => {
+      const near = Math.floor(4 * random()) * 0.1;
+      return { mesh: `m${Math.floor(4 * random())}`, part: i + 1, matrix: random() < 0.2 ? shifted(near) : turned(6 * random(), near, random() - 0.5, 0.2 * random()) };
+    });
+    while (operands.length > 1) {
+      const taken = operands.splice(0, Math.min(operands.length, 2 + Math.floor(4 * random())));
+      nodes.push(node(taken, { kind: ['join', 'join', 'join', 'cut', 'common'][Math.floor(5 * random())], step: nodes.length + 1 }));
+      operands.push({ node: nodes.at(-1).key });
+    }
+    const solved = solve(kernel, nodes, meshes);
+    if (solved.failure) assert.equal(solved.failure.error, 'SolidEmpty', `seed ${seed}`);
+    else {
+      const { euler } = lawful(solved, `seed ${seed}`);
+      assert.equal(euler, 2 - 2 * solved.mesh.genus, `seed ${seed}: genus`);
+    }
+  }
+});
+
+test('a loft that runs through itself is united with itself', () => {
+  const loop = loft({ rings: 80, around: 24, length: 3, radius: 0.12, bend: 7 });
+  assert.ok(findCrossings(loop.positions, loop.triangles, 1).length > 0);
+  assert.equal(ringsOf(loop).size, 24);
+  const { mesh } = solve(fresh(), [node([rod(1, identity, 'loop'), rod(2, shifted(0, 4), 'loop')])], { loop });
+  const found = lawful({ mesh }, 'the loop');
+  assert.equal(findCrossings(mesh.positions, mesh.triangles, 1).length, 0);
+  // Seven radians of a ring: a whole turn of the torus, whatever is passed twice.
+  near(found.volume / 2, 2 * Math.PI * (3 / 7) * Math.PI * 0.12 ** 2, 0.04, 'volume');
+});
+
+test('a bend tighter than the part is thick becomes a solid', () => {
+  const sharp = loft({ rings: 24, around: 16, length: 0.2, radius: 0.15, bend: 3 });
+  assert.ok(findCrossings(sharp.positions, sharp.triangles, 1).length > 0);
+  lawful(solve(fresh(), [node([rod(1, identity, 'sharp'), rod(2, shifted(2), 'sharp')])], { sharp }), 'the bend');
+});
+
+test('a mesh that crosses itself and is no loft names the part and the place', () => {
+  const a = loft(), b = loft();
+  const n = a.positions.length / 3;
+  const both = { positions: Float32Array.from([...a.positions, ...b.positions.map((x, i) => (i % 3 === 0 ? 0.05 + x * 0.9 : x * 1.2))]), uv: new Float32Array([...a.uv, ...b.uv]), triangles: Uint32Array.from([...a.triangles, ...b.triangles.map((v) => v + n)]) };
+  const { failure } = solve(fresh(), [node([rod(3, shifted(10), 'both'), rod(4, identity, 'rod')])], { both, rod: a });
+  assert.equal(failure.error, 'PartCrossesItself');
+  assert.equal(failure.part, 3);
+  assert.ok(failure.at[0] >= 10 && failure.at[0] <= 11);
+});
+
+test('distances on the grid are those to a ball', () => {
+  const ball = library.Manifold.sphere(0.4, 96).getMesh();
+  const field = new DistanceField(ball.vertProperties, ball.triVerts, { min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5] }, 0.02, 1);
+  const random = seeded(5);
+  for (let i = 0; i < 500; i += 1) {
+    const p = [0, 1, 2].map(() => 0.9 * (random() - 0.5)), r = Math.hypot(...p);
+    if (r > 0.05) assert.ok(Math.abs(field.at(...p) - (r - 0.4)) < 0.003, `${p}: ${field.at(...p)}`);
+  }
+});
+
+test('a hollow is as thick as its wall, open where it should be', () => {
+  const kernel = fresh(), meshes = { rod: loft({ rings: 40, around: 48, radius: 0.25 }) };
+  const outer = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const closed = lawful(solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.05 })], meshes), 'closed').volume;
+  const open = lawful(solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.05, opening: [1, 0, 0] })], meshes), 'open').volume;
+  near(outer - closed, Math.PI * 0.2 ** 2 * 0.9, 0.03, 'what is scooped out of the closed one');
+  near(outer - open, Math.PI * 0.2 ** 2 * 0.95, 0.03, 'what is scooped out of the open one');
+  const half = solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.05, opening: [1, 0, 0], cut: 0.5 })], meshes);
+  near(lawful(half, 'cut off').volume, outer / 2 - Math.PI * 0.2 ** 2 * 0.45, 0.04, 'what is left of half of it');
+  assert.ok(half.mesh.positions.every((x, i) => i % 3 !== 0 || x < 0.5 + 1e-5));
+  assert.deepEqual(solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.3 })], meshes).failure, { error: 'WallTooThick' });
+});
+
+test('a mug: body, handle and hollow inside', () => {
+  const meshes = { body: loft({ rings: 30, around: 40, radius: 0.3 }), handle: loft({ rings: 40, around: 12, length: 0.9, radius: 0.05, bend: 3.2 }) };
+  const hollow = node([{ mesh: 'body', part: 1, matrix: identity }], { kind: 'hollow', wall: 0.04, opening: [1, 0, 0] });
+  const mug = node([{ node: hollow.key }, { mesh: 'handle', part: 2, matrix: [0, 1, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0.2, 0.28, 0, 1] }], { step: 2 });
+  const solved = solve(fresh(), [hollow, mug], meshes);
+  lawful(solved, 'the mug');
+  assert.equal(solved.mesh.genus, 1, 'one handle');
+});
+
+test('a rounded seam adds a little at a join, takes a little at a cut, and stays a solid', () => {
+  const kernel = fresh(), meshes = { rod: loft({ rings: 30, around: 32 }) };
+  const pair = [rod(1), rod(2, turned(Math.PI / 2, 0.5, 0))];
+  for (const kind of ['join', 'cut']) {
+    const sharp = lawful(solve(kernel, [node(pair, { kind })], meshes), kind).volume;
+    const soft = lawful(solve(kernel, [node(pair, { kind, blend: 0.06 })], meshes), `${kind}, rounded`).volume;
+    const change = (soft - sharp) * (kind === 'join' ? 1 : -1);
+    assert.ok(change > 1e-5 && change < 0.003, `${kind}: ${change}`);
+  }
+});
+
+test('an edited part of many gives the solid that all of it anew gives', () => {
+  const meshes = { rod: loft() }, one = fresh();
+  const operands = Array.from({ length: 6 }, (_, i) => rod(i + 1, turned(i, 0.1 * i)));
+  solve(one, [node(operands)], meshes);
+  for (let i = 1; i <= 4; i += 1) {
+    operands[2] = rod(3, turned(2 + 0.1 * i, 0.2));
+    const again = lawful(solve(one, [node(operands)], meshes), `edit ${i}`).volume;
+    near(again, lawful(solve(fresh(), [node(operands)], meshes), 'anew').volume, 1e-5, `edit ${i}`);
+  }
+});
+
+/** A worker that answers when it is told to. */
+class FakeWorker {
+  asked = [];
+  ended = false;
+  postMessage(message) { this.asked.push(message); }
+  terminate() { this.ended = true; }
+}
+const memory = (workers, answers) => ({
+  start: () => { workers.push(new FakeWorker()); return workers.at(-1); },
+  floats: (at, count) => new Float32Array(count).fill(at),
+  integers: (at, count) => new Uint32Array(count).fill(at),
+  answer: (json, bytes) => answers.push({ ...JSON.parse(json), bytes }),
+});
+const solveEvent = (id, key = 'a') => ({ type: 'solve', id, meshes: [{ key, vertices: 4, triangles: 4, positions: 8, uv: 0, corners: 16 }], nodes: [], wanted: [] });
+
+test('meshes go to the worker once, and again after it was stopped', () => {
+  const workers = [], solver = new Solver(memory(workers, []));
+  solver.ask(solveEvent(1));
+  solver.ask(solveEvent(2));
+  assert.deepEqual(workers[0].asked.map((each) => Object.keys(each.meshes)), [['a'], []]);
+  solver.stop();
+  assert.ok(workers[0].ended && !solver.isBusy);
+  solver.ask(solveEvent(3));
+  assert.deepEqual(Object.keys(workers[1].asked[0].meshes), ['a']);
+});
+
+test('a worker that dies is said and started anew; a hundred cancels leave nothing behind', () => {
+  const workers = [], answers = [], solver = new Solver(memory(workers, answers));
+  solver.ask(solveEvent(1));
+  workers[0].onerror({});
+  assert.deepEqual(answers.map(({ id, lost }) => [id, lost]), [[1, true]]);
+  for (let id = 2; id < 102; id += 1) {
+    solver.ask(solveEvent(id));
+    const worker = workers.at(-1);
+    solver.stop();
+    worker.onmessage?.({ data: { type: 'done', id } });
+  }
+  assert.equal(answers.length, 1);
+  assert.ok(workers.slice(0, -1).every((worker) => worker.ended));
+  solver.ask(solveEvent(200));
+  workers.at(-1).onmessage({ data: { type: 'done', id: 200 } });
+  assert.deepEqual(answers.at(-1).done, true);
+});

@@ -1,0 +1,72 @@
+// Solids of the document's steps: asks the solver of the page for those that are not known, keeps the last good
+// ones, and says what went wrong. The solver itself is the shell's (web/shell/solids).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/pipeline/cache.h"
+#include "engine/pipeline/derive.h"
+#include "engine/pipeline/solid.h"
+#include "engine/publish/solid_plan.h"
+#include "web/app/json.h"
+#include "web/platform/host.h"
+
+namespace spineloft::app {
+
+class SolidWork {
+ public:
+  explicit SolidWork(platform::Host& host) : host_(host) {}
+
+  /// Sets `derived.steps`, and asks the solver for what is not known yet; a newer request replaces the one it is
+  /// at.
+  void update(const document::Document& document, pipeline::Derived& derived);
+  /// The same for a document as a gesture would make it, with another mesh for a part that is being edited, unless
+  /// the solver is at something: the hand never waits. What comes shows until the next `update`.
+  void preview(const document::Document& document, pipeline::Derived& derived,
+               const publish::Substitute* instead);
+
+  /// What the solver says: {id, done}, {id, progress}, {id, lost} or {id, step, key, ms, mesh | failure}, with the
+  /// arrays of the mesh as bytes: positions, uv, corners, both lists of merged vertices. True when something
+  /// changed.
+  bool take(const Json& answer, std::span<const std::uint8_t> bytes);
+
+  bool busy() const { return asked_.has_value(); }
+  double done() const { return asked_ ? asked_->done : 1; }
+  /// Stops the solver; what it was at is not asked for again before it changes, or `again`.
+  void cancel();
+  /// Forgets failures, so that the next `update` asks once more.
+  void again() { failures_.clear(); }
+
+ private:
+  struct Asked {
+    double id = 0;
+    std::vector<std::uint64_t> keys;
+    bool preview = false;
+    double done = 0;
+  };
+  struct Trouble {
+    std::uint64_t key = 0;
+    Failure failure;
+    PartId faulty;
+    std::optional<WorldPoint> at;
+  };
+  void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, bool preview);
+  void keepTrouble(Trouble trouble);
+  const Trouble* troubleOf(std::uint64_t key) const;
+  bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
+
+  platform::Host& host_;
+  pipeline::Shelf<pipeline::Solid> solids_{std::size_t{96} << 20};
+  std::vector<std::pair<StepId, std::shared_ptr<const pipeline::Solid>>> latest_;  ///< last good ones
+  std::vector<Trouble> failures_;
+  std::optional<Asked> asked_;
+  std::uint64_t lastId_ = 0;
+};
+
+}  // namespace spineloft::app

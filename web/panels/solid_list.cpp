@@ -1,0 +1,186 @@
+#include "web/panels/solid_list.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "web/app/solid_editing.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+using document::StepKind;
+
+std::string_view iconOf(StepKind kind) {
+  switch (kind) {
+    case StepKind::Join: return "squares-unite";
+    case StepKind::Cut: return "squares-subtract";
+    case StepKind::Common: return "squares-intersect";
+    case StepKind::Hollow:
+    case StepKind::kCount: break;
+  }
+  return "cup-soda";
+}
+
+app::Json which(const document::Step& step) { return app::Json::Object{{"step", step.id.value}}; }
+
+void slider(const PanelEnv& env, const document::Step& step, const char* key, const char* text) {
+  const bool wall = std::string_view(key) == "wall";
+  const double scale = app::millimetresPerUnit(env.env);
+  const double unit = scale > 0 ? scale : 100;
+  float value = static_cast<float>((wall ? step.wall : step.blend) * unit);
+  const float low = wall ? static_cast<float>(document::kLeastWall * unit) : 0.f;
+  const float high = static_cast<float>((wall ? 0.15 : document::kMostBlend) * unit);
+  label(env.fonts.small, kMuted, text);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const std::string id = std::string("##") + key;
+  if (ImGui::SliderFloat(id.c_str(), &value, low, high, "%.1f mm")) {
+    env.sink.run("set-step", app::Json::Object{{"step", step.id.value},
+                                               {key, static_cast<double>(value) / unit}});
+  }
+}
+
+void openingChooser(const PanelEnv& env, const document::Step& step, float width) {
+  constexpr std::array<std::pair<const char*, const char*>, 9> kChoices = {{
+      {"up", "Top"}, {"down", "Bottom"}, {"start", "Line's start"}, {"end", "Line's end"},
+      {"front", "Front"}, {"back", "Back"}, {"left", "Left"}, {"right", "Right"}, {"none", "Closed"}}};
+  label(env.fonts.small, kMuted, "Open at");
+  const float side = buttonSide(env), gap = 4;
+  float x = 0;
+  for (const auto& [key, text] : kChoices) {
+    const float need = textButtonWidth(env, text);
+    if (x > 0 && x + gap + need <= width) {
+      ImGui::SameLine(0, gap);
+      x += gap + need;
+    } else {
+      x = need;
+    }
+    const bool on = document::openingKey(step.opening.side) == key;
+    if (textButton(env, {key, text, on, true, side, need})) {
+      env.sink.run("set-step", app::Json::Object{{"step", step.id.value}, {"opening", key}});
+    }
+  }
+}
+
+void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
+  ImGui::PushID(static_cast<int>(step.id.value));
+  const bool blends = step.kind == StepKind::Join || step.kind == StepKind::Cut;
+  if (blends) slider(env, step, "blend", "Round the seam");
+  if (step.kind == StepKind::Hollow) {
+    slider(env, step, "wall", "Wall");
+    openingChooser(env, step, width);
+  }
+  ImGui::PopID();
+}
+
+}  // namespace
+
+bool canTick(const PanelEnv& env, document::Operand operand) {
+  return holderOf(env.document(), operand) == nullptr && app::rootsOf(env.document()).size() > 1;
+}
+
+void tickButton(const PanelEnv& env, document::Operand operand, float size) {
+  const bool on = app::isPicked(env.ui(), operand);
+  const char* tip = on ? "Not this one" : "Tick it, to put it together with others";
+  if (iconButton(env, {"tick", on ? "circle-check" : "circle", tip, on, true, size})) {
+    env.sink.run("pick", operand.part ? app::Json::Object{{"part", operand.part.value}}
+                                      : app::Json::Object{{"step", operand.step.value}});
+  }
+}
+
+bool solidRow(const PanelEnv& env, const document::Step& step, float indent, float width) {
+  const bool selected = step.id == env.ui().solids.step;
+  const bool root = holderOf(env.document(), {{}, step.id}) == nullptr;
+  const bool ticks = root && canTick(env, {{}, step.id});
+  const bool open = std::ranges::count(env.ui().solids.folded, step.id) == 0;
+  const std::string trouble = app::troubleOf(env.env, step);
+  const float height = buttonSide(env);
+  const float buttons = height * (static_cast<float>(root) + static_cast<float>(ticks) + 1.f);
+  ImGui::PushID("solid");
+  ImGui::PushID(static_cast<int>(step.id.value));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float row = std::max(40.f, width - indent - buttons);
+  const bool pressed = ImGui::InvisibleButton("row", {row, height});
+  if (selected || ImGui::IsItemHovered()) {
+    list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
+  }
+  if (!trouble.empty()) tooltip(trouble);
+  ImFont* icons = env.fonts.icons;
+  const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;
+  list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2},
+               trouble.empty() ? kAccent : rgb(0xb3261e), iconText(iconOf(step.kind)));
+  list.PushClipRect(at, {at.x + row, at.y + height}, true);
+  list.AddText({at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2},
+               !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk, step.name.c_str());
+  list.PopClipRect();
+  if (pressed) {
+    const bool twice = selected && ImGui::IsMouseDoubleClicked(0);
+    env.sink.run(twice ? "rename-step" : "select-step", which(step));
+  }
+  ImGui::SameLine(0, 0);
+  const char* fold = open ? "Hide what it is made of" : "Show what it is made of";
+  if (iconButton(env, {"fold", open ? "chevron-down" : "chevron-right", fold, false, true, height})) {
+    env.sink.run("fold-step", which(step));
+  }
+  if (ticks) {
+    ImGui::SameLine(0, 0);
+    tickButton(env, {{}, step.id}, height);
+  }
+  if (root) {
+    ImGui::SameLine(0, 0);
+    const std::string_view eye = step.visible ? "eye" : "eye-off";
+    const std::string_view tip = step.visible ? "Hide" : "Show";
+    if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-step", which(step));
+  }
+  ImGui::PopID();
+  ImGui::PopID();
+  return open;
+}
+
+void solidPanel(const PanelEnv& env, float width) {
+  const document::Step* step = app::chosenStep(env.env);
+  const bool several = app::rootsOf(env.document()).size() > 1;
+  if (!several && step == nullptr && env.selected() == nullptr) return;
+  const float side = buttonSide(env);
+  ImGui::Dummy({0, 4});
+  for (const document::Step& each : env.document().steps) {
+    const std::string trouble = app::troubleOf(env.env, each);
+    if (trouble.empty()) continue;
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    label(env.fonts.small, rgb(0xb3261e), each.name + ": " + trouble);
+    ImGui::PopTextWrapPos();
+    commandTile(env, "solve-again", "Try again", {std::min(width, 110.f), side});
+  }
+  constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {{
+      {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Share"}}};
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
+  const float each = std::min(74.f, (width - 12) / 4);
+  bool first = true;
+  if (several) {
+    for (const auto& [id, text] : kMakers) {
+      if (!first) ImGui::SameLine();
+      first = false;
+      commandTile(env, id, text, {each, 52});
+    }
+  }
+  if (!first) ImGui::SameLine();
+  if (step != nullptr && step->kind == StepKind::Hollow) {
+    commandTile(env, "release", "Break apart", {each, 52});
+  } else {
+    commandTile(env, "scoop-out", "Scoop out", {each, 52});
+    if (step != nullptr) {
+      if (!several) ImGui::SameLine();
+      commandTile(env, "release", "Break apart", {each, 52});
+    }
+  }
+  ImGui::PopStyleVar();
+  if (step != nullptr) chosenSolid(env, *step, width);
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,45 @@
+// Rows of the part list that are about solids made of parts.
+#pragma once
+
+#include "web/panels/panels.h"
+
+namespace spineloft::panels {
+
+/// A solid that stands alone, with what it is made of below it; `partRow(part, indent)` draws a part's row.
+template <class PartRow>
+void solidRows(const PanelEnv& env, const document::Step& step, float width, const PartRow& partRow);
+
+/// The row of a solid itself, `indent` from the left. True while its parts are to be shown below.
+bool solidRow(const PanelEnv& env, const document::Step& step, float indent, float width);
+/// The tick of a part or solid that stands alone; nothing for others.
+void tickButton(const PanelEnv& env, document::Operand operand, float size);
+/// Whether there is more than one thing to put together.
+bool canTick(const PanelEnv& env, document::Operand operand);
+/// Below the list: what can be made of the ticked parts, and the measures of the chosen solid.
+void solidPanel(const PanelEnv& env, float width);
+
+template <class PartRow>
+void solidRows(const PanelEnv& env, const document::Step& step, float width, const PartRow& partRow) {
+  struct Row {
+    document::Operand operand;
+    float indent;
+  };
+  constexpr float kIndent = 16;
+  std::vector<Row> rows{{{{}, step.id}, 0.f}};
+  // What is inside comes right below; a forest, so that it ends.
+  while (!rows.empty()) {
+    const auto [operand, indent] = rows.back();
+    rows.pop_back();
+    if (operand.part) {
+      if (const document::Part* part = findPart(env.document(), operand.part)) partRow(*part, indent);
+      continue;
+    }
+    const document::Step* inner = findStep(env.document(), operand.step);
+    if (inner == nullptr || !solidRow(env, *inner, indent, width)) continue;
+    for (auto at = inner->operands.rbegin(); at != inner->operands.rend(); ++at) {
+      rows.push_back({*at, indent + kIndent});
+    }
+  }
+}
+
+}  // namespace spineloft::panels

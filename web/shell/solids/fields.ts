@@ -1,0 +1,153 @@
+// Solids from distance fields: the inside of a hollow, and the rounding at a seam.
+import type { Manifold, ManifoldToplevel } from 'manifold-3d';
+import { DistanceField } from './distance.ts';
+import type { Box } from './distance.ts';
+import { Unsolvable } from './kernel.ts';
+import { fitPaint } from './paint.ts';
+import type { SolidNode } from './protocol.ts';
+
+type Point = [number, number, number];
+
+/** What a maker of solids may do with what it makes on the way. */
+export interface Making {
+  /** Original id for the faces that are new. */
+  id: number;
+  /** Deleted when the step is done. */
+  own: Manifold[];
+}
+
+/** Grid cells along the longest side, and all in all. */
+const kHollowCells = 88, kSeamCells = 6, kMostCells = 1_500_000;
+
+interface Surface {
+  positions: Float32Array;
+  triangles: Uint32Array;
+  properties: Float32Array;
+  stride: number;
+}
+
+/** Vertices of one place as one vertex: the distance field asks for places alone. */
+function surfaceOf(solid: Manifold): Surface {
+  const mesh = solid.getMesh();
+  const stride = mesh.numProp, n = mesh.vertProperties.length / stride;
+  const positions = new Float32Array(3 * n);
+  for (let v = 0; v < n; v += 1) for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
+  return { positions, triangles: mesh.triVerts, properties: mesh.vertProperties, stride };
+}
+
+function grown(box: Box, by: number): Box {
+  return { min: box.min.map((x) => x - by) as Point, max: box.max.map((x) => x + by) as Point };
+}
+
+function sidesOf(box: Box): Point {
+  return [0, 1, 2].map((k) => box.max[k]! - box.min[k]!) as Point;
+}
+
+/** At least `step`, and so large that the grid does not get too many points. */
+function affordable(box: Box, step: number): number {
+  const [x, y, z] = sidesOf(box);
+  return Math.max(step, Math.cbrt((x * y * z) / kMostCells));
+}
+
+/** The solid with uv on every vertex and `id` on every face. */
+function painted(library: ManifoldToplevel, solid: Manifold, paint: (x: number, y: number, z: number) => [number, number], id: number): Manifold {
+  const mesh = solid.getMesh();
+  const n = mesh.vertProperties.length / mesh.numProp;
+  const properties = new Float32Array(5 * n);
+  for (let v = 0; v < n; v += 1) {
+    const [x, y, z] = [0, 1, 2].map((k) => mesh.vertProperties[mesh.numProp * v + k]!) as Point;
+    properties.set([x, y, z, ...paint(x, y, z)], 5 * v);
+  }
+  return library.Manifold.ofMesh(new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: mesh.triVerts, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, mesh.triVerts.length) }));
+}
+
+/**
+ * A shell: the solid without everything that is deeper inside than the wall. Towards the opening the inside goes on
+ * straight from where it is first as deep as the wall on all sides.
+ */
+export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, own }: Making): Manifold {
+  const surface = surfaceOf(body), { wall, opening } = node;
+  const bounds = body.boundingBox() as Box;
+  const longest = Math.max(...sidesOf(bounds));
+  // Twice as fine as the wall is thick, as far as that can be paid for.
+  const step = affordable(bounds, Math.max(longest / (node.coarse ? kHollowCells / 2 : kHollowCells), Math.min(wall / 2, longest / 40)));
+  const box = grown(bounds, 2.5 * step);
+  const field = new DistanceField(surface.positions, surface.triangles, box, step, wall + 3 * step);
+  let low = Infinity, high = -Infinity;
+  const along = (x: number, y: number, z: number) => (opening ? x * opening[0] + y * opening[1] + z * opening[2] : 0);
+  for (let v = 0; v < surface.positions.length; v += 3) {
+    const s = along(surface.positions[v]!, surface.positions[v + 1]!, surface.positions[v + 2]!);
+    low = Math.min(low, s);
+    high = Math.max(high, s);
+  }
+  const rim = opening ? high - node.cut * (high - low) : Infinity;
+  const throat = opening ? Math.min(rim, high - wall - step) : Infinity;
+  const depth = ([x, y, z]: readonly [number, number, number]) => {
+    const beyond = Math.max(0, along(x, y, z) - throat);
+    return opening && beyond > 0 ? -field.at(x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : -field.at(x, y, z);
+  };
+  const inside = library.Manifold.levelSet(depth, box, step, wall);
+  own.push(inside);
+  if (inside.isEmpty()) throw new Unsolvable({ error: 'WallTooThick' });
+  if (opening) {
+    const mesh = inside.getMesh();
+    let reach = -Infinity;
+    for (let v = 0; v < mesh.vertProperties.length; v += mesh.numProp) reach = Math.max(reach, along(mesh.vertProperties[v]!, mesh.vertProperties[v + 1]!, mesh.vertProperties[v + 2]!));
+    if (reach < rim) throw new Unsolvable({ error: 'WallTooThick' });
+  }
+  const cavity = painted(library, inside, fitPaint(surface.properties, surface.stride), id);
+  own.push(cavity);
+  let outside = body;
+  if (opening && node.cut > 0) {
+    outside = body.trimByPlane(opening.map((x) => -x) as Point, -rim);
+    own.push(outside);
+  }
+  return outside.subtract(cavity);
+}
+
+/** Both distances as one, rounded where they are about equal (polynomial smooth minimum). */
+function smoothMin(a: number, b: number, radius: number): number {
+  const h = Math.max(radius - Math.abs(a - b), 0) / radius;
+  return Math.min(a, b) - (h * h * radius) / 4;
+}
+
+export interface Seam {
+  plain: Manifold;
+  operands: Manifold[];
+  node: SolidNode;
+}
+
+/**
+ * Rounds the seams of a join or a cut: round every place where two operands meet, what lies within the smooth minimum
+ * of both distances is added (join) or what lies within that of the inverse is taken away (cut).
+ */
+export function seamOf(library: ManifoldToplevel, { plain, operands, node }: Seam, { id, own }: Making): Manifold {
+  const radius = node.blend, cut = node.kind === 'cut';
+  const paint = fitPaint(surfaceOf(operands[0]!).properties, surfaceOf(operands[0]!).stride);
+  const roundings: Manifold[] = [];
+  for (let i = 0; i < operands.length; i += 1) {
+    for (let j = i + 1; j < operands.length; j += 1) {
+      if (cut && i > 0) continue;
+      const shared = operands[i]!.intersect(operands[j]!);
+      own.push(shared);
+      if (shared.isEmpty()) continue;
+      const [a, b] = [surfaceOf(operands[i]!), surfaceOf(operands[j]!)];
+      for (const place of shared.decompose()) {
+        own.push(place);
+        const box = grown(place.boundingBox() as Box, 1.6 * radius);
+        const step = affordable(box, radius / (node.coarse ? kSeamCells / 2 : kSeamCells));
+        const first = new DistanceField(a.positions, a.triangles, grown(box, 2 * step), step, 2 * radius);
+        const second = new DistanceField(b.positions, b.triangles, grown(box, 2 * step), step, 2 * radius);
+        const value = ([x, y, z]: readonly [number, number, number]) => -smoothMin(cut ? -first.at(x, y, z) : first.at(x, y, z), second.at(x, y, z), radius);
+        // A little within, so that only the rounding itself looks out of what is there already.
+        const rounding = library.Manifold.levelSet(value, box, step, 0.06 * step);
+        own.push(rounding);
+        if (rounding.isEmpty()) continue;
+        const solid = painted(library, rounding, paint, id);
+        own.push(solid);
+        roundings.push(solid);
+      }
+    }
+  }
+  return cut ? library.Manifold.difference([plain, ...roundings]) : library.Manifold.union([plain, ...roundings]);
+}

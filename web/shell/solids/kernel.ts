@@ -1,0 +1,228 @@
+// The solver of steps: parts in their places → solids, on manifold-3d. Every sub-result is kept under its key,
+// so that an edited part is fused again without redoing what did not change. Runs in a worker; knows no page.
+import type { Manifold, ManifoldToplevel } from 'manifold-3d';
+import { hollowOf, seamOf } from './fields.ts';
+import { FaultyPart, importPart } from './parts.ts';
+import type { MeshData, PartOperand, PartRun, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
+
+/** How many requests long a sub-result is kept that nobody asks for. */
+const kKept = 12;
+
+/** A request cannot be solved further; nothing is broken. */
+export class Unsolvable extends Error {
+  constructor(readonly failure: SolidFailure) {
+    super(failure.error);
+  }
+}
+
+interface Kept {
+  solid: Manifold | null;
+  failure?: SolidFailure;
+  round: number;
+}
+
+export interface Solved {
+  node: SolidNode;
+  ms: number;
+  mesh?: SolidMesh;
+  failure?: SolidFailure;
+}
+
+const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' in operand;
+
+export class SolidKernel {
+  private readonly meshes = new Map<string, { data: MeshData; round: number }>();
+  private readonly parts = new Map<string, Kept>();
+  private readonly solids = new Map<string, Kept>();
+  /** Original ids of manifold-3d, and whose faces they are. */
+  private readonly owners = new Map<number, number>();
+  /** What each join was made of last. */
+  private readonly joins = new Map<number, string[]>();
+  private round = 0;
+
+  constructor(private readonly library: ManifoldToplevel, private readonly now: () => number = () => performance.now()) {}
+
+  keepMeshes(meshes: SolveRequest['meshes']): void {
+    for (const [key, data] of Object.entries(meshes)) this.meshes.set(key, { data, round: this.round });
+  }
+
+  /** Solves what is wanted, one node after the other, and hands out each as it is done; between two it can be given up. */
+  *solve(request: SolveRequest, done: (solved: Solved) => void): Generator<{ done: number }, void> {
+    this.round += 1;
+    this.keepMeshes(request.meshes);
+    for (const node of request.nodes) for (const operand of node.operands) if (isPart(operand)) this.touch(operand.mesh);
+    for (const [index, node] of request.nodes.entries()) {
+      const started = this.now();
+      const key = node.coarse ? `${node.key}~` : node.key;
+      const kept = this.solids.get(key) ?? this.make(node);
+      kept.round = this.round;
+      this.solids.set(key, kept);
+      if (request.wanted.includes(node.key)) done(this.finish(node, kept, started));
+      yield { done: (index + 1) / request.nodes.length };
+    }
+    this.forget();
+  }
+
+  private touch(key: string): void {
+    const mesh = this.meshes.get(key);
+    if (mesh) mesh.round = this.round;
+  }
+
+  private finish(node: SolidNode, kept: Kept, started: number): Solved {
+    if (!kept.solid) return { node, ms: this.now() - started, ...(kept.failure ? { failure: kept.failure } : {}) };
+    try {
+      const mesh = this.meshOf(kept.solid);
+      return { node, mesh, ms: this.now() - started };
+    } catch (thrown) {
+      return { node, ms: this.now() - started, failure: failureOf(thrown) };
+    }
+  }
+
+  private make(node: SolidNode): Kept {
+    const own: Manifold[] = [];
+    try {
+      const operands = node.operands.map((operand) => this.operand(operand, node.coarse, own));
+      const solid = this.combine(node, operands, own);
+      const status = solid.status();
+      if (status !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
+      if (solid.isEmpty()) throw new Unsolvable({ error: 'SolidEmpty' });
+      return { solid, round: this.round };
+    } catch (thrown) {
+      return { solid: null, failure: failureOf(thrown), round: this.round };
+    } finally {
+      for (const solid of own) solid.delete();
+    }
+  }
+
+  /** The solid of an operand; what is made for it alone goes into `own`. */
+  private operand(operand: SolidOperand, coarse: boolean, own: Manifold[]): Manifold {
+    if (!isPart(operand)) {
+      const kept = this.solids.get(coarse ? `${operand.node}~` : operand.node);
+      if (!kept?.solid) throw new Unsolvable(kept?.failure ?? { error: 'SolidFailed' });
+      kept.round = this.round;
+      return kept.solid;
+    }
+    const key = `${operand.mesh}#${operand.part}`;
+    const kept = this.parts.get(key) ?? this.importPart(operand);
+    kept.round = this.round;
+    this.parts.set(key, kept);
+    if (!kept.solid) throw new Unsolvable({ ...kept.failure!, ...(kept.failure!.at ? { at: inWorld(operand.matrix, kept.failure!.at) } : {}) });
+    const placed = kept.solid.transform(operand.matrix as Parameters<Manifold['transform']>[0]);
+    own.push(placed);
+    return placed;
+  }
+
+  private importPart(operand: PartOperand): Kept {
+    const mesh = this.meshes.get(operand.mesh);
+    if (!mesh) return { solid: null, failure: { error: 'SolidFailed', part: operand.part }, round: this.round };
+    const id = this.ownerId(operand.part);
+    try {
+      return { solid: importPart(this.library, mesh.data, id), round: this.round };
+    } catch (thrown) {
+      const failure = thrown instanceof FaultyPart ? { error: 'PartCrossesItself' as const, at: thrown.at } : failureOf(thrown);
+      return { solid: null, failure: { ...failure, part: operand.part }, round: this.round };
+    }
+  }
+
+  private ownerId(part: number): number {
+    const id = this.library.Manifold.reserveIDs(1);
+    this.owners.set(id, part);
+    return id;
+  }
+
+  private combine(node: SolidNode, operands: Manifold[], own: Manifold[]): Manifold {
+    const { Manifold } = this.library;
+    if (node.kind === 'hollow') {
+      // A part with live symmetry comes with its twin.
+      const body = operands.length > 1 ? Manifold.union(operands) : operands[0]!;
+      if (operands.length > 1) own.push(body);
+      return hollowOf(this.library, body, node, { id: this.ownerId(this.mainPart(body)), own });
+    }
+    const plain = node.kind === 'join' ? this.join(node, operands, own) : node.kind === 'cut' ? Manifold.difference(operands) : Manifold.intersection(operands);
+    if (node.blend <= 0 || node.kind === 'common' || plain.isEmpty()) return plain;
+    own.push(plain);
+    const id = this.ownerId(this.mainPart(operands[0]!));
+    return seamOf(this.library, { plain, operands, node }, { id, own });
+  }
+
+  /**
+   * All as one. Where one operand alone is another than last time, the others are united for themselves and kept: the
+   * next time that one changes there is a single union to make.
+   */
+  private join(node: SolidNode, operands: Manifold[], own: Manifold[]): Manifold {
+    const keys = node.operands.map((operand) => (isPart(operand) ? `${operand.mesh}#${operand.part}@${operand.matrix.join()}` : operand.node));
+    const before = this.joins.get(node.step);
+    this.joins.set(node.step, keys);
+    const changed = before?.length === keys.length ? keys.flatMap((key, i) => (key === before[i] ? [] : [i])) : [];
+    const { Manifold } = this.library;
+    if (keys.length < 3 || changed.length !== 1) return Manifold.union(operands);
+    const others = operands.filter((_, i) => i !== changed[0]), key = `but one:${keys.filter((_, i) => i !== changed[0]).join(' ')}`;
+    const rest = this.solids.get(key) ?? { solid: Manifold.union(others), round: this.round };
+    rest.round = this.round;
+    this.solids.set(key, rest);
+    const whole = rest.solid!.add(operands[changed[0]!]!);
+    if (whole.status() === 'NoError') return whole;
+    own.push(whole);
+    return Manifold.union(operands);
+  }
+
+  /** Whose faces are the most. */
+  private mainPart(solid: Manifold): number {
+    let best = 0, most = -1;
+    for (const run of this.runsOf(solid.getMesh())) {
+      if (run.count > most) [best, most] = [run.part, run.count];
+    }
+    return best;
+  }
+
+  private runsOf(mesh: { runIndex: Uint32Array; runOriginalID: Uint32Array }): PartRun[] {
+    const runs: PartRun[] = [];
+    for (let i = 0; i < mesh.runOriginalID.length; i += 1) {
+      const first = mesh.runIndex[i]! / 3, count = mesh.runIndex[i + 1]! / 3 - first;
+      const part = this.owners.get(mesh.runOriginalID[i]!) ?? 0, last = runs[runs.length - 1];
+      if (last && last.part === part && last.first + last.count === first) last.count += count;
+      else if (count > 0) runs.push({ part, first, count });
+    }
+    return runs;
+  }
+
+  private meshOf(solid: Manifold): SolidMesh {
+    const mesh = solid.getMesh();
+    const stride = mesh.numProp, vertices = mesh.vertProperties.length / stride;
+    const positions = new Float32Array(3 * vertices), uv = new Float32Array(2 * vertices);
+    for (let v = 0; v < vertices; v += 1) {
+      for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
+      for (let k = 0; k < 2; k += 1) uv[2 * v + k] = stride >= 5 ? Math.min(1, Math.max(0, mesh.vertProperties[stride * v + 3 + k]!)) : 0;
+    }
+    return {
+      positions, uv, triangles: mesh.triVerts.slice(), mergeFrom: (mesh.mergeFromVert ?? new Uint32Array()).slice(), mergeTo: (mesh.mergeToVert ?? new Uint32Array()).slice(),
+      runs: this.runsOf(mesh), volume: solid.volume(), area: solid.surfaceArea(), genus: solid.genus(),
+    };
+  }
+
+  /** Lets go of what was not asked for in a while. */
+  private forget(): void {
+    for (const map of [this.parts, this.solids]) {
+      for (const [key, kept] of map) {
+        if (kept.round + kKept > this.round) continue;
+        kept.solid?.delete();
+        map.delete(key);
+      }
+    }
+    for (const [key, mesh] of this.meshes) if (mesh.round + kKept <= this.round) this.meshes.delete(key);
+  }
+
+  /** Keys of the meshes that are here. */
+  knownMeshes(): string[] {
+    return [...this.meshes.keys()];
+  }
+}
+
+function inWorld(m: number[], [x, y, z]: [number, number, number]): [number, number, number] {
+  return [0, 1, 2].map((k) => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!) as [number, number, number];
+}
+
+function failureOf(thrown: unknown): SolidFailure {
+  if (thrown instanceof Unsolvable) return thrown.failure;
+  return { error: thrown instanceof RangeError ? 'OutOfMemory' : 'SolidFailed' };
+}

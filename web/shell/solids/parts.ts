@@ -1,0 +1,123 @@
+// Parts for manifold-3d: closed meshes that do not cross themselves. A loft that does comes apart between its
+// rings into pieces that do not, and is united again.
+import type { Manifold, ManifoldToplevel, Vec3 } from 'manifold-3d';
+import { findCrossings, placeOf } from './crossings.ts';
+import type { MeshData } from './protocol.ts';
+import { pieceOf, ringsOf, runForward, wedgesOf } from './rings.ts';
+import type { FillCurve, Rings } from './rings.ts';
+
+/** The part crosses itself at `at` (its own space) and cannot be mended. */
+export class FaultyPart extends Error {
+  constructor(readonly at: [number, number, number]) {
+    super('PartCrossesItself');
+  }
+}
+
+function fromMesh(library: ManifoldToplevel, data: MeshData, id: number): Manifold {
+  const vertices = data.positions.length / 3;
+  const properties = new Float32Array(5 * vertices);
+  for (let v = 0; v < vertices; v += 1) {
+    properties.set(data.positions.subarray(3 * v, 3 * v + 3), 5 * v);
+    if (data.uv.length > 0) properties.set(data.uv.subarray(2 * v, 2 * v + 2), 5 * v + 3);
+  }
+  const mesh = new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: data.triangles, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, data.triangles.length) });
+  const solid = library.Manifold.ofMesh(mesh);
+  if (solid.status() !== 'NoError') throw new Error(solid.status());
+  return solid;
+}
+
+/** Fills a curve in the plane that fits it best. */
+function fillIn(library: ManifoldToplevel): FillCurve {
+  return (points) => {
+    const n = points.length / 3;
+    const normal: [number, number, number] = [0, 0, 0];
+    for (let i = 0; i < n; i += 1) {
+      const a = 3 * i, b = 3 * ((i + 1) % n);
+      normal[0] += (points[a + 1]! - points[b + 1]!) * (points[a + 2]! + points[b + 2]!);
+      normal[1] += (points[a + 2]! - points[b + 2]!) * (points[a]! + points[b]!);
+      normal[2] += (points[a]! - points[b]!) * (points[a + 1]! + points[b + 1]!);
+    }
+    const axis = [0, 1, 2].reduce((best, k) => (Math.abs(normal[k]!) > Math.abs(normal[best]!) ? k : best), 0);
+    // Counter-clockwise seen against the normal's longest axis.
+    const u = (axis + 1) % 3, v = (axis + 2) % 3, turned = normal[axis]! < 0;
+    const flat = Array.from({ length: n }, (_, i) => [points[3 * i + (turned ? v : u)]!, points[3 * i + (turned ? u : v)]!] as [number, number]);
+    return library.triangulate([flat]) as [number, number, number][];
+  };
+}
+
+function signedVolume({ positions: p, triangles }: MeshData): number {
+  let volume = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+    volume += p[a]! * (p[b + 1]! * p[c + 2]! - p[b + 2]! * p[c + 1]!) - p[a + 1]! * (p[b]! * p[c + 2]! - p[b + 2]! * p[c]!) + p[a + 2]! * (p[b]! * p[c + 1]! - p[b + 1]! * p[c]!);
+  }
+  return volume / 6;
+}
+
+/** Pieces between rings that do not cross themselves; none where that cannot be had. */
+function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, id: number): Manifold[] | null {
+  const fill = fillIn(library);
+  const pieces: Manifold[] = [];
+  const fail = () => {
+    for (const piece of pieces) piece.delete();
+    return null;
+  };
+  const ranges: [number, number][] = [[0, rings.count - 1]];
+  while (ranges.length > 0) {
+    const [from, to] = ranges.pop()!;
+    const piece = pieceOf(mesh, rings, from, to, fill);
+    const clean = findCrossings(piece.positions, piece.triangles, 1).length === 0;
+    if (clean && signedVolume(piece) <= 0) return fail();
+    if (clean) pieces.push(fromMesh(library, piece, id));
+    else if (to - from > 1) ranges.push([from, (from + to) >> 1], [(from + to) >> 1, to]);
+    else pieces.push(...wedges(library, mesh, rings, from, id));
+  }
+  if (rings.joined) pieces.push(...wedges(library, mesh, rings, rings.count - 1, id));
+  return pieces;
+}
+
+function wedges(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number, id: number): Manifold[] {
+  return wedgesOf(mesh, rings, from).flatMap((corners) => {
+    const hull = library.Manifold.hull(corners as Vec3[]);
+    if (hull.isEmpty() || hull.status() !== 'NoError') return [];
+    const { positions, triangles } = { positions: hull.getMesh().vertProperties, triangles: hull.getMesh().triVerts };
+    hull.delete();
+    return [fromMesh(library, { positions, uv: nearUv(mesh, rings, from, positions), triangles }, id)];
+  });
+}
+
+/** The uv of the nearest vertex of the band's two rings. */
+function nearUv(mesh: MeshData, rings: Rings, from: number, positions: Float32Array): Float32Array {
+  if (mesh.uv.length === 0) return new Float32Array();
+  const uv = new Float32Array((positions.length / 3) * 2);
+  const next = (from + 1) % rings.count;
+  for (let v = 0; v < positions.length / 3; v += 1) {
+    let least = Infinity;
+    for (const ring of [from, next]) {
+      for (let w = ring * rings.size; w < (ring + 1) * rings.size; w += 1) {
+        const d = Math.hypot(mesh.positions[3 * w]! - positions[3 * v]!, mesh.positions[3 * w + 1]! - positions[3 * v + 1]!, mesh.positions[3 * w + 2]! - positions[3 * v + 2]!);
+        if (d >= least) continue;
+        least = d;
+        uv.set(mesh.uv.subarray(2 * w, 2 * w + 2), 2 * v);
+      }
+    }
+  }
+  return uv;
+}
+
+/** The part as a solid whose faces carry `id`. Throws FaultyPart. */
+export function importPart(library: ManifoldToplevel, mesh: MeshData, id: number): Manifold {
+  const [crossing] = findCrossings(mesh.positions, mesh.triangles, 1);
+  if (!crossing) return fromMesh(library, mesh, id);
+  const fault = new FaultyPart(placeOf(crossing, mesh.positions, mesh.triangles));
+  const rings = ringsOf(mesh);
+  const pieces = rings && runForward(mesh, rings) ? piecesOf(library, mesh, rings, id) : null;
+  if (!pieces) throw fault;
+  const solid = library.Manifold.union(pieces);
+  for (const piece of pieces) piece.delete();
+  if (solid.status() !== 'NoError') {
+    solid.delete();
+    throw fault;
+  }
+  return solid;
+}
