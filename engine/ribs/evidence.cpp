@@ -68,6 +68,26 @@ Lab mixLab(const Bilinear& b, const std::vector<float>& plane) {
   return {all[0], all[1], all[2], 0};
 }
 
+// What one curve stands for: the stretch of its level set half-way to either neighbour, sampled this
+// far apart (map pixels), at most so many times on either side.
+constexpr float kBandStep = 2;
+constexpr int kMostBand = 8;
+
+struct BandMean {
+  Lab4 lab{};
+  float proximity = 0, count = 0;
+  void add(const Lab& colour, float near) {
+    lab += load(colour.data());
+    proximity += near;
+    ++count;
+  }
+  void read(Lab& colour, float& near) const {
+    const Lab4 mean = lab / count;
+    colour = {mean[0], mean[1], mean[2], 0};
+    near = proximity / count;
+  }
+};
+
 // Lab difference over ± reach of arc length at every level of one curve; 0 where not reached, and
 // where the stretch touches what is ignored.
 void differences(const GradientCurves& curves, const Strip& strip, float reach, int curve,
@@ -209,16 +229,36 @@ void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
   strip.proximity.assign(curves.x.size(), 0.f);
   strip.lab.assign(curves.x.size(), Lab{});
   strip.ignored.assign(marked ? curves.x.size() : 0, 0);
+  const float apart = kBandStep * static_cast<float>(strip.pixel);
   for (int c = 0; c < strip.curves; ++c) {
     for (int k = 0; k < curves.reached[index(c)]; ++k) {
+      BandMean mean;
       const std::size_t at = curves.at(c, k);
-      const Bilinear place = locate(edges, curves.x[at], curves.y[at]);
-      strip.lab[at] = mixLab(place, edges.lab);
-      if (marked && ignored->mask[place.nearest()] != 0) {
+      const PicturePointF here{curves.x[at], curves.y[at]};
+      const auto sample = [&](float x, float y) {
+        const Bilinear place = locate(edges, x, y);
+        if (marked && ignored->mask[place.nearest()] != 0) return false;
+        mean.add(mixLab(place, edges.lab), mix(place, proximity));
+        return true;
+      };
+      if (!sample(here.x, here.y)) {
         strip.ignored[at] = 1;
-      } else {
-        strip.proximity[at] = mix(place, proximity);
+        strip.lab[at] = mixLab(locate(edges, here.x, here.y), edges.lab);
+        continue;
       }
+      for (const int side : {-1, 1}) {
+        const int other = (c + side + strip.curves) % strip.curves;
+        if (k >= curves.reached[index(other)]) continue;
+        const std::size_t o = curves.at(other, k);
+        const float dx = curves.x[o] - here.x, dy = curves.y[o] - here.y;
+        const float room = 0.5f * std::sqrt(dx * dx + dy * dy) / apart;
+        const int steps = room < kMostBand ? static_cast<int>(room) : kMostBand;
+        for (int q = 1; q <= steps; ++q) {
+          const float share = static_cast<float>(q) / static_cast<float>(2 * steps + 1);
+          sample(here.x + share * dx, here.y + share * dy);
+        }
+      }
+      mean.read(strip.lab[at], strip.proximity[at]);
     }
   }
 }
@@ -277,20 +317,27 @@ void colourTerms(const GradientCurves& curves, const Strip& strip, const std::ve
                  BoundaryTerms& terms) {
   std::vector<float> novelty, foreign;
   spineNovelty(curves, strip, known, novelty);
-  for (auto* plane : {&terms.inside, &terms.outside}) plane->assign(curves.x.size(), 0.f);
+  for (auto* plane : {&terms.inside, &terms.outside, &terms.farther}) {
+    plane->assign(curves.x.size(), 0.f);
+  }
   const float margin = 2 * kEdgeExtent * static_cast<float>(strip.pixel);
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t row = curves.at(c, 0);
     const int reached = curves.reached[index(c)];
     const float* along = &curves.along[row];
     integrate(curves, c, &novelty[row], foreign);
-    int half = 0;
+    int half = 0, far = 0;
+    const auto mean = [&](int from, int to) {
+      return (foreign[index(to)] - foreign[index(from)]) / (along[to] - along[from]);
+    };
     for (int k = 1; k < reached; ++k) {
       half = levelAt(along, reached, half, 1.5f * along[k] + margin);
+      far = levelAt(along, reached, far, 2.5f * along[k] + 2 * margin);
       const std::size_t at = row + index(k);
-      terms.inside[at] = foreign[index(k)] / along[k];
-      const float run = along[half] - along[k];
-      terms.outside[at] = run > 1 ? (foreign[index(half)] - foreign[index(k)]) / run : 0.f;
+      terms.inside[at] = mean(0, k);
+      terms.outside[at] = along[half] - along[k] > 1 ? mean(k, half) : 0.f;
+      // Close to the frame the last that is known stands for the rest.
+      terms.farther[at] = far > half ? mean(half, far) : terms.farther[at - 1];
     }
   }
 }
@@ -301,6 +348,7 @@ void boundaryCosts(const GradientCurves& curves, const Strip& strip, const Bound
   const float proximity = w(params.proximityWeight), contrast = w(params.contrastWeight);
   const float local = w(params.localContrastWeight), beyond = w(params.beyondWeight);
   const float inside = w(params.insideWeight), outside = w(params.outsideWeight);
+  const float farther = w(params.fartherWeight);
   const float even = static_cast<float>(strip.levels) / 8, doubt = w(params.doubt);
   costs.assign(curves.x.size(), 0.f);
   for (int c = 0; c < strip.curves; ++c) {
@@ -310,7 +358,8 @@ void boundaryCosts(const GradientCurves& curves, const Strip& strip, const Bound
       const std::size_t i = curves.at(c, k);
       costs[i] = proximity * strip.proximity[i] + contrast * terms.contrast[i] +
                  local * terms.localContrast[i] - beyond * terms.beyond[i] -
-                 inside * terms.inside[i] + outside * terms.outside[i];
+                 inside * terms.inside[i] + outside * terms.outside[i] +
+                 farther * terms.farther[i];
       best = std::max(best, costs[i]);
     }
     for (int k = 1; k < reached; ++k) {

@@ -29,8 +29,9 @@ struct Strip {
   bool isIgnored(std::size_t at) const { return !ignored.empty() && ignored[at] != 0; }
 };
 
-/// Samples `edges` (not empty) at every point of `curves`, bilinearly; `ignored` may be null or
-/// empty. Replaces `strip`, reusing its memory.
+/// Samples `edges` (not empty) at every point of `curves`, bilinearly, and takes the mean along the
+/// level set half-way to either neighbouring curve: a rib stands for all of the picture up to the next
+/// ones, and noise averages out. What is ignored does not count; `ignored` may be null or empty. Replaces `strip`, reusing its memory.
 void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
                  const IgnoredEdges* ignored, Strip& strip);
 
@@ -64,11 +65,14 @@ struct BoundaryTerms {
       beyond;  ///< log(1 + edges between this place and twice as far): outlines lie outside
   std::vector<float> inside;   ///< mean novelty between the spine and here
   std::vector<float> outside;  ///< mean novelty from here to half as far again
+  /// Mean novelty from there to two and a half times as far: where the spine's colours come back, what
+  /// lies in between was a stripe or a highlight.
+  std::vector<float> farther;
 };
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms);
 
-/// Fills `inside` and `outside` alone, with more of the object known (see spineNovelty).
+/// Fills `inside`, `outside` and `farther` alone, with more of the object known (see spineNovelty).
 void colourTerms(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
                  BoundaryTerms& terms);
 

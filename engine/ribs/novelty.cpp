@@ -17,7 +17,7 @@ constexpr float kSpineReach = 4;
 constexpr float kLeastShare = 2e-4f;  // below it a colour's share is not known
 constexpr float kMostNovelty = 2;
 // Smallest ranges that the bins of lightness and of a and b span, Lab units.
-constexpr float kLightRange = 30, kColourRange = 20;
+constexpr float kLightRange = 20, kColourRange = 14;
 
 using Histogram = std::vector<float>;
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/ribs/curves.h"
+#include "engine/ribs/end_fan.h"
 #include "engine/ribs/evidence.h"
 #include "engine/ribs/fairing.h"
 #include "engine/ribs/lean.h"
@@ -42,8 +43,6 @@ constexpr double kFarthestPerSide = 0.75;
 constexpr double kDefaultHalfWidth = 0.1;
 // A rib end with at least this share of a full edge under it stands on one.
 constexpr float kOnEdge = 0.5f;
-// How strongly a cap is held to the round shape between its end ribs, against evidence that spans about 1.
-constexpr float kCapWeight = 0.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -110,7 +109,6 @@ void fillSide(Search& s, bool leftSide) {
   const double middle = 0.5 * (count - 1);
   side.unary.assign(index(ribs) * index(count), kUnreachable);
   side.place.resize(side.unary.size());
-  side.spacing.resize(index(ribs - 1));
   for (int i = 0; i < ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
     const int reached = s.curves.reached[index(curve)];
@@ -122,8 +120,14 @@ void fillSide(Search& s, bool leftSide) {
       const double pull = s.params.priorWeight * std::abs(k - middle) / middle;
       side.unary[at] = s.costs[s.curves.at(curve, k)] + static_cast<float>(pull);
     }
-    if (i > 0) {
-      side.spacing[index(i - 1)] =
+  }
+}
+
+void fillSpacing(Search& s) {
+  for (SideCosts* side : {&s.problem.left, &s.problem.right}) {
+    side->spacing.resize(index(s.problem.ribs - 1));
+    for (int i = 1; i < s.problem.ribs; ++i) {
+      side->spacing[index(i - 1)] =
           static_cast<float>(distance(s.spine.points[index(i - 1)], s.spine.points[index(i)]));
     }
   }
@@ -137,12 +141,35 @@ std::vector<EvenPart> fillProblem(Search& s) {
   s.problem.neighbourCap = static_cast<float>(s.params.neighbourCap);
   fillSide(s, true);
   fillSide(s, false);
+  fillSpacing(s);
   const double pixel = s.levels.radius[1];
   return findEvenParts(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
 }
 
+// How far neighbouring ends are apart where the part is thought to end, at least as far as on the hull:
+// round bends and ends curves part, and lengths may differ by more from one to the next.
+void spread(const EvenPart& even, bool leftSide, Search& s) {
+  SideCosts& side = leftSide ? s.problem.left : s.problem.right;
+  const double factor = 0.5 * (leftSide ? 1 + even.lean : 1 - even.lean);
+  const auto curveOf = [&](int i) {
+    return leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+  };
+  for (int i = 0; i + 1 < s.problem.ribs; ++i) {
+    const int a = curveOf(i), b = curveOf(i + 1);
+    const int most = std::min(s.curves.reached[index(a)], s.curves.reached[index(b)]) - 1;
+    const double wanted = factor * static_cast<double>(even.width[index(i)]);
+    int k = 0;
+    while (k < most && static_cast<double>(s.curves.along[s.curves.at(a, k)]) < wanted) ++k;
+    const double hull = distance(s.spine.points[index(i)], s.spine.points[index(i + 1)]);
+    const double apart = distance(s.curves.point(a, k), s.curves.point(b, k));
+    side.spacing[index(i)] = static_cast<float>(std::max(apart, hull));
+  }
+}
+
 // Holds the opposite ends of each rib to the lean of the part.
 void assume(const EvenPart& even, Search& s) {
+  spread(even, true, s);
+  spread(even, false, s);
   const double pixel = s.levels.radius[1];
   s.problem.lean = static_cast<float>(even.lean);
   s.problem.leanScale.clear();
@@ -219,52 +246,6 @@ void readRivals(const Search& s, const LengthLabels& labels, bool leftSide, RibS
   }
 }
 
-// The outline of a round cap: a chain of fan curves between the two ribs of an end, whose lengths
-// follow edges but are held to a half circle over the end rib (method: caps overshoot at open ends
-// and spike at closed ones unless their length has a prior of its own).
-EndFan traceFan(Search& s, int leftLabel, int rightLabel, bool atStart) {
-  const CurveLayout& layout = s.curves.layout;
-  const int rib = atStart ? 0 : layout.ribs - 1, count = s.curves.levels;
-  const auto curveOf = [&](int i) {
-    if (i == 0) return layout.left(rib);
-    if (i == layout.fan + 1) return layout.right(rib);
-    return atStart ? layout.startFan(i - 1) : layout.endFan(i - 1);
-  };
-  const float leftLength = s.curves.along[s.curves.at(layout.left(rib), leftLabel)];
-  const float rightLength = s.curves.along[s.curves.at(layout.right(rib), rightLabel)];
-  LengthProblem p;
-  p.ribs = layout.fan + 2;
-  p.levels = count;
-  p.neighbourWeight = s.problem.neighbourWeight;
-  p.left.unary.assign(index(p.ribs) * index(count), kUnreachable);
-  p.left.place.resize(p.left.unary.size());
-  p.left.spacing.assign(index(p.ribs - 1), std::max(1.f, (leftLength + rightLength) * 1.57f /
-                                                             static_cast<float>(p.ribs - 1)));
-  for (int i = 0; i < p.ribs; ++i) {
-    const int curve = curveOf(i);
-    const float share = static_cast<float>(i) / static_cast<float>(p.ribs - 1);
-    const float wanted = std::max(1e-3f, leftLength + (rightLength - leftLength) * share);
-    const int fixed = i == 0 ? leftLabel : i == p.ribs - 1 ? rightLabel : -1;
-    float length = 0;
-    for (int k = 0; k < count; ++k) {
-      const std::size_t at = index(i) * index(count) + index(k);
-      const bool exists = k < s.curves.reached[index(curve)];
-      length = exists ? s.curves.along[s.curves.at(curve, k)] : length + 1;
-      p.left.place[at] = length;
-      if (!exists || (fixed >= 0 && k != fixed) ||
-          (k == 0 && s.curves.reached[index(curve)] > 1 && fixed != 0))
-        continue;
-      p.left.unary[at] =
-          s.costs[s.curves.at(curve, k)] + kCapWeight * std::abs(length / wanted - 1);
-    }
-  }
-  const std::vector<int> labels = optimalSide(p, p.left, s.workspace);
-  EndFan fan;
-  for (int i = 1; i + 1 < p.ribs; ++i)
-    fan.points.push_back(s.curves.point(curveOf(i), labels[index(i)]));
-  return fan;
-}
-
 // The point at an arc length of a curve.
 PicturePoint pointAlong(const GradientCurves& curves, int curve, double length) {
   const int last = curves.reached[index(curve)] - 1;
@@ -314,8 +295,13 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
   }
   readRivals(s, labels, true, set);
   readRivals(s, labels, false, set);
-  set.startFan = traceFan(s, labels.left.front(), labels.right.front(), true);
-  set.endFan = traceFan(s, labels.left.back(), labels.right.back(), false);
+  const Rib &first = set.ribs.front(), &last = set.ribs.back();
+  set.startFan = followEnd({s.curves, s.costs, true, first.left, first.right, labels.left.front(),
+                            labels.right.front(), s.problem.neighbourWeight},
+                           s.workspace);
+  set.endFan = followEnd({s.curves, s.costs, false, last.left, last.right, labels.left.back(),
+                          labels.right.back(), s.problem.neighbourWeight},
+                         s.workspace);
   set.energy = energyOf(s.problem, labels);
   const double middle = 0.5 * (s.problem.levels - 1);
   for (const auto* side : {&labels.left, &labels.right}) {
@@ -351,7 +337,7 @@ bool inRange(const RibParams& p) {
   const EvidenceParams& e = p.evidence;
   for (double weight :
        {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
-        e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
+        e.outsideWeight, e.fartherWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
     if (!within(weight, 0, 10)) return false;
   }
   const FairingParams& f = p.fairing;

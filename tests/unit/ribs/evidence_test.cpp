@@ -137,7 +137,8 @@ TEST_CASE("the cheapest place of a curve is the outline, with any one term switc
   double EvidenceParams::*const weights[] = {
       &EvidenceParams::proximityWeight,     &EvidenceParams::contrastWeight,
       &EvidenceParams::localContrastWeight, &EvidenceParams::beyondWeight,
-      &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight};
+      &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight,
+      &EvidenceParams::fartherWeight};
   for (const auto weight : weights) {
     EvidenceParams params;
     params.*weight = 0;
