@@ -16,9 +16,9 @@ const kMinutes = 60000;
 
 function options() {
   try {
-    return parseArgs({ options: { json: { type: 'string' }, markdown: { type: 'string' }, data: { type: 'string' } } }).values;
+    return parseArgs({ options: { json: { type: 'string' }, markdown: { type: 'string' }, data: { type: 'string' }, ablation: { type: 'boolean' } } }).values;
   } catch (error) {
-    throw new Stop(`${error.message}\nUsage: npm run bench -- [--json FILE] [--markdown FILE] [--data FOLDER]`);
+    throw new Stop(`${error.message}\nUsage: npm run bench -- [--json FILE] [--markdown FILE] [--data FOLDER] [--ablation]`);
   }
 }
 
@@ -109,6 +109,11 @@ function printAccuracy({ summary, cases }, folder) {
   printTable('Each case', cases, { case: 'name', ...scores, edge: 'ends_edge', bridged: 'ends_bridged', guessed: 'ends_guessed', 'ribs ms': 'ribs_ms' });
 }
 
+function printAblation(lines) {
+  const names = Object.keys(lines[0]).filter((key) => key !== 'name');
+  printTable('Ablation', lines, { variation: 'name', ...Object.fromEntries(names.map((name) => [name, name])) });
+}
+
 async function stageTimes() {
   const native = await run('the native benchmark', join(presetDir('native-release'), 'spineloft_bench'), [], { log: 'bench', timeout: 20 * kMinutes });
   const columns = { native: parsed(native.text, 'The native benchmark') };
@@ -120,15 +125,16 @@ async function stageTimes() {
   return columns;
 }
 
-async function accuracy(data) {
+async function accuracy(data, withAblation) {
   const file = join(buildDir, 'bench-accuracy.json');
   const program = join(presetDir('native-release'), 'spineloft');
-  await run('spineloft bench', program, ['bench', data, '--json', file], { log: 'bench', timeout: 30 * kMinutes });
+  const table = withAblation ? ['--ablation', join(buildDir, 'bench-ablation.md')] : [];
+  await run('spineloft bench', program, ['bench', data, '--json', file, ...table], { log: 'bench', timeout: 30 * kMinutes });
   return JSON.parse(readFileSync(file, 'utf8'));
 }
 
 await mainProgram(async () => {
-  const { json, markdown: page, data } = options();
+  const { json, markdown: page, data, ablation } = options();
   talkOnStderr();
   await setup(['native', 'wasm', 'node', 'browser']);
   await buildTargets('native-release', ['spineloft', 'spineloft_bench']);
@@ -151,8 +157,9 @@ await mainProgram(async () => {
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
   if (existsSync(folder)) {
-    result.accuracy = await accuracy(resolve(process.env.INIT_CWD ?? '.', folder));
+    result.accuracy = await accuracy(resolve(process.env.INIT_CWD ?? '.', folder), ablation);
     printAccuracy(result.accuracy, folder);
+    if (ablation) printAblation(result.accuracy.ablation);
   } else {
     say(`\nNo data folder at ${folder}: accuracy is left out.`);
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/cli/files.h"
+#include "engine/cli/variations.h"
 #include "engine/document/document.h"
 
 namespace spineloft::cli {
@@ -228,11 +229,22 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
 }
 
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 3> kKnown{"--json", "--jobs", "--overlays"};
+  static constexpr std::array<std::string_view, 5> kKnown{"--json", "--jobs", "--overlays",
+                                                          "--ablation", "--variation"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
-  BenchArguments bench{words.files[0], words.option("--json"), words.option("--overlays"), 1};
+  BenchArguments bench;
+  bench.folder = words.files[0];
+  bench.json = words.option("--json");
+  bench.overlays = words.option("--overlays");
+  bench.ablation = words.option("--ablation");
+  if (words.has("--variation")) bench.variation = words.option("--variation");
+  if (variationFromKey(bench.variation) == nullptr) {
+    return UsageProblem{"There is no variation " + bench.variation + "; there are " +
+                        keysOf(variations()) + "."};
+  }
+  if (const auto problem = clash({}, std::array{bench.json, bench.ablation})) return *problem;
   if (words.has("--jobs")) {
     const auto jobs = numberOf(words.option("--jobs"));
     if (!jobs || *jobs < 1 || *jobs > 64 || *jobs != std::floor(*jobs)) {
@@ -292,7 +304,8 @@ std::string usageText() {
           "  derives a saved model again and writes it in any of the forms of loft\n\n"
           "spineloft edges IMAGE --out FILE.png\n"
           "  the edges that were found, as large as the picture\n\n"
-          "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR]\n"
+          "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
+          "                [--ablation FILE.md]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

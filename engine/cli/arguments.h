@@ -44,6 +44,8 @@ struct OpenArguments {
 struct BenchArguments {
   std::string folder;
   std::string json, overlays;  ///< empty where not wanted
+  std::string ablation;        ///< Markdown of all variations (variations.h); empty where not wanted
+  std::string variation = "product";  ///< which of them the rows and overlays are of
   int jobs = 1;                ///< 1…64
 };
 

@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <span>
 #include <string>
 #include <system_error>
@@ -18,6 +19,7 @@
 #include "engine/cli/overlay.h"
 #include "engine/cli/program.h"
 #include "engine/cli/score.h"
+#include "engine/cli/variations.h"
 #include "engine/io/json_values.h"
 #include "engine/io/picture_file.h"
 #include "engine/mesh/laws.h"
@@ -103,10 +105,30 @@ void addStates(const ribs::RibSet& ribs, io::NamedNumbers& numbers) {
   }
 }
 
+/// Mean IoU of all pairs of parts of one case: 1 where it does not matter which stroke was drawn.
+double meanAgreement(const std::vector<image::Mask>& parts) {
+  double sum = 0;
+  int pairs = 0;
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    for (std::size_t b = a + 1; b < parts.size(); ++b, ++pairs) {
+      std::size_t both = 0, either = 0;
+      const std::size_t count = std::min(parts[a].pixels.size(), parts[b].pixels.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        const bool inA = parts[a].pixels[i] > 0, inB = parts[b].pixels[i] > 0;
+        both += inA && inB;
+        either += inA || inB;
+      }
+      sum += either > 0 ? static_cast<double>(both) / static_cast<double>(either) : 0;
+    }
+  }
+  return pairs > 0 ? sum / pairs : 1;
+}
+
 /// Runs the cases; made for use from several threads, one case at a time each.
 class Bench {
  public:
-  explicit Bench(const BenchArguments& arguments) : arguments_(arguments) {}
+  Bench(const BenchArguments& arguments, const Variation& variation)
+      : arguments_(arguments), variation_(variation) {}
 
   /// One row a stroke. A part that cannot be made counts as empty.
   Result<std::vector<io::BenchRow>> runCase(const fs::path& folder) const {
@@ -119,32 +141,34 @@ class Bench {
     if (!edges.ok()) return {edges.error(), folder.string()};
     const Truth truth({one.mask, one.text.axis, one.text.boundaryTolerance});
     std::vector<io::BenchRow> rows;
+    std::vector<image::Mask> parts;
     for (const auto& [name, stroke] : one.text.strokes) {
       io::BenchRow row{one.text.id, one.text.category, name, {}, {}};
       row.numbers.emplace_back("edges_ms", edgesMs);
-      if (Status status = runStroke(one, edges.value(), truth, stroke, row); !status.ok()) {
-        return status.failure();
-      }
+      Result<image::Mask> part = runStroke(one, edges.value(), truth, stroke, row);
+      if (!part.ok()) return part.failure();
+      parts.push_back(std::move(part).value());
       rows.push_back(std::move(row));
     }
+    const double agreement = meanAgreement(parts);
+    for (io::BenchRow& row : rows) row.numbers.emplace_back("iou_between_strokes", agreement);
     return rows;
   }
 
  private:
-  Status runStroke(const LoadedCase& one, const image::EdgeMap& edges, const Truth& truth,
-                   const std::vector<PicturePoint>& stroke, io::BenchRow& row) const {
+  /// The part's silhouette, empty where there is no part; the numbers go to the row.
+  Result<image::Mask> runStroke(const LoadedCase& one, const image::EdgeMap& edges,
+                                const Truth& truth, const std::vector<PicturePoint>& stroke,
+                                io::BenchRow& row) const {
     const image::Size size{one.picture.width, one.picture.height};
-    document::LoftRecipe recipe;
-    recipe.stroke = stroke;
-    const Result<pipeline::PartShape> made =
-        pipeline::shapePart(recipe, edges, size, Progress(), nowMs);
+    const Result<pipeline::PartShape> made = makePart(stroke, edges, size);
     if (!made.ok()) {
       row.failure = errorName(made.error());
       addScore(scorePart(truth, {}, stroke, {}), row.numbers);
-      return Done{};
+      return image::Mask{};
     }
     const pipeline::PartShape& shape = made.value();
-    const image::Mask part = pipeline::rasteriseSilhouette(shape.mesh, size);
+    image::Mask part = pipeline::rasteriseSilhouette(shape.mesh, size);
     const mesh::MeshReport laws = mesh::inspect(shape.mesh);
     row.numbers.insert(row.numbers.end(), {{"ribs_ms", shape.ms.ribs},
                                            {"loft_ms", shape.ms.loft},
@@ -152,15 +176,36 @@ class Bench {
                                            {"mesh_lawful", laws.lawful() ? 1.0 : 0.0}});
     addScore(scorePart(truth, part, stroke, endsOf(shape.ribs)), row.numbers);
     addStates(shape.ribs, row.numbers);
-    if (arguments_.overlays.empty()) return Done{};
+    if (arguments_.overlays.empty()) return part;
     const image::Image overlay = drawOverlay({one.picture, shape.ribs, part, one.mask, stroke});
     Result<Bytes> png = io::encodePng(overlay);
     if (!png.ok()) return png.failure();
     const fs::path file = fs::path(arguments_.overlays) / (row.name + "." + row.stroke + ".png");
-    return writeAll({{file.string(), std::move(png).value()}});
+    const Status written = writeAll({{file.string(), std::move(png).value()}});
+    if (!written.ok()) return written.failure();
+    return part;
+  }
+
+  Result<pipeline::PartShape> makePart(const std::vector<PicturePoint>& stroke,
+                                       const image::EdgeMap& edges, image::Size size) const {
+    document::LoftRecipe recipe;
+    recipe.stroke = stroke;
+    recipe.ribs = variation_.params;
+    if (variation_.variant == ribs::TraceVariant{}) {
+      return pipeline::shapePart(recipe, edges, size, Progress(), nowMs);
+    }
+    Result<ribs::Spine> spine = ribs::cleanSpine(stroke, size, recipe.spine);
+    if (!spine.ok()) return spine.failure();
+    ribs::RibWorkspace memory;
+    Result<ribs::RibSet> found = ribs::traceVariant(spine.value(), {edges, size}, recipe.ribs,
+                                                    variation_.variant, memory);
+    if (!found.ok()) return found.failure();
+    return pipeline::shapeStage(recipe, {std::move(spine).value(), std::move(found).value()}, size,
+                                nowMs);
   }
 
   const BenchArguments& arguments_;
+  const Variation& variation_;
 };
 
 /// Value of a row's number, if it has it.
@@ -192,10 +237,14 @@ double shareOf(const std::vector<double>& values, const std::function<bool(doubl
 
 io::NamedNumbers summarise(const std::vector<const io::BenchRow*>& rows) {
   io::NamedNumbers out{{"cases", static_cast<double>(rows.size())}};
-  for (const char* name : {"iou", "iou_body", "rib_mean_pct", "rib_p95_pct", "rib_within_tol"}) {
+  for (const char* name : {"iou", "iou_body", "rib_mean_pct", "rib_p95_pct", "rib_within_tol",
+                           "iou_between_strokes"}) {
     out.emplace_back(name, mean(column(rows, name)));
   }
+  const std::vector<double> p95 = column(rows, "rib_p95_pct");
+  out.emplace_back("median_rib_p95_pct", p95.empty() ? 0 : percentile(p95, 0.5));
   const std::vector<double> body = column(rows, "iou_body");
+  out.emplace_back("least_iou_body", body.empty() ? 0 : *std::ranges::min_element(body));
   out.emplace_back("share_iou_body_0.9", shareOf(body, [](double v) { return v >= 0.9; }));
   out.emplace_back("share_iou_body_0.8", shareOf(body, [](double v) { return v >= 0.8; }));
   out.emplace_back("share_iou_body_below_0.5", shareOf(body, [](double v) { return v < 0.5; }));
@@ -287,6 +336,7 @@ constexpr std::array kSummaryColumns{Column{"cases", "cases", 0},
                                      Column{"rib %", "rib_mean_pct", 1},
                                      Column{"p95 %", "rib_p95_pct", 1},
                                      Column{"in tol", "rib_within_tol", 2},
+                                     Column{"agree", "iou_between_strokes", 3},
                                      Column{"edges ms", "median_edges_ms", 1},
                                      Column{"ribs ms", "median_ribs_ms", 1},
                                      Column{"loft ms", "median_loft_ms", 1},
@@ -294,8 +344,9 @@ constexpr std::array kSummaryColumns{Column{"cases", "cases", 0},
 
 /// Runs all cases on `jobs` threads; the first failure in order of the cases wins.
 Result<std::vector<io::BenchRow>> runAll(const BenchArguments& arguments,
-                                         const std::vector<fs::path>& folders) {
-  const Bench bench(arguments);
+                                         const std::vector<fs::path>& folders,
+                                         const Variation& variation) {
+  const Bench bench(arguments, variation);
   std::vector<Result<std::vector<io::BenchRow>>> results(folders.size(), Error::Cancelled);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
@@ -314,6 +365,58 @@ Result<std::vector<io::BenchRow>> runAll(const BenchArguments& arguments,
   return rows;
 }
 
+/// Means of one variation over all cases, by stroke: "iou_body careful", …
+io::NamedNumbers ablationRow(const std::vector<io::BenchRow>& rows) {
+  io::NamedNumbers out;
+  std::vector<double> p95;
+  double least = 1;
+  for (const char* stroke : {"careful", "sloppy", "offcentre"}) {
+    std::vector<const io::BenchRow*> members;
+    for (const io::BenchRow& row : rows) {
+      if (row.stroke == stroke) members.push_back(&row);
+    }
+    if (members.empty()) continue;
+    for (const char* name : {"iou_body", "iou"}) {
+      out.emplace_back(std::string(name) + ' ' + stroke, mean(column(members, name)));
+    }
+    for (const double value : column(members, "rib_p95_pct")) p95.push_back(value);
+    for (const double value : column(members, "iou_body")) least = std::min(least, value);
+  }
+  out.emplace_back("median rib p95 %", p95.empty() ? 0 : percentile(p95, 0.5));
+  out.emplace_back("least iou_body", least);
+  return out;
+}
+
+std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines) {
+  std::ostringstream out;
+  out << "| |";
+  for (const auto& [name, value] : lines.front().second) out << ' ' << name << " |";
+  out << "\n|:--|";
+  for (std::size_t i = 0; i < lines.front().second.size(); ++i) out << "--:|";
+  for (const auto& [title, numbers] : lines) {
+    out << "\n| " << title << " |" << std::fixed;
+    for (const auto& [name, value] : numbers) {
+      out << ' ' << std::setprecision(name.back() == '%' ? 1 : 3) << value << " |";
+    }
+  }
+  out << '\n';
+  return out.str();
+}
+
+/// Every variation over all cases: into the report, and as a table in Markdown.
+Status ablate(const BenchArguments& arguments, const std::vector<fs::path>& folders,
+              io::BenchReport& report) {
+  BenchArguments plain = arguments;
+  plain.overlays.clear();
+  for (const Variation& variation : variations()) {
+    const Result<std::vector<io::BenchRow>> rows = runAll(plain, folders, variation);
+    if (!rows.ok()) return rows.failure();
+    report.ablation.emplace_back(std::string(variation.title), ablationRow(rows.value()));
+  }
+  const std::string text = markdownOf(report.ablation);
+  return writeAll({{arguments.ablation, Bytes(text.begin(), text.end())}});
+}
+
 }  // namespace
 
 Status runBench(const BenchArguments& arguments, std::ostream& out) {
@@ -324,9 +427,13 @@ Status runBench(const BenchArguments& arguments, std::ostream& out) {
     fs::create_directories(arguments.overlays, problem);
     if (problem) return {Error::FileUnwritable, arguments.overlays};
   }
-  Result<std::vector<io::BenchRow>> rows = runAll(arguments, folders);
+  Result<std::vector<io::BenchRow>> rows =
+      runAll(arguments, folders, *variationFromKey(arguments.variation));
   if (!rows.ok()) return rows.failure();
-  io::BenchReport report{summaries(rows.value()), std::move(rows).value()};
+  io::BenchReport report{summaries(rows.value()), std::move(rows).value(), {}};
+  if (!arguments.ablation.empty()) {
+    if (Status status = ablate(arguments, folders, report); !status.ok()) return status.failure();
+  }
 
   std::vector<std::pair<std::string, io::NamedNumbers>> lines;
   for (const io::BenchRow& row : report.rows) {

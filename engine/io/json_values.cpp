@@ -188,12 +188,16 @@ Result<BenchCase> readBenchCase(std::string_view json) {
 }
 
 std::string writeBench(const BenchReport& report) {
-  Json summary = Json::array(), cases = Json::array();
-  for (const auto& [name, numbers] : report.summary) {
-    Json group = {{"name", name}};
-    group.update(object(numbers));
-    summary.push_back(std::move(group));
-  }
+  const auto groups = [](const auto& named) {
+    Json all = Json::array();
+    for (const auto& [name, numbers] : named) {
+      Json group = {{"name", name}};
+      group.update(object(numbers));
+      all.push_back(std::move(group));
+    }
+    return all;
+  };
+  Json cases = Json::array();
   for (const BenchRow& row : report.rows) {
     Json line = {{"name", row.name + ' ' + row.stroke},
                  {"id", row.name},
@@ -203,7 +207,9 @@ std::string writeBench(const BenchReport& report) {
     line.update(object(row.numbers));
     cases.push_back(std::move(line));
   }
-  return textOf({{"summary", std::move(summary)}, {"cases", std::move(cases)}}, 1);
+  Json all = {{"summary", groups(report.summary)}, {"cases", std::move(cases)}};
+  if (!report.ablation.empty()) all["ablation"] = groups(report.ablation);
+  return textOf(all, 1);
 }
 
 std::string writeNumbers(const NamedNumbers& numbers) { return textOf(object(numbers), 1); }

@@ -60,10 +60,12 @@ struct BenchRow {
   NamedNumbers numbers;
   std::string failure;  ///< empty when the part was made
 };
-/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke",…}]}.
+/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke",…}]}; with an
+/// ablation also "ablation":[{"name",…}].
 struct BenchReport {
   std::vector<std::pair<std::string, NamedNumbers>> summary;
   std::vector<BenchRow> rows;
+  std::vector<std::pair<std::string, NamedNumbers>> ablation;
 };
 std::string writeBench(const BenchReport& report);
 

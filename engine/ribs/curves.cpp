@@ -178,6 +178,14 @@ std::vector<Seed> hullSeeds(const Spine& spine, const CurveLayout& layout) {
   return seeds;
 }
 
+void allocate(const Spine& spine, const Levels& levels, int fan, GradientCurves& curves) {
+  curves.layout = {static_cast<int>(spine.points.size()), fan};
+  curves.levels = static_cast<int>(levels.size());
+  const std::size_t total = static_cast<std::size_t>(curves.layout.total());
+  for (auto* plane : {&curves.x, &curves.y, &curves.along}) plane->resize(total * levels.size());
+  curves.reached.resize(total);
+}
+
 }  // namespace
 
 Levels makeLevels(int count, double step, double farthest, double length) {
@@ -206,13 +214,8 @@ Levels makeLevels(int count, double step, double farthest, double length) {
 
 void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan,
                  image::Size picture, GradientCurves& curves) {
-  curves.layout = {static_cast<int>(spine.points.size()), fan};
-  curves.levels = static_cast<int>(levels.size());
+  allocate(spine, levels, fan, curves);
   const std::size_t total = static_cast<std::size_t>(curves.layout.total());
-  curves.x.resize(total * levels.size());
-  curves.y.resize(total * levels.size());
-  curves.along.resize(total * levels.size());
-  curves.reached.resize(total);
   const std::vector<Seed> seeds = hullSeeds(spine, curves.layout);
   const Flow flow{field, {field.length()}};
   for (std::size_t c = 0; c < total; ++c) {
@@ -224,6 +227,30 @@ void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels,
     for (int k = 1; k < curves.reached[c]; ++k) {
       along[k] = along[k - 1] + std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
     }
+  }
+}
+
+void traceStraightCurves(const Spine& spine, const Levels& levels, int fan, image::Size picture,
+                         GradientCurves& curves) {
+  allocate(spine, levels, fan, curves);
+  const std::vector<Seed> seeds = hullSeeds(spine, curves.layout);
+  // How much nearer another part may be, as a share, before the medial axis is taken to be crossed.
+  constexpr double kNearer = 0.99;
+  for (std::size_t c = 0; c < seeds.size(); ++c) {
+    const Point base = seeds[c].base, out = normalized(seeds[c].start - base);
+    int k = 0;
+    for (; k < curves.levels; ++k) {
+      const double radius = levels.radius[static_cast<std::size_t>(k)];
+      const Point p = base + out * radius;
+      const bool nearer = std::ranges::any_of(
+          spine.points, [&](Point q) { return distance(p, q) < kNearer * radius; });
+      if (k > 0 && (nearer || !inFrame(p, picture))) break;
+      const std::size_t at = curves.at(static_cast<int>(c), k);
+      curves.x[at] = static_cast<float>(p.x);
+      curves.y[at] = static_cast<float>(p.y);
+      curves.along[at] = static_cast<float>(radius);
+    }
+    curves.reached[c] = k;
   }
 }
 

@@ -189,6 +189,10 @@ constexpr float kFullEdge = 0.7f, kLeastContrast = 2.f, kLeastLocalContrast = 1.
 constexpr int kNearby = 10;
 // Half the width that an edge fills along a curve, and what is left out beyond it, in map pixels.
 constexpr float kEdgeExtent = 4.f;
+// What colours farther outside count for one that is just outside.
+constexpr float kFarther = 0.85f;
+// The share of a curve's labels over which an even spread costs nothing.
+constexpr float kEvenShare = 3.f / 16;
 
 void normalise(const GradientCurves& curves, const Strip& strip, BoundaryTerms& terms) {
   const std::vector<float> strongest = strongestContrasts(curves, strip, terms.contrast);
@@ -348,8 +352,8 @@ void boundaryCosts(const GradientCurves& curves, const Strip& strip, const Bound
   const float proximity = w(params.proximityWeight), contrast = w(params.contrastWeight);
   const float local = w(params.localContrastWeight), beyond = w(params.beyondWeight);
   const float inside = w(params.insideWeight), outside = w(params.outsideWeight);
-  const float farther = w(params.fartherWeight);
-  const float even = static_cast<float>(strip.levels) / 8, doubt = w(params.doubt);
+  const float farther = kFarther * outside;
+  const float even = kEvenShare * static_cast<float>(strip.levels), doubt = w(params.doubt);
   costs.assign(curves.x.size(), 0.f);
   for (int c = 0; c < strip.curves; ++c) {
     float best = -1e9f, sum = 0;

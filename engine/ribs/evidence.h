@@ -31,7 +31,8 @@ struct Strip {
 
 /// Samples `edges` (not empty) at every point of `curves`, bilinearly, and takes the mean along the
 /// level set half-way to either neighbouring curve: a rib stands for all of the picture up to the next
-/// ones, and noise averages out. What is ignored does not count; `ignored` may be null or empty. Replaces `strip`, reusing its memory.
+/// ones, and noise averages out. What is ignored does not count; `ignored` may be null or empty.
+/// Replaces `strip`, reusing its memory.
 void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
                  const IgnoredEdges* ignored, Strip& strip);
 
@@ -66,7 +67,7 @@ struct BoundaryTerms {
   std::vector<float> inside;   ///< mean novelty between the spine and here
   std::vector<float> outside;  ///< mean novelty from here to half as far again
   /// Mean novelty from there to two and a half times as far: where the spine's colours come back, what
-  /// lies in between was a stripe or a highlight.
+  /// lies in between was a stripe or a highlight. Weighed as a share of `outside`.
   std::vector<float> farther;
 };
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
@@ -77,7 +78,8 @@ void colourTerms(const GradientCurves& curves, const Strip& strip, const std::ve
                  BoundaryTerms& terms);
 
 /// Costs of all curves and levels: −log(p + doubt), where p is the softmax along each curve of the
-/// weighted terms, relative to an even spread over an eighth of the labels. `doubt` bounds what a
+/// weighted terms, relative to an even spread over three
+/// sixteenths of the labels. `doubt` bounds what a
 /// single misled curve can cost.
 void boundaryCosts(const GradientCurves& curves, const Strip& strip, const BoundaryTerms& terms,
                    const EvidenceParams& params, std::vector<float>& costs);

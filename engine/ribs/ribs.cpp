@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "engine/ribs/algorithm_one.h"
 #include "engine/ribs/curves.h"
 #include "engine/ribs/end_fan.h"
 #include "engine/ribs/evidence.h"
@@ -12,12 +13,14 @@
 #include "engine/ribs/lean.h"
 #include "engine/ribs/rib_lengths.h"
 #include "engine/ribs/rivals.h"
+#include "engine/ribs/trace_variant.h"
 
 namespace spineloft::ribs {
 // Everything that one search passes from step to step.
 struct RibWorkspace::Search {
   Spine spine;
   RibParams params;
+  TraceVariant variant;
   D2Field field;
   Levels levels;
   GradientCurves curves;
@@ -197,7 +200,11 @@ LengthLabels bestLabels(const std::vector<EvenPart>& parts, bool withColours, Se
   };
   for (std::size_t i = 0; i < parts.size(); ++i) {
     suppose(i);
-    if (!findLabels(s.problem, least, s.workspace, labels)) continue;
+    if (s.variant.sampled) {
+      labels = algorithmOne(s.problem, {});
+    } else if (!findLabels(s.problem, least, s.workspace, labels)) {
+      continue;
+    }
     const double energy = energyOf(s.problem, labels).total();
     if (energy >= least) continue;
     least = energy;
@@ -312,6 +319,38 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
   return set;
 }
 
+Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
+                          const RibParams& params, const Progress& progress, Search& s) {
+  const image::EdgeMap& edges = picture.edges;
+  if (!inRange(params)) return Error::ValueOutOfRange;
+  if (spine.points.size() < 2) return Error::StrokeTooShort;
+  s.spine = spine;
+  s.params = params;
+  s.field.assign(spine.points);
+  if (!(s.field.length() > 0)) return Error::StrokeTooShort;
+  if (!progress.advance(0.05)) return Error::Cancelled;
+  s.levels = chooseLevels(s.field, edges, picture.size, params);
+  if (s.variant.euclidean) {
+    traceStraightCurves(spine, s.levels, kFanCurves, picture.size, s.curves);
+  } else {
+    traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
+  }
+  if (!progress.advance(0.4)) return Error::Cancelled;
+  if (edges.empty()) {
+    defaultCosts(s);
+  } else {
+    firstEvidence(picture, s);
+  }
+  const std::vector<EvenPart> parts = fillProblem(s);
+  if (!progress.advance(0.5)) return Error::Cancelled;
+  const bool withColours = !edges.empty() && params.evidence.knownShare > 0;
+  const LengthLabels labels = bestLabels(parts, withColours, s);
+  if (!progress.advance(0.9)) return Error::Cancelled;
+  RibSet set = readRibs(s, labels);
+  progress.advance(1);
+  return set;
+}
+
 }  // namespace
 
 std::string_view ribStateKey(RibState state) {
@@ -337,7 +376,7 @@ bool inRange(const RibParams& p) {
   const EvidenceParams& e = p.evidence;
   for (double weight :
        {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
-        e.outsideWeight, e.fartherWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
+        e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
     if (!within(weight, 0, 10)) return false;
   }
   const FairingParams& f = p.fairing;
@@ -369,31 +408,14 @@ Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
 
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress, RibWorkspace& memory) {
-  const image::EdgeMap& edges = picture.edges;
-  if (!inRange(params)) return Error::ValueOutOfRange;
-  if (spine.points.size() < 2) return Error::StrokeTooShort;
-  Search& s = memory.search();
-  s.spine = spine;
-  s.params = params;
-  s.field.assign(spine.points);
-  if (!(s.field.length() > 0)) return Error::StrokeTooShort;
-  if (!progress.advance(0.05)) return Error::Cancelled;
-  s.levels = chooseLevels(s.field, edges, picture.size, params);
-  traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
-  if (!progress.advance(0.4)) return Error::Cancelled;
-  if (edges.empty()) {
-    defaultCosts(s);
-  } else {
-    firstEvidence(picture, s);
-  }
-  const std::vector<EvenPart> parts = fillProblem(s);
-  if (!progress.advance(0.5)) return Error::Cancelled;
-  const bool withColours = !edges.empty() && params.evidence.knownShare > 0;
-  const LengthLabels labels = bestLabels(parts, withColours, s);
-  if (!progress.advance(0.9)) return Error::Cancelled;
-  RibSet set = readRibs(s, labels);
-  progress.advance(1);
-  return set;
+  memory.search().variant = {};
+  return searchRibs(spine, picture, params, progress, memory.search());
+}
+
+Result<RibSet> traceVariant(const Spine& spine, const PictureEvidence& picture,
+                            const RibParams& params, TraceVariant variant, RibWorkspace& memory) {
+  memory.search().variant = variant;
+  return searchRibs(spine, picture, params, Progress(), memory.search());
 }
 
 }  // namespace spineloft::ribs

@@ -92,12 +92,11 @@ struct EvidenceParams {
   double beyondWeight = 0.55;        ///< against edges further out, 0…10
   double insideWeight = 0.75;        ///< against colours foreign to the spine inside, 0…10
   double outsideWeight = 1.4;        ///< for colours foreign to the spine outside, 0…10
-  double fartherWeight = 1.2;  ///< for colours foreign to the spine farther outside, 0…10
   double contrastReach = 2;  ///< half-length over which contrast is taken, map pixels, 0.5…20
   /// Share of the best even part's half width whose colours count as the object's in a second look;
   /// 0 (no second look) … 0.9.
   double knownShare = 0.5;
-  double doubt = 0.2;   ///< chance given to a curve being misled, 0.001…10
+  double doubt = 0.3;   ///< chance given to a curve being misled, 0.001…10
   double weight = 0.3;  ///< of all evidence against the shape terms, 0…10
   bool operator==(const EvidenceParams&) const = default;
 };

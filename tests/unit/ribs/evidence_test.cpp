@@ -132,13 +132,44 @@ TEST_CASE("with two outlines in a row, the inner one has more beyond it than the
   CHECK(scene.at(terms.localContrast, 48) > 0.8);
 }
 
+TEST_CASE("a rib stands for the picture up to its neighbours: noise averages out along the contour") {
+  image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
+  Rng rng(5);
+  for (float& value : map.lab) value += static_cast<float>(rng.uniform(-10, 10));
+  const auto spread = [&](int ribs) {
+    const Spine spine =
+        cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = ribs}).value();
+    const D2Field field(spine.points);
+    GradientCurves curves;
+    Strip strip;
+    traceCurves(spine, field, makeLevels(100, 1, 120, field.length()), 7, kPicture, curves);
+    sampleStrip(curves, map, nullptr, strip);
+    double sum = 0;
+    int count = 0;
+    for (int c = 1; c + 1 < ribs; ++c) {
+      for (int k = 5; k < 20; ++k, ++count) sum += std::pow(strip.lab[curves.at(c, k)][0] - 30, 2);
+    }
+    return std::sqrt(sum / count);
+  };
+  CHECK(spread(10) < 0.5 * spread(200));
+}
+
+TEST_CASE("colours of the spine that come back farther outside speak against a place") {
+  const auto bar = [](PicturePoint p) { return std::abs(p.y - 150) < 60; };
+  image::EdgeMap map = fixtures::mapOf(kPicture, bar);
+  paint(map, [](PicturePoint p) { return std::abs(std::abs(p.y - 150) - 25) < 3; }, 90, 0);
+  const Scene scene(map);
+  BoundaryTerms terms;
+  boundaryTerms(scene.curves, scene.strip, {}, terms);
+  CHECK(scene.at(terms.farther, 22) < scene.at(terms.farther, 60) - 0.5);
+}
+
 TEST_CASE("the cheapest place of a curve is the outline, with any one term switched off") {
   const Scene scene(fixtures::mapOf(kPicture, inBar));
   double EvidenceParams::*const weights[] = {
       &EvidenceParams::proximityWeight,     &EvidenceParams::contrastWeight,
       &EvidenceParams::localContrastWeight, &EvidenceParams::beyondWeight,
-      &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight,
-      &EvidenceParams::fartherWeight};
+      &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight};
   for (const auto weight : weights) {
     EvidenceParams params;
     params.*weight = 0;
@@ -165,7 +196,7 @@ TEST_CASE("what one curve can say is bounded by doubt, whatever the picture") {
   boundaryCosts(scene.curves, scene.strip, terms, params, costs);
   for (float cost : costs) {
     CHECK(cost <= -std::log(params.doubt) + 1e-4);
-    CHECK(cost >= -std::log(scene.strip.levels / 8.0 + params.doubt) - 1e-4);
+    CHECK(cost >= -std::log(3 * scene.strip.levels / 16.0 + params.doubt) - 1e-4);
   }
 }
 

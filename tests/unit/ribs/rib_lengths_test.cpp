@@ -7,7 +7,7 @@
 
 #include "engine/base/rng.h"
 #include "engine/ribs/pair_search.h"
-#include "tests/support/algorithm_one.h"
+#include "engine/ribs/algorithm_one.h"
 
 using namespace spineloft;
 using namespace spineloft::ribs;
@@ -148,7 +148,7 @@ TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") 
         round % 2 == 0 ? pictureLikeProblem(40, 32, rng) : randomProblem(25, 20, true, rng);
     const double ours = energyOf(p, optimalLabels(p, workspace)).total();
     const double theirs =
-        energyOf(p, support::algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
+        energyOf(p, algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
     CHECK(std::isfinite(theirs));
     CHECK(ours <= theirs + 1e-4);
     strictlyBetter += ours < theirs - 1e-4 ? 1 : 0;

@@ -1,15 +1,13 @@
-#include "tests/support/algorithm_one.h"
+#include "engine/ribs/algorithm_one.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/rng.h"
+#include "engine/ribs/chain_step.h"
 
-namespace spineloft::support {
+namespace spineloft::ribs {
 namespace {
-
-using ribs::LengthLabels;
-using ribs::LengthProblem;
 
 // Ends are numbered left 0 … n−1, right n … 2n−1; −1 marks an end that is not in the set.
 using Chosen = std::vector<int>;
@@ -18,7 +16,7 @@ struct Candidate {
   int end = 0, label = 0;
 };
 
-const ribs::SideCosts& sideOf(const LengthProblem& p, int end) {
+const SideCosts& sideOf(const LengthProblem& p, int end) {
   return end < p.ribs ? p.left : p.right;
 }
 
@@ -83,17 +81,18 @@ double added(const LengthProblem& p, const Chosen& set, const Candidate& c) {
       spacing += side.spacing[static_cast<std::size_t>(std::min(e, e - step) - first)];
       if (set[static_cast<std::size_t>(e)] < 0) continue;
       const float there = side.place[at(p, e, set[static_cast<std::size_t>(e)])];
-      sum += static_cast<double>(ribs::neighbourCost(p, here, there, spacing));
+      sum += static_cast<double>(neighbourCost(p, here, there, spacing));
       break;
     }
   }
-  if (!p.opposite.empty()) {
+  if (p.paired()) {
     const int other = c.end < p.ribs ? c.end + p.ribs : c.end - p.ribs;
     const double place = placeAt(p, set, other);
     if (!std::isnan(place)) {
       const int k = labelAt(p, other, place);
       const int l = c.end < p.ribs ? c.label : k, r = c.end < p.ribs ? k : c.label;
-      sum += static_cast<double>(p.opposite[static_cast<std::size_t>(l * p.levels + r)]);
+      sum += static_cast<double>(oppositeCost(p, c.end % p.ribs, static_cast<std::size_t>(l),
+                                              static_cast<std::size_t>(r)));
     }
   }
   return sum;
@@ -151,4 +150,4 @@ LengthLabels algorithmOne(const LengthProblem& p, const AlgorithmOneParams& para
   return best.left.empty() ? largest : best;
 }
 
-}  // namespace spineloft::support
+}  // namespace spineloft::ribs

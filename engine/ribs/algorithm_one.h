@@ -1,5 +1,5 @@
 // SpineLoft's Algorithm 1 (sampled and greedy), as the rival of the exact optimum in tests and
-// benchmarks. As printed it accepts no candidate at all; this is the workable reading of the method
+// in the ablation of the benchmark; nothing else calls it. As printed it accepts no candidate at all; this is the workable reading of the method
 // notes: a rib joins when it *adds* less than 1 to the penalty of the set.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include "engine/ribs/rib_lengths.h"
 
-namespace spineloft::support {
+namespace spineloft::ribs {
 
 struct AlgorithmOneParams {
   int iterations = 100;     ///< random subsets drawn
@@ -19,7 +19,7 @@ struct AlgorithmOneParams {
 /// The labels that Algorithm 1 finds: candidate ribs are the local minima of the unary costs along
 /// each curve; a grown set is completed by interpolating labels along its side. Falls back to the
 /// largest set grown when none passes the threshold. Labels are always reachable ones.
-ribs::LengthLabels algorithmOne(const ribs::LengthProblem& problem,
+LengthLabels algorithmOne(const LengthProblem& problem,
                                 const AlgorithmOneParams& params);
 
-}  // namespace spineloft::support
+}  // namespace spineloft::ribs
