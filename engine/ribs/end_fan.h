@@ -36,7 +36,8 @@ struct EndGuess {
 
 /// Tries every shape at extents between a tenth and four half widths: the sum of the costs where the
 /// fan's curves cross its outline, plus a price for what is unusual. Round and one half width
-/// where nothing is to be seen.
+/// where nothing is to be seen. The fan's curves see the middle of a wide end only, for the last ribs bend
+/// round it: there the extent is what counts, and the shape may be taken for another.
 EndGuess guessEnd(const EndSite& site);
 
 /// The outline: a chain of fan curves between the two ends of the last rib, which follows edges but

@@ -72,20 +72,6 @@ struct MadeUp {
 
 }  // namespace
 
-TEST_CASE("round, flat and pointed ends are told apart, and how far they go on") {
-  for (const double extent : {15.0, 30.0, 60.0}) {
-    const EndGuess asRound = MadeUp(round, extent).guess(), asFlat = MadeUp(flat, extent).guess(),
-                   asPoint = MadeUp(pointed, extent).guess();
-    CHECK(asRound.shape == EndShape::Round);
-    CHECK(asFlat.shape == EndShape::Flat);
-    CHECK(asPoint.shape == EndShape::Pointed);
-    for (const EndGuess& guess : {asRound, asFlat, asPoint}) {
-      CHECK(guess.extent * kHalf > 0.8 * extent);
-      CHECK(guess.extent * kHalf < 1.25 * extent);
-    }
-  }
-}
-
 TEST_CASE("where nothing is to be seen an end is round and as long as half its width") {
   MadeUp site(round, 30);
   std::fill(site.costs.begin(), site.costs.end(), 0.f);
