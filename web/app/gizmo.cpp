@@ -8,8 +8,8 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kArrow = 1.5;           // length of an arrow, in radii
-constexpr double kShortest = 0.4;        // of an arrow that can be pressed, in radii
+constexpr double kArrow = 0.75;          // length of an arrow, in radii: within the rings
+constexpr double kShortest = 0.3;        // of an arrow that can be pressed, in radii
 constexpr double kCorner = 0.95;         // of the knobs for scale and depth, in radii each way
 constexpr double kFacing = 0.35;         // a ring seen flatter than this is turned by its tangent
 constexpr double kStep = kPi / 12;       // 15 degrees
@@ -151,7 +151,7 @@ std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint centre) {
   Gizmo gizmo;
   gizmo.centre = centre;
   gizmo.at = *at;
-  gizmo.radius = std::clamp(0.22 * std::min(view.width, view.height), 46.0, ui.touch ? 92.0 : 80.0);
+  gizmo.radius = std::clamp(0.27 * std::min(view.width, view.height), 60.0, ui.touch ? 116.0 : 96.0);
   const double away = -dot(centre - ui.camera.eye(), ui.camera.back());
   gizmo.unit = 2 * kHalfHeight * away / std::max(1.0, view.height);
   const auto add = [&](GizmoHandle handle, ClientPoint p) { gizmo.knobs.push_back({handle, p}); };

@@ -69,7 +69,7 @@ void words(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo, app::
   const float x = std::clamp(static_cast<float>(gizmo.at.x) - extent.x / 2,
                              static_cast<float>(view.x) + 12,
                              static_cast<float>(view.right()) - extent.x - 12);
-  const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.55),
+  const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.3),
                              static_cast<float>(view.y) + 8, static_cast<float>(view.bottom()) - 26);
   list.AddRectFilled({x - 9, y - 4}, {x + extent.x + 9, y + extent.y + 4}, rgb(0x1f2430, 225), 8);
   list.AddText(font, size, {x, y}, kSurface, text);
