@@ -151,7 +151,7 @@ std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint centre) {
   Gizmo gizmo;
   gizmo.centre = centre;
   gizmo.at = *at;
-  gizmo.radius = std::clamp(0.27 * std::min(view.width, view.height), 60.0, ui.touch ? 116.0 : 96.0);
+  gizmo.radius = std::clamp(0.25 * std::min(view.width, view.height), 60.0, ui.touch ? 116.0 : 96.0);
   const double away = -dot(centre - ui.camera.eye(), ui.camera.back());
   gizmo.unit = 2 * kHalfHeight * away / std::max(1.0, view.height);
   const auto add = [&](GizmoHandle handle, ClientPoint p) { gizmo.knobs.push_back({handle, p}); };
