@@ -188,7 +188,33 @@ Result<Bytes> write(const Model& model, Format format, const Progress& progress,
   return bytes;
 }
 
+std::vector<mesh::TriMesh> millimetres(const Model& model) {
+  std::vector<mesh::TriMesh> out;
+  const std::optional<WorldBounds> bounds = worldBounds(model.document, model.derived);
+  Shelf shelf;
+  if (!bounds || !gather(model, standing(*bounds, model.document.height.value), Format::Stl, shelf)) return out;
+  for (const io::ExportPart& part : shelf.parts) {
+    out.push_back(*part.mesh);
+    for (auto& p : out.back().positions) {
+      const std::array<double, 3> at = io::placed(part.placement, p);
+      p = {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+Result<printing::PrintCheck> checkPrint(const document::Document& document,
+                                        const pipeline::Derived& derived) {
+  try {
+    const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
+    if (parts.empty()) return Error::NothingToExport;
+    return printing::checkPrint(parts);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
 
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
                       Format format, const Progress& progress, const Options& options) {

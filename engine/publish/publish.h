@@ -12,6 +12,7 @@
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
+#include "engine/printing/print_check.h"
 #include "engine/pipeline/world.h"
 
 namespace spineloft::publish {
@@ -51,6 +52,11 @@ struct Options {
 /// Errors: NothingToExport (not for Project), MeshInvalid (not for Project), Cancelled, OutOfMemory.
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
                       Format format, const Progress& progress, const Options& options = {});
+
+/// The visible parts in millimetres, as they go into a file for a printer, looked at before they are
+/// printed. Errors: NothingToExport, OutOfMemory.
+Result<printing::PrintCheck> checkPrint(const document::Document& document,
+                                        const pipeline::Derived& derived);
 
 /// The model's name in portable characters, such as "swan-neck".
 std::string plainName(const document::Document& document);

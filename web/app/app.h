@@ -63,6 +63,7 @@ class App final : public platform::Page {
   const std::string& restore(std::string_view base, std::string_view recordsJson) override;
   const std::string& openProject(std::span<const std::uint8_t> file) override;
   const image::Image& thumbnail(int width, int height) override;
+  const image::Image& turntable(int width, int height, double turn) override;
 
   gl::Renderer& renderer() { return *renderer_; }
   const UiState& ui() const { return ui_; }

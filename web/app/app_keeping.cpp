@@ -1,5 +1,7 @@
 // App's answers to the shell about keeping models.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "web/app/app.h"
 #include "web/app/command_actions.h"
@@ -111,6 +113,25 @@ const image::Image& App::thumbnail(int width, int height) {
   buildScene(studio_.document(), studio_.derived(), small, scene);
   scene.still = true;
   if (scene.meshes.empty() && !scene.picture) return thumbnail_;
+  return thumbnail_ = renderer_->snapshot(scene);
+}
+
+const image::Image& App::turntable(int width, int height, double turn) {
+  thumbnail_ = {};
+  const int side = std::min(width, height);
+  if (lost_ || side < 1 || std::max(width, height) > kLargestThumbnail) return thumbnail_;
+  const auto bounds = publish::worldBounds(studio_.document(), studio_.derived());
+  if (!bounds) return thumbnail_;
+  // Round the middle, from as far as sees its whole way round.
+  const double reach = std::hypot(bounds->high.x - bounds->low.x, bounds->high.z - bounds->low.z) / 2;
+  const double x = (bounds->low.x + bounds->high.x) / 2, z = (bounds->low.z + bounds->high.z) / 2;
+  UiState view = thumbnailViews(env(), width, height);
+  view.camera = homeCamera({{x - reach, bounds->low.y, z - reach}, {x + reach, bounds->high.y, z + reach}},
+                           view.layout.solid);
+  view.camera.yaw += turn * 2 * std::numbers::pi;
+  gl::Scene scene;
+  buildScene(studio_.document(), studio_.derived(), view, scene);
+  scene.still = true;
   return thumbnail_ = renderer_->snapshot(scene);
 }
 

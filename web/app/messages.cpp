@@ -56,6 +56,13 @@ void sendJournal(platform::Host& host, const JournalStep& step) {
   host.send(json.json());
 }
 
+void sendTurntable(platform::Host& host, std::string_view what, std::string_view name) {
+  JsonWriter json;
+  json.beginObject().key("type").text("turntable").key("what").text(what).key("name").text(name);
+  json.endObject();
+  host.send(json.json());
+}
+
 void sendKeep(platform::Host& host, std::string_view what, std::string_view id) {
   JsonWriter json;
   json.beginObject().key("type").text("keep").key("what").text(what).key("id").text(id);

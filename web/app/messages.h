@@ -24,6 +24,9 @@ struct Question {
 };
 void sendQuestion(platform::Host& host, const Question& question);
 
+/// Pictures of the model that the shell makes and saves: "png" or "gif", with this name before the ending.
+void sendTurntable(platform::Host& host, std::string_view what, std::string_view name);
+
 /// One step of the document for the shell to keep.
 struct JournalStep {
   std::string_view record;            ///< of engine/io/journal.h

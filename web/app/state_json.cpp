@@ -217,6 +217,28 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.endObject();
 }
 
+/// The last check for printing, while the document is as it was then.
+void writePrint(JsonWriter& json, const document::Document& document, const UiState& ui) {
+  json.key("print");
+  if (!ui.print || !(ui.print->of == document)) {
+    json.null();
+    return;
+  }
+  const printing::PrintCheck& check = ui.print->check;
+  json.beginObject().key("closed").flag(check.closed).key("size").beginArray();
+  for (const double side : check.size) json.number(side);
+  json.endArray().key("thinnest").number(check.thinnest).key("lean").number(check.lean);
+  json.key("stands").flag(check.stands()).key("volume").number(check.volume).key("printer");
+  const auto printers = printing::printers();
+  check.printer < printers.size() ? json.text(printers[check.printer].name) : json.null();
+  json.key("lines").beginArray();
+  for (const PrintLine& line : printLines(*ui.print)) {
+    json.beginObject().key("good").flag(line.good).key("text").text(line.text);
+    json.key("fix").text(line.fix).endObject();
+  }
+  json.endArray().endObject();
+}
+
 void writePicture(JsonWriter& json, const document::PictureEntry* entry) {
   json.key("picture");
   if (entry == nullptr) {
@@ -320,6 +342,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writePlacing(json, env);
   json.key("looks").text(ui.look.textured ? "picture" : "colour");
   json.key("heightMm").number(document.height.value);
+  writePrint(json, document, ui);
   json.key("documentName").text(document.name);
   json.key("view").text(ui.focus == Focus::Picture ? "picture" : "solid");
   json.key("camera").beginObject().key("yaw").number(ui.camera.yaw);

@@ -14,6 +14,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/ribs/edit_gestures.h"
 #include "web/app/layout.h"
+#include "web/app/print_report.h"
 #include "web/app/sketching.h"
 #include "web/app/slice_ui.h"
 #include "web/app/views.h"
@@ -196,6 +197,7 @@ struct UiState {
   document::Look look;
   inflate::PuffParams puff;
   sheet::SheetParams sheet;
+  std::optional<PrintReport> print;  ///< the last check for printing
   bool secondColour = false;  ///< the colours of the panel are for what is below
 
   std::vector<PartId> alsoSelected;  ///< besides `selection`, each once (see placing.h)

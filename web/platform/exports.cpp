@@ -189,4 +189,11 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_thumbnail(int width, int height) {
   return image.empty() ? nullptr : image.pixels.data();
 }
 
+/// As spl_thumbnail, turned by a share of the way round.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_turntable(int width, int height, double turn) {
+  if (page() == nullptr) return nullptr;
+  const image::Image& image = page()->turntable(width, height, turn);
+  return image.empty() ? nullptr : image.pixels.data();
+}
+
 }  // extern "C"

@@ -101,6 +101,9 @@ class Page {
   /// A small picture of the model, RGBA; empty while there is nothing to show. Valid until the next
   /// call.
   virtual const image::Image& thumbnail(int width, int height) = 0;
+  /// The solids from home, turned by `turn` of the way round (0…1), with room for all turns; as
+  /// `thumbnail`.
+  virtual const image::Image& turntable(int width, int height, double turn) = 0;
 };
 
 /// Makes the page; main.cpp defines it. Null when there is no WebGL2.

@@ -251,6 +251,17 @@ export interface State {
   } | null;
   documentName: string;
   heightMm: number;
+  /** The last check for printing, null when the model has changed since. Lengths in millimetres, `lean` in radians. */
+  print: {
+    closed: boolean;
+    size: number[];
+    thinnest: number;
+    lean: number;
+    stands: boolean;
+    volume: number;
+    printer: string | null;
+    lines: { good: boolean; text: string; fix: string }[];
+  } | null;
 }
 
 export interface CommandChoice {

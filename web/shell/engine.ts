@@ -5,6 +5,7 @@ import { Failure } from './failure.ts';
 import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
+import type { TurntableEvent } from './turntable.ts';
 import type { WorkingCopy } from './picture.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
@@ -21,6 +22,7 @@ export type EngineEvent =
   | { type: 'status'; text: string }
   | { type: 'stopSolving' }
   | SolveEvent
+  | TurntableEvent
   | JournalEvent
   | KeepEvent;
 
@@ -86,6 +88,7 @@ interface Module {
   _spl_restore(base: number, records: number): number;
   _spl_openProject(bytes: number, length: number): number;
   _spl_thumbnail(width: number, height: number): number;
+  _spl_turntable(width: number, height: number, turn: number): number;
 }
 
 type Factory = (argument: Record<string, unknown>) => Promise<Module>;
@@ -335,6 +338,12 @@ export class Engine {
   /** RGBA pixels of a small picture of the model; null while there is nothing to show. */
   thumbnail(width: number, height: number): Uint8ClampedArray | null {
     const at = this.module._spl_thumbnail(width, height);
+    return at === 0 ? null : new Uint8ClampedArray(this.heap().slice(at, at + 4 * width * height));
+  }
+
+  /** The same from home, turned by `turn` (0…1 of the way round). */
+  turntable(width: number, height: number, turn: number): Uint8ClampedArray | null {
+    const at = this.module._spl_turntable(width, height, turn);
     return at === 0 ? null : new Uint8ClampedArray(this.heap().slice(at, at + 4 * width * height));
   }
 

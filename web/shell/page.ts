@@ -15,12 +15,15 @@ import { ProgressBar } from './progress.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
 import type { Sample } from './start_page.ts';
 import { toast } from './toasts.ts';
+import { gifOf, pngOf } from './turntable.ts';
+import type { TurntableEvent } from './turntable.ts';
 
 export class Page {
   private engine: Engine | null = null;
   private state: State | null = null;
   private keeper: Keeper | null = null;
   private readOnly = false;
+  private turning = false;
   private readonly opening = new Set<AbortController>();
   private readonly canvas = byId<HTMLCanvasElement>('canvas');
   private readonly bar: CommandBar;
@@ -67,7 +70,7 @@ export class Page {
   }
 
   get isBusy(): boolean {
-    return this.opening.size > 0 || this.keeper?.isBusy === true;
+    return this.opening.size > 0 || this.turning || this.keeper?.isBusy === true;
   }
 
   /** True while the model can only be looked at: another tab has it. */
@@ -98,8 +101,35 @@ export class Page {
       case 'cursor': this.canvas.style.cursor = event.css; break;
       case 'shelf': keepShelf(event.slices); break;
       case 'status': this.say(event.text); break;
+      case 'turntable': void this.turntable(event); break;
       case 'journal': this.keeper?.take(event); break;
       case 'keep': this.keeper?.handle(event); break;
+    }
+  }
+
+  /** Saves a picture of the model, or the model turning round. */
+  private async turntable({ what, name }: TurntableEvent): Promise<void> {
+    const engine = this.engine;
+    if (!engine || this.turning) return;
+    this.turning = true;
+    let wanted = true;
+    const shown = (done: number) => {
+      this.progress.set({ label: 'Turning the model round', done, cancel: () => { wanted = false; } });
+      return wanted;
+    };
+    try {
+      const bytes = what === 'png' ? await pngOf(engine) : await gifOf(engine, shown);
+      if (bytes) {
+        download(`${name}.${what}`, `image/${what}`, bytes);
+        toast(`Saved ${name}.${what}.`);
+      } else if (wanted) {
+        toast('There is nothing to show yet. Draw a line through something first.', 'error');
+      }
+    } catch (thrown) {
+      toast(sentenceOf(thrown), 'error');
+    } finally {
+      this.turning = false;
+      this.progress.set(null);
     }
   }
 

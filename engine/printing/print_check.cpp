@@ -1,0 +1,198 @@
+#include "engine/printing/print_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "engine/base/vec.h"
+#include "engine/mesh/laws.h"
+
+namespace spineloft::printing {
+namespace {
+
+using Point = Vec3<struct PrintSpace>;
+struct GroundPoint {
+  double x, z;
+};
+
+constexpr std::array kPrinters = {
+    Printer{"a small printer (120 mm)", {120, 120, 120}},
+    Printer{"a common printer (180 mm)", {180, 180, 180}},
+    Printer{"a usual printer (220 × 220 × 250 mm)", {220, 220, 250}},
+    Printer{"a large printer (256 mm)", {256, 256, 256}},
+    Printer{"a very large printer (350 mm)", {350, 350, 350}},
+};
+constexpr double kRays = 2000;
+constexpr double kThinShare = 0.02;
+
+Point pointOf(const mesh::TriMesh& mesh, std::uint32_t v) {
+  const auto& p = mesh.positions[v];
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+struct Corners {
+  Point a, b, c;
+};
+Corners cornersOf(const mesh::TriMesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  return {pointOf(mesh, t[0]), pointOf(mesh, t[1]), pointOf(mesh, t[2])};
+}
+
+double areaOf(const Corners& t) { return norm(cross(t.b - t.a, t.c - t.a)) / 2; }
+
+/// How far along the ray it meets the triangle (Möller and Trumbore 1997); infinite when it does not.
+double hit(const Corners& t, Point from, Point direction) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const Point e = t.b - t.a, f = t.c - t.a, p = cross(direction, f);
+  const double det = dot(e, p);
+  // Seen from within, an outward triangle turns its back.
+  if (!(det < 0)) return kNever;
+  const Point s = from - t.a;
+  const double u = dot(s, p) / det;
+  if (u < 0 || u > 1) return kNever;
+  const Point q = cross(s, e);
+  const double v = dot(direction, q) / det;
+  if (v < 0 || u + v > 1) return kNever;
+  const double way = dot(f, q) / det;
+  return way > 0 ? way : kNever;
+}
+
+/// Thickness at a place of the surface, and how much surface it stands for.
+struct Probe {
+  double thickness, area;
+  Point at;
+  std::size_t part;
+};
+
+/// Points evenly over a part: one wherever the area run through passes the next multiple of `share`.
+void probe(const mesh::TriMesh& mesh, std::size_t part, double share, std::vector<Probe>& out) {
+  std::vector<Corners> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) triangles.push_back(cornersOf(mesh, t));
+  double passed = share / 2;
+  for (const Corners& t : triangles) {
+    const double area = areaOf(t);
+    passed += area;
+    if (!(passed >= share) || !(area > 0)) continue;
+    const double covered = std::floor(passed / share) * share;
+    passed -= covered;
+    const Point middle = (t.a + t.b + t.c) / 3.0;
+    const Point inwards = normalized(cross(t.c - t.a, t.b - t.a));
+    double way = std::numeric_limits<double>::infinity();
+    for (const Corners& other : triangles) way = std::min(way, hit(other, middle, inwards));
+    if (std::isfinite(way)) out.push_back({way, covered, middle, part});
+  }
+}
+
+void findThinnest(std::span<const mesh::TriMesh> parts, PrintCheck& check) {
+  double area = 0;
+  for (const mesh::TriMesh& mesh : parts) {
+    for (const auto& t : mesh.triangles) area += areaOf(cornersOf(mesh, t));
+  }
+  if (!(area > 0)) return;
+  std::vector<Probe> probes;
+  for (std::size_t i = 0; i < parts.size(); ++i) probe(parts[i], i, area / kRays, probes);
+  std::ranges::sort(probes, {}, &Probe::thickness);
+  double sum = 0, all = 0;
+  for (const Probe& p : probes) all += p.area;
+  for (const Probe& p : probes) {
+    sum += p.area;
+    if (sum < kThinShare * all) continue;
+    check.thinnest = p.thickness;
+    check.thinAt = {p.at.x, p.at.y, p.at.z};
+    check.thinPart = p.part;
+    return;
+  }
+}
+
+/// The convex hull, counter-clockwise (Andrew's monotone chain).
+std::vector<GroundPoint> hullOf(std::vector<GroundPoint> points) {
+  std::ranges::sort(points, [](const GroundPoint& a, const GroundPoint& b) {
+    return a.x != b.x ? a.x < b.x : a.z < b.z;
+  });
+  const auto turns = [](const GroundPoint& o, const GroundPoint& a, const GroundPoint& b) {
+    return (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
+  };
+  std::vector<GroundPoint> hull;
+  const auto chain = [&](auto first, auto last) {
+    const std::size_t base = hull.size();
+    for (auto p = first; p != last; ++p) {
+      while (hull.size() >= base + 2 && turns(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
+      hull.push_back(*p);
+    }
+    if (!hull.empty()) hull.pop_back();  // the next chain begins with it
+  };
+  chain(points.begin(), points.end());
+  chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+/// Distance from the inside of the hull's nearest edge; negative outside, and without an area.
+double inside(const std::vector<GroundPoint>& hull, GroundPoint p) {
+  if (hull.size() < 3) return -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const GroundPoint &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    const double ex = b.x - a.x, ez = b.z - a.z, way = std::hypot(ex, ez);
+    if (way > 0) least = std::min(least, (ex * (p.z - a.z) - ez * (p.x - a.x)) / way);
+  }
+  return least;
+}
+
+void findStand(std::span<const mesh::TriMesh> parts, double ground, PrintCheck& check) {
+  Point weighted{};
+  double volume = 0;
+  std::vector<GroundPoint> foot;
+  for (const mesh::TriMesh& mesh : parts) {
+    for (const auto& t : mesh.triangles) {
+      const auto [a, b, c] = cornersOf(mesh, t);
+      const double six = dot(a, cross(b, c));
+      volume += six / 6;
+      weighted += (a + b + c) * (six / 24);
+    }
+    for (const auto& p : mesh.positions) {
+      if (static_cast<double>(p[1]) - ground > kFootReach) continue;
+      foot.push_back({static_cast<double>(p[0]), static_cast<double>(p[2])});
+    }
+  }
+  check.volume = volume;
+  if (!(volume > 0)) return;
+  const Point centre = weighted / volume;
+  const double room = inside(hullOf(std::move(foot)), {centre.x, centre.z});
+  check.lean = std::atan2(room, std::max(1e-6, centre.y - ground));
+}
+
+bool fits(const std::array<double, 3>& size, const std::array<double, 3>& volume) {
+  const bool straight = size[0] <= volume[0] && size[1] <= volume[1];
+  const bool turned = size[1] <= volume[0] && size[0] <= volume[1];
+  return size[2] <= volume[2] && (straight || turned);
+}
+
+}  // namespace
+
+std::span<const Printer> printers() { return kPrinters; }
+
+PrintCheck checkPrint(std::span<const mesh::TriMesh> parts) {
+  PrintCheck check;
+  check.closed = !parts.empty();
+  std::array<double, 3> low{}, high{};
+  bool any = false;
+  for (const mesh::TriMesh& mesh : parts) {
+    check.closed = check.closed && mesh::inspect(mesh).lawful();
+    if (mesh.positions.empty()) continue;
+    const mesh::Bounds bounds = mesh::boundsOf(mesh);
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = any ? std::min(low[i], bounds.low[i]) : bounds.low[i];
+      high[i] = any ? std::max(high[i], bounds.high[i]) : bounds.high[i];
+    }
+    any = true;
+  }
+  check.size = {high[0] - low[0], high[2] - low[2], high[1] - low[1]};
+  while (check.printer < kPrinters.size() && !fits(check.size, kPrinters[check.printer].volume)) ++check.printer;
+  findThinnest(parts, check);
+  findStand(parts, low[1], check);
+  return check;
+}
+
+}  // namespace spineloft::printing

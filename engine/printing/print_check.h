@@ -1,0 +1,55 @@
+// Whether a model can be printed: closed, of a size that fits, thick enough, and standing by itself.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/mesh/tri_mesh.h"
+
+namespace spineloft::printing {
+
+/// A common printer and what it builds, millimetres: width, depth, height.
+struct Printer {
+  std::string_view name;
+  std::array<double, 3> volume;
+};
+/// The smallest first.
+std::span<const Printer> printers();
+
+/// Thinner walls break, or do not come out at all: two lines of the usual 0.4 mm nozzle.
+inline constexpr double kLeastWall = 0.8;
+/// How far a model should lean before it falls, radians (3°): a floor and a table are never quite level.
+inline constexpr double kLeastLean = 0.0524;
+/// What lies this near to the ground is stood on, millimetres: a first layer and a half.
+inline constexpr double kFootReach = 0.3;
+
+struct PrintCheck {
+  bool closed = false;  ///< every part obeys the mesh laws
+  /// Width (x), depth (z of the meshes), height (y), millimetres.
+  std::array<double, 3> size{};
+  double volume = 0;  ///< cubic millimetres; where parts overlap it counts twice
+  /// Thickness below which only 2 % of the surface are, millimetres: tips and sharp edges end in
+  /// nothing and are left out that way. 0 without triangles.
+  double thinnest = 0;
+  std::array<double, 3> thinAt{};  ///< a place that thin, in the meshes' space
+  std::size_t thinPart = 0;        ///< and the part that it is on
+  /// The least angle by which it can lean before it falls over, radians; not above 0 when it falls by
+  /// itself.
+  double lean = 0;
+  bool stands() const { return lean >= kLeastLean; }
+  bool thick() const { return thinnest >= kLeastWall; }
+  /// Index of the first printer that it fits into, turned by 90° about the height where that helps; the
+  /// number of printers when it fits into none.
+  std::size_t printer = 0;
+};
+
+/// Looks at parts in millimetres, y up. Thickness: from points spread evenly over the surface (at most
+/// 2,000 in all) a ray goes inwards against the normal; its way to where it comes out of the same part
+/// is the thickness there (the shape diameter function of Shapira and others, 2008, with one ray).
+/// Standing: all material weighs the same; the centre of mass over the convex hull of what is within
+/// kFootReach of the ground. The ground is the lowest point. Cost: 2,000 rays times the triangles of a part.
+PrintCheck checkPrint(std::span<const mesh::TriMesh> parts);
+
+}  // namespace spineloft::printing

@@ -1,0 +1,61 @@
+#include "web/app/print_report.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace spineloft::app {
+namespace {
+
+constexpr std::array kThings = {Thing{"coin", "Coin", 23}, Thing{"cupcake", "Cupcake", 70},
+                                Thing{"hand", "Hand", 180}};
+
+std::string number(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  std::string out = text;
+  if (out.find('.') != std::string::npos) {
+    while (out.back() == '0') out.pop_back();
+    if (out.back() == '.') out.pop_back();
+  }
+  return out;
+}
+
+PrintLine sizeLine(const printing::PrintCheck& check) {
+  const auto& [width, depth, height] = check.size;
+  std::string size = number(width / 10, 1) + " × " + number(depth / 10, 1) + " × " + number(height / 10, 1) + " cm";
+  const auto printers = printing::printers();
+  if (check.printer < printers.size()) {
+    return {true, "It is " + size + " and fits " + std::string(printers[check.printer].name) + "."};
+  }
+  return {false, "It is " + size + ", too large for common printers. Make it less tall."};
+}
+
+PrintLine wallLine(const printing::PrintCheck& check) {
+  const std::string thin = number(check.thinnest, 1) + " mm";
+  if (check.thick()) return {true, "Its thinnest place is " + thin + ", thick enough."};
+  return {false, "Its thinnest place is " + thin + "; below 0.8 mm it breaks or is left out. \"Make it thick enough\" makes it larger.", "thicken"};
+}
+
+PrintLine standLine(const printing::PrintCheck& check) {
+  const double degrees = check.lean * 180 / std::numbers::pi;
+  if (check.stands()) {
+    return {true, "It stands: it can lean " + number(std::floor(degrees), 0) + "° before it falls."};
+  }
+  return {false, "It would fall over. Print it lying down, or give it something to stand on."};
+}
+
+}  // namespace
+
+std::vector<PrintLine> printLines(const PrintReport& report) {
+  const printing::PrintCheck& check = report.check;
+  const PrintLine closed = check.closed
+                               ? PrintLine{true, "It is closed all round."}
+                               : PrintLine{false, "A part of it is not closed. Change its ribs a little, or draw it again."};
+  return {closed, sizeLine(check), wallLine(check), standLine(check)};
+}
+
+std::span<const Thing> things() { return kThings; }
+
+}  // namespace spineloft::app

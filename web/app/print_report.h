@@ -1,0 +1,35 @@
+// The check for printing in plain words.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/printing/print_check.h"
+
+namespace spineloft::app {
+
+/// A check, and the document that was checked.
+struct PrintReport {
+  printing::PrintCheck check;
+  document::Document of;
+};
+
+struct PrintLine {
+  bool good = false;
+  std::string text;           ///< a sentence
+  std::string_view fix = {};  ///< the command that mends it, if one does
+};
+/// Closed, size, thickness, standing: a line each.
+std::vector<PrintLine> printLines(const PrintReport& report);
+
+/// Things whose size everybody knows.
+struct Thing {
+  std::string_view key, label;
+  double mm;
+};
+std::span<const Thing> things();
+
+}  // namespace spineloft::app
