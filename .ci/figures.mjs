@@ -1,0 +1,113 @@
+// npm run figures: the pictures of assets/docs/accuracy.md, made anew from the cases of a data folder
+// ($SPINELOFT_DATA, or ../shared/data/public). Each is at most 150 KB.
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { startBrowser } from './lib/browser.mjs';
+import { buildTargets, presetDir } from './lib/cmake.mjs';
+import { root } from './lib/paths.mjs';
+import { mainProgram, run, say, Stop } from './lib/run.mjs';
+import { setup } from './setup.mjs';
+
+const kMostBytes = 150000;
+const kMinutes = 60000;
+
+/** What a figure shows: [case, stroke, variation of `spineloft bench`, words below]. */
+const kFigures = {
+  'fig-08-09-energy': [
+    ['sketch_bat_noisy', 'sloppy', 'separate', 'every rib end to itself'],
+    ['sketch_bat_noisy', 'sloppy', 'no-neighbours', 'without the neighbour term'],
+    ['sketch_bat_noisy', 'sloppy', 'no-opposite', 'without the opposite term'],
+    ['sketch_bat_noisy', 'sloppy', 'product', 'all terms'],
+  ],
+  'fig-12-sloppy': [
+    ['photo_zucchini_hand', 'careful', 'product', 'drawn with care'],
+    ['photo_zucchini_hand', 'sloppy', 'product', 'drawn in a hurry'],
+    ['photo_zucchini_hand', 'offcentre', 'product', 'off the middle'],
+    ['render_banana_occluded', 'careful', 'product', 'drawn with care'],
+    ['render_banana_occluded', 'sloppy', 'product', 'drawn in a hurry'],
+    ['render_banana_occluded', 'offcentre', 'product', 'off the middle'],
+  ],
+  'fig-17-distance': [
+    ['proc_hook_g0', 'careful', 'd-inf-separate', 'd∞, no optimisation'],
+    ['proc_hook_g0', 'careful', 'd-inf', 'd∞, optimised'],
+    ['proc_hook_g0', 'careful', 'separate', 'd2, no optimisation'],
+    ['proc_hook_g0', 'careful', 'product', 'd2, optimised'],
+  ],
+  'fig-22-hard': [
+    ['sketch_mug', 'careful', 'product', 'a mug behind its handle'],
+    ['sketch_snake', 'careful', 'product', 'an open outline'],
+    ['photo_lemur_tail', 'sloppy', 'product', 'stripes'],
+    ['render_banana_occluded', 'careful', 'product', 'a quarter hidden'],
+    ['render_beer_bottle', 'careful', 'product', 'labels, highlights, a shadow'],
+    ['proc_taper_g25', 'careful', 'product', 'a quarter of the outline erased'],
+  ],
+  failures: [
+    ['render_vase_lowcontrast', 'careful', 'product', 'painted stripes, no contrast outside'],
+    ['render_palm_noise', 'sloppy', 'product', 'noise, the shaded side of the trunk'],
+    ['proc_very_long_g50', 'careful', 'product', 'half erased, noisy, very long'],
+    ['photo_coffee_cup', 'careful', 'product', 'a cup on a saucer of its colour'],
+    ['proc_c_ring_g25', 'sloppy', 'product', 'halos where the outline was erased'],
+    ['render_faucet_spout', 'careful', 'product', 'a shiny pipe with a highlight'],
+  ],
+};
+
+const overlayPath = (folder, [name, stroke, variation]) => join(folder, variation, `${name}.${stroke}.png`);
+
+async function drawOverlays(data, folder) {
+  const wanted = new Set(Object.values(kFigures).flatMap((panels) => panels.map(([name, , variation]) => `${variation}/${name}`)));
+  for (const entry of wanted) {
+    const [variation, name] = entry.split('/');
+    const at = join(data, name);
+    if (!existsSync(at)) throw new Stop(`There is no case ${name} in ${data}.`);
+    await run(`${name}, ${variation}`, join(presetDir('native-release'), 'spineloft'),
+      ['bench', at, '--variation', variation, '--overlays', join(folder, variation)], { log: 'figures', timeout: 5 * kMinutes });
+  }
+}
+
+function pageOf(panels, folder) {
+  const figures = panels.map((panel) => {
+    const bytes = readFileSync(overlayPath(folder, panel)).toString('base64');
+    return `<figure><div><img src="data:image/png;base64,${bytes}"></div><figcaption>${panel[3]}</figcaption></figure>`;
+  });
+  const columns = panels.length % 3 === 0 ? 3 : 4;
+  return `<style>
+    body { margin: 0; padding: 6px; display: grid; grid-template-columns: repeat(${columns}, 1fr); gap: 6px; background: #fff; font: 14px sans-serif; }
+    figure { margin: 0; text-align: center; color: #222; }
+    div { height: 270px; background: #111; display: grid; place-items: center; overflow: hidden; border-radius: 4px; }
+    img { max-width: 100%; max-height: 270px; filter: brightness(1.5); }
+    figcaption { padding: 3px; }
+  </style>${figures.join('')}`;
+}
+
+/** As good as fits. */
+async function shoot(page) {
+  for (let quality = 88; quality >= 30; quality -= 8) {
+    const bytes = await page.screenshot({ type: 'jpeg', quality, fullPage: true });
+    if (bytes.length <= kMostBytes) return bytes;
+  }
+  throw new Stop('A figure does not fit into 150 KB.');
+}
+
+await mainProgram(async () => {
+  const data = process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
+  if (!existsSync(data)) throw new Stop(`There is no data folder at ${data}: set SPINELOFT_DATA.`);
+  await setup(['native', 'node', 'browser']);
+  await buildTargets('native-release', ['spineloft']);
+  const folder = mkdtempSync(join(tmpdir(), 'spineloft-figures-'));
+  const out = join(root, 'assets/docs/figures');
+  mkdirSync(out, { recursive: true });
+  const browser = await startBrowser();
+  try {
+    await drawOverlays(data, folder);
+    const page = await browser.newPage({ viewport: { width: 1000, height: 300 } });
+    for (const [name, panels] of Object.entries(kFigures)) {
+      await page.setContent(pageOf(panels, folder), { waitUntil: 'load' });
+      writeFileSync(join(out, `${name}.jpg`), await shoot(page));
+      say(`Written: assets/docs/figures/${name}.jpg`);
+    }
+  } finally {
+    await browser.close();
+    rmSync(folder, { recursive: true });
+  }
+});
