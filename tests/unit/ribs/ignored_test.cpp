@@ -15,20 +15,21 @@ namespace {
 
 constexpr image::Size kSize{400, 300};
 
-// A bar of half height 60 with light stripes, as light as the ground, 22 to 48 px off the middle.
+// A bar of half height 60 with light stripes, as light as the ground, 22 to 53 px off the middle: so broad
+// that what comes back beyond them does not speak against them.
 const image::EdgeMap& stripedMap() {
   static const image::EdgeMap map = fixtures::mapOf(kSize, [](PicturePoint p) {
     const double away = std::abs(p.y - 150);
-    return p.x > 30 && p.x < 370 && away < 60 && !(away > 22 && away < 48);
+    return p.x > 30 && p.x < 370 && away < 60 && !(away > 22 && away < 53);
   });
   return map;
 }
 
 // Scribbles along both stripes, one of them in the other direction and twice as dense.
 std::vector<IgnoreMark> stripeMarks() {
-  IgnoreMark upper{{}, 17}, lower{{}, 17};
-  for (double x = 20; x <= 380; x += 10) upper.stroke.push_back({x, 115});
-  for (double x = 380; x >= 20; x -= 5) lower.stroke.push_back({x, 185});
+  IgnoreMark upper{{}, 19}, lower{{}, 19};
+  for (double x = 20; x <= 380; x += 10) upper.stroke.push_back({x, 112});
+  for (double x = 380; x >= 20; x -= 5) lower.stroke.push_back({x, 188});
   return {upper, lower};
 }
 
