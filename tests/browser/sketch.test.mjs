@@ -32,9 +32,10 @@ async function penLine(page, points, force) {
 async function inkAt(page, x, y, reach = 12) {
   const [at] = await toClient(page, [[x, y]]);
   const shot = await pixels(page, { x: Math.round(at.x) - reach, y: Math.round(at.y) - reach, width: 2 * reach, height: 2 * reach });
+  // By darkness, so that a fine line between two rows of pixels counts as much as one on a row.
   let dark = 0;
-  for (let i = 0; i < shot.data.length; i += 4) dark += shot.data[i] < 128 ? 1 : 0;
-  return dark;
+  for (let i = 0; i < shot.data.length; i += 4) dark += 1 - shot.data[i] / 255;
+  return Math.round(dark);
 }
 
 for (const { name, isolated } of kEngines) {

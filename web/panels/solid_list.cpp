@@ -1,6 +1,7 @@
 #include "web/panels/solid_list.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,13 @@ void slider(const PanelEnv& env, const document::Step& step, const char* key, co
   label(env.fonts.small, kMuted, text);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const std::string id = std::string("##") + key;
-  if (ImGui::SliderFloat(id.c_str(), &value, low, high, "%.1f mm")) {
+  // In hand it shows where it is; what it asks for is done once, when it is let go.
+  ImGuiStorage& held = *ImGui::GetStateStorage();
+  const ImGuiID here = ImGui::GetID(id.c_str());
+  if (ImGui::GetActiveID() == here) value = held.GetFloat(here, value);
+  ImGui::SliderFloat(id.c_str(), &value, low, high, "%.1f mm");
+  held.SetFloat(here, value);
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
     env.sink.run("set-step", app::Json::Object{{"step", step.id.value},
                                                {key, static_cast<double>(value) / unit}});
   }
@@ -158,7 +165,7 @@ void solidPanel(const PanelEnv& env, float width) {
     commandTile(env, "solve-again", "Try again", {std::min(width, 110.f), side});
   }
   constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {{
-      {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Share"}}};
+      {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}}};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
   const float each = std::min(74.f, (width - 12) / 4);
   bool first = true;

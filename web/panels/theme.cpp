@@ -28,7 +28,9 @@ void applyTheme() {
   ImGui::StyleColorsLight(&style);
   style.WindowRounding = kRadius;
   style.ChildRounding = style.FrameRounding = style.PopupRounding = kRadius;
-  style.ScrollbarRounding = style.GrabRounding = 4;
+  style.ScrollbarRounding = 4;
+  style.GrabRounding = kRadius - 2;
+  style.GrabMinSize = 16;
   style.ScrollbarSize = 10;
   style.WindowBorderSize = 0;
   style.ChildBorderSize = 0;
@@ -52,6 +54,12 @@ void applyTheme() {
   set(ImGuiCol_ScrollbarGrabHovered, rgb(0xbdb7aa));
   set(ImGuiCol_ScrollbarGrabActive, kMuted);
   set(ImGuiCol_PlotHistogram, kAccent);
+  // Sliders: a quiet trough, and a grip light enough for the number that is written over it.
+  set(ImGuiCol_FrameBg, rgb(0xf1eee7));
+  set(ImGuiCol_FrameBgHovered, rgb(0xebe7de));
+  set(ImGuiCol_FrameBgActive, rgb(0xebe7de));
+  set(ImGuiCol_SliderGrab, rgb(0xeeb6a0));
+  set(ImGuiCol_SliderGrabActive, rgb(0xe59a7e));
 }
 
 }  // namespace spineloft::panels

@@ -21,8 +21,8 @@ constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot 
 constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
 
 /// Buttons of one view in its lower right corner: a row, or a column where the view is low; more of
-/// them where they do not fit.
-void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
+/// them where they do not fit. Where they are; nowhere when there is no room at all.
+app::Rect buttons(const PanelEnv& env, const char* name, const app::Rect& view,
              std::span<const std::string_view> ids, app::Focus focus) {
   const float side = env.ui().touch ? 44.f : 34.f;
   const double cell = side + 2., edge = 6;
@@ -30,7 +30,7 @@ void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
   const double room = (column ? view.height : view.width) - 2 * 4 - edge;
   const auto count = static_cast<int>(ids.size());
   const int most = std::min(count, static_cast<int>(room / cell));
-  if (most < 1) return;
+  if (most < 1) return {};
   const int lines = (count + most - 1) / most, each = (count + lines - 1) / lines;
   const double length = each * cell + edge, breadth = lines * cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
@@ -46,6 +46,7 @@ void buttons(const PanelEnv& env, const char* name, const app::Rect& view,
     if (emptyBefore && !env.sink.empty()) env.ui().focus = focus;
   }
   endCard();
+  return card;
 }
 
 void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool focused) {
@@ -101,9 +102,9 @@ bool legendButton(const PanelEnv& env, const app::Rect& view) {
   return open;
 }
 
-/// Colour and line style of the rib ends, in the lower left corner of the picture view; on a phone
-/// below its button, while nothing else is there.
-void legend(const PanelEnv& env, const app::Rect& view) {
+/// Colour and line style of the rib ends, in the lower left corner of the picture view, above `bar`
+/// where they would meet; on a phone below its button, while nothing else is there.
+void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   const std::vector<LegendEntry> entries = statesInView(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const bool stacked = env.ui().layout.stacked;
@@ -123,15 +124,15 @@ void legend(const PanelEnv& env, const app::Rect& view) {
     width += widthOf(entry.text);
     widest = std::max(widest, widthOf(entry.text));
   }
-  // The buttons keep the right of the lower edge.
-  const bool column = stacked || width > view.width - 360;
+  const bool column = stacked || width > view.width - 2 * kMargin;
   const float height = column ? line * static_cast<float>(entries.size()) + 8 : line + 8;
   if (column) width = widest + 12;
+  const double left = view.x + kMargin;
+  double foot = view.bottom() - kMargin - (onPaper ? kPenRoom : 0);
+  if (left + width + 6 > bar.x && bar.width > 0) foot = std::min(foot, bar.y - 6);
   const ImVec2 at = stacked ? ImVec2(static_cast<float>(view.right() - kMargin) - width,
                                      static_cast<float>(view.y + kMargin) + buttonSide(env) + 14)
-                            : ImVec2(static_cast<float>(view.x + kMargin),
-                                     static_cast<float>(view.bottom() - kMargin - (onPaper ? kPenRoom : 0)) -
-                                        height);
+                            : ImVec2(static_cast<float>(left), static_cast<float>(foot) - height);
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xffffff, 235), kRadius);
   list.AddRect(at, {at.x + width, at.y + height}, kLine, kRadius);
   ImVec2 pen{at.x + 12, at.y + 4 + line / 2};
@@ -211,7 +212,6 @@ void drawViewChrome(const PanelEnv& env) {
                      tool == app::ToolKind::Place;
   if (plain || !layout.stacked) chip(env, layout.picture, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) chip(env, layout.solid, "Solid", !onPicture);
-  legend(env, layout.picture);
   hints(env);
   // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
   constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
@@ -229,12 +229,14 @@ void drawViewChrome(const PanelEnv& env) {
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   // Few buttons at first: what changes a part comes with the first part.
   const bool bare = env.document().parts.empty();
-  buttons(env, "picture buttons", layout.picture,
+  const app::Rect bar =
+      buttons(env, "picture buttons", layout.picture,
           onPaper       ? (bare ? Ids(kOnPaper) : Ids(kPartOnPaper))
           : few && bare ? Ids(kFirst)
           : few         ? Ids(kPictureFew)
                         : Ids(kPictureAll),
           app::Focus::Picture);
+  legend(env, layout.picture, bar);
   const bool fewSolid =
       layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
   buttons(env, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),

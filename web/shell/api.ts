@@ -79,8 +79,8 @@ export interface Placement {
 export interface Part {
   id: number;
   name: string;
-  /** How the part was made; 'loft' = one stroke with ribs. */
-  kind: string;
+  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece. */
+  kind: 'loft' | 'puff' | 'sheet';
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
   /** All slices along the bone, in order. */

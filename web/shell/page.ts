@@ -293,7 +293,9 @@ function summary(state: State): string {
   if (count === 0) return 'No part yet';
   const selected = state.parts.find((part) => part.id === state.selection);
   const parts = count === 1 ? '1 part' : `${count} parts`;
-  return selected ? `${parts} · ${selected.name}: ${selected.ribs.length} ribs` : parts;
+  if (!selected) return parts;
+  const what = { loft: `${selected.ribs.length} ribs`, puff: 'puff', sheet: 'flat piece' }[selected.kind];
+  return `${parts} · ${selected.name}: ${what}`;
 }
 
 /** "Undo history: 12 KB of 64 MB". */

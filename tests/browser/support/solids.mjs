@@ -91,5 +91,25 @@ export function measure({ positions, triangles, mergeFrom, mergeTo }) {
     const [a, b] = key.split(' ');
     if (edges.get(`${b} ${a}`) !== count) open += 1;
   }
-  return { volume, open, euler: used.size - edges.size / 2 + triangles.length / 3, finite: positions.every(Number.isFinite) };
+  const euler = used.size - edges.size / 2 + triangles.length / 3;
+  return { volume, open, euler, shells: shellsOf([...edges.keys()].map((key) => key.split(' '))), finite: positions.every(Number.isFinite) };
+}
+
+/** How many pieces the edges fall into: walked through one after the other. */
+function shellsOf(edges) {
+  const beside = new Map();
+  for (const [a, b] of edges) {
+    beside.set(a, [...(beside.get(a) ?? []), b]);
+  }
+  let shells = 0;
+  while (beside.size) {
+    shells += 1;
+    const open = [beside.keys().next().value];
+    while (open.length) {
+      const at = open.pop();
+      for (const next of beside.get(at) ?? []) open.push(next);
+      beside.delete(at);
+    }
+  }
+  return shells;
 }

@@ -194,10 +194,11 @@ export class SolidKernel {
       for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
       for (let k = 0; k < 2; k += 1) uv[2 * v + k] = stride >= 5 ? Math.min(1, Math.max(0, mesh.vertProperties[stride * v + 3 + k]!)) : 0;
     }
-    return {
-      positions, uv, triangles: mesh.triVerts.slice(), mergeFrom: (mesh.mergeFromVert ?? new Uint32Array()).slice(), mergeTo: (mesh.mergeToVert ?? new Uint32Array()).slice(),
-      runs: this.runsOf(mesh), volume: solid.volume(), area: solid.surfaceArea(), genus: solid.genus(),
-    };
+    const triangles = mesh.triVerts.slice();
+    const mergeFrom = (mesh.mergeFromVert ?? new Uint32Array()).slice(), mergeTo = (mesh.mergeToVert ?? new Uint32Array()).slice();
+    // The library counts as if all were one shell.
+    const genus = solid.genus() + shellsOf({ vertices, triangles, mergeFrom, mergeTo }) - 1;
+    return { positions, uv, triangles, mergeFrom, mergeTo, runs: this.runsOf(mesh), volume: solid.volume(), area: solid.surfaceArea(), genus };
   }
 
   /** Lets go of what was not asked for in a while. */
@@ -225,4 +226,22 @@ function inWorld(m: number[], [x, y, z]: [number, number, number]): [number, num
 function failureOf(thrown: unknown): SolidFailure {
   if (thrown instanceof Unsolvable) return thrown.failure;
   return { error: thrown instanceof RangeError ? 'OutOfMemory' : 'SolidFailed' };
+}
+
+/** How many closed surfaces there are that no edge joins; vertices that are merged are one. */
+function shellsOf({ vertices, triangles, mergeFrom, mergeTo }: { vertices: number; triangles: Uint32Array; mergeFrom: Uint32Array; mergeTo: Uint32Array }): number {
+  const root = Uint32Array.from({ length: vertices }, (_, i) => i);
+  const find = (v: number) => {
+    while (root[v] !== v) v = root[v] = root[root[v]!]!;
+    return v;
+  };
+  const join = (a: number, b: number) => { root[find(a)] = find(b); };
+  for (let i = 0; i < mergeFrom.length; i += 1) join(mergeFrom[i]!, mergeTo[i]!);
+  const used = new Set<number>();
+  for (let i = 0; i < triangles.length; i += 3) {
+    join(triangles[i]!, triangles[i + 1]!);
+    join(triangles[i]!, triangles[i + 2]!);
+  }
+  for (let i = 0; i < triangles.length; i += 3) used.add(find(triangles[i]!));
+  return used.size;
 }

@@ -62,6 +62,7 @@ export interface SolidMesh extends MeshData {
   runs: PartRun[];
   volume: number;
   area: number;
+  /** Handles, over all shells. */
   genus: number;
 }
 
