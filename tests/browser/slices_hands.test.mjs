@@ -8,7 +8,8 @@ const kit = useSite();
 const tube = tubePicture();
 
 async function withPart(work) {
-  await onPage(kit, { isolated: false }, async (page) => {
+  // High enough for all of the panel to be seen without scrolling.
+  await onPage(kit, { isolated: false, viewport: { width: 1280, height: 1100 } }, async (page) => {
     await openPicture(page, tube.png, 'tube.png');
     await run(page, 'draw-spine', { stroke: tube.middle });
     await idle(page);
