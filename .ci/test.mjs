@@ -72,7 +72,7 @@ async function nodeTests(name, folders, concurrency) {
     ...files,
   ];
   const env = { SPINELOFT_CLI: join(presetDir('native-release'), 'spineloft'), NODE_OPTIONS: '' };
-  const options = { cwd: root, env, show: true, allowFailure: true, log: `${name}-tests`, timeout: 30 * kMinutes };
+  const options = { cwd: root, env, show: true, allowFailure: true, log: `${name}-tests`, timeout: 50 * kMinutes };
   const done = await run(`the ${name} tests`, process.execPath, args, options);
   return nodeTestCounts({ text: existsSync(tap) ? readFileSync(tap, 'utf8') : '', status: done.status });
 }
