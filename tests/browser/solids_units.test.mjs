@@ -140,6 +140,16 @@ test('a mug: body, handle and hollow inside', () => {
   assert.equal(solved.mesh.genus, 1, 'one handle');
 });
 
+test('scooping out a body with its handle leaves no void in the handle that nothing could run out of', () => {
+  const meshes = { body: loft({ rings: 30, around: 40, radius: 0.3 }), handle: loft({ rings: 60, around: 16, length: 0.9, radius: 0.07, bend: 3.2 }) };
+  const both = node([{ mesh: 'body', part: 1, matrix: identity }, { mesh: 'handle', part: 2, matrix: [0, 1, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0.2, 0.28, 0, 1] }]);
+  const mug = (opening) => solve(fresh(), [both, node([{ node: both.key }], { step: 2, kind: 'hollow', wall: 0.05, opening })], meshes);
+  const open = lawful(mug([1, 0, 0]), 'the mug');
+  assert.equal(open.shells, 1);
+  assert.equal(open.euler, 0, 'one handle');
+  assert.ok(lawful(mug(null), 'closed').shells > 1, 'a closed hollow keeps all of its inside');
+});
+
 test('a rounded seam adds a little at a join, takes a little at a cut, and stays a solid', () => {
   const kernel = fresh(), meshes = { rod: loft({ rings: 30, around: 32 }) };
   const pair = [rod(1), rod(2, turned(Math.PI / 2, 0.5, 0))];

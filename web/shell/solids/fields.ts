@@ -61,6 +61,22 @@ function painted(library: ManifoldToplevel, solid: Manifold, paint: (x: number, 
   return library.Manifold.ofMesh(new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: mesh.triVerts, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, mesh.triVerts.length) }));
 }
 
+/** How far a solid reaches along a direction. */
+function reachOf(solid: Manifold, along: (x: number, y: number, z: number) => number): number {
+  const { vertProperties: v, numProp } = solid.getMesh();
+  let reach = -Infinity;
+  for (let i = 0; i < v.length; i += numProp) reach = Math.max(reach, along(v[i]!, v[i + 1]!, v[i + 2]!));
+  return reach;
+}
+
+/** A solid without its voids: what nothing can run out of (in the handle of a mug) is filled. */
+function filled(library: ManifoldToplevel, solid: Manifold, own: Manifold[]): Manifold {
+  const shells = solid.decompose();
+  own.push(...shells);
+  const outer = shells.filter((shell) => shell.volume() > 0);
+  return outer.length === shells.length ? solid : library.Manifold.compose(outer);
+}
+
 /**
  * A shell: the solid without everything that is deeper inside than the wall. Towards the opening the inside goes on
  * straight from where it is first as deep as the wall on all sides.
@@ -89,12 +105,7 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   const inside = library.Manifold.levelSet(depth, box, step, wall);
   own.push(inside);
   if (inside.isEmpty()) throw new Unsolvable({ error: 'WallTooThick' });
-  if (opening) {
-    const mesh = inside.getMesh();
-    let reach = -Infinity;
-    for (let v = 0; v < mesh.vertProperties.length; v += mesh.numProp) reach = Math.max(reach, along(mesh.vertProperties[v]!, mesh.vertProperties[v + 1]!, mesh.vertProperties[v + 2]!));
-    if (reach < rim) throw new Unsolvable({ error: 'WallTooThick' });
-  }
+  if (opening && reachOf(inside, along) < rim) throw new Unsolvable({ error: 'WallTooThick' });
   const cavity = painted(library, inside, fitPaint(surface.properties, surface.stride), id);
   own.push(cavity);
   let outside = body;
@@ -102,7 +113,10 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
     outside = body.trimByPlane(opening.map((x) => -x) as Point, -rim);
     own.push(outside);
   }
-  return outside.subtract(cavity);
+  const shell = outside.subtract(cavity);
+  const whole = opening ? filled(library, shell, own) : shell;
+  if (whole !== shell) own.push(shell);
+  return whole;
 }
 
 /** Both distances as one, rounded where they are about equal (polynomial smooth minimum). */
