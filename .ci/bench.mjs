@@ -146,6 +146,8 @@ await mainProgram(async () => {
     machine: { cpu: cpus()[0]?.model ?? 'unknown', cores: cpus().length, node: process.version },
     stages: await stageTimes(),
     sizes: siteSizes(),
+    // Its libraries are there only after the set-up.
+    solids: (await import('../tests/bench/solids.mjs')).solidTimes(),
     editing: await editingTimes(),
   };
   printStages(result.stages);
@@ -154,6 +156,8 @@ await mainProgram(async () => {
   const { parts, ribs, ...gestures } = result.editing;
   printTable(`Editing ${parts} parts of ${ribs} ribs in Chromium: from the pointer to the screen`,
     Object.entries(gestures).map(([name, times]) => ({ name, ...times })), { gesture: 'name', 'median ms': 'median_ms', 'p95 ms': 'p95_ms' });
+  printTable('Solids: what the worker takes from a request to the mesh', Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
+    { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'the first of its kind': 'first_ms' });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
   if (existsSync(folder)) {

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { identity, library, loft, measure, node, seeded, shell, shifted, solve, turned } from './support/solids.mjs';
 
-const { SolidKernel, DistanceField, Solver, findCrossings, ringsOf } = shell;
+const { SolidKernel, DistanceField, gridOver, sample, surfaceWhere, Solver, findCrossings, ringsOf } = shell;
 const fresh = () => new SolidKernel(library);
 const near = (actual, wanted, share, what) => assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
 
@@ -110,12 +110,37 @@ test('a mesh that crosses itself and is no loft names the part and the place', (
 
 test('distances on the grid are those to a ball', () => {
   const ball = library.Manifold.sphere(0.4, 96).getMesh();
-  const field = new DistanceField(ball.vertProperties, ball.triVerts, { min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5] }, 0.02, 1);
+  const field = new DistanceField(ball.vertProperties, ball.triVerts, gridOver({ min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5] }, 0.02), 1);
   const random = seeded(5);
   for (let i = 0; i < 500; i += 1) {
     const p = [0, 1, 2].map(() => 0.9 * (random() - 0.5)), r = Math.hypot(...p);
     if (r > 0.05) assert.ok(Math.abs(field.at(...p) - (r - 0.4)) < 0.003, `${p}: ${field.at(...p)}`);
   }
+});
+
+test('the surface on a grid is closed and outward whatever the numbers are', () => {
+  for (let seed = 1; seed <= 60; seed += 1) {
+    const random = seeded(seed), grid = { min: [0, 0, 0], step: 1, size: [7, 6, 8] };
+    const { volume, open } = measure({ ...surfaceWhere(grid, sample(grid, () => random() - 0.4)), mergeFrom: [], mergeTo: [] });
+    assert.ok(open === 0 && volume > 0, `seed ${seed}: ${open} open edges, volume ${volume}`);
+  }
+  const grid = gridOver({ min: [-0.6, -0.6, -0.6], max: [0.6, 0.6, 0.6] }, 0.03);
+  const ball = measure({ ...surfaceWhere(grid, sample(grid, (x, y, z) => 0.5 - Math.hypot(x, y, z))), mergeFrom: [], mergeTo: [] });
+  near(ball.volume, (4 / 3) * Math.PI * 0.5 ** 3, 0.004, 'the volume of a ball');
+  assert.equal(ball.euler, 2);
+});
+
+test('crossings are found whatever the order of the triangles, and only where they are', () => {
+  const random = seeded(3), rod = loft(), n = rod.positions.length / 3;
+  const through = loft({ length: 0.6, radius: 0.04 });
+  const both = { positions: new Float32Array([...rod.positions, ...through.positions.map((_, i) => (i % 3 === 0 ? through.positions[i + 1] + 0.5 : i % 3 === 1 ? through.positions[i - 1] - 0.3 : through.positions[i]))]), triangles: [...rod.triangles, ...through.triangles.map((v) => v + n)] };
+  const sorted = findCrossings(both.positions, Uint32Array.from(both.triangles)).length;
+  const order = Array.from({ length: both.triangles.length / 3 }, (_, i) => [random(), i]).sort((a, b) => a[0] - b[0]);
+  const shuffled = Uint32Array.from(order.flatMap(([, t]) => both.triangles.slice(3 * t, 3 * t + 3)));
+  // The thin bar goes in and out: two rings of crossings, each as long as the bar is round.
+  assert.ok(sorted >= 32, `${sorted} crossings`);
+  assert.equal(findCrossings(both.positions, shuffled).length, sorted);
+  assert.equal(findCrossings(rod.positions, rod.triangles).length, 0);
 });
 
 test('a hollow is as thick as its wall, open where it should be', () => {
@@ -169,6 +194,23 @@ test('an edited part of many gives the solid that all of it anew gives', () => {
     operands[2] = rod(3, turned(2 + 0.1 * i, 0.2));
     const again = lawful(solve(one, [node(operands)], meshes), `edit ${i}`).volume;
     near(again, lawful(solve(fresh(), [node(operands)], meshes), 'anew').volume, 1e-5, `edit ${i}`);
+  }
+});
+
+test('edits of any part in any order give what all of it anew gives, for every kind', () => {
+  const random = seeded(8), meshes = { rod: loft({ rings: 12, around: 12 }) };
+  for (const kind of ['join', 'cut', 'common']) {
+    const one = fresh(), place = () => turned(3 * random(), 0.15 * random(), 0.15 * random(), 0.05 * random());
+    const operands = Array.from({ length: kind === 'join' ? 9 : 4 }, (_, i) => rod(i + 1, place()));
+    solve(one, [node(operands, { kind })], meshes);
+    for (let i = 0; i < 16; i += 1) {
+      const edited = i % 3 === 2 ? Math.floor(operands.length * random()) : i < 8 ? 0 : operands.length - 1;
+      operands[edited] = rod(edited + 1, place());
+      const coarse = random() < 0.3, request = node(operands, { kind, coarse });
+      const again = solve(one, [request], meshes), anew = solve(fresh(), [node(operands, { kind })], meshes);
+      assert.deepEqual(again.failure, anew.failure, `${kind}, edit ${i}`);
+      if (!again.failure) near(lawful(again, `${kind}, edit ${i}`).volume, anew.mesh.volume, 1e-5, `${kind}, edit ${i}`);
+    }
   }
 });
 

@@ -8,6 +8,7 @@ export const shell = await loadShell(`
   export { findCrossings } from './solids/crossings.ts';
   export { ringsOf } from './solids/rings.ts';
   export { DistanceField } from './solids/distance.ts';
+  export { gridOver, sample, surfaceWhere } from './solids/grid.ts';
   export { Solver } from './solids/solver.ts';
 `);
 export const library = await create();

@@ -1,12 +1,9 @@
 // Signed distance to a closed mesh on a grid, exact near the surface: what hollow solids and smooth seams are
 // made of. Negative inside.
+import { at, isWithin } from './grid.ts';
+import type { Grid } from './grid.ts';
 
-export interface Box {
-  min: [number, number, number];
-  max: [number, number, number];
-}
-
-/** Square of the distance from a point to triangle t (Ericson, Real-Time Collision Detection 5.1.5). */
+/** Square of the distance from a point to the triangle abc (Ericson, Real-Time Collision Detection 5.1.5). */
 function squaredDistance(p: Float32Array, a: number, b: number, c: number, x: number, y: number, z: number): number {
   const abx = p[b]! - p[a]!, aby = p[b + 1]! - p[a + 1]!, abz = p[b + 2]! - p[a + 2]!;
   const acx = p[c]! - p[a]!, acy = p[c + 1]! - p[a + 1]!, acz = p[c + 2]! - p[a + 2]!;
@@ -34,52 +31,58 @@ function squaredDistance(p: Float32Array, a: number, b: number, c: number, x: nu
 }
 
 export class DistanceField {
-  private readonly size: [number, number, number];
-  private readonly values: Float32Array;
+  /** At the points of the grid. */
+  readonly values: Float32Array;
 
-  /** `step` of the grid; distances beyond `reach` are only known to be that large. */
-  constructor(private readonly positions: Float32Array, private readonly triangles: Uint32Array, private readonly box: Box, private readonly step: number, reach: number) {
-    this.size = [0, 1, 2].map((k) => Math.max(2, Math.ceil((box.max[k]! - box.min[k]!) / step) + 1)) as [number, number, number];
-    const [nx, ny, nz] = this.size;
-    this.values = new Float32Array(nx * ny * nz).fill(reach * reach);
-    const nearest = this.scan();
-    this.spread(nearest);
-    this.sign();
+  /**
+   * Distances beyond `reach` are only known to be that large. `where` they are asked for: everywhere, inside, or at the
+   * points that are marked; elsewhere they are exact next to the surface alone, or not known.
+   */
+  constructor(private readonly positions: Float32Array, private readonly triangles: Uint32Array, private readonly grid: Grid, reach: number, where: 'all' | 'inside' | Uint8Array = 'all') {
+    const [nx, ny, nz] = grid.size;
+    this.values = new Float32Array(nx * ny * nz).fill(reach);
+    const inside = this.insides();
+    const marked = where instanceof Uint8Array ? where : null;
+    this.spread(this.scan(marked), where === 'inside' ? inside : marked);
+    for (let i = 0; i < inside.length; i += 1) if (inside[i]! > 0) this.values[i] = -this.values[i]!;
   }
 
   /** Interpolated between the grid's points; outside the grid the value at its rim. */
   at(x: number, y: number, z: number): number {
-    const { box, step, values } = this;
-    const [nx, ny, nz] = this.size;
-    const gx = Math.min(nx - 1.000001, Math.max(0, (x - box.min[0]) / step)), gy = Math.min(ny - 1.000001, Math.max(0, (y - box.min[1]) / step));
-    const gz = Math.min(nz - 1.000001, Math.max(0, (z - box.min[2]) / step));
-    const ix = gx | 0, iy = gy | 0, iz = gz | 0, fx = gx - ix, fy = gy - iy, fz = gz - iz;
-    const i = ix + nx * (iy + ny * iz), up = nx * ny;
-    const low = (values[i]! * (1 - fx) + values[i + 1]! * fx) * (1 - fy) + (values[i + nx]! * (1 - fx) + values[i + nx + 1]! * fx) * fy;
-    const high = (values[i + up]! * (1 - fx) + values[i + up + 1]! * fx) * (1 - fy) + (values[i + up + nx]! * (1 - fx) + values[i + up + nx + 1]! * fx) * fy;
-    return low * (1 - fz) + high * fz;
+    return at(this.grid, this.values, x, y, z);
   }
 
-  /** Squared distances of the points round every triangle, and which triangle that is. */
-  private scan(): Int32Array {
-    const { positions: p, triangles, box, step, values, size } = this;
+  /** Distances of the points next to every triangle, and which triangle that is. */
+  private scan(marked: Uint8Array | null): Int32Array {
+    const { positions: p, triangles, values } = this;
+    const { min, step, size } = this.grid;
     const [nx, ny] = size;
     const nearest = new Int32Array(values.length).fill(-1);
-    const low = [0, 0, 0], high = [0, 0, 0];
+    const low = [0, 0, 0], high = [0, 0, 0], middle = [0, 0, 0];
     for (let t = 0; t < triangles.length; t += 3) {
       const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+      let radius = 0;
       for (let k = 0; k < 3; k += 1) {
         const least = Math.min(p[a + k]!, p[b + k]!, p[c + k]!), most = Math.max(p[a + k]!, p[b + k]!, p[c + k]!);
-        low[k] = Math.max(0, Math.floor((least - box.min[k]!) / step) - 1);
-        high[k] = Math.min(size[k]! - 1, Math.ceil((most - box.min[k]!) / step) + 1);
+        low[k] = Math.max(0, Math.ceil((least - min[k]!) / step - 1));
+        high[k] = Math.min(size[k]! - 1, Math.floor((most - min[k]!) / step + 1));
+        middle[k] = (least + most) / 2;
+        radius += (most - least) ** 2 / 4;
       }
+      radius = Math.sqrt(radius);
       for (let z = low[2]!; z <= high[2]!; z += 1) {
+        const pz = min[2] + z * step, dz = pz - middle[2]!;
         for (let y = low[1]!; y <= high[1]!; y += 1) {
+          const py = min[1] + y * step, dy = py - middle[1]!;
           for (let x = low[0]!; x <= high[0]!; x += 1) {
-            const i = x + nx * (y + ny * z);
-            const d = squaredDistance(p, a, b, c, box.min[0] + x * step, box.min[1] + y * step, box.min[2] + z * step);
-            if (d >= values[i]!) continue;
-            values[i] = d;
+            const i = x + nx * (y + ny * z), px = min[0] + x * step, dx = px - middle[0]!;
+            if (marked && marked[i] === 0) continue;
+            // All of the triangle lies in a ball about its middle.
+            const known = values[i]!, beyond = known + radius;
+            if (dx * dx + dy * dy + dz * dz >= beyond * beyond) continue;
+            const d = squaredDistance(p, a, b, c, px, py, pz);
+            if (d >= known * known) continue;
+            values[i] = Math.sqrt(d);
             nearest[i] = t;
           }
         }
@@ -88,16 +91,17 @@ export class DistanceField {
     return nearest;
   }
 
-  /** What is nearest to a neighbour may be nearest here: two rounds of sweeps in all eight directions. */
-  private spread(nearest: Int32Array): void {
-    const { positions: p, triangles, box, step, values } = this;
-    const [nx, ny, nz] = this.size;
+  /** What is nearest to a neighbour may be nearest here: sweeps in all eight directions, over what is above 0 in `marked`. */
+  private spread(nearest: Int32Array, marked: Int8Array | Uint8Array | null): void {
+    const { positions: p, triangles, values } = this;
+    const { min, step } = this.grid;
+    const [nx, ny, nz] = this.grid.size;
     const offer = (i: number, from: number, x: number, y: number, z: number) => {
       const t = nearest[from]!;
-      if (t < 0 || t === nearest[i]! || values[from]! >= values[i]! + 3 * step * (Math.sqrt(values[i]!) + step)) return;
-      const d = squaredDistance(p, 3 * triangles[t]!, 3 * triangles[t + 1]!, 3 * triangles[t + 2]!, box.min[0] + x * step, box.min[1] + y * step, box.min[2] + z * step);
-      if (d >= values[i]!) return;
-      values[i] = d;
+      if (t < 0 || t === nearest[i]! || values[from]! >= values[i]! + step) return;
+      const d = squaredDistance(p, 3 * triangles[t]!, 3 * triangles[t + 1]!, 3 * triangles[t + 2]!, min[0] + x * step, min[1] + y * step, min[2] + z * step);
+      if (d >= values[i]! * values[i]!) return;
+      values[i] = Math.sqrt(d);
       nearest[i] = t;
     };
     for (let sweep = 0; sweep < 8; sweep += 1) {
@@ -108,6 +112,7 @@ export class DistanceField {
           const y = sy > 0 ? j : ny - 1 - j;
           for (let n = 0; n < nx; n += 1) {
             const x = sx > 0 ? n : nx - 1 - n, i = x + nx * (y + ny * z);
+            if (marked && marked[i]! <= 0) continue;
             if (n > 0) offer(i, i - sx, x, y, z);
             if (j > 0) offer(i, i - sy * nx, x, y, z);
             if (k > 0) offer(i, i - sz * nx * ny, x, y, z);
@@ -117,13 +122,14 @@ export class DistanceField {
     }
   }
 
-  /** Roots of the squares, negative inside: how often a line along x has gone in and out up to a point. */
-  private sign(): void {
-    const { positions: p, triangles, box, step, values, size } = this;
+  /** Above 0 inside: how often a line along x has gone in up to a point, less how often it has gone out. */
+  private insides(): Int8Array {
+    const { positions: p, triangles } = this;
+    const { min, step, size } = this.grid;
     const [nx, ny, nz] = size;
-    const rows: { x: number; turn: number }[][] = Array.from({ length: ny * nz }, () => []);
+    const turns = new Int8Array(nx * ny * nz);
     // A little off the grid, so that no line runs along an edge of the mesh.
-    const offY = box.min[1] + step * 1.37e-4, offZ = box.min[2] + step * 2.11e-4;
+    const offY = min[1] + step * 1.37e-4, offZ = min[2] + step * 2.11e-4;
     for (let t = 0; t < triangles.length; t += 3) {
       const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
       const ay = p[a + 1]!, az = p[a + 2]!, by = p[b + 1]!, bz = p[b + 2]!, cy = p[c + 1]!, cz = p[c + 2]!;
@@ -136,22 +142,12 @@ export class DistanceField {
           const u = ((by - py) * (cz - pz) - (cy - py) * (bz - pz)) / area, v = ((cy - py) * (az - pz) - (ay - py) * (cz - pz)) / area, w = 1 - u - v;
           if (u < 0 || v < 0 || w < 0) continue;
           // An outward face with area > 0 looks towards +x: there the line leaves.
-          rows[y + ny * z]!.push({ x: u * p[a]! + v * p[b]! + w * p[c]!, turn: area > 0 ? -1 : 1 });
+          const x = Math.max(0, Math.ceil((u * p[a]! + v * p[b]! + w * p[c]! - min[0]) / step));
+          if (isWithin(size, x, y, z)) turns[x + nx * (y + ny * z)]! += area > 0 ? -1 : 1;
         }
       }
     }
-    for (let row = 0; row < rows.length; row += 1) {
-      const turns = rows[row]!.sort((a, b) => a.x - b.x);
-      let inside = 0, next = 0;
-      for (let x = 0; x < nx; x += 1) {
-        const at = box.min[0] + x * step;
-        while (next < turns.length && turns[next]!.x <= at) {
-          inside += turns[next]!.turn;
-          next += 1;
-        }
-        const i = x + nx * row, d = Math.sqrt(values[i]!);
-        values[i] = inside > 0 ? -d : d;
-      }
-    }
+    for (let i = 1; i < turns.length; i += 1) if (i % nx !== 0) turns[i]! += turns[i - 1]!;
+    return turns;
   }
 }

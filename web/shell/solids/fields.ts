@@ -1,12 +1,11 @@
 // Solids from distance fields: the inside of a hollow, and the rounding at a seam.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { DistanceField } from './distance.ts';
-import type { Box } from './distance.ts';
+import { gridOver, sample, surfaceWhere } from './grid.ts';
+import type { Box, Point, Surface } from './grid.ts';
 import { Unsolvable } from './kernel.ts';
 import { fitPaint } from './paint.ts';
 import type { SolidNode } from './protocol.ts';
-
-type Point = [number, number, number];
 
 /** What a maker of solids may do with what it makes on the way. */
 export interface Making {
@@ -19,15 +18,13 @@ export interface Making {
 /** Grid cells along the longest side, and all in all. */
 const kHollowCells = 88, kSeamCells = 6, kMostCells = 1_500_000;
 
-interface Surface {
-  positions: Float32Array;
-  triangles: Uint32Array;
+interface PaintedSurface extends Surface {
   properties: Float32Array;
   stride: number;
 }
 
 /** Vertices of one place as one vertex: the distance field asks for places alone. */
-function surfaceOf(solid: Manifold): Surface {
+function surfaceOf(solid: Manifold): PaintedSurface {
   const mesh = solid.getMesh();
   const stride = mesh.numProp, n = mesh.vertProperties.length / stride;
   const positions = new Float32Array(3 * n);
@@ -49,32 +46,34 @@ function affordable(box: Box, step: number): number {
   return Math.max(step, Math.cbrt((x * y * z) / kMostCells));
 }
 
-/** The solid with uv on every vertex and `id` on every face. */
-function painted(library: ManifoldToplevel, solid: Manifold, paint: (x: number, y: number, z: number) => [number, number], id: number): Manifold {
-  const mesh = solid.getMesh();
-  const n = mesh.vertProperties.length / mesh.numProp;
+/** The surface as a solid, with uv on every vertex and `id` on every face. */
+function painted(library: ManifoldToplevel, { positions, triangles }: Surface, paint: (x: number, y: number, z: number) => [number, number], id: number): Manifold {
+  const n = positions.length / 3;
   const properties = new Float32Array(5 * n);
   for (let v = 0; v < n; v += 1) {
-    const [x, y, z] = [0, 1, 2].map((k) => mesh.vertProperties[mesh.numProp * v + k]!) as Point;
+    const x = positions[3 * v]!, y = positions[3 * v + 1]!, z = positions[3 * v + 2]!;
     properties.set([x, y, z, ...paint(x, y, z)], 5 * v);
   }
-  return library.Manifold.ofMesh(new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: mesh.triVerts, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, mesh.triVerts.length) }));
+  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: triangles, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, triangles.length) }));
+  if (solid.status() !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
+  return solid;
 }
 
-/** How far a solid reaches along a direction. */
-function reachOf(solid: Manifold, along: (x: number, y: number, z: number) => number): number {
-  const { vertProperties: v, numProp } = solid.getMesh();
-  let reach = -Infinity;
-  for (let i = 0; i < v.length; i += numProp) reach = Math.max(reach, along(v[i]!, v[i + 1]!, v[i + 2]!));
-  return reach;
-}
-
-/** A solid without its voids: what nothing can run out of (in the handle of a mug) is filled. */
-function filled(library: ManifoldToplevel, solid: Manifold, own: Manifold[]): Manifold {
-  const shells = solid.decompose();
-  own.push(...shells);
-  const outer = shells.filter((shell) => shell.volume() > 0);
-  return outer.length === shells.length ? solid : library.Manifold.compose(outer);
+/** The pieces of a surface that reach as far as `rim` along a direction. */
+function reaching({ positions, triangles }: Surface, along: (x: number, y: number, z: number) => number, rim: number): Surface {
+  const n = positions.length / 3, root = new Uint32Array(n);
+  for (let v = 0; v < n; v += 1) root[v] = v;
+  const find = (v: number) => {
+    while (root[v] !== v) v = root[v] = root[root[v]!]!;
+    return v;
+  };
+  for (let t = 0; t < triangles.length; t += 3) {
+    root[find(triangles[t]!)] = find(triangles[t + 1]!);
+    root[find(triangles[t + 2]!)] = find(triangles[t + 1]!);
+  }
+  const reaches = new Uint8Array(n);
+  for (let v = 0; v < n; v += 1) if (along(positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!) >= rim) reaches[find(v)] = 1;
+  return { positions, triangles: triangles.filter((_, i) => reaches[find(triangles[i]!)] === 1) };
 }
 
 /**
@@ -87,8 +86,8 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   const longest = Math.max(...sidesOf(bounds));
   // Twice as fine as the wall is thick, as far as that can be paid for.
   const step = affordable(bounds, Math.max(longest / (node.coarse ? kHollowCells / 2 : kHollowCells), Math.min(wall / 2, longest / 40)));
-  const box = grown(bounds, 2.5 * step);
-  const field = new DistanceField(surface.positions, surface.triangles, box, step, wall + 3 * step);
+  const grid = gridOver(grown(bounds, 2.5 * step), step);
+  const field = new DistanceField(surface.positions, surface.triangles, grid, wall + 3 * step, 'inside');
   let low = Infinity, high = -Infinity;
   const along = (x: number, y: number, z: number) => (opening ? x * opening[0] + y * opening[1] + z * opening[2] : 0);
   for (let v = 0; v < surface.positions.length; v += 3) {
@@ -98,14 +97,13 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   }
   const rim = opening ? high - node.cut * (high - low) : Infinity;
   const throat = opening ? Math.min(rim, high - wall - step) : Infinity;
-  const depth = ([x, y, z]: readonly [number, number, number]) => {
-    const beyond = Math.max(0, along(x, y, z) - throat);
-    return opening && beyond > 0 ? -field.at(x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : -field.at(x, y, z);
-  };
-  const inside = library.Manifold.levelSet(depth, box, step, wall);
-  own.push(inside);
-  if (inside.isEmpty()) throw new Unsolvable({ error: 'WallTooThick' });
-  if (opening && reachOf(inside, along) < rim) throw new Unsolvable({ error: 'WallTooThick' });
+  const deep = surfaceWhere(grid, sample(grid, (x, y, z, i) => {
+    const beyond = opening ? along(x, y, z) - throat : 0;
+    return (opening && beyond > 0 ? -field.at(x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : -field.values[i]!) - wall;
+  }));
+  // What does not reach the opening, such as the inside of a handle, would be a void that nothing runs out of.
+  const inside = opening ? reaching(deep, along, rim) : deep;
+  if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick' });
   const cavity = painted(library, inside, fitPaint(surface.properties, surface.stride), id);
   own.push(cavity);
   let outside = body;
@@ -113,10 +111,7 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
     outside = body.trimByPlane(opening.map((x) => -x) as Point, -rim);
     own.push(outside);
   }
-  const shell = outside.subtract(cavity);
-  const whole = opening ? filled(library, shell, own) : shell;
-  if (whole !== shell) own.push(shell);
-  return whole;
+  return outside.subtract(cavity);
 }
 
 /** Both distances as one, rounded where they are about equal (polynomial smooth minimum). */
@@ -149,14 +144,16 @@ export function seamOf(library: ManifoldToplevel, { plain, operands, node }: Sea
       for (const place of shared.decompose()) {
         own.push(place);
         const box = grown(place.boundingBox() as Box, 1.6 * radius);
-        const step = affordable(box, radius / (node.coarse ? kSeamCells / 2 : kSeamCells));
-        const first = new DistanceField(a.positions, a.triangles, grown(box, 2 * step), step, 2 * radius);
-        const second = new DistanceField(b.positions, b.triangles, grown(box, 2 * step), step, 2 * radius);
-        const value = ([x, y, z]: readonly [number, number, number]) => -smoothMin(cut ? -first.at(x, y, z) : first.at(x, y, z), second.at(x, y, z), radius);
+        const grid = gridOver(box, affordable(box, radius / (node.coarse ? kSeamCells / 2 : kSeamCells)));
+        const reach = 1.1 * radius;
+        const first = new DistanceField(a.positions, a.triangles, grid, reach).values;
+        // Only what is near to both is round.
+        const near = new Uint8Array(first.length);
+        for (let n = 0; n < first.length; n += 1) near[n] = Math.abs(first[n]!) < reach ? 1 : 0;
+        const second = new DistanceField(b.positions, b.triangles, grid, reach, near).values;
         // A little within, so that only the rounding itself looks out of what is there already.
-        const rounding = library.Manifold.levelSet(value, box, step, 0.06 * step);
-        own.push(rounding);
-        if (rounding.isEmpty()) continue;
+        const rounding = surfaceWhere(grid, sample(grid, (_x, _y, _z, n) => -smoothMin(cut ? -first[n]! : first[n]!, second[n]!, radius) - 0.06 * grid.step));
+        if (rounding.triangles.length === 0) continue;
         const solid = painted(library, rounding, paint, id);
         own.push(solid);
         roundings.push(solid);

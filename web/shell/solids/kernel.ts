@@ -2,7 +2,7 @@
 // so that an edited part is fused again without redoing what did not change. Runs in a worker; knows no page.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { hollowOf, seamOf } from './fields.ts';
-import { FaultyPart, importPart } from './parts.ts';
+import { FaultyPart, fromMesh, importPart } from './parts.ts';
 import type { MeshData, PartOperand, PartRun, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
 /** How many requests long a sub-result is kept that nobody asks for. */
@@ -21,6 +21,12 @@ interface Kept {
   round: number;
 }
 
+/** An operand in its place. */
+interface Keyed {
+  key: string;
+  solid: Manifold;
+}
+
 export interface Solved {
   node: SolidNode;
   ms: number;
@@ -36,8 +42,8 @@ export class SolidKernel {
   private readonly solids = new Map<string, Kept>();
   /** Original ids of manifold-3d, and whose faces they are. */
   private readonly owners = new Map<number, number>();
-  /** What each join was made of last. */
-  private readonly joins = new Map<number, string[]>();
+  /** What each step was made of last. */
+  private readonly lastOperands = new Map<number, string[]>();
   private round = 0;
 
   constructor(private readonly library: ManifoldToplevel, private readonly now: () => number = () => performance.now()) {}
@@ -103,21 +109,23 @@ export class SolidKernel {
       return kept.solid;
     }
     const key = `${operand.mesh}#${operand.part}`;
-    const kept = this.parts.get(key) ?? this.importPart(operand);
+    // What the hand is at is not looked over for places where it crosses itself.
+    const unchecked = coarse && !this.parts.has(key);
+    const kept = this.parts.get(key) ?? this.parts.get(`${key}~`) ?? this.importPart(operand, unchecked);
     kept.round = this.round;
-    this.parts.set(key, kept);
+    this.parts.set(unchecked ? `${key}~` : key, kept);
     if (!kept.solid) throw new Unsolvable({ ...kept.failure!, ...(kept.failure!.at ? { at: inWorld(operand.matrix, kept.failure!.at) } : {}) });
     const placed = kept.solid.transform(operand.matrix as Parameters<Manifold['transform']>[0]);
     own.push(placed);
     return placed;
   }
 
-  private importPart(operand: PartOperand): Kept {
+  private importPart(operand: PartOperand, unchecked: boolean): Kept {
     const mesh = this.meshes.get(operand.mesh);
     if (!mesh) return { solid: null, failure: { error: 'SolidFailed', part: operand.part }, round: this.round };
     const id = this.ownerId(operand.part);
     try {
-      return { solid: importPart(this.library, mesh.data, id), round: this.round };
+      return { solid: unchecked ? fromMesh(this.library, mesh.data, id) : importPart(this.library, mesh.data, id), round: this.round };
     } catch (thrown) {
       const failure = thrown instanceof FaultyPart ? { error: 'PartCrossesItself' as const, at: thrown.at } : failureOf(thrown);
       return { solid: null, failure: { ...failure, part: operand.part }, round: this.round };
@@ -138,7 +146,7 @@ export class SolidKernel {
       if (operands.length > 1) own.push(body);
       return hollowOf(this.library, body, node, { id: this.ownerId(this.mainPart(body)), own });
     }
-    const plain = node.kind === 'join' ? this.join(node, operands, own) : node.kind === 'cut' ? Manifold.difference(operands) : Manifold.intersection(operands);
+    const plain = this.together(node, operands, own);
     if (node.blend <= 0 || node.kind === 'common' || plain.isEmpty()) return plain;
     own.push(plain);
     const id = this.ownerId(this.mainPart(operands[0]!));
@@ -146,24 +154,65 @@ export class SolidKernel {
   }
 
   /**
-   * All as one. Where one operand alone is another than last time, the others are united for themselves and kept: the
-   * next time that one changes there is a single union to make.
+   * All operands as the step says. Where one alone is another than last time, what the others make is kept: the next
+   * time that one changes there is a single thing left to do.
    */
-  private join(node: SolidNode, operands: Manifold[], own: Manifold[]): Manifold {
-    const keys = node.operands.map((operand) => (isPart(operand) ? `${operand.mesh}#${operand.part}@${operand.matrix.join()}` : operand.node));
-    const before = this.joins.get(node.step);
-    this.joins.set(node.step, keys);
+  private together(node: SolidNode, operands: Manifold[], own: Manifold[]): Manifold {
+    const keys = node.operands.map((operand) => this.nameOf(operand, node.coarse));
+    const before = this.lastOperands.get(node.step);
+    this.lastOperands.set(node.step, keys);
     const changed = before?.length === keys.length ? keys.flatMap((key, i) => (key === before[i] ? [] : [i])) : [];
-    const { Manifold } = this.library;
-    if (keys.length < 3 || changed.length !== 1) return Manifold.union(operands);
-    const others = operands.filter((_, i) => i !== changed[0]), key = `but one:${keys.filter((_, i) => i !== changed[0]).join(' ')}`;
-    const rest = this.solids.get(key) ?? { solid: Manifold.union(others), round: this.round };
-    rest.round = this.round;
-    this.solids.set(key, rest);
-    const whole = rest.solid!.add(operands[changed[0]!]!);
-    if (whole.status() === 'NoError') return whole;
+    const all = keys.map((key, i) => ({ key, solid: operands[i]! }));
+    const one = keys.length >= 3 && changed.length === 1 ? changed[0]! : -1;
+    const whole = one < 0 ? this.whole(node.kind, all) : this.withOne(node.kind, all, one);
+    if (one < 0 || whole.status() === 'NoError') return whole;
     own.push(whole);
-    return Manifold.union(operands);
+    return this.whole(node.kind, all);
+  }
+
+  /** Equal names, equal operands. What was not looked over is another thing than what was. */
+  private nameOf(operand: SolidOperand, coarse: boolean): string {
+    if (!isPart(operand)) return coarse ? `${operand.node}~` : operand.node;
+    const key = `${operand.mesh}#${operand.part}`;
+    return `${key}${this.parts.has(key) ? '' : '~'}@${operand.matrix.join()}`;
+  }
+
+  private whole(kind: SolidNode['kind'], all: Keyed[]): Manifold {
+    const { Manifold } = this.library, [first, ...others] = all.map(({ solid }) => solid);
+    if (kind === 'common') return Manifold.intersection([first!, ...others]);
+    if (kind === 'join') return Manifold.union(this.groups(all).map((group) => this.union(group)));
+    return first!.subtract(others.length > 1 ? this.union(all.slice(1)) : others[0]!);
+  }
+
+  /** Number `one` to what the others make. */
+  private withOne(kind: SolidNode['kind'], all: Keyed[], one: number): Manifold {
+    const { solid } = all[one]!, others = all.filter((_, i) => i !== one);
+    const named = (what: string) => `${what}: ${others.map(({ key }) => key).join(' ')}`;
+    if (kind === 'common') return this.keep(named('common'), () => this.whole('common', others)).intersect(solid);
+    if (kind === 'cut' && one === 0) return solid.subtract(this.union(others));
+    if (kind === 'cut') return this.keep(named('cut'), () => this.whole('cut', others)).subtract(solid);
+    const rest = this.groups(all).flatMap((group) => (group.includes(all[one]!) ? group.filter((each) => each !== all[one]) : [{ key: '', solid: this.union(group) }]));
+    return this.keep(named('join'), () => this.library.Manifold.union(rest.map((each) => each.solid))).add(solid);
+  }
+
+  /** Many in a few groups, which stay as they are when one of another group changes. */
+  private groups(all: Keyed[]): Keyed[][] {
+    const count = all.length < 6 ? all.length : Math.round(Math.sqrt(all.length));
+    return Array.from({ length: count }, (_, i) => all.slice(Math.floor((i * all.length) / count), Math.floor(((i + 1) * all.length) / count)));
+  }
+
+  private union(of: Keyed[]): Manifold {
+    if (of.length === 1) return of[0]!.solid;
+    return this.keep(`join: ${of.map(({ key }) => key).join(' ')}`, () => this.library.Manifold.union(of.map(({ solid }) => solid)));
+  }
+
+  private keep(key: string, make: () => Manifold): Manifold {
+    const kept = this.solids.get(key) ?? { solid: make(), round: this.round };
+    kept.round = this.round;
+    this.solids.set(key, kept);
+    // The library works when it is asked for something, and then for good.
+    kept.solid!.status();
+    return kept.solid!;
   }
 
   /** Whose faces are the most. */
@@ -230,18 +279,32 @@ function failureOf(thrown: unknown): SolidFailure {
 
 /** How many closed surfaces there are that no edge joins; vertices that are merged are one. */
 function shellsOf({ vertices, triangles, mergeFrom, mergeTo }: { vertices: number; triangles: Uint32Array; mergeFrom: Uint32Array; mergeTo: Uint32Array }): number {
-  const root = Uint32Array.from({ length: vertices }, (_, i) => i);
+  const root = new Uint32Array(vertices), used = new Uint8Array(vertices);
+  for (let v = 0; v < vertices; v += 1) root[v] = v;
   const find = (v: number) => {
     while (root[v] !== v) v = root[v] = root[root[v]!]!;
     return v;
   };
-  const join = (a: number, b: number) => { root[find(a)] = find(b); };
-  for (let i = 0; i < mergeFrom.length; i += 1) join(mergeFrom[i]!, mergeTo[i]!);
-  const used = new Set<number>();
+  let shells = 0;
+  const join = (a: number, b: number) => {
+    const from = find(a), to = find(b);
+    if (from === to) return;
+    root[from] = to;
+    shells -= 1;
+  };
+  const use = (v: number) => {
+    shells += used[v] ? 0 : 1;
+    used[v] = 1;
+  };
+  for (const v of triangles) use(v);
+  for (let i = 0; i < mergeFrom.length; i += 1) {
+    use(mergeFrom[i]!);
+    use(mergeTo[i]!);
+    join(mergeFrom[i]!, mergeTo[i]!);
+  }
   for (let i = 0; i < triangles.length; i += 3) {
     join(triangles[i]!, triangles[i + 1]!);
     join(triangles[i]!, triangles[i + 2]!);
   }
-  for (let i = 0; i < triangles.length; i += 3) used.add(find(triangles[i]!));
-  return used.size;
+  return shells;
 }

@@ -13,7 +13,8 @@ export class FaultyPart extends Error {
   }
 }
 
-function fromMesh(library: ManifoldToplevel, data: MeshData, id: number): Manifold {
+/** The mesh as it is, as a solid whose faces carry `id`. */
+export function fromMesh(library: ManifoldToplevel, data: MeshData, id: number): Manifold {
   const vertices = data.positions.length / 3;
   const properties = new Float32Array(5 * vertices);
   for (let v = 0; v < vertices; v += 1) {
