@@ -16,77 +16,11 @@ struct PicturePointF {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// Where a picture point lies between the four map pixels around it (clamped to the map).
-struct Bilinear {
-  std::size_t i00, i10, i01, i11;
-  float u, v;
-  std::size_t nearest() const { return u < 0.5f ? (v < 0.5f ? i00 : i01) : (v < 0.5f ? i10 : i11); }
-};
-
-Bilinear locate(const image::EdgeMap& map, float x, float y) {
-  const auto at = map.toMap({static_cast<double>(x), static_cast<double>(y)});
-  const float mx = std::clamp(static_cast<float>(at.x), 0.f, static_cast<float>(map.width - 1));
-  const float my = std::clamp(static_cast<float>(at.y), 0.f, static_cast<float>(map.height - 1));
-  const int x0 = std::min(static_cast<int>(mx), std::max(0, map.width - 2));
-  const int y0 = std::min(static_cast<int>(my), std::max(0, map.height - 2));
-  const auto row = static_cast<std::size_t>(map.width);
-  const std::size_t base = static_cast<std::size_t>(y0) * row + static_cast<std::size_t>(x0);
-  const std::size_t right = map.width > 1 ? 1 : 0, below = map.height > 1 ? row : 0;
-  return {base,
-          base + right,
-          base + below,
-          base + right + below,
-          mx - static_cast<float>(x0),
-          my - static_cast<float>(y0)};
-}
-
 Lab4 load(const float* from) {
   Lab4 out;
   __builtin_memcpy(&out, from, sizeof out);
   return out;
 }
-
-// Value of a plane between the four pixels.
-float mix(const Bilinear& b, const std::vector<float>& plane) {
-  const float top = plane[b.i00] + (plane[b.i10] - plane[b.i00]) * b.u;
-  const float bottom = plane[b.i01] + (plane[b.i11] - plane[b.i01]) * b.u;
-  return top + (bottom - top) * b.v;
-}
-
-// Colour between the four pixels; the fourth value is 0.
-Lab mixLab(const Bilinear& b, const std::vector<float>& plane) {
-  const auto at = [&](std::size_t pixel) {
-    // Four floats are read at once, and the last pixel has three.
-    const std::size_t first = std::min(3 * pixel, plane.size() - 4);
-    const Lab4 four = load(&plane[first]);
-    return first == 3 * pixel ? four : Lab4{four[1], four[2], four[3], 0};
-  };
-  const Lab4 left = at(b.i00), below = at(b.i01);
-  const Lab4 top = left + (at(b.i10) - left) * b.u;
-  const Lab4 bottom = below + (at(b.i11) - below) * b.u;
-  const Lab4 all = top + (bottom - top) * b.v;
-  return {all[0], all[1], all[2], 0};
-}
-
-// What one curve stands for: the stretch of its level set half-way to either neighbour, sampled this
-// far apart (map pixels), at most so many times on either side.
-constexpr float kBandStep = 2;
-constexpr int kMostBand = 8;
-
-struct BandMean {
-  Lab4 lab{};
-  float proximity = 0, count = 0;
-  void add(const Lab& colour, float near) {
-    lab += load(colour.data());
-    proximity += near;
-    ++count;
-  }
-  void read(Lab& colour, float& near) const {
-    const Lab4 mean = lab / count;
-    colour = {mean[0], mean[1], mean[2], 0};
-    near = proximity / count;
-  }
-};
 
 // Lab difference over ± reach of arc length at every level of one curve; 0 where not reached, and
 // where the stretch touches what is ignored.
@@ -222,50 +156,6 @@ int levelAt(const float* along, int reached, int from, float length) {
 }
 
 }  // namespace
-
-void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
-                 const IgnoredEdges* ignored, Strip& strip) {
-  const bool marked = ignored != nullptr && !ignored->empty();
-  const std::vector<float>& proximity = marked ? ignored->proximity : edges.proximity;
-  strip.curves = curves.layout.total();
-  strip.levels = curves.levels;
-  strip.pixel = std::max(edges.scaleX, edges.scaleY);
-  strip.proximity.assign(curves.x.size(), 0.f);
-  strip.lab.assign(curves.x.size(), Lab{});
-  strip.ignored.assign(marked ? curves.x.size() : 0, 0);
-  const float apart = kBandStep * static_cast<float>(strip.pixel);
-  for (int c = 0; c < strip.curves; ++c) {
-    for (int k = 0; k < curves.reached[index(c)]; ++k) {
-      BandMean mean;
-      const std::size_t at = curves.at(c, k);
-      const PicturePointF here{curves.x[at], curves.y[at]};
-      const auto sample = [&](float x, float y) {
-        const Bilinear place = locate(edges, x, y);
-        if (marked && ignored->mask[place.nearest()] != 0) return false;
-        mean.add(mixLab(place, edges.lab), mix(place, proximity));
-        return true;
-      };
-      if (!sample(here.x, here.y)) {
-        strip.ignored[at] = 1;
-        strip.lab[at] = mixLab(locate(edges, here.x, here.y), edges.lab);
-        continue;
-      }
-      for (const int side : {-1, 1}) {
-        const int other = (c + side + strip.curves) % strip.curves;
-        if (k >= curves.reached[index(other)]) continue;
-        const std::size_t o = curves.at(other, k);
-        const float dx = curves.x[o] - here.x, dy = curves.y[o] - here.y;
-        const float room = 0.5f * std::sqrt(dx * dx + dy * dy) / apart;
-        const int steps = room < kMostBand ? static_cast<int>(room) : kMostBand;
-        for (int q = 1; q <= steps; ++q) {
-          const float share = static_cast<float>(q) / static_cast<float>(2 * steps + 1);
-          sample(here.x + share * dx, here.y + share * dy);
-        }
-      }
-      mean.read(strip.lab[at], strip.proximity[at]);
-    }
-  }
-}
 
 void contourContrast(const GradientCurves& curves, const Strip& strip, const ContrastParams& params,
                      std::vector<float>& contrast) {

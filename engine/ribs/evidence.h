@@ -14,6 +14,12 @@
 
 namespace spineloft::ribs {
 
+/// What sampling a strip needs on the way.
+struct StripScratch {
+  std::vector<float> mapX, mapY;  ///< the curves' points in map coordinates
+  std::vector<float> steps;       ///< samples between a curve and the next one, on either's half
+};
+
 /// The picture along the gradient curves: row = curve, column = level. All planes have
 /// curves × levels entries; those a curve does not reach are 0.
 struct Strip {
@@ -26,6 +32,7 @@ struct Strip {
   /// is near an edge, nothing contrasts, colours are neither learned nor foreign, and nothing
   /// enters what others are measured against.
   std::vector<std::uint8_t> ignored;
+  StripScratch scratch;
   bool isIgnored(std::size_t at) const { return !ignored.empty() && ignored[at] != 0; }
 };
 

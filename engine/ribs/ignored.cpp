@@ -120,7 +120,8 @@ IgnoredEdges ignoreEdges(const image::EdgeMap& edges, std::span<const IgnoreMark
     }
   }
   if (ignored.empty()) return ignored;
-  ignored.proximity = edges.proximity;
+  ignored.proximity.reserve(edges.look.size());
+  for (std::size_t i = 0; i < edges.look.size(); ++i) ignored.proximity.push_back(edges.nearness(i));
   renewProximity(edges, ignored);
   return ignored;
 }

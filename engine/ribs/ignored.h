@@ -13,7 +13,7 @@ namespace spineloft::ribs {
 /// A layer over an EdgeMap, of the same size. Without marks both planes are empty.
 struct IgnoredEdges {
   std::vector<std::uint8_t> mask;  ///< 255 under a mark, else 0
-  /// EdgeMap::proximity as it would be without the edges under the marks.
+  /// EdgeMap::nearness as it would be without the edges under the marks.
   std::vector<float> proximity;
   bool empty() const { return mask.empty(); }
   bool operator==(const IgnoredEdges&) const = default;

@@ -177,13 +177,10 @@ void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gr
   }
 }
 
-void interleave(const float* planes, std::size_t stride, std::size_t count, float* __restrict out) {
+void interleave(const float* planes, std::size_t stride, std::size_t count,
+                std::array<float, 4>* __restrict out) {
   const float *l = planes, *a = planes + stride, *b = planes + 2 * stride;
-  for (std::size_t x = 0; x < count; ++x) {
-    out[3 * x] = l[x];
-    out[3 * x + 1] = a[x];
-    out[3 * x + 2] = b[x];
-  }
+  for (std::size_t x = 0; x < count; ++x) out[x] = {l[x], a[x], b[x], 0};
 }
 
 }  // namespace
@@ -191,7 +188,7 @@ void interleave(const float* planes, std::size_t stride, std::size_t count, floa
 void smoothColourAndGradient(image::ImageView copy, double sigma, image::EdgeMap& map) {
   const std::size_t width = static_cast<std::size_t>(copy.width);
   const std::size_t count = width * static_cast<std::size_t>(copy.height);
-  map.lab.resize(kChannels * count);
+  map.look.resize(count);
   map.gradientX.resize(count);
   map.gradientY.resize(count);
   SmoothRows smooth(copy, sigma);
@@ -211,7 +208,7 @@ void smoothColourAndGradient(image::ImageView copy, double sigma, image::EdgeMap
     if (below > y) smooth.make(below, rowAt(below));
     const float *up = rowAt(std::max(0, y - 1)), *here = rowAt(y), *down = rowAt(below);
     const std::size_t start = width * static_cast<std::size_t>(y);
-    interleave(here + 1, stride, width, map.lab.data() + kChannels * start);
+    interleave(here + 1, stride, width, map.look.data() + start);
     for (std::size_t c = 0; c < kChannels; ++c) {
       const std::size_t at = c * stride + 1;
       sobelRow({up + at, here + at, down + at}, width, derivatives.data() + c * width,

@@ -41,7 +41,6 @@ void fillProximity(image::EdgeMap& map) {
   std::vector<float> rows(width * height), best(width);
   for (std::size_t y = 0; y < height; ++y)
     alongRow(&map.edges[y * width], width, reach, &rows[y * width]);
-  map.proximity.resize(width * height);
   const auto ramp = static_cast<float>(1 / map.reach);
   for (std::size_t y = 0; y < height; ++y) {
     std::copy_n(&rows[y * width], width, best.data());
@@ -50,11 +49,11 @@ void fillProximity(image::EdgeMap& map) {
       if (step <= y) lower(&rows[(y - step) * width], add, width, best.data());
       if (y + step < height) lower(&rows[(y + step) * width], add, width, best.data());
     }
-    float* out = &map.proximity[y * width];
-    for (std::size_t x = 0; x < width; ++x) {
-      const float near = 1 - std::sqrt(best[x]) * ramp;
-      out[x] = near > 0 ? near : 0;
+    for (float& value : best) {
+      const float near = 1 - std::sqrt(value) * ramp;
+      value = near > 0 ? near : 0;
     }
+    for (std::size_t x = 0; x < width; ++x) map.look[y * width + x][3] = best[x];
   }
 }
 

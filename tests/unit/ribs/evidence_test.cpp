@@ -48,7 +48,7 @@ void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, 
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       if (!where({static_cast<double>(x), static_cast<double>(y)})) continue;
-      float* lab = &map.lab[3 * static_cast<std::size_t>(y * map.width + x)];
+      auto& lab = map.look[static_cast<std::size_t>(y * map.width + x)];
       lab[0] = light;
       lab[1] = a;
     }
@@ -135,7 +135,9 @@ TEST_CASE("with two outlines in a row, the inner one has more beyond it than the
 TEST_CASE("a rib stands for the picture up to its neighbours: noise averages out along the contour") {
   image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
   Rng rng(5);
-  for (float& value : map.lab) value += static_cast<float>(rng.uniform(-10, 10));
+  for (auto& look : map.look) {
+    for (std::size_t c = 0; c < 3; ++c) look[c] += static_cast<float>(rng.uniform(-10, 10));
+  }
   const auto spread = [&](int ribs) {
     const Spine spine =
         cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = ribs}).value();

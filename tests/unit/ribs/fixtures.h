@@ -52,16 +52,15 @@ inline image::EdgeMap mapOf(image::Size size, const std::function<bool(PicturePo
     return light[static_cast<std::size_t>(y) * w + static_cast<std::size_t>(x)];
   };
   map.edges.assign(w * h, 0);
-  map.proximity.assign(w * h, 0.f);
   map.gradientX.resize(w * h);
   map.gradientY.resize(w * h);
-  map.lab.assign(3 * w * h, 0.f);
+  map.look.assign(w * h, {});
   for (std::ptrdiff_t y = 0; y < size.height; ++y) {
     for (std::ptrdiff_t x = 0; x < size.width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * w + static_cast<std::size_t>(x);
       map.gradientX[i] = (at(x + 1, y) - at(x - 1, y)) / 2;
       map.gradientY[i] = (at(x, y + 1) - at(x, y - 1)) / 2;
-      map.lab[3 * i] = at(x, y);
+      map.look[i][0] = at(x, y);
       // An edge where the lightness passes the middle to the next pixel on the right or below.
       const bool here = at(x, y) < 60, right = at(x + 1, y) < 60, below = at(x, y + 1) < 60;
       if (here != right || here != below) map.edges[i] = 255;
@@ -76,7 +75,7 @@ inline image::EdgeMap mapOf(image::Size size, const std::function<bool(PicturePo
         for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - reach);
              u <= std::min<std::ptrdiff_t>(size.width - 1, x + reach); ++u) {
           const double away = std::hypot(static_cast<double>(u - x), static_cast<double>(v - y));
-          float& p = map.proximity[static_cast<std::size_t>(v) * w + static_cast<std::size_t>(u)];
+          float& p = map.look[static_cast<std::size_t>(v) * w + static_cast<std::size_t>(u)][3];
           p = std::max(p, static_cast<float>(1 - away / map.reach));
         }
       }

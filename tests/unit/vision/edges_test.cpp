@@ -112,7 +112,7 @@ TEST_CASE("plain, empty-looking and pure-noise pictures have next to no edges") 
   };
   const EdgeMap flat = edgesOf(discPicture(200, 200, {0, 0, 0}, {128, 128, 0}));
   CHECK(share(flat) == 0);
-  CHECK(*std::max_element(flat.proximity.begin(), flat.proximity.end()) == 0);
+  CHECK(std::ranges::all_of(flat.look, [](const auto& look) { return look[3] == 0; }));
   CHECK(share(edgesOf(discPicture(300, 300, {0, 0, 0}, {128, 128, 10}))) < 0.002);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("proximity is 1 on an edge, falls linearly with the distance and is 0 
         }
       }
       const double wanted = std::max(0.0, 1 - nearest / map.reach);
-      REQUIRE(map.proximity[static_cast<std::size_t>(y * map.width + x)] ==
+      REQUIRE(map.nearness(static_cast<std::size_t>(y * map.width + x)) ==
               doctest::Approx(wanted).epsilon(1e-5));
     }
   }
@@ -160,10 +160,9 @@ TEST_CASE(
   const std::size_t count =
       static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   CHECK(map.edges.size() == count);
-  CHECK(map.proximity.size() == count);
   CHECK(map.gradientX.size() == count);
   CHECK(map.gradientY.size() == count);
-  CHECK(map.lab.size() == 3 * count);
+  CHECK(map.look.size() == count);
   const Quality quality = qualityOf(map, disc);
   CHECK(quality.found >= 0.99);
   CHECK(quality.spurious <= 0.01);
@@ -178,7 +177,7 @@ TEST_CASE("turning the picture by 180 degrees turns the edges") {
   for (std::size_t i = 0; i < a.edges.size(); ++i) {
     edges += a.edges[i] != 0;
     const bool near =
-        b.proximity[a.edges.size() - 1 - i] > 0.1f;  // ties may thin to the other side
+        b.nearness(a.edges.size() - 1 - i) > 0.1f;  // ties may thin to the other side
     different += a.edges[i] != 0 && !near;
   }
   REQUIRE(edges > 100);

@@ -227,7 +227,7 @@ void checkProximity(const EdgeMap& map) {
       for (const auto& edge : edges) {
         nearest = std::min(nearest, std::hypot(edge[0] - x, edge[1] - y));
       }
-      REQUIRE(std::abs(map.proximity[indexOf(map, x, y)] -
+      REQUIRE(std::abs(map.nearness(indexOf(map, x, y)) -
                        std::max(0.0, 1 - nearest / map.reach)) <= 1e-5);
     }
   }
@@ -253,7 +253,7 @@ TEST_CASE("colour and gradient are those of the definition, up to rounding") {
       const double tolerance = sigma > 0 ? 0.002 : 0.004;
       for (std::size_t i = 0; i < lab.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-          REQUIRE(std::abs(map.lab[3 * i + c] - lab[i][c]) <= tolerance);
+          REQUIRE(std::abs(map.look[i][c] - lab[i][c]) <= tolerance);
         }
       }
       for (int y = 0; y < map.height; ++y) {
@@ -292,5 +292,5 @@ TEST_CASE("a picture of one colour has no edges and is near to none") {
   Image image{40, 30, std::vector<std::uint8_t>(4 * 40 * 30, 200)};
   const EdgeMap map = edgesOf(makePicture(image), {});
   CHECK(std::count(map.edges.begin(), map.edges.end(), 0) == 40 * 30);
-  CHECK(std::count(map.proximity.begin(), map.proximity.end(), 0.0f) == 40 * 30);
+  CHECK(std::ranges::all_of(map.look, [](const auto& look) { return look[3] == 0; }));
 }

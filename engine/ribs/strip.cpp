@@ -1,0 +1,201 @@
+// The picture along the gradient curves.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/ribs/evidence.h"
+#include "engine/ribs/lanes.h"
+
+namespace spineloft::ribs {
+namespace {
+
+// What one curve stands for: the stretch of its level set half-way to either neighbour, sampled this
+// far apart (map pixels), at most so many times on either side.
+constexpr float kBandStep = 2;
+constexpr int kMostBand = 8;
+
+constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// shares[s][q]: how far the q-th of s samples is on the way to the neighbour.
+using Shares = std::array<std::array<float, kMostBand + 1>, kMostBand + 1>;
+constexpr Shares makeShares() {
+  Shares shares{};
+  for (int s = 0; s <= kMostBand; ++s) {
+    for (int q = 0; q <= kMostBand; ++q)
+      shares[index(s)][index(q)] = static_cast<float>(q) / static_cast<float>(2 * s + 1);
+  }
+  return shares;
+}
+constexpr Shares kShares = makeShares();
+
+// Sums of colour and nearness between the map's pixels (bilinear, clamped to the map).
+class Sampler {
+ public:
+  explicit Sampler(const image::EdgeMap& map)
+      : look_(map.look.data()),
+        row_(index(map.width)),
+        right_(map.width > 1 ? 1 : 0),
+        below_(map.height > 1 ? row_ : 0),
+        most_{static_cast<float>(map.width - 1), static_cast<float>(map.height - 1), 0, 0},
+        mostStart_{static_cast<float>(std::max(0, map.width - 2)),
+                   static_cast<float>(std::max(0, map.height - 2)), 0, 0} {}
+
+  void clear() {
+    sum_ = all4(0);
+    count_ = 0;
+  }
+
+  // The first of the four pixels around map coordinates (x, y, –, –), and where between them it is.
+  struct Place {
+    std::size_t first;
+    float u, v;
+  };
+  Place locate(Float4 at) const {
+    const Float4 held = least4(most4(at, all4(0)), most_);
+    const Int4 start = __builtin_convertvector(least4(held, mostStart_), Int4);
+    const Float4 share = held - __builtin_convertvector(start, Float4);
+    return {static_cast<std::size_t>(start[1]) * row_ + static_cast<std::size_t>(start[0]),
+            share[0], share[1]};
+  }
+  std::size_t nearest(const Place& p) const {
+    return p.first + (p.u < 0.5f ? 0 : right_) + (p.v < 0.5f ? 0 : below_);
+  }
+
+  void add(const Place& p) {
+    const auto* first = look_ + p.first;
+    const auto at = [](const std::array<float, 4>* look) { return load4(look->data()); };
+    add(at(first), at(first + right_), at(first + below_), at(first + below_ + right_), p);
+  }
+  // With another plane's nearness than the map's.
+  void add(const Place& p, const std::vector<float>& proximity) {
+    const auto at = [&](std::size_t pixel) {
+      Float4 look = load4(look_[pixel].data());
+      look[3] = proximity[pixel];
+      return look;
+    };
+    const std::size_t below = p.first + below_;
+    add(at(p.first), at(p.first + right_), at(below), at(below + right_), p);
+  }
+
+  void read(std::array<float, 4>& lab, float& near) const {
+    const Float4 mean = sum_ / count_;
+    lab = {mean[0], mean[1], mean[2], 0};
+    near = mean[3];
+  }
+
+ private:
+  void add(Float4 a, Float4 b, Float4 c, Float4 d, const Place& p) {
+    const Float4 top = a + (b - a) * p.u, bottom = c + (d - c) * p.u;
+    sum_ += top + (bottom - top) * p.v;
+    ++count_;
+  }
+
+  const std::array<float, 4>* look_;
+  std::size_t row_, right_, below_;
+  Float4 most_, mostStart_;
+  Float4 sum_ = all4(0);
+  float count_ = 0;
+};
+
+// Map coordinates of all points of the curves, and how many band samples lie between each curve and
+// the next one, on either's half of the way.
+void placeBands(const GradientCurves& curves, const image::EdgeMap& edges, float apart,
+                StripScratch& scratch) {
+  const std::size_t size = curves.x.size();
+  scratch.mapX.resize(size);
+  scratch.mapY.resize(size);
+  scratch.steps.resize(size);
+  const auto scaleX = static_cast<float>(1 / edges.scaleX), scaleY = static_cast<float>(1 / edges.scaleY);
+  const int total = curves.layout.total();
+  for (int c = 0; c < total; ++c) {
+    const std::size_t row = curves.at(c, 0), next = curves.at(c + 1 < total ? c + 1 : 0, 0);
+    const int reached = curves.reached[index(c)];
+    const int both = std::min(reached, curves.reached[index(c + 1 < total ? c + 1 : 0)]);
+    const float *x = &curves.x[row], *y = &curves.y[row];
+    float *mapX = &scratch.mapX[row], *mapY = &scratch.mapY[row];
+    for (int k = 0; k < reached; ++k) {
+      mapX[k] = (x[k] + 0.5f) * scaleX - 0.5f;
+      mapY[k] = (y[k] + 0.5f) * scaleY - 0.5f;
+    }
+    const float *nextX = &curves.x[next], *nextY = &curves.y[next];
+    float* steps = &scratch.steps[row];
+    for (int k = 0; k < both; ++k) {
+      const float dx = nextX[k] - x[k], dy = nextY[k] - y[k];
+      const float room = 0.5f * std::sqrt(dx * dx + dy * dy) / apart;
+      steps[k] = room < kMostBand ? room : static_cast<float>(kMostBand);
+    }
+    std::fill(steps + both, steps + curves.levels, 0.f);
+  }
+}
+
+// Fills one curve's row; `marked`: whether something is ignored.
+template <bool marked>
+void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, int c, Sampler& sampler,
+                 Strip& strip) {
+  const int total = strip.curves;
+  const std::size_t row = curves.at(c, 0);
+  const std::size_t before = curves.at(c > 0 ? c - 1 : total - 1, 0);
+  const std::size_t after = curves.at(c + 1 < total ? c + 1 : 0, 0);
+  const StripScratch& s = strip.scratch;
+  const auto sample = [&](Float4 at) {
+    const Sampler::Place place = sampler.locate(at);
+    if constexpr (marked) {
+      if (ignored->mask[sampler.nearest(place)] != 0) return false;
+    }
+    if constexpr (marked) {
+      sampler.add(place, ignored->proximity);
+    } else {
+      sampler.add(place);
+    }
+    return true;
+  };
+  const int reached = curves.reached[index(c)];
+  for (std::size_t k = 0; k < index(reached); ++k) {
+    const Float4 here{s.mapX[row + k], s.mapY[row + k], 0, 0};
+    sampler.clear();
+    if (!sample(here)) {
+      strip.ignored[row + k] = 1;
+      sampler.add(sampler.locate(here));
+      sampler.read(strip.lab[row + k], strip.proximity[row + k]);
+      strip.proximity[row + k] = 0;
+      continue;
+    }
+    const auto band = [&](std::size_t other, float room) {
+      const auto steps = static_cast<std::size_t>(room);
+      if (steps == 0) return;
+      const Float4 way = Float4{s.mapX[other + k], s.mapY[other + k], 0, 0} - here;
+      for (std::size_t q = 1; q <= steps; ++q) sample(here + kShares[steps][q] * way);
+    };
+    band(before, s.steps[before + k]);
+    band(after, s.steps[row + k]);
+    sampler.read(strip.lab[row + k], strip.proximity[row + k]);
+  }
+}
+
+}  // namespace
+
+void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
+                 const IgnoredEdges* ignored, Strip& strip) {
+  const bool marked = ignored != nullptr && !ignored->empty();
+  strip.curves = curves.layout.total();
+  strip.levels = curves.levels;
+  strip.pixel = std::max(edges.scaleX, edges.scaleY);
+  strip.proximity.resize(curves.x.size());
+  strip.lab.resize(curves.x.size());
+  strip.ignored.assign(marked ? curves.x.size() : 0, 0);
+  placeBands(curves, edges, kBandStep * static_cast<float>(strip.pixel), strip.scratch);
+  Sampler sampler(edges);
+  for (int c = 0; c < strip.curves; ++c) {
+    const std::size_t end = curves.at(c, curves.reached[index(c)]), row = curves.at(c, 0);
+    if (marked) {
+      sampleCurve<true>(curves, ignored, c, sampler, strip);
+    } else {
+      sampleCurve<false>(curves, ignored, c, sampler, strip);
+    }
+    const std::size_t next = row + index(curves.levels);
+    std::fill(&strip.proximity[row] + (end - row), &strip.proximity[row] + (next - row), 0.f);
+    std::fill(&strip.lab[row] + (end - row), &strip.lab[row] + (next - row), std::array<float, 4>{});
+  }
+}
+
+}  // namespace spineloft::ribs
