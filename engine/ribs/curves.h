@@ -54,6 +54,8 @@ struct GradientCurves {
   PicturePoint point(int curve, int level) const {
     return {static_cast<double>(x[at(curve, level)]), static_cast<double>(y[at(curve, level)])};
   }
+  /// The point at an arc length, held to where the curve is.
+  PicturePoint pointAlong(int curve, double length) const;
 };
 
 /// Follows x' = ∇d2 / |∇d2|² (in the parameter ρ) from the hull: the spine's points offset by

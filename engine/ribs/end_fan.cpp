@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/ribs/pen_line.h"
+
 namespace spineloft::ribs {
 namespace {
 
@@ -163,8 +165,12 @@ EndFan followEnd(const EndSite& site, LengthWorkspace& workspace) {
   const LengthProblem chain = chainOf(site, frame, guess);
   const std::vector<int> labels = optimalSide(chain, chain.left, workspace);
   EndFan fan;
-  for (int i = 1; i + 1 < chain.ribs; ++i)
-    fan.points.push_back(site.curves.point(fanCurve(site, i), labels[index(i)]));
+  for (int i = 1; i + 1 < chain.ribs; ++i) {
+    const int curve = fanCurve(site, i);
+    const double along = site.curves.along[site.curves.at(curve, labels[index(i)])];
+    fan.points.push_back(site.curves.pointAlong(
+        curve, site.edges ? middleOfLine(site.curves, *site.edges, curve, along) : along));
+  }
   if (guess.shape == EndShape::Flat) {
     fan.points = withCorners(site, frame, guess.extent, fan.points);
   }

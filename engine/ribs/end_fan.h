@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/image/edge_map.h"
 #include "engine/ribs/curves.h"
 #include "engine/ribs/rib_lengths.h"
 #include "engine/ribs/ribs.h"
@@ -26,6 +27,7 @@ struct EndSite {
   PicturePoint left, right;           ///< ends of the last rib
   int leftLabel = 0, rightLabel = 0;  ///< their labels
   float neighbourWeight = 0.7f;       ///< against jumps of the outline from its shape
+  const image::EdgeMap* edges = nullptr;  ///< a drawn outline is met in its middle; may be null
 };
 
 /// The shape that explains an end best. Its half width is half the last rib.

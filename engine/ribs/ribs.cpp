@@ -11,6 +11,7 @@
 #include "engine/ribs/evidence.h"
 #include "engine/ribs/fairing.h"
 #include "engine/ribs/lean.h"
+#include "engine/ribs/pen_line.h"
 #include "engine/ribs/rib_lengths.h"
 #include "engine/ribs/rivals.h"
 #include "engine/ribs/trace_variant.h"
@@ -30,6 +31,7 @@ struct RibWorkspace::Search {
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
   LengthWorkspace workspace;
+  const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
 };
 
 namespace {
@@ -253,26 +255,15 @@ void readRivals(const Search& s, const LengthLabels& labels, bool leftSide, RibS
   }
 }
 
-// The point at an arc length of a curve.
-PicturePoint pointAlong(const GradientCurves& curves, int curve, double length) {
-  const int last = curves.reached[index(curve)] - 1;
-  const float* along = &curves.along[curves.at(curve, 0)];
-  int k = 0;
-  while (k + 1 < last && static_cast<double>(along[k + 1]) < length) ++k;
-  if (last < 1) return curves.point(curve, 0);
-  const double from = along[k], run = std::max(1e-9, static_cast<double>(along[k + 1]) - from);
-  return lerp(curves.point(curve, k), curves.point(curve, k + 1),
-              std::clamp((length - from) / run, 0.0, 1.0));
-}
-
-// Where the ends of one side stand: the labels' places, made fair.
+// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair.
 std::vector<double> endLengths(const Search& s, const std::vector<int>& labels, bool leftSide) {
   SideLengths side;
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
     const double support = s.support[at];
-    side.length.push_back(s.curves.along[at]);
+    const double length = s.curves.along[at];
+    side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
     side.trust.push_back(support * support);
   }
   return fairLengths(side, s.params.fairing);
@@ -289,8 +280,8 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
     const std::size_t at = index(i);
     const int l = labels.left[at], r = labels.right[at];
     set.ribs[at] = {s.spine.points[at],
-                    pointAlong(s.curves, s.curves.layout.left(i), leftLengths[at]),
-                    pointAlong(s.curves, s.curves.layout.right(i), rightLengths[at]),
+                    s.curves.pointAlong(s.curves.layout.left(i), leftLengths[at]),
+                    s.curves.pointAlong(s.curves.layout.right(i), rightLengths[at]),
                     leftStates[at],
                     rightStates[at],
                     s.levels.d2[index(l)],
@@ -304,10 +295,10 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
   readRivals(s, labels, false, set);
   const Rib &first = set.ribs.front(), &last = set.ribs.back();
   set.startFan = followEnd({s.curves, s.costs, true, first.left, first.right, labels.left.front(),
-                            labels.right.front(), s.problem.neighbourWeight},
+                            labels.right.front(), s.problem.neighbourWeight, s.edges},
                            s.workspace);
   set.endFan = followEnd({s.curves, s.costs, false, last.left, last.right, labels.left.back(),
-                          labels.right.back(), s.problem.neighbourWeight},
+                          labels.right.back(), s.problem.neighbourWeight, s.edges},
                          s.workspace);
   set.energy = energyOf(s.problem, labels);
   const double middle = 0.5 * (s.problem.levels - 1);
@@ -325,6 +316,7 @@ Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
   s.spine = spine;
+  s.edges = edges.empty() ? nullptr : &edges;
   s.params = params;
   s.field.assign(spine.points);
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
