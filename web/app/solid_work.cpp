@@ -56,6 +56,18 @@ void writeNode(JsonWriter& json, const publish::SolidPlan& plan, const publish::
   json.key("cut").number(node.cut).key("coarse").flag(coarse).endObject();
 }
 
+/// Whether parts that are drawn together look as the solid of the step does: they are only joined, with no round
+/// seams and no look of the whole.
+bool looksAsItsParts(const document::Document& document, const document::Step& step, int depth = 0) {
+  constexpr int kMostDepth = 64;
+  if (step.kind != document::StepKind::Join || step.blend > 0 || depth > kMostDepth) return false;
+  if (depth == 0 && step.ownLook) return false;
+  return std::ranges::all_of(step.operands, [&](const document::Operand& operand) {
+    const document::Step* inner = operand.step ? findStep(document, operand.step) : nullptr;
+    return operand.part || (inner != nullptr && looksAsItsParts(document, *inner, depth + 1));
+  });
+}
+
 /// A preview's solid is coarser: it must not be taken for the real one.
 std::uint64_t previewKey(std::uint64_t key) { return key ^ 0x5b1d9ac3e7f20861u; }
 
@@ -149,12 +161,17 @@ void SolidWork::preview(const document::Document& document, pipeline::Derived& d
   std::vector<std::uint64_t> missing;
   for (const std::size_t index : plan.roots) {
     const publish::SolidPlan::Node& node = plan.nodes[index];
+    const auto at = std::ranges::find(derived.steps, node.step, &pipeline::DerivedStep::id);
+    const document::Step* step = findStep(document, node.step);
     auto known = solids_.find(node.key);
+    if (!known && step != nullptr && at != derived.steps.end() && looksAsItsParts(document, *step)) {
+      at->solid = nullptr;
+      continue;
+    }
     if (!known) known = solids_.find(previewKey(node.key));
     if (!known && troubleOf(node.key) == nullptr && troubleOf(previewKey(node.key)) == nullptr) {
       missing.push_back(node.key);
     }
-    const auto at = std::ranges::find(derived.steps, node.step, &pipeline::DerivedStep::id);
     if (known && at != derived.steps.end()) at->solid = known;
   }
   if (!missing.empty() && !asked_) ask(plan, std::move(missing), true);

@@ -27,7 +27,8 @@ class SolidWork {
   /// at.
   void update(const document::Document& document, pipeline::Derived& derived);
   /// The same for a document as a gesture would make it, with another mesh for a part that is being edited, unless
-  /// the solver is at something: the hand never waits. What comes shows until the next `update`.
+  /// the solver is at something: the hand never waits. What comes shows until the next `update`. Parts that are only
+  /// joined show themselves meanwhile: that looks the same, and costs nothing.
   void preview(const document::Document& document, pipeline::Derived& derived,
                const publish::Substitute* instead);
 

@@ -1,0 +1,256 @@
+// Solids on the page, with a solver that does as it is told: what is asked of it, what becomes of its answers.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/unit/web/rig.h"
+
+using namespace spineloft;
+using spineloft::app::Json;
+using spineloft::test::Rig;
+
+namespace {
+
+/// Two bars side by side, stuck together; nothing is answered yet.
+struct Stuck : Rig {
+  Stuck() {
+    openBar();
+    drawBar();
+    run("draw-spine", R"({"stroke": [[110, 50], [112, 100], [110, 150]]})");
+    settle();
+    CHECK(run("stick-together", R"({"parts": [1, 2]})").flag("ok").value_or(false));
+    state();
+  }
+
+  /// How often the solver was asked, and what for last.
+  std::size_t asked() const {
+    std::size_t count = 0;
+    for (const std::string& json : host.sent) count += json.find(R"("type":"solve")") != std::string::npos;
+    return count;
+  }
+  Json lastAsked() const {
+    for (std::size_t i = host.sent.size(); i > 0; --i) {
+      if (host.sent[i - 1].find(R"("type":"solve")") != std::string::npos) return *Json::parse(host.sent[i - 1]);
+    }
+    FAIL("nothing was asked");
+    return {};
+  }
+  Json step(std::size_t i = 0) { return (*state().find("steps")->array())[i]; }
+  std::string status(std::size_t i = 0) { return *step(i).text("status"); }
+
+  /// An answer to the request, with what else it says.
+  static Json answerTo(const Json& request, Json::Object more) {
+    more.emplace_back("id", *request.number("id"));
+    return more;
+  }
+  static Json ofSolid(const Json& request, const char* what, Json value) {
+    return answerTo(request, {{"step", 1},
+                              {"key", *request.find("wanted")->array()->front().text()},
+                              {"coarse", request.find("nodes")->array()->back().flag("coarse").value_or(false)},
+                              {"ms", 3},
+                              {what, std::move(value)}});
+  }
+  void say(const Json& answer, std::span<const std::uint8_t> bytes = {}) {
+    app::JsonWriter json;
+    json.value(answer);
+    app->solved(json.json(), bytes);
+  }
+  /// A tetrahedron, whatever was asked for; half of it from each part.
+  void answer(const Json& request, float size = 1) {
+    const std::array<float, 12> positions{0, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size};
+    const std::array<float, 8> uv{};
+    const std::array<std::uint32_t, 12> corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    std::vector<std::uint8_t> bytes(sizeof positions + sizeof uv + sizeof corners);
+    std::memcpy(bytes.data(), positions.data(), sizeof positions);
+    std::memcpy(bytes.data() + sizeof positions, uv.data(), sizeof uv);
+    std::memcpy(bytes.data() + sizeof positions + sizeof uv, corners.data(), sizeof corners);
+    const Json mesh = *Json::parse(R"({"vertices":4,"triangles":4,"merges":0,"volume":0.1,"area":2,"genus":0,)"
+                                   R"("runs":[{"part":1,"first":0,"count":2},{"part":2,"first":2,"count":2}]})");
+    say(ofSolid(request, "mesh", mesh), bytes);
+    done(request);
+  }
+  void fail(const Json& request, Json failure) {
+    say(ofSolid(request, "failure", std::move(failure)));
+    done(request);
+  }
+  void done(const Json& request) { say(answerTo(request, {{"done", true}})); }
+  void lost(const Json& request) { say(answerTo(request, {{"lost", true}})); }
+};
+
+}  // namespace
+
+TEST_CASE("what is stuck together is asked for once, and the answer becomes the solid") {
+  Stuck rig;
+  REQUIRE(rig.asked() == 1);
+  const Json request = rig.lastAsked();
+  CHECK(request.find("meshes")->array()->size() == 2);
+  CHECK(rig.status() == "waiting");
+  CHECK(rig.state().flag("busy").value_or(false));
+  rig.answer(request);
+  CHECK(rig.settle());
+  CHECK(rig.status() == "ready");
+  CHECK(rig.step().number("triangles") == 4);
+  CHECK(rig.asked() == 1);
+  // One mesh for the faces from each part, none for the parts themselves.
+  CHECK(rig.gl->last.meshes.size() == 2);
+  const auto stl = rig.app->exportModel("stl");
+  CHECK(std::vector<std::uint8_t>(stl.begin(), stl.end()).size() == 84 + 4 * 50);
+}
+
+TEST_CASE("undo takes the solid apart, redo has it again without asking") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  rig.run("undo");
+  CHECK(rig.state().find("steps")->array()->empty());
+  rig.run("redo");
+  CHECK(rig.settle());
+  CHECK(rig.status() == "ready");
+  CHECK(rig.asked() == 1);
+}
+
+TEST_CASE("a newer request replaces an older one, whose answer comes too late and harms nothing") {
+  Stuck rig;
+  const Json first = rig.lastAsked();
+  rig.run("set-section", R"({"part": 1, "section": "square"})");
+  rig.state();
+  REQUIRE(rig.asked() == 2);
+  const Json second = rig.lastAsked();
+  CHECK(first.number("id") != second.number("id"));
+  rig.answer(first);
+  CHECK(rig.status() == "waiting");
+  rig.answer(second, 2);
+  CHECK(rig.settle());
+  CHECK(rig.status() == "ready");
+}
+
+TEST_CASE("a part that is deleted while it is put together leaves the other one, and no solid") {
+  Stuck rig;
+  const Json request = rig.lastAsked();
+  rig.run("select-part", R"({"id": 2})");
+  rig.run("delete-part");
+  CHECK(rig.state().find("steps")->array()->empty());
+  rig.answer(request);
+  CHECK(rig.settle());
+  CHECK(rig.parts() == 1);
+  CHECK_FALSE(rig.state().flag("busy").value_or(true));
+  rig.run("undo");
+  rig.settle();
+  CHECK(rig.parts() == 2);
+  CHECK(rig.state().find("steps")->array()->size() == 1);
+}
+
+TEST_CASE("when the solver dies it is said, the last good solid stays, and one can try again") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  rig.run("set-section", R"({"part": 1, "section": "square"})");
+  rig.state();
+  rig.lost(rig.lastAsked());
+  CHECK(rig.settle());
+  CHECK(rig.status() == "failed");
+  CHECK(*rig.step().text("failure") == "SolverStopped");
+  CHECK(rig.host.said("was interrupted. Nothing is lost"));
+  CHECK(rig.step().number("triangles") == 4);
+  CHECK(rig.gl->last.meshes.size() == 2);
+  const std::size_t before = rig.asked();
+  rig.run("solve-again");
+  rig.state();
+  CHECK(rig.asked() == before + 1);
+  rig.answer(rig.lastAsked());
+  CHECK(rig.settle());
+  CHECK(rig.status() == "ready");
+}
+
+TEST_CASE("cancelling stops the solver and says so; nothing is asked again by itself") {
+  Stuck rig;
+  rig.app->cancelWork();
+  CHECK(rig.settle());
+  CHECK(rig.host.said("stopSolving"));
+  CHECK(*rig.step().text("failure") == "Cancelled");
+  CHECK(rig.asked() == 1);
+  // The parts are all still there, and shown.
+  CHECK(rig.gl->last.meshes.size() == 2);
+  CHECK(rig.parts() == 2);
+}
+
+TEST_CASE("a failure names the part and the place, and every kind of it has a sentence") {
+  for (const char* error : {"SolidEmpty", "WallTooThick", "PartCrossesItself", "SolidFailed", "OutOfMemory"}) {
+    CAPTURE(error);
+    Stuck rig;
+    rig.fail(rig.lastAsked(), Json::Object{{"error", error}, {"part", 2}, {"at", Json::Array{0.1, -0.2, 0.3}}});
+    CHECK(rig.settle());
+    const Json step = rig.step();
+    CHECK(*step.text("failure") == error);
+    CHECK(step.text("sentence")->size() > 20);
+    CHECK(step.number("faulty") == 2);
+    REQUIRE(step.find("at")->array()->size() == 3);
+    CHECK((*step.find("at")->array())[1].number() == -0.2);
+    CHECK(rig.host.said("\"error\""));
+    CHECK(rig.asked() == 1);
+  }
+}
+
+TEST_CASE("while a part that is only stuck together is in hand, it shows itself: the hand waits for no solver") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  rig.run("select-part", R"({"id": 1})");
+  rig.run("ribs");
+  rig.settle();
+  const Json part = (*rig.state().find("parts")->array())[0];
+  const Json::Array& ribs = *part.find("ribs")->array();
+  const Json::Array& end = *ribs[ribs.size() / 2].find("left")->array();
+  const std::size_t before = rig.asked();
+  rig.press(*end[0].number(), *end[1].number(), *end[0].number() - 15, *end[1].number());
+  for (int i = 0; i < 20; ++i) {
+    rig.host.clockMs += 16;
+    rig.app->frame();
+  }
+  CHECK(rig.asked() == before);
+  CHECK(rig.gl->last.meshes.size() == 2);
+  CHECK(rig.gl->last.meshes[0].mesh->triangles.size() > 100);
+  rig.lift();
+  rig.state();
+  REQUIRE(rig.asked() == before + 1);
+  rig.answer(rig.lastAsked());
+  CHECK(rig.settle());
+  CHECK(rig.status() == "ready");
+}
+
+TEST_CASE("a round seam follows the hand as a coarse solid") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.run("set-step", R"({"step": 1, "blend": 0.02})");
+  rig.state();
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  rig.run("select-part", R"({"id": 1})");
+  rig.run("ribs");
+  rig.settle();
+  const Json part = (*rig.state().find("parts")->array())[0];
+  const Json::Array& ribs = *part.find("ribs")->array();
+  const Json::Array& end = *ribs[ribs.size() / 2].find("left")->array();
+  rig.press(*end[0].number(), *end[1].number(), *end[0].number() - 15, *end[1].number());
+  for (int i = 0; i < 20; ++i) {
+    rig.host.clockMs += 16;
+    rig.app->frame();
+  }
+  const Json request = rig.lastAsked();
+  CHECK(request.find("nodes")->array()->back().flag("coarse").value_or(false));
+  rig.answer(request, 0.5);
+  rig.app->frame();
+  CHECK(rig.gl->last.meshes[0].mesh->triangles.size() == 2);
+  rig.lift();
+  rig.state();
+  const Json fine = rig.lastAsked();
+  CHECK_FALSE(fine.find("nodes")->array()->back().flag("coarse").value_or(true));
+  rig.answer(fine);
+  CHECK(rig.settle());
+}
