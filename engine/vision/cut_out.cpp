@@ -10,8 +10,6 @@
 namespace spineloft::vision {
 namespace {
 
-using Contours = std::vector<std::vector<PicturePoint>>;
-
 constexpr int kRounds = 4;
 /// Colours this near to the one under a hint (8-bit Lab) may belong to the thing.
 constexpr double kNearColour = 22;
@@ -23,29 +21,71 @@ constexpr double kLeastShare = 0.0008, kMostShare = 0.92;
 constexpr double kNoiseShare = 0.0004;
 constexpr int kSmoothing = 3;  ///< steps of an outline on either side that smooth it
 
-/// The copy that is cut, and how many original pixels one of its pixels is.
+/// A box and what is round it are cut by themselves: what lies farther away says less about the ground
+/// than it costs. Share of the box's longer side.
+constexpr double kRoundBox = 0.1;
+/// Where a box gives nothing, only this ellipse in its middle is likely at first: share of its axes,
+/// squared.
+constexpr double kCore = 0.35;
+
+/// The copy that is cut, how many original pixels one of its pixels is, and where it begins.
 struct Copy {
   cv::Mat bgr;
   double scaleX = 1, scaleY = 1;
+  PicturePoint corner;  ///< of its first pixel's outer edge
   cv::Point at(PicturePoint p) const {
-    return {static_cast<int>(std::lround((p.x + 0.5) / scaleX - 0.5)),
-            static_cast<int>(std::lround((p.y + 0.5) / scaleY - 0.5))};
+    return {static_cast<int>(std::lround((p.x - corner.x) / scaleX - 0.5)),
+            static_cast<int>(std::lround((p.y - corner.y) / scaleY - 0.5))};
   }
   bool holds(cv::Point p) const {
     return p.x >= 0 && p.y >= 0 && p.x < bgr.cols && p.y < bgr.rows;
   }
   PicturePoint back(double x, double y) const {
-    return {(x + 0.5) * scaleX - 0.5, (y + 0.5) * scaleY - 0.5};
+    return {(x + 0.5) * scaleX + corner.x, (y + 0.5) * scaleY + corner.y};
   }
 };
 
-Copy copyOf(const image::Picture& picture) {
+/// What of the working pixels is cut: all, or the box with the marks and some ground round it.
+cv::Rect frameOf(const image::Picture& picture, const CutHints& hints) {
   const image::Image& working = picture.working;
+  const cv::Rect all(0, 0, working.width, working.height);
+  if (!hints.box) return all;
+  PicturePoint low = hints.box->low, high = hints.box->high;
+  const double room = kRoundBox * std::max(high.x - low.x, high.y - low.y);
+  for (const CutMark& mark : hints.marks) {
+    for (const PicturePoint p : mark.line) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  const double toX = static_cast<double>(working.width) / picture.width;
+  const double toY = static_cast<double>(working.height) / picture.height;
+  const auto whole = [](double v, int most) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(most))); };
+  const cv::Point from(whole(std::floor((low.x - room) * toX), working.width),
+                       whole(std::floor((low.y - room) * toY), working.height));
+  const cv::Point to(whole(std::ceil((high.x + room) * toX), working.width),
+                     whole(std::ceil((high.y + room) * toY), working.height));
+  const cv::Rect frame(from, to);
+  return frame.width > 4 && frame.height > 4 ? frame : all;
+}
+
+image::Image cropped(const image::Image& whole, const cv::Rect& frame) {
+  if (frame.width == whole.width && frame.height == whole.height) return whole;
+  image::Image part{frame.width, frame.height, {}};
+  part.pixels.reserve(4 * static_cast<std::size_t>(frame.area()));
+  for (int y = frame.y; y < frame.y + frame.height; ++y) {
+    const auto row = whole.pixels.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * whole.width + frame.x);
+    part.pixels.insert(part.pixels.end(), row, row + 4 * static_cast<std::ptrdiff_t>(frame.width));
+  }
+  return part;
+}
+
+Copy copyOf(const image::Picture& picture, const cv::Rect& frame) {
   const double shrink =
-      std::min(1.0, static_cast<double>(kCutSide) / std::max(working.width, working.height));
-  const int width = std::max(2, static_cast<int>(std::lround(working.width * shrink)));
-  const int height = std::max(2, static_cast<int>(std::lround(working.height * shrink)));
-  const image::Image small = image::shrink(working, width, height);
+      std::min(1.0, static_cast<double>(kCutSide) / std::max(frame.width, frame.height));
+  const int width = std::max(2, static_cast<int>(std::lround(frame.width * shrink)));
+  const int height = std::max(2, static_cast<int>(std::lround(frame.height * shrink)));
+  const image::Image small = image::shrink(cropped(picture.working, frame), width, height);
   Copy copy;
   if (small.empty()) return copy;
   copy.bgr.create(small.height, small.width, CV_8UC3);
@@ -57,21 +97,70 @@ Copy copyOf(const image::Picture& picture) {
       copy.bgr.at<cv::Vec3b>(y, x) = {small.pixels[i + 2], small.pixels[i + 1], small.pixels[i]};
     }
   }
-  copy.scaleX = static_cast<double>(picture.width) / small.width;
-  copy.scaleY = static_cast<double>(picture.height) / small.height;
+  const double perX = static_cast<double>(picture.width) / picture.working.width;
+  const double perY = static_cast<double>(picture.height) / picture.working.height;
+  copy.scaleX = perX * frame.width / small.width;
+  copy.scaleY = perY * frame.height / small.height;
+  copy.corner = {frame.x * perX - 0.5, frame.y * perY - 0.5};
   return copy;
+}
+
+/// What a mark covers.
+void paintMark(const Copy& copy, const CutMark& mark, int value, cv::Mat& mask) {
+  const double side = std::max(copy.bgr.cols, copy.bgr.rows);
+  const double radius = std::max(mark.radius / std::max(copy.scaleX, copy.scaleY), kLeastMark * side);
+  const int thick = std::max(2, static_cast<int>(std::lround(radius)));
+  const cv::Scalar colour(value);
+  for (std::size_t i = 0; i < mark.line.size(); ++i) {
+    const cv::Point at = copy.at(mark.line[i]);
+    cv::circle(mask, at, thick, colour, cv::FILLED);
+    if (i > 0) cv::line(mask, copy.at(mark.line[i - 1]), at, colour, 2 * thick + 1);
+  }
+}
+
+/// Where marks say so it is certain; round a mark beyond the box it becomes possible.
+void addMarks(const Copy& copy, const CutHints& hints, cv::Mat& mask) {
+  const double side = std::max(copy.bgr.cols, copy.bgr.rows);
+  for (const CutMark& mark : hints.marks) {
+    if (mark.inside) {
+      CutMark wide = mark;
+      wide.radius += kLikelyRadius * side * std::max(copy.scaleX, copy.scaleY);
+      cv::Mat near = cv::Mat::zeros(mask.size(), CV_8UC1);
+      paintMark(copy, wide, 255, near);
+      mask.setTo(cv::Scalar(cv::GC_PR_BGD), near & (mask == cv::GC_BGD));
+    }
+    paintMark(copy, mark, mark.inside ? cv::GC_FGD : cv::GC_BGD, mask);
+  }
+  // What became possible round a mark stays impossible where another one says so.
+  for (const CutMark& mark : hints.marks) {
+    paintMark(copy, mark, mark.inside ? cv::GC_FGD : cv::GC_BGD, mask);
+  }
+}
+
+/// The pixels that marks of one kind cover and no later one takes back.
+cv::Mat markedAs(const Copy& copy, const CutHints& hints, bool inside) {
+  cv::Mat marked = cv::Mat::zeros(copy.bgr.size(), CV_8UC1);
+  for (const CutMark& mark : hints.marks) paintMark(copy, mark, mark.inside == inside ? 255 : 0, marked);
+  return marked;
 }
 
 /// What is likely before any cut: within the box, or what has the colour under a hint and hangs
 /// together with it.
-cv::Mat firstGuess(const Copy& copy, const CutHints& hints) {
+cv::Mat firstGuess(const Copy& copy, const CutHints& hints, bool coreOnly) {
   const int side = std::max(copy.bgr.cols, copy.bgr.rows);
   cv::Mat mask(copy.bgr.size(), CV_8UC1, cv::Scalar(cv::GC_PR_BGD));
   if (hints.box) {
     mask.setTo(cv::Scalar(cv::GC_BGD));
     const cv::Point a = copy.at(hints.box->low), b = copy.at(hints.box->high);
     const cv::Rect rect = cv::Rect(a, b) & cv::Rect(0, 0, mask.cols, mask.rows);
-    mask(rect).setTo(cv::Scalar(cv::GC_PR_FGD));
+    mask(rect).setTo(cv::Scalar(coreOnly ? cv::GC_PR_BGD : cv::GC_PR_FGD));
+    if (coreOnly) {
+      const double share = std::sqrt(kCore) / 2;
+      const cv::Size axes(std::max(1, static_cast<int>(rect.width * share)),
+                          std::max(1, static_cast<int>(rect.height * share)));
+      const cv::Point middle(rect.x + rect.width / 2, rect.y + rect.height / 2);
+      cv::ellipse(mask, middle, axes, 0, 0, 360, cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
+    }
   }
   cv::Mat lab, calm;
   cv::GaussianBlur(copy.bgr, calm, {}, 1.2);
@@ -94,32 +183,68 @@ cv::Mat firstGuess(const Copy& copy, const CutHints& hints) {
   for (const PicturePoint hint : hints.outside) {
     if (copy.holds(copy.at(hint))) cv::circle(mask, copy.at(hint), dot, cv::Scalar(cv::GC_BGD), cv::FILLED);
   }
+  addMarks(copy, hints, mask);
   return mask;
 }
 
 /// Where the mask says that the thing is, certainly or likely.
 cv::Mat thingOf(const cv::Mat& mask) { return (mask & 1) * 255; }
 
-/// The pieces with a hint in them, or the largest; small holes filled.
-cv::Mat wantedPieces(const cv::Mat& thing, const Copy& copy, const CutHints& hints) {
-  cv::Mat labels, stats, centres;
-  const int count = cv::connectedComponentsWithStats(thing, labels, stats, centres, 4, CV_32S);
-  cv::Mat wanted = cv::Mat::zeros(thing.size(), CV_8UC1);
+/// Connected pieces of a mask.
+struct Pieces {
+  cv::Mat labels, stats;
+  int count = 0;
+  Pieces(const cv::Mat& mask, int connectivity) {
+    cv::Mat centres;
+    count = cv::connectedComponentsWithStats(mask, labels, stats, centres, connectivity, CV_32S);
+  }
+  int area(int piece) const { return stats.at<int>(piece, cv::CC_STAT_AREA); }
+  /// By piece: whether it has a pixel of `mask`.
+  std::vector<bool> touched(const cv::Mat& mask) const {
+    std::vector<bool> out(static_cast<std::size_t>(count), false);
+    for (int y = 0; y < mask.rows; ++y) {
+      for (int x = 0; x < mask.cols; ++x) {
+        if (mask.at<std::uint8_t>(y, x)) out[static_cast<std::size_t>(labels.at<int>(y, x))] = true;
+      }
+    }
+    return out;
+  }
+};
+
+/// The pieces with a hint or a mark in them, or the largest.
+cv::Mat wantedPieces(const cv::Mat& thing, const Copy& copy, const CutHints& hints, const cv::Mat& marked) {
+  const Pieces pieces(thing, 4);
+  std::vector<bool> keep = pieces.touched(marked & thing);
   for (const PicturePoint hint : hints.inside) {
     const cv::Point at = copy.at(hint);
-    if (!copy.holds(at) || labels.at<int>(at) == 0) continue;
-    wanted.setTo(cv::Scalar(255), labels == labels.at<int>(at));
+    if (copy.holds(at)) keep[static_cast<std::size_t>(pieces.labels.at<int>(at))] = true;
   }
+  keep[0] = false;  // the ground
   int largest = 0;
-  for (int i = 1; i < count; ++i) {
-    const bool more =
-        largest == 0 || stats.at<int>(i, cv::CC_STAT_AREA) > stats.at<int>(largest, cv::CC_STAT_AREA);
-    if (more) largest = i;
+  bool any = false;
+  for (int i = 1; i < pieces.count; ++i) {
+    any = any || keep[static_cast<std::size_t>(i)];
+    if (largest == 0 || pieces.area(i) > pieces.area(largest)) largest = i;
   }
-  if (cv::countNonZero(wanted) == 0 && largest > 0) {
-    wanted.setTo(cv::Scalar(255), labels == largest);
+  if (!any && largest > 0) keep[static_cast<std::size_t>(largest)] = true;
+  cv::Mat wanted = cv::Mat::zeros(thing.size(), CV_8UC1);
+  for (int y = 0; y < wanted.rows; ++y) {
+    for (int x = 0; x < wanted.cols; ++x) {
+      if (keep[static_cast<std::size_t>(pieces.labels.at<int>(y, x))]) wanted.at<std::uint8_t>(y, x) = 255;
+    }
   }
   return wanted;
+}
+
+/// Pieces of `mask` below the size of noise become `value`, but for those with a marked pixel.
+void dropNoise(cv::Mat& mask, const cv::Mat& of, const cv::Mat& marked, int value) {
+  const double noise = kNoiseShare * static_cast<double>(of.total());
+  const Pieces pieces(of, 4);
+  const std::vector<bool> keep = pieces.touched(marked);
+  for (int i = 1; i < pieces.count; ++i) {
+    if (pieces.area(i) >= noise || keep[static_cast<std::size_t>(i)]) continue;
+    mask.setTo(cv::Scalar(value), pieces.labels == i);
+  }
 }
 
 /// A closed outline of whole pixels with its steps evened out: each point is a mean of those around it.
@@ -141,7 +266,7 @@ std::vector<PicturePoint> smoothOutline(const std::vector<cv::Point>& pixels, co
 }
 
 /// Outlines between pixels: the mask is traced at twice its size, so that the thing keeps its width.
-Contours outlinesOf(const cv::Mat& thing, const Copy& copy) {
+CutContours outlinesOf(const cv::Mat& thing, const Copy& copy) {
   cv::Mat large;
   cv::resize(thing, large, {}, 2, 2, cv::INTER_NEAREST);
   cv::copyMakeBorder(large, large, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
@@ -150,10 +275,9 @@ Contours outlinesOf(const cv::Mat& thing, const Copy& copy) {
   Copy fine = copy;
   fine.scaleX /= 2;
   fine.scaleY /= 2;
-  Contours contours;
-  const double noise = kNoiseShare * static_cast<double>(large.total());
+  CutContours contours;
   for (auto& pixels : traced) {
-    if (pixels.size() < 8 || cv::contourArea(pixels) < noise) continue;
+    if (pixels.size() < 8) continue;
     for (cv::Point& p : pixels) p -= cv::Point(1, 1);
     contours.push_back(smoothOutline(pixels, fine));
   }
@@ -168,47 +292,118 @@ bool isUsable(const CutHints& hints, const Copy& copy) {
       !std::ranges::all_of(hints.outside, onPicture)) {
     return false;
   }
+  for (const CutMark& mark : hints.marks) {
+    if (!std::isfinite(mark.radius) || std::abs(mark.radius) > 1e6) return false;
+    if (!std::ranges::all_of(mark.line, onPicture)) return false;
+  }
   if (hints.box) {
     if (!onPicture(hints.box->low) || !onPicture(hints.box->high)) return false;
     const cv::Rect rect = cv::Rect(copy.at(hints.box->low), copy.at(hints.box->high)) &
                           cv::Rect(0, 0, copy.bgr.cols, copy.bgr.rows);
     return rect.width > 2 && rect.height > 2;
   }
-  return std::ranges::any_of(hints.inside,
-                             [&](PicturePoint p) { return copy.holds(copy.at(p)); });
-}
-
-Result<Contours> cut(const image::Picture& picture, const CutHints& hints) {
-  if (picture.working.empty()) return Error::PictureEmpty;
-  const Copy copy = copyOf(picture);
-  if (copy.bgr.empty()) return Error::PictureEmpty;
-  if (!isUsable(hints, copy)) return {Error::ValueOutOfRange, "hint"};
-  cv::Mat mask = firstGuess(copy, hints);
-  const int likely = cv::countNonZero(thingOf(mask));
-  if (likely == 0 || likely == static_cast<int>(mask.total())) return Error::NothingCutOut;
-  cv::setRNGSeed(1);  // GrabCut begins with k-means, which begins by chance
-  cv::Mat inside, outside;
-  cv::grabCut(copy.bgr, mask, {}, inside, outside, kRounds, cv::GC_INIT_WITH_MASK);
-  cv::Mat thing = wantedPieces(thingOf(mask), copy, hints);
-  cv::morphologyEx(thing, thing, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
-  const double share =
-      static_cast<double>(cv::countNonZero(thing)) / static_cast<double>(thing.total());
-  if (share < kLeastShare || share > kMostShare) return Error::NothingCutOut;
-  Contours contours = outlinesOf(thing, copy);
-  if (contours.empty()) return Error::NothingCutOut;
-  return contours;
+  const auto holds = [&](PicturePoint p) { return copy.holds(copy.at(p)); };
+  return std::ranges::any_of(hints.inside, holds) ||
+         std::ranges::any_of(hints.marks, [&](const CutMark& mark) {
+           return mark.inside && std::ranges::any_of(mark.line, holds);
+         });
 }
 
 }  // namespace
 
-Result<Contours> cutOut(const image::Picture& picture, const CutHints& hints) {
+struct CutOutSearch::State {
+  Copy copy;
+  CutHints hints;
+  cv::Mat mask, inside, outside;  ///< the mask and the two colour models of GrabCut
+  int round = 0, rounds = kRounds;
+  bool failed = false;
+
+  CutContours outlines() const;
+};
+
+CutContours CutOutSearch::State::outlines() const {
+  const cv::Mat in = markedAs(copy, hints, true), out = markedAs(copy, hints, false);
+  cv::Mat thing = wantedPieces(thingOf(mask), copy, hints, in);
+  cv::morphologyEx(thing, thing, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+  const double share =
+      static_cast<double>(cv::countNonZero(thing)) / static_cast<double>(thing.total());
+  if (hints.marks.empty() && (share < kLeastShare || share > kMostShare)) return {};
+  thing.setTo(cv::Scalar(255), in);
+  thing.setTo(cv::Scalar(0), out);
+  dropNoise(thing, thing.clone(), in, 0);
+  dropNoise(thing, thing == 0, out, 255);
+  return outlinesOf(thing, copy);
+}
+
+CutOutSearch::CutOutSearch(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CutOutSearch::CutOutSearch(CutOutSearch&&) noexcept = default;
+CutOutSearch& CutOutSearch::operator=(CutOutSearch&&) noexcept = default;
+CutOutSearch::~CutOutSearch() = default;
+
+Result<CutOutSearch> CutOutSearch::begin(const image::Picture& picture, const CutHints& hints) {
   try {
-    return cut(picture, hints);
+    if (picture.working.empty()) return Error::PictureEmpty;
+    auto state = std::make_unique<State>();
+    state->copy = copyOf(picture, frameOf(picture, hints));
+    state->hints = hints;
+    if (state->copy.bgr.empty()) return Error::PictureEmpty;
+    if (!isUsable(hints, state->copy)) return {Error::ValueOutOfRange, "hint"};
+    state->mask = firstGuess(state->copy, hints, false);
+    const int likely = cv::countNonZero(thingOf(state->mask));
+    if (likely == 0 || likely == static_cast<int>(state->mask.total())) return Error::NothingCutOut;
+    return CutOutSearch(std::move(state));
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   } catch (const cv::Exception&) {
     return Error::NothingCutOut;
   }
+}
+
+bool CutOutSearch::step() {
+  State& s = *state_;
+  if (s.failed || s.round >= s.rounds) return false;
+  try {
+    cv::setRNGSeed(1);  // GrabCut begins with k-means, which begins by chance
+    cv::grabCut(s.copy.bgr, s.mask, {}, s.inside, s.outside, 1,
+                s.round % kRounds == 0 ? cv::GC_INIT_WITH_MASK : cv::GC_EVAL);
+    ++s.round;
+    // Where thing and ground are alike, a whole box of "likely" is taken away as a whole.
+    const bool again = s.round == kRounds && s.rounds == kRounds && s.hints.box && s.outlines().empty();
+    if (again) {
+      s.rounds = 2 * kRounds;
+      s.mask = firstGuess(s.copy, s.hints, true);
+    }
+  } catch (const std::bad_alloc&) {
+    s.failed = true;
+  } catch (const cv::Exception&) {
+    s.failed = true;
+  }
+  return !s.failed && s.round < s.rounds;
+}
+
+double CutOutSearch::done() const {
+  return state_->failed ? 1 : static_cast<double>(state_->round) / state_->rounds;
+}
+
+Result<CutContours> CutOutSearch::outlines() const {
+  try {
+    if (state_->failed) return Error::NothingCutOut;
+    CutContours contours = state_->outlines();
+    if (contours.empty()) return Error::NothingCutOut;
+    return contours;
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  } catch (const cv::Exception&) {
+    return Error::NothingCutOut;
+  }
+}
+
+Result<CutContours> cutOut(const image::Picture& picture, const CutHints& hints) {
+  Result<CutOutSearch> search = CutOutSearch::begin(picture, hints);
+  if (!search) return search.failure();
+  while (search.value().step()) {
+  }
+  return search.value().outlines();
 }
 
 }  // namespace spineloft::vision

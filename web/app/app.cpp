@@ -507,10 +507,7 @@ void App::answer(std::string_view id, std::string_view text) {
     return number;
   };
   if (id == "set-height") {
-    std::string number(text);
-    std::ranges::replace(number, ',', '.');
-    const std::optional<Json> value = Json::parse(number);
-    sink_.run("set-height", Json::Object{{"mm", value && value->number() ? *value : Json(0)}});
+    sink_.run("set-height", Json::Object{{"typed", text}});
   } else if (id.starts_with(kPlace)) {
     std::string number(text);
     std::ranges::replace(number, ',', '.');

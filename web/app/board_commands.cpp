@@ -1,8 +1,7 @@
 // Commands about the board, its files and the views.
-#include <cstdio>
-
 #include "web/app/command_actions.h"
 #include "web/app/messages.h"
+#include "web/app/sizing.h"
 
 namespace spineloft::app {
 namespace {
@@ -14,10 +13,24 @@ constexpr double kNudge = 40;  ///< CSS pixels that an arrow key drags
 constexpr double kNarrowShare =
     0.34;  ///< what a view keeps when the other has the focus on a phone
 
-publish::WorldBounds boundsFor(Env env) {
-  const auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
-  if (bounds) return *bounds;
-  return {{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}};
+/// What the camera has to see: all parts, and what stands beside them as seen from `camera`.
+publish::WorldBounds boundsFor(Env env, const Camera* camera) {
+  auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
+  if (!bounds) return {{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}};
+  if (camera == nullptr || !env.ui.beside) return *bounds;
+  const Thing& thing = things()[*env.ui.beside];
+  const ThingPlace place =
+      placeBeside(thing, *bounds, env.studio.document().height.value, *camera);
+  for (const double x : {-thing.width / 2, thing.width / 2}) {
+    pipeline::include(bounds, place.at({x, 0}));
+    pipeline::include(bounds, place.at({x, 1}));
+  }
+  return *bounds;
+}
+
+Camera cameraFor(Env env, const publish::WorldBounds& bounds, bool home) {
+  const UiState& ui = env.ui;
+  return home ? homeCamera(bounds, ui.layout.solid) : framed(ui.camera, bounds, ui.layout.solid);
 }
 
 Outcome zoomBy(Env env, double factor) {
@@ -52,9 +65,8 @@ Outcome nudge(Env env, ClientPoint by) {
 
 void flyTo(const CommandEnv& env, bool home) {
   UiState& ui = env.ui;
-  const publish::WorldBounds bounds = boundsFor(env);
-  const Camera to =
-      home ? homeCamera(bounds, ui.layout.solid) : framed(ui.camera, bounds, ui.layout.solid);
+  Camera to = cameraFor(env, boundsFor(env, nullptr), home);
+  if (ui.beside) to = cameraFor(env, boundsFor(env, &to), home);
   if (env.host.reducedMotion() || ui.layout.solid.width < 1) {
     ui.camera = to;
     ui.flight.reset();
@@ -83,16 +95,6 @@ Outcome saveAs(const CommandEnv& env, publish::Format format) {
 }
 Outcome saveGlb(Env env, const Json&) { return saveAs(env, publish::Format::Glb); }
 Outcome saveStl(Env env, const Json&) { return saveAs(env, publish::Format::Stl); }
-
-Outcome setHeight(Env env, const Json& args) {
-  if (const std::optional<double> mm = args.number("mm")) {
-    return outcomeOf(env.studio.act(document::SetHeight{Millimetres{*mm}}));
-  }
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", env.studio.document().height.value);
-  sendQuestion(env.host, {"set-height", "How tall?", "Height of the model in millimetres", text});
-  return {};
-}
 
 Outcome homeView(Env env, const Json&) {
   env.ui.cameraTouched = false;

@@ -10,7 +10,6 @@ Outcome openPicture(const CommandEnv& env, const Json& args);
 Outcome clearBoard(const CommandEnv& env, const Json& args);
 Outcome saveGlb(const CommandEnv& env, const Json& args);
 Outcome saveStl(const CommandEnv& env, const Json& args);
-Outcome setHeight(const CommandEnv& env, const Json& args);
 
 // Parts.
 Outcome drawSpine(const CommandEnv& env, const Json& args);

@@ -16,6 +16,7 @@ std::span<const Command> sliceBoardCommands();  ///< drawing a slice: slice_boar
 std::span<const Command> sketchCommands();   ///< paper, pen and eraser: sketch_commands.cpp
 std::span<const Command> placeCommands();    ///< places, copies, groups: place_commands.cpp
 std::span<const Command> lookCommands();     ///< surfaces, files with them: look_commands.cpp
+std::span<const Command> sizeCommands();     ///< how tall, and whether it can be printed: size_commands.cpp
 std::span<const Command> solidCommands();    ///< solids made of parts: solid_commands.cpp
 std::span<const Command> keepCommands();     ///< models on this device, project files: keep_commands.cpp
 

@@ -15,7 +15,7 @@ namespace {
 /// In the order of the command bar.
 constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,
                                 boneCommands,    sliceCommands, sliceBoardCommands,
-                                sketchCommands,  placeCommands, lookCommands,
+                                sketchCommands,  placeCommands, lookCommands, sizeCommands,
                                 solidCommands,
                                 keepCommands};
 

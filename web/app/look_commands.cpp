@@ -1,7 +1,5 @@
 // Commands about how the surface of parts looks, and the files it goes into.
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "engine/surface/finish.h"
@@ -10,7 +8,6 @@
 #include "web/app/command_args.h"
 #include "web/app/command_groups.h"
 #include "web/app/messages.h"
-#include "web/app/print_report.h"
 #include "web/app/swatches.h"
 
 namespace spineloft::app {
@@ -69,44 +66,6 @@ Outcome savePicture(Env env, const Json&) {
   return {};
 }
 
-Outcome sizeLike(Env env, const Json& args) {
-  const std::string* key = args.text("thing");
-  const auto known = things();
-  const auto at = std::ranges::find(known, key ? std::string_view(*key) : std::string_view(), &Thing::key);
-  if (at == known.end()) return missing("a thing: coin, cupcake or hand");
-  return outcomeOf(env.studio.act(document::SetHeight{Millimetres{at->mm}}));
-}
-
-void thingChoices(Env env, JsonWriter& json) {
-  for (const Thing& thing : things()) {
-    writeChoice(json, thing.key, thing.label, env.studio.document().height.value == thing.mm);
-  }
-}
-
-Outcome checkPrint(Env env, const Json&) {
-  Result<printing::PrintCheck> check = publish::checkPrint(env.studio.document(), env.studio.derived());
-  if (!check) return refuse(check.failure());
-  env.ui.print = PrintReport{check.value(), env.studio.document()};
-  std::string said;
-  for (const PrintLine& line : printLines(*env.ui.print)) said += (said.empty() ? "" : " ") + line.text;
-  sendInfo(env.host, said);
-  return {};
-}
-
-Outcome thicken(Env env, const Json& args) {
-  if (!env.ui.print || !(env.ui.print->of == env.studio.document())) {
-    if (const Outcome refused = checkPrint(env, args)) return refused;
-  }
-  const double thinnest = env.ui.print->check.thinnest;
-  if (!(thinnest > 0)) return refuse({Error::NothingToExport, {}});
-  if (env.ui.print->check.thick()) return {};
-  const double mm = env.studio.document().height.value * 1.01 * printing::kLeastWall / thinnest;
-  if (const Status status = env.studio.act(document::SetHeight{Millimetres{std::ceil(mm)}}); !status) {
-    return refuse(status.failure());
-  }
-  return checkPrint(env, args);
-}
-
 void paintChoices(Env env, JsonWriter& json) {
   const document::Look look = currentLook(env);
   for (const surface::Finish& finish : surface::finishes()) {
@@ -154,36 +113,6 @@ constexpr std::array kTable = {
             hasPicture,
             faceted,
             toggleFacets},
-    Command{"size-like",
-            "As tall as",
-            "ruler",
-            "",
-            "file",
-            {"thing", thingChoices},
-            "As tall as a coin, a cupcake or a hand",
-            hasParts,
-            nullptr,
-            sizeLike},
-    Command{"check-print",
-            "Check for printing",
-            "scan-search",
-            "",
-            "file",
-            {},
-            "Closed, size, thinnest wall, and whether it stands",
-            hasParts,
-            nullptr,
-            checkPrint},
-    Command{"thicken",
-            "Make it thick enough",
-            "maximize",
-            "",
-            "file",
-            {},
-            "Larger, so that its thinnest place can be printed",
-            hasParts,
-            nullptr,
-            thicken},
     Command{"save-picture",
             "Save picture",
             "image-down",

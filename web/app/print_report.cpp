@@ -1,15 +1,11 @@
 #include "web/app/print_report.h"
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
 namespace spineloft::app {
 namespace {
-
-constexpr std::array kThings = {Thing{"coin", "Coin", 23}, Thing{"cupcake", "Cupcake", 70},
-                                Thing{"hand", "Hand", 180}};
 
 std::string number(double value, int digits) {
   char text[32];
@@ -55,7 +51,5 @@ std::vector<PrintLine> printLines(const PrintReport& report) {
                                : PrintLine{false, "A part of it is not closed. Change its ribs a little, or draw it again."};
   return {closed, sizeLine(check), wallLine(check), standLine(check)};
 }
-
-std::span<const Thing> things() { return kThings; }
 
 }  // namespace spineloft::app

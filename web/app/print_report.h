@@ -1,7 +1,6 @@
 // The check for printing in plain words.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,12 +23,5 @@ struct PrintLine {
 };
 /// Closed, size, thickness, standing: a line each.
 std::vector<PrintLine> printLines(const PrintReport& report);
-
-/// Things whose size everybody knows.
-struct Thing {
-  std::string_view key, label;
-  double mm;
-};
-std::span<const Thing> things();
 
 }  // namespace spineloft::app

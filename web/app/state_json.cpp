@@ -341,7 +341,8 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writeEditing(json, ui);
   writePlacing(json, env);
   json.key("looks").text(ui.look.textured ? "picture" : "colour");
-  json.key("heightMm").number(document.height.value);
+  json.key("heightMm").number(document.height.value).key("beside");
+  ui.beside ? json.text(things()[*ui.beside].key) : json.null();
   writePrint(json, document, ui);
   json.key("documentName").text(document.name);
   json.key("view").text(ui.focus == Focus::Picture ? "picture" : "solid");

@@ -15,6 +15,7 @@
 #include "engine/ribs/edit_gestures.h"
 #include "web/app/layout.h"
 #include "web/app/print_report.h"
+#include "web/app/sizing.h"
 #include "web/app/sketching.h"
 #include "web/app/slice_ui.h"
 #include "web/app/views.h"
@@ -38,7 +39,7 @@ enum class ToolKind : std::uint8_t {
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move".
 std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
-enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look, Place };
+enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look, Size, Place };
 
 /// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
 /// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
@@ -198,6 +199,7 @@ struct UiState {
   inflate::PuffParams puff;
   sheet::SheetParams sheet;
   std::optional<PrintReport> print;  ///< the last check for printing
+  std::optional<std::size_t> beside;  ///< of things(): what stands beside the solid, to compare
   bool secondColour = false;  ///< the colours of the panel are for what is below
 
   std::vector<PartId> alsoSelected;  ///< besides `selection`, each once (see placing.h)

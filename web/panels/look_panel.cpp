@@ -1,9 +1,8 @@
-// The surface (picture or colour) and the size of the finished model.
+// The surface: picture or colour, paint, facets.
 #include <imgui.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <span>
 #include <string>
@@ -172,60 +171,15 @@ void smoothOrFaceted(const PanelEnv& env, bool faceted, float width) {
   }
 }
 
-/// Nearest of 1, 2, 5, 10, 20, 50 … above or below.
-double nextHeight(double mm, int direction) {
-  const double steps[] = {1, 2, 5, 10, 20, 30, 50, 80, 100, 120, 150, 200, 300, 500, 1000, 2000};
-  if (direction > 0) {
-    for (const double step : steps) {
-      if (step > mm + 1e-9) return step;
-    }
-    return mm;
-  }
-  double best = mm;
-  for (const double step : steps) {
-    if (step < mm - 1e-9) best = step;
-  }
-  return best;
-}
-
-void howTall(const PanelEnv& env, float width) {
-  const double mm = env.document().height.value;
-  const bool can = !env.document().parts.empty();
-  const float side = buttonSide(env);
-  const auto step = [&](int direction) {
-    env.sink.run("set-height", app::Json::Object{{"mm", nextHeight(mm, direction)}});
-  };
-  if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
-  ImGui::SameLine(0, 4);
-  char text[32];
-  std::snprintf(text, sizeof text, "%g mm", mm);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float middle = std::max(60.f, width - 2 * side - 8);
-  ImGui::BeginDisabled(!can);
-  const bool asked = ImGui::InvisibleButton("type", {middle, side});
-  ImGui::EndDisabled();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + middle, at.y + side}, rgb(0xfaf9f6), 8);
-  list.AddRect(at, {at.x + middle, at.y + side}, ImGui::IsItemHovered() ? kMuted : kLine, 8);
-  const ImVec2 extent = ImGui::CalcTextSize(text);
-  list.AddText({at.x + (middle - extent.x) / 2, at.y + (side - extent.y) / 2},
-               can ? kInk : rgb(0x5c6474, 140), text);
-  if (asked) env.sink.run("set-height");
-  ImGui::SameLine(0, 4);
-  if (iconButton(env, {"higher", "plus", "Taller", false, can, side})) step(+1);
-}
-
 }  // namespace
 
 void lookPanel(const PanelEnv& env, float width) {
   const document::Look look = app::currentLook(env.env);
   if (env.ui().layout.strip && width >= 640) {
-    const float third = std::floor((width - 32) / 3);
-    pictureOrColour(env, look.textured, third);
+    const float half = std::floor((width - 16) / 2);
+    pictureOrColour(env, look.textured, half);
     ImGui::SameLine(0, 16);
-    smoothOrFaceted(env, look.faceted, third);
-    ImGui::SameLine(0, 16);
-    howTall(env, third);
+    smoothOrFaceted(env, look.faceted, half);
     paints(env, look, std::min(width, 520.f));
     swatches(env, look, width);
     return;
@@ -233,10 +187,9 @@ void lookPanel(const PanelEnv& env, float width) {
   if (env.ui().layout.strip) {
     pictureOrColour(env, look.textured, width * 0.48f);
     ImGui::SameLine(0, width * 0.04f);
-    howTall(env, width * 0.48f);
+    smoothOrFaceted(env, look.faceted, width * 0.48f);
     swatches(env, look, width);
     paints(env, look, width);
-    smoothOrFaceted(env, look.faceted, width);
     return;
   }
   pictureOrColour(env, look.textured, width);
@@ -245,8 +198,6 @@ void lookPanel(const PanelEnv& env, float width) {
   swatches(env, look, width);
   ImGui::Dummy({0, 2});
   smoothOrFaceted(env, look.faceted, width);
-  heading(env, "How tall?");
-  howTall(env, width);
 }
 
 }  // namespace spineloft::panels

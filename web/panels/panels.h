@@ -29,6 +29,7 @@ void draw(const PanelEnv& env);
 void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
 void drawSolidOverlay(const PanelEnv& env);    ///< the bone with the handles of its depth
 void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand
+void drawScale(const PanelEnv& env);           ///< how tall the solid is, and a thing beside it
 void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told
 void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, splitter
 void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
@@ -47,5 +48,6 @@ void alongPanel(const PanelEnv& env, float width);  ///< twist, depth, lean, fro
 void capChooser(const PanelEnv& env, float width);
 void placePanel(const PanelEnv& env, float width);  ///< where the selected part stands, in numbers
 void lookPanel(const PanelEnv& env, float width);
+void sizePanel(const PanelEnv& env, float width);   ///< how tall, and the check for printing
 
 }  // namespace spineloft::panels

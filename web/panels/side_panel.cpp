@@ -17,7 +17,8 @@ struct Tab {
 constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"},
                               Tab{app::PanelTab::Slice, "Slice"},
                               Tab{app::PanelTab::Along, "Twist"}, Tab{app::PanelTab::Ends, "Ends"},
-                              Tab{app::PanelTab::Look, "Look"}, Tab{app::PanelTab::Place, "Place"}};
+                              Tab{app::PanelTab::Look, "Look"}, Tab{app::PanelTab::Size, "Size"},
+                              Tab{app::PanelTab::Place, "Place"}};
 
 /// A heading that opens and folds what is below it. True while it is open.
 bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
@@ -67,6 +68,7 @@ void column(const PanelEnv& env) {
     if (section(env, app::PanelTab::Ends, "Ends")) capChooser(env, width);
   }
   if (section(env, app::PanelTab::Look, "Look")) lookPanel(env, width);
+  if (!env.document().parts.empty() && section(env, app::PanelTab::Size, "How tall?")) sizePanel(env, width);
   if (env.selected() && section(env, app::PanelTab::Place, "Place")) placePanel(env, width);
   ImGui::Dummy({0, 8});
 }
@@ -129,6 +131,9 @@ void strip(const PanelEnv& env, const app::Rect& at) {
       break;
     case app::PanelTab::Look:
       lookPanel(env, width);
+      break;
+    case app::PanelTab::Size:
+      sizePanel(env, width);
       break;
   }
   if (!env.ui().listDrag) dragScroll();

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "web/app/editing.h"
+#include "web/app/sizing.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
 #include "web/panels/theme.h"
@@ -211,7 +213,11 @@ void drawViewChrome(const PanelEnv& env) {
   const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand ||
                      tool == app::ToolKind::Place;
   if (plain || !layout.stacked) chip(env, layout.picture, "Picture", onPicture);
-  if (tool != app::ToolKind::Place || !layout.stacked) chip(env, layout.solid, "Solid", !onPicture);
+  if (tool != app::ToolKind::Place || !layout.stacked) {
+    const std::string size = app::spokenLength(env.document().height.value);
+    const std::string solid = env.document().parts.empty() ? "Solid" : "Solid, " + size + " tall";
+    chip(env, layout.solid, solid.c_str(), !onPicture);
+  }
   hints(env);
   // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
   constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
@@ -283,6 +289,7 @@ void draw(const PanelEnv& env) {
   drawPictureStrip(env);
   drawSliceOverlay(env);
   drawSolidOverlay(env);
+  drawScale(env);
   drawPlaceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);

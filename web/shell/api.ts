@@ -251,6 +251,8 @@ export interface State {
   } | null;
   documentName: string;
   heightMm: number;
+  /** What stands beside the solid, as large as it is: coin, cupcake, hand. */
+  beside: string | null;
   /** The last check for printing, null when the model has changed since. Lengths in millimetres, `lean` in radians. */
   print: {
     closed: boolean;

@@ -37,6 +37,22 @@ Document twoParts(double mm) {
   return update(document, SetHeight{{mm}}).value();
 }
 
+/// The first part stands beyond a mirror that lies over the ground, the second one is moved up, turned
+/// and mirrored, and there is a mirrored copy of it below.
+Document placedParts(double mm) {
+  Document document = twoParts(mm);
+  PlaceParts places;
+  places.parts.push_back({PartId{1}, {}, MirrorPlane{{0, 0.3, 0}, {0, 1, 0}}});
+  Placement up;
+  up.move = {0.4, 0.7, -0.2};
+  up.turn = geometry::turnAbout(WorldPoint{0, 0, 1}, 0.6);
+  up.scale = 1.3;
+  up.mirrored = true;
+  places.parts.push_back({PartId{2}, up, {}});
+  document = update(document, places).value();
+  return update(document, DuplicateParts{{PartId{2}}, {}, MirrorPlane{{0, -0.5, 0}, {0, 1, 0}}}).value();
+}
+
 Bytes saved(const Document& document, Format format) {
   pipeline::Cache cache;
   const auto derived = pipeline::deriveWithEdges(document, cache, {}).value();
@@ -144,18 +160,23 @@ Points pointsOf(const Bytes& bytes, Format format) {
 
 TEST_CASE("a typed height is that height in every file, to a hundredth of a millimetre") {
   for (const double mm : {40.0, 12.5, 999.0}) {
-    const Document document = twoParts(mm);
-    std::size_t triangles = 0;
-    for (const Format format : kShown) {
-      CAPTURE(formatKey(format));
-      const Points points = pointsOf(saved(document, format), format);
-      REQUIRE_FALSE(points.positions.empty());
-      double low = 1e9, high = -1e9;
-      for (const auto& p : points.positions) low = std::min(low, p[1]), high = std::max(high, p[1]);
-      CHECK(std::abs(high - low - mm) < 0.01);
-      CHECK(std::abs(low) < 0.01);
-      if (triangles == 0) triangles = points.triangles;
-      CHECK(points.triangles == triangles);
+    std::size_t before = 0;
+    // As they were traced, and mirrored, moved, turned and copied: all of them count.
+    for (const Document& document : {twoParts(mm), placedParts(mm)}) {
+      std::size_t triangles = 0;
+      for (const Format format : kShown) {
+        CAPTURE(formatKey(format));
+        const Points points = pointsOf(saved(document, format), format);
+        REQUIRE_FALSE(points.positions.empty());
+        double low = 1e9, high = -1e9;
+        for (const auto& p : points.positions) low = std::min(low, p[1]), high = std::max(high, p[1]);
+        CHECK(std::abs(high - low - mm) < 0.01);
+        CHECK(std::abs(low) < 0.01);
+        if (triangles == 0) triangles = points.triangles;
+        CHECK(points.triangles == triangles);
+      }
+      CHECK(triangles > 3 * before / 2);
+      before = triangles;
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "engine/base/rng.h"
+#include "engine/geometry/polygon.h"
 
 using namespace spineloft;
 using namespace spineloft::vision;
@@ -65,6 +66,98 @@ TEST_CASE("a tap or a box cuts a disc out to a pixel of the copy, the same every
       CHECK(cutOut(picture, hints).value() == found.value());
     }
   }
+}
+
+namespace {
+
+bool holds(const CutContours& contours, PicturePoint p) {
+  bool in = false;
+  for (const auto& contour : contours) {
+    if (geometry::holds(std::span<const PicturePoint>(contour), p)) in = !in;
+  }
+  return in;
+}
+
+}  // namespace
+
+TEST_CASE("more marks never lose a marked pixel: what was marked stays as the last mark over it says") {
+  const PicturePoint centre{130, 100};
+  const image::Picture picture = discPicture(280, 200, centre, 60);
+  Rng rng(12);
+  for (int round = 0; round < 12; ++round) {
+    CutHints hints;
+    if (round % 2) {
+      hints.inside = {centre};
+    } else {
+      hints.box = {{60, 30}, {200, 170}};
+    }
+    for (int k = 0; k < 6; ++k) {
+      CutMark mark{{{rng.uniform(5, 275), rng.uniform(5, 195)}}, rng.uniform(0, 9), rng.uniform() < 0.5};
+      for (int i = 0; i < 4; ++i) {
+        mark.line.push_back(mark.line.back() + PicturePoint{rng.uniform(-12, 12), rng.uniform(-12, 12)});
+      }
+      for (PicturePoint& p : mark.line) p = {std::clamp(p.x, 4.0, 276.0), std::clamp(p.y, 4.0, 196.0)};
+      hints.marks.push_back(mark);
+      const auto found = cutOut(picture, hints);
+      if (!found.ok()) {
+        // Only when marks have taken everything away.
+        CHECK(found.error() == Error::NothingCutOut);
+        CHECK(std::ranges::none_of(hints.marks, &CutMark::inside));
+        continue;
+      }
+      for (std::size_t m = 0; m < hints.marks.size(); ++m) {
+        for (const PicturePoint p : hints.marks[m].line) {
+          const bool later = std::any_of(hints.marks.begin() + std::ptrdiff_t(m) + 1, hints.marks.end(), [&](const CutMark& other) {
+            for (std::size_t i = 0; i < other.line.size(); ++i) {
+              const PicturePoint a = other.line[i], b = other.line[i + 1 < other.line.size() ? i + 1 : i];
+              const PicturePoint ab = b - a;
+              const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0.0;
+              if (distance(p, a + ab * t) < std::max(other.radius, 2.0) + 3) return true;
+            }
+            return false;
+          });
+          if (!later) CHECK(holds(found.value(), p) == hints.marks[m].inside);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a mark reaches beyond the box, and what is marked away in the middle becomes a hole") {
+  const image::Picture picture = discPicture(280, 200, {130, 100}, 60);
+  CutHints hints;
+  hints.box = {{60, 30}, {170, 170}};  // the right end of the disc is beyond
+  const auto half = cutOut(picture, hints);
+  REQUIRE(half.ok());
+  CHECK(areaOf(half.value()[0]) < 0.95 * std::numbers::pi * 3600);
+  hints.marks.push_back({{{165, 80}, {180, 110}}, 4, true});
+  const auto more = cutOut(picture, hints);
+  REQUIRE(more.ok());
+  CHECK(areaOf(more.value()[0]) > areaOf(half.value()[0]) + 100);
+  hints.marks.push_back({{{100, 100}}, 3, false});
+  const auto holed = cutOut(picture, hints);
+  REQUIRE(holed.ok());
+  CHECK(holed.value().size() >= 2);
+  CHECK_FALSE(holds(holed.value(), {100, 100}));
+}
+
+TEST_CASE("rounds one by one are the cut as a whole") {
+  const image::Picture picture = discPicture(280, 200, {130, 100}, 60);
+  CutHints tap;
+  tap.inside = {{130, 100}};
+  auto search = CutOutSearch::begin(picture, tap);
+  REQUIRE(search.ok());
+  double before = -1;
+  int rounds = 0;
+  do {
+    CHECK(search.value().done() > before);
+    before = search.value().done();
+    ++rounds;
+  } while (search.value().step());
+  CHECK(rounds > 1);
+  CHECK(search.value().done() == 1);
+  CHECK_FALSE(search.value().step());
+  CHECK(search.value().outlines().value() == cutOut(picture, tap).value());
 }
 
 TEST_CASE("a plain picture, no hint and hints beside the picture are refused") {

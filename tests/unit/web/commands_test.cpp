@@ -145,8 +145,11 @@ TEST_CASE("rename and height ask in a dialog, and the answer is carried out") {
   CHECK(*(*rig.state().find("parts")->array())[0].text("name") == "Bottle");
   rig.run("set-height");
   CHECK(rig.host.said(R"("id":"set-height")"));
-  rig.app->answer("set-height", "62,5");
-  CHECK(rig.state().number("heightMm") == 62.5);
+  for (const char* typed : {"6,25", "6.25 cm", " 62,5mm ", "0.0625 M"}) {
+    rig.run("set-height", R"({"mm":10})");
+    rig.app->answer("set-height", typed);
+    CHECK(*rig.state().number("heightMm") == doctest::Approx(62.5));
+  }
   rig.app->answer("set-height", "tall");
   CHECK(rig.state().number("heightMm") == 62.5);
   CHECK(rig.host.said(R"("level":"error")"));

@@ -1,0 +1,106 @@
+// How well a box cuts things out of real photos, where the data folder is at hand.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/polygon.h"
+#include "engine/io/picture_file.h"
+#include "engine/vision/cut_out.h"
+
+using namespace spineloft;
+using namespace spineloft::vision;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::uint8_t> bytesOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// 255: the thing; 128: it does not matter.
+struct Truth {
+  image::Image mask;
+  int at(int x, int y) const {
+    return mask.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
+                            static_cast<std::size_t>(x))];
+  }
+};
+
+/// Shared by both over covered by either, of the pixels that matter.
+double overlapOf(const Truth& truth, const CutContours& contours) {
+  double both = 0, either = 0;
+  for (int y = 0; y < truth.mask.height; ++y) {
+    // Where the row crosses the outlines.
+    std::vector<double> cuts;
+    for (const auto& contour : contours) {
+      for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
+        const PicturePoint a = contour[j], b = contour[i];
+        if ((a.y > y) != (b.y > y)) cuts.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+      }
+    }
+    std::ranges::sort(cuts);
+    for (int x = 0; x < truth.mask.width; ++x) {
+      const int value = truth.at(x, y);
+      if (value == 128) continue;
+      const bool in = (std::ranges::upper_bound(cuts, x) - cuts.begin()) % 2 == 1, is = value > 200;
+      both += in && is;
+      either += in || is;
+    }
+  }
+  return either > 0 ? both / either : 0;
+}
+
+}  // namespace
+
+TEST_CASE("a box round the thing cuts it out of the public photos, most of it in most of them") {
+  const char* folder = std::getenv("SPINELOFT_DATA");
+  if (folder == nullptr || !fs::is_directory(folder)) {
+    MESSAGE("skipped: SPINELOFT_DATA names no folder");
+    return;
+  }
+  std::vector<double> overlaps;
+  std::string said;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("photo_")) continue;
+    fs::path image = entry.path() / "image.jpg";
+    if (!fs::exists(image)) image = entry.path() / "image.png";
+    fs::path mask = entry.path() / "mask_visible.png";
+    if (!fs::exists(mask)) mask = entry.path() / "mask.png";
+    const auto picture = io::decodePicture(bytesOf(image), {});
+    const auto shown = io::decodeImage(bytesOf(mask), 1 << 26);
+    REQUIRE(picture.ok());
+    REQUIRE(shown.ok());
+    const Truth truth{shown.value()};
+    CutHints hints;
+    hints.box = {{1e9, 1e9}, {-1e9, -1e9}};
+    for (int y = 0; y < truth.mask.height; ++y) {
+      for (int x = 0; x < truth.mask.width; ++x) {
+        if (truth.at(x, y) < 200) continue;
+        auto& [low, high] = *hints.box;
+        low = {std::min(low.x, double(x)), std::min(low.y, double(y))};
+        high = {std::max(high.x, double(x)), std::max(high.y, double(y))};
+      }
+    }
+    // As a hand draws it: a little larger.
+    const double room = 0.02 * std::max(truth.mask.width, truth.mask.height);
+    hints.box->low = hints.box->low - PicturePoint{room, room};
+    hints.box->high = hints.box->high + PicturePoint{room, room};
+    const auto found = cutOut(picture.value(), hints);
+    overlaps.push_back(found.ok() ? overlapOf(truth, found.value()) : 0);
+    said += name + " " + std::to_string(overlaps.back()).substr(0, 5) + "  ";
+  }
+  REQUIRE(overlaps.size() >= 5);
+  std::ranges::sort(overlaps);
+  const double median = overlaps[overlaps.size() / 2];
+  MESSAGE("overlap of a box cut-out, median " << median << " of " << overlaps.size() << " photos: " << said);
+  CHECK(median > 0.7);
+}

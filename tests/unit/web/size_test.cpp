@@ -1,0 +1,85 @@
+// How tall: typed, picked from things, and seen beside the solid.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/unit/web/rig.h"
+#include "web/app/sizing.h"
+
+using namespace spineloft;
+using spineloft::test::Rig;
+
+TEST_CASE("what people type about a height is understood, and what they read can be typed again") {
+  CHECK(app::millimetresFrom("4") == 40.0);
+  CHECK(app::millimetresFrom("4 cm") == 40.0);
+  CHECK(app::millimetresFrom("40mm") == 40.0);
+  CHECK(app::millimetresFrom("1,5 m") == 1500.0);
+  for (const char* nonsense : {"", "cm", "tall", "4 inches", "nan", "1e999", "4 5"}) {
+    CHECK_FALSE(app::millimetresFrom(nonsense));
+  }
+  CHECK(app::spokenLength(40) == "4 cm");
+  CHECK(app::spokenLength(8) == "8 mm");
+  CHECK(app::spokenLength(1200) == "1.2 m");
+  for (double mm = 1.02; mm < 10000; mm *= 1.37) {
+    const auto again = app::millimetresFrom(app::spokenLength(mm));
+    REQUIRE(again);
+    CHECK(std::abs(*again - mm) <= std::max(0.005, mm * 1e-4));
+  }
+}
+
+TEST_CASE("every thing is drawn as tall and as wide as it is") {
+  for (std::size_t i = 0; i < app::things().size(); ++i) {
+    const app::Thing& thing = app::things()[i];
+    double low = 1, high = 0, left = 0, right = 0;
+    for (const auto& line : app::thingLines(i)) {
+      for (const app::ThingPoint p : line) {
+        low = std::min(low, p.y), high = std::max(high, p.y);
+        left = std::min(left, p.x), right = std::max(right, p.x);
+      }
+    }
+    CHECK(low == doctest::Approx(0));
+    CHECK(high == doctest::Approx(1).epsilon(0.02));
+    CHECK(right - left == doctest::Approx(thing.width).epsilon(0.06));
+  }
+}
+
+TEST_CASE("a thing stands beside the solid on its ground, in true proportion, from wherever one looks") {
+  const pipeline::WorldBounds bounds{{-0.2, -0.1, -0.4}, {0.3, 0.5, 0.1}};
+  for (const double yaw : {0.0, 0.7, 1.6, 3.0, -2.0}) {
+    app::Camera camera;
+    camera.yaw = yaw;
+    camera.pitch = 0.3;
+    for (const app::Thing& thing : app::things()) {
+      const app::ThingPlace place = app::placeBeside(thing, bounds, 120, camera);
+      CHECK(place.at({0, 0}).y == doctest::Approx(bounds.low.y));
+      CHECK(place.at({0, 1}).y - bounds.low.y == doctest::Approx(0.6 * thing.mm / 120));
+      // Its right side lies left of every corner of the model.
+      const double edge = dot(place.at({thing.width / 2, 0}), place.right);
+      for (const double x : {bounds.low.x, bounds.high.x}) {
+        for (const double z : {bounds.low.z, bounds.high.z}) {
+          CHECK(edge < dot(WorldPoint{x, bounds.low.y, z}, place.right));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a thing that is picked gives its height, stands beside the solid, and goes again") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  CHECK(rig.run("size-like", R"({"thing":"cupcake"})").flag("ok") == true);
+  rig.settle();
+  CHECK(rig.state().number("heightMm") == 70);
+  CHECK(*rig.state().text("beside") == "cupcake");
+  rig.run("set-height", R"({"mm":300})");
+  rig.settle();
+  CHECK(*rig.state().text("beside") == "cupcake");
+  CHECK(rig.run("show-beside", R"({"thing":"none"})").flag("ok") == true);
+  CHECK(rig.state().text("beside") == nullptr);
+  CHECK(*rig.run("show-beside", R"({"thing":"whale"})").text("error") == "ValueOutOfRange");
+  CHECK(*rig.run("size-like").text("error") == "ArgumentMissing");
+  rig.run("undo");
+  rig.run("undo");
+  CHECK(rig.state().number("heightMm") == 100);
+}

@@ -1,0 +1,174 @@
+// How tall the model is, in the panel and beside the solid, and whether it can be printed.
+#include <imgui.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "engine/publish/publish.h"
+#include "web/app/print_report.h"
+#include "web/app/sizing.h"
+#include "web/panels/panels.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+/// The nearest round height above or below.
+double nextHeight(double mm, int direction) {
+  constexpr double kSteps[] = {1, 2, 5, 10, 20, 30, 40, 50, 60, 80, 100, 120, 150, 200, 300, 500, 1000, 2000};
+  if (direction > 0) {
+    const double* above = std::upper_bound(std::begin(kSteps), std::end(kSteps), mm + 1e-9);
+    return above == std::end(kSteps) ? mm : *above;
+  }
+  const double* below = std::lower_bound(std::begin(kSteps), std::end(kSteps), mm - 1e-9);
+  return below == std::begin(kSteps) ? mm : *(below - 1);
+}
+
+void howTall(const PanelEnv& env, float width) {
+  const double mm = env.document().height.value;
+  const bool can = !env.document().parts.empty();
+  const float side = buttonSide(env);
+  const auto step = [&](int direction) {
+    env.sink.run("set-height", app::Json::Object{{"mm", nextHeight(mm, direction)}});
+  };
+  if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
+  ImGui::SameLine(0, 4);
+  const std::string text = app::spokenLength(mm);
+  if (textButton(env, {"type", text, false, can, side, std::max(60.f, width - 2 * side - 8)})) {
+    env.sink.run("set-height");
+  }
+  tooltip("Type how tall it is to be, in cm or mm");
+  ImGui::SameLine(0, 4);
+  if (iconButton(env, {"higher", "plus", "Taller", false, can, side})) step(+1);
+}
+
+/// As tall as something that everybody knows; a second press takes it away from the solid again.
+void likeThings(const PanelEnv& env, float width) {
+  const auto known = app::things();
+  const float gap = 6, wide = (width - gap * 2) / 3;
+  const double mm = env.document().height.value;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    const app::Thing& thing = known[i];
+    const std::string tip = "As tall as a " + std::string(thing.key) + ": " + app::spokenLength(thing.mm);
+    const bool on = env.ui().beside == i;
+    const auto paint = [i](ImDrawList& list, ImVec2 centre, float radius, ImU32 colour) {
+      for (const auto& line : app::thingLines(i)) {
+        list.PathClear();
+        for (const app::ThingPoint p : line) {
+          list.PathLineTo({centre.x + 2 * radius * static_cast<float>(p.x),
+                           centre.y + radius * static_cast<float>(1 - 2 * p.y)});
+        }
+        list.PathStroke(colour, 0, 1.5f);
+      }
+    };
+    const bool pressed = tile(env, {thing.key.data(), thing.label, tip, {wide, 60}, on}, paint);
+    if (!pressed || env.document().parts.empty()) continue;
+    const bool away = on && mm == thing.mm;
+    env.sink.run(away ? "show-beside" : "size-like",
+                 app::Json::Object{{"thing", away ? std::string_view("none") : thing.key}});
+  }
+}
+
+/// A sentence over as many lines as it needs, behind a mark that is green or orange.
+void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
+  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : rgb(0xc8681c),
+        iconText(line.good ? "circle-check" : "circle-alert"));
+  ImGui::SameLine(0, 6);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
+  label(env.fonts.small, kInk, line.text);
+  ImGui::PopTextWrapPos();
+  const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);
+  if (fix == nullptr) return;
+  if (textButton(env, {line.fix.data(), fix->label, true, true, buttonSide(env), width})) env.sink.run(line.fix);
+}
+
+void printing(const PanelEnv& env, float width) {
+  const bool can = !env.document().parts.empty();
+  const std::optional<app::PrintReport>& report = env.ui().print;
+  if (!report || !(report->of == env.document())) {
+    if (textButton(env, {"check", "Check for printing", false, can, buttonSide(env), width})) {
+      env.sink.run("check-print");
+    }
+    return;
+  }
+  for (const app::PrintLine& line : app::printLines(*report)) reportLine(env, line, width);
+}
+
+struct Words {
+  ImVec2 at;  ///< middle of their upper edge
+  std::string text;
+};
+
+void words(const PanelEnv& env, ImDrawList& list, const Words& what) {
+  ImFont* font = env.fonts.small;
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const char* from = what.text.c_str();
+  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, from);
+  const ImVec2 at{what.at.x - extent.x / 2, what.at.y};
+  list.AddRectFilled({at.x - 8, at.y - 3}, {at.x + extent.x + 8, at.y + extent.y + 3}, rgb(0xffffff, 225), 12);
+  list.AddText(font, size, at, kMuted, from);
+}
+
+/// A thing beside the solid, both in true proportion.
+void drawThing(const PanelEnv& env, ImDrawList& list, const pipeline::WorldBounds& bounds) {
+  const app::UiState& ui = env.ui();
+  const app::Thing& thing = app::things()[*ui.beside];
+  const app::ThingPlace place =
+      app::placeBeside(thing, bounds, env.document().height.value, ui.camera);
+  const auto at = [&](app::ThingPoint p) -> std::optional<ImVec2> {
+    const auto c = app::pointOnCanvas(ui.camera, ui.layout.solid, place.at(p));
+    if (!c) return std::nullopt;
+    return ImVec2{static_cast<float>(c->x), static_cast<float>(c->y)};
+  };
+  for (const auto& line : app::thingLines(*ui.beside)) {
+    for (const auto& [colour, width] : {std::pair{rgb(0xffffff, 200), 5.f}, {kMuted, 2.f}}) {
+      list.PathClear();
+      for (const app::ThingPoint p : line) {
+        if (const auto c = at(p)) list.PathLineTo(*c);
+      }
+      list.PathStroke(colour, 0, width);
+    }
+  }
+  if (const auto foot = at({0, 0})) {
+    words(env, list, {{foot->x, foot->y + 8}, "a " + std::string(thing.key) + ", " + app::spokenLength(thing.mm)});
+  }
+}
+
+}  // namespace
+
+void sizePanel(const PanelEnv& env, float width) {
+  if (env.ui().layout.strip && width >= 640) {
+    const float half = (width - 24) / 2;
+    ImGui::BeginGroup();
+    howTall(env, half);
+    likeThings(env, half);
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 24);
+    ImGui::BeginGroup();
+    printing(env, half);
+    ImGui::EndGroup();
+    return;
+  }
+  howTall(env, width);
+  likeThings(env, width);
+  ImGui::Dummy({0, 2});
+  printing(env, width);
+}
+
+void drawScale(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const app::Rect& view = ui.layout.solid;
+  const std::optional<pipeline::WorldBounds> bounds = publish::worldBounds(env.document(), env.derived);
+  if (!bounds || view.width < 60 || view.height < 60) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
+                    {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  if (ui.beside) drawThing(env, list, *bounds);
+  list.PopClipRect();
+}
+
+}  // namespace spineloft::panels
