@@ -52,7 +52,7 @@ struct Segments {
 
 // Segments of one stretch, and how many of its own half extents away a stretch counts as far: the
 // remaining error of its share is at most the fourth power of the inverse.
-constexpr std::size_t kStretch = 8;
+constexpr std::size_t kStretch = 4;
 constexpr double kNearShare = 4;
 
 // I and ∇I of four segments, as in segmentTerm.
@@ -60,23 +60,25 @@ inline void addSegments(const Lanes& at, const Segments& s, Sums& sums) {
   const Float4 ax = load(s.startX) - at.x, ay = load(s.startY) - at.y;
   const Float4 ex = load(s.alongX), ey = load(s.alongY), reach = load(s.reach);
   const Float4 u1 = ax * ex + ay * ey, u2 = u1 + reach, v = ex * ay - ey * ax;
-  const Float4 v2 = v * v, f1 = 1 / (u1 * u1 + v2), f2 = 1 / (u2 * u2 + v2);
+  const Float4 v2 = v * v, near = u1 * u1 + v2, far = u2 * u2 + v2;
+  // One division for both; lengths whose fourth power is beyond single precision do not occur.
+  const Float4 both = 1 / (near * far), f1 = far * both, f2 = near * both;
   const Float4 along = u1 * u2 + v2, size = magnitude(v), across = reach * size;
   const Float4 run = magnitude(along);
   const auto steep = across > run;
   const Float4 longer = steep ? across : run, shorter = steep ? run : across;
-  const Float4 inverse = 1 / longer, z = shorter * inverse;
+  const Float4 inverse = 1 / longer, away = 1 / v, z = shorter * inverse;
   const Float4 slope = arctanOverArgument(z * z);
   Float4 angle = z * slope;
   angle = steep ? all(std::numbers::pi_v<float> / 2) - angle : angle;
   angle = along < all(0) ? all(std::numbers::pi_v<float>) - angle : angle;
   // Seen under less than 45° from outside: θ/|v| without dividing by a v that may be 0.
   const auto slim = (across <= along);
-  const Float4 term = slim ? reach * slope * inverse : angle / size;
+  const Float4 term = slim ? reach * slope * inverse : angle * magnitude(away);
   const auto inLine = (v2 < all(1e-4f) * (u1 * u2));
-  const Float4 g1 = 1 / u1, g2 = 1 / u2;
-  const Float4 series = all(2.f / 3) * v * (g1 * g1 * g1 - g2 * g2 * g2);
-  const Float4 sideways = inLine ? series : (term + u2 * f2 - u1 * f1) / v;
+  // There 1/u² is as good as 1/(u² + v²).
+  const Float4 series = all(2.f / 3) * v * (u1 * f1 * f1 - u2 * f2 * f2);
+  const Float4 sideways = inLine ? series : (term + u2 * f2 - u1 * f1) * away;
   const Float4 lengthwise = f1 - f2;
   sums.value += term;
   sums.gradientX += lengthwise * ex - sideways * ey;

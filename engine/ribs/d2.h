@@ -37,7 +37,7 @@ class D2Field {
   /// Σ I and ∇Σ I at x in single precision, four segments at a time: within 3e-5 of the double
   /// result for points farther than a pixel from the polyline.
   D2Integral integral(PicturePoint x) const;
-  /// The same with far stretches of eight segments replaced by their length and second moments:
+  /// The same with far stretches of four segments replaced by their length and second moments:
   /// within 2e-3, several times faster on long polylines. The curves are traced with this one.
   D2Integral quickIntegral(PicturePoint x) const;
   /// A: the polyline's length in picture pixels.

@@ -1,6 +1,7 @@
 #include "engine/ribs/end_fan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -139,21 +140,32 @@ std::vector<PicturePoint> withCorners(const EndSite& site, const EndFrame& frame
 EndGuess guessEnd(const EndSite& site) {
   const EndFrame frame(site);
   const int fan = site.curves.layout.fan;
+  std::array<double, kExtents> extents, costs;
+  for (int e = 0; e < kExtents; ++e) {
+    const double share = static_cast<double>(e) / (kExtents - 1);
+    extents[index(e)] = kLeastExtent * std::pow(kMostExtent / kLeastExtent, share);
+  }
   EndGuess best;
   double least = std::numeric_limits<double>::infinity();
   for (const EndShape shape : {EndShape::Round, EndShape::Flat, EndShape::Pointed}) {
-    for (int e = 0; e < kExtents; ++e) {
-      const double share = static_cast<double>(e) / (kExtents - 1);
-      const EndGuess guess{shape, kLeastExtent * std::pow(kMostExtent / kLeastExtent, share)};
-      double cost = priceOf(guess);
-      for (int i = 1; i <= fan; ++i) {
-        const int curve = fanCurve(site, i);
-        cost += static_cast<double>(
-            site.costs[site.curves.at(curve, crossing(site, frame, guess, curve))]);
+    for (std::size_t e = 0; e < costs.size(); ++e) costs[e] = priceOf({shape, extents[e]});
+    for (int i = 1; i <= fan; ++i) {
+      const int curve = fanCurve(site, i), reached = site.curves.reached[index(curve)];
+      // The farther a shape goes, the later a curve leaves it.
+      int k = 1;
+      for (std::size_t e = 0; e < costs.size(); ++e) {
+        for (; k < reached; ++k) {
+          const PicturePoint p = site.curves.point(curve, k);
+          if (outside(shape, frame.x(p), frame.t(p) / extents[e])) break;
+        }
+        const int label = k < reached ? k : std::max(0, reached - 1);
+        costs[e] += static_cast<double>(site.costs[site.curves.at(curve, label)]);
       }
-      if (cost >= least) continue;
-      least = cost;
-      best = guess;
+    }
+    for (std::size_t e = 0; e < costs.size(); ++e) {
+      if (costs[e] >= least) continue;
+      least = costs[e];
+      best = {shape, extents[e]};
     }
   }
   return best;

@@ -52,9 +52,30 @@ struct ContrastParams {
   int neighbours = 2;
   double slant = 0.15;  ///< step between the five slants tried, rise over run
 };
+/// Colours in a few cells, and how they spread over them.
+struct ColourTables {
+  std::vector<std::uint16_t> cells;  ///< of every entry of a strip
+  std::vector<float> all;            ///< shares of the cells in the whole strip, smoothed
+  std::vector<float> spine, stretches, blurred, foreign;  ///< memory of spineNovelty
+  std::vector<float> values;                              ///< memory of sortColours
+};
+
+/// Memory of the terms that is reused from strip to strip.
+struct EvidenceScratch {
+  ColourTables colours;
+  std::vector<std::array<float, 4>> differences;
+  std::vector<const std::array<float, 4>*> rows;
+  std::vector<std::int32_t> shifted;
+  std::vector<std::uint16_t> half, far;
+  std::vector<float> strongest, window, sums, novelty;
+};
+
 /// Lab units, curves × levels.
 void contourContrast(const GradientCurves& curves, const Strip& strip, const ContrastParams& params,
-                     std::vector<float>& contrast);
+                     EvidenceScratch& scratch, std::vector<float>& contrast);
+
+/// Sorts the colours of a strip into cells; what spineNovelty is asked about.
+void sortColours(const GradientCurves& curves, const Strip& strip, ColourTables& colours);
 
 /// How foreign every colour of the strip is to the spine: log(share among all of the strip / share
 /// within a few pixels of the spine), ± 2, from smoothed Lab histograms; the spine's is half of the
@@ -63,7 +84,7 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
 /// nothing. `known` is empty, or says for every curve how far from the spine the object is already
 /// known to reach (picture pixels): colours up to there count as the spine's.
 void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
-                  std::vector<float>& novelty);
+                  ColourTables& colours, std::vector<float>& novelty);
 
 /// The terms of the boundary's score, each curves × levels.
 struct BoundaryTerms {
@@ -76,11 +97,13 @@ struct BoundaryTerms {
   /// Mean novelty from there to two and a half times as far: where the spine's colours come back, what
   /// lies in between was a stripe or a highlight. Weighed as a share of `outside`.
   std::vector<float> farther;
+  EvidenceScratch scratch;
 };
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms);
 
-/// Fills `inside`, `outside` and `farther` alone, with more of the object known (see spineNovelty).
+/// Fills `inside`, `outside` and `farther` alone, with more of the object known (see spineNovelty), in
+/// terms that boundaryTerms filled for the same strip.
 void colourTerms(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
                  BoundaryTerms& terms);
 

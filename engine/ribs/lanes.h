@@ -1,6 +1,8 @@
-// Four floats at a time, in the words of both compilers: SSE, or SIMD of WebAssembly.
+// Four floats at a time, in the words of both compilers: SSE, or SIMD of WebAssembly; and what loops
+// over floats need that compilers cannot make SIMD of.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 namespace spineloft::ribs {
@@ -19,5 +21,30 @@ inline Float4 least4(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 most4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 magnitude4(Float4 v) { return v < all4(0) ? -v : v; }
 inline float sum4(Float4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+
+/// log x for x > 0 that is neither denormal nor infinite: within 2e-7, relative beyond 1.
+/// x = 2^e m with √½ ≤ m < √2, and log m = 2 artanh((m − 1) / (m + 1)) by its series.
+inline float quickLog(float x) {
+  constexpr std::int32_t kRootHalf = 0x3F3504F3, kMantissa = 0x007FFFFF;
+  const std::int32_t bits = std::bit_cast<std::int32_t>(x) - kRootHalf;
+  const auto e = static_cast<float>(bits >> 23);
+  const float m = std::bit_cast<float>((bits & kMantissa) + kRootHalf);
+  const float z = (m - 1) / (m + 1), w = z * z;
+  const float series = 1 + w * (1.f / 3 + w * (1.f / 5 + w * (1.f / 7 + w * (1.f / 9))));
+  return e * 0.693147181f + 2 * z * series;
+}
+
+/// e^x within a relative 3e-7 for −87 ≤ x ≤ 87, what is beyond taken for the bound.
+/// x = n log 2 + r with |r| ≤ ½ log 2, and e^r by its series.
+inline float quickExp(float x) {
+  constexpr float kRounder = 12582912;  // 1.5 · 2²³: a sum with it is a whole number
+  const float low = x < -87 ? -87.f : x, held = low > 87 ? 87.f : low;
+  const float sum = held * 1.44269504f + kRounder, n = sum - kRounder;
+  const float r = (held - n * 0.693145752f) - n * 1.42860677e-6f;
+  const float series =
+      1 + r * (1 + r * (1.f / 2 + r * (1.f / 6 + r * (1.f / 24 + r * (1.f / 120 + r * (1.f / 720))))));
+  const std::int32_t power = std::bit_cast<std::int32_t>(sum) - std::bit_cast<std::int32_t>(kRounder);
+  return series * std::bit_cast<float>((power + 127) << 23);
+}
 
 }  // namespace spineloft::ribs

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace spineloft::ribs {
 namespace {
@@ -34,17 +35,20 @@ void drawLines(const LengthProblem& p, const SideCosts& side, Lines& lines) {
 }
 
 // Adds one side's costs at the places factor · width[j], interpolated between labels, to every
-// `stride`-th of `costs`.
+// `stride`-th of `costs`. `labels[j]` is where to begin to look: where the rib before had that place.
 struct LineRow {
   const float *place, *base, *slope;
   int levels;
 };
 void addSide(const LineRow& row, float factor, const std::vector<float>& widths, float* costs,
-             std::size_t stride) {
-  int k = 0;
+             std::size_t stride, std::int32_t* labels) {
+  const int most = std::max(0, row.levels - 2);
   for (std::size_t j = 0; j < widths.size(); ++j) {
     const float at = factor * widths[j];
-    while (k + 2 < row.levels && row.place[k + 1] <= at) ++k;
+    std::int32_t k = labels[j];
+    while (k < most && row.place[k + 1] <= at) ++k;
+    while (k > 0 && row.place[k] > at) --k;
+    labels[j] = k;
     const float held = std::clamp(at, row.place[k], row.place[k + 1]);
     costs[j * stride] += row.base[k] + row.slope[k] * (held - row.place[k]);
   }
@@ -90,6 +94,7 @@ class WidthChains {
   std::vector<float> costs(const std::vector<double>& leans) const {
     std::vector<float> own;
     for (const double lean : leans) own.push_back(static_cast<float>(leanCost_ * std::abs(lean)));
+    std::vector<std::int32_t> begin(2 * kWidths * leans.size(), 0);
     std::vector<float> out;
     out.reserve(index(problem_.ribs) * kWidths * leans.size());
     for (int i = 0; i < problem_.ribs * kWidths; ++i) out.insert(out.end(), own.begin(), own.end());
@@ -97,8 +102,10 @@ class WidthChains {
       for (std::size_t q = 0; q < leans.size(); ++q) {
         float* first = &out[index(i) * kWidths * leans.size() + q];
         const auto left = static_cast<float>((1 + leans[q]) / 2);
-        addSide(rowOf(problem_.left, left_, i), left, widths_, first, leans.size());
-        addSide(rowOf(problem_.right, right_, i), 1 - left, widths_, first, leans.size());
+        std::int32_t* labels = &begin[2 * q * kWidths];
+        addSide(rowOf(problem_.left, left_, i), left, widths_, first, leans.size(), labels);
+        addSide(rowOf(problem_.right, right_, i), 1 - left, widths_, first, leans.size(),
+                labels + kWidths);
       }
     }
     return out;

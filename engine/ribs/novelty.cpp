@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/ribs/evidence.h"
+#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -19,16 +20,11 @@ constexpr float kMostNovelty = 2;
 // Smallest ranges that the bins of lightness and of a and b span, Lab units.
 constexpr float kLightRange = 20, kColourRange = 14;
 
-using Histogram = std::vector<float>;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // The bins of one channel: from the 0.5th to the 99.5th percentile of the strip, and a little more.
 struct Axis {
   float low = 0, scale = 1;
-  int bin(float value) const {
-    return std::clamp(static_cast<int>((value - low) * scale), 0, kBins - 1);
-  }
 };
 
 Axis axisOf(std::vector<float>& values, float leastRange) {
@@ -43,27 +39,51 @@ Axis axisOf(std::vector<float>& values, float leastRange) {
   return {low - 0.02f * range, kBins / (1.04f * range)};
 }
 
-// Blurs with (1, 2, 1) along each axis and makes the shares sum to 1.
-void finish(Histogram& h) {
-  Histogram out(kCells);
-  for (std::size_t stride : {kCells / kBins, kCells / kBins / kBins, std::size_t{1}}) {
-    for (std::size_t i = 0; i < kCells; ++i) {
-      const std::size_t at = i / stride % kBins;
-      out[i] = 2 * h[i] + (at > 0 ? h[i - stride] : 0) + (at + 1 < kBins ? h[i + stride] : 0);
+// One axis of the blur with (1, 2, 1): entries `stride` apart are neighbours along it.
+void blurAlong(const float* __restrict in, std::size_t stride, float* __restrict out) {
+  for (std::size_t block = 0; block < kCells; block += stride * kBins) {
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      const float* here = in + block + bin * stride;
+      float* to = out + block + bin * stride;
+      for (std::size_t i = 0; i < stride; ++i) to[i] = 2 * here[i];
+      if (bin > 0) {
+        for (std::size_t i = 0; i < stride; ++i) to[i] += *(here + i - stride);
+      }
+      if (bin + 1 < kBins) {
+        for (std::size_t i = 0; i < stride; ++i) to[i] += here[i + stride];
+      }
     }
-    h.swap(out);
   }
+}
+// The axis whose neighbours are next to each other.
+void blurRows(const float* __restrict in, float* __restrict out) {
+  for (std::size_t row = 0; row < kCells; row += kBins) {
+    const float* here = in + row;
+    float* to = out + row;
+    to[0] = 2 * here[0] + here[1];
+    for (std::size_t i = 1; i + 1 < kBins; ++i) to[i] = 2 * here[i] + here[i - 1] + here[i + 1];
+    to[kBins - 1] = 2 * here[kBins - 1] + here[kBins - 2];
+  }
+}
+
+// Blurs along each axis and makes the shares sum to 1.
+void finish(float* h, std::vector<float>& blurred) {
+  blurred.resize(2 * kCells);
+  float *first = blurred.data(), *second = first + kCells;
+  blurAlong(h, kCells / kBins, first);
+  blurAlong(first, kCells / kBins / kBins, second);
+  blurRows(second, h);
   float sum = 0;
-  for (float v : h) sum += v;
+  for (std::size_t i = 0; i < kCells; ++i) sum += h[i];
   if (sum > 0) {
-    for (float& v : h) v /= sum;
+    for (std::size_t i = 0; i < kCells; ++i) h[i] /= sum;
   }
 }
 
 // Cell of every entry of the strip.
-void classify(const GradientCurves& curves, const Strip& strip, std::vector<std::uint16_t>& cells) {
+void classify(const GradientCurves& curves, const Strip& strip, ColourTables& colours) {
   std::array<Axis, 3> axes;
-  std::vector<float> values;
+  std::vector<float>& values = colours.values;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     values.clear();
     for (int c = 0; c < strip.curves; c += 2) {
@@ -74,13 +94,16 @@ void classify(const GradientCurves& curves, const Strip& strip, std::vector<std:
     }
     axes[channel] = axisOf(values, channel == 0 ? kLightRange : kColourRange);
   }
-  cells.assign(curves.x.size(), 0);
+  const Float4 low{axes[0].low, axes[1].low, axes[2].low, 0};
+  const Float4 scale{axes[0].scale, axes[1].scale, axes[2].scale, 0};
+  colours.cells.resize(curves.x.size());
   for (int c = 0; c < strip.curves; ++c) {
-    for (int k = 0; k < curves.reached[index(c)]; ++k) {
-      const auto& lab = strip.lab[curves.at(c, k)];
-      const int cell =
-          (axes[0].bin(lab[0]) * kBins + axes[1].bin(lab[1])) * kBins + axes[2].bin(lab[2]);
-      cells[curves.at(c, k)] = static_cast<std::uint16_t>(cell);
+    const std::size_t row = curves.at(c, 0), end = row + index(curves.reached[index(c)]);
+    for (std::size_t at = row; at < end; ++at) {
+      const Float4 bins = (load4(strip.lab[at].data()) - low) * scale;
+      const Int4 bin =
+          __builtin_convertvector(least4(most4(bins, all4(0)), all4(kBins - 1)), Int4);
+      colours.cells[at] = static_cast<std::uint16_t>((bin[0] * kBins + bin[1]) * kBins + bin[2]);
     }
   }
 }
@@ -98,70 +121,93 @@ int stretchOf(const CurveLayout& layout, int curve) {
   return std::min(kStretches - 1, static_cast<int>(positionOf(layout, curve) * kStretches));
 }
 
-struct Colours {
-  Histogram all = Histogram(kCells), spine = Histogram(kCells);
-  std::array<Histogram, kStretches> stretches;
-};
+// Whether a curve is one of a rib, not of the fans.
+bool ofRib(const CurveLayout& layout, int c) {
+  return c < layout.ribs || (c >= layout.ribs + layout.fan && c < 2 * layout.ribs + layout.fan);
+}
 
-Colours learn(const GradientCurves& curves, const Strip& strip,
-              const std::vector<std::uint16_t>& cells, const std::vector<float>& known) {
-  Colours colours;
-  for (Histogram& h : colours.stretches) h.assign(kCells, 0.f);
+// The shares of the cells close to the spine, or up to what is known, in all and by stretch.
+void learn(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+           ColourTables& colours) {
+  colours.spine.assign(kCells, 0.f);
+  colours.stretches.assign(kStretches * kCells, 0.f);
+  const float reach = kSpineReach * static_cast<float>(strip.pixel);
   for (int c = 0; c < strip.curves; ++c) {
+    if (!ofRib(curves.layout, c)) continue;
     // A curve counts for the stretches on both sides of it in proportion to nearness.
     const float at = positionOf(curves.layout, c) * kStretches - 0.5f;
     const int low = std::clamp(static_cast<int>(std::floor(at)), 0, kStretches - 1);
     const int high = std::min(low + 1, kStretches - 1);
     const float share = std::clamp(at - static_cast<float>(low), 0.f, 1.f);
-    const bool side = c < curves.layout.ribs || (c >= curves.layout.ribs + curves.layout.fan &&
-                                                 c < 2 * curves.layout.ribs + curves.layout.fan);
-    const float near = std::max(kSpineReach * static_cast<float>(strip.pixel),
-                                known.empty() ? 0.f : known[index(c)]);
+    const float near = std::max(reach, known.empty() ? 0.f : known[index(c)]);
+    float* lower = &colours.stretches[index(low) * kCells];
+    float* upper = &colours.stretches[index(high) * kCells];
     for (int k = 1; k < curves.reached[index(c)]; ++k) {
       const std::size_t i = curves.at(c, k);
+      if (curves.along[i] > near) break;
       if (strip.isIgnored(i)) continue;
       const float run = curves.along[i] - curves.along[i - 1];
-      colours.all[cells[i]] += run;
-      if (!side || curves.along[i] > near) continue;
-      colours.spine[cells[i]] += run;
-      colours.stretches[index(low)][cells[i]] += run * (1 - share);
-      colours.stretches[index(high)][cells[i]] += run * share;
+      colours.spine[colours.cells[i]] += run;
+      lower[colours.cells[i]] += run * (1 - share);
+      upper[colours.cells[i]] += run * share;
     }
   }
-  finish(colours.all);
-  finish(colours.spine);
-  for (Histogram& h : colours.stretches) finish(h);
-  return colours;
+  finish(colours.spine.data(), colours.blurred);
+  for (std::size_t s = 0; s < kStretches; ++s)
+    finish(&colours.stretches[s * kCells], colours.blurred);
+}
+
+// How foreign every cell is to every stretch.
+void compare(ColourTables& colours) {
+  const std::vector<float>&all = colours.all, &spine = colours.spine;
+  float overlap = 0;  // Bhattacharyya coefficient
+  for (std::size_t i = 0; i < kCells; ++i) overlap += std::sqrt(all[i] * spine[i]);
+  const float trust = std::sqrt(std::max(0.f, 1 - overlap));
+  colours.foreign.resize(kStretches * kCells);
+  for (std::size_t s = 0; s < kStretches; ++s) {
+    const float* stretch = &colours.stretches[s * kCells];
+    float* out = &colours.foreign[s * kCells];
+    for (std::size_t i = 0; i < kCells; ++i) {
+      const float own = 0.5f * (spine[i] + stretch[i]);
+      const float ratio = quickLog((all[i] + kLeastShare) / (own + kLeastShare));
+      const float low = ratio < -kMostNovelty ? -kMostNovelty : ratio;
+      out[i] = trust * (low > kMostNovelty ? kMostNovelty : low);
+    }
+  }
 }
 
 }  // namespace
 
-void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
-                  std::vector<float>& novelty) {
-  std::vector<std::uint16_t> cells;
-  classify(curves, strip, cells);
-  const Colours colours = learn(curves, strip, cells, known);
-  novelty.assign(curves.x.size(), 0.f);
-  // With the whole spine ignored nothing is known of its colours.
-  if (std::ranges::all_of(colours.spine, [](float share) { return share == 0; })) return;
-  float overlap = 0;  // Bhattacharyya coefficient
-  for (std::size_t i = 0; i < kCells; ++i) overlap += std::sqrt(colours.all[i] * colours.spine[i]);
-  const float trust = std::sqrt(std::max(0.f, 1 - overlap));
-  std::array<Histogram, kStretches> table;
-  for (std::size_t s = 0; s < table.size(); ++s) {
-    table[s].resize(kCells);
-    for (std::size_t i = 0; i < kCells; ++i) {
-      const float own = 0.5f * (colours.spine[i] + colours.stretches[s][i]);
-      const float ratio = std::log((colours.all[i] + kLeastShare) / (own + kLeastShare));
-      table[s][i] = trust * std::clamp(ratio, -kMostNovelty, kMostNovelty);
+void sortColours(const GradientCurves& curves, const Strip& strip, ColourTables& colours) {
+  classify(curves, strip, colours);
+  colours.all.assign(kCells, 0.f);
+  for (int c = 0; c < strip.curves; ++c) {
+    for (int k = 1; k < curves.reached[index(c)]; ++k) {
+      const std::size_t i = curves.at(c, k);
+      if (!strip.isIgnored(i)) colours.all[colours.cells[i]] += curves.along[i] - curves.along[i - 1];
     }
   }
+  finish(colours.all.data(), colours.blurred);
+}
+
+void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+                  ColourTables& colours, std::vector<float>& novelty) {
+  learn(curves, strip, known, colours);
+  novelty.resize(curves.x.size());
+  // With the whole spine ignored nothing is known of its colours.
+  if (std::ranges::all_of(colours.spine, [](float share) { return share == 0; })) {
+    std::ranges::fill(novelty, 0.f);
+    return;
+  }
+  compare(colours);
   for (int c = 0; c < strip.curves; ++c) {
-    const Histogram& own = table[index(stretchOf(curves.layout, c))];
-    for (int k = 0; k < curves.reached[index(c)]; ++k) {
-      const std::size_t i = curves.at(c, k);
-      if (!strip.isIgnored(i)) novelty[i] = own[cells[i]];
+    const float* own = &colours.foreign[index(stretchOf(curves.layout, c)) * kCells];
+    const std::size_t row = curves.at(c, 0), end = row + index(curves.reached[index(c)]);
+    for (std::size_t i = row; i < end; ++i) novelty[i] = own[colours.cells[i]];
+    for (std::size_t i = row; i < end && !strip.ignored.empty(); ++i) {
+      if (strip.isIgnored(i)) novelty[i] = 0;
     }
+    std::fill(&novelty[row] + (end - row), &novelty[row] + curves.levels, 0.f);
   }
 }
 

@@ -19,10 +19,12 @@ struct Scene {
   Spine spine = cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = 60}).value();
   GradientCurves curves;
   Strip strip;
+  mutable ColourTables colours;  // memory of what is asked about them
   explicit Scene(const image::EdgeMap& map) {
     const D2Field field(spine.points);
     traceCurves(spine, field, makeLevels(100, 1, 120, field.length()), 7, kPicture, curves);
     sampleStrip(curves, map, nullptr, strip);
+    sortColours(curves, strip, colours);
   }
   // The level of the left curve in the middle that is nearest to this far from the spine.
   int level(double away) const {
@@ -60,7 +62,8 @@ void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, 
 TEST_CASE("contrast is strong on a contour along the spine and nothing away from it") {
   const Scene scene(fixtures::mapOf(kPicture, inBar));
   std::vector<float> contrast;
-  contourContrast(scene.curves, scene.strip, {}, contrast);
+  EvidenceScratch scratch;
+  contourContrast(scene.curves, scene.strip, {}, scratch, contrast);
   CHECK(scene.at(contrast, 30) > 30);
   CHECK(scene.at(contrast, 15) < 1);
   CHECK(scene.at(contrast, 60) < 1);
@@ -72,14 +75,15 @@ TEST_CASE(
   const Scene stripes(
       fixtures::mapOf(kPicture, [](PicturePoint p) { return std::fmod(p.x, 12) < 6; }));
   std::vector<float> contrast;
-  contourContrast(stripes.curves, stripes.strip, {}, contrast);
+  EvidenceScratch scratch;
+  contourContrast(stripes.curves, stripes.strip, {}, scratch, contrast);
   CHECK(stripes.at(contrast, 30) < 6);
   // Short strokes, each as wide as one rib is far from the next.
   const Scene hatching(fixtures::mapOf(kPicture, [](PicturePoint p) {
     return std::fmod(p.x, 9) < 3 && std::fmod(p.y + 7 * std::floor(p.x / 9), 23) < 9;
   }));
   double sum = 0;
-  contourContrast(hatching.curves, hatching.strip, {}, contrast);
+  contourContrast(hatching.curves, hatching.strip, {}, scratch, contrast);
   for (int k = 5; k < 60; ++k) sum += static_cast<double>(contrast[hatching.curves.at(30, k)]) / 55;
   CHECK(sum < 12);
 }
@@ -90,7 +94,7 @@ TEST_CASE("colours that the spine never sees are novel, its own are not") {
       map, [](PicturePoint p) { return p.y < 80; }, 90, 50);
   const Scene scene(map);
   std::vector<float> novelty;
-  spineNovelty(scene.curves, scene.strip, {}, novelty);
+  spineNovelty(scene.curves, scene.strip, {}, scene.colours, novelty);
   CHECK(scene.at(novelty, 15) < 0);
   CHECK(scene.at(novelty, 50) > 0.5);
   CHECK(scene.at(novelty, 90) > 0.5);
@@ -105,9 +109,9 @@ TEST_CASE("a colour inside the part that is known is not foreign any more") {
   paint(map, sleeve, 50, 60);
   const Scene scene(map);
   std::vector<float> first, second;
-  spineNovelty(scene.curves, scene.strip, {}, first);
+  spineNovelty(scene.curves, scene.strip, {}, scene.colours, first);
   const std::vector<float> known(static_cast<std::size_t>(scene.curves.layout.total()), 25.f);
-  spineNovelty(scene.curves, scene.strip, known, second);
+  spineNovelty(scene.curves, scene.strip, known, scene.colours, second);
   CHECK(scene.at(first, 15) > 0.3);
   CHECK(scene.at(second, 15) < 0);
   CHECK(scene.at(second, 60) > 0.3);
@@ -116,7 +120,7 @@ TEST_CASE("a colour inside the part that is known is not foreign any more") {
 TEST_CASE("where the spine sees what there is everywhere, colour says nothing") {
   const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint) { return false; }));
   std::vector<float> novelty;
-  spineNovelty(scene.curves, scene.strip, {}, novelty);
+  spineNovelty(scene.curves, scene.strip, {}, scene.colours, novelty);
   for (float v : novelty) CHECK(std::abs(v) < 0.05f);
 }
 
