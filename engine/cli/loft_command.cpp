@@ -179,7 +179,7 @@ std::string reportOf(const Model& model) {
 
 }  // namespace
 
-Status runLoft(const LoftArguments& arguments, std::ostream& out) {
+Status runLoft(const LoftArguments& arguments, Console console) {
   Result<Model> made = makeModel(arguments);
   if (!made.ok()) return made.failure();
   Model& model = made.value();
@@ -205,7 +205,9 @@ Status runLoft(const LoftArguments& arguments, std::ostream& out) {
   model.milliseconds.emplace_back("write", nowMs() - started);
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(model))});
   if (Status status = writeAll(files); !status.ok()) return status;
+  if (!arguments.out.empty()) tellSeparateParts(model.document, console.err);
 
+  std::ostream& out = console.out;
   std::size_t ribs = 0, triangles = 0;
   for (std::size_t i = 0; i < model.document.parts.size(); ++i) {
     ribs += model.shape(i).ribs.ribs.size();

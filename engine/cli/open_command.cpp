@@ -54,6 +54,7 @@ std::string reportOf(const Opened& opened) {
   }
   return io::writeNumbers({{"pictures", static_cast<double>(opened.document.pictures.size())},
                            {"parts", static_cast<double>(opened.document.parts.size())},
+                           {"solids", static_cast<double>(opened.document.steps.size())},
                            {"shaped", shaped},
                            {"lawful", lawful},
                            {"vertices", vertices},
@@ -69,7 +70,7 @@ Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end());
 
 }  // namespace
 
-Status runOpen(const OpenArguments& arguments, std::ostream& out) {
+Status runOpen(const OpenArguments& arguments, Console console) {
   const Result<Opened> read = openProject(arguments.file);
   if (!read.ok()) return read.failure();
   const Opened& opened = read.value();
@@ -85,7 +86,9 @@ Status runOpen(const OpenArguments& arguments, std::ostream& out) {
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(opened))});
   if (Status status = writeAll(files); !status.ok()) return status;
+  if (!arguments.out.empty()) tellSeparateParts(opened.document, console.err);
 
+  std::ostream& out = console.out;
   out << opened.document.name << ": " << opened.document.pictures.size() << " pictures, "
       << opened.document.parts.size() << " parts";
   if (!opened.notes.clean()) {

@@ -24,10 +24,10 @@ int runCommand(const Arguments& arguments, Console console) {
     return kExitSuccess;
   }
   if (const auto* loft = std::get_if<LoftArguments>(&arguments)) {
-    return finish(runLoft(*loft, console.out), console.err);
+    return finish(runLoft(*loft, console), console.err);
   }
   if (const auto* open = std::get_if<OpenArguments>(&arguments)) {
-    return finish(runOpen(*open, console.out), console.err);
+    return finish(runOpen(*open, console), console.err);
   }
   if (const auto* edges = std::get_if<EdgesArguments>(&arguments)) {
     return finish(runEdges(*edges, console.out), console.err);
@@ -65,6 +65,21 @@ std::string sentenceOf(const Failure& failure) {
     if (c == '\n' || c == '\r') c = ' ';
   }
   return sentence + '.';
+}
+
+void tellSeparateParts(const document::Document& document, std::ostream& err) {
+  std::string names;
+  for (const document::Step& step : document.steps) {
+    if (holderOf(document, {{}, step.id}) != nullptr || !step.visible) continue;
+    names += (names.empty() ? "" : ", ") + step.name;
+  }
+  if (names.empty()) return;
+  for (char& c : names) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  err << "spineloft: This program does not put parts together, so these solids are written as the separate parts "
+         "that they are made of ("
+      << names << ").\n";
 }
 
 double nowMs() {

@@ -8,6 +8,7 @@
 
 #include "engine/base/result.h"
 #include "engine/cli/arguments.h"
+#include "engine/document/document.h"
 
 namespace spineloft::cli {
 
@@ -25,11 +26,15 @@ int run(std::span<const std::string_view> words, Console console);
 /// The failure as one sentence: "That file is empty (cat.png)."
 std::string sentenceOf(const Failure& failure);
 
+/// Says on `err` which solids of the document this program writes as the parts they are made of: it has no solver.
+/// Nothing where there are none.
+void tellSeparateParts(const document::Document& document, std::ostream& err);
+
 /// Milliseconds from a steady clock.
 double nowMs();
 
-Status runLoft(const LoftArguments& arguments, std::ostream& out);
-Status runOpen(const OpenArguments& arguments, std::ostream& out);
+Status runLoft(const LoftArguments& arguments, Console console);
+Status runOpen(const OpenArguments& arguments, Console console);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);
 Status runBench(const BenchArguments& arguments, std::ostream& out);
 

@@ -179,7 +179,9 @@ PrintCheck checkPrint(std::span<const mesh::TriMesh> parts) {
   std::array<double, 3> low{}, high{};
   bool any = false;
   for (const mesh::TriMesh& mesh : parts) {
-    check.closed = check.closed && mesh::inspect(mesh).lawful();
+    // Triangles without an area, as solids of several parts have them at their seams, print as nothing.
+    const mesh::MeshReport report = mesh::inspect(mesh);
+    check.closed = check.closed && report.finite && report.indexed && report.closed && report.outward;
     if (mesh.positions.empty()) continue;
     const mesh::Bounds bounds = mesh::boundsOf(mesh);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -26,7 +26,7 @@ inline constexpr double kLeastLean = 0.0524;
 inline constexpr double kFootReach = 0.3;
 
 struct PrintCheck {
-  bool closed = false;  ///< every part obeys the mesh laws
+  bool closed = false;  ///< every part is finite, closed and outward
   /// Width (x), depth (z of the meshes), height (y), millimetres.
   std::array<double, 3> size{};
   double volume = 0;  ///< cubic millimetres; where parts overlap it counts twice

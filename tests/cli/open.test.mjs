@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import validator from 'gltf-validator';
-import { barFolder, fails, glbJson, readJson, works } from '../support/cli.mjs';
+import { barFolder, fails, glbJson, readJson, run, works } from '../support/cli.mjs';
 
 /** A folder with the bar as bar.spineloft. */
 function savedBar(t) {
@@ -83,6 +83,30 @@ test('what is no project, is cut off or too new is said in one sentence', (t) =>
   assert.match(fails(3, 'open', folder.path('bar.png')), /not made with SpineLoft/);
   assert.match(fails(2, 'open', folder.path('bar.spineloft'), '--out', folder.path('bar.spineloft')), /replace/);
   assert.match(fails(2, 'open', folder.path('bar.spineloft'), '--out', folder.path('x.fbx')), /\.spineloft/);
+});
+
+test('solids are written as the parts they are made of, which is said in one sentence', async (t) => {
+  const folder = savedBar(t);
+  const bar = readFileSync(folder.path('bar.spineloft'));
+  writeFileSync(folder.path('mug.spineloft'), withJson(bar, (json) => {
+    const { document } = json.extensions.SPINELOFT_project;
+    document.parts.push({ ...document.parts[0], id: 2, name: 'Handle' });
+    Object.assign(document, { lastPartId: 2, lastStepId: 2, steps: [{ id: 1, name: 'Both', operands: [{ part: 1 }, { part: 2 }] }, { id: 2, name: 'Mug', kind: 'hollow', operands: [{ step: 1 }] }] });
+  }));
+  const out = ['again.glb', 'again.stl', 'again.spineloft'].map(folder.path);
+  for (const file of out) {
+    const done = run('open', folder.path('mug.spineloft'), '--out', file, '--report', folder.path('r.json'));
+    assert.equal(done.status, 0);
+    assert.match(done.stderr, /^spineloft: [^\n]*separate parts[^\n]*\(Mug\)\.\n$/);
+    assert.match(done.stdout, /1 pictures, 2 parts: /);
+  }
+  assert.deepEqual([readJson(folder.path('r.json')).parts, readJson(folder.path('r.json')).solids], [2, 2]);
+  await validates(out[0]);
+  // What it was made of is kept for the page, and nothing is said where no model is written.
+  works('open', out[2], '--document', folder.path('d.json'));
+  assert.deepEqual(readJson(folder.path('d.json')).steps.map(({ name }) => name), ['Both', 'Mug']);
+  const recipe = run('loft', '--recipe', folder.path('d.json'), folder.path('bar.png'), '--out', folder.path('r.stl'));
+  assert.deepEqual([recipe.status, /\(Mug\)\.\n$/.test(recipe.stderr)], [0, true], recipe.stderr);
 });
 
 test('a part that lost its picture is left out and said so', (t) => {

@@ -69,6 +69,10 @@ void besideChoices(Env env, JsonWriter& json) {
 }
 
 Outcome checkPrint(Env env, const Json&) {
+  const auto& steps = env.studio.derived().steps;
+  if (std::ranges::any_of(steps, &pipeline::DerivedStep::waiting)) {
+    return Refusal{"NotReady", "The parts are still being put together. Ask again in a moment."};
+  }
   Result<printing::PrintCheck> check = publish::checkPrint(env.studio.document(), env.studio.derived());
   if (!check) return refuse(check.failure());
   env.ui.print = PrintReport{check.value(), env.studio.document()};

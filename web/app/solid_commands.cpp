@@ -247,6 +247,31 @@ Outcome tryAgain(Env env, const Json&) {
   return {};
 }
 
+/// Takes the part at fault in hand and looks at the place.
+Outcome showTrouble(Env env, const Json& args) {
+  const auto& steps = env.studio.derived().steps;
+  const StepId id = args.find("step") != nullptr ? stepFrom(args, "step") : StepId{};
+  const auto at = std::ranges::find_if(steps, [&](const pipeline::DerivedStep& step) {
+    return step.failure && (!id || step.id == id) && (step.at || step.faulty);
+  });
+  if (at == steps.end()) return noStep();
+  if (at->faulty) {
+    const Json which = Json::Object{{"id", at->faulty.value}};
+    if (Outcome bad = selectPart(env, which)) return bad;
+  }
+  if (!at->at) return {};
+  Camera to = env.ui.camera;
+  to.target = *at->at;
+  env.ui.cameraTouched = true;
+  if (env.host.reducedMotion()) {
+    env.ui.camera = to;
+    env.ui.flight.reset();
+  } else {
+    env.ui.flight = CameraFlight{env.ui.camera, to, env.host.nowMs()};
+  }
+  return {};
+}
+
 void openings(Env env, JsonWriter& json) {
   const Step* step = chosenStep(env);
   constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kChoices = {{
@@ -284,6 +309,8 @@ constexpr std::array kTable = {
     Command{"select-step", "Choose a solid", "box", "", "part", {"id"}, "Choose a solid to change it", hasSteps, nullptr, selectStep},
     Command{"pick", "Tick a part", "check", "", "part", {"part"}, "Tick what is to be put together", severalRoots, nullptr, pick},
     Command{"fold-step", "Fold solid", "chevron-down", "", "part", {}, "Hide or show what the solid is made of", hasStep, nullptr, foldStep},
+    Command{"show-trouble", "Show where", "crosshair", "", "part", {"step"},
+            "Show the place where the parts could not be put together", hasTrouble, nullptr, showTrouble},
     Command{"solve-again", "Try again", "refresh-cw", "", "part", {},
             "Put the parts together once more", hasTrouble, nullptr, tryAgain},
 };

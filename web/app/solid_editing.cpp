@@ -101,6 +101,11 @@ std::string troubleOf(const CommandEnv& env, const document::Step& step) {
   return failureSentence({derived->failure->error, part ? part->name : std::string()});
 }
 
+bool hasPlace(const CommandEnv& env, const document::Step& step) {
+  const pipeline::DerivedStep* derived = derivedOf(env, step.id);
+  return derived != nullptr && derived->failure && (derived->at || findPart(env.studio.document(), derived->faulty));
+}
+
 void writeSolids(JsonWriter& json, const CommandEnv& env) {
   json.key("steps").beginArray();
   for (const document::Step& step : env.studio.document().steps) writeStep(json, env, step);

@@ -21,6 +21,8 @@ bool isPicked(const UiState& ui, document::Operand operand);
 double millimetresPerUnit(const CommandEnv& env);
 /// "Waiting …", "The wall is too thick …", or empty when all is well.
 std::string troubleOf(const CommandEnv& env, const document::Step& step);
+/// Whether something can be shown of what is the matter: a place, or the part at fault.
+bool hasPlace(const CommandEnv& env, const document::Step& step);
 /// The chosen solid, or null.
 const document::Step* chosenStep(const CommandEnv& env);
 /// `steps` and what is ticked, for the state of the page.

@@ -68,6 +68,20 @@ bool looksAsItsParts(const document::Document& document, const document::Step& s
   });
 }
 
+/// A solid with a part that has no shape: why, or that the part is still on its way.
+void waitForParts(const document::Document& document, const pipeline::Derived& derived, StepId id,
+                  pipeline::DerivedStep& result) {
+  result.waiting = true;
+  for (const PartId part : partsIn(document, {{}, id})) {
+    const auto at = std::ranges::find(derived.parts, part, &pipeline::DerivedPart::id);
+    if (at == derived.parts.end() || at->shape || !at->failure) continue;
+    result.waiting = false;
+    result.failure = at->failure;
+    result.faulty = part;
+    return;
+  }
+}
+
 /// A preview's solid is coarser: it must not be taken for the real one.
 std::uint64_t previewKey(std::uint64_t key) { return key ^ 0x5b1d9ac3e7f20861u; }
 
@@ -147,6 +161,9 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
         result.waiting = true;
         missing.push_back(key);
       }
+    }
+    if (root == plan.roots.end() && holderOf(document, {{}, step.id}) == nullptr) {
+      waitForParts(document, derived, step.id, result);
     }
     derived.steps.push_back(std::move(result));
   }

@@ -164,6 +164,10 @@ void Studio::reportSolids() {
     const Error error = step.failure->error;
     if (error == Error::Cancelled || error == Error::SolverStopped) continue;  // told already
     const document::Part* part = document::findPart(document(), step.faulty);
+    const bool toldOfPart = std::ranges::any_of(derived_.parts, [&](const pipeline::DerivedPart& derived) {
+      return derived.id == step.faulty && derived.failure && derived.failure->error == error;
+    });
+    if (toldOfPart) continue;
     sendError(host_, failureSentence({error, part == nullptr ? std::string() : part->name}));
   }
 }

@@ -28,6 +28,8 @@ void draw(const PanelEnv& env);
 // Its pieces.
 void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
 void drawSolidOverlay(const PanelEnv& env);    ///< the bone with the handles of its depth
+void drawTroubleInPicture(const PanelEnv& env);  ///< where a solid could not be made
+void drawTroubleInSolid(const PanelEnv& env);
 void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand
 void drawScale(const PanelEnv& env);           ///< how tall the solid is, and a thing beside it
 void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told

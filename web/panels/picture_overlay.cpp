@@ -328,6 +328,7 @@ void drawPictureOverlay(const PanelEnv& env) {
   drawInHand(list, env.ui());
   drawInk(env);
   list.PopClipRect();
+  drawTroubleInPicture(env);
 }
 
 }  // namespace spineloft::panels

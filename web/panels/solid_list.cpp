@@ -121,7 +121,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   ImFont* icons = env.fonts.icons;
   const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;
   list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2},
-               trouble.empty() ? kAccent : rgb(0xb3261e), iconText(iconOf(step.kind)));
+               trouble.empty() ? kAccent : kTrouble, iconText(iconOf(step.kind)));
   list.PushClipRect(at, {at.x + row, at.y + height}, true);
   list.AddText({at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2},
                !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk, step.name.c_str());
@@ -160,9 +160,16 @@ void solidPanel(const PanelEnv& env, float width) {
     const std::string trouble = app::troubleOf(env.env, each);
     if (trouble.empty()) continue;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, rgb(0xb3261e), each.name + ": " + trouble);
+    label(env.fonts.small, kTrouble, each.name + ": " + trouble);
     ImGui::PopTextWrapPos();
-    commandTile(env, "solve-again", "Try again", {std::min(width, 110.f), side});
+    ImGui::PushID(static_cast<int>(each.id.value));
+    const float half = std::min((width - 4) / 2, 110.f);
+    if (app::hasPlace(env.env, each) && textButton(env, {"where", "Show where", false, true, side, half})) {
+      env.sink.run("show-trouble", which(each));
+    }
+    if (app::hasPlace(env.env, each)) ImGui::SameLine(0, 4);
+    commandTile(env, "solve-again", "Try again", {half, side});
+    ImGui::PopID();
   }
   constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {{
       {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}}};

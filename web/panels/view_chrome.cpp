@@ -290,6 +290,7 @@ void draw(const PanelEnv& env) {
   drawSliceOverlay(env);
   drawSolidOverlay(env);
   drawScale(env);
+  drawTroubleInSolid(env);
   drawPlaceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);

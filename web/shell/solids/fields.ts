@@ -1,7 +1,7 @@
 // Solids from distance fields: the inside of a hollow, and the rounding at a seam.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { DistanceField } from './distance.ts';
-import { gridOver, sample, surfaceWhere } from './grid.ts';
+import { gridOver, lowestOf, sample, surfaceWhere } from './grid.ts';
 import type { Box, Point, Surface } from './grid.ts';
 import { Unsolvable } from './kernel.ts';
 import { fitPaint } from './paint.ts';
@@ -9,8 +9,9 @@ import type { SolidNode } from './protocol.ts';
 
 /** What a maker of solids may do with what it makes on the way. */
 export interface Making {
-  /** Original id for the faces that are new. */
+  /** Original id for the faces that are new, and the part whose they are. */
   id: number;
+  part: number;
   /** Deleted when the step is done. */
   own: Manifold[];
 }
@@ -80,7 +81,7 @@ function reaching({ positions, triangles }: Surface, along: (x: number, y: numbe
  * A shell: the solid without everything that is deeper inside than the wall. Towards the opening the inside goes on
  * straight from where it is first as deep as the wall on all sides.
  */
-export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, own }: Making): Manifold {
+export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, part, own }: Making): Manifold {
   const surface = surfaceOf(body), { wall, opening } = node;
   const bounds = body.boundingBox() as Box;
   const longest = Math.max(...sidesOf(bounds));
@@ -103,7 +104,7 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   }));
   // What does not reach the opening, such as the inside of a handle, would be a void that nothing runs out of.
   const inside = opening ? reaching(deep, along, rim) : deep;
-  if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick' });
+  if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values) });
   const cavity = painted(library, inside, fitPaint(surface.properties, surface.stride), id);
   own.push(cavity);
   let outside = body;

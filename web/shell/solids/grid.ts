@@ -45,6 +45,13 @@ export function sample({ min, step, size: [nx, ny, nz] }: Grid, value: (x: numbe
   return values;
 }
 
+/** Where the lowest number stands. */
+export function lowestOf({ min, step, size: [nx, ny] }: Grid, values: Float32Array): Point {
+  let lowest = 0;
+  for (let i = 1; i < values.length; i += 1) if (values[i]! < values[lowest]!) lowest = i;
+  return [min[0] + step * (lowest % nx), min[1] + step * (Math.floor(lowest / nx) % ny), min[2] + step * Math.floor(lowest / (nx * ny))];
+}
+
 /**
  * For each of the 256 ways in which the corners of a cell are inside or not: the triangles, as triples of the cell's
  * edges (4 · axis + which of the four). Corner c lies at (c & 1, c >> 1 & 1, c >> 2). On every face a line is drawn

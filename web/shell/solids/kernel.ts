@@ -144,13 +144,14 @@ export class SolidKernel {
       // A part with live symmetry comes with its twin.
       const body = operands.length > 1 ? Manifold.union(operands) : operands[0]!;
       if (operands.length > 1) own.push(body);
-      return hollowOf(this.library, body, node, { id: this.ownerId(this.mainPart(body)), own });
+      const part = this.mainPart(body);
+      return hollowOf(this.library, body, node, { id: this.ownerId(part), part, own });
     }
     const plain = this.together(node, operands, own);
     if (node.blend <= 0 || node.kind === 'common' || plain.isEmpty()) return plain;
     own.push(plain);
-    const id = this.ownerId(this.mainPart(operands[0]!));
-    return seamOf(this.library, { plain, operands, node }, { id, own });
+    const part = this.mainPart(operands[0]!);
+    return seamOf(this.library, { plain, operands, node }, { id: this.ownerId(part), part, own });
   }
 
   /**
