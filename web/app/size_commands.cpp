@@ -1,4 +1,5 @@
 // Commands about the size of the finished model, and about printing it.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
