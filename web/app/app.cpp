@@ -98,6 +98,7 @@ void App::settle() {
   if (lost) gestures_.cancel(toolEnv());
   settleChosen();
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
+  settleCut(env());
   settleSolids(document, ui_);
   const bool orphaned =
       ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||
@@ -223,8 +224,9 @@ void App::watchWork() {
 void App::wake() {
   wakePending_ = tooltipPending_ = false;
   studio_.tellAmends();
-  // Without threads a search for edges would hold up the ink under the pen: it waits.
-  const bool penDown = studio_.threads() == 0 && ui_.sketching.stroke.has_value();
+  // Without threads a search would hold up the ink under the pen: it waits.
+  const bool inHand = ui_.sketching.stroke || (ui_.cut && gestures_.active());
+  const bool penDown = studio_.threads() == 0 && inHand;
   if (!penDown && studio_.pump()) {
     settle();
     studio_.derived();
@@ -254,6 +256,8 @@ void App::announce() {
   json_.number(static_cast<int>(ui_.look.paint)).flag(ui_.look.faceted).text(colourText(ui_.look.second));
   json_.number(static_cast<double>(ui_.slices.stop)).flag(ui_.slices.board.has_value());
   if (ui_.slices.board) json_.number(static_cast<double>(ui_.slices.board->past.size()));
+  json_.flag(ui_.cutByBox).flag(ui_.cut.has_value());
+  if (ui_.cut) json_.flag(ui_.cut->searching).flag(ui_.cut->adding).number(static_cast<double>(ui_.cut->hints.marks.size()));
   json_.flag(ui_.slices.placing).number(static_cast<double>(ui_.slices.shelf.size()));
   json_.number(studio_.busy() ? std::floor(studio_.activity()->done * 20) : 0);
   json_.endArray();

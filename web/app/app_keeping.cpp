@@ -88,6 +88,7 @@ const std::string& App::openProject(std::span<const std::uint8_t> file) {
 /// The history is another one: nothing of the old model stays selected, shown or in hand.
 void App::showOtherModel() {
   gestures_.cancel(toolEnv());
+  closeCut(env());
   ui_.preview.reset();
   ui_.selection = ui_.redraw = {};
   ui_.picture = {};

@@ -39,6 +39,18 @@ Outcome turnDown(const CommandEnv& env, const Json& args);
 Outcome focusPicture(const CommandEnv& env, const Json& args);
 Outcome focusSolid(const CommandEnv& env, const Json& args);
 
+// Cutting out.
+/// Leaves the thing that is being cut out; nothing without one.
+void closeCut(const CommandEnv& env);
+/// The same once its picture, its part or its tool is gone.
+void settleCut(const CommandEnv& env);
+/// Undo and redo of the marks while a thing is being cut out; undo without a mark leaves it. Errors:
+/// NothingToRedo.
+Status undoMark(const CommandEnv& env);
+Status redoMark(const CommandEnv& env);
+bool canUndoMark(const CommandEnv& env);
+bool canRedoMark(const CommandEnv& env);
+
 // Slices.
 /// Puts a slice on the shelf, unless it is there, and tells the browser. Refused when it is full.
 Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name);

@@ -10,6 +10,7 @@ namespace spineloft::app {
 std::span<const Command> generalCommands();  ///< board, parts, views: command_table.cpp
 std::span<const Command> ribCommands();      ///< editing ribs, ignoring edges: rib_commands.cpp
 std::span<const Command> regionCommands();   ///< puffs and flat pieces: region_commands.cpp
+std::span<const Command> cutCommands();      ///< cutting out of the picture: cut_commands.cpp
 std::span<const Command> boneCommands();     ///< moving and posing spines: bone_commands.cpp
 std::span<const Command> sliceCommands();    ///< sections along the spine, curves: slice_commands.cpp
 std::span<const Command> sliceBoardCommands();  ///< drawing a slice: slice_board_commands.cpp

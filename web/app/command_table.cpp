@@ -16,9 +16,11 @@ bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool hasAnything(Env env) { return hasPicture(env) || hasParts(env); }
 bool canUndo(Env env) {
+  if (env.ui.cut) return canUndoMark(env);
   return env.ui.slices.board ? canUndoOnBoard(env) : env.studio.undoSteps() > 0;
 }
 bool canRedo(Env env) {
+  if (env.ui.cut) return canRedoMark(env);
   return env.ui.slices.board ? canRedoOnBoard(env) : env.studio.redoSteps() > 0;
 }
 
@@ -30,9 +32,11 @@ bool focusOnPicture(Env env) { return env.ui.focus == Focus::Picture; }
 bool focusOnSolid(Env env) { return env.ui.focus == Focus::Solid; }
 
 Outcome undo(Env env, const Json&) {
+  if (env.ui.cut) return outcomeOf(undoMark(env));
   return outcomeOf(env.ui.slices.board ? undoOnBoard(env) : env.studio.undo());
 }
 Outcome redo(Env env, const Json&) {
+  if (env.ui.cut) return outcomeOf(redoMark(env));
   return outcomeOf(env.ui.slices.board ? redoOnBoard(env) : env.studio.redo());
 }
 Outcome useDraw(Env env, const Json&) {
@@ -47,6 +51,8 @@ Outcome useHand(Env env, const Json&) {
 Outcome cancel(Env env, const Json&) {
   if (env.ui.slices.board) {
     closeBoard(env.ui);
+  } else if (env.ui.cut) {
+    closeCut(env);
   } else if (env.ui.slices.placing) {
     env.ui.slices.placing = false;
   } else if (env.ui.pictureMenu || env.ui.sketching.menu != PenMenu::None) {

@@ -13,7 +13,7 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,
+constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands, cutCommands,
                                 boneCommands,    sliceCommands, sliceBoardCommands,
                                 sketchCommands,  placeCommands, lookCommands, sizeCommands,
                                 solidCommands,

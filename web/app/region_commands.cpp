@@ -8,7 +8,6 @@
 #include "engine/document/checks.h"
 #include "engine/geometry/region.h"
 #include "engine/io/json_fields.h"
-#include "engine/vision/cut_out.h"
 #include "web/app/command_actions.h"
 #include "web/app/command_args.h"
 #include "web/app/command_groups.h"
@@ -39,6 +38,7 @@ Outcome noRegion(Env env, const Json& args) {
 Outcome use(Env env, ToolKind tool, std::string_view hint) {
   env.ui.tool = tool;
   env.ui.redraw = {};
+  env.ui.cutByBox = false;
   env.ui.focus = Focus::Picture;
   sendStatus(env.host, hint);
   return {};
@@ -189,43 +189,6 @@ Outcome movePoint(Env env, const Json& args) {
   return redraw(env, part->id, withMovedPoint(region, at, *to));
 }
 
-/// Points along a hint line, or a single point.
-std::vector<PicturePoint> hintsOf(const Json& args, std::string_view key) {
-  if (auto line = strokeOf(args, key)) return *line;
-  if (const auto point = pointOf(args, key)) return {*point};
-  return {};
-}
-
-Outcome cutOut(Env env, const Json& args) {
-  const document::PictureEntry* entry =
-      document::findPicture(env.studio.document(), env.ui.picture);
-  if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
-  vision::CutHints hints;
-  if (const auto at = pointOf(args, "at")) hints.inside.push_back(*at);
-  for (const PicturePoint p : hintsOf(args, "inside")) hints.inside.push_back(p);
-  hints.outside = hintsOf(args, "outside");
-  if (const auto box = strokeOf(args, "box"); box && box->size() == 2) {
-    const PicturePoint a = (*box)[0], b = (*box)[1];
-    hints.box = {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-  }
-  if (hints.inside.empty() && !hints.box) return missing("where the thing is: at, inside, or a box");
-  const image::Picture* pixels =
-      pipeline::pixelsOf(env.studio.document(), env.studio.derived(), entry->id);
-  if (pixels == nullptr) return refuse({Error::PictureEmpty, {}});
-  auto contours = vision::cutOut(*pixels, hints);
-  if (!contours) return refuse(contours.failure());
-  document::Region region{entry->id, std::move(contours).value(), 0};
-  if (namesPart(args)) {
-    const document::Part* part = regionPart(env, args);
-    if (part == nullptr) return noRegion(env, args);
-    return redraw(env, part->id, std::move(region));
-  }
-  const std::string* as = args.text("as");
-  const bool flat = as ? *as == "sheet" : env.ui.tool == ToolKind::Sheet;
-  if (flat) return addRegion(env, std::move(region), env.ui.sheet);
-  return addRegion(env, std::move(region), env.ui.puff);
-}
-
 /// The way of the selected part, or of the next one, with a change; another kind becomes this one.
 template <class Change>
 Outcome shapePuff(Env env, const Json& args, const Change& change) {
@@ -301,7 +264,7 @@ constexpr double kNotch = 1.25;
 Outcome thicker(Env env, const Json& args) { return notch(env, args, kNotch); }
 Outcome thinner(Env env, const Json& args) { return notch(env, args, 1 / kNotch); }
 
-constexpr Argument kNone{}, kLine{"line"}, kPoint{"to"}, kAt{"at"};
+constexpr Argument kNone{}, kLine{"line"}, kPoint{"to"};
 using inflate::PuffSides, sheet::EdgeKind;
 
 constexpr std::array kTable = {
@@ -335,8 +298,6 @@ constexpr std::array kTable = {
             "A higher puff, a thicker piece", hasRegion, nullptr, thicker},
     Command{"thinner", "Thinner", "minus", "Shift+Y", "part", kNone,
             "A lower puff, a thinner piece", hasRegion, nullptr, thinner},
-    Command{"cut-out", "Cut out by a point", "lasso", "", "part", kAt,
-            "A point on the thing, or a box round it", hasPicture, nullptr, cutOut},
     Command{"draw-puff", "Puff by numbers", "cloud", "", "part", kLine,
             "A line in picture pixels", hasPicture, nullptr, drawPuff},
     Command{"draw-sheet", "Flat piece by numbers", "puzzle", "", "part", kLine,

@@ -31,6 +31,7 @@ Subject subjectFor(Env env, const Json& args) {
 bool ribsTool(Env env) { return env.ui.tool == ToolKind::Ribs; }
 bool shapeTool(Env env) { return env.ui.tool == ToolKind::Shape; }
 bool ignoreTool(Env env) { return env.ui.tool == ToolKind::Ignore; }
+bool usesBrush(Env env) { return ignoreTool(env) || env.ui.cut.has_value(); }
 bool bothSides(Env env) { return env.ui.edit.bothSides; }
 bool wholePicture(Env env) { return env.ui.edit.wholePicture; }
 bool softens(Env env) { return ribsTool(env) || env.ui.tool == ToolKind::Bone; }
@@ -378,9 +379,9 @@ constexpr std::array kTable = {
     Command{"ignore-whole-picture", "For the whole picture", "image", "", "ribs", kNone,
             "Scribbles count for all parts of the picture", hasPicture, wholePicture, toggleWhole},
     Command{"brush-smaller", "Smaller brush", "minus", "", "ribs", kNone, "A smaller brush",
-            ignoreTool, nullptr, smallerBrush},
+            usesBrush, nullptr, smallerBrush},
     Command{"brush-larger", "Larger brush", "plus", "", "ribs", kNone, "A larger brush",
-            ignoreTool, nullptr, largerBrush},
+            usesBrush, nullptr, largerBrush},
     Command{"clear-ignored", "Remove scribbles", "trash-2", "", "ribs", kNone,
             "All edges count again", hasMarks, nullptr, clearIgnore},
     Command{"choose-rib", "Choose a rib by number", "crosshair", "", "ribs", kEnd,

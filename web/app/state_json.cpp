@@ -285,6 +285,21 @@ void writeActivity(JsonWriter& json, const Studio& studio) {
   json.key("done").number(activity->done).endObject();
 }
 
+/// What is being cut out; null: nothing is.
+void writeCut(JsonWriter& json, const UiState& ui) {
+  json.key("cutByBox").flag(ui.cutByBox).key("cut");
+  if (!ui.cut) {
+    json.null();
+    return;
+  }
+  const CutDraft& cut = *ui.cut;
+  json.beginObject().key("searching").flag(cut.searching).key("adding").flag(cut.adding);
+  json.key("marks").number(static_cast<double>(cut.hints.marks.size()));
+  json.key("undone").number(static_cast<double>(cut.undone.size())).key("contours").beginArray();
+  for (const auto& contour : cut.shape.contours) writeLine(json, contour);
+  json.endArray().endObject();
+}
+
 void writePreview(JsonWriter& json, const UiState& ui) {
   json.key("preview");
   if (!ui.preview) {
@@ -337,6 +352,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   json.key("unsaved").flag(studio.unsaved());
   writeActivity(json, studio);
   writePreview(json, ui);
+  writeCut(json, ui);
   writeSliceUi(json, ui.slices);
   writeEditing(json, ui);
   writePlacing(json, env);

@@ -265,6 +265,76 @@ void Studio::findEdges(PictureId id) {
       });
 }
 
+/// A cut-out on its way.
+struct Studio::CutSearch {
+  std::shared_ptr<const image::Picture> picture;
+  vision::CutHints hints;
+  std::function<void(Result<CutShape>)> done;
+  std::optional<vision::CutOutSearch> rounds;
+  Result<CutShape> found = Error::NothingCutOut;
+  Progress progress;  ///< of the round that runs
+
+  /// On a worker. False when it was the last round.
+  bool step(const Progress& now) {
+    if (!rounds) {
+      Result<vision::CutOutSearch> begun = vision::CutOutSearch::begin(*picture, hints);
+      if (!begun) {
+        found = begun.failure();
+        return false;
+      }
+      rounds.emplace(std::move(begun).value());
+    }
+    const bool more = rounds->step();
+    if (!now.advance(rounds->done())) {
+      found = Error::Cancelled;
+      return false;
+    }
+    if (more) return true;
+    Result<vision::CutContours> contours = rounds->outlines();
+    if (contours) {
+      found = filledShape(std::move(contours).value(), {picture->width, picture->height});
+    } else {
+      found = contours.failure();
+    }
+    return false;
+  }
+};
+
+Status Studio::cutOut(PictureId id, const vision::CutHints& hints,
+                      std::function<void(Result<CutShape>)> done) {
+  const document::PictureEntry* entry = document::findPicture(document(), id);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  const Result<std::shared_ptr<const image::Picture>> pixels = cache_.pixels(*entry);
+  if (!pixels) return pixels.failure();
+  stopCutOut();
+  cutSearch_ = std::make_shared<CutSearch>();
+  cutSearch_->picture = pixels.value();
+  cutSearch_->hints = hints;
+  cutSearch_->done = std::move(done);
+  nextCutRound(cutSearch_);
+  return Done{};
+}
+
+void Studio::nextCutRound(const std::shared_ptr<CutSearch>& search) {
+  search->progress = pool_.submit(
+      "Cutting it out", [search](const Progress& progress) { return search->step(progress); },
+      [this, search](bool more) {
+        if (search != cutSearch_) return;  // another one has begun, or nobody waits any more
+        ++revision_;
+        if (more) {
+          nextCutRound(search);
+          return;
+        }
+        cutSearch_.reset();
+        search->done(std::move(search->found));
+      });
+}
+
+void Studio::stopCutOut() {
+  if (cutSearch_) cutSearch_->progress.cancel();
+  cutSearch_.reset();
+}
+
 void Studio::report(const pipeline::Derived& derived) {
   for (const pipeline::DerivedPart& part : derived.parts) {
     if (!part.failure) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@
 #include "engine/document/history.h"
 #include "engine/pipeline/derive.h"
 #include "engine/publish/publish.h"
+#include "web/app/cut_draft.h"
 #include "web/app/solid_work.h"
 #include "web/platform/host.h"
 
@@ -60,6 +62,12 @@ class Studio {
   /// The file, now and here.
   Result<publish::Bytes> publishNow(publish::Format format);
 
+  /// Looks for a thing in a picture (vision::CutOutSearch) on a worker, a round a job, so that without
+  /// threads the page is drawn in between. `done` is called once, unless another search or stopCutOut
+  /// comes first; with Cancelled after cancelWork. Errors: NoSuchPicture, those of the pixels.
+  Status cutOut(PictureId picture, const vision::CutHints& hints, std::function<void(Result<CutShape>)> done);
+  void stopCutOut();
+
   /// Takes in what the workers finished. True when something changed.
   bool pump();
   bool busy() const { return !pool_.idle() || solids_.busy(); }
@@ -91,6 +99,8 @@ class Studio {
   std::uint64_t revision() const { return revision_; }
 
  private:
+  struct CutSearch;
+  void nextCutRound(const std::shared_ptr<CutSearch>& search);
   void changed();
   /// Tells what was just committed.
   void tell(document::Committed committed, const document::Document& before);
@@ -126,6 +136,7 @@ class Studio {
   std::vector<std::pair<StepId, Error>> reportedSteps_;
   SolidWork solids_;
   bool previewing_ = false;
+  std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
   /// Waits for the solids it is to hold.
   std::optional<publish::Format> saveWaiting_;
   WorkerPool pool_;  ///< last: its jobs end before the rest goes

@@ -13,6 +13,7 @@
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 #include "engine/ribs/edit_gestures.h"
+#include "web/app/cut_draft.h"
 #include "web/app/layout.h"
 #include "web/app/print_report.h"
 #include "web/app/sizing.h"
@@ -114,6 +115,7 @@ struct Chosen {
 struct InHand {
   std::vector<PicturePoint> stroke;  ///< picture pixels
   double radius = 0;                 ///< of a brush, picture pixels; 0: a thin line
+  bool box = false;                  ///< the stroke's first and last point span a box
   std::vector<ribs::EndRef> touched;  ///< rib ends that it moves
   std::optional<ribs::EndRef> end;    ///< the one that is dragged
   int depth = -1;                     ///< the handle of the depth that is dragged
@@ -198,6 +200,8 @@ struct UiState {
   document::Look look;
   inflate::PuffParams puff;
   sheet::SheetParams sheet;
+  std::optional<CutDraft> cut;  ///< what is being cut out of the picture
+  bool cutByBox = false;        ///< puff and flat piece: a drag is a box round the thing, not its outline
   std::optional<PrintReport> print;  ///< the last check for printing
   std::optional<std::size_t> beside;  ///< of things(): what stands beside the solid, to compare
   bool secondColour = false;  ///< the colours of the panel are for what is below

@@ -36,13 +36,15 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
   static constexpr Item kPlace[] = {{"snap-to-surface", true}, {"drop-on-floor", true},
                                     {"face-front", true}, {"duplicate", true}, {"mirror-copy"},
                                     {"symmetry", true}, {"group", true}, {"ungroup"}};
-  static constexpr Item kPuff[] = {{"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
-  static constexpr Item kSheet[] = {{"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
+  static constexpr Item kCut[] = {{"cut-use", true}, {"cut-add", true}, {"cut-remove", true}, {"brush-smaller"},
+                                  {"brush-larger"}, {"undo"}, {"cut-cancel", true}};
+  static constexpr Item kPuff[] = {{"cut-by-box", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
+  static constexpr Item kSheet[] = {{"cut-by-box", true}, {"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
   switch (ui.tool) {
     case app::ToolKind::Puff:
-      return kPuff;
+      return ui.cut ? std::span<const Item>(kCut) : kPuff;
     case app::ToolKind::Sheet:
-      return kSheet;
+      return ui.cut ? std::span<const Item>(kCut) : kSheet;
     case app::ToolKind::Place:
       return kPlace;
     case app::ToolKind::Ribs:

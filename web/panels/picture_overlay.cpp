@@ -252,11 +252,50 @@ void drawMarks(ImDrawList& list, const PanelEnv& env) {
   }
 }
 
+/// What a brush for cut-outs covers.
+void drawCutMark(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> line, double radius,
+                 ImU32 colour) {
+  if (line.empty()) return;
+  const auto width = static_cast<float>(std::max(3.0, 2 * radius * ui.pictureView.zoom));
+  picturePolyline(list, ui, line, {colour, width});
+  list.AddCircleFilled(onCanvas(ui, line.front()), width / 2, colour, 24);
+  if (line.size() > 1) list.AddCircleFilled(onCanvas(ui, line.back()), width / 2, colour, 24);
+}
+
+constexpr ImU32 brushColour(bool adds, unsigned alpha) { return rgb(adds ? 0x12876f : 0xc8231d, alpha); }
+
+/// The thing that is being cut out: tinted, with its outline and the marks that corrected it.
+void drawCut(ImDrawList& list, const app::UiState& ui) {
+  if (!ui.cut) return;
+  const app::CutDraft& cut = *ui.cut;
+  const ImDrawListFlags flags = list.Flags;
+  list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // no seams between the triangles
+  for (const auto& [a, b, c] : cut.shape.fill) {
+    list.AddTriangleFilled(onCanvas(ui, a), onCanvas(ui, b), onCanvas(ui, c), (toolColour(ui.tool) & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT));
+  }
+  list.Flags = flags;
+  for (const auto& contour : cut.shape.contours) outlineStroke(list, ui, contour, true, false);
+  for (const vision::CutMark& mark : cut.hints.marks) {
+    drawCutMark(list, ui, mark.line, mark.radius, brushColour(mark.inside, 70));
+  }
+  if (cut.hints.box && cut.shape.contours.empty()) {
+    list.AddRect(onCanvas(ui, cut.hints.box->low), onCanvas(ui, cut.hints.box->high), toolColour(ui.tool), 2, 0, 2);
+  }
+}
+
 /// The line or scribble in hand.
 void drawInHand(ImDrawList& list, const app::UiState& ui) {
   const app::InHand& hand = ui.inHand;
   if (hand.stroke.empty()) return;
-  if (hand.radius > 0) {
+  if (hand.box) {
+    const ImVec2 a = onCanvas(ui, hand.stroke.front()), b = onCanvas(ui, hand.stroke.back());
+    const ImVec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
+    list.AddRectFilled(low, high, rgb(0xffffff, 50));
+    list.AddRect(low, high, rgb(0xffffff, 220), 2, 0, 4.5f);
+    list.AddRect(low, high, toolColour(ui.tool), 2, 0, 2.2f);
+  } else if (ui.cut) {
+    drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(ui.cut->adding, 130));
+  } else if (hand.radius > 0) {
     drawMark(list, ui, hand.stroke, hand.radius, false);
   } else if (ui.tool == app::ToolKind::Shape) {
     picturePolyline(list, ui, hand.stroke, {rgb(0xffffff, 220), 5.5f});
@@ -325,6 +364,7 @@ void drawPictureOverlay(const PanelEnv& env) {
   if (env.ui().tool == app::ToolKind::Ignore) drawMarks(list, env);
   drawParts(list, env);
   drawPreview(list, env.ui());
+  drawCut(list, env.ui());
   drawInHand(list, env.ui());
   drawInk(env);
   list.PopClipRect();

@@ -184,6 +184,11 @@ void hints(const PanelEnv& env) {
   if (env.ui().redraw && !drawing) {
     pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});
   }
+  if (env.ui().cut && !env.ui().cut->shape.contours.empty()) {
+    const bool adds = env.ui().cut->adding;
+    pill(env, {x, static_cast<float>(view.bottom()) - 84},
+         {adds ? "Draw over what is missing" : "Draw over what is too much", rgb(0xffffff, 235), kMuted});
+  }
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;

@@ -251,6 +251,10 @@ export interface State {
   } | null;
   documentName: string;
   heightMm: number;
+  /** A drag of "Puff" and "Flat piece" is a box round the thing. */
+  cutByBox: boolean;
+  /** What is being cut out of the picture: its outlines so far, and how many marks correct it. */
+  cut: { searching: boolean; adding: boolean; marks: number; undone: number; contours: [number, number][][] } | null;
   /** What stands beside the solid, as large as it is: coin, cupcake, hand. */
   beside: string | null;
   /** The last check for printing, null when the model has changed since. Lengths in millimetres, `lean` in radians. */

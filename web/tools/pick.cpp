@@ -118,7 +118,7 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   } else if (ui.tool == ToolKind::Puff || ui.tool == ToolKind::Sheet) {
     const document::Part* part = document::findPart(env.document, ui.selection);
     const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
-    if (region != nullptr && region->picture == ui.picture) {
+    if (region != nullptr && region->picture == ui.picture && !ui.cut) {
       hover.outline = app::handleAt(*region, p, reach);
     }
   } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
@@ -126,7 +126,7 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   } else if (subject && ui.tool == ToolKind::Bone) {
     pickBone(subject, p, reach, std::max(kLineReach, reachOf(event) * 0.7) * scale, hover);
   }
-  if (ui.tool == ToolKind::Eraser || ui.tool == ToolKind::Ignore) {
+  if (ui.tool == ToolKind::Eraser || ui.tool == ToolKind::Ignore || ui.cut) {
     hover.brush = event.at;
   } else if (subject && subject.shape->centreLine.size() > 1 && ui.tool != ToolKind::Pen) {
     const app::BonePlace place = app::nearestPlace(*subject.shape, p);
@@ -182,6 +182,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
       return hover.bone ? "move" : "crosshair";
     case ToolKind::Puff:
     case ToolKind::Sheet:
+      if (ui.cut) return "cell";
       return hover.outline ? "grab" : "crosshair";
     case ToolKind::Ignore:
       return hover.mark >= 0 ? "pointer" : "cell";

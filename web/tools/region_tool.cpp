@@ -25,16 +25,30 @@ void RegionTool::begin(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInPicture(env, event);
   grabbed_ = under.outline;
   part_ = env.ui.selection;
+  way_ = env.ui.cut        ? Way::Mark
+         : grabbed_        ? Way::Point
+         : env.ui.cutByBox ? Way::Box
+                           : Way::Outline;
+  if (way_ == Way::Mark) mark(env, event);
 }
 
 void RegionTool::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
+  if (way_ == Way::Mark) mark(env, event);
   if (!watch_.moved()) return;
-  if (grabbed_) {
-    drag(env, event);
-  } else {
-    draw(env, event);
-  }
+  if (way_ == Way::Point) drag(env, event);
+  if (way_ == Way::Box) span(env, event);
+  if (way_ == Way::Outline) draw(env, event);
+}
+
+void RegionTool::mark(const ToolEnv& env, const ToolEvent& event) const {
+  env.ui.inHand.radius = env.ui.edit.brush / env.ui.pictureView.zoom;
+  extend(env, env.ui.inHand.stroke, event.at);
+}
+
+void RegionTool::span(const ToolEnv& env, const ToolEvent& event) const {
+  env.ui.inHand.box = true;
+  env.ui.inHand.stroke = {toPicture(env, watch_.start()), toPicture(env, event.at)};
 }
 
 void RegionTool::drag(const ToolEnv& env, const ToolEvent& event) {
@@ -75,16 +89,22 @@ void RegionTool::tap(const ToolEnv& env) const {
   if (under) {
     env.sink.run("select-part", app::Json::Object{{"id", under.value}});
   } else {
-    env.sink.run("cut-out", app::Json::Object{{"at", pointJson(p)}});
+    env.sink.run("cut-start", app::Json::Object{{"at", pointJson(p)}});
   }
 }
 
 void RegionTool::commit(const ToolEnv& env) {
   const app::InHand hand = std::exchange(env.ui.inHand, {});
   const PartId redraw = env.ui.redraw;
-  const bool dragged = grabbed_ && watch_.moved();
+  const bool dragged = way_ == Way::Point && watch_.moved();
   env.ui.preview.reset();
-  if (dragged) {
+  if (way_ == Way::Mark) {
+    env.sink.run("cut-mark", app::Json::Object{{"line", strokeJson(hand.stroke)}, {"radius", hand.radius}});
+  } else if (way_ == Way::Box && hand.box) {
+    app::Json::Object args{{"box", strokeJson(hand.stroke)}};
+    if (redraw) args.emplace_back("part", redraw.value);
+    env.sink.run("cut-start", std::move(args));
+  } else if (dragged) {
     env.sink.run("move-outline-point",
                  app::Json::Object{{"part", part_.value},
                                    {"contour", static_cast<double>(grabbed_->contour)},

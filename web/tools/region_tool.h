@@ -1,5 +1,5 @@
-// Puffs and flat pieces: a line round a thing becomes a part, a tap cuts the thing out; points of an
-// outline that is selected are dragged.
+// Puffs and flat pieces: a line round a thing becomes a part, a tap or a box cuts the thing out; points
+// of an outline that is selected are dragged. While a thing is being cut out, strokes correct it.
 #pragma once
 
 #include "web/tools/pick.h"
@@ -17,8 +17,12 @@ class RegionTool final : public Tool {
   void tap(const ToolEnv& env) const;
   void drag(const ToolEnv& env, const ToolEvent& event);
   void draw(const ToolEnv& env, const ToolEvent& event);
+  void mark(const ToolEnv& env, const ToolEvent& event) const;
+  void span(const ToolEnv& env, const ToolEvent& event) const;
+  enum class Way { Outline, Point, Box, Mark };
   DragWatch watch_;
   std::optional<app::OutlinePoint> grabbed_;
+  Way way_ = Way::Outline;
   PartId part_;  ///< whose point it is
   PicturePoint to_{};
 };

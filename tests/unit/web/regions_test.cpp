@@ -75,12 +75,16 @@ TEST_CASE("an open line becomes a ribbon") {
   CHECK(*lastPart(rig).number("ribbon") > 0);
 }
 
-TEST_CASE("a tap cuts the thing out; a tap beside it selects what is there") {
+TEST_CASE("a tap cuts the thing out and shows it before it is used; a tap on a part selects it") {
   Rig rig;
   rig.openBar();
   rig.run("puff");
   auto p = rig.at(100, 60);
   rig.click(p.x, p.y);
+  CHECK(rig.parts() == 0);
+  CHECK_FALSE(rig.state().find("cut")->isNull());
+  CHECK(rig.run("cut-use").flag("ok") == true);
+  CHECK(rig.state().find("cut")->isNull());
   REQUIRE(rig.parts() == 1);
   const app::Json contours = *lastPart(rig).find("contours");
   REQUIRE(contours.array()->size() == 1);
