@@ -122,6 +122,13 @@ void App::settleChosen() {
     chosenOf_ = ui_.selection;
     ui_.chosen = {};
   }
+  const document::Part* part = document::findPart(studio_.document(), ui_.selection);
+  const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
+  const auto there = [&](const OutlinePoint& at) {
+    return region && at.contour < region->contours.size() && at.point < region->contours[at.contour].size();
+  };
+  if (ui_.chosen.outline && !there(*ui_.chosen.outline)) ui_.chosen.outline.reset();
+  if (ui_.hover.outline && !there(*ui_.hover.outline)) ui_.hover.outline.reset();
   if (!ui_.chosen.end && !ui_.hover.end) return;
   const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);
   const std::size_t count = subject ? subject.shape->ribs.ribs.size() : 0;
@@ -246,6 +253,7 @@ void App::announce() {
   json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
   json_.text(colourText(ui_.sketching.colour));
   json_.number(ui_.chosen.end ? static_cast<double>(ui_.chosen.end->rib) : -1);
+  json_.number(ui_.chosen.outline ? static_cast<double>(ui_.chosen.outline->point) : -1);
   json_.number(ui_.chosen.handle).number(ui_.edit.ribReach).number(ui_.edit.boneReach);
   json_.flag(ui_.edit.bothSides).flag(ui_.edit.keepRibs).flag(ui_.edit.wholePicture);
   json_.flag(ui_.edit.depthByPressure).flag(ui_.penSeen).number(ui_.edit.brush);

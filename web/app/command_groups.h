@@ -11,6 +11,7 @@ std::span<const Command> generalCommands();  ///< board, parts, views: command_t
 std::span<const Command> ribCommands();      ///< editing ribs, ignoring edges: rib_commands.cpp
 std::span<const Command> regionCommands();   ///< puffs and flat pieces: region_commands.cpp
 std::span<const Command> cutCommands();      ///< cutting out of the picture: cut_commands.cpp
+std::span<const Command> outlineCommands();  ///< points of outlines by keys: outline_commands.cpp
 std::span<const Command> boneCommands();     ///< moving and posing spines: bone_commands.cpp
 std::span<const Command> sliceCommands();    ///< sections along the spine, curves: slice_commands.cpp
 std::span<const Command> sliceBoardCommands();  ///< drawing a slice: slice_board_commands.cpp

@@ -13,7 +13,7 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands, cutCommands,
+constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands, cutCommands, outlineCommands,
                                 boneCommands,    sliceCommands, sliceBoardCommands,
                                 sketchCommands,  placeCommands, lookCommands, sizeCommands,
                                 solidCommands,

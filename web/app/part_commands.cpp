@@ -211,8 +211,8 @@ Outcome showPart(Env env, const Json& args) {
 }
 
 Outcome setCaps(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr && namesPart(args)) return noPart();
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noBone(env, args);
   auto start = capOf(args, "start", part ? document::loftIn(*part).loft.startCap : env.ui.startCap);
   auto end = capOf(args, "end", part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
   if (args.text("both") != nullptr) start = end = capOf(args, "both", {});

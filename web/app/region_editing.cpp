@@ -96,4 +96,89 @@ document::Region withMovedPoint(const document::Region& region, OutlinePoint at,
   return moved;
 }
 
+std::optional<OutlinePoint> neighbourHandle(const document::Region& region,
+                                            const std::optional<OutlinePoint>& from, int by) {
+  const std::vector<OutlinePoint> handles = outlineHandles(region);
+  if (handles.empty()) return std::nullopt;
+  if (!from) return by > 0 ? handles.front() : handles.back();
+  const auto isBefore = [](OutlinePoint a, OutlinePoint b) {
+    return a.contour != b.contour ? a.contour < b.contour : a.point < b.point;
+  };
+  if (by > 0) {
+    const auto next = std::ranges::upper_bound(handles, *from, isBefore);
+    return next == handles.end() ? handles.front() : *next;
+  }
+  const auto at = std::ranges::lower_bound(handles, *from, isBefore);
+  return at == handles.begin() ? handles.back() : *(at - 1);
+}
+
+namespace {
+
+/// The handles of the same outline round a point, as indices; equal to it where an open line ends.
+struct Between {
+  std::size_t before = 0, after = 0;
+};
+Between between(const document::Region& region, OutlinePoint at) {
+  std::vector<std::size_t> own;
+  for (const OutlinePoint handle : outlineHandles(region)) {
+    if (handle.contour == at.contour && handle.point != at.point) own.push_back(handle.point);
+  }
+  if (own.empty()) return {at.point, at.point};
+  const auto next = std::ranges::upper_bound(own, at.point);
+  const bool open = region.ribbon > 0;
+  const std::size_t after = next != own.end() ? *next : open ? at.point : own.front();
+  const std::size_t before = next != own.begin() ? *(next - 1) : open ? at.point : own.back();
+  return {before, after};
+}
+
+bool isThere(const document::Region& region, OutlinePoint at) {
+  return at.contour < region.contours.size() && at.point < region.contours[at.contour].size();
+}
+
+}  // namespace
+
+std::optional<AddedPoint> withAddedPoint(const document::Region& region, OutlinePoint after) {
+  if (!isThere(region, after)) return std::nullopt;
+  AddedPoint added{region, after};
+  auto& contour = added.region.contours[after.contour];
+  const std::size_t n = contour.size();
+  const Between round = between(region, after);
+  if (n > kHandles) {
+    const std::size_t end = round.after > after.point ? round.after : round.after + n;
+    added.at.point = round.after == after.point ? after.point : (after.point + (end - after.point) / 2) % n;
+    return added;
+  }
+  // At the end of an open line it comes before the last point.
+  const bool last = round.after == after.point;
+  if (last && after.point == 0) return std::nullopt;
+  const std::size_t from = last ? after.point - 1 : after.point;
+  const PicturePoint middle = (contour[from] + contour[(from + 1) % n]) / 2;
+  contour.insert(contour.begin() + static_cast<std::ptrdiff_t>(from) + 1, middle);
+  added.at.point = from + 1;
+  return added;
+}
+
+std::optional<document::Region> withoutPoint(const document::Region& region, OutlinePoint at) {
+  if (!isThere(region, at)) return std::nullopt;
+  document::Region left = region;
+  auto& contour = left.contours[at.contour];
+  const std::size_t n = contour.size();
+  const auto [before, after] = n > kHandles ? between(region, at) : Between{at.point, at.point};
+  const bool first = before == at.point, last = after == at.point;
+  const auto goes = [&](std::size_t i) {
+    if (i == at.point) return true;
+    if (first && last) return false;
+    if (first) return i < after;
+    if (last) return i > before;
+    return before < after ? i > before && i < after : i > before || i < after;
+  };
+  std::vector<PicturePoint> kept;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!goes(i)) kept.push_back(contour[i]);
+  }
+  if (kept.size() < (region.ribbon > 0 ? 2u : 3u)) return std::nullopt;
+  contour = std::move(kept);
+  return left;
+}
+
 }  // namespace spineloft::app

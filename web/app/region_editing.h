@@ -19,4 +19,21 @@ std::optional<OutlinePoint> handleAt(const document::Region& region, PicturePoin
 /// the next handle and beyond. Unchanged when there is no such point.
 document::Region withMovedPoint(const document::Region& region, OutlinePoint at, PicturePoint to);
 
+/// The handle after this point along its outline, or the one before; on from the last outline to the
+/// first. The first handle of all when there is no such point; none without handles.
+std::optional<OutlinePoint> neighbourHandle(const document::Region& region,
+                                            const std::optional<OutlinePoint>& from, int by);
+
+/// One more point to move, half way to the next handle: outlines of few points get it, of others it is
+/// a point that they have. Returns the region and the point; none when there is no such point.
+struct AddedPoint {
+  document::Region region;
+  OutlinePoint at;
+};
+std::optional<AddedPoint> withAddedPoint(const document::Region& region, OutlinePoint after);
+
+/// Without the point: the outline goes straight from the handle before to the one after. None when too
+/// few points would be left, or there is no such point.
+std::optional<document::Region> withoutPoint(const document::Region& region, OutlinePoint at);
+
 }  // namespace spineloft::app

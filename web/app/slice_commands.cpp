@@ -494,8 +494,7 @@ Outcome setSection(const CommandEnv& env, const Json& args) {
   if (!read.value()) return missing("the name of a slice, or its contours");
   const loft::SectionShape shape = *std::move(read).value();
   const document::Part* part = loftPartOf(env, args);
-  const bool named = args.find("part") != nullptr || args.find("id") != nullptr;
-  if (part == nullptr && named) return noPart();
+  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noBone(env, args);
   env.ui.section = shape;
   if (part == nullptr) return {};
   if (args.find("slice") == nullptr) {

@@ -65,7 +65,14 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("mark").number(ui.hover.mark).endObject();
   json.key("chosen").beginObject();
   writeEnd(json, "end", ui.chosen.end);
-  json.key("handle").number(ui.chosen.handle).endObject();
+  json.key("handle").number(ui.chosen.handle).key("outline");
+  if (ui.chosen.outline) {
+    json.beginArray().number(static_cast<double>(ui.chosen.outline->contour));
+    json.number(static_cast<double>(ui.chosen.outline->point)).endArray();
+  } else {
+    json.null();
+  }
+  json.endObject();
   json.key("touched").beginArray();
   for (const ribs::EndRef end : ui.inHand.touched) {
     json.beginObject().key("rib").number(static_cast<double>(end.rib));

@@ -108,6 +108,7 @@ struct Hover {
 struct Chosen {
   std::optional<ribs::EndRef> end;
   int handle = -1;
+  std::optional<OutlinePoint> outline = {};  ///< of a puff or a flat piece
   bool operator==(const Chosen&) const = default;
 };
 

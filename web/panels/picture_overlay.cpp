@@ -106,6 +106,12 @@ void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& pa
                 part.id == env.ui().hover.part);
 }
 
+void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
+  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kSurface, 24);
+  list.AddCircleFilled(at, hot ? 6.5f : 5.f, colour, 24);
+  if (hot) list.AddCircle(at, 10.5f, colour, 28, 1.6f);
+}
+
 /// The outlines of a puff or a flat piece; before there is a solid, as they were drawn.
 void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& part,
                 const std::vector<std::vector<PicturePoint>>& contours) {
@@ -124,6 +130,7 @@ void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& par
     list.AddCircleFilled(c, hot ? 8.f : 6.f, kSurface, 20);
     list.AddCircleFilled(c, hot ? 6.f : 4.2f, toolColour(ui.tool), 20);
   }
+  if (ui.chosen.outline) grabDot(list, onCanvas(ui, app::pointOf(*region, *ui.chosen.outline)), kInk, true);
 }
 
 /// The ends that follow a dragged one, brighter the more they do.
@@ -144,12 +151,6 @@ void drawReach(ImDrawList& list, const app::UiState& ui, const ribs::EditScene& 
     list.AddLine(onCanvas(ui, all[i].center), onCanvas(ui, app::endPoint(all[i], end.side)), ink,
                  1.5f + 2.f * static_cast<float>(share));
   }
-}
-
-void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
-  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kSurface, 24);
-  list.AddCircleFilled(at, hot ? 6.5f : 5.f, colour, 24);
-  if (hot) list.AddCircle(at, 10.5f, colour, 28, 1.6f);
 }
 
 /// Other places where an end might stand.

@@ -226,7 +226,7 @@ export interface State {
   /** What lies under the pointer; −1: none. `mark` is a scribble. */
   hover: { part: number | null; end: RibEnd | null; other: number; handle: number; bone: boolean; depth: number; mark: number };
   /** What the arrow keys move. */
-  chosen: { end: RibEnd | null; handle: number };
+  chosen: { end: RibEnd | null; handle: number; outline: [number, number] | null };
   /** Rib ends that the line in hand moves. */
   touched: RibEnd[];
   /** How the tools work; reaches are shares of the bone's length, the brush is in CSS pixels. */
