@@ -12,6 +12,7 @@
 #include "engine/loft/chords.h"
 #include "engine/loft/section_track.h"
 #include "engine/loft/stations.h"
+#include "engine/loft/straight_end.h"
 #include "engine/loft/sweep.h"
 
 namespace spineloft::loft {
@@ -272,6 +273,7 @@ Result<mesh::TriMesh> loftPlan(Plan plan) {
   for (std::size_t attempt = 0; attempt < kStrictness.size(); ++attempt) {
     const ChordLimits limits = limitsFor(input, plan.track.shortestEdge(), kStrictness[attempt]);
     Body body = repairBody(input.chords, limits);
+    if (!ring) cutStraightEnds(body.chords, plan.ribs, params);
     if (many || ring) {
       body.startTip.reset();
       body.endTip.reset();

@@ -19,11 +19,12 @@ namespace spineloft::loft {
 
 /// How an end of the part is finished. Values are saved in files: only ever append.
 enum class CapStyle : std::uint8_t {
-  Flat,     ///< cut off at the last rib
+  Flat,     ///< cut straight across: at the last rib, or where the spine ends when ribs bend round that
+            ///< end by more than a quarter of the half width
   Round,    ///< a dome beyond the last rib that follows the end fan where there is one, as far as it
             ///< lies beyond the rib and between the sides where they close
   Pointed,  ///< runs out into a tip
-  Open,     ///< a hollow mouth: the wall turns inwards at the last rib and closes inside, so that the
+  Open,     ///< a hollow mouth: cut like a flat end, then the wall turns inwards and closes inside, so that the
             ///< solid stays closed and printable
   kCount
 };
@@ -72,7 +73,7 @@ Status checkParams(const LoftParams& params);
 
 /// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in
 /// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen
-/// from the front the outline passes through every rib end. UV = picture coordinates
+/// from the front the outline passes through every rib end, but for those beyond a flat or open end. UV = picture coordinates
 /// ((x + ½) / width, (y + ½) / height), clamped. The colours there are for surface/part_texture.h, which
 /// keeps those of the background off the rim.
 ///

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/geometry/polygon.h"
+#include "engine/loft/straight_end.h"
 
 namespace spineloft::app {
 namespace {
@@ -39,13 +40,16 @@ bool holdsRegion(const std::vector<std::vector<PicturePoint>>& contours, Picture
 void outlineOf(const ribs::RibSet& set, const loft::LoftParams& params,
                std::vector<PicturePoint>& out) {
   out.clear();
-  const auto& ribs = set.ribs;
-  for (const ribs::Rib& rib : ribs) out.push_back(rib.left);
+  std::vector<loft::Chord> chords;
+  chords.reserve(set.ribs.size());
+  for (const ribs::Rib& rib : set.ribs) chords.push_back({rib.left, rib.right});
+  loft::cutStraightEnds(chords, set, params);
+  for (const loft::Chord& chord : chords) out.push_back(chord.left);
   if (params.endCap == loft::CapStyle::Round) {
     const auto& fan = set.endFan.points;
     out.insert(out.end(), fan.begin(), fan.end());
   }
-  for (auto rib = ribs.rbegin(); rib != ribs.rend(); ++rib) out.push_back(rib->right);
+  for (auto chord = chords.rbegin(); chord != chords.rend(); ++chord) out.push_back(chord->right);
   if (params.startCap == loft::CapStyle::Round) {
     const auto& fan = set.startFan.points;
     out.insert(out.end(), fan.rbegin(), fan.rend());

@@ -1,6 +1,7 @@
 // Round caps keep to what their fans say and to the way the sides run: no knob on a broad end.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,4 +83,71 @@ TEST_CASE("parallel and opening sides leave the fan as it is") {
       CHECK(nearest < 2e-3);
     }
   }
+}
+
+namespace {
+
+/// Sides 200 apart up to x = 500 and half a circle beyond; the spine ends at (500, 400), but the ribs go
+/// on round the end by `angle` on both sides, as the curves of a wide part do. `lean` holds one side back.
+ribs::RibSet roundTheEnd(double angle, double lean = 0) {
+  ribs::RibSet set;
+  for (int i = 0; i <= 80; ++i) {
+    const double t = i / 80.0;
+    ribs::Rib rib;
+    rib.center = {100 + 400 * t, 400};
+    const auto outline = [&](double side, double far) {
+      const double s = t * (400 + 100 * far);
+      if (s <= 400) return PicturePoint{100 + s, 400 + side * 100};
+      const double a = (s - 400) / 100;
+      return PicturePoint{500 + 100 * std::sin(a), 400 + side * 100 * std::cos(a)};
+    };
+    rib.left = outline(-1, angle);
+    rib.right = outline(1, angle * (1 - lean));
+    set.ribs.push_back(rib);
+  }
+  return set;
+}
+
+/// Width across the spine of the part within `reach` of x = `at`.
+double widthAt(const mesh::TriMesh& mesh, double at, double reach) {
+  double low = 1e9, high = -1e9;
+  for (const auto& v : mesh.positions) {
+    if (std::abs(v[0] - at) > reach) continue;
+    low = std::min<double>(low, v[1]);
+    high = std::max<double>(high, v[1]);
+  }
+  return high - low;
+}
+
+}  // namespace
+
+TEST_CASE("a flat or open end is cut square where the spine ends, although ribs bend round the end") {
+  for (const double lean : {0.0, 0.5}) {
+    const ribs::RibSet set = roundTheEnd(1.2, lean);
+    for (const CapStyle style : {CapStyle::Flat, CapStyle::Open}) {
+      const auto mesh = capped(set, style);
+      CHECK(mesh::boundsOf(mesh).high[0] == doctest::Approx(500).epsilon(0.002));
+      CHECK(widthAt(mesh, 500, 1) == doctest::Approx(200).epsilon(0.01));
+    }
+    CHECK(mesh::boundsOf(capped(set, CapStyle::Round)).high[0] > 580);
+  }
+}
+
+TEST_CASE("ribs that reach only a little beyond the end of the spine are not cut") {
+  const auto mesh = capped(roundTheEnd(0.2), CapStyle::Flat);
+  CHECK(mesh::boundsOf(mesh).high[0] == doctest::Approx(500 + 100 * std::sin(0.2)).epsilon(0.001));
+}
+
+TEST_CASE("a cut end travels with the part: the start is cut as the end is") {
+  ribs::RibSet set = roundTheEnd(1.2);
+  std::reverse(set.ribs.begin(), set.ribs.end());
+  for (ribs::Rib& rib : set.ribs) std::swap(rib.left, rib.right);
+  LoftParams params;
+  params.startCap = CapStyle::Flat;
+  params.endCap = CapStyle::Flat;
+  const auto mesh = loftRibs(set, kPicture, params);
+  REQUIRE(mesh.ok());
+  requireLawful(mesh.value());
+  CHECK(mesh::boundsOf(mesh.value()).high[0] == doctest::Approx(500).epsilon(0.002));
+  CHECK(mesh::boundsOf(mesh.value()).low[0] == doctest::Approx(100).epsilon(0.002));
 }

@@ -1,0 +1,106 @@
+#include "engine/loft/straight_end.h"
+
+#include <algorithm>
+#include <optional>
+#include <ranges>
+
+#include "engine/loft/caps.h"
+
+namespace spineloft::loft {
+namespace {
+
+/// Where the spine ends, and its unit direction there, outwards.
+struct Stop {
+  PicturePoint at, along;
+  double beyond(PicturePoint p) const { return dot(p - at, along); }
+};
+
+/// The direction is taken over as much of the spine as the part is wide there: the last few points alone
+/// tremble with the hand.
+template <class Ribs>
+std::optional<Stop> stopOf(const Ribs& inwards, double width) {
+  const ribs::Rib* last = nullptr;
+  for (const ribs::Rib& rib : inwards) {
+    if (!isFinite(rib.center)) continue;
+    if (last == nullptr) last = &rib;
+    const PicturePoint way = last->center - rib.center;
+    if (norm(way) >= width / 4) return Stop{last->center, normalized(way)};
+  }
+  return std::nullopt;
+}
+
+/// The last end of `side` that is not beyond, and how far the cut is from there to the next one, 0…1.
+struct Crossing {
+  std::size_t before = 0;
+  PicturePoint at;
+};
+std::optional<Crossing> crossingOf(const std::vector<Chord>& chords, PicturePoint Chord::*side,
+                                   const Stop& stop) {
+  for (std::size_t i = chords.size(); i-- > 0;) {
+    const double here = stop.beyond(chords[i].*side);
+    if (here > 0) continue;
+    if (i + 1 == chords.size()) return Crossing{i, chords[i].*side};
+    const double next = stop.beyond(chords[i + 1].*side);
+    return Crossing{i, lerp(chords[i].*side, chords[i + 1].*side, -here / (next - here))};
+  }
+  return std::nullopt;
+}
+
+/// Cuts the end of `chords`.
+void cutEnd(std::vector<Chord>& chords, const Stop& stop) {
+  const auto left = crossingOf(chords, &Chord::left, stop);
+  const auto right = crossingOf(chords, &Chord::right, stop);
+  if (!left || !right) return;
+  const std::size_t keep = std::min(left->before, right->before) + 1;
+  const std::size_t until = std::max(left->before, right->before) + 1;
+  if (keep < 2) return;
+  const Chord cut{left->at, right->at, chords.back().at};
+  // Both sides: slanted ribs reach beyond the end on one.
+  double leftMost = 0, rightMost = 0;
+  for (std::size_t i = keep; i < chords.size(); ++i) {
+    leftMost = std::max(leftMost, stop.beyond(chords[i].left));
+    rightMost = std::max(rightMost, stop.beyond(chords[i].right));
+  }
+  if (std::min(leftMost, rightMost) <= kFlatSlack * cut.width() / 2) return;
+  // Where one side goes on, the other one waits: their ends go to the cut in even steps.
+  const Chord base = chords[keep - 1];
+  for (std::size_t i = keep; i < until; ++i) {
+    const double t = static_cast<double>(i - keep + 1) / static_cast<double>(until - keep + 1);
+    if (i > left->before) chords[i].left = lerp(base.left, cut.left, t);
+    if (i > right->before) chords[i].right = lerp(base.right, cut.right, t);
+  }
+  chords.resize(until);
+  if (chords.back().left == cut.left && chords.back().right == cut.right) return;
+  chords.push_back(cut);
+}
+
+void turnAbout(std::vector<Chord>& chords) {
+  std::reverse(chords.begin(), chords.end());
+  for (Chord& chord : chords) chord = flipped(chord);
+}
+
+bool isStraight(CapStyle style) { return style == CapStyle::Flat || style == CapStyle::Open; }
+
+double widest(const std::vector<Chord>& chords) {
+  double width = 0;
+  for (const Chord& chord : chords) width = std::max(width, chord.width());
+  return width;
+}
+
+}  // namespace
+
+void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set,
+                     const LoftParams& params) {
+  if (chords.size() < 3) return;
+  const double width = widest(chords);
+  if (isStraight(params.endCap)) {
+    if (const auto stop = stopOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *stop);
+  }
+  if (isStraight(params.startCap)) {
+    turnAbout(chords);
+    if (const auto stop = stopOf(set.ribs, width)) cutEnd(chords, *stop);
+    turnAbout(chords);
+  }
+}
+
+}  // namespace spineloft::loft
