@@ -1,6 +1,8 @@
 #include "engine/ribs/chain_step.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace spineloft::ribs {
@@ -13,11 +15,55 @@ void keepLess(float* row, const float* other, float offset, std::size_t width) {
   for (std::size_t j = 0; j < width; ++j) row[j] = std::min(row[j], other[j] + offset);
 }
 
-// The labels [low, high) of the rib before that are free of charge for a label standing at `to`;
-// low and high only ever move up as `to` does.
-void moveWindow(const ChainStep& t, int count, float to, int& low, int& high) {
-  while (low < count && t.from[low] < to - t.free) ++low;
-  while (high < count && t.from[high] <= to + t.free) ++high;
+// The labels [low, high) of the rib before that are free of charge for every label; both only ever
+// move up. Returns the size of the largest window.
+int findWindows(const ChainStep& t, int fromCount, int toCount, StepScratch& scratch) {
+  scratch.low.resize(index(toCount));
+  scratch.high.resize(index(toCount));
+  int low = 0, high = 0, widest = 0;
+  for (int k = 0; k < toCount; ++k) {
+    const float first = t.to[k] - t.free, last = t.to[k] + t.free;
+    while (low < fromCount && t.from[low] < first) ++low;
+    while (high < fromCount && t.from[high] <= last) ++high;
+    scratch.low[index(k)] = low;
+    scratch.high[index(k)] = high;
+    widest = std::max(widest, high - low);
+  }
+  return widest;
+}
+
+// The least of 2, 4, 8 … neighbouring rows of `width` entries from each row on, as far as windows of
+// `widest` rows need them: two overlapping ones make any window. tables[j] is that of 2^j rows.
+struct WindowTables {
+  std::array<const float*, 32> tables{};
+  const float* first(int low, int high) const { return tables[power(high - low)] + low; }
+  const float* last(int low, int high) const {
+    const std::size_t p = power(high - low);
+    return tables[p] + high - (1 << p);
+  }
+  static std::size_t power(int count) {
+    return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(count)) - 1);
+  }
+};
+WindowTables makeTables(const float* in, std::size_t entries, std::size_t width, int widest,
+                        std::vector<float>& memory) {
+  WindowTables made;
+  made.tables[0] = in;
+  if (widest < 2) return made;
+  const std::size_t most = WindowTables::power(widest);
+  if (memory.size() < most * entries) memory.resize(most * entries);
+  const float* from = in;
+  for (std::size_t p = 1; p <= most; ++p) {
+    float* __restrict to = memory.data() + (p - 1) * entries;
+    const std::size_t half = (std::size_t{1} << (p - 1)) * width;
+    const std::size_t count = entries + width - 2 * half;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float a = from[i], b = from[i + half];
+      to[i] = b < a ? b : a;
+    }
+    made.tables[p] = from = to;
+  }
+  return made;
 }
 
 }  // namespace
@@ -36,60 +82,73 @@ ChainStep stepFrom(const LengthProblem& p, const SideCosts& side, int rib) {
 }
 
 void convolveRows(const ChainStep& t, const ChainRows& rows, const float* in, float* out,
-                  std::vector<float>& scratch) {
+                  StepScratch& scratch) {
   const std::size_t w = index(rows.width);
-  scratch.assign(2 * w, kUnreachable);
-  float* best = scratch.data();
+  const int widest = findWindows(t, rows.fromCount, rows.toCount, scratch);
+  const WindowTables windows =
+      makeTables(in, index(rows.fromCount) * w, w, widest, scratch.tables);
+  scratch.running.assign(2 * w, kUnreachable);
+  float* best = scratch.running.data();
   float* running = best + w;
   for (std::size_t k = 0; k < index(rows.fromCount); ++k) keepLess(best, in + k * w, 0, w);
   for (std::size_t j = 0; j < w; ++j) best[j] += t.cap;
-  int low = 0, high = 0, taken = 0;
+  int taken = 0;
   for (int k = 0; k < rows.toCount; ++k) {
-    moveWindow(t, rows.fromCount, t.to[k], low, high);
+    const int low = scratch.low[index(k)], high = scratch.high[index(k)];
     for (; taken < low; ++taken)
       keepLess(running, in + index(taken) * w, -t.slope * t.from[taken], w);
     float* row = out + index(k) * w;
     const float offset = t.slope * (t.to[k] - t.free);
-    if (high == low + 1) {
-      const float* source = in + index(low) * w;
-      for (std::size_t j = 0; j < w; ++j) {
-        row[j] = std::min(std::min(best[j], running[j] + offset), source[j]);
-      }
+    if (high <= low) {
+      for (std::size_t j = 0; j < w; ++j) row[j] = std::min(best[j], running[j] + offset);
       continue;
     }
-    for (std::size_t j = 0; j < w; ++j) row[j] = std::min(best[j], running[j] + offset);
-    for (int q = low; q < high; ++q) keepLess(row, in + index(q) * w, 0, w);
+    const std::size_t p = WindowTables::power(high - low);
+    const float* first = windows.tables[p] + index(low) * w;
+    const float* last = windows.tables[p] + index(high - (1 << p)) * w;
+    for (std::size_t j = 0; j < w; ++j) {
+      row[j] = std::min(std::min(best[j], running[j] + offset), std::min(first[j], last[j]));
+    }
   }
   std::fill(running, running + w, kUnreachable);
   taken = rows.fromCount;
   for (int k = rows.toCount; k-- > 0;) {
-    while (taken > 0 && t.from[taken - 1] > t.to[k] + t.free) {
-      --taken;
-      keepLess(running, in + index(taken) * w, t.slope * t.from[taken], w);
-    }
+    for (; taken > scratch.high[index(k)]; --taken)
+      keepLess(running, in + index(taken - 1) * w, t.slope * t.from[taken - 1], w);
     keepLess(out + index(k) * w, running, -t.slope * (t.to[k] + t.free), w);
   }
 }
 
-void convolveLine(const ChainStep& t, int count, const float* in, float* out) {
-  const float best = *std::min_element(in, in + count) + t.cap;
-  float running = kUnreachable;
-  int low = 0, high = 0, taken = 0;
-  for (int k = 0; k < count; ++k) {
-    moveWindow(t, count, t.to[k], low, high);
-    for (; taken < low; ++taken) running = std::min(running, in[taken] - t.slope * t.from[taken]);
-    float least = std::min(best, running + t.slope * (t.to[k] - t.free));
-    for (int q = low; q < high; ++q) least = std::min(least, in[q]);
-    out[k] = least;
+void convolveLine(const ChainStep& t, int count, const float* in, float* out,
+                  StepScratch& scratch) {
+  const std::size_t n = index(count);
+  const int widest = findWindows(t, count, count, scratch);
+  const WindowTables windows = makeTables(in, n, 1, widest, scratch.tables);
+  // Least of what comes from labels below each one, and from it on: with the slope taken out.
+  scratch.running.resize(2 * (n + 1));
+  float* __restrict below = scratch.running.data();
+  float* __restrict above = below + n + 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float moved = t.slope * t.from[i];
+    below[i + 1] = in[i] - moved;
+    above[i] = in[i] + moved;
   }
-  running = kUnreachable;
-  taken = count;
-  for (int k = count; k-- > 0;) {
-    while (taken > 0 && t.from[taken - 1] > t.to[k] + t.free) {
-      --taken;
-      running = std::min(running, in[taken] + t.slope * t.from[taken]);
-    }
-    out[k] = std::min(out[k], running - t.slope * (t.to[k] + t.free));
+  float best = kUnreachable;
+  for (std::size_t i = 0; i < n; ++i) best = in[i] < best ? in[i] : best;
+  best += t.cap;
+  below[0] = above[n] = kUnreachable;
+  for (std::size_t i = 1, j = n; i <= n; ++i) {
+    below[i] = below[i] < below[i - 1] ? below[i] : below[i - 1];
+    --j;
+    above[j] = above[j] < above[j + 1] ? above[j] : above[j + 1];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const int low = scratch.low[k], high = scratch.high[k];
+    const float under = below[index(low)] + t.slope * (t.to[k] - t.free);
+    const float over = above[index(high)] - t.slope * (t.to[k] + t.free);
+    float least = std::min(best, std::min(under, over));
+    if (high > low) least = std::min({least, *windows.first(low, high), *windows.last(low, high)});
+    out[k] = least;
   }
 }
 

@@ -30,10 +30,11 @@ struct ChainRows {
   int fromCount = 0, toCount = 0, width = 0;
 };
 void convolveRows(const ChainStep& step, const ChainRows& rows, const float* in, float* out,
-                  std::vector<float>& scratch);
+                  StepScratch& scratch);
 
-/// The same for one column of `count` labels on either rib.
-void convolveLine(const ChainStep& step, int count, const float* in, float* out);
+/// The same for one column of `count` labels on either rib. O(count log window).
+void convolveLine(const ChainStep& step, int count, const float* in, float* out,
+                  StepScratch& scratch);
 
 /// Opposite cost of one pair of labels of a rib, and the least one of every label of one side plus
 /// what is given for the labels of the other: least(l) = min over r of cost(l, r) + other(r),

@@ -59,7 +59,10 @@ void follow(const Contours& c, std::vector<float>& rises, std::int32_t* out) {
     const float dx = c.otherX[k] - c.x[k], dy = c.otherY[k] - c.y[k];
     rise[k] = c.slant * std::sqrt(dx * dx + dy * dy) / c.step[k];
   }
-  for (std::size_t s = 0; s <= kUpright; ++s) {
+  std::int32_t* __restrict level = out + kUpright * levels;
+  for (int k = 0; k < both; ++k) level[k] = k;
+  for (int k = both; k < c.reached; ++k) level[k] = none;
+  for (std::size_t s = 1; s <= kUpright; ++s) {
     std::int32_t* __restrict down = out + (kUpright - s) * levels;
     std::int32_t* __restrict up = out + (kUpright + s) * levels;
     const auto steps = static_cast<float>(s);

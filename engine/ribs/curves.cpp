@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/ribs/lanes.h"
+
 namespace spineloft::ribs {
 namespace {
 
@@ -116,7 +118,8 @@ int traceOne(const Flow& flow, const Levels& levels, image::Size picture, Point 
     h = std::min(h, levels.radius.back() - t);
     const Step s = advance(flow, x, slope, t, h);
     const double ratio = s.error / kStepTolerance;
-    const double scale = std::clamp(0.9 * std::pow(std::max(ratio, 1e-8), -0.2), 0.2, 4.0);
+    const float root = quickExp(-0.2f * quickLog(static_cast<float>(std::max(ratio, 1e-8))));
+    const double scale = std::clamp(0.9 * static_cast<double>(root), 0.2, 4.0);
     if (!(ratio <= 1) && h > 1e-3 * t) {
       h *= std::isfinite(scale) ? scale : 0.2;
       continue;
@@ -225,7 +228,8 @@ void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels,
     curves.reached[c] = traceOne(flow, levels, picture, seeds[c].base, seeds[c].start, x, y);
     along[0] = 0;
     for (int k = 1; k < curves.reached[c]; ++k) {
-      along[k] = along[k - 1] + std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
+      const float dx = x[k] - x[k - 1], dy = y[k] - y[k - 1];
+      along[k] = along[k - 1] + std::sqrt(dx * dx + dy * dy);
     }
   }
 }

@@ -72,7 +72,8 @@ class Ascent {
       const std::size_t at = index(i) * n_;
       for (std::size_t k = 0; k < n_; ++k)
         own.next[k] = own.backward[at + k] + costs.unary[at + k] + own.moved[at + k];
-      convolveLine(stepFrom(p_, costs, i), p_.levels, own.next.data(), &own.backward[at - n_]);
+      convolveLine(stepFrom(p_, costs, i), p_.levels, own.next.data(), &own.backward[at - n_],
+                   workspace_.step);
     }
   }
 
@@ -173,7 +174,8 @@ class Ascent {
     const std::size_t at = index(i) * n_;
     for (std::size_t k = 0; k < n_; ++k)
       own.next[k] = own.forward[at + k] + costs.unary[at + k] + own.moved[at + k];
-    convolveLine(stepTo(p_, costs, i + 1), p_.levels, own.next.data(), &own.forward[at + n_]);
+    convolveLine(stepTo(p_, costs, i + 1), p_.levels, own.next.data(), &own.forward[at + n_],
+                 workspace_.step);
   }
 
   const LengthProblem& p_;

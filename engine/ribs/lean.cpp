@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace spineloft::ribs {
 namespace {
@@ -16,41 +17,42 @@ constexpr float kBeyondCost = 0.4f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// One side's costs between its labels, as lines: from place k on, base + slope · (at − place).
-struct Lines {
-  std::vector<float> base, slope;
+// One side's costs between its labels, as lines: from place k on, base + slope · (at − place), as far as
+// the next place.
+struct Line {
+  float place, next, base, slope;
 };
+using Lines = std::vector<Line>;
 
 void drawLines(const LengthProblem& p, const SideCosts& side, Lines& lines) {
-  lines.base.assign(side.unary.size(), kBeyondCost);
-  lines.slope.assign(side.unary.size(), 0.f);
+  lines.resize(side.unary.size());
   for (std::size_t row = 0; row < side.unary.size(); row += index(p.levels)) {
-    for (std::size_t k = row; k + 1 < row + index(p.levels); ++k) {
+    const std::size_t last = row + index(p.levels) - 1;
+    for (std::size_t k = row; k < last; ++k) {
       const bool low = side.unary[k] < kUnreachable, high = side.unary[k + 1] < kUnreachable;
-      if (low || high) lines.base[k] = side.unary[low ? k : k + 1];
-      if (low && high)
-        lines.slope[k] = (side.unary[k + 1] - side.unary[k]) / (side.place[k + 1] - side.place[k]);
+      Line line{side.place[k], side.place[k + 1], kBeyondCost, 0};
+      if (low || high) line.base = side.unary[low ? k : k + 1];
+      if (low && high) line.slope = (side.unary[k + 1] - side.unary[k]) / (line.next - line.place);
+      lines[k] = line;
     }
+    lines[last] = {side.place[last], side.place[last], kBeyondCost, 0};
   }
 }
 
 // Adds one side's costs at the places factor · width[j], interpolated between labels, to every
 // `stride`-th of `costs`. `labels[j]` is where to begin to look: where the rib before had that place.
-struct LineRow {
-  const float *place, *base, *slope;
-  int levels;
-};
-void addSide(const LineRow& row, float factor, const std::vector<float>& widths, float* costs,
-             std::size_t stride, std::int32_t* labels) {
-  const int most = std::max(0, row.levels - 2);
+void addSide(std::span<const Line> row, float factor, const std::vector<float>& widths,
+             float* costs, std::size_t stride, std::int32_t* labels) {
+  const std::int32_t most = std::max(0, static_cast<std::int32_t>(row.size()) - 2);
   for (std::size_t j = 0; j < widths.size(); ++j) {
     const float at = factor * widths[j];
     std::int32_t k = labels[j];
-    while (k < most && row.place[k + 1] <= at) ++k;
-    while (k > 0 && row.place[k] > at) --k;
+    while (k < most && row[index(k)].next <= at) ++k;
+    while (k > 0 && row[index(k)].place > at) --k;
     labels[j] = k;
-    const float held = std::clamp(at, row.place[k], row.place[k + 1]);
-    costs[j * stride] += row.base[k] + row.slope[k] * (held - row.place[k]);
+    const Line& line = row[index(k)];
+    const float held = at < line.next ? at : line.next;
+    costs[j * stride] += line.base + line.slope * (held - line.place);
   }
 }
 
@@ -103,8 +105,8 @@ class WidthChains {
         float* first = &out[index(i) * kWidths * leans.size() + q];
         const auto left = static_cast<float>((1 + leans[q]) / 2);
         std::int32_t* labels = &begin[2 * q * kWidths];
-        addSide(rowOf(problem_.left, left_, i), left, widths_, first, leans.size(), labels);
-        addSide(rowOf(problem_.right, right_, i), 1 - left, widths_, first, leans.size(),
+        addSide(rowOf(left_, i), left, widths_, first, leans.size(), labels);
+        addSide(rowOf(right_, i), 1 - left, widths_, first, leans.size(),
                 labels + kWidths);
       }
     }
@@ -125,9 +127,8 @@ class WidthChains {
   }
 
  private:
-  LineRow rowOf(const SideCosts& side, const Lines& lines, int rib) const {
-    const std::size_t at = index(rib) * index(problem_.levels);
-    return {&side.place[at], &lines.base[at], &lines.slope[at], problem_.levels};
+  std::span<const Line> rowOf(const Lines& lines, int rib) const {
+    return std::span(lines).subspan(index(rib) * index(problem_.levels), index(problem_.levels));
   }
 
   const LengthProblem& problem_;

@@ -58,11 +58,11 @@ class PairSearch {
       const LabelRun newRows = rowRun(i), newColumns = columnRun(i);
       convolveRows(runStep(rowsLeft, i, newColumns, rows),
                    {rows.size(), newColumns.size(), columns.size()}, of(i - 1), w_.first.data(),
-                   w_.columns);
+                   w_.step);
       transpose(w_.first.data(), index(newColumns.size()), index(columns.size()), w_.second.data());
       convolveRows(runStep(!rowsLeft, i, newRows, columns),
                    {columns.size(), newRows.size(), newColumns.size()}, w_.second.data(), of(i),
-                   w_.columns);
+                   w_.step);
       addCosts(i);
     }
     labels.left.resize(index(p_.ribs));

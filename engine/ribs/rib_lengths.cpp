@@ -32,13 +32,13 @@ int cameFrom(const LengthProblem& p, const SideCosts& side, int rib, int label,
 
 // Least energy of the chain's beginning for every label of every rib of one independent side.
 void forwardChain(const LengthProblem& p, const SideCosts& side, const std::vector<float>& unary,
-                  std::vector<float>& table) {
+                  StepScratch& scratch, std::vector<float>& table) {
   const std::size_t n = index(p.levels);
   table.resize(index(p.ribs) * n);
   std::copy(unary.begin(), unary.begin() + p.levels, table.begin());
   for (int i = 1; i < p.ribs; ++i) {
     float* row = &table[index(i) * n];
-    convolveLine(stepTo(p, side, i), p.levels, row - n, row);
+    convolveLine(stepTo(p, side, i), p.levels, row - n, row, scratch);
     for (std::size_t k = 0; k < n; ++k) row[k] += unary[index(i) * n + k];
   }
 }
@@ -96,7 +96,7 @@ std::vector<float> leastEnergies(const LengthProblem& p, const SideCosts& side,
   next.resize(row);
   for (int i = 1; i < p.ribs; ++i) {
     convolveRows(stepTo(p, side, i), {p.levels, p.levels, columns}, now.data(), next.data(),
-                 workspace.columns);
+                 workspace.step);
     for (std::size_t j = 0; j < row; ++j) next[j] += unary[index(i) * row + j];
     now.swap(next);
   }
@@ -125,7 +125,7 @@ EnergyTerms energyOf(const LengthProblem& p, const LengthLabels& labels) {
 void optimalChain(const LengthProblem& p, const SideCosts& side, const std::vector<float>& unary,
                   LengthWorkspace& workspace, std::vector<int>& labels) {
   std::vector<float>& table = workspace.table;
-  forwardChain(p, side, unary, table);
+  forwardChain(p, side, unary, workspace.step, table);
   const std::size_t n = index(p.levels);
   labels.resize(index(p.ribs));
   const float* last = &table[index(p.ribs - 1) * n];
@@ -161,11 +161,12 @@ bool findLabels(const LengthProblem& p, double limit, LengthWorkspace& workspace
   return true;
 }
 
-std::vector<float> sideMarginals(const LengthProblem& p, const LengthLabels& labels,
-                                 bool leftSide) {
+void sideMarginals(const LengthProblem& p, const LengthLabels& labels, bool leftSide,
+                   LengthWorkspace& workspace, std::vector<float>& marginals) {
   const SideCosts& side = leftSide ? p.left : p.right;
   const std::size_t n = index(p.levels);
-  std::vector<float> unary = side.unary;
+  std::vector<float>& unary = workspace.unary;
+  unary = side.unary;
   if (p.paired()) {
     for (int i = 0; i < p.ribs; ++i) {
       const std::size_t other = index((leftSide ? labels.right : labels.left)[index(i)]);
@@ -175,17 +176,17 @@ std::vector<float> sideMarginals(const LengthProblem& p, const LengthLabels& lab
       }
     }
   }
-  std::vector<float> forward;
-  forwardChain(p, side, unary, forward);
+  forwardChain(p, side, unary, workspace.step, marginals);
   // Backwards: the same convolution with the two ribs' parts exchanged.
-  std::vector<float> ahead(n, 0.f), with(n);
+  std::vector<float>&ahead = workspace.first, &with = workspace.second;
+  ahead.assign(n, 0.f);
+  with.resize(n);
   for (int i = p.ribs - 2; i >= 0; --i) {
     const std::size_t next = index(i + 1) * n;
     for (std::size_t k = 0; k < n; ++k) with[k] = ahead[k] + unary[next + k];
-    convolveLine(stepFrom(p, side, i + 1), p.levels, with.data(), ahead.data());
-    for (std::size_t k = 0; k < n; ++k) forward[index(i) * n + k] += ahead[k];
+    convolveLine(stepFrom(p, side, i + 1), p.levels, with.data(), ahead.data(), workspace.step);
+    for (std::size_t k = 0; k < n; ++k) marginals[index(i) * n + k] += ahead[k];
   }
-  return forward;
 }
 
 }  // namespace spineloft::ribs

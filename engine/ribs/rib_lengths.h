@@ -77,6 +77,12 @@ struct LabelBounds {
   double cells() const;               ///< pairs of labels left, over all ribs
 };
 
+/// Memory of one step along a chain (chain_step.h).
+struct StepScratch {
+  std::vector<int> low, high;  ///< of the windows of labels that are free of charge
+  std::vector<float> running, tables;
+};
+
 /// Memory that the optimiser reuses from call to call, and what it last found out about a problem.
 struct LengthWorkspace {
   LabelBounds bounds;
@@ -88,6 +94,7 @@ struct LengthWorkspace {
   };
   Chain chains[2];
   LengthLabels trial;
+  StepScratch step;
   std::vector<float> table, first, second, columns, rowCosts, columnCosts, unary;
   std::vector<std::size_t> starts;
   /// At least `size` floats, not cleared.
@@ -134,8 +141,8 @@ double sideEnergy(const LengthProblem& problem, const SideCosts& side,
                   const std::vector<int>& labels);
 
 /// Min-marginals of one side with the other side's labels held: for every rib and label the least
-/// energy of that side's chain through it (ribs × levels). Confidence is read from these.
-std::vector<float> sideMarginals(const LengthProblem& problem, const LengthLabels& labels,
-                                 bool leftSide);
+/// energy of that side's chain through it (ribs × levels), into `marginals`. Confidence is read from these.
+void sideMarginals(const LengthProblem& problem, const LengthLabels& labels, bool leftSide,
+                   LengthWorkspace& workspace, std::vector<float>& marginals);
 
 }  // namespace spineloft::ribs

@@ -31,6 +31,7 @@ struct RibWorkspace::Search {
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
   LengthWorkspace workspace;
+  std::vector<float> marginals;
   const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
 };
 
@@ -233,8 +234,9 @@ std::vector<RibState> endStates(const Search& s, const std::vector<int>& labels,
 }
 
 // Confidence and other places of the ends of one side, from its min-marginals.
-void readRivals(const Search& s, const LengthLabels& labels, bool leftSide, RibSet& set) {
-  const std::vector<float> marginals = sideMarginals(s.problem, labels, leftSide);
+void readRivals(Search& s, const LengthLabels& labels, bool leftSide, RibSet& set) {
+  std::vector<float>& marginals = s.marginals;
+  sideMarginals(s.problem, labels, leftSide, s.workspace, marginals);
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
     const std::size_t reached = index(s.curves.reached[index(curve)]);

@@ -197,7 +197,8 @@ TEST_CASE("min-marginals are the least energy of the side through every label") 
   for (int round = 0; round < 30; ++round) {
     const LengthProblem p = randomProblem(4, 5, round % 2 == 0, rng);
     const LengthLabels best = optimalLabels(p, workspace);
-    const std::vector<float> marginals = sideMarginals(p, best, true);
+    std::vector<float> marginals;
+    sideMarginals(p, best, true, workspace, marginals);
     // By brute force over the left side with the right one held.
     std::vector<double> least(20, std::numeric_limits<double>::infinity());
     const double rest = [&] {
