@@ -148,17 +148,15 @@ Point leftNormal(const std::vector<Point>& p, std::size_t i) {
   return {t.y, -t.x};
 }
 
-struct Seed {
-  Point base, start;
-};
-
-std::vector<Seed> hullSeeds(const Spine& spine, const CurveLayout& layout) {
+void placeSeeds(const Spine& spine, GradientCurves& curves) {
+  const CurveLayout& layout = curves.layout;
   const auto& p = spine.points;
   double spacing = distance(p[0], p[1]);
   for (std::size_t i = 1; i + 1 < p.size(); ++i)
     spacing = std::min(spacing, distance(p[i], p[i + 1]));
   const double offset = 0.5 * spacing;
-  std::vector<Seed> seeds(static_cast<std::size_t>(layout.total()));
+  auto& seeds = curves.seeds;
+  seeds.resize(static_cast<std::size_t>(layout.total()));
   for (int i = 0; i < layout.ribs; ++i) {
     const auto s = static_cast<std::size_t>(i);
     const Point n = leftNormal(p, s) * offset;
@@ -178,7 +176,6 @@ std::vector<Seed> hullSeeds(const Spine& spine, const CurveLayout& layout) {
     seeds[static_cast<std::size_t>(layout.startFan(i))] = {
         p.front(), p.front() + turned(startLeft, startOut) * offset};
   }
-  return seeds;
 }
 
 void allocate(const Spine& spine, const Levels& levels, int fan, GradientCurves& curves) {
@@ -192,6 +189,12 @@ void allocate(const Spine& spine, const Levels& levels, int fan, GradientCurves&
 }  // namespace
 
 Levels makeLevels(int count, double step, double farthest, double length) {
+  Levels levels;
+  makeLevels(count, step, farthest, length, levels);
+  return levels;
+}
+
+void makeLevels(int count, double step, double farthest, double length, Levels& levels) {
   const double last = static_cast<double>(count - 1);
   // Solves sinh(r · last) / r = farthest / step for r; even spacing where no widening is needed.
   double rate = 0;
@@ -204,28 +207,27 @@ Levels makeLevels(int count, double step, double farthest, double length) {
       (reach < farthest / step ? low : high) = rate;
     }
   }
-  Levels levels;
   levels.radius.resize(static_cast<std::size_t>(count));
   levels.d2.resize(static_cast<std::size_t>(count));
+  levels.radius[0] = levels.d2[0] = 0;
   for (std::size_t k = 1; k < levels.size(); ++k) {
     const double share = static_cast<double>(k);
     levels.radius[k] = rate > 0 ? step * std::sinh(rate * share) / rate : farthest * share / last;
     levels.d2[k] = d2OfRadius(levels.radius[k], length);
   }
-  return levels;
 }
 
 void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan,
                  image::Size picture, GradientCurves& curves) {
   allocate(spine, levels, fan, curves);
   const std::size_t total = static_cast<std::size_t>(curves.layout.total());
-  const std::vector<Seed> seeds = hullSeeds(spine, curves.layout);
+  placeSeeds(spine, curves);
   const Flow flow{field, {field.length()}};
   for (std::size_t c = 0; c < total; ++c) {
     float* x = &curves.x[c * levels.size()];
     float* y = &curves.y[c * levels.size()];
     float* along = &curves.along[c * levels.size()];
-    curves.reached[c] = traceOne(flow, levels, picture, seeds[c].base, seeds[c].start, x, y);
+    curves.reached[c] = traceOne(flow, levels, picture, curves.seeds[c][0], curves.seeds[c][1], x, y);
     along[0] = 0;
     for (int k = 1; k < curves.reached[c]; ++k) {
       const float dx = x[k] - x[k - 1], dy = y[k] - y[k - 1];
@@ -247,11 +249,11 @@ PicturePoint GradientCurves::pointAlong(int curve, double length) const {
 void traceStraightCurves(const Spine& spine, const Levels& levels, int fan, image::Size picture,
                          GradientCurves& curves) {
   allocate(spine, levels, fan, curves);
-  const std::vector<Seed> seeds = hullSeeds(spine, curves.layout);
+  placeSeeds(spine, curves);
   // How much nearer another part may be, as a share, before the medial axis is taken to be crossed.
   constexpr double kNearer = 0.99;
-  for (std::size_t c = 0; c < seeds.size(); ++c) {
-    const Point base = seeds[c].base, out = normalized(seeds[c].start - base);
+  for (std::size_t c = 0; c < curves.seeds.size(); ++c) {
+    const Point base = curves.seeds[c][0], out = normalized(curves.seeds[c][1] - base);
     int k = 0;
     for (; k < curves.levels; ++k) {
       const double radius = levels.radius[static_cast<std::size_t>(k)];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <array>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -24,6 +25,8 @@ struct Levels {
 /// so that the last one is `farthest`: ρ_k = step/r · sinh(r k). Evenly spaced where `step` ·
 /// (count − 1) already reaches that far (the step then shrinks). All in picture pixels, > 0.
 Levels makeLevels(int count, double step, double farthest, double length);
+/// The same into `levels`, reusing memory.
+void makeLevels(int count, double step, double farthest, double length, Levels& levels);
 
 /// Where the curves are and how they end. Curves run once around the hull without a gap: the left
 /// side along the spine, the fan around the last point, the right side back, the fan around the
@@ -46,6 +49,7 @@ struct GradientCurves {
   int levels = 0;
   std::vector<float> x, y;
   std::vector<float> along;  ///< arc length from the spine, picture pixels, same shape
+  std::vector<std::array<PicturePoint, 2>> seeds;  ///< on the spine, and on the hull
   std::vector<int> reached;  ///< labels that exist on a curve, ≥ 1 (label 0 is the spine point)
   std::size_t at(int curve, int level) const {
     return static_cast<std::size_t>(curve) * static_cast<std::size_t>(levels) +

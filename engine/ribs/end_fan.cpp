@@ -87,9 +87,9 @@ double priceOf(const EndGuess& guess) {
 
 // One side's chain over the fan's curves. Places are shares of the guessed shape; between neighbours
 // lies their part of a half circle.
-LengthProblem chainOf(const EndSite& site, const EndFrame& frame, const EndGuess& guess) {
+void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess,
+               LengthProblem& p) {
   const GradientCurves& curves = site.curves;
-  LengthProblem p;
   p.ribs = curves.layout.fan + 2;
   p.levels = curves.levels;
   p.neighbourWeight = site.neighbourWeight;
@@ -113,7 +113,6 @@ LengthProblem chainOf(const EndSite& site, const EndFrame& frame, const EndGuess
       p.left.unary[at] = site.costs[curves.at(curve, k)] + kCapWeight * std::abs(place - 1);
     }
   }
-  return p;
 }
 
 // The outline with the two corners of a flat end, each after the points on its side that lie clearly
@@ -127,7 +126,9 @@ std::vector<PicturePoint> withCorners(const EndSite& site, const EndFrame& frame
   const auto left = std::find_if_not(outline.begin(), middle, before);
   const auto right =
       std::find_if_not(outline.rbegin(), std::make_reverse_iterator(middle), before).base();
-  std::vector<PicturePoint> out(outline.begin(), left);
+  std::vector<PicturePoint> out;
+  out.reserve(outline.size() + 2);
+  out.assign(outline.begin(), left);
   out.push_back(site.left + on);
   out.insert(out.end(), left, right);
   out.push_back(site.right + on);
@@ -174,19 +175,20 @@ EndGuess guessEnd(const EndSite& site) {
 EndFan followEnd(const EndSite& site, LengthWorkspace& workspace) {
   const EndFrame frame(site);
   const EndGuess guess = guessEnd(site);
-  const LengthProblem chain = chainOf(site, frame, guess);
-  const std::vector<int> labels = optimalSide(chain, chain.left, workspace);
-  EndFan fan;
+  LengthProblem& chain = workspace.end.chain;
+  fillChain(site, frame, guess, chain);
+  std::vector<int>& labels = workspace.end.labels;
+  optimalChain(chain, chain.left, chain.left.unary, workspace, labels);
+  std::vector<PicturePoint>& points = workspace.end.points;
+  points.clear();
   for (int i = 1; i + 1 < chain.ribs; ++i) {
     const int curve = fanCurve(site, i);
     const double along = site.curves.along[site.curves.at(curve, labels[index(i)])];
-    fan.points.push_back(site.curves.pointAlong(
+    points.push_back(site.curves.pointAlong(
         curve, site.edges ? middleOfLine(site.curves, *site.edges, curve, along) : along));
   }
-  if (guess.shape == EndShape::Flat) {
-    fan.points = withCorners(site, frame, guess.extent, fan.points);
-  }
-  return fan;
+  if (guess.shape == EndShape::Flat) return {withCorners(site, frame, guess.extent, points)};
+  return {points};
 }
 
 }  // namespace spineloft::ribs

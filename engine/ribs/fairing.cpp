@@ -17,9 +17,12 @@ double reweighted(double residual, double scale) {
 
 // A symmetric positive definite matrix with two bands on either side of its diagonal.
 struct Pentadiagonal {
-  std::vector<double> diagonal, first, second;  // (i, i), (i, i + 1), (i, i + 2)
+  std::vector<double>&diagonal, &first, &second;  // (i, i), (i, i + 1), (i, i + 2)
 
-  explicit Pentadiagonal(std::size_t n) : diagonal(n), first(n), second(n) {}
+  Pentadiagonal(std::size_t n, FairingMemory& memory)
+      : diagonal(memory.diagonal), first(memory.first), second(memory.second) {
+    for (auto* band : {&diagonal, &first, &second}) band->assign(n, 0);
+  }
 
   // Adds weight · (1, −2, 1)ᵀ(1, −2, 1) around row i.
   void addBend(std::size_t i, double weight) {
@@ -53,16 +56,18 @@ struct Pentadiagonal {
 
 }  // namespace
 
-std::vector<double> fairLengths(const SideLengths& side, const FairingParams& params) {
+const std::vector<double>& fairLengths(const SideLengths& side, const FairingParams& params,
+                                       FairingMemory& memory) {
   const std::vector<double>& z = side.length;
   const std::size_t n = z.size();
-  std::vector<double> x = z;
+  std::vector<double>&x = memory.fair, &next = memory.next;
+  x = z;
   const double mean = std::accumulate(z.begin(), z.end(), 0.0) / static_cast<double>(std::max<std::size_t>(1, n));
   if (n < kLeastEntries || !(params.stiffness > 0) || !(mean > 0)) return x;
   const double corner = params.corner * mean, outlier = params.outlier * mean;
   for (int round = 0; round < kRounds; ++round) {
-    Pentadiagonal matrix(n);
-    std::vector<double> next(n);
+    Pentadiagonal matrix(n, memory);
+    next.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const double weight = std::max(params.leastTrust, side.trust[i]) * reweighted(x[i] - z[i], outlier);
       matrix.diagonal[i] = weight;
@@ -73,7 +78,7 @@ std::vector<double> fairLengths(const SideLengths& side, const FairingParams& pa
       matrix.addBend(i, params.stiffness * reweighted(bend, corner));
     }
     matrix.solve(next);
-    x = std::move(next);
+    x.swap(next);
   }
   return x;
 }

@@ -29,6 +29,11 @@ struct FairingParams {
 /// is the trust and both sums are made robust by four rounds of reweighting (Geman and McClure's
 /// weights: 1 / (1 + (residual / scale)²)²). Lengths come back unchanged below five entries and with a
 /// stiffness of 0. Straight lines, whatever their slope, come back unchanged. O(n).
-std::vector<double> fairLengths(const SideLengths& side, const FairingParams& params);
+/// The result stands in `memory.fair`.
+struct FairingMemory {
+  std::vector<double> fair, next, diagonal, first, second;
+};
+const std::vector<double>& fairLengths(const SideLengths& side, const FairingParams& params,
+                                       FairingMemory& memory);
 
 }  // namespace spineloft::ribs

@@ -1,9 +1,11 @@
 #include "engine/ribs/lean.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace spineloft::ribs {
 namespace {
@@ -17,11 +19,7 @@ constexpr float kBeyondCost = 0.4f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// One side's costs between its labels, as lines: from place k on, base + slope · (at − place), as far as
-// the next place.
-struct Line {
-  float place, next, base, slope;
-};
+using Line = WidthTables::Line;
 using Lines = std::vector<Line>;
 
 void drawLines(const LengthProblem& p, const SideCosts& side, Lines& lines) {
@@ -39,10 +37,14 @@ void drawLines(const LengthProblem& p, const SideCosts& side, Lines& lines) {
   }
 }
 
-// Adds one side's costs at the places factor · width[j], interpolated between labels, to every
-// `stride`-th of `costs`. `labels[j]` is where to begin to look: where the rib before had that place.
+// Adds one side's costs at the places factor · width[j], interpolated between labels, to a column of
+// costs. `labels[j]` is where to begin to look: where the rib before had that place.
+struct CostColumn {
+  float* first;
+  std::size_t stride;
+};
 void addSide(std::span<const Line> row, float factor, const std::vector<float>& widths,
-             float* costs, std::size_t stride, std::int32_t* labels) {
+             CostColumn costs, std::int32_t* labels) {
   const std::int32_t most = std::max(0, static_cast<std::int32_t>(row.size()) - 2);
   for (std::size_t j = 0; j < widths.size(); ++j) {
     const float at = factor * widths[j];
@@ -52,141 +54,167 @@ void addSide(std::span<const Line> row, float factor, const std::vector<float>& 
     labels[j] = k;
     const Line& line = row[index(k)];
     const float held = at < line.next ? at : line.next;
-    costs[j * stride] += line.base + line.slope * (held - line.place);
+    costs.first[j * costs.stride] += line.base + line.slope * (held - line.place);
   }
 }
 
-std::vector<float> widthGrid(const LengthProblem& p, double narrowest) {
+void widthGrid(const LengthProblem& p, double narrowest, std::vector<float>& widths) {
   float widest = static_cast<float>(2 * narrowest);
   for (const SideCosts* side : {&p.left, &p.right}) {
     for (std::size_t i = 0; i < side->unary.size(); ++i) {
       if (side->unary[i] < kUnreachable) widest = std::max(widest, 2 * side->place[i]);
     }
   }
-  std::vector<float> widths(kWidths);
+  widths.resize(kWidths);
   const double ratio = static_cast<double>(widest) / narrowest;
   for (int j = 0; j < kWidths; ++j) {
     widths[index(j)] =
         static_cast<float>(narrowest * std::pow(ratio, static_cast<double>(j) / (kWidths - 1)));
   }
-  return widths;
 }
+
+// A few leans with their energies; as many columns of the tables as SIMD likes.
+constexpr std::size_t kMostLeans = 12;
+struct Leans {
+  std::array<double, kMostLeans> lean{};
+  std::array<double, kMostLeans> energy{};
+  std::size_t count = 0;
+  void add(double one) { lean[count++] = one; }
+  std::size_t columns() const { return count == 1 ? 1 : (count + 3) / 4 * 4; }
+};
 
 // Chains over widths of the problem's two sides under several leans at once.
 class WidthChains {
  public:
-  WidthChains(const LengthProblem& p, double narrowest, double leanCost)
-      : problem_(p), leanCost_(leanCost), widths_(widthGrid(p, narrowest)) {
-    drawLines(p, p.left, left_);
-    drawLines(p, p.right, right_);
+  WidthChains(const LengthProblem& p, double narrowest, double leanCost, LengthWorkspace& workspace)
+      : problem_(p), leanCost_(leanCost), workspace_(workspace), t_(workspace.widths) {
+    widthGrid(p, narrowest, t_.widths);
+    drawLines(p, p.left, t_.left);
+    drawLines(p, p.right, t_.right);
     // Both sides step by half a width, so costs between neighbours are doubled.
-    chain_.ribs = p.ribs;
-    chain_.levels = kWidths;
-    chain_.neighbourWeight = 2 * p.neighbourWeight;
-    chain_.neighbourFreedom = p.neighbourFreedom;
-    chain_.neighbourCap = 2 * p.neighbourCap;
-    chain_.left.spacing = p.left.spacing;
-    chain_.left.place.reserve(index(p.ribs) * kWidths);
+    LengthProblem& chain = t_.chain;
+    chain.ribs = p.ribs;
+    chain.levels = kWidths;
+    chain.neighbourWeight = 2 * p.neighbourWeight;
+    chain.neighbourFreedom = p.neighbourFreedom;
+    chain.neighbourCap = 2 * p.neighbourCap;
+    chain.left.spacing = p.left.spacing;
+    chain.left.place.clear();
     for (int i = 0; i < p.ribs; ++i) {
-      for (float width : widths_) chain_.left.place.push_back(0.5f * width);
+      for (const float width : t_.widths) chain.left.place.push_back(0.5f * width);
     }
   }
 
-  // Unary costs: ribs × widths × leans.
-  std::vector<float> costs(const std::vector<double>& leans) const {
-    std::vector<float> own;
-    for (const double lean : leans) own.push_back(static_cast<float>(leanCost_ * std::abs(lean)));
-    std::vector<std::int32_t> begin(2 * kWidths * leans.size(), 0);
-    std::vector<float> out;
-    out.reserve(index(problem_.ribs) * kWidths * leans.size());
-    for (int i = 0; i < problem_.ribs * kWidths; ++i) out.insert(out.end(), own.begin(), own.end());
-    for (int i = 0; i < problem_.ribs; ++i) {
-      for (std::size_t q = 0; q < leans.size(); ++q) {
-        float* first = &out[index(i) * kWidths * leans.size() + q];
-        const auto left = static_cast<float>((1 + leans[q]) / 2);
-        std::int32_t* labels = &begin[2 * q * kWidths];
-        addSide(rowOf(left_, i), left, widths_, first, leans.size(), labels);
-        addSide(rowOf(right_, i), 1 - left, widths_, first, leans.size(),
-                labels + kWidths);
-      }
-    }
-    return out;
+  void findEnergies(Leans& leans) {
+    fillCosts(leans, t_.unary);
+    leastEnergies(t_.chain, t_.chain.left, {t_.unary, static_cast<int>(leans.columns())},
+                  workspace_, t_.energies);
+    for (std::size_t q = 0; q < leans.count; ++q)
+      leans.energy[q] = static_cast<double>(t_.energies[q]);
   }
 
-  std::vector<float> energies(const std::vector<double>& leans, LengthWorkspace& workspace) const {
-    return leastEnergies(chain_, chain_.left, costs(leans), static_cast<int>(leans.size()),
-                         workspace);
-  }
-
-  void readWidths(EvenPart& best, LengthWorkspace& workspace) {
-    chain_.left.unary = costs({best.lean});
+  void readWidths(EvenPart& best) {
+    Leans one;
+    one.add(best.lean);
+    fillCosts(one, t_.chain.left.unary);
+    optimalChain(t_.chain, t_.chain.left, t_.chain.left.unary, workspace_, t_.labels);
     best.width.clear();
-    for (int label : optimalSide(chain_, chain_.left, workspace)) {
-      best.width.push_back(widths_[index(label)]);
-    }
+    for (const int label : t_.labels) best.width.push_back(t_.widths[index(label)]);
   }
 
  private:
+  // Unary costs: ribs × widths × columns.
+  void fillCosts(const Leans& leans, std::vector<float>& out) {
+    const std::size_t columns = leans.columns();
+    out.resize(index(problem_.ribs) * kWidths * columns);
+    t_.begin.assign(2 * kWidths * leans.count, 0);
+    std::array<float, kMostLeans> own{};
+    for (std::size_t q = 0; q < leans.count; ++q)
+      own[q] = static_cast<float>(leanCost_ * std::abs(leans.lean[q]));
+    for (std::size_t at = 0; at < out.size(); at += columns)
+      std::copy(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(columns), &out[at]);
+    for (int i = 0; i < problem_.ribs; ++i) {
+      for (std::size_t q = 0; q < leans.count; ++q) {
+        float* first = &out[index(i) * kWidths * columns + q];
+        const auto left = static_cast<float>((1 + leans.lean[q]) / 2);
+        std::int32_t* labels = &t_.begin[2 * q * kWidths];
+        addSide(rowOf(t_.left, i), left, t_.widths, {first, columns}, labels);
+        addSide(rowOf(t_.right, i), 1 - left, t_.widths, {first, columns}, labels + kWidths);
+      }
+    }
+  }
+
   std::span<const Line> rowOf(const Lines& lines, int rib) const {
     return std::span(lines).subspan(index(rib) * index(problem_.levels), index(problem_.levels));
   }
 
   const LengthProblem& problem_;
   double leanCost_;
-  Lines left_, right_;
-  std::vector<float> widths_;
-  LengthProblem chain_;
+  LengthWorkspace& workspace_;
+  WidthTables& t_;
 };
 
-// Moves each part's lean to the better of its neighbours, in ever smaller steps.
-void refine(const WidthChains& chains, double step, std::vector<EvenPart>& parts,
-            LengthWorkspace& workspace) {
+// Moves each lean to the better of its neighbours, in ever smaller steps.
+void refine(WidthChains& chains, double step, Leans& parts) {
   for (int round = 0; round < kRefinements; ++round) {
     step /= 2;
-    std::vector<double> leans;
-    std::vector<std::size_t> owner;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (const double lean : {parts[i].lean + step, parts[i].lean - step}) {
+    Leans tried;
+    std::array<std::size_t, kMostLeans> owner{};
+    for (std::size_t i = 0; i < parts.count; ++i) {
+      for (const double lean : {parts.lean[i] + step, parts.lean[i] - step}) {
         if (std::abs(lean) > kMostLean) continue;
-        leans.push_back(lean);
-        owner.push_back(i);
+        owner[tried.count] = i;
+        tried.add(lean);
       }
     }
-    const std::vector<float> energies = chains.energies(leans, workspace);
-    for (std::size_t q = 0; q < leans.size(); ++q) {
-      EvenPart& part = parts[owner[q]];
-      if (static_cast<double>(energies[q]) >= part.energy) continue;
-      part.energy = static_cast<double>(energies[q]);
-      part.lean = leans[q];
+    chains.findEnergies(tried);
+    for (std::size_t q = 0; q < tried.count; ++q) {
+      double& energy = parts.energy[owner[q]];
+      if (tried.energy[q] >= energy) continue;
+      energy = tried.energy[q];
+      parts.lean[owner[q]] = tried.lean[q];
     }
   }
 }
 
 }  // namespace
 
-std::vector<EvenPart> findEvenParts(const LengthProblem& p, double narrowest, double leanCost,
-                                    LengthWorkspace& workspace) {
-  WidthChains chains(p, narrowest, leanCost);
+void findEvenParts(const LengthProblem& p, double narrowest, double leanCost,
+                   LengthWorkspace& workspace, EvenParts& parts) {
+  WidthChains chains(p, narrowest, leanCost, workspace);
   const double step = kMostLean / kLeans;
-  std::vector<double> leans;
-  for (int i = -kLeans; i <= kLeans; ++i) leans.push_back(i * step);
-  const std::vector<float> energies = chains.energies(leans, workspace);
-  const auto energy = [&](std::size_t i) { return static_cast<double>(energies[i]); };
-  std::vector<EvenPart> parts;
-  for (std::size_t i = 0; i < leans.size(); ++i) {
-    const bool outermost = i == 0 || i + 1 == leans.size();
-    const bool lowest = outermost || (energy(i) < energy(i - 1) && energy(i) <= energy(i + 1));
-    if (lowest) parts.push_back({leans[i], {}, energy(i)});
+  Leans tried, lowest;
+  for (int i = -kLeans; i <= kLeans; ++i) tried.add(i * step);
+  chains.findEnergies(tried);
+  const auto& energy = tried.energy;
+  // Local minima and the outermost: at most five, whose neighbours are at most ten.
+  for (std::size_t i = 0; i < tried.count; ++i) {
+    const bool outermost = i == 0 || i + 1 == tried.count;
+    if (!outermost && !(energy[i] < energy[i - 1] && energy[i] <= energy[i + 1])) continue;
+    lowest.energy[lowest.count] = energy[i];
+    lowest.add(tried.lean[i]);
   }
-  refine(chains, step, parts, workspace);
-  std::ranges::sort(
-      parts, {}, [](const EvenPart& part) { return std::pair(part.energy, std::abs(part.lean)); });
-  const double most = parts.front().energy + kRivalEnergy * p.ribs;
-  while (parts.size() > 1 && (parts.size() > kMostRivals || parts.back().energy > most)) {
-    parts.pop_back();
+  refine(chains, step, lowest);
+  std::array<std::size_t, kMostLeans> order{};
+  const auto better = [&](std::size_t a, std::size_t b) {
+    return std::pair(lowest.energy[a], std::abs(lowest.lean[a])) <
+           std::pair(lowest.energy[b], std::abs(lowest.lean[b]));
+  };
+  for (std::size_t i = 0; i < lowest.count; ++i) {
+    std::size_t place = i;
+    for (; place > 0 && better(i, order[place - 1]); --place) order[place] = order[place - 1];
+    order[place] = i;
   }
-  for (EvenPart& part : parts) chains.readWidths(part, workspace);
-  return parts;
+  const double most = lowest.energy[order[0]] + kRivalEnergy * p.ribs;
+  parts.count = 0;
+  for (std::size_t i = 0; i < lowest.count && parts.count < kMostRivals; ++i) {
+    const std::size_t at = order[i];
+    if (parts.count > 0 && lowest.energy[at] > most) break;
+    EvenPart& part = parts.all[parts.count++];
+    part.lean = lowest.lean[at];
+    part.energy = lowest.energy[at];
+    chains.readWidths(part);
+  }
 }
 
 }  // namespace spineloft::ribs

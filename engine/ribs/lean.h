@@ -1,6 +1,10 @@
 // How far off the middle a stroke was drawn: the symmetry of the whole part before its details.
 #pragma once
 
+#include <array>
+#include <span>
+#include <vector>
+
 #include "engine/ribs/rib_lengths.h"
 
 namespace spineloft::ribs {
@@ -11,6 +15,13 @@ struct EvenPart {
   double lean = 0;  ///< −kMostLean … kMostLean; > 0: the stroke is nearer to the right side
   std::vector<float> width;  ///< of every rib, in the problem's unit of place, > 0
   double energy = 0;         ///< unary and neighbour terms of both sides
+};
+
+inline constexpr std::size_t kMostRivals = 3;
+struct EvenParts {
+  std::array<EvenPart, kMostRivals> all;
+  std::size_t count = 0;  ///< ≥ 1 once found
+  std::span<const EvenPart> span() const { return {all.data(), count}; }
 };
 
 /// A stroke is taken to be at most a quarter of the width off the middle.
@@ -25,9 +36,9 @@ inline constexpr double kMostLean = 0.5;
 /// Exact for each lean tried (a chain over widths); each part is the best of its neighbourhood,
 /// refined twice. A lean costs `leanCost` · |lean| per rib. Widths are tried on a geometric grid from
 /// `narrowest` up to the widest that any rib reaches. Opposite costs of the problem are not used.
-std::vector<EvenPart> findEvenParts(const LengthProblem& problem, double narrowest, double leanCost,
-                                    LengthWorkspace& workspace);
+/// Replaces `parts`, reusing memory.
+void findEvenParts(const LengthProblem& problem, double narrowest, double leanCost,
+                   LengthWorkspace& workspace, EvenParts& parts);
 inline constexpr double kRivalEnergy = 0.25;
-inline constexpr std::size_t kMostRivals = 3;
 
 }  // namespace spineloft::ribs

@@ -87,9 +87,10 @@ double sideUnary(const LengthProblem& p, const SideCosts& side, const std::vecto
 
 }  // namespace
 
-std::vector<float> leastEnergies(const LengthProblem& p, const SideCosts& side,
-                                 const std::vector<float>& unary, int columns,
-                                 LengthWorkspace& workspace) {
+void leastEnergies(const LengthProblem& p, const SideCosts& side, const ChainColumns& chains,
+                   LengthWorkspace& workspace, std::vector<float>& least) {
+  const std::vector<float>& unary = chains.unary;
+  const int columns = chains.columns;
   const std::size_t row = index(p.levels) * index(columns);
   std::vector<float>&now = workspace.first, &next = workspace.second;
   now.assign(unary.begin(), unary.begin() + static_cast<std::ptrdiff_t>(row));
@@ -100,11 +101,10 @@ std::vector<float> leastEnergies(const LengthProblem& p, const SideCosts& side,
     for (std::size_t j = 0; j < row; ++j) next[j] += unary[index(i) * row + j];
     now.swap(next);
   }
-  std::vector<float> least(index(columns), kUnreachable);
-  for (std::size_t j = 0; j < row; ++j) {
-    least[j % least.size()] = std::min(least[j % least.size()], now[j]);
+  least.assign(index(columns), kUnreachable);
+  for (std::size_t k = 0; k < row; k += index(columns)) {
+    for (std::size_t q = 0; q < index(columns); ++q) least[q] = std::min(least[q], now[k + q]);
   }
-  return least;
 }
 
 double sideEnergy(const LengthProblem& p, const SideCosts& side, const std::vector<int>& labels) {

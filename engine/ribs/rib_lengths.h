@@ -2,6 +2,7 @@
 // lengths: the optimum, not a sample").
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -83,6 +84,26 @@ struct StepScratch {
   std::vector<float> running, tables;
 };
 
+/// Memory of the chains over widths (lean.h).
+struct WidthTables {
+  /// Costs from a place to the next: base + slope · (at − place).
+  struct Line {
+    float place, next, base, slope;
+  };
+  std::vector<Line> left, right;
+  std::vector<float> widths, unary, energies;
+  std::vector<std::int32_t> begin;
+  std::vector<int> labels;
+  LengthProblem chain;
+};
+
+/// Memory of the outline of a cap (end_fan.h).
+struct EndTables {
+  LengthProblem chain;
+  std::vector<int> labels;
+  std::vector<PicturePoint> points;
+};
+
 /// Memory that the optimiser reuses from call to call, and what it last found out about a problem.
 struct LengthWorkspace {
   LabelBounds bounds;
@@ -95,6 +116,8 @@ struct LengthWorkspace {
   Chain chains[2];
   LengthLabels trial;
   StepScratch step;
+  WidthTables widths;
+  EndTables end;
   std::vector<float> table, first, second, columns, rowCosts, columnCosts, unary;
   std::vector<std::size_t> starts;
   /// At least `size` floats, not cleared.
@@ -130,11 +153,16 @@ void optimalChain(const LengthProblem& problem, const SideCosts& side,
 std::vector<int> optimalSide(const LengthProblem& problem, const SideCosts& side,
                              LengthWorkspace& workspace);
 
-/// The least energies of `columns` chains that differ in their unary costs only, side by side:
-/// `unary` has problem.ribs × problem.levels × columns entries, places and spacings are `side`'s.
-std::vector<float> leastEnergies(const LengthProblem& problem, const SideCosts& side,
-                                 const std::vector<float>& unary, int columns,
-                                 LengthWorkspace& workspace);
+/// Chains that differ in their unary costs only, side by side: `unary` has problem.ribs ×
+/// problem.levels × columns entries.
+struct ChainColumns {
+  const std::vector<float>& unary;
+  int columns = 0;
+};
+/// The least energy of each, into `least`; places and spacings are `side`'s.
+void leastEnergies(const LengthProblem& problem, const SideCosts& side,
+                   const ChainColumns& chains, LengthWorkspace& workspace,
+                   std::vector<float>& least);
 
 /// Unary and neighbour energy of one side's labels.
 double sideEnergy(const LengthProblem& problem, const SideCosts& side,

@@ -27,11 +27,18 @@ struct RibWorkspace::Search {
   GradientCurves curves;
   Strip strip;
   BoundaryTerms terms;
+  std::vector<float> known;    // how far from the spine the object reaches, along every curve
   std::vector<float> costs;    // of every curve and level
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
   LengthWorkspace workspace;
+  EvenParts parts;
+  LengthLabels labels, trial;
   std::vector<float> marginals;
+  std::vector<Rival> rivals;
+  SideLengths lengths;
+  FairingMemory fairing;
+  std::vector<RibState> states;
   const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
 };
 
@@ -54,8 +61,9 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 using Search = RibWorkspace::Search;
 
-Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Size picture,
-                    const RibParams& params) {
+void chooseLevels(const image::EdgeMap& edges, image::Size picture, Search& s) {
+  const D2Field& field = s.field;
+  const RibParams& params = s.params;
   const double diagonal = std::hypot(picture.width, picture.height);
   // A part that shows both its sides is at most as wide as the picture's shorter side, and a stroke
   // has at most three quarters of that on one side of it.
@@ -63,7 +71,7 @@ Levels chooseLevels(const D2Field& field, const image::EdgeMap& edges, image::Si
   const double farthest =
       std::min({params.maxLevelShare * diagonal, widest, kFarthestPerLength * field.length()});
   const double step = edges.empty() ? 1.0 : std::max(edges.scaleX, edges.scaleY);
-  return makeLevels(params.levels, step, farthest, field.length());
+  makeLevels(params.levels, step, farthest, field.length(), s.levels);
 }
 
 // Without a picture: a gentle pull to the default half width.
@@ -98,7 +106,8 @@ void firstEvidence(const PictureEvidence& picture, Search& s) {
 // The evidence again, with the inner part of the even part as the object's colours.
 void secondEvidence(const EvenPart& even, Search& s) {
   const auto share = static_cast<float>(s.params.evidence.knownShare);
-  std::vector<float> known(index(s.curves.layout.total()), 0.f);
+  std::vector<float>& known = s.known;
+  known.assign(index(s.curves.layout.total()), 0.f);
   for (int i = 0; i < s.curves.layout.ribs; ++i) {
     const float half = share * even.width[index(i)] / 2;
     const auto lean = static_cast<float>(even.lean);
@@ -139,7 +148,7 @@ void fillSpacing(Search& s) {
   }
 }
 
-std::vector<EvenPart> fillProblem(Search& s) {
+void fillProblem(Search& s) {
   s.problem.ribs = s.curves.layout.ribs;
   s.problem.levels = s.curves.levels;
   s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight * shareOfRib(s));
@@ -149,7 +158,7 @@ std::vector<EvenPart> fillProblem(Search& s) {
   fillSide(s, false);
   fillSpacing(s);
   const double pixel = s.levels.radius[1];
-  return findEvenParts(s.problem, 2 * pixel, s.params.leanCost, s.workspace);
+  findEvenParts(s.problem, 2 * pixel, s.params.leanCost, s.workspace, s.parts);
 }
 
 // How far neighbouring ends are apart where the part is thought to end, at least as far as on the hull:
@@ -188,8 +197,9 @@ void assume(const EvenPart& even, Search& s) {
 
 // The labels of least energy under the best of the even parts: each is given its turn, with its
 // inner colours as the object's, for only then their energies can be compared.
-LengthLabels bestLabels(const std::vector<EvenPart>& parts, bool withColours, Search& s) {
-  LengthLabels best, labels;
+void bestLabels(bool withColours, Search& s, LengthLabels& best) {
+  const std::span<const EvenPart> parts = s.parts.span();
+  LengthLabels& labels = s.trial;
   double least = std::numeric_limits<double>::infinity();
   std::size_t last = 0, chosen = 0;
   const auto suppose = [&](std::size_t i) {
@@ -215,13 +225,13 @@ LengthLabels bestLabels(const std::vector<EvenPart>& parts, bool withColours, Se
     chosen = i;
   }
   if (last != chosen) suppose(chosen);  // states and fans are read from its evidence
-  return best;
 }
 
 // Edge where the end stands on one; Bridged between two of those; else Guessed.
-std::vector<RibState> endStates(const Search& s, const std::vector<int>& labels, bool leftSide) {
+const std::vector<RibState>& endStates(const std::vector<int>& labels, bool leftSide, Search& s) {
   const int ribs = s.problem.ribs;
-  std::vector<RibState> states(index(ribs), RibState::Guessed);
+  std::vector<RibState>& states = s.states;
+  states.assign(index(ribs), RibState::Guessed);
   int last = -1;
   for (int i = 0; i < ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
@@ -251,15 +261,17 @@ void readRivals(Search& s, const LengthLabels& labels, bool leftSide, RibSet& se
     Rib& rib = set.ribs[index(i)];
     (leftSide ? rib.leftConfidence : rib.rightConfidence) = confidenceOf(rivals);
     OtherPlaces& others = leftSide ? rib.leftOthers : rib.rightOthers;
-    for (const int label : rivalLabels(rivals)) {
-      others.at[index(others.count++)] = s.curves.point(curve, label);
+    for (const Rival& rival : findRivals(rivals, s.rivals)) {
+      others.at[index(others.count++)] = s.curves.point(curve, rival.label);
     }
   }
 }
 
 // Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair.
-std::vector<double> endLengths(const Search& s, const std::vector<int>& labels, bool leftSide) {
-  SideLengths side;
+const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftSide, Search& s) {
+  SideLengths& side = s.lengths;
+  side.length.clear();
+  side.trust.clear();
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
@@ -268,30 +280,24 @@ std::vector<double> endLengths(const Search& s, const std::vector<int>& labels, 
     side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
     side.trust.push_back(support * support);
   }
-  return fairLengths(side, s.params.fairing);
+  return fairLengths(side, s.params.fairing, s.fairing);
 }
 
 RibSet readRibs(Search& s, const LengthLabels& labels) {
   RibSet set;
-  const auto leftStates = endStates(s, labels.left, true);
-  const auto rightStates = endStates(s, labels.right, false);
-  const auto leftLengths = endLengths(s, labels.left, true);
-  const auto rightLengths = endLengths(s, labels.right, false);
   set.ribs.resize(index(s.problem.ribs));
-  for (int i = 0; i < s.problem.ribs; ++i) {
-    const std::size_t at = index(i);
-    const int l = labels.left[at], r = labels.right[at];
-    set.ribs[at] = {s.spine.points[at],
-                    s.curves.pointAlong(s.curves.layout.left(i), leftLengths[at]),
-                    s.curves.pointAlong(s.curves.layout.right(i), rightLengths[at]),
-                    leftStates[at],
-                    rightStates[at],
-                    s.levels.d2[index(l)],
-                    s.levels.d2[index(r)],
-                    0,
-                    0,
-                    {},
-                    {}};
+  for (const bool leftSide : {true, false}) {
+    const std::vector<int>& side = leftSide ? labels.left : labels.right;
+    const std::vector<RibState>& states = endStates(side, leftSide, s);
+    const std::vector<double>& lengths = endLengths(side, leftSide, s);
+    for (int i = 0; i < s.problem.ribs; ++i) {
+      Rib& rib = set.ribs[index(i)];
+      const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+      rib.center = s.spine.points[index(i)];
+      (leftSide ? rib.left : rib.right) = s.curves.pointAlong(curve, lengths[index(i)]);
+      (leftSide ? rib.leftState : rib.rightState) = states[index(i)];
+      (leftSide ? rib.leftLevel : rib.rightLevel) = s.levels.d2[index(side[index(i)])];
+    }
   }
   readRivals(s, labels, true, set);
   readRivals(s, labels, false, set);
@@ -323,7 +329,7 @@ Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
   s.field.assign(spine.points);
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
   if (!progress.advance(0.05)) return Error::Cancelled;
-  s.levels = chooseLevels(s.field, edges, picture.size, params);
+  chooseLevels(edges, picture.size, s);
   if (s.variant.euclidean) {
     traceStraightCurves(spine, s.levels, kFanCurves, picture.size, s.curves);
   } else {
@@ -335,10 +341,11 @@ Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
   } else {
     firstEvidence(picture, s);
   }
-  const std::vector<EvenPart> parts = fillProblem(s);
+  fillProblem(s);
   if (!progress.advance(0.5)) return Error::Cancelled;
   const bool withColours = !edges.empty() && params.evidence.knownShare > 0;
-  const LengthLabels labels = bestLabels(parts, withColours, s);
+  LengthLabels& labels = s.labels;
+  bestLabels(withColours, s, labels);
   if (!progress.advance(0.9)) return Error::Cancelled;
   RibSet set = readRibs(s, labels);
   progress.advance(1);

@@ -37,13 +37,17 @@ double confidenceOf(const RivalRow& row) {
   return 1 - std::exp(-std::max(0.0, margin));
 }
 
-std::vector<int> rivalLabels(const RivalRow& row) {
-  struct Rival {
-    int label;
-    float marginal;
-  };
-  std::vector<Rival> rivals;
+std::span<const Rival> findRivals(const RivalRow& row, std::vector<Rival>& memory) {
+  memory.clear();
   const float most = at(row.marginal, row.chosen) + kMostMargin * row.unit;
+  // Best first; those of equal energy as they stand on the curve.
+  const auto add = [&](Rival rival) {
+    std::size_t place = memory.size();
+    memory.push_back(rival);
+    for (; place > 0 && memory[place - 1].marginal > rival.marginal; --place)
+      memory[place] = memory[place - 1];
+    memory[place] = rival;
+  };
   // Of every edge that the curve passes, the label that suits the chain best.
   int best = -1;
   for (int k = 1; k <= sizeOf(row); ++k) {
@@ -51,17 +55,17 @@ std::vector<int> rivalLabels(const RivalRow& row) {
     if (onEdge && (best < 0 || at(row.marginal, k) < at(row.marginal, best))) best = k;
     if (onEdge || best < 0) continue;
     if (at(row.marginal, best) <= most && apart(row, best, row.chosen))
-      rivals.push_back({best, at(row.marginal, best)});
+      add({best, at(row.marginal, best)});
     best = -1;
   }
-  std::ranges::stable_sort(rivals, {}, &Rival::marginal);
-  std::vector<int> labels;
-  for (const Rival& rival : rivals) {
-    const bool isNew = std::ranges::all_of(
-        labels, [&](int label) { return apart(row, label, rival.label); });
-    if (isNew && labels.size() < kMostRivals) labels.push_back(rival.label);
+  std::size_t kept = 0;
+  for (const Rival& rival : memory) {
+    const bool isNew = std::all_of(
+        memory.begin(), memory.begin() + static_cast<std::ptrdiff_t>(kept),
+        [&](const Rival& other) { return apart(row, other.label, rival.label); });
+    if (isNew && kept < kMostRivals) memory[kept++] = rival;
   }
-  return labels;
+  return {memory.data(), kept};
 }
 
 }  // namespace spineloft::ribs

@@ -19,8 +19,15 @@ struct RivalRow {
 /// not the same one next door.
 double confidenceOf(const RivalRow& row);
 
+/// A place with an edge, and the least energy through it.
+struct Rival {
+  int label = 0;
+  float marginal = 0;
+};
+
 /// The labels of the next-best places, best first, at most three: where the curve passes an edge and
 /// the chain through it costs no hopeless amount more; apart from each other and from the chosen one.
-std::vector<int> rivalLabels(const RivalRow& row);
+/// `memory` is reused.
+std::span<const Rival> findRivals(const RivalRow& row, std::vector<Rival>& memory);
 
 }  // namespace spineloft::ribs

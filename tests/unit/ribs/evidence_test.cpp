@@ -231,7 +231,9 @@ TEST_CASE(
         }
       }
     }
-    const EvenPart part = findEvenParts(p, 2, 0.1, workspace).front();
+    EvenParts found;
+    findEvenParts(p, 2, 0.1, workspace, found);
+    const EvenPart& part = found.all[0];
     CHECK(part.lean == doctest::Approx(lean).epsilon(0.05).scale(1));
     REQUIRE(part.width.size() == 40);
     for (int i = 4; i < 36; ++i) {
@@ -261,7 +263,9 @@ TEST_CASE("a stroke off the middle beside an inner line keeps both parts in the 
     }
   }
   LengthWorkspace workspace;
-  const std::vector<EvenPart> parts = findEvenParts(p, 2, 0.1, workspace);
+  EvenParts found;
+  findEvenParts(p, 2, 0.1, workspace, found);
+  const std::span<const EvenPart> parts = found.span();
   REQUIRE(parts.size() >= 2);
   CHECK(std::abs(parts[0].lean) < 0.1);
   CHECK(parts[0].width[20] == doctest::Approx(24).epsilon(0.15));

@@ -28,21 +28,26 @@ double farthest(const std::vector<double>& a, const std::vector<double>& b) {
   return most;
 }
 
+std::vector<double> faired(const SideLengths& side, const FairingParams& params) {
+  FairingMemory memory;
+  return fairLengths(side, params, memory);
+}
+
 }  // namespace
 
 TEST_CASE("a steady taper is not punished: straight lines come back as they are") {
   for (const double step : {-0.4, 0.0, 0.7}) {
     const std::vector<double> line = ramp(60, 50, step);
-    CHECK(farthest(fairLengths(sideOf(line), {.stiffness = 200}), line) < 1e-9);
+    CHECK(farthest(faired(sideOf(line), {.stiffness = 200}), line) < 1e-9);
   }
 }
 
 TEST_CASE("few lengths, and lengths that nothing shall change, come back bit for bit") {
   const std::vector<double> wild{3, 9, 1, 8};
-  CHECK(fairLengths(sideOf(wild), {}) == wild);
-  CHECK(fairLengths(sideOf({}), {}).empty());
+  CHECK(faired(sideOf(wild), {}) == wild);
+  CHECK(faired(sideOf({}), {}).empty());
   const std::vector<double> longer{3, 9, 1, 8, 2, 7, 3};
-  CHECK(fairLengths(sideOf(longer), {.stiffness = 0}) == longer);
+  CHECK(faired(sideOf(longer), {.stiffness = 0}) == longer);
 }
 
 TEST_CASE("an end without an edge goes to the line of those that have one") {
@@ -52,13 +57,13 @@ TEST_CASE("an end without an edge goes to the line of those that have one") {
     side.length[i] += 15;
     side.trust[i] = 0;
   }
-  CHECK(farthest(fairLengths(side, {}), truth) < 1);
+  CHECK(farthest(faired(side, {}), truth) < 1);
 }
 
 TEST_CASE("a step between sure ends stays a step") {
   std::vector<double> step(60, 30);
   std::fill(step.begin() + 30, step.end(), 60);
-  const std::vector<double> fair = fairLengths(sideOf(step), {});
+  const std::vector<double> fair = faired(sideOf(step), {});
   CHECK(farthest(fair, step) < 6);
   CHECK(fair[31] - fair[28] > 22);
 }
@@ -72,7 +77,7 @@ TEST_CASE("noise becomes less, on straight and on curved sides") {
       truth.push_back(50 + wave * std::sin(i * 0.06));
       noisy.push_back(truth.back() + rng.uniform(-1.5, 1.5));
     }
-    const std::vector<double> fair = fairLengths(sideOf(noisy), {});
+    const std::vector<double> fair = faired(sideOf(noisy), {});
     double before = 0, after = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       before += std::pow(noisy[i] - truth[i], 2);
@@ -89,16 +94,16 @@ TEST_CASE("which end comes first, and the unit of length, make no difference") {
     side.length.push_back(30 + rng.uniform(-5, 5));
     side.trust.push_back(rng.uniform());
   }
-  const std::vector<double> fair = fairLengths(side, {});
+  const std::vector<double> fair = faired(side, {});
   SideLengths back = side;
   std::ranges::reverse(back.length);
   std::ranges::reverse(back.trust);
-  std::vector<double> mirrored = fairLengths(back, {});
+  std::vector<double> mirrored = faired(back, {});
   std::ranges::reverse(mirrored);
   CHECK(farthest(mirrored, fair) < 1e-9);
   SideLengths large = side;
   for (double& length : large.length) length *= 100;
-  std::vector<double> scaled = fairLengths(large, {});
+  std::vector<double> scaled = faired(large, {});
   for (double& length : scaled) length /= 100;
   CHECK(farthest(scaled, fair) < 1e-9);
 }

@@ -120,7 +120,8 @@ TEST_CASE("chains side by side have the energies that each has alone") {
       }
       alone.push_back(sideEnergy(p, p.left, optimalSide(p, p.left, workspace)));
     }
-    const std::vector<float> least = leastEnergies(p, p.left, together, columns, workspace);
+    std::vector<float> least;
+    leastEnergies(p, p.left, {together, columns}, workspace, least);
     REQUIRE(least.size() == alone.size());
     for (int q = 0; q < columns; ++q) {
       CHECK(static_cast<double>(least[index(q)]) == doctest::Approx(alone[index(q)]).epsilon(1e-4));
