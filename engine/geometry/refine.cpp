@@ -41,7 +41,7 @@ PlaneMesh::PlaneMesh(std::span<const SectionPoint> points, std::span<const std::
   cell_ = std::max(std::sqrt(width * height / kCells), std::max(width, height) / kCells);
   if (!(cell_ > 0)) cell_ = 1;
   across_ = static_cast<std::size_t>(width / cell_) + 1;
-  hints_.assign(across_ * (static_cast<std::size_t>(height / cell_) + 1), 0);
+  hints_.assign(across_ * (static_cast<std::size_t>(height / cell_) + 1), kNone);
   for (std::uint32_t h = 0; h < twins_.size(); ++h) doubtful_.push_back(h);
   legalise();
 }
@@ -152,7 +152,17 @@ std::uint32_t PlaneMesh::walk(SectionPoint p, std::uint32_t start) const {
 
 std::optional<std::uint32_t> PlaneMesh::find(SectionPoint p) const {
   if (triangles_.empty() || !isFinite(p)) return std::nullopt;
-  const std::uint32_t found = walk(p, hints_[bucketOf(p)]);
+  // From the last triangle near by, then from others round it: the rim may stand between it and p.
+  const auto bucket = static_cast<std::ptrdiff_t>(bucketOf(p));
+  const auto across = static_cast<std::ptrdiff_t>(across_);
+  for (const std::ptrdiff_t step : {std::ptrdiff_t{0}, std::ptrdiff_t{1}, std::ptrdiff_t{-1}, across, -across}) {
+    const std::ptrdiff_t at = bucket + step;
+    if (at < 0 || at >= static_cast<std::ptrdiff_t>(hints_.size())) continue;
+    const std::uint32_t hint = hints_[static_cast<std::size_t>(at)];
+    const std::uint32_t found = hint == kNone ? kNone : walk(p, hint);
+    if (found != kNone) return found;
+  }
+  const std::uint32_t found = walk(p, 0);
   if (found != kNone) return found;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const auto [a, b, c] = triangles_[t];

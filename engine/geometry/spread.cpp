@@ -95,6 +95,24 @@ std::vector<SectionPoint> inwardNormals(std::span<const SectionPoint> rim,
   return normals;
 }
 
+/// Where a level line crosses the outlines, from left to right: between the first and the second it is
+/// within, between the second and the third outside, and so on.
+std::vector<double> crossingsAt(double y, std::span<const SectionPoint> rim,
+                                std::span<const std::size_t> sizes) {
+  std::vector<double> cuts;
+  std::size_t first = 0;
+  for (const std::size_t size : sizes) {
+    const auto polygon = rim.subspan(first, size);
+    for (std::size_t i = 0, j = size - 1; i < size; j = i++) {
+      const SectionPoint a = polygon[j], b = polygon[i];
+      if ((a.y > y) != (b.y > y)) cuts.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+    }
+    first += size;
+  }
+  std::ranges::sort(cuts);
+  return cuts;
+}
+
 double toSegment(SectionPoint p, SectionPoint a, SectionPoint b) {
   const SectionPoint along = b - a;
   const double length2 = dot(along, along);
@@ -217,8 +235,11 @@ void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing s
   const double step = kLattice * spacing.lattice, rise = step * std::sqrt(0.75);
   int odd = 0;
   for (double y = low.y + rise / 2; y < high.y; y += rise, odd ^= 1) {
+    const std::vector<double> cuts = crossingsAt(y, rim, sizes);
+    std::size_t passed = 0;
     for (double x = low.x + step * (odd ? 0.25 : 0.75); x < high.x; x += step) {
-      offer({x, y}, spacing.lattice);
+      while (passed < cuts.size() && cuts[passed] <= x) ++passed;
+      if (passed % 2 == 1) offer({x, y}, spacing.lattice);
     }
   }
   mesh.splitChords();

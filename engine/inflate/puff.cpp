@@ -20,7 +20,6 @@ constexpr double kSteep = 0.95;
 constexpr std::size_t kMostRows = 64;
 /// Heights below this share of the spacing would make both sides touch.
 constexpr double kLeastHeightShare = 1e-3;
-constexpr int kRelaxRounds = 2;
 
 /// A mesh with its heights, and what is needed to go on with it.
 struct Cushion {
@@ -88,47 +87,70 @@ void flipOnSurface(geometry::PlaneMesh& mesh, const std::vector<double>& heights
   const auto at = [&](std::uint32_t p) {
     return Point{mesh.points()[p].x, mesh.points()[p].y, heights[p]};
   };
+  struct Angle {
+    double sine, cosine;  ///< both times the lengths of the legs
+  };
   const auto angle = [](Point a, Point tip, Point b) {
     const Point v = a - tip, w = b - tip;
-    return std::atan2(norm(cross(v, w)), dot(v, w));
+    return Angle{norm(cross(v, w)), dot(v, w)};
   };
   const std::uint32_t rim = static_cast<std::uint32_t>(mesh.rim());
   mesh.flipWhere(
       [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
         if (c < rim && d < rim) return false;  // would be a chord, where both sides meet
         const Point pa = at(a), pb = at(b), pc = at(c), pd = at(d);
-        constexpr double kPi = 3.14159265358979323846, kClearly = 1e-3;
-        return angle(pa, pc, pb) + angle(pa, pd, pb) > kPi + kClearly;
+        constexpr double kClearly = 1e-3;  // radians more than half a turn
+        const Angle one = angle(pa, pc, pb), other = angle(pa, pd, pb);
+        const double legs = (one.sine + std::abs(one.cosine)) * (other.sine + std::abs(other.cosine));
+        return one.sine * other.cosine + one.cosine * other.sine < -kClearly * legs;
       },
       4);
 }
 
-/// Moves inner points towards the middle of what is round them on the surface, and looks up how high
+/// How far towards `to` a point may go: all of the way, a half, a quarter, or none, so that no triangle
+/// round it shrinks to less than kLeastShare of its area in the plane. Points next to the rim, where the
+/// surface is steep, would otherwise be drawn onto it.
+SectionPoint within(const geometry::PlaneMesh& mesh, std::uint32_t p, SectionPoint to,
+                    std::span<const std::uint32_t> fan) {
+  constexpr double kLeastShare = 0.4;
+  const auto& points = mesh.points();
+  for (const double share : {1.0, 0.5, 0.25}) {
+    const SectionPoint there = lerp(points[p], to, share);
+    const bool roomy = std::ranges::all_of(fan, [&](std::uint32_t t) {
+      const auto at = [&](std::uint32_t corner) { return corner == p ? there : points[corner]; };
+      const auto& [a, b, c] = mesh.triangles()[t];
+      const double was = cross(points[b] - points[a], points[c] - points[a]);
+      return cross(at(b) - at(a), at(c) - at(a)) >= kLeastShare * was;
+    });
+    if (roomy) return there;
+  }
+  return points[p];
+}
+
+/// Once moves inner points towards the middle of what is round them on the surface, and looks up how high
 /// the surface is there.
 void relax(Cushion& cushion, double height, double least) {
   geometry::PlaneMesh& mesh = cushion.mesh;
-  for (int round = 0; round < kRelaxRounds; ++round) {
-    const std::vector<double> heights = heightsOf(cushion.u, mesh.rim(), height, least);
-    flipOnSurface(mesh, heights);
-    const geometry::PlaneMesh::Fans fans = mesh.fans();
-    for (std::uint32_t p = static_cast<std::uint32_t>(mesh.rim()); p < mesh.points().size(); ++p) {
-      SectionPoint sum{};
-      double weights = 0;
-      for (const std::uint32_t t : fans.at(p)) {
-        const auto& [a, b, c] = mesh.triangles()[t];
-        const auto& points = mesh.points();
-        const Point pa{points[a].x, points[a].y, heights[a]};
-        const Point pb{points[b].x, points[b].y, heights[b]};
-        const Point pc{points[c].x, points[c].y, heights[c]};
-        const double area = norm(cross(pb - pa, pc - pa));
-        sum += (points[a] + points[b] + points[c]) * (area / 3);
-        weights += area;
-      }
-      if (weights > 0) mesh.move(p, sum / weights, fans.at(p));
+  const std::vector<double> heights = heightsOf(cushion.u, mesh.rim(), height, least);
+  flipOnSurface(mesh, heights);
+  const geometry::PlaneMesh::Fans fans = mesh.fans();
+  for (std::uint32_t p = static_cast<std::uint32_t>(mesh.rim()); p < mesh.points().size(); ++p) {
+    SectionPoint sum{};
+    double weights = 0;
+    for (const std::uint32_t t : fans.at(p)) {
+      const auto& [a, b, c] = mesh.triangles()[t];
+      const auto& points = mesh.points();
+      const Point pa{points[a].x, points[a].y, heights[a]};
+      const Point pb{points[b].x, points[b].y, heights[b]};
+      const Point pc{points[c].x, points[c].y, heights[c]};
+      const double area = norm(cross(pb - pa, pc - pa));
+      sum += (points[a] + points[b] + points[c]) * (area / 3);
+      weights += area;
     }
-    cushion.u = swell(mesh);
-    if (cushion.u.empty()) return;
+    if (weights > 0) mesh.move(p, within(mesh, p, sum / weights, fans.at(p)), fans.at(p));
   }
+  cushion.u = swell(mesh);
+  if (cushion.u.empty()) return;
   flipOnSurface(mesh, heightsOf(cushion.u, mesh.rim(), height, least));
 }
 
