@@ -8,14 +8,12 @@
 
 #include "engine/base/vec.h"
 #include "engine/mesh/laws.h"
+#include "engine/printing/stand.h"
 
 namespace spineloft::printing {
 namespace {
 
 using Point = Vec3<struct PrintSpace>;
-struct GroundPoint {
-  double x, z;
-};
 
 constexpr std::array kPrinters = {
     Printer{"a small printer (120 mm)", {120, 120, 120}},
@@ -106,40 +104,6 @@ void findThinnest(std::span<const mesh::TriMesh> parts, PrintCheck& check) {
   }
 }
 
-/// The convex hull, counter-clockwise (Andrew's monotone chain).
-std::vector<GroundPoint> hullOf(std::vector<GroundPoint> points) {
-  std::ranges::sort(points, [](const GroundPoint& a, const GroundPoint& b) {
-    return a.x != b.x ? a.x < b.x : a.z < b.z;
-  });
-  const auto turns = [](const GroundPoint& o, const GroundPoint& a, const GroundPoint& b) {
-    return (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
-  };
-  std::vector<GroundPoint> hull;
-  const auto chain = [&](auto first, auto last) {
-    const std::size_t base = hull.size();
-    for (auto p = first; p != last; ++p) {
-      while (hull.size() >= base + 2 && turns(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
-      hull.push_back(*p);
-    }
-    if (!hull.empty()) hull.pop_back();  // the next chain begins with it
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
-}
-
-/// Distance from the inside of the hull's nearest edge; negative outside, and without an area.
-double inside(const std::vector<GroundPoint>& hull, GroundPoint p) {
-  if (hull.size() < 3) return -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const GroundPoint &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    const double ex = b.x - a.x, ez = b.z - a.z, way = std::hypot(ex, ez);
-    if (way > 0) least = std::min(least, (ex * (p.z - a.z) - ez * (p.x - a.x)) / way);
-  }
-  return least;
-}
-
 void findStand(std::span<const mesh::TriMesh> parts, double ground, PrintCheck& check) {
   Point weighted{};
   double volume = 0;
@@ -159,8 +123,7 @@ void findStand(std::span<const mesh::TriMesh> parts, double ground, PrintCheck& 
   check.volume = volume;
   if (!(volume > 0)) return;
   const Point centre = weighted / volume;
-  const double room = inside(hullOf(std::move(foot)), {centre.x, centre.z});
-  check.lean = std::atan2(room, std::max(1e-6, centre.y - ground));
+  check.lean = leanOf(std::move(foot), {centre.x, centre.z}, centre.y - ground);
 }
 
 bool fits(const std::array<double, 3>& size, const std::array<double, 3>& volume) {

@@ -12,6 +12,7 @@
 #include "engine/io/project_file.h"
 #include "engine/io/stl.h"
 #include "engine/io/three_mf.h"
+#include "engine/printing/stand.h"
 #include "engine/publish/dressing.h"
 
 namespace spineloft::publish {
@@ -211,6 +212,17 @@ Result<printing::PrintCheck> checkPrint(const document::Document& document,
     const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
     if (parts.empty()) return Error::NothingToExport;
     return printing::checkPrint(parts);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Result<std::optional<double>> flatFoot(const document::Document& document,
+                                       const pipeline::Derived& derived) {
+  try {
+    const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
+    if (parts.empty()) return Error::NothingToExport;
+    return printing::flatFoot(parts);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }

@@ -58,6 +58,10 @@ Result<Bytes> publish(const document::Document& document, const pipeline::Derive
 Result<printing::PrintCheck> checkPrint(const document::Document& document,
                                         const pipeline::Derived& derived);
 
+/// How much of the model's lowest end a flat foot takes, millimetres (printing::flatFoot); none when
+/// that does not make it stand. Errors: those of checkPrint.
+Result<std::optional<double>> flatFoot(const document::Document& document, const pipeline::Derived& derived);
+
 /// The model's name in portable characters, such as "swan-neck".
 std::string plainName(const document::Document& document);
 

@@ -39,7 +39,7 @@ PrintLine standLine(const printing::PrintCheck& check) {
   if (check.stands()) {
     return {true, "It stands: it can lean " + number(std::floor(degrees), 0) + "° before it falls."};
   }
-  return {false, "It would fall over. Print it lying down, or give it something to stand on."};
+  return {false, "It would fall over. \"Flat foot\" cuts it flat below; or print it lying down.", "flat-foot"};
 }
 
 }  // namespace

@@ -1,9 +1,14 @@
 // Commands about the size of the finished model, and about printing it.
 #include <algorithm>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "engine/geometry/turn.h"
+#include "engine/pipeline/solid.h"
+#include "engine/pipeline/world.h"
 #include "web/app/command_actions.h"
 #include "web/app/command_args.h"
 #include "web/app/command_groups.h"
@@ -97,6 +102,103 @@ Outcome thicken(Env env, const Json& args) {
   return checkPrint(env, args);
 }
 
+/// What stands on its own: a part, or an outermost solid.
+struct Root {
+  document::Operand operand;
+  pipeline::WorldBounds bounds;
+  document::Look look;
+};
+
+std::vector<Root> rootsOf(Env env) {
+  const document::Document& document = env.studio.document();
+  const pipeline::Derived& derived = env.studio.derived();
+  std::vector<Root> roots;
+  for (const document::Part& part : document.parts) {
+    if (!pipeline::showsItself(document, derived, part)) continue;
+    const std::array own = {part.id};
+    if (const auto bounds = pipeline::boundsOf(document, derived, own)) {
+      roots.push_back({{part.id, {}}, *bounds, part.look});
+    }
+  }
+  for (const document::Step& step : document.steps) {
+    const pipeline::DerivedStep* shown = pipeline::shownSolid(document, derived, step);
+    if (shown == nullptr) continue;
+    std::optional<pipeline::WorldBounds> bounds;
+    for (const auto& p : shown->solid->mesh.positions) pipeline::include(bounds, {p[0], p[1], p[2]});
+    const std::vector<PartId> parts = document::partsIn(document, {{}, step.id});
+    const document::Part* first = parts.empty() ? nullptr : document::findPart(document, parts.front());
+    if (bounds) roots.push_back({{{}, step.id}, *bounds, first && !step.ownLook ? first->look : step.look});
+  }
+  return roots;
+}
+
+/// A block on which the root would stand, its upper side level: as a drawn part and its placement.
+struct Block {
+  document::DrawRegion draw;
+  document::Placement placement;
+};
+Block blockBelow(const document::PictureEntry& picture, const Root& root, double level) {
+  const double right = picture.size.width - 1, low = picture.size.height - 1;
+  const double longer = std::max(picture.size.width, picture.size.height);
+  const WorldPoint size = root.bounds.high - root.bounds.low;
+  const double foot = level - root.bounds.low.y;
+  constexpr double kRoom = 1.5;  // the block is larger than what it cuts
+  Block block;
+  document::Placement& at = block.placement;
+  at.scale = std::clamp(std::max(kRoom * std::max(size.x, size.z) * longer / std::min(right, low), 2 * kRoom * foot),
+                        document::kLeastScale, document::kMostScale);
+  sheet::SheetParams plate;
+  plate.edge = sheet::EdgeKind::Sharp;
+  plate.thickness = std::clamp(kRoom * foot / at.scale, sheet::kLeastThickness, sheet::kMostThickness);
+  at.turn = geometry::turnAbout(WorldPoint{1, 0, 0}, std::numbers::pi / 2);
+  at.move = {root.bounds.centre().x, level - plate.thickness * at.scale / 2, root.bounds.centre().z};
+  document::Look look = root.look;
+  look.textured = false;
+  block.draw = {{picture.id, {{{0, 0}, {right, 0}, {right, low}, {0, low}}}, 0}, plate, look};
+  return block;
+}
+
+/// Cuts what is lower than `level` off everything that reaches there: a block each, live and in one step.
+Outcome cutBelow(Env env, double level) {
+  const document::Document& document = env.studio.document();
+  std::vector<document::Action> actions;
+  std::uint32_t part = document.lastPartId;
+  for (const Root& root : rootsOf(env)) {
+    if (!(root.bounds.low.y < level)) continue;
+    Block block = blockBelow(document.pictures.front(), root, level);
+    const PartId id{++part};
+    actions.push_back(std::move(block.draw));
+    actions.push_back(document::RenamePart{id, "Foot"});
+    actions.push_back(document::PlaceParts{{{id, block.placement, {}}}});
+    actions.push_back(document::CombineParts{document::StepKind::Cut, {root.operand, {id, {}}}, document::Step{}.wall, {}});
+  }
+  if (actions.empty()) return refuse({Error::NothingToExport, {}});
+  const PartId selected = env.ui.selection;
+  if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  env.ui.selection = selected;
+  sendInfo(env.host, "It is cut flat below. \"Foot\" in the list is what is cut off: move it, or break the solid apart to take it back.");
+  return {};
+}
+
+Outcome flatFoot(Env env, const Json& args) {
+  if (env.studio.document().pictures.empty()) return refuse({Error::NothingToExport, {}});
+  const pipeline::Derived& derived = env.studio.derived();
+  std::optional<double> mm = args.number("mm");
+  if (!mm) {
+    const Result<std::optional<double>> found = publish::flatFoot(env.studio.document(), derived);
+    if (!found) return refuse(found.failure());
+    if (!found.value()) {
+      return Refusal{"NotNow", "A flat foot does not make it stand. Print it lying down, or give it a foot of its own."};
+    }
+    mm = *found.value();
+  }
+  const std::optional<pipeline::WorldBounds> bounds = pipeline::worldBounds(env.studio.document(), derived);
+  if (!bounds) return refuse({Error::NothingToExport, {}});
+  const double height = env.studio.document().height.value;
+  if (!(*mm > 0 && *mm < height / 2)) return refuse({Error::ValueOutOfRange, "mm"});
+  return cutBelow(env, bounds->low.y + (bounds->high.y - bounds->low.y) * *mm / height);
+}
+
 constexpr Argument kNone{};
 
 constexpr std::array kTable = {
@@ -111,6 +213,8 @@ constexpr std::array kTable = {
             "Closed, size, thinnest wall, and whether it stands", hasParts, nullptr, checkPrint},
     Command{"thicken", "Make it thick enough", "maximize", "", "file", kNone,
             "Larger, so that its thinnest place can be printed", hasParts, nullptr, thicken},
+    Command{"flat-foot", "Flat foot", "footprints", "", "file", kNone,
+            "Cut flat below, as much as it needs to stand", hasParts, nullptr, flatFoot},
 };
 
 }  // namespace

@@ -83,3 +83,31 @@ TEST_CASE("a thing that is picked gives its height, stands beside the solid, and
   rig.run("undo");
   CHECK(rig.state().number("heightMm") == 100);
 }
+
+TEST_CASE("a flat foot is a live cut with a block, one step, and refused where it makes no sense") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const double undo = *rig.state().number("undo");
+  CHECK(rig.run("flat-foot", R"({"mm":4})").flag("ok") == true);
+  rig.settle();
+  const app::Json state = rig.state();
+  REQUIRE(rig.parts() == 2);
+  CHECK(*state.find("parts")->array()->back().text("name") == "Foot");
+  CHECK(*state.find("parts")->array()->back().text("kind") == "sheet");
+  CHECK(state.number("undo") == undo + 1);
+  // Its upper side is 4 mm above the ground: its middle lies half its thickness lower.
+  const app::Json& foot = state.find("parts")->array()->back();
+  const app::Json& place = *foot.find("placement");
+  const double scale = *place.number("scale");
+  const double top = *(*place.find("move")->array())[1].number() + scale * *foot.find("parameters")->number("thickness") / 2;
+  CHECK(top > -0.5);
+  CHECK(top < 0);  // the bar reaches from about −0.36 to 0.35 of the picture's side
+  CHECK(top == doctest::Approx(-0.35 + 0.71 * 0.04).epsilon(0.1));
+  rig.run("undo");
+  CHECK(rig.parts() == 1);
+  for (const char* bad : {R"({"mm":0})", R"({"mm":-2})", R"({"mm":90})"}) {
+    CHECK(*rig.run("flat-foot", bad).text("error") == "ValueOutOfRange");
+  }
+  CHECK(rig.parts() == 1);
+}
