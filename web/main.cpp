@@ -2,9 +2,11 @@
 // on everything happens in callbacks.
 #include <imgui.h>
 
+#include "engine/pipeline/warm_up.h"
 #include "web/app/app.h"
 #include "web/gl/webgl_renderer.h"
 #include "web/platform/page.h"
+#include "web/platform/warm_up.h"
 
 namespace spineloft::platform {
 namespace {
@@ -25,6 +27,8 @@ std::unique_ptr<Page> makePage(Host& host, FontFiles fonts, const CanvasSize& si
   app::App::Parts parts{host, std::move(renderer), std::move(fonts), kThreads};
   return std::make_unique<app::App>(std::move(parts), size);
 }
+
+bool warmUp() { return pipeline::warmUp(1).ok(); }
 
 }  // namespace spineloft::platform
 

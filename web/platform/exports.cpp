@@ -7,6 +7,7 @@
 
 #include "web/platform/browser_host.h"
 #include "web/platform/page.h"
+#include "web/platform/warm_up.h"
 
 namespace {
 
@@ -140,6 +141,7 @@ EMSCRIPTEN_KEEPALIVE void spl_answer(const char* id, const char* answer) {
   if (page() != nullptr) page()->answer(text(id), text(answer));
 }
 EMSCRIPTEN_KEEPALIVE int spl_idle() { return page() == nullptr || page()->idle() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int spl_warmUp() { return warmUp() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
   if (page() != nullptr) page()->cancelWork();
 }

@@ -78,6 +78,7 @@ interface Module {
   _spl_contextRestored(): void;
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
+  _spl_warmUp(): number;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
   _spl_solved(answer: number, bytes: number, length: number): void;
@@ -260,6 +261,11 @@ export class Engine {
 
   isIdle(): boolean {
     return this.module._spl_idle() === 1;
+  }
+
+  /** One round of the stages of a stroke on a tiny picture; false when there was no memory for it. */
+  warmUp(): boolean {
+    return this.module._spl_warmUp() === 1;
   }
 
   cancelWork(): void {

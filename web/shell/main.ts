@@ -20,6 +20,7 @@ import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
 import { hasWebGl2, sizeOf, watchContext, watchSize } from './surface.ts';
 import { toast } from './toasts.ts';
 import { connectTooltips } from './tooltip.ts';
+import { warmUpWhenIdle } from './warm_up.ts';
 
 const canvas = byId<HTMLCanvasElement>('canvas');
 
@@ -73,6 +74,7 @@ function main(): void {
   const starting = startEngine((event) => page.handle(event));
   const ready = starting.then(async (started) => {
     connect(page, started);
+    warmUpWhenIdle(started);
     await page.attach(started);
     engine = started;
     document.body.dataset.engine = 'ready';
