@@ -185,6 +185,15 @@ test('a rounded seam adds a little at a join, takes a little at a cut, and stays
     const soft = lawful(solve(kernel, [node(pair, { kind, blend: 0.06 })], meshes), `${kind}, rounded`).volume;
     const change = (soft - sharp) * (kind === 'join' ? 1 : -1);
     assert.ok(change > 1e-5 && change < 0.003, `${kind}: ${change}`);
+    // The rounding looks as the part that it is nearer to: no face of one part lies on the other's side.
+    const { mesh } = solve(kernel, [node(pair, { kind, blend: 0.06 })], meshes);
+    const axes = { 1: (x, y, z) => Math.hypot(y, z), 2: (x, y, z) => Math.hypot(x - 0.5, z) };
+    for (const { part, first, count } of mesh.runs) {
+      for (const v of mesh.triangles.subarray(3 * first, 3 * (first + count))) {
+        const [own, other] = [part, 3 - part].map((which) => Math.abs(axes[which](...mesh.positions.subarray(3 * v, 3 * v + 3)) - 0.1));
+        assert.ok(own < other + 0.02, `${kind}: a corner of part ${part} is ${own} from it, and ${other} from the other`);
+      }
+    }
   }
 });
 

@@ -217,6 +217,12 @@ void SolidWork::cancel() {
   host_.send(R"({"type":"stopSolving"})");
 }
 
+void SolidWork::forget() {
+  solids_ = pipeline::Shelf<pipeline::Solid>(kMostBytes);
+  latest_.clear();
+  failures_.clear();
+}
+
 const SolidWork::Trouble* SolidWork::troubleOf(std::uint64_t key) const {
   const auto at = std::ranges::find(failures_, key, &Trouble::key);
   return at == failures_.end() ? nullptr : &*at;

@@ -43,6 +43,8 @@ class SolidWork {
   void cancel();
   /// Forgets failures, so that the next `update` asks once more.
   void again() { failures_.clear(); }
+  /// Lets go of all solids: another model is opened.
+  void forget();
 
  private:
   struct Asked {
@@ -63,7 +65,8 @@ class SolidWork {
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
 
   platform::Host& host_;
-  pipeline::Shelf<pipeline::Solid> solids_{std::size_t{96} << 20};
+  static constexpr std::size_t kMostBytes = std::size_t{96} << 20;
+  pipeline::Shelf<pipeline::Solid> solids_{kMostBytes};
   std::vector<std::pair<StepId, std::shared_ptr<const pipeline::Solid>>> latest_;  ///< last good ones
   std::vector<Trouble> failures_;
   std::optional<Asked> asked_;

@@ -77,6 +77,7 @@ Status Studio::redo() {
 void Studio::open(document::History<document::Document> history) {
   tellAmends(true);
   cancelWork();
+  solids_.forget();
   history_ = std::move(history);
   saved_ = document();
   reported_.clear();

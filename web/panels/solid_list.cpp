@@ -168,7 +168,7 @@ void solidPanel(const PanelEnv& env, float width) {
       env.sink.run("show-trouble", which(each));
     }
     if (app::hasPlace(env.env, each)) ImGui::SameLine(0, 4);
-    commandTile(env, "solve-again", "Try again", {half, side});
+    if (textButton(env, {"again", "Try again", false, true, side, half})) env.sink.run("solve-again", {});
     ImGui::PopID();
   }
   constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {{

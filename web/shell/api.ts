@@ -335,6 +335,8 @@ export interface SpineLoftApi {
   models(): Promise<KeptModelInfo[]>;
   /** The open model with every step of undo and redo, as the text that the page keeps; photos are named by their hashes. */
   history(): string;
+  /** Bytes that the memory of the engine and that of the solver of solids have grown to; they never shrink. */
+  memory(): { engine: number; solver: number };
   /** Where a picture pixel is on the page now, in client CSS pixels. */
   imageToClient(x: number, y: number): { x: number; y: number };
   state(): State;

@@ -7,6 +7,7 @@ import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
 import type { TurntableEvent } from './turntable.ts';
 import type { WorkingCopy } from './picture.ts';
+import { waitForEnd } from './solids/lifeline.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 
@@ -139,13 +140,20 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   const sharp = new URLSearchParams(location.search).has('sharp');
   module = await create({ canvas, host, sharp });
   const engine = new Engine(module);
-  solver = solverOf(engine, module);
+  solver = engine.solver = solverOf(engine, module);
   return engine;
 }
 
 function solverOf(engine: Engine, module: Module): Solver {
   return new Solver({
-    start: () => new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module' }) as unknown as SolidWorker,
+    start: () => {
+      const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
+      const worker = new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module', name });
+      worker.addEventListener('message', ({ data }) => {
+        if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
+      });
+      return worker as unknown as SolidWorker;
+    },
     floats: (at, count) => new Float32Array(module.wasmMemory.buffer, at, count).slice(),
     integers: (at, count) => new Uint32Array(module.wasmMemory.buffer, at, count).slice(),
     answer: (json, bytes) => engine.solved(json, bytes),
@@ -161,6 +169,8 @@ function withBytes(raw: Extract<RawEvent, { type: 'file' }>, module: Module): En
 export class Engine {
   private readonly encoder = new TextEncoder();
   private readonly decoder = new TextDecoder();
+  /** The solver of solids, once there is one. */
+  solver: Solver | null = null;
 
   constructor(private readonly module: Module) {}
 
@@ -287,6 +297,11 @@ export class Engine {
   }
 
   /** The whole history as text: a base of the journal. */
+  /** Bytes that the engine's memory and the solver's have grown to. */
+  memory(): { engine: number; solver: number } {
+    return { engine: this.module.wasmMemory.buffer.byteLength, solver: this.solver?.memory ?? 0 };
+  }
+
   history(): string {
     return this.text(this.module._spl_history());
   }

@@ -81,6 +81,7 @@ export function installApi(api: ApiPage): void {
       const at = api.engine()?.imageToCanvas(x, y) ?? { x: 0, y: 0 };
       return { x: at.x + box.left, y: at.y + box.top };
     },
+    memory: () => api.engine()?.memory() ?? { engine: 0, solver: 0 },
     history: () => api.engine()?.history() ?? '',
     state: () => api.engine()?.state() ?? structuredClone(kBeforeReady),
     commands: (): Command[] => api.engine()?.commands() ?? [],

@@ -2,16 +2,34 @@
 // older one at the next node.
 import create from 'manifold-3d';
 import wasm from 'manifold-3d/manifold.wasm';
+import { hold } from './solids/lifeline.ts';
 import { SolidKernel } from './solids/kernel.ts';
 import type { SolveRequest, WorkerMessage } from './solids/protocol.ts';
 
-const scope = globalThis as unknown as { postMessage(message: WorkerMessage, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest>) => void) | null };
+const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest>) => void) | null };
 
-const loading = create({ locateFile: () => new URL(wasm, import.meta.url).href }).then((library) => {
+let memory: WebAssembly.Memory | null = null;
+
+/** Loads the library as it would itself, and keeps hold of its memory. */
+async function instantiate(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): Promise<void> {
+  const bytes = await (await fetch(new URL(wasm, import.meta.url))).arrayBuffer();
+  const { instance, module } = await WebAssembly.instantiate(bytes, imports);
+  memory = Object.values(instance.exports).find((each) => each instanceof WebAssembly.Memory) ?? null;
+  done(instance, module);
+}
+
+// Its types do not tell of this option of every Emscripten program.
+const load = create as unknown as (options: { instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): object }) => ReturnType<typeof create>;
+const loading = load({ instantiateWasm(imports, done) {
+  instantiate(imports, done).catch((problem) => setTimeout(() => { throw problem; }));
+  return {};
+} }).then((library) => {
   library.setup();
   return new SolidKernel(library);
 });
 loading.then(() => scope.postMessage({ type: 'ready' }, []));
+
+hold(scope.name, () => scope.postMessage({ type: 'alive' }, []));
 
 let newest = 0;
 let queue = Promise.resolve();
@@ -28,7 +46,7 @@ async function solve(request: SolveRequest): Promise<void> {
   if (request.id !== newest) {
     // Its meshes may be what a later request counts on.
     kernel.keepMeshes(request.meshes);
-    scope.postMessage({ type: 'done', id: request.id }, []);
+    scope.postMessage({ type: 'done', id: request.id, bytes: memory?.buffer.byteLength ?? 0 }, []);
     return;
   }
   const work = kernel.solve(request, (solved) => {
@@ -44,7 +62,7 @@ async function solve(request: SolveRequest): Promise<void> {
       break;
     }
   }
-  scope.postMessage({ type: 'done', id: request.id }, []);
+  scope.postMessage({ type: 'done', id: request.id, bytes: memory?.buffer.byteLength ?? 0 }, []);
 }
 
 scope.onmessage = ({ data }) => {

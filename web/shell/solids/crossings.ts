@@ -139,18 +139,26 @@ export function findCrossings(positions: Float32Array, triangles: Uint32Array, m
   const { boxes, order, starts, firstLeaf } = buildTree(of, whole);
   // Float coordinates are sure to seven digits: what is closer than that only touches.
   const slack = Math.hypot(whole[3]! - whole[0]!, whole[4]! - whole[1]!, whole[5]! - whole[2]!) ** 3 * 1e-12;
-  /** Neighbours, which are most of what meets, share a corner and do not cross. */
-  const joined = (s: number, t: number): boolean => {
+  /** The place, 0 … 2, of the corner of s that t has as well; −1 for none, 3 for two or three. */
+  const common = (s: number, t: number): number => {
     const a = triangles[3 * t]!, b = triangles[3 * t + 1]!, c = triangles[3 * t + 2]!;
-    for (let k = 3 * s; k < 3 * s + 3; k += 1) {
-      const v = triangles[k]!;
-      if (v === a || v === b || v === c) return true;
+    let found = -1;
+    for (let k = 0; k < 3; k += 1) {
+      const v = triangles[3 * s + k]!;
+      if (v === a || v === b || v === c) found = found < 0 ? k : 3;
     }
-    return false;
+    return found;
   };
   const cornersOf = (t: number) => [3 * triangles[3 * t]!, 3 * triangles[3 * t + 1]!, 3 * triangles[3 * t + 2]!] as const;
   const cross = (s: number, t: number): boolean => {
+    // Neighbours, which are most of what meets, share an edge; of those that share a corner only the edges across may pierce.
+    const corner = common(s, t);
+    if (corner === 3) return false;
     const p = cornersOf(s), q = cornersOf(t);
+    if (corner >= 0) {
+      const other = common(t, s);
+      return pierces(positions, q, p[(corner + 1) % 3]!, p[(corner + 2) % 3]!, slack) || pierces(positions, p, q[(other + 1) % 3]!, q[(other + 2) % 3]!, slack);
+    }
     for (let k = 0; k < 3; k += 1) {
       if (pierces(positions, q, p[k]!, p[(k + 1) % 3]!, slack) || pierces(positions, p, q[k]!, q[(k + 1) % 3]!, slack)) return true;
     }
@@ -167,7 +175,7 @@ export function findCrossings(positions: Float32Array, triangles: Uint32Array, m
         const s = order[i]!;
         for (let j = a === b ? i + 1 : starts[b - firstLeaf]!; j < end; j += 1) {
           const t = order[j]!;
-          if (meet(of, s, of, t) && !joined(s, t) && cross(s, t)) found.push({ a: Math.min(s, t), b: Math.max(s, t) });
+          if (meet(of, s, of, t) && cross(s, t)) found.push({ a: Math.min(s, t), b: Math.max(s, t) });
         }
       }
     } else if (a === b) {

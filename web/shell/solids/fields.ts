@@ -1,11 +1,18 @@
 // Solids from distance fields: the inside of a hollow, and the rounding at a seam.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { DistanceField } from './distance.ts';
-import { gridOver, lowestOf, sample, surfaceWhere } from './grid.ts';
-import type { Box, Point, Surface } from './grid.ts';
+import { at, gridOver, lowestOf, sample, surfaceWhere } from './grid.ts';
+import type { Box, Grid, Point, Surface } from './grid.ts';
 import { Unsolvable } from './kernel.ts';
 import { fitPaint } from './paint.ts';
 import type { SolidNode } from './protocol.ts';
+
+/** What faces that are new look like. */
+interface Coat {
+  /** Original id, which says whose they are. */
+  id: number;
+  paint(x: number, y: number, z: number): [number, number];
+}
 
 /** What a maker of solids may do with what it makes on the way. */
 export interface Making {
@@ -47,15 +54,42 @@ function affordable(box: Box, step: number): number {
   return Math.max(step, Math.cbrt((x * y * z) / kMostCells));
 }
 
-/** The surface as a solid, with uv on every vertex and `id` on every face. */
-function painted(library: ManifoldToplevel, { positions, triangles }: Surface, paint: (x: number, y: number, z: number) => [number, number], id: number): Manifold {
-  const n = positions.length / 3;
-  const properties = new Float32Array(5 * n);
-  for (let v = 0; v < n; v += 1) {
-    const x = positions[3 * v]!, y = positions[3 * v + 1]!, z = positions[3 * v + 2]!;
-    properties.set([x, y, z, ...paint(x, y, z)], 5 * v);
+/** The surface as a solid, with uv on every vertex; `coatOf` says which coat a face at this place has, and with it whose it is. */
+function painted(library: ManifoldToplevel, { positions, triangles }: Surface, coats: Coat[], coatOf: (x: number, y: number, z: number) => number = () => 0): Manifold {
+  const faces = coats.map((): number[] => []);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [3 * triangles[t]!, 3 * triangles[t + 1]!, 3 * triangles[t + 2]!];
+    const middle = (k: number) => (positions[a + k]! + positions[b + k]! + positions[c + k]!) / 3;
+    faces[coatOf(middle(0), middle(1), middle(2))]!.push(t);
   }
-  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: triangles, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, triangles.length) }));
+  // Where two coats meet, each has its own vertices; they stand at one place.
+  const rows: number[] = [], corners: number[] = [], mergeFrom: number[] = [], mergeTo: number[] = [], runIndex = [0];
+  const first = new Int32Array(positions.length / 3).fill(-1);
+  for (const [coat, { paint }] of coats.entries()) {
+    const own = new Map<number, number>();
+    for (const t of faces[coat]!) {
+      for (const v of triangles.subarray(t, t + 3)) {
+        let at = own.get(v);
+        if (at === undefined) {
+          at = rows.length / 5;
+          own.set(v, at);
+          const x = positions[3 * v]!, y = positions[3 * v + 1]!, z = positions[3 * v + 2]!;
+          rows.push(x, y, z, ...paint(x, y, z));
+          if (first[v]! < 0) first[v] = at;
+          else {
+            mergeFrom.push(at);
+            mergeTo.push(first[v]!);
+          }
+        }
+        corners.push(at);
+      }
+    }
+    runIndex.push(corners.length);
+  }
+  const solid = library.Manifold.ofMesh(new library.Mesh({
+    numProp: 5, vertProperties: Float32Array.from(rows), triVerts: Uint32Array.from(corners), mergeFromVert: Uint32Array.from(mergeFrom), mergeToVert: Uint32Array.from(mergeTo),
+    runOriginalID: Uint32Array.from(coats, ({ id }) => id), runIndex: Uint32Array.from(runIndex),
+  }));
   if (solid.status() !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
   return solid;
 }
@@ -105,7 +139,7 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   // What does not reach the opening, such as the inside of a handle, would be a void that nothing runs out of.
   const inside = opening ? reaching(deep, along, rim) : deep;
   if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values) });
-  const cavity = painted(library, inside, fitPaint(surface.properties, surface.stride), id);
+  const cavity = painted(library, inside, [{ id, paint: fitPaint(surface.properties, surface.stride) }]);
   own.push(cavity);
   let outside = body;
   if (opening && node.cut > 0) {
@@ -125,37 +159,57 @@ export interface Seam {
   plain: Manifold;
   operands: Manifold[];
   node: SolidNode;
+  /** Original id for new faces that look as most of an operand does. */
+  idOf(operand: Manifold): number;
+}
+
+/** Two operands, with the distances to both on one grid round a place where they meet. */
+interface Meeting {
+  grid: Grid;
+  first: Float32Array;
+  second: Float32Array;
+}
+
+function meetingAt(place: Manifold, [a, b]: readonly [Surface, Surface], radius: number, cells: number): Meeting {
+  const box = grown(place.boundingBox() as Box, 1.6 * radius), reach = 1.1 * radius;
+  const grid = gridOver(box, affordable(box, radius / cells));
+  const first = new DistanceField(a.positions, a.triangles, grid, reach).values;
+  // Only what is near to both is round.
+  const near = new Uint8Array(first.length);
+  for (let n = 0; n < first.length; n += 1) near[n] = Math.abs(first[n]!) < reach ? 1 : 0;
+  return { grid, first, second: new DistanceField(b.positions, b.triangles, grid, reach, near).values };
 }
 
 /**
  * Rounds the seams of a join or a cut: round every place where two operands meet, what lies within the smooth minimum
- * of both distances is added (join) or what lies within that of the inverse is taken away (cut).
+ * of both distances is added (join) or what lies within that of the inverse is taken away (cut). Each face of the
+ * rounding looks as the operand that it is nearer to.
  */
-export function seamOf(library: ManifoldToplevel, { plain, operands, node }: Seam, { id, own }: Making): Manifold {
-  const radius = node.blend, cut = node.kind === 'cut';
-  const paint = fitPaint(surfaceOf(operands[0]!).properties, surfaceOf(operands[0]!).stride);
+export function seamOf(library: ManifoldToplevel, { plain, operands, node, idOf }: Seam, own: Manifold[]): Manifold {
+  const radius = node.blend, cut = node.kind === 'cut', cells = node.coarse ? kSeamCells / 2 : kSeamCells;
+  const known = new Map<number, { surface: PaintedSurface; coat: Coat }>();
+  const sideOf = (index: number) => {
+    const side = known.get(index) ?? (() => {
+      const surface = surfaceOf(operands[index]!);
+      return { surface, coat: { id: idOf(operands[index]!), paint: fitPaint(surface.properties, surface.stride) } };
+    })();
+    known.set(index, side);
+    return side;
+  };
   const roundings: Manifold[] = [];
-  for (let i = 0; i < operands.length; i += 1) {
+  for (let i = 0; i < (cut ? 1 : operands.length); i += 1) {
     for (let j = i + 1; j < operands.length; j += 1) {
-      if (cut && i > 0) continue;
       const shared = operands[i]!.intersect(operands[j]!);
       own.push(shared);
       if (shared.isEmpty()) continue;
-      const [a, b] = [surfaceOf(operands[i]!), surfaceOf(operands[j]!)];
+      const one = sideOf(i), other = sideOf(j);
       for (const place of shared.decompose()) {
         own.push(place);
-        const box = grown(place.boundingBox() as Box, 1.6 * radius);
-        const grid = gridOver(box, affordable(box, radius / (node.coarse ? kSeamCells / 2 : kSeamCells)));
-        const reach = 1.1 * radius;
-        const first = new DistanceField(a.positions, a.triangles, grid, reach).values;
-        // Only what is near to both is round.
-        const near = new Uint8Array(first.length);
-        for (let n = 0; n < first.length; n += 1) near[n] = Math.abs(first[n]!) < reach ? 1 : 0;
-        const second = new DistanceField(b.positions, b.triangles, grid, reach, near).values;
+        const { grid, first, second } = meetingAt(place, [one.surface, other.surface], radius, cells);
         // A little within, so that only the rounding itself looks out of what is there already.
         const rounding = surfaceWhere(grid, sample(grid, (_x, _y, _z, n) => -smoothMin(cut ? -first[n]! : first[n]!, second[n]!, radius) - 0.06 * grid.step));
         if (rounding.triangles.length === 0) continue;
-        const solid = painted(library, rounding, paint, id);
+        const solid = painted(library, rounding, [one.coat, other.coat], (x, y, z) => (Math.abs(at(grid, first, x, y, z)) <= Math.abs(at(grid, second, x, y, z)) ? 0 : 1));
         own.push(solid);
         roundings.push(solid);
       }

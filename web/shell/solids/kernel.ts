@@ -150,8 +150,7 @@ export class SolidKernel {
     const plain = this.together(node, operands, own);
     if (node.blend <= 0 || node.kind === 'common' || plain.isEmpty()) return plain;
     own.push(plain);
-    const part = this.mainPart(operands[0]!);
-    return seamOf(this.library, { plain, operands, node }, { id: this.ownerId(part), part, own });
+    return seamOf(this.library, { plain, operands, node, idOf: (operand) => this.ownerId(this.mainPart(operand)) }, own);
   }
 
   /**

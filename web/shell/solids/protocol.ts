@@ -77,6 +77,9 @@ export interface SolidFailure {
 
 export type WorkerMessage =
   | { type: 'ready' }
+  /** It holds the lock that ends with it (lifeline.ts). */
+  | { type: 'alive' }
   | { type: 'progress'; id: number; done: number }
   | { type: 'solid'; id: number; step: number; key: string; coarse: boolean; ms: number; mesh?: SolidMesh; failure?: SolidFailure }
-  | { type: 'done'; id: number };
+  /** `bytes`: what the library's memory has grown to. */
+  | { type: 'done'; id: number; bytes: number };

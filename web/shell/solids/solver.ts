@@ -37,11 +37,17 @@ export class Solver {
   /** Meshes that the worker has, and the request that last named them. */
   private readonly known = new Map<string, number>();
   private requests = 0;
+  private bytes = 0;
 
   constructor(private readonly host: SolverHost) {}
 
   get isBusy(): boolean {
     return this.asked !== null;
+  }
+
+  /** Memory that the worker had grown to when it last answered; 0 without one. */
+  get memory(): number {
+    return this.worker ? this.bytes : 0;
   }
 
   /** Called while the event is delivered: what is not copied now may be gone. */
@@ -101,13 +107,14 @@ export class Solver {
   }
 
   private take(message: WorkerMessage): void {
-    if (message.type === 'ready') return;
+    if (message.type === 'ready' || message.type === 'alive') return;
     if (message.type === 'solid') {
       const { mesh, ...rest } = message;
       this.host.answer(JSON.stringify({ ...rest, ...(mesh ? { mesh: headOf(mesh) } : {}) }), mesh ? packed(mesh) : null);
       return;
     }
     if (message.type === 'done') {
+      this.bytes = message.bytes;
       if (message.id === this.asked) this.asked = null;
       this.host.answer(JSON.stringify({ id: message.id, done: true }), null);
       return;

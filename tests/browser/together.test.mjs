@@ -1,0 +1,270 @@
+// Solids made on the page, with real pointers on real pictures and the real solver in its worker.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { validateBytes } from 'gltf-validator';
+import { drawWithMouse, exported, idle, onPage, openPicture, run, state, toastText, toClient, useSite } from './support/page.mjs';
+import { dataCases, samples } from './support/pictures.mjs';
+
+const kit = useSite();
+const [lemur] = samples();
+/** The middle of the sample's line, moved across it: a second part that runs through the first. */
+const beside = (spine) => spine.slice(Math.floor(spine.length * 0.25), Math.ceil(spine.length * 0.75)).map(([x, y], i, all) => [x + 16 - (32 * i) / all.length, y + 8]);
+
+/** Two parts drawn with the mouse on the sample. */
+async function withTwo(work) {
+  await onPage(kit, { isolated: false }, async (page, opened) => {
+    await openPicture(page, lemur.bytes, 'lemur');
+    await drawWithMouse(page, lemur.spine);
+    await page.keyboard.press('n');
+    await drawWithMouse(page, beside(lemur.spine));
+    assert.equal((await state(page)).parts.length, 2);
+    await work(page, opened);
+  });
+}
+
+const steps = async (page) => (await state(page)).steps;
+const root = async (page) => (await steps(page)).findLast((step) => step.root);
+
+/** Volume, how many edges are open and how high it stands, of a binary STL by its corners alone. */
+function measureStl(bytes) {
+  const count = bytes.readUInt32LE(80), edges = new Map();
+  assert.equal(bytes.length, 84 + 50 * count);
+  let volume = 0, low = Infinity, high = -Infinity;
+  for (let t = 0; t < count; t += 1) {
+    const corners = [0, 1, 2].map((c) => [0, 1, 2].map((k) => bytes.readFloatLE(84 + 50 * t + 12 + 12 * c + 4 * k)));
+    const [a, b, c] = corners;
+    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    corners.forEach((from, k) => {
+      const key = `${from} to ${corners[(k + 1) % 3]}`;
+      edges.set(key, (edges.get(key) ?? 0) + 1);
+      low = Math.min(low, from[2]);
+      high = Math.max(high, from[2]);
+    });
+  }
+  let open = 0;
+  for (const [key, times] of edges) {
+    const [from, to] = key.split(' to ');
+    if (from !== to && (edges.get(`${to} to ${from}`) ?? 0) !== times) open += 1;
+  }
+  return { volume, open, count, height: high - low };
+}
+
+/** What is saved: a closed, outward STL and a GLB without a fault. */
+async function lawful(page) {
+  const found = measureStl(await exported(page, 'stl'));
+  assert.equal(found.open, 0, 'closed');
+  assert.ok(found.volume > 0, 'outward');
+  const { issues } = await validateBytes(new Uint8Array(await exported(page, 'glb')));
+  assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages.slice(0, 3)));
+  return found;
+}
+
+/** Drags the end of a rib of a part outwards with the mouse. */
+async function dragRib(page, part, by, midway) {
+  await run(page, 'select-part', { id: part });
+  await run(page, 'ribs');
+  await idle(page);
+  const { ribs } = (await state(page)).parts.find(({ id }) => id === part);
+  const rib = ribs[Math.floor(ribs.length / 2)], away = Math.hypot(rib.left[0] - rib.center[0], rib.left[1] - rib.center[1]);
+  const to = rib.left.map((x, k) => x + (by * (x - rib.center[k])) / away);
+  const [from, till] = await toClient(page, [rib.left, to]);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  for (let i = 1; i <= 6; i += 1) await page.mouse.move(from.x + ((till.x - from.x) * i) / 6, from.y + ((till.y - from.y) * i) / 6);
+  if (midway) await midway();
+  await page.mouse.up();
+  await idle(page);
+}
+
+test('two drawn parts are stuck together, and the solid follows a rib, undo, redo, a reload and release', () => withTwo(async (page) => {
+  const apart = measureStl(await exported(page, 'stl')).volume;
+  await run(page, 'stick-together');
+  await idle(page);
+  const joined = await root(page);
+  assert.deepEqual([joined.kind, joined.status, joined.failure], ['join', 'ready', null]);
+  assert.ok(joined.volume > 0 && joined.triangles > 1000);
+  const first = await lawful(page);
+  assert.ok(first.volume < apart, 'what both held is there once');
+
+  await dragRib(page, 1, 25, async () => {
+    // Parts that are only joined stand for themselves in the hand: nothing waits.
+    assert.equal((await state(page)).busy, false);
+  });
+  const wider = await root(page);
+  assert.equal(wider.status, 'ready');
+  assert.ok(wider.volume > joined.volume * 1.001, `${wider.volume} is not more than ${joined.volume}`);
+  await page.keyboard.press('Control+z');
+  await idle(page);
+  assert.ok(Math.abs((await root(page)).volume / joined.volume - 1) < 1e-5);
+  await page.keyboard.press('Control+Shift+z');
+  await idle(page);
+  assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5);
+
+  await page.waitForTimeout(400);
+  await page.reload();
+  await page.evaluate(() => window.spineloft.ready);
+  await page.waitForFunction(() => window.spineloft.state().steps.length === 1, undefined, { timeout: 20000 });
+  await idle(page);
+  assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5, 'the solid is made again');
+  await lawful(page);
+
+  await run(page, 'select-step', { id: 1 });
+  await run(page, 'release');
+  await idle(page);
+  const { parts, steps: left } = await state(page);
+  assert.deepEqual([parts.length, left.length], [2, 0]);
+}));
+
+test('cut, kept common and put in a place by the gizmo: each is a solid, and sets say how large', () => withTwo(async (page) => {
+  const volumes = {};
+  for (const kind of ['stick-together', 'cut', 'keep-common']) {
+    await run(page, kind, { parts: [1, 2] });
+    await idle(page);
+    const step = await root(page);
+    assert.equal(step.status, 'ready', `${kind}: ${step.sentence}`);
+    volumes[kind] = step.volume;
+    await lawful(page);
+    if (kind !== 'keep-common') await run(page, 'undo');
+  }
+  await run(page, 'undo');
+  await run(page, 'cut', { parts: [2, 1] });
+  await idle(page);
+  const other = (await root(page)).volume;
+  const sum = volumes.cut + volumes['keep-common'] + other;
+  assert.ok(Math.abs(sum / volumes['stick-together'] - 1) < 1e-4, `${sum} and ${volumes['stick-together']}`);
+  // Away from each other nothing is cut, and nothing is shared.
+  await run(page, 'move-parts', { parts: [1], mm: [0, 0, 500] });
+  await idle(page);
+  assert.ok((await root(page)).volume > other);
+  await run(page, 'set-step', { kind: 'common' });
+  await idle(page);
+  const none = await root(page);
+  assert.deepEqual([none.status, none.failure], ['failed', 'SolidEmpty']);
+  assert.match(none.sentence, /Nothing is left/);
+  assert.ok(none.triangles > 0, 'the last good one stays');
+}));
+
+test('a scooped out part is as thin as its wall, open at its end, and says when the wall is too thick', () => withTwo(async (page) => {
+  await run(page, 'select-part', { id: 2 });
+  await run(page, 'delete-part');
+  await run(page, 'select-part', { id: 1 });
+  await run(page, 'set-caps', { part: 1, start: 'flat', end: 'flat' });
+  await idle(page);
+  const full = measureStl(await exported(page, 'stl')).volume;
+  const { parts: [{ ribs }], picture } = await state(page);
+  const widths = ribs.map(({ left, right }) => Math.hypot(left[0] - right[0], left[1] - right[1]) / Math.max(picture.width, picture.height));
+  const wall = Math.min(0.02, widths.sort((a, b) => a - b)[widths.length >> 1] / 6);
+  await run(page, 'scoop-out', { part: 1, wall, opening: 'start' });
+  await idle(page);
+  const hollow = await root(page);
+  assert.deepEqual([hollow.kind, hollow.status], ['hollow', 'ready'], hollow.sentence);
+  const found = await lawful(page);
+  assert.ok(found.volume < 0.9 * full, `${found.volume} of ${full}`);
+  await run(page, 'check-print');
+  const { print } = await state(page);
+  assert.ok(print.closed, 'the check sees a closed solid');
+  const mm = wall * Math.cbrt(found.volume / hollow.volume);
+  assert.ok(Math.abs(print.thinnest / mm - 1) < 0.1, `thinnest ${print.thinnest}, wall ${mm}`);
+
+  await run(page, 'set-step', { wall: 0.4 });
+  await idle(page);
+  const thick = await root(page);
+  assert.deepEqual([thick.status, thick.failure, thick.faulty], ['failed', 'WallTooThick', 1]);
+  assert.equal(thick.at.length, 3);
+  assert.match(await toastText(page), /wall is too thick/);
+  assert.equal(thick.triangles, hollow.triangles, 'the last good one stays');
+  await run(page, 'show-trouble');
+  await idle(page);
+  assert.equal((await state(page)).selection, 1);
+}));
+
+test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', async () => {
+  await onPage(kit, { isolated: false }, async (page) => {
+    await page.addInitScript(() => {
+      const Plain = window.Worker;
+      window.solidWorkers = [];
+      window.Worker = class extends Plain {
+        constructor(url, options) {
+          super(url, options);
+          if (options?.name?.startsWith('spineloft-solids')) window.solidWorkers.push(this);
+        }
+      };
+    });
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    await openPicture(page, lemur.bytes, 'lemur');
+    await drawWithMouse(page, lemur.spine);
+    await page.keyboard.press('n');
+    await drawWithMouse(page, beside(lemur.spine));
+    await run(page, 'stick-together');
+    await idle(page);
+    const good = await root(page);
+    assert.equal(good.status, 'ready');
+
+    // The browser ends the worker in the middle of a job, and tells nobody.
+    await page.evaluate(async () => {
+      await window.spineloft.run('set-section', { part: 1, section: 'star' });
+      window.spineloft.state();
+      window.solidWorkers.at(-1).terminate();
+    });
+    assert.match(await toastText(page), /interrupted/);
+    await idle(page);
+    const dead = await root(page);
+    assert.deepEqual([dead.status, dead.failure, dead.triangles], ['failed', 'SolverStopped', good.triangles]);
+    await run(page, 'solve-again');
+    await idle(page);
+    assert.equal((await root(page)).status, 'ready');
+
+    // Stopped by hand.
+    const before = await root(page);
+    await page.evaluate(async () => {
+      await window.spineloft.run('set-section', { part: 1, section: 'square' });
+      window.spineloft.state();
+      await window.spineloft.run('cancel');
+    });
+    await idle(page);
+    const stopped = await root(page);
+    assert.ok(stopped.failure === 'Cancelled' ? stopped.triangles === before.triangles : stopped.status === 'ready', JSON.stringify(stopped));
+    await run(page, 'solve-again').catch(() => {});
+    await idle(page);
+    assert.equal((await root(page)).status, 'ready');
+
+    // A part that goes while it is put together.
+    await page.evaluate(async () => {
+      await window.spineloft.run('set-section', { part: 1, section: 'circle' });
+      window.spineloft.state();
+      await window.spineloft.run('select-part', { id: 2 });
+      await window.spineloft.run('delete-part');
+    });
+    await idle(page);
+    const { parts, steps: none, busy } = await state(page);
+    assert.deepEqual([parts.length, none.length, busy], [1, 0, false]);
+    await run(page, 'undo');
+    await idle(page);
+    assert.equal((await root(page)).status, 'ready');
+    await lawful(page);
+  });
+});
+
+test('opening and closing a model with solids fifty times leaves the memory as it was', () => withTwo(async (page) => {
+  await run(page, 'stick-together');
+  await run(page, 'scoop-out', { step: 1, wall: 0.01 });
+  await idle(page);
+  const file = (await exported(page, 'spineloft')).toString('base64');
+  const sizes = await page.evaluate(async (text) => {
+    const blob = new Blob([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))]);
+    const found = [];
+    for (let round = 0; round < 50; round += 1) {
+      await window.spineloft.openProject(blob);
+      await window.spineloft.idle();
+      if (window.spineloft.state().steps.some(({ root: outermost, status }) => outermost && status !== 'ready')) throw new Error(`round ${round}`);
+      await window.spineloft.run('new-model');
+      await window.spineloft.idle();
+      found.push(window.spineloft.memory());
+    }
+    return found;
+  }, file);
+  // What is kept for undo and for the next edit fills in the first rounds; from then on nothing may grow.
+  const [before, after] = [sizes[9], sizes.at(-1)];
+  for (const what of ['engine', 'solver']) assert.ok(after[what] <= 1.05 * before[what], `${what}: ${before[what]} to ${after[what]} bytes`);
+}));
