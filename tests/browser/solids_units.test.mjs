@@ -98,6 +98,29 @@ test('a bend tighter than the part is thick becomes a solid', () => {
   lawful(solve(fresh(), [node([rod(1, identity, 'sharp'), rod(2, shifted(2), 'sharp')])], { sharp }), 'the bend');
 });
 
+test('random lofts, bent and pulled out of shape, become solids or name the part and the place', () => {
+  const told = { solid: 0, fault: 0 };
+  for (let seed = 1; seed <= 40; seed += 1) {
+    const random = seeded(seed), part = 1 + (seed % 5);
+    const wild = loft({ rings: 6 + Math.floor(30 * random()), around: 6 + Math.floor(16 * random()), length: 0.2 + random(), radius: 0.05 + 0.25 * random(), bend: 16 * (random() - 0.5), wave: 0.6 * random() });
+    if (random() < 0.5) {
+      // A hand pulls ribs somewhere else.
+      const n = wild.positions.length / 3, from = Math.floor(random() * n);
+      for (let i = 3 * from; i < 3 * Math.min(n, from + 12); i += 1) wild.positions[i] += 0.15 * (random() - 0.5);
+    }
+    const solved = solve(fresh(), [node([rod(part, identity, 'wild'), rod(9, shifted(4), 'rod')])], { wild, rod: loft() });
+    if (solved.failure) {
+      assert.deepEqual([solved.failure.error, solved.failure.part], ['PartCrossesItself', part], `seed ${seed}`);
+      assert.ok(solved.failure.at.every(Number.isFinite), `seed ${seed}`);
+      told.fault += 1;
+    } else {
+      lawful(solved, `seed ${seed}`);
+      told.solid += 1;
+    }
+  }
+  assert.ok(told.solid >= 35, `${told.solid} of 40 are solids`);
+});
+
 test('a mesh that crosses itself and is no loft names the part and the place', () => {
   const a = loft(), b = loft();
   const n = a.positions.length / 3;

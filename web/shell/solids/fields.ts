@@ -54,6 +54,32 @@ function affordable(box: Box, step: number): number {
   return Math.max(step, Math.cbrt((x * y * z) / kMostCells));
 }
 
+/** The surface with its triangles cut where `side` changes its sign, so that none lies on both sides. */
+function cutAlong({ positions, triangles }: Surface, side: (x: number, y: number, z: number) => number): Surface {
+  const n = positions.length / 3, points = Array.from(positions), corners: number[] = [], cuts = new Map<number, number>();
+  const sides = Float64Array.from({ length: n }, (_, v) => side(positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!));
+  const cut = (a: number, b: number): number => {
+    const [from, to] = a < b ? [a, b] : [b, a], known = cuts.get(from * n + to);
+    if (known !== undefined) return known;
+    const t = Math.min(0.95, Math.max(0.05, sides[from]! / (sides[from]! - sides[to]!))), made = points.length / 3;
+    for (let k = 0; k < 3; k += 1) points.push(positions[3 * from + k]! + t * (positions[3 * to + k]! - positions[3 * from + k]!));
+    cuts.set(from * n + to, made);
+    return made;
+  };
+  for (let i = 0; i < triangles.length; i += 3) {
+    const three = [triangles[i]!, triangles[i + 1]!, triangles[i + 2]!], above = three.filter((v) => sides[v]! > 0).length;
+    if (above === 0 || above === 3) {
+      corners.push(...three);
+      continue;
+    }
+    // The corner that is alone on its side comes first.
+    const alone = three.findIndex((v) => (sides[v]! > 0) === (above === 1));
+    const [a, b, c] = [three[alone]!, three[(alone + 1) % 3]!, three[(alone + 2) % 3]!], ab = cut(a, b), ca = cut(c, a);
+    corners.push(a, ab, ca, ab, b, c, ab, c, ca);
+  }
+  return { positions: Float32Array.from(points), triangles: Uint32Array.from(corners) };
+}
+
 /** The surface as a solid, with uv on every vertex; `coatOf` says which coat a face at this place has, and with it whose it is. */
 function painted(library: ManifoldToplevel, { positions, triangles }: Surface, coats: Coat[], coatOf: (x: number, y: number, z: number) => number = () => 0): Manifold {
   const faces = coats.map((): number[] => []);
@@ -209,7 +235,8 @@ export function seamOf(library: ManifoldToplevel, { plain, operands, node, idOf 
         // A little within, so that only the rounding itself looks out of what is there already.
         const rounding = surfaceWhere(grid, sample(grid, (_x, _y, _z, n) => -smoothMin(cut ? -first[n]! : first[n]!, second[n]!, radius) - 0.06 * grid.step));
         if (rounding.triangles.length === 0) continue;
-        const solid = painted(library, rounding, [one.coat, other.coat], (x, y, z) => (Math.abs(at(grid, first, x, y, z)) <= Math.abs(at(grid, second, x, y, z)) ? 0 : 1));
+        const side = (x: number, y: number, z: number) => Math.abs(at(grid, first, x, y, z)) - Math.abs(at(grid, second, x, y, z));
+        const solid = painted(library, cutAlong(rounding, side), [one.coat, other.coat], (x, y, z) => (side(x, y, z) > 0 ? 1 : 0));
         own.push(solid);
         roundings.push(solid);
       }
