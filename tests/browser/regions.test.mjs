@@ -40,12 +40,13 @@ for (const [name, options, draw] of [['the mouse', {}, drawWithMouse], ['a finge
   }));
 }
 
-test('a tap cuts the thing out, its points are dragged, and it turns flat and back', () => withPicture({}, async (page) => {
+test('a tap cuts the thing out, used it is a part, its points are dragged, and it turns flat and back', () => withPicture({}, async (page) => {
   await run(page, 'puff');
   const middle = tube.middle[Math.floor(tube.middle.length / 2)];
   const [at] = await toClient(page, [middle]);
   await page.mouse.click(at.x, at.y);
   await idle(page);
+  await run(page, 'cut-use');
   let [part] = (await state(page)).parts;
   assert.equal(part.kind, 'puff');
   await run(page, 'make-sheet');

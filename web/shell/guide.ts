@@ -14,6 +14,7 @@ function adviceFor({ picture, parts, tool }: State): string {
   if (!picture || parts.length > 0) return '';
   if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
   if (picture.sketch && tool !== 'draw') return picture.finished ? 'Now draw a bone through it' : '';
+  if (tool === 'puff' || tool === 'sheet') return '';  // the bar of the tool is there
   return 'Draw a line through the middle of the thing';
 }
 

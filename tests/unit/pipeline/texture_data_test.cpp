@@ -1,0 +1,111 @@
+// How true the picture on a part is on real pictures, where the data folder is at hand.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/document/update.h"
+#include "engine/io/picture_file.h"
+#include "engine/pipeline/derive.h"
+#include "tests/support/front_view.h"
+#include "tests/support/mesh_laws.h"
+
+using namespace spineloft;
+using namespace spineloft::document;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::uint8_t> bytesOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+fs::path firstOf(const fs::path& folder, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    if (fs::exists(folder / name)) return folder / name;
+  }
+  return {};
+}
+
+/// Inside the true silhouette, all of it and what is farther from its rim than the colours bleed.
+struct Front {
+  double whole = -1, within = -1;  ///< decibels
+};
+constexpr int kRim = 4;  // pixels
+
+using Seen = std::vector<std::optional<std::array<double, 3>>>;
+Seen awayFromRim(const Seen& seen, int width, int height) {
+  Seen left = seen;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      bool inner = x >= kRim && y >= kRim && x + kRim < width && y + kRim < height;
+      for (int dy = -kRim; inner && dy <= kRim; ++dy) {
+        for (int dx = -kRim; inner && dx <= kRim; ++dx) {
+          inner = seen[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x + dx)].has_value();
+        }
+      }
+      if (!inner) left[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)].reset();
+    }
+  }
+  return left;
+}
+
+/// Of the part that the careful stroke makes.
+Front frontOf(const fs::path& folder) {
+  const auto picture = io::decodePicture(bytesOf(firstOf(folder, {"image.jpg", "image.png"})), {});
+  const auto mask = io::decodeImage(bytesOf(firstOf(folder, {"mask_visible.png", "mask.png"})), 1 << 26);
+  REQUIRE(picture.ok());
+  REQUIRE(mask.ok());
+  const auto text = bytesOf(folder / "case.json");
+  const auto truth = nlohmann::json::parse(text.begin(), text.end());
+  std::vector<PicturePoint> stroke;
+  for (const auto& p : truth["spines"]["careful"]) stroke.push_back({p[0].get<double>(), p[1].get<double>()});
+  const auto shared = std::make_shared<const image::Picture>(picture.value());
+  Document document = update({}, AddPicture{"photo", shared}).value();
+  document = update(document, DrawSpine{PictureId{1}, stroke}).value();
+  pipeline::Cache cache;
+  const auto shape = pipeline::deriveWithEdges(document, cache, {}).value().parts[0].shape;
+  REQUIRE(shape);
+  testing::requireLawful(shape->mesh);
+  if (!shape->texture || shared->working.width != shared->width) return {};
+  const surface::PartTexture& texture = *shape->texture;
+  auto seen = testing::frontView(shape->mesh, {shared->width, shared->height}, [&](double u, double v) {
+    const surface::UvArea& a = texture.area;
+    return testing::sampled(texture.pixels, (u - a.left) / (a.right - a.left), (v - a.top) / (a.bottom - a.top));
+  });
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (mask.value().pixels[4 * i] < 200) seen[i].reset();
+  }
+  const Seen inner = awayFromRim(seen, shared->width, shared->height);
+  return {testing::psnr(seen, shared->working), testing::psnr(inner, shared->working)};
+}
+
+}  // namespace
+
+TEST_CASE("away from their rims at least six parts of the public pictures look as the pictures do, to 30 dB") {
+  const char* folder = std::getenv("SPINELOFT_DATA");
+  if (folder == nullptr || !fs::is_directory(folder)) {
+    MESSAGE("skipped: SPINELOFT_DATA names no folder");
+    return;
+  }
+  int enough = 0, looked = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("photo_") && !name.starts_with("render_")) continue;
+    const Front front = frontOf(entry.path());
+    if (front.whole < 0) continue;
+    MESSAGE(name << ": " << front.whole << " dB, away from the rim " << front.within << " dB");
+    ++looked;
+    enough += front.within >= 30 ? 1 : 0;
+  }
+  CHECK(looked >= 10);
+  CHECK(enough >= 6);
+}
