@@ -1,13 +1,14 @@
-// A GLB as three.js sees it: loaded by GLTFLoader in a blank page of its own.
+// A GLB or a 3MF as three.js sees it: loaded by GLTFLoader or 3MFLoader in a blank page of its own.
 import { build } from 'esbuild';
 import { root } from '../../../.ci/lib/paths.mjs';
 
 const kEntry = `
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { ThreeMFLoader } from 'three/addons/loaders/3MFLoader.js';
 import { Box3, Vector3 } from 'three';
-globalThis.measureGlb = async (base64) => {
+globalThis.measureModel = async (base64, format) => {
   const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const { scene } = await new GLTFLoader().parseAsync(bytes.buffer, '');
+  const scene = format === '3mf' ? new ThreeMFLoader().parse(bytes.buffer) : (await new GLTFLoader().parseAsync(bytes.buffer, '')).scene;
   scene.updateMatrixWorld(true);
   const result = { meshes: 0, triangles: 0, volume: 0, textured: false };
   const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
@@ -37,12 +38,12 @@ async function bundled() {
   return script;
 }
 
-/** Meshes, triangles, signed volume, size and whether a texture is on, after GLTFLoader. */
-export async function loadWithThree(browser, glb) {
+/** Meshes, triangles, signed volume, size and whether a texture is on, after three's loader of 'glb' or '3mf'. */
+export async function loadWithThree(browser, file, format = 'glb') {
   const page = await browser.newPage();
   try {
     await page.evaluate(await bundled());
-    return await page.evaluate((data) => globalThis.measureGlb(data), glb.toString('base64'));
+    return await page.evaluate(([data, kind]) => globalThis.measureModel(data, kind), [file.toString('base64'), format]);
   } finally {
     await page.close();
   }
