@@ -36,15 +36,12 @@ int findWindows(const ChainStep& t, int fromCount, int toCount, StepScratch& scr
 // `widest` rows need them: two overlapping ones make any window. tables[j] is that of 2^j rows.
 struct WindowTables {
   std::array<const float*, 32> tables{};
-  const float* first(int low, int high) const { return tables[power(high - low)] + low; }
-  const float* last(int low, int high) const {
-    const std::size_t p = power(high - low);
-    return tables[p] + high - (1 << p);
-  }
   static std::size_t power(int count) {
     return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(count)) - 1);
   }
 };
+// Narrower windows are looked through as they are.
+constexpr int kWideWindow = 5;
 WindowTables makeTables(const float* in, std::size_t entries, std::size_t width, int widest,
                         std::vector<float>& memory) {
   WindowTables made;
@@ -85,8 +82,10 @@ void convolveRows(const ChainStep& t, const ChainRows& rows, const float* in, fl
                   StepScratch& scratch) {
   const std::size_t w = index(rows.width);
   const int widest = findWindows(t, rows.fromCount, rows.toCount, scratch);
+  // Tables pay where windows are wide.
+  const bool tabled = widest >= kWideWindow;
   const WindowTables windows =
-      makeTables(in, index(rows.fromCount) * w, w, widest, scratch.tables);
+      makeTables(in, index(rows.fromCount) * w, w, tabled ? widest : 1, scratch.tables);
   scratch.running.assign(2 * w, kUnreachable);
   float* best = scratch.running.data();
   float* running = best + w;
@@ -101,6 +100,13 @@ void convolveRows(const ChainStep& t, const ChainRows& rows, const float* in, fl
     const float offset = t.slope * (t.to[k] - t.free);
     if (high <= low) {
       for (std::size_t j = 0; j < w; ++j) row[j] = std::min(best[j], running[j] + offset);
+      continue;
+    }
+    const float* source = in + index(low) * w;
+    if (high == low + 1 || !tabled) {
+      for (std::size_t j = 0; j < w; ++j)
+        row[j] = std::min(std::min(best[j], running[j] + offset), source[j]);
+      for (int q = low + 1; q < high; ++q) keepLess(row, in + index(q) * w, 0, w);
       continue;
     }
     const std::size_t p = WindowTables::power(high - low);
@@ -122,33 +128,32 @@ void convolveRows(const ChainStep& t, const ChainRows& rows, const float* in, fl
 void convolveLine(const ChainStep& t, int count, const float* in, float* out,
                   StepScratch& scratch) {
   const std::size_t n = index(count);
-  const int widest = findWindows(t, count, count, scratch);
-  const WindowTables windows = makeTables(in, n, 1, widest, scratch.tables);
-  // Least of what comes from labels below each one, and from it on: with the slope taken out.
-  scratch.running.resize(2 * (n + 1));
-  float* __restrict below = scratch.running.data();
-  float* __restrict above = below + n + 1;
-  for (std::size_t i = 0; i < n; ++i) {
-    const float moved = t.slope * t.from[i];
-    below[i + 1] = in[i] - moved;
-    above[i] = in[i] + moved;
+  // What comes from the labels from each one on, with the slope taken out.
+  scratch.running.resize(n + 1);
+  float* above = scratch.running.data();
+  float best = kUnreachable, least = kUnreachable;
+  above[n] = kUnreachable;
+  for (std::size_t i = n; i-- > 0;) {
+    const float moved = in[i] + t.slope * t.from[i];
+    least = moved < least ? moved : least;
+    above[i] = least;
+    best = in[i] < best ? in[i] : best;
   }
-  float best = kUnreachable;
-  for (std::size_t i = 0; i < n; ++i) best = in[i] < best ? in[i] : best;
   best += t.cap;
-  below[0] = above[n] = kUnreachable;
-  for (std::size_t i = 1, j = n; i <= n; ++i) {
-    below[i] = below[i] < below[i - 1] ? below[i] : below[i - 1];
-    --j;
-    above[j] = above[j] < above[j + 1] ? above[j] : above[j + 1];
-  }
+  float below = kUnreachable;
+  int low = 0, high = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const int low = scratch.low[k], high = scratch.high[k];
-    const float under = below[index(low)] + t.slope * (t.to[k] - t.free);
-    const float over = above[index(high)] - t.slope * (t.to[k] + t.free);
-    float least = std::min(best, std::min(under, over));
-    if (high > low) least = std::min({least, *windows.first(low, high), *windows.last(low, high)});
-    out[k] = least;
+    const float to = t.to[k], first = to - t.free, last = to + t.free;
+    for (; low < count && t.from[low] < first; ++low) {
+      const float moved = in[low] - t.slope * t.from[low];
+      below = moved < below ? moved : below;
+    }
+    while (high < count && t.from[high] <= last) ++high;
+    const float under = below + t.slope * first, over = above[high] - t.slope * last;
+    float value = under < best ? under : best;
+    value = over < value ? over : value;
+    for (int q = low; q < high; ++q) value = in[q] < value ? in[q] : value;
+    out[k] = value;
   }
 }
 

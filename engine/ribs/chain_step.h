@@ -32,7 +32,7 @@ struct ChainRows {
 void convolveRows(const ChainStep& step, const ChainRows& rows, const float* in, float* out,
                   StepScratch& scratch);
 
-/// The same for one column of `count` labels on either rib. O(count log window).
+/// The same for one column of `count` labels on either rib.
 void convolveLine(const ChainStep& step, int count, const float* in, float* out,
                   StepScratch& scratch);
 

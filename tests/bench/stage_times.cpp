@@ -18,6 +18,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
 #include "engine/vision/edges.h"
+#include "tests/bench/pen_stages.h"
 #include "tests/bench/report.h"
 #include "tests/bench/rib_stages.h"
 #include "tests/bench/scene.h"
@@ -33,15 +34,6 @@ T must(Result<T> result) {
     std::exit(1);
   }
   return std::move(result).value();
-}
-
-/// Part of a stroke, as it is while the pen moves: from a fifth of it to all.
-std::vector<PicturePoint> begun(const std::vector<PicturePoint>& stroke, int step, int steps) {
-  const std::size_t count = stroke.size() / 5 + stroke.size() * 4 / 5 *
-                                                    static_cast<std::size_t>(step + 1) /
-                                                    static_cast<std::size_t>(steps);
-  return {stroke.begin(),
-          stroke.begin() + static_cast<std::ptrdiff_t>(std::min(count, stroke.size()))};
 }
 
 std::string fileText(const std::string& path) {
@@ -135,16 +127,9 @@ void printStageTimes() {
     if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);
   });
   reportRegionStages(report);
-  constexpr int kMoves = 60;
-  for (const int ribs : {100, 200}) {
-    recipe.spine.ribs = ribs;
-    report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves,
-                 [&](int move) {
-                   document::LoftRecipe moving = recipe;
-                   moving.stroke = begun(recipe.stroke, move, kMoves);
-                   must(pipeline::shapePart(moving, edges, size, progress));
-                 });
-  }
+  bench::reportPenStages(picture, edges, report);
+  timeRibDrag(report, picture, edges, recipe.stroke);
+  bench::reportTwoWorkers(picture, report);
 }
 
 }  // namespace

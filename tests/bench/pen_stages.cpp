@@ -1,0 +1,130 @@
+#include "tests/bench/pen_stages.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "engine/base/worker_pool.h"
+#include "engine/document/document.h"
+#include "engine/document/update.h"
+#include "engine/pipeline/derive.h"
+#include "engine/ribs/d2_grid.h"
+#include "engine/vision/edges.h"
+#include "tests/bench/scene.h"
+
+#ifdef __EMSCRIPTEN__
+#include <emscripten/heap.h>
+#else
+#include <malloc.h>
+#endif
+
+namespace spineloft::bench {
+namespace {
+
+// Megabytes in use; of WebAssembly all that it ever took, for that never shrinks.
+double heapMegabytes() {
+#ifdef __EMSCRIPTEN__
+  return static_cast<double>(emscripten_get_heap_size()) / 1048576;
+#else
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd) / 1048576;
+#endif
+}
+
+template <class T>
+T must(Result<T> result) {
+  if (!result.ok()) std::exit(1);
+  return std::move(result).value();
+}
+
+// A picture with its edges, as the page holds them while a stroke is drawn.
+struct Desk {
+  document::Document model;
+  pipeline::Cache cache;
+  std::vector<PicturePoint> stroke;
+  Desk(const image::Picture& picture, const image::EdgeMap& edges)
+      : stroke(tubeStroke({picture.width, picture.height}, 200)) {
+    model = must(document::update({}, document::AddPicture{"tube", std::make_shared<const image::Picture>(picture)}));
+    cache.keepEdges(model.pictures[0]->contentHash, std::make_shared<const image::EdgeMap>(edges));
+  }
+  // The stroke's beginning; `wobble` makes it another stroke, which no cache knows.
+  void draw(double share, int ribs, int wobble) {
+    document::LoftRecipe recipe;
+    recipe.picture = PictureId{1};
+    recipe.spine.ribs = ribs;
+    const auto count = static_cast<std::size_t>(std::max(2.0, share * static_cast<double>(stroke.size())));
+    recipe.stroke.assign(stroke.begin(), stroke.begin() + static_cast<std::ptrdiff_t>(count));
+    for (PicturePoint& p : recipe.stroke) p.y += 0.01 * wobble;
+    must(pipeline::previewShape(model, document::Recipe{recipe}, cache));
+  }
+};
+
+double secondsOf(const std::function<void()>& work) {
+  const auto started = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
+
+// Time of two jobs one after the other over their time on two workers; the best of some tries each.
+double gainOfTwo(const std::function<void(int)>& job) {
+  WorkerPool pool(2);
+  if (pool.threads() < 2) return 0;
+  double alone = 1e9, together = 1e9;
+  for (int round = 0; round < 9; ++round) {
+    alone = std::min(alone, secondsOf([&] {
+      job(0);
+      job(1);
+    }));
+    together = std::min(together, secondsOf([&] {
+      int left = 2;
+      for (int i = 0; i < 2; ++i) {
+        pool.submit("half", [&job, i](const Progress&) { job(i); return i; }, [&left](int) { --left; });
+      }
+      while (left > 0) {
+        if (pool.pump() == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
+      }
+    }));
+  }
+  return alone / together;
+}
+
+}  // namespace
+
+void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges, Report& report) {
+  constexpr int kMoves = 200;
+  Desk desk(picture, edges);
+  int wobble = 0;
+  for (const int ribs : {100, 200}) {
+    const auto move = [&](int i) {
+      desk.draw(0.2 + 0.8 * (i + 1) / kMoves, ribs, ++wobble);
+    };
+    for (int i = 0; i < kMoves; i += 10) move(i);
+    report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves, move);
+  }
+  constexpr int kStrokes = 1000, kFirst = 10;
+  double first = 0;
+  for (int i = 0; i < kStrokes; ++i) {
+    desk.draw(1, 40, ++wobble);
+    if (i == kFirst) first = heapMegabytes();
+  }
+  report.value("heap, MB more after a thousand strokes", heapMegabytes() - first);
+}
+
+void reportTwoWorkers(const image::Picture& picture, Report& report) {
+  const double edges = gainOfTwo([&](int) { must(vision::detectEdges(picture, {}, Progress())); });
+  if (edges == 0) return;
+  const std::vector<PicturePoint> line = tubeStroke({300, 300}, 1000);
+  std::vector<float> halves[2];
+  const double field = gainOfTwo([&](int half) {
+    ribs::d2OnGrid(line, {{0, 150.0 * half}, 1, 300, 150}, halves[half]);
+  });
+  report.value("two workers against one, edges", edges);
+  report.value("two workers against one, field", field);
+}
+
+}  // namespace spineloft::bench

@@ -1,0 +1,18 @@
+// What a pen feels: from its move to the new mesh, and what a thousand strokes leave behind.
+#pragma once
+
+#include "engine/image/edge_map.h"
+#include "engine/image/image.h"
+#include "tests/bench/report.h"
+
+namespace spineloft::bench {
+
+/// A stroke that grows, as the page previews it: the caches of a document, one thread. Spines of 100
+/// and 200 points; then a thousand finished strokes, and by how much the heap grew from the tenth on.
+void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges, Report& report);
+
+/// How much faster two workers find the edges of two pictures, and the field on two halves of a grid,
+/// than one: 2 at best. Nothing where there are no threads.
+void reportTwoWorkers(const image::Picture& picture, Report& report);
+
+}  // namespace spineloft::bench
