@@ -240,6 +240,7 @@ Outcome showAlong(Env env, const Json& args) {
   if (env.ui.slices.alongOpen) {
     env.ui.tab = PanelTab::Along;
     env.ui.folded &= ~section;
+    env.ui.slices.revealGraph = true;
   } else {
     env.ui.folded |= section;
   }

@@ -76,6 +76,7 @@ struct SliceUi {
   ClientPoint carriedTo;
 
   bool alongOpen = false;  ///< the panel shows the graphs
+  bool revealGraph = false;  ///< the next frame scrolls them into view
   document::AlongKind along = document::AlongKind::Twist;
   std::optional<geometry::AlongCurve> graph;  ///< as it is while a point is dragged
   std::size_t graphPoint = 0;

@@ -190,7 +190,9 @@ struct UiState {
   PictureView pictureView;
   std::vector<SeenPicture> seen;  ///< how the other pictures were last looked at
   bool legendOpen = false;        ///< on a phone, where it is folded at first
-  double headRoom = 0;  ///< CSS pixels at the head of the picture view that its bar takes on a phone
+  /// CSS pixels of the picture view that bars take on a phone: at its head, and at its foot by more
+  /// rows than the one that is always reckoned with.
+  double headRoom = 0, footRoom = 0;
   Camera camera;
   std::optional<CameraFlight> flight;
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more

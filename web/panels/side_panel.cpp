@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -49,6 +50,21 @@ const document::Part* selectedRegion(const PanelEnv& env) {
   return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
 }
 
+const char* titleOf(const document::Part& region) {
+  return document::puffOf(region) ? "Puff" : "Flat piece";
+}
+
+/// A part without a bone has nothing along it and no ends.
+std::vector<Tab> tabsFor(const document::Part* region) {
+  std::vector<Tab> shown;
+  for (Tab tab : kTabs) {
+    if (region && (tab.tab == app::PanelTab::Along || tab.tab == app::PanelTab::Ends)) continue;
+    if (region && tab.tab == app::PanelTab::Slice) tab.label = titleOf(*region);
+    shown.push_back(tab);
+  }
+  return shown;
+}
+
 void column(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
@@ -58,8 +74,7 @@ void column(const PanelEnv& env) {
   commandButton(env, "new-part", side);
   partList(env);
   if (const document::Part* region = selectedRegion(env)) {
-    const char* title = document::puffOf(*region) ? "Puff" : "Flat piece";
-    if (section(env, app::PanelTab::Slice, title)) regionPanel(env, *region, width);
+    if (section(env, app::PanelTab::Slice, titleOf(*region))) regionPanel(env, *region, width);
   } else {
     if (section(env, app::PanelTab::Slice, env.selected() ? "Slice" : "Slice of the next part")) {
       sectionChooser(env, width);
@@ -75,22 +90,23 @@ void column(const PanelEnv& env) {
 
 void tabs(const PanelEnv& env, float width) {
   const float height = env.ui().touch ? 44.f : 38.f;
-  const float each = std::min(width / static_cast<float>(kTabs.size()), 140.f);
+  const std::vector<Tab> shown = tabsFor(selectedRegion(env));
+  const float each = std::min(width / static_cast<float>(shown.size()), 140.f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  for (std::size_t i = 0; i < kTabs.size(); ++i) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton(kTabs[i].label, {each, height})) env.ui().tab = kTabs[i].tab;
-    const bool on = env.ui().tab == kTabs[i].tab;
+    if (ImGui::InvisibleButton(shown[i].label, {each, height})) env.ui().tab = shown[i].tab;
+    const bool on = env.ui().tab == shown[i].tab;
     ImFont* font = on ? env.fonts.bold : env.fonts.text;
     ImGui::PushFont(font);
-    const ImVec2 extent = ImGui::CalcTextSize(kTabs[i].label);
+    const ImVec2 extent = ImGui::CalcTextSize(shown[i].label);
     list.AddText({at.x + (each - extent.x) / 2, at.y + (height - extent.y) / 2 - 1},
                  on                       ? kAccent
                  : ImGui::IsItemHovered() ? kInk
                                           : kMuted,
-                 kTabs[i].label);
+                 shown[i].label);
     ImGui::PopFont();
     if (on) {
       list.AddRectFilled({at.x + each * 0.2f, at.y + height - 4},
@@ -98,10 +114,6 @@ void tabs(const PanelEnv& env, float width) {
     }
   }
   ImGui::PopStyleVar();
-}
-
-void noBone(const PanelEnv& env) {
-  label(env.fonts.small, kMuted, "This part has no bone: its numbers are under Slice.");
 }
 
 void strip(const PanelEnv& env, const app::Rect& at) {
@@ -113,7 +125,8 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   ImGui::SetCursorPos({10, env.ui().touch ? 47.f : 43.f});
   ImGui::BeginChild("content", {width, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
   const document::Part* region = selectedRegion(env);
-  switch (env.ui().tab) {
+  const bool boneOnly = env.ui().tab == app::PanelTab::Along || env.ui().tab == app::PanelTab::Ends;
+  switch (region && boneOnly ? app::PanelTab::Slice : env.ui().tab) {
     case app::PanelTab::Parts:
       partList(env);
       break;
@@ -121,10 +134,10 @@ void strip(const PanelEnv& env, const app::Rect& at) {
       region ? regionPanel(env, *region, width) : sectionChooser(env, width);
       break;
     case app::PanelTab::Along:
-      region ? noBone(env) : alongPanel(env, width);
+      alongPanel(env, width);
       break;
     case app::PanelTab::Ends:
-      region ? noBone(env) : capChooser(env, width);
+      capChooser(env, width);
       break;
     case app::PanelTab::Place:
       placePanel(env, width);

@@ -137,6 +137,10 @@ void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float wi
 void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::AlongCurve& curve) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + graph.size.x, at.y + graph.size.y};
   ImGui::Dummy(graph.size);
+  if (env.ui().slices.revealGraph) {
+    ImGui::SetScrollHereY(1);
+    env.ui().slices.revealGraph = false;
+  }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 clipLow = list.GetClipRectMin(), clipHigh = list.GetClipRectMax();
   constexpr float kPad = 9;  // so that points at the edge can be taken
