@@ -190,6 +190,21 @@ test('a mug: body, handle and hollow inside', () => {
   assert.equal(solved.mesh.genus, 1, 'one handle');
 });
 
+test('what is stuck to a hollow thing does not stand into its inside, however deep it is nested', () => {
+  const meshes = { body: loft({ rings: 30, around: 40, radius: 0.3 }), bar: loft({ rings: 10, around: 12, length: 1.2, radius: 0.05 }) };
+  const kernel = fresh();
+  const hollow = node([{ mesh: 'body', part: 1, matrix: identity }], { kind: 'hollow', wall: 0.04, opening: [1, 0, 0] });
+  const empty = lawful(solve(kernel, [hollow], meshes), 'the cup').volume;
+  // A bar right through, square to the cup: what stands out of it on both sides is all that it adds.
+  const bar = { mesh: 'bar', part: 2, matrix: turned(Math.PI / 2, 0.4, -0.6) };
+  const inner = node([{ node: hollow.key }, bar], { step: 2 });
+  const once = lawful(solve(kernel, [hollow, inner], meshes), 'a bar through it').volume;
+  near(once - empty, Math.PI * 0.05 ** 2 * 0.6, 0.1, 'what the bar adds');
+  const second = { mesh: 'bar', part: 3, matrix: turned(Math.PI / 2, 0.7, -0.6) };
+  const twice = lawful(solve(kernel, [hollow, inner, node([{ node: inner.key }, second], { step: 3 })], meshes), 'two bars').volume;
+  near(twice - once, once - empty, 0.03, 'the second bar adds as much');
+});
+
 test('scooping out a body with its handle leaves no void in the handle that nothing could run out of', () => {
   const meshes = { body: loft({ rings: 30, around: 40, radius: 0.3 }), handle: loft({ rings: 60, around: 16, length: 0.9, radius: 0.07, bend: 3.2 }) };
   const both = node([{ mesh: 'body', part: 1, matrix: identity }, { mesh: 'handle', part: 2, matrix: [0, 1, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0.2, 0.28, 0, 1] }]);

@@ -137,11 +137,17 @@ function reaching({ positions, triangles }: Surface, along: (x: number, y: numbe
   return { positions, triangles: triangles.filter((_, i) => reaches[find(triangles[i]!)] === 1) };
 }
 
+/** What is left of a body, and what was taken out of it. Both are the caller's. */
+export interface Hollow {
+  shell: Manifold;
+  cavity: Manifold;
+}
+
 /**
  * A shell: the solid without everything that is deeper inside than the wall. Towards the opening the inside goes on
  * straight from where it is first as deep as the wall on all sides.
  */
-export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, part, own }: Making): Manifold {
+export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, part, own }: Making): Hollow {
   const surface = surfaceOf(body), { wall, opening } = node;
   const bounds = body.boundingBox() as Box;
   const longest = Math.max(...sidesOf(bounds));
@@ -166,13 +172,12 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   const inside = opening ? reaching(deep, along, rim) : deep;
   if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values) });
   const cavity = painted(library, inside, [{ id, paint: fitPaint(surface.properties, surface.stride) }]);
-  own.push(cavity);
   let outside = body;
   if (opening && node.cut > 0) {
     outside = body.trimByPlane(opening.map((x) => -x) as Point, -rim);
     own.push(outside);
   }
-  return outside.subtract(cavity);
+  return { shell: outside.subtract(cavity), cavity };
 }
 
 /** Both distances as one, rounded where they are about equal (polynomial smooth minimum). */

@@ -17,6 +17,10 @@ export class Unsolvable extends Error {
 
 interface Kept {
   solid: Manifold | null;
+  /** What was scooped out of it. */
+  cavity?: Manifold;
+  /** That, and what was scooped out of what it is joined from: it stays free. */
+  free?: Manifold[];
   failure?: SolidFailure;
   round: number;
 }
@@ -88,11 +92,11 @@ export class SolidKernel {
     const own: Manifold[] = [];
     try {
       const operands = node.operands.map((operand) => this.operand(operand, node.coarse, own));
-      const solid = this.combine(node, operands, own);
+      const { solid, cavity, free } = this.combine(node, operands, own);
       const status = solid.status();
       if (status !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
       if (solid.isEmpty()) throw new Unsolvable({ error: 'SolidEmpty' });
-      return { solid, round: this.round };
+      return { solid, round: this.round, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
     } catch (thrown) {
       return { solid: null, failure: failureOf(thrown), round: this.round };
     } finally {
@@ -138,19 +142,32 @@ export class SolidKernel {
     return id;
   }
 
-  private combine(node: SolidNode, operands: Manifold[], own: Manifold[]): Manifold {
+  private combine(node: SolidNode, operands: Manifold[], own: Manifold[]): { solid: Manifold; cavity?: Manifold; free: Manifold[] } {
     const { Manifold } = this.library;
     if (node.kind === 'hollow') {
       // A part with live symmetry comes with its twin.
       const body = operands.length > 1 ? Manifold.union(operands) : operands[0]!;
       if (operands.length > 1) own.push(body);
       const part = this.mainPart(body);
-      return hollowOf(this.library, body, node, { id: this.ownerId(part), part, own });
+      const { shell, cavity } = hollowOf(this.library, body, node, { id: this.ownerId(part), part, own });
+      return { solid: shell, cavity, free: [cavity] };
     }
     const plain = this.together(node, operands, own);
-    if (node.blend <= 0 || node.kind === 'common' || plain.isEmpty()) return plain;
+    const solid = node.blend <= 0 || node.kind === 'common' || plain.isEmpty() ? plain : this.rounded(node, plain, operands, own);
+    const free = node.kind === 'join' ? this.freeOf(node) : [];
+    if (free.length === 0) return { solid, free };
+    own.push(solid);
+    return { solid: this.library.Manifold.difference([solid, ...free]), free };
+  }
+
+  private rounded(node: SolidNode, plain: Manifold, operands: Manifold[], own: Manifold[]): Manifold {
     own.push(plain);
     return seamOf(this.library, { plain, operands, node, idOf: (operand) => this.ownerId(this.mainPart(operand)) }, own);
+  }
+
+  /** The insides of hollow operands: the end of a handle does not stand into its mug. */
+  private freeOf(node: SolidNode): Manifold[] {
+    return node.operands.flatMap((operand) => (isPart(operand) ? [] : this.solids.get(node.coarse ? `${operand.node}~` : operand.node)?.free ?? []));
   }
 
   /**
@@ -256,6 +273,7 @@ export class SolidKernel {
       for (const [key, kept] of map) {
         if (kept.round + kKept > this.round) continue;
         kept.solid?.delete();
+        kept.cavity?.delete();
         map.delete(key);
       }
     }
