@@ -1,7 +1,7 @@
 // The main job, on both engines: one stroke becomes a solid while it is drawn, and leaves as a file that others open.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { validateBytes } from 'gltf-validator';
+import { measure, parseObj, parseStl, validated } from './support/model_files.mjs';
 import { difference, drawWithMouse, exported, idle, kEngines, onPage, openPicture, pixels, run, state, useSite } from './support/page.mjs';
 import { dataCases, samples, tubePicture } from './support/pictures.mjs';
 import { loadWithThree } from './support/three.mjs';
@@ -16,52 +16,10 @@ async function withTube(engine, work) {
   });
 }
 
-/** Signed volume and bounding box of the triangles of an OBJ or STL. */
-function measure(triangles) {
-  let volume = 0;
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const [a, b, c] of triangles) {
-    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
-    for (const point of [a, b, c]) {
-      for (let k = 0; k < 3; ++k) {
-        low[k] = Math.min(low[k], point[k]);
-        high[k] = Math.max(high[k], point[k]);
-      }
-    }
-  }
-  return { volume, size: high.map((value, k) => value - low[k]), triangles: triangles.length };
-}
-
-function parseObj(bytes) {
-  const vertices = [], triangles = [];
-  for (const line of bytes.toString('utf8').split('\n')) {
-    const [key, ...values] = line.trim().split(/\s+/);
-    if (key === 'v') vertices.push(values.slice(0, 3).map(Number));
-    if (key === 'f') {
-      assert.equal(values.length, 3);
-      triangles.push(values.map((value) => vertices[Number.parseInt(value, 10) - 1]));
-    }
-  }
-  return triangles;
-}
-
-function parseStl(bytes) {
-  const count = bytes.readUInt32LE(80);
-  assert.equal(bytes.length, 84 + 50 * count);
-  const point = (at) => [bytes.readFloatLE(at), bytes.readFloatLE(at + 4), bytes.readFloatLE(at + 8)];
-  return Array.from({ length: count }, (_, i) => [0, 1, 2].map((k) => point(84 + 50 * i + 12 + 12 * k)));
-}
-
 /** The columns of a screenshot from one to another. */
 function columns(shot, from, to) {
   const rows = Array.from({ length: shot.height }, (_, y) => shot.data.subarray(4 * (y * shot.width + from), 4 * (y * shot.width + to)));
   return { data: Buffer.concat(rows) };
-}
-
-async function validated(bytes) {
-  const report = await validateBytes(new Uint8Array(bytes), { maxIssues: 20 });
-  assert.deepEqual(report.issues.messages.filter(({ severity }) => severity <= 1), []);
-  return report.info;
 }
 
 for (const engine of kEngines) {

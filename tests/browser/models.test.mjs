@@ -1,0 +1,110 @@
+// Whole models from real pictures, made as a visitor makes them: a mug, a tap and a swan. With $SPINELOFT_PICTURES
+// naming a folder, screenshots and the saved files go there.
+import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { measure, parseStl, validated } from './support/model_files.mjs';
+import { drawWithMouse, exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { dataCases } from './support/pictures.mjs';
+
+const kit = useSite();
+const kept = process.env.SPINELOFT_PICTURES;
+const model = (title, name, work) => {
+  const [found] = dataCases([name]);
+  const options = { skip: found ? false : `there is no case ${name} in the data folder` };
+  test(title, options, () => onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
+    await openPicture(page, found.bytes, name);
+    await work(page);
+  }));
+};
+
+async function command(page, id, args) {
+  await run(page, id, args);
+  await idle(page);
+}
+
+/** A stroke of the pen for a new part; the ends of the part where they are given. */
+async function loft(page, points, caps) {
+  await command(page, 'new-part');
+  await drawWithMouse(page, dense(points));
+  if (caps) await command(page, 'set-caps', caps);
+}
+
+/** A hand does not jump from corner to corner. */
+function dense(points) {
+  return points.slice(1).flatMap(([x, y], i) => {
+    const [px, py] = points[i];
+    return [0, 1, 2].map((k) => [px + ((x - px) * k) / 3, py + ((y - py) * k) / 3]);
+  }).concat([points.at(-1)]);
+}
+
+async function keep(page, name) {
+  if (!kept) return;
+  mkdirSync(kept, { recursive: true });
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(kept, `${name}.png`) });
+  for (const format of ['glb', 'stl', '3mf']) writeFileSync(join(kept, `${name}.${format}`), await exported(page, format));
+}
+
+/** The one solid on the board: `millimetres` tall, closed, outward, one piece of `genus` handles, and a sound GLB. */
+async function isWhole(page, { millimetres, genus }) {
+  await command(page, 'set-height', { mm: millimetres });
+  const root = (await state(page)).steps.find((step) => step.root);
+  assert.deepEqual([root.status, root.failure, root.genus], ['ready', null, genus]);
+  const { open, volume, size, pieces } = measure(parseStl(await exported(page, 'stl')));
+  assert.equal(open, 0, 'closed');
+  assert.equal(pieces, 1, 'one piece');
+  assert.ok(volume > 0, 'outward');
+  assert.ok(Math.abs(size[2] - millimetres) < 0.01, `${size[2]} mm tall`);
+  await validated(await exported(page, 'glb'));
+  await command(page, 'check-print');
+  assert.ok((await state(page)).print.closed);
+}
+
+model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
+  await loft(page, [[300, 200], [310, 300], [318, 600], [318, 800]], { start: 'flat', end: 'flat' });
+  await loft(page, [[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]], { start: 'round', end: 'round' });
+  const full = measure(parseStl(await exported(page, 'stl'))).volume;
+  await command(page, 'select-part', { id: 1 });
+  await command(page, 'scoop-out', { opening: 'up' });
+  await command(page, 'stick-together');
+  assert.ok(measure(parseStl(await exported(page, 'stl'))).volume < 0.5 * full, 'most of the body is air');
+  await isWhole(page, { millimetres: 95, genus: 1 });
+  await command(page, 'focus-solid');
+  for (const turn of ['turn-down', 'turn-down', 'turn-down', 'turn-left']) await command(page, turn);
+  await keep(page, 'mug');
+});
+
+model('a tap of three pipes', 'render_faucet_spout', async (page) => {
+  await loft(page, [[875, 422], [730, 443], [584, 475], [438, 500], [313, 480], [209, 511], [162, 595], [148, 678]], { start: 'flat', end: 'flat' });
+  await loft(page, [[464, 417], [457, 344], [449, 261], [443, 188], [437, 72]]);
+  await loft(page, [[296, 83], [365, 77], [438, 69], [511, 63], [582, 56]]);
+  await command(page, 'stick-together', { parts: [1, 2, 3] });
+  await isWhole(page, { millimetres: 80, genus: 0 });
+  await command(page, 'focus-solid');
+  for (const turn of ['turn-left', 'turn-left']) await command(page, turn);
+  await keep(page, 'tap');
+});
+
+model('a swan of lofts, puffs and wings', 'photo_swan_neck', async (page) => {
+  await loft(page, [[221, 519], [227, 436], [250, 325], [274, 241], [286, 176], [260, 130]], { start: 'round', end: 'round' });
+  await loft(page, [[223, 165], [195, 186], [160, 215]], { start: 'round', end: 'pointed' });
+  await command(page, 'puff');
+  await drawWithMouse(page, [[121, 519], [148, 464], [204, 408], [269, 380], [352, 388], [403, 394], [445, 454], [468, 519], [427, 531], [278, 536], [167, 536], [122, 521]]);
+  await drawWithMouse(page, [[262, 127], [257, 136], [247, 138], [239, 131], [241, 121], [250, 117], [259, 120], [262, 127]].map(([x, y]) => [x - 6, y]));
+  await command(page, 'set-place', { part: 4, z: 7 });
+  await command(page, 'symmetry', { axis: 'z' });
+  await command(page, 'sheet');
+  await drawWithMouse(page, [[287, 427], [352, 408], [417, 427], [482, 464], [515, 445], [482, 505], [380, 505], [306, 478], [289, 430]]);
+  await command(page, 'set-place', { part: 5, z: 26, turn: -6 });
+  await command(page, 'symmetry', { axis: 'z' });
+  const { parts } = await state(page);
+  assert.deepEqual(parts.map((part) => part.kind), ['loft', 'loft', 'puff', 'puff', 'sheet']);
+  await command(page, 'stick-together', { parts: [3, 1, 2, 4, 5] });
+  await isWhole(page, { millimetres: 120, genus: 0 });
+  await command(page, 'draw');
+  await command(page, 'focus-solid');
+  for (const turn of ['turn-left', 'turn-left', 'turn-up']) await command(page, turn);
+  await keep(page, 'swan');
+});
