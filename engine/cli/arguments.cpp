@@ -229,8 +229,9 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
 }
 
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 5> kKnown{"--json", "--jobs", "--overlays",
-                                                          "--ablation", "--variation"};
+  static constexpr std::array<std::string_view, 6> kKnown{"--json",     "--jobs",
+                                                          "--overlays", "--ablation",
+                                                          "--variation", "--leave-one-out"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -239,12 +240,13 @@ Arguments parseBench(std::span<const std::string_view> rest) {
   bench.json = words.option("--json");
   bench.overlays = words.option("--overlays");
   bench.ablation = words.option("--ablation");
+  bench.leaveOneOut = words.option("--leave-one-out");
   if (words.has("--variation")) bench.variation = words.option("--variation");
   if (variationFromKey(bench.variation) == nullptr) {
     return UsageProblem{"There is no variation " + bench.variation + "; there are " +
                         keysOf(variations()) + "."};
   }
-  if (const auto problem = clash({}, std::array{bench.json, bench.ablation})) return *problem;
+  if (const auto problem = clash({}, std::array{bench.json, bench.ablation, bench.leaveOneOut})) return *problem;
   if (words.has("--jobs")) {
     const auto jobs = numberOf(words.option("--jobs"));
     if (!jobs || *jobs < 1 || *jobs > 64 || *jobs != std::floor(*jobs)) {
@@ -305,7 +307,7 @@ std::string usageText() {
           "spineloft edges IMAGE --out FILE.png\n"
           "  the edges that were found, as large as the picture\n\n"
           "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
-          "                [--ablation FILE.md]\n"
+          "                [--ablation FILE.md] [--leave-one-out FILE.md]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

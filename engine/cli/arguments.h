@@ -45,6 +45,7 @@ struct BenchArguments {
   std::string folder;
   std::string json, overlays;  ///< empty where not wanted
   std::string ablation;        ///< Markdown of all variations (variations.h); empty where not wanted
+  std::string leaveOneOut;     ///< Markdown of leave_one_out.h; empty where not wanted
   std::string variation = "product";  ///< which of them the rows and overlays are of
   int jobs = 1;                ///< 1…64
 };

@@ -15,7 +15,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/cli/bench_cases.h"
 #include "engine/cli/files.h"
+#include "engine/cli/leave_one_out.h"
 #include "engine/cli/overlay.h"
 #include "engine/cli/program.h"
 #include "engine/cli/score.h"
@@ -31,47 +33,6 @@ namespace spineloft::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The folders with a case.json: the given one, or those right below it, by name.
-std::vector<fs::path> caseFolders(const std::string& root) {
-  std::vector<fs::path> folders;
-  std::error_code problem;
-  if (fs::exists(fs::path(root) / "case.json", problem)) return {fs::path(root)};
-  for (const auto& entry : fs::directory_iterator(root, problem)) {
-    if (fs::exists(entry.path() / "case.json", problem)) folders.push_back(entry.path());
-  }
-  std::sort(folders.begin(), folders.end());
-  return folders;
-}
-
-/// A case read into memory.
-struct LoadedCase {
-  io::BenchCase text;
-  image::Picture picture;
-  image::Mask mask;
-};
-
-Result<LoadedCase> loadCase(const fs::path& folder) {
-  const Result<std::string> text = readText((folder / "case.json").string());
-  if (!text.ok()) return text.failure();
-  Result<io::BenchCase> parsed = io::readBenchCase(text.value());
-  if (!parsed.ok()) return {parsed.error(), folder.string() + ": " + parsed.failure().detail};
-  LoadedCase loaded{std::move(parsed).value(), {}, {}};
-  const Result<Bytes> image = readFile((folder / loaded.text.image).string());
-  if (!image.ok()) return image.failure();
-  Result<image::Picture> picture = io::decodePicture(image.value(), Progress());
-  if (!picture.ok()) return {picture.error(), (folder / loaded.text.image).string()};
-  loaded.picture = std::move(picture).value();
-  const Result<Bytes> maskFile = readFile((folder / loaded.text.mask).string());
-  if (!maskFile.ok()) return maskFile.failure();
-  Result<image::Mask> mask = io::decodeMask(maskFile.value());
-  if (!mask.ok()) return {mask.error(), (folder / loaded.text.mask).string()};
-  loaded.mask = std::move(mask).value();
-  if (loaded.mask.width != loaded.picture.width || loaded.mask.height != loaded.picture.height) {
-    return {Error::JsonInvalid, folder.string() + ": the mask is not as large as the picture"};
-  }
-  return loaded;
-}
 
 void addScore(const Score& score, io::NamedNumbers& numbers) {
   numbers.insert(numbers.end(), {{"iou", score.iou},
@@ -387,22 +348,6 @@ io::NamedNumbers ablationRow(const std::vector<io::BenchRow>& rows) {
   return out;
 }
 
-std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines) {
-  std::ostringstream out;
-  out << "| |";
-  for (const auto& [name, value] : lines.front().second) out << ' ' << name << " |";
-  out << "\n|:--|";
-  for (std::size_t i = 0; i < lines.front().second.size(); ++i) out << "--:|";
-  for (const auto& [title, numbers] : lines) {
-    out << "\n| " << title << " |" << std::fixed;
-    for (const auto& [name, value] : numbers) {
-      out << ' ' << std::setprecision(name.back() == '%' ? 1 : 3) << value << " |";
-    }
-  }
-  out << '\n';
-  return out.str();
-}
-
 /// Every variation over all cases: into the report, and as a table in Markdown.
 Status ablate(const BenchArguments& arguments, const std::vector<fs::path>& folders,
               io::BenchReport& report) {
@@ -430,9 +375,14 @@ Status runBench(const BenchArguments& arguments, std::ostream& out) {
   Result<std::vector<io::BenchRow>> rows =
       runAll(arguments, folders, *variationFromKey(arguments.variation));
   if (!rows.ok()) return rows.failure();
-  io::BenchReport report{summaries(rows.value()), std::move(rows).value(), {}};
+  io::BenchReport report{summaries(rows.value()), std::move(rows).value(), {}, {}};
   if (!arguments.ablation.empty()) {
     if (Status status = ablate(arguments, folders, report); !status.ok()) return status.failure();
+  }
+
+  if (!arguments.leaveOneOut.empty()) {
+    if (Status status = leaveOneOut(arguments, folders, report); !status.ok())
+      return status.failure();
   }
 
   std::vector<std::pair<std::string, io::NamedNumbers>> lines;

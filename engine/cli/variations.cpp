@@ -30,7 +30,7 @@ RibParams edgesAlone() {
   EvidenceParams& e = params.evidence;
   e.contrastWeight = e.localContrastWeight = e.beyondWeight = 0;
   e.insideWeight = e.outsideWeight = 0;
-  e.knownShare = 0;
+  e.knownShare = e.rimWeight = 0;
   return params;
 }
 
@@ -49,7 +49,8 @@ std::vector<Variation> listed() {
       without(&EvidenceParams::beyondWeight, "no-beyond", "without edges further out"),
       without(&EvidenceParams::insideWeight, "no-inside", "without colours inside"),
       without(&EvidenceParams::outsideWeight, "no-outside", "without colours outside"),
-      without(&EvidenceParams::knownShare, "no-second-look", "without a second look at the colours")};
+      without(&EvidenceParams::knownShare, "no-second-look", "without a second look at the colours"),
+      without(&EvidenceParams::rimWeight, "no-third-look", "without a third look at the colours")};
   Variation shape{"no-neighbours", "without the neighbour term", {}, {}};
   shape.params.neighbourWeight = 0;
   all.push_back(shape);

@@ -41,13 +41,14 @@ void members(V& v, T& value) {
 template <class V, Is<ribs::EvidenceParams> T>
 void members(V& v, T& value) {
   auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-         outsideWeight, contrastReach, knownShare, doubt, weight] = value;
+         outsideWeight, rimWeight, contrastReach, knownShare, doubt, weight] = value;
   v("proximityWeight", proximityWeight);
   v("contrastWeight", contrastWeight);
   v("localContrastWeight", localContrastWeight);
   v("beyondWeight", beyondWeight);
   v("insideWeight", insideWeight);
   v("outsideWeight", outsideWeight);
+  v("rimWeight", rimWeight);
   v("contrastReach", contrastReach);
   v("knownShare", knownShare);
   v("doubt", doubt);

@@ -209,6 +209,7 @@ std::string writeBench(const BenchReport& report) {
   }
   Json all = {{"summary", groups(report.summary)}, {"cases", std::move(cases)}};
   if (!report.ablation.empty()) all["ablation"] = groups(report.ablation);
+  if (!report.leaveOneOut.empty()) all["leave_one_out"] = groups(report.leaveOneOut);
   return textOf(all, 1);
 }
 

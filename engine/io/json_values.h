@@ -61,11 +61,12 @@ struct BenchRow {
   std::string failure;  ///< empty when the part was made
 };
 /// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke",…}]}; with an
-/// ablation also "ablation":[{"name",…}].
+/// ablation also "ablation":[{"name",…}], and so "leave_one_out".
 struct BenchReport {
   std::vector<std::pair<std::string, NamedNumbers>> summary;
   std::vector<BenchRow> rows;
   std::vector<std::pair<std::string, NamedNumbers>> ablation;
+  std::vector<std::pair<std::string, NamedNumbers>> leaveOneOut;
 };
 std::string writeBench(const BenchReport& report);
 

@@ -19,9 +19,9 @@ void mix(Hasher& hasher, const ribs::SpineParams& params) {
 }
 void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
   const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-               outsideWeight, contrastReach, knownShare, doubt, weight] = params;
+               outsideWeight, rimWeight, contrastReach, knownShare, doubt, weight] = params;
   mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-         outsideWeight, contrastReach, knownShare, doubt, weight);
+         outsideWeight, rimWeight, contrastReach, knownShare, doubt, weight);
 }
 void mix(Hasher& hasher, const ribs::FairingParams& params) {
   const auto& [stiffness, leastTrust, corner, outlier] = params;

@@ -57,6 +57,8 @@ constexpr float kFullEdge = 0.7f, kLeastContrast = 2.f, kLeastLocalContrast = 1.
 constexpr int kNearby = 10;
 // Half the width that an edge fills along a curve, and what is left out beyond it, in map pixels.
 constexpr float kEdgeExtent = 4.f;
+// How far the rim reaches to either side, as a share of the way from the spine.
+constexpr float kRim = 0.2f;
 // What colours farther outside count for one that is just outside.
 constexpr float kFarther = 0.85f;
 // The share of a curve's labels over which an even spread costs nothing.
@@ -113,6 +115,27 @@ void placeOutside(const GradientCurves& curves, const Strip& strip, EvidenceScra
   }
 }
 
+// The rim of one curve, from the sums of its novelty.
+void rimOf(const GradientCurves& curves, const Strip& strip, int c,
+           const std::vector<float>& foreign, std::vector<float>& rim) {
+  const std::size_t row = curves.at(c, 0);
+  const int reached = curves.reached[index(c)];
+  const float* along = &curves.along[row];
+  const float least = kEdgeExtent * static_cast<float>(strip.pixel);
+  rim[row] = 0;
+  int in = 0, out = 0;
+  for (int k = 1; k < reached; ++k) {
+    const float breadth = std::max(least, kRim * along[k]);
+    in = std::min(levelAt(along, reached, in, along[k] - breadth), k - 1);
+    out = levelAt(along, reached, std::max(out, k), along[k] + breadth);
+    const auto mean = [&](int from, int to) {
+      return (foreign[index(to)] - foreign[index(from)]) / (along[to] - along[from]);
+    };
+    rim[row + index(k)] = (out > k ? mean(k, out) : 0.f) - mean(in, k);
+  }
+  std::fill(&rim[row] + reached, &rim[row] + curves.levels, 0.f);
+}
+
 }  // namespace
 
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
@@ -142,13 +165,14 @@ void boundaryTerms(const GradientCurves& curves, const Strip& strip, const Evide
   colourTerms(curves, strip, {}, terms);
 }
 
-void colourTerms(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+void colourTerms(const GradientCurves& curves, const Strip& strip, const KnownReach& known,
                  BoundaryTerms& terms) {
   std::vector<float>&novelty = terms.scratch.novelty, &foreign = terms.scratch.sums;
   spineNovelty(curves, strip, known, terms.scratch.colours, novelty);
   for (auto* plane : {&terms.inside, &terms.outside, &terms.farther}) {
     plane->resize(curves.x.size());
   }
+  terms.rim.resize(known.outside.empty() ? 0 : curves.x.size());
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t row = curves.at(c, 0);
     const auto reached = index(curves.reached[index(c)]);
@@ -169,6 +193,7 @@ void colourTerms(const GradientCurves& curves, const Strip& strip, const std::ve
     }
     for (float* plane : {inside, outside, farther})
       std::fill(plane + reached, plane + curves.levels, 0.f);
+    if (!known.outside.empty()) rimOf(curves, strip, c, foreign, terms.rim);
   }
 }
 
@@ -178,7 +203,7 @@ void boundaryCosts(const GradientCurves& curves, const Strip& strip, const Bound
   const float proximity = w(params.proximityWeight), contrast = w(params.contrastWeight);
   const float local = w(params.localContrastWeight), beyond = w(params.beyondWeight);
   const float inside = w(params.insideWeight), outside = w(params.outsideWeight);
-  const float farther = kFarther * outside;
+  const float farther = kFarther * outside, rim = w(params.rimWeight);
   const float even = kEvenShare * static_cast<float>(strip.levels), doubt = w(params.doubt);
   costs.resize(curves.x.size());
   for (int c = 0; c < strip.curves; ++c) {
@@ -193,6 +218,8 @@ void boundaryCosts(const GradientCurves& curves, const Strip& strip, const Bound
       cost[k] = proximity * near[k] + contrast * across[k] + local * nearby[k] - beyond * past[k] -
                 inside * in[k] + outside * out[k] + farther * far[k];
     }
+    for (std::size_t k = 1; k < reached && !terms.rim.empty(); ++k)
+      cost[k] += rim * terms.rim[row + k];
     float best = -1e9f, sum = 0;
     for (std::size_t k = 1; k < reached; ++k) best = cost[k] > best ? cost[k] : best;
     for (std::size_t k = 1; k < reached; ++k) cost[k] = quickExp(cost[k] - best);

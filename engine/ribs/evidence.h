@@ -57,6 +57,7 @@ struct ColourTables {
   std::vector<std::uint16_t> cells;  ///< of every entry of a strip
   std::vector<float> all;            ///< shares of the cells in the whole strip, smoothed
   std::vector<float> spine, stretches, blurred, foreign;  ///< memory of spineNovelty
+  std::vector<float> around, aroundStretches;             ///< the same
   std::vector<float> values;                              ///< memory of sortColours
 };
 
@@ -77,13 +78,23 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
 /// Sorts the colours of a strip into cells; what spineNovelty is asked about.
 void sortColours(const GradientCurves& curves, const Strip& strip, ColourTables& colours);
 
-/// How foreign every colour of the strip is to the spine: log(share among all of the strip / share
-/// within a few pixels of the spine), ± 2, from smoothed Lab histograms; the spine's is half of the
-/// whole spine, half of the stretch (an eighth) that the curve belongs to. Multiplied by how far
-/// the two distributions are apart at all, so that ink on paper, where both are paper, says
-/// nothing. `known` is empty, or says for every curve how far from the spine the object is already
-/// known to reach (picture pixels): colours up to there count as the spine's.
-void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+/// What is known of the object before its colours are looked at: arc lengths of every curve, picture
+/// pixels.
+struct KnownReach {
+  /// Up to here the object reaches surely; empty: a few pixels from the spine.
+  std::vector<float> inside;
+  /// From here on is surely what is around it; empty: that is not known. Infinite where it is not known
+  /// of one curve.
+  std::vector<float> outside;
+};
+
+/// How foreign every colour of the strip is to the object: log(share around it / share in it), ± 2,
+/// from smoothed Lab histograms. The object's is half of what is known of all of it, half of the
+/// stretch (an eighth of the spine) that the curve belongs to. Where it is known where the object ends,
+/// the share around it is that up to three and a half times as far, mostly of the stretch; where not,
+/// it is that of the whole strip, and the novelty is multiplied by how far the two distributions are
+/// apart at all, so that ink on paper, where both are paper, says nothing.
+void spineNovelty(const GradientCurves& curves, const Strip& strip, const KnownReach& known,
                   ColourTables& colours, std::vector<float>& novelty);
 
 /// The terms of the boundary's score, each curves × levels.
@@ -97,14 +108,17 @@ struct BoundaryTerms {
   /// Mean novelty from there to two and a half times as far: where the spine's colours come back, what
   /// lies in between was a stripe or a highlight. Weighed as a share of `outside`.
   std::vector<float> farther;
+  /// Mean novelty just outside (a fifth of the way from the spine) less that just inside. Empty where
+  /// the colours around the object are not known.
+  std::vector<float> rim;
   EvidenceScratch scratch;
 };
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms);
 
-/// Fills `inside`, `outside` and `farther` alone, with more of the object known (see spineNovelty), in
-/// terms that boundaryTerms filled for the same strip.
-void colourTerms(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+/// Fills `inside`, `outside`, `farther` and `rim` alone, with more of the object known (see
+/// spineNovelty), in terms that boundaryTerms filled for the same strip.
+void colourTerms(const GradientCurves& curves, const Strip& strip, const KnownReach& known,
                  BoundaryTerms& terms);
 
 /// Costs of all curves and levels: −log(p + doubt), where p is the softmax along each curve of the

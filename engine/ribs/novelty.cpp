@@ -15,7 +15,14 @@ constexpr std::size_t kCells = static_cast<std::size_t>(kBins) * kBins * kBins;
 constexpr int kStretches = 8;
 // The spine's own colours are taken this close to it, in map pixels: surely inside the object.
 constexpr float kSpineReach = 4;
-constexpr float kLeastShare = 2e-4f;  // below it a colour's share is not known
+// Below it a colour's share is not known: where all colours are set against the spine's, and where
+// those around the object are known.
+constexpr float kLeastShare = 2e-4f, kLeastAround = 3e-3f;
+// What the stretch counts for of what is around the object: that changes along it more than the object.
+constexpr float kNearAround = 0.8f;
+// What is around the object is learned up to this many times as far as it begins, and so many map
+// pixels more.
+constexpr float kAround = 3.5f, kAroundMargin = 16;
 constexpr float kMostNovelty = 2;
 // Smallest ranges that the bins of lightness and of a and b span, Lab units.
 constexpr float kLightRange = 20, kColourRange = 14;
@@ -126,39 +133,78 @@ bool ofRib(const CurveLayout& layout, int c) {
   return c < layout.ribs || (c >= layout.ribs + layout.fan && c < 2 * layout.ribs + layout.fan);
 }
 
-// The shares of the cells close to the spine, or up to what is known, in all and by stretch.
-void learn(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
-           ColourTables& colours) {
-  colours.spine.assign(kCells, 0.f);
-  colours.stretches.assign(kStretches * kCells, 0.f);
-  const float reach = kSpineReach * static_cast<float>(strip.pixel);
-  for (int c = 0; c < strip.curves; ++c) {
-    if (!ofRib(curves.layout, c)) continue;
+// Adds up a histogram of the whole and of the stretches.
+class Learner {
+ public:
+  Learner(const GradientCurves& curves, const Strip& strip, ColourTables& colours,
+          std::vector<float>& whole, std::vector<float>& stretches)
+      : curves_(curves), strip_(strip), colours_(colours), whole_(whole), stretches_(stretches) {
+    whole_.assign(kCells, 0.f);
+    stretches_.assign(kStretches * kCells, 0.f);
+  }
+
+  // The colours of one curve from one arc length to another.
+  void add(int c, float from, float to) {
     // A curve counts for the stretches on both sides of it in proportion to nearness.
-    const float at = positionOf(curves.layout, c) * kStretches - 0.5f;
+    const float at = positionOf(curves_.layout, c) * kStretches - 0.5f;
     const int low = std::clamp(static_cast<int>(std::floor(at)), 0, kStretches - 1);
     const int high = std::min(low + 1, kStretches - 1);
     const float share = std::clamp(at - static_cast<float>(low), 0.f, 1.f);
-    const float near = std::max(reach, known.empty() ? 0.f : known[index(c)]);
-    float* lower = &colours.stretches[index(low) * kCells];
-    float* upper = &colours.stretches[index(high) * kCells];
-    for (int k = 1; k < curves.reached[index(c)]; ++k) {
-      const std::size_t i = curves.at(c, k);
-      if (curves.along[i] > near) break;
-      if (strip.isIgnored(i)) continue;
-      const float run = curves.along[i] - curves.along[i - 1];
-      colours.spine[colours.cells[i]] += run;
-      lower[colours.cells[i]] += run * (1 - share);
-      upper[colours.cells[i]] += run * share;
+    float* lower = &stretches_[index(low) * kCells];
+    float* upper = &stretches_[index(high) * kCells];
+    for (int k = 1; k < curves_.reached[index(c)]; ++k) {
+      const std::size_t i = curves_.at(c, k);
+      if (curves_.along[i] > to) break;
+      if (curves_.along[i] < from || strip_.isIgnored(i)) continue;
+      const float run = curves_.along[i] - curves_.along[i - 1];
+      const std::size_t cell = colours_.cells[i];
+      whole_[cell] += run;
+      lower[cell] += run * (1 - share);
+      upper[cell] += run * share;
     }
   }
-  finish(colours.spine.data(), colours.blurred);
-  for (std::size_t s = 0; s < kStretches; ++s)
-    finish(&colours.stretches[s * kCells], colours.blurred);
+
+  void done() {
+    finish(whole_.data(), colours_.blurred);
+    for (std::size_t s = 0; s < kStretches; ++s) finish(&stretches_[s * kCells], colours_.blurred);
+  }
+
+ private:
+  const GradientCurves& curves_;
+  const Strip& strip_;
+  ColourTables& colours_;
+  std::vector<float>&whole_, &stretches_;
+};
+
+// The colours of the object, as far as it is known.
+void learnObject(const GradientCurves& curves, const Strip& strip, const std::vector<float>& inside,
+                 ColourTables& colours) {
+  Learner learner(curves, strip, colours, colours.spine, colours.stretches);
+  const float reach = kSpineReach * static_cast<float>(strip.pixel);
+  for (int c = 0; c < strip.curves; ++c) {
+    if (!ofRib(curves.layout, c)) continue;
+    learner.add(c, 0, inside.empty() ? reach : std::max(reach, inside[index(c)]));
+  }
+  learner.done();
 }
 
-// How foreign every cell is to every stretch.
-void compare(ColourTables& colours) {
+// The colours of what is around it.
+void learnAround(const GradientCurves& curves, const Strip& strip,
+                 const std::vector<float>& outside, ColourTables& colours) {
+  Learner learner(curves, strip, colours, colours.around, colours.aroundStretches);
+  const float margin = kAroundMargin * static_cast<float>(strip.pixel);
+  for (int c = 0; c < strip.curves; ++c)
+    learner.add(c, outside[index(c)], kAround * outside[index(c)] + margin);
+  learner.done();
+}
+
+float held(float ratio) {
+  const float low = ratio < -kMostNovelty ? -kMostNovelty : ratio;
+  return low > kMostNovelty ? kMostNovelty : low;
+}
+
+// How foreign every cell is to every stretch, against all colours.
+void compareWithAll(ColourTables& colours) {
   const std::vector<float>&all = colours.all, &spine = colours.spine;
   float overlap = 0;  // Bhattacharyya coefficient
   for (std::size_t i = 0; i < kCells; ++i) overlap += std::sqrt(all[i] * spine[i]);
@@ -169,9 +215,22 @@ void compare(ColourTables& colours) {
     float* out = &colours.foreign[s * kCells];
     for (std::size_t i = 0; i < kCells; ++i) {
       const float own = 0.5f * (spine[i] + stretch[i]);
-      const float ratio = quickLog((all[i] + kLeastShare) / (own + kLeastShare));
-      const float low = ratio < -kMostNovelty ? -kMostNovelty : ratio;
-      out[i] = trust * (low > kMostNovelty ? kMostNovelty : low);
+      out[i] = trust * held(quickLog((all[i] + kLeastShare) / (own + kLeastShare)));
+    }
+  }
+}
+
+// The same against those around the object.
+void compareWithAround(ColourTables& colours) {
+  colours.foreign.resize(kStretches * kCells);
+  for (std::size_t s = 0; s < kStretches; ++s) {
+    const float *stretch = &colours.stretches[s * kCells],
+                *near = &colours.aroundStretches[s * kCells];
+    float* out = &colours.foreign[s * kCells];
+    for (std::size_t i = 0; i < kCells; ++i) {
+      const float own = 0.5f * (colours.spine[i] + stretch[i]);
+      const float other = colours.around[i] + kNearAround * (near[i] - colours.around[i]);
+      out[i] = held(quickLog((other + kLeastAround) / (own + kLeastAround)));
     }
   }
 }
@@ -190,16 +249,21 @@ void sortColours(const GradientCurves& curves, const Strip& strip, ColourTables&
   finish(colours.all.data(), colours.blurred);
 }
 
-void spineNovelty(const GradientCurves& curves, const Strip& strip, const std::vector<float>& known,
+void spineNovelty(const GradientCurves& curves, const Strip& strip, const KnownReach& known,
                   ColourTables& colours, std::vector<float>& novelty) {
-  learn(curves, strip, known, colours);
+  learnObject(curves, strip, known.inside, colours);
   novelty.resize(curves.x.size());
   // With the whole spine ignored nothing is known of its colours.
   if (std::ranges::all_of(colours.spine, [](float share) { return share == 0; })) {
     std::ranges::fill(novelty, 0.f);
     return;
   }
-  compare(colours);
+  if (known.outside.empty()) {
+    compareWithAll(colours);
+  } else {
+    learnAround(curves, strip, known.outside, colours);
+    compareWithAround(colours);
+  }
   for (int c = 0; c < strip.curves; ++c) {
     const float* own = &colours.foreign[index(stretchOf(curves.layout, c)) * kCells];
     const std::size_t row = curves.at(c, 0), end = row + index(curves.reached[index(c)]);

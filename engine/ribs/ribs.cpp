@@ -27,7 +27,7 @@ struct RibWorkspace::Search {
   GradientCurves curves;
   Strip strip;
   BoundaryTerms terms;
-  std::vector<float> known;    // how far from the spine the object reaches, along every curve
+  KnownReach known;
   std::vector<float> costs;    // of every curve and level
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
@@ -54,6 +54,12 @@ constexpr double kFarthestPerLength = 1.0;
 constexpr double kFarthestPerSide = 0.75;
 // Half width without a picture, or where it shows nothing at all, as a share of the spine's length.
 constexpr double kDefaultHalfWidth = 0.1;
+// From this many times as far as the ends is surely not the object any more.
+constexpr float kSurelyOutside = 1.15f;
+// In the third look an end may come to stand this many times farther or nearer for nothing; then every
+// factor of e costs so much.
+constexpr float kMostChange = 1.5f;
+constexpr double kPriceOfChange = 3;
 // A rib end with at least this share of a full edge under it stands on one.
 constexpr float kOnEdge = 0.5f;
 
@@ -86,8 +92,8 @@ void defaultCosts(Search& s) {
 
 double shareOfRib(const Search& s) { return kReferenceRibs / s.curves.layout.ribs; }
 
-void weighTerms(Search& s) {
-  boundaryCosts(s.curves, s.strip, s.terms, s.params.evidence, s.costs);
+void weighTerms(const EvidenceParams& params, Search& s) {
+  boundaryCosts(s.curves, s.strip, s.terms, params, s.costs);
   const double weight = s.params.evidence.weight * shareOfRib(s);
   for (float& cost : s.costs) cost *= static_cast<float>(weight);
 }
@@ -100,22 +106,22 @@ void firstEvidence(const PictureEvidence& picture, Search& s) {
   for (std::size_t i = 0; i < s.support.size(); ++i) {
     s.support[i] = std::max(s.terms.contrast[i], s.strip.proximity[i]);
   }
-  weighTerms(s);
+  weighTerms(s.params.evidence, s);
 }
 
 // The evidence again, with the inner part of the even part as the object's colours.
 void secondEvidence(const EvenPart& even, Search& s) {
   const auto share = static_cast<float>(s.params.evidence.knownShare);
-  std::vector<float>& known = s.known;
-  known.assign(index(s.curves.layout.total()), 0.f);
+  s.known.inside.assign(index(s.curves.layout.total()), 0.f);
+  s.known.outside.clear();
   for (int i = 0; i < s.curves.layout.ribs; ++i) {
     const float half = share * even.width[index(i)] / 2;
     const auto lean = static_cast<float>(even.lean);
-    known[index(s.curves.layout.left(i))] = half * (1 + lean);
-    known[index(s.curves.layout.right(i))] = half * (1 - lean);
+    s.known.inside[index(s.curves.layout.left(i))] = half * (1 + lean);
+    s.known.inside[index(s.curves.layout.right(i))] = half * (1 - lean);
   }
-  colourTerms(s.curves, s.strip, known, s.terms);
-  weighTerms(s);
+  colourTerms(s.curves, s.strip, s.known, s.terms);
+  weighTerms(s.params.evidence, s);
 }
 
 void fillSide(Search& s, bool leftSide) {
@@ -225,6 +231,49 @@ void bestLabels(bool withColours, Search& s, LengthLabels& best) {
     chosen = i;
   }
   if (last != chosen) suppose(chosen);  // states and fans are read from its evidence
+}
+
+// The curve of a rib on one side, and where its end stands on it.
+struct RibEnd {
+  int curve;
+  float along;
+};
+template <class Do>
+void forEnds(const Search& s, const LengthLabels& labels, Do&& what) {
+  for (int i = 0; i < s.curves.layout.ribs; ++i) {
+    const int left = s.curves.layout.left(i), right = s.curves.layout.right(i);
+    what(RibEnd{left, s.curves.along[s.curves.at(left, labels.left[index(i)])]});
+    what(RibEnd{right, s.curves.along[s.curves.at(right, labels.right[index(i)])]});
+  }
+}
+
+// The evidence once more, with the colours inside the part that was found against those around it.
+// Ends are held near to where they are, for colours that were learned from a wrong part can lead
+// to a worse one.
+void thirdEvidence(const LengthLabels& labels, Search& s) {
+  constexpr float kUnknown = std::numeric_limits<float>::infinity();
+  s.known.inside.assign(index(s.curves.layout.total()), 0.f);
+  s.known.outside.assign(s.known.inside.size(), kUnknown);
+  forEnds(s, labels, [&](RibEnd end) {
+    s.known.inside[index(end.curve)] = end.along;
+    s.known.outside[index(end.curve)] = kSurelyOutside * end.along;
+  });
+  colourTerms(s.curves, s.strip, s.known, s.terms);
+  // Contrast against what is near lifts the borders of shadows and haloes; colours do its work now.
+  EvidenceParams params = s.params.evidence;
+  params.localContrastWeight = 0;
+  weighTerms(params, s);
+  const float most = std::log(kMostChange);
+  const auto price = static_cast<float>(kPriceOfChange * shareOfRib(s));
+  forEnds(s, labels, [&](RibEnd end) {
+    for (int k = 1; k < s.curves.reached[index(end.curve)]; ++k) {
+      const std::size_t at = s.curves.at(end.curve, k);
+      const float change = std::abs(std::log(s.curves.along[at] / std::max(1e-3f, end.along)));
+      if (change > most) s.costs[at] += price * (change - most);
+    }
+  });
+  fillSide(s, true);
+  fillSide(s, false);
 }
 
 // Edge where the end stands on one; Bridged between two of those; else Guessed.
@@ -346,6 +395,10 @@ Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
   const bool withColours = !edges.empty() && params.evidence.knownShare > 0;
   LengthLabels& labels = s.labels;
   bestLabels(withColours, s, labels);
+  if (withColours && params.evidence.rimWeight > 0 && !s.variant.sampled) {
+    thirdEvidence(labels, s);
+    findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, labels);
+  }
   if (!progress.advance(0.9)) return Error::Cancelled;
   RibSet set = readRibs(s, labels);
   progress.advance(1);
@@ -377,7 +430,7 @@ bool inRange(const RibParams& p) {
   const EvidenceParams& e = p.evidence;
   for (double weight :
        {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight,
-        e.outsideWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
+        e.outsideWeight, e.rimWeight, e.weight, p.leanCost, p.priorWeight, p.neighbourFreedom}) {
     if (!within(weight, 0, 10)) return false;
   }
   const FairingParams& f = p.fairing;

@@ -92,6 +92,8 @@ struct EvidenceParams {
   double beyondWeight = 0.55;        ///< against edges further out, 0…10
   double insideWeight = 0.75;        ///< against colours foreign to the spine inside, 0…10
   double outsideWeight = 1.4;        ///< for colours foreign to the spine outside, 0…10
+  /// For colours that change here, once those around the object are known; 0…10, 0: no third look.
+  double rimWeight = 0.3;
   double contrastReach = 2;  ///< half-length over which contrast is taken, map pixels, 0.5…20
   /// Share of the best even part's half width whose colours count as the object's in a second look;
   /// 0 (no second look) … 0.9.

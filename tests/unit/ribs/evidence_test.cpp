@@ -111,10 +111,42 @@ TEST_CASE("a colour inside the part that is known is not foreign any more") {
   std::vector<float> first, second;
   spineNovelty(scene.curves, scene.strip, {}, scene.colours, first);
   const std::vector<float> known(static_cast<std::size_t>(scene.curves.layout.total()), 25.f);
-  spineNovelty(scene.curves, scene.strip, known, scene.colours, second);
+  spineNovelty(scene.curves, scene.strip, {known, {}}, scene.colours, second);
   CHECK(scene.at(first, 15) > 0.3);
   CHECK(scene.at(second, 15) < 0);
   CHECK(scene.at(second, 60) > 0.3);
+}
+
+TEST_CASE("what is known to lie around the object is foreign to it, ink and paper alike") {
+  // Paper inside and outside, and a line between: all of the strip hardly differs from the spine.
+  const auto line = [](PicturePoint p) { return std::abs(std::abs(p.y - 150) - 30) < 2; };
+  image::EdgeMap map = fixtures::mapOf(kPicture, line);
+  // The paper outside is a little darker.
+  paint(
+      map, [](PicturePoint p) { return std::abs(p.y - 150) > 32; }, 84, 0);
+  const Scene scene(map);
+  std::vector<float> alone, both;
+  spineNovelty(scene.curves, scene.strip, {}, scene.colours, alone);
+  const std::vector<float> ends(static_cast<std::size_t>(scene.curves.layout.total()), 30.f);
+  spineNovelty(scene.curves, scene.strip, {ends, ends}, scene.colours, both);
+  CHECK(scene.at(both, 60) > 0.3);
+  CHECK(scene.at(both, 60) > scene.at(alone, 60));
+  CHECK(scene.at(both, 15) < -0.5);
+}
+
+TEST_CASE("the rim is strongest where the object's colours give way to those around it") {
+  const Scene scene(fixtures::mapOf(kPicture, inBar));
+  BoundaryTerms terms;
+  boundaryTerms(scene.curves, scene.strip, {}, terms);
+  CHECK(terms.rim.empty());  // nothing is known of what is around it
+  for (const float ends : {22.f, 30.f, 40.f}) {
+    const std::vector<float> known(static_cast<std::size_t>(scene.curves.layout.total()), ends);
+    colourTerms(scene.curves, scene.strip, {known, known}, terms);
+    CHECK(scene.at(terms.rim, 30) > 1);
+    CHECK(scene.at(terms.rim, 30) > scene.at(terms.rim, 20));
+    CHECK(scene.at(terms.rim, 30) > scene.at(terms.rim, 45));
+    CHECK(std::abs(scene.at(terms.rim, 90)) < 0.3);
+  }
 }
 
 TEST_CASE("where the spine sees what there is everywhere, colour says nothing") {

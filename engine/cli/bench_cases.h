@@ -1,0 +1,30 @@
+// The cases of a data folder, read and ready to be scored; tables in Markdown.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/image/image.h"
+#include "engine/io/json_values.h"
+
+namespace spineloft::cli {
+
+/// The folders with a case.json: the given one, or those right below it, by name.
+std::vector<std::filesystem::path> caseFolders(const std::string& root);
+
+/// A case read into memory.
+struct LoadedCase {
+  io::BenchCase text;
+  image::Picture picture;
+  image::Mask mask;  ///< as large as the picture
+};
+/// Errors: those of reading files, pictures and JSON, with the path that is to blame.
+Result<LoadedCase> loadCase(const std::filesystem::path& folder);
+
+/// One line each, with the columns of the first; numbers named "… %" get one decimal, others three.
+std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines);
+
+}  // namespace spineloft::cli
