@@ -1,7 +1,7 @@
 // Solids made on the page, with real pointers on real pictures and the real solver in its worker.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { validateBytes } from 'gltf-validator';
+import { measure, parseStl, validated } from './support/model_files.mjs';
 import { drawWithMouse, exported, idle, onPage, openPicture, run, state, toastText, toClient, useSite } from './support/page.mjs';
 import { dataCases, samples } from './support/pictures.mjs';
 
@@ -25,37 +25,14 @@ async function withTwo(work) {
 const steps = async (page) => (await state(page)).steps;
 const root = async (page) => (await steps(page)).findLast((step) => step.root);
 
-/** Volume, how many edges are open and how high it stands, of a binary STL by its corners alone. */
-function measureStl(bytes) {
-  const count = bytes.readUInt32LE(80), edges = new Map();
-  assert.equal(bytes.length, 84 + 50 * count);
-  let volume = 0, low = Infinity, high = -Infinity;
-  for (let t = 0; t < count; t += 1) {
-    const corners = [0, 1, 2].map((c) => [0, 1, 2].map((k) => bytes.readFloatLE(84 + 50 * t + 12 + 12 * c + 4 * k)));
-    const [a, b, c] = corners;
-    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
-    corners.forEach((from, k) => {
-      const key = `${from} to ${corners[(k + 1) % 3]}`;
-      edges.set(key, (edges.get(key) ?? 0) + 1);
-      low = Math.min(low, from[2]);
-      high = Math.max(high, from[2]);
-    });
-  }
-  let open = 0;
-  for (const [key, times] of edges) {
-    const [from, to] = key.split(' to ');
-    if (from !== to && (edges.get(`${to} to ${from}`) ?? 0) !== times) open += 1;
-  }
-  return { volume, open, count, height: high - low };
-}
+const measureStl = (bytes) => measure(parseStl(bytes));
 
 /** What is saved: a closed, outward STL and a GLB without a fault. */
 async function lawful(page) {
   const found = measureStl(await exported(page, 'stl'));
   assert.equal(found.open, 0, 'closed');
   assert.ok(found.volume > 0, 'outward');
-  const { issues } = await validateBytes(new Uint8Array(await exported(page, 'glb')));
-  assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages.slice(0, 3)));
+  await validated(await exported(page, 'glb'));
   return found;
 }
 
