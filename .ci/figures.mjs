@@ -48,7 +48,7 @@ const kFigures = {
     ['proc_very_long_g50', 'careful', 'product', 'half erased, noisy, very long'],
     ['photo_coffee_cup', 'careful', 'product', 'a cup on a saucer of its colour'],
     ['proc_c_ring_g25', 'sloppy', 'product', 'halos where the outline was erased'],
-    ['render_faucet_spout', 'careful', 'product', 'a shiny pipe with a highlight'],
+    ['render_lamp_missing', 'sloppy', 'product', 'pieces bitten out of both sides'],
   ],
 };
 
