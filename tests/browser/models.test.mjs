@@ -67,7 +67,7 @@ model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
   await loft(page, [[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]], { start: 'round', end: 'round' });
   const full = measure(parseStl(await exported(page, 'stl'))).volume;
   await command(page, 'select-part', { id: 1 });
-  await command(page, 'scoop-out', { opening: 'up' });
+  await command(page, 'scoop-out', { opening: 'start' });
   await command(page, 'stick-together');
   assert.ok(measure(parseStl(await exported(page, 'stl'))).volume < 0.5 * full, 'most of the body is air');
   await isWhole(page, { millimetres: 95, genus: 1 });

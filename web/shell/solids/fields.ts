@@ -137,23 +137,6 @@ function reaching({ positions, triangles }: Surface, along: (x: number, y: numbe
   return { positions, triangles: triangles.filter((_, i) => reaches[find(triangles[i]!)] === 1) };
 }
 
-/**
- * How far down from the top the inside is first about as wide as it goes on: an opening there is a mouth, also where
- * the top is slanted or a dome, and the neck of a bottle stays a neck.
- */
-function shoulderOf(grid: Grid, values: Float32Array, wall: number, down: (x: number, y: number, z: number) => number): number {
-  const slice = 2 * grid.step, grows = 1.1;
-  const counts: number[] = [];
-  sample(grid, (x, y, z, i) => {
-    const slot = Math.floor(down(x, y, z) / slice);
-    if (-values[i]! > wall && slot >= 0) counts[slot] = (counts[slot] ?? 0) + 1;
-    return 0;
-  });
-  let at = counts.findIndex((count) => count > 0);
-  while (at >= 0 && (counts[at + 1] ?? 0) > grows * counts[at]!) at += 1;
-  return at < 0 ? 0 : (at + 0.5) * slice;
-}
-
 /** What is left of a body, and what was taken out of it. Both are the caller's. */
 export interface Hollow {
   shell: Manifold;
@@ -162,7 +145,7 @@ export interface Hollow {
 
 /**
  * A shell: the solid without everything that is deeper inside than the wall. Towards the opening the inside goes on
- * straight from its shoulder.
+ * straight from where it is first as deep as the wall on all sides.
  */
 export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, part, own }: Making): Hollow {
   const surface = surfaceOf(body), { wall, opening } = node;
@@ -180,7 +163,7 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
     high = Math.max(high, s);
   }
   const rim = opening ? high - node.cut * (high - low) : Infinity;
-  const throat = opening ? Math.min(rim, high - wall - step, high - shoulderOf(grid, field.values, wall, (x, y, z) => high - along(x, y, z))) : Infinity;
+  const throat = opening ? Math.min(rim, high - wall - step) : Infinity;
   const deep = surfaceWhere(grid, sample(grid, (x, y, z, i) => {
     const beyond = opening ? along(x, y, z) - throat : 0;
     return (opening && beyond > 0 ? -field.at(x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : -field.values[i]!) - wall;
