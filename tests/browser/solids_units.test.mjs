@@ -181,6 +181,15 @@ test('a hollow is as thick as its wall, open where it should be', () => {
   assert.ok(Math.hypot(thick.at[1], thick.at[2]) < 0.05, 'it is shown on the middle line, where the most room is');
 });
 
+test('a flat lid that leans a little opens as a whole, a dome as far as it was asked to', () => {
+  const meshes = { rod: loft({ rings: 40, around: 48, radius: 0.25 }) };
+  const outer = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const scooped = (angle) => outer - lawful(solve(fresh(), [node([rod(1, turned(angle))], { kind: 'hollow', wall: 0.04, opening: [1, 0, 0] })], meshes), 'leaning').volume;
+  const straight = scooped(0);
+  near(straight, Math.PI * 0.21 ** 2 * 0.96, 0.03, 'what is scooped out of a straight one');
+  for (const angle of [-0.2, 0.1, 0.3]) near(scooped(angle), straight, 0.03, `leaning by ${angle}`);
+});
+
 test('a mug: body, handle and hollow inside', () => {
   const meshes = { body: loft({ rings: 30, around: 40, radius: 0.3 }), handle: loft({ rings: 40, around: 12, length: 0.9, radius: 0.05, bend: 3.2 }) };
   const hollow = node([{ mesh: 'body', part: 1, matrix: identity }], { kind: 'hollow', wall: 0.04, opening: [1, 0, 0] });

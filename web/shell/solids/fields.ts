@@ -137,6 +137,32 @@ function reaching({ positions, triangles }: Surface, along: (x: number, y: numbe
   return { positions, triangles: triangles.filter((_, i) => reaches[find(triangles[i]!)] === 1) };
 }
 
+/**
+ * Which way to open a body whose end towards the opening is a flat lid that leans a little: square to the lid, so that
+ * all of it opens. Any other body is opened as it is asked for.
+ */
+function squareToLid({ positions: p, triangles }: { positions: Float32Array; triangles: Uint32Array }, opening: readonly number[]): Point {
+  const facing = Math.cos(0.45), flat = Math.cos(0.02), most = 0.7;
+  const faces: { normal: Point; area: number }[] = [];
+  const lean: Point = [0, 0, 0];
+  let all = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[t + k]!) as Point;
+    const u = [0, 1, 2].map((k) => p[b + k]! - p[a + k]!) as Point, v = [0, 1, 2].map((k) => p[c + k]! - p[a + k]!) as Point;
+    const n: Point = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    const area = Math.hypot(...n);
+    if (!(n[0] * opening[0]! + n[1] * opening[1]! + n[2] * opening[2]! > facing * area)) continue;
+    faces.push({ normal: n.map((x) => x / area) as Point, area });
+    for (let k = 0; k < 3; k += 1) lean[k]! += n[k]!;
+    all += area;
+  }
+  const length = Math.hypot(...lean), asked = [...opening] as Point;
+  if (!(length > 0)) return asked;
+  const square = lean.map((x) => x / length) as Point;
+  const lid = faces.reduce((sum, { normal, area }) => sum + (normal[0] * square[0] + normal[1] * square[1] + normal[2] * square[2] > flat ? area : 0), 0);
+  return lid > most * all ? square : asked;
+}
+
 /** What is left of a body, and what was taken out of it. Both are the caller's. */
 export interface Hollow {
   shell: Manifold;
@@ -148,7 +174,8 @@ export interface Hollow {
  * straight from where it is first as deep as the wall on all sides.
  */
 export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidNode, { id, part, own }: Making): Hollow {
-  const surface = surfaceOf(body), { wall, opening } = node;
+  const surface = surfaceOf(body), { wall } = node;
+  const opening = node.opening && node.cut === 0 ? squareToLid(surface, node.opening) : node.opening;
   const bounds = body.boundingBox() as Box;
   const longest = Math.max(...sidesOf(bounds));
   // Twice as fine as the wall is thick, as far as that can be paid for.
