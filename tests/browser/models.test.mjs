@@ -42,6 +42,7 @@ function dense(points) {
 async function keep(page, name) {
   if (!kept) return;
   mkdirSync(kept, { recursive: true });
+  while (await page.locator('#toasts button').count()) await page.locator('#toasts button').first().click();
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(kept, `${name}.png`) });
   for (const format of ['glb', 'stl', '3mf']) writeFileSync(join(kept, `${name}.${format}`), await exported(page, format));
