@@ -261,13 +261,26 @@ Result<PictureEntry> pictureFrom(Json json, const Reading& reading) {
   return entry;
 }
 
+/// What a file says beyond what we know of a list has no place any more where mending shortened the list:
+/// `value`, written as `json`, keeps what would be read again.
+template <class T>
+void settleExtra(T& value, Json json, const Reading& reading) {
+  if (value.extra.empty()) return;
+  T again;
+  ReadNotes counted;
+  read(json, again, {counted, reading.photos});
+  mend(again.extra == value.extra, value.extra, again.extra, reading.notes);
+}
+
 Result<Part> partFrom(Json json, const Document& document, const Reading& reading) {
   Part part;
   read(json, part, reading);
+  const ReadNotes before = reading.notes;
   mendName(part.name, document::fallbackName(part), reading.notes);
   mendRecipe(part.recipe, reading.notes);
   mend(document::isValid(part.placement), part.placement, {}, reading.notes);
   mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
+  if (reading.notes != before) settleExtra(part, toJson(part), reading);
   const Status stroke = document::checkDrawn(document, part.recipe);
   if (stroke) return part;
   if (stroke.error() == Error::NoSuchPicture) return {Error::NoSuchPicture, part.name};
@@ -321,7 +334,9 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     }
   }
   mendIds(document.parts, document.lastPartId, reading.notes);
+  const ReadNotes before = reading.notes;
   mendGroups(document, reading.notes);
+  if (reading.notes != before) settleExtra(document, frameJson(document), reading);
   for (Json& element : steps) {
     Result<document::Step> step = stepFrom(std::move(element), reading);
     if (step && document.steps.size() < document::kMostSteps) {

@@ -15,8 +15,7 @@ struct Stop {
   double beyond(PicturePoint p) const { return dot(p - at, along); }
 };
 
-/// The direction is taken over as much of the spine as the part is wide there: the last few points alone
-/// tremble with the hand.
+/// The direction is taken over a quarter of the part's `width`: the last few points alone tremble with the hand.
 template <class Ribs>
 std::optional<Stop> stopOf(const Ribs& inwards, double width) {
   const ribs::Rib* last = nullptr;
@@ -29,7 +28,7 @@ std::optional<Stop> stopOf(const Ribs& inwards, double width) {
   return std::nullopt;
 }
 
-/// The last end of `side` that is not beyond, and how far the cut is from there to the next one, 0…1.
+/// The last end of a side that is not beyond, and where the side is cut between it and the next one.
 struct Crossing {
   std::size_t before = 0;
   PicturePoint at;

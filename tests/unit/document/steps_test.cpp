@@ -9,6 +9,7 @@
 #include "engine/io/project_file.h"
 #include "tests/support/random_documents.h"
 #include "tests/support/sessions.h"
+#include "tests/support/step_documents.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -23,19 +24,6 @@ Document withParts(std::uint32_t count) {
     document = update(document, DrawSpine{PictureId{1}, {{20, 36}, {48, 36}, {76, 36}}}).value();
   }
   return document;
-}
-
-Operand part(std::uint32_t id) { return {PartId{id}, {}}; }
-Operand step(std::uint32_t id) { return {{}, StepId{id}}; }
-
-Document after(const Document& document, const Action& action) {
-  const Result<Document> next = update(document, action);
-  REQUIRE_MESSAGE(next.ok(), failureSentence(next.failure()));
-  return next.value();
-}
-
-CombineParts combine(StepKind kind, std::vector<Operand> operands) {
-  return {kind, std::move(operands), 0.02, {}};
 }
 
 }  // namespace

@@ -174,6 +174,22 @@ TEST_CASE("what unknown keys say of a list is dropped when the list has another 
   CHECK(notes.clean());
 }
 
+TEST_CASE("unknown keys of a list that mending shortens go with it, and the document reads back as it is") {
+  const Document document = twoParts();
+  ReadNotes notes;
+  const Document read = mended(document, [&](Json& j) {
+    j["parts"][0]["recipe"]["loft"]["sections"] = {
+        {{"at", 7}, {"shape", {{"preset", "star"}}}},
+        {{"at", 0.5}, {"shape", {{"preset", "square"}}}, {"glow", 3}}};
+    j["parts"][0]["bones"] = 2;
+  }, notes);
+  CHECK(loftOf(*read.parts[0])->loft.sections.size() == 1);
+  CHECK(notes.repaired > 0);
+  CHECK(read.parts[0]->extra == R"({"bones":2})");
+  CHECK(readBack(document, writeDocument(read), &notes) == read);
+  CHECK(notes.clean());
+}
+
 TEST_CASE("a damaged value becomes a sound one, is counted, and the rest is as it was") {
   const Document document = twoParts();
   ReadNotes notes;

@@ -13,6 +13,7 @@
 #include "engine/publish/solid_plan.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/step_documents.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -30,19 +31,6 @@ Document withParts(std::uint32_t count) {
     document = update(document, DrawSpine{PictureId{1}, {{20, y}, {48, y}, {76, y}}}).value();
   }
   return document;
-}
-
-Operand part(std::uint32_t id) { return {PartId{id}, {}}; }
-Operand step(std::uint32_t id) { return {{}, StepId{id}}; }
-
-Document after(const Document& document, const Action& action) {
-  const Result<Document> next = update(document, action);
-  REQUIRE_MESSAGE(next.ok(), failureSentence(next.failure()));
-  return next.value();
-}
-
-CombineParts combine(StepKind kind, std::vector<Operand> operands) {
-  return {kind, std::move(operands), 0.02, {}};
 }
 
 /// Derives with one cache for all, as the page does: what did not change is the same shape.

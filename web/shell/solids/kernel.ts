@@ -93,9 +93,11 @@ export class SolidKernel {
     try {
       const operands = node.operands.map((operand) => this.operand(operand, node.coarse, own));
       const { solid, cavity, free } = this.combine(node, operands, own);
-      const status = solid.status();
-      if (status !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
-      if (solid.isEmpty()) throw new Unsolvable({ error: 'SolidEmpty' });
+      const error = solid.status() !== 'NoError' ? 'SolidFailed' : solid.isEmpty() ? 'SolidEmpty' : null;
+      if (error) {
+        own.push(solid, ...(cavity ? [cavity] : []));
+        throw new Unsolvable({ error });
+      }
       return { solid, round: this.round, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
     } catch (thrown) {
       return { solid: null, failure: failureOf(thrown), round: this.round };
