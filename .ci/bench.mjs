@@ -6,7 +6,7 @@ import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { buildSite } from './build.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
-import { buildDir, root } from './lib/paths.mjs';
+import { buildDir, dataFolder, root } from './lib/paths.mjs';
 import { mainProgram, output, run, say, Stop, talkOnStderr } from './lib/run.mjs';
 import { editingTimes } from './lib/editing_bench.mjs';
 import { siteSizes } from './lib/site.mjs';
@@ -159,8 +159,8 @@ await mainProgram(async () => {
   printTable('Solids: what the worker takes from a request to the mesh', Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
     { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'the first of its kind': 'first_ms' });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
-  const folder = data ?? process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
-  if (existsSync(folder)) {
+  const folder = data ?? dataFolder;
+  if (folder && existsSync(folder)) {
     result.accuracy = await accuracy(resolve(process.env.INIT_CWD ?? '.', folder), ablation);
     printAccuracy(result.accuracy, folder);
     if (ablation) printAblation(result.accuracy.ablation);

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { startBrowser } from './lib/browser.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
-import { root } from './lib/paths.mjs';
+import { dataFolder, root } from './lib/paths.mjs';
 import { mainProgram, run, say, Stop } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
@@ -90,8 +90,7 @@ async function shoot(page) {
 }
 
 await mainProgram(async () => {
-  const data = process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
-  if (!existsSync(data)) throw new Stop(`There is no data folder at ${data}: set SPINELOFT_DATA.`);
+  if (!dataFolder) throw new Stop('There is no data folder beside the project: set SPINELOFT_DATA.');
   await setup(['native', 'node', 'browser']);
   await buildTargets('native-release', ['spineloft']);
   const folder = mkdtempSync(join(tmpdir(), 'spineloft-figures-'));
@@ -99,7 +98,7 @@ await mainProgram(async () => {
   mkdirSync(out, { recursive: true });
   const browser = await startBrowser();
   try {
-    await drawOverlays(data, folder);
+    await drawOverlays(dataFolder, folder);
     const page = await browser.newPage({ viewport: { width: 1000, height: 300 } });
     for (const [name, panels] of Object.entries(kFigures)) {
       await page.setContent(pageOf(panels, folder), { waitUntil: 'load' });

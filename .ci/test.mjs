@@ -6,7 +6,7 @@ import { houseErrors, houseFiles } from './arrows.mjs';
 import { buildSite } from './build.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
 import { doctestCounts, nodeTestCounts } from './lib/counts.mjs';
-import { buildDir, root } from './lib/paths.mjs';
+import { buildDir, dataFolder, root } from './lib/paths.mjs';
 import { duration, mainProgram, output, run, say, Stop } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
@@ -25,7 +25,7 @@ async function types() {
 }
 
 async function doctest(preset, command, args, env = {}) {
-  const options = { cwd: root, env, show: true, allowFailure: true, log: `${preset}-tests`, timeout: 20 * kMinutes };
+  const options = { cwd: root, env: { ...(dataFolder ? { SPINELOFT_DATA: dataFolder } : {}), ...env }, show: true, allowFailure: true, log: `${preset}-tests`, timeout: 20 * kMinutes };
   const done = await run(`the tests of ${preset}`, command, [...args, '--no-colors', '--no-version'], options);
   const counts = doctestCounts(done);
   if (done.status === null) counts.note = `the test program was ${done.problem}`;

@@ -1,19 +1,16 @@
 // What the tests of the command line share: running it, pictures made on the spot, reading its files.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PNG } from 'pngjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 export const program = process.env.SPINELOFT_CLI ?? join(root, 'build/native-release/spineloft');
 
-/** The folder with real cases, or null. */
-export const dataFolder = [process.env.SPINELOFT_DATA, resolve(root, '../shared/data/public')].find(
-  (folder) => folder && existsSync(folder),
-) ?? null;
+export { dataFolder } from '../../.ci/lib/paths.mjs';
 
 export function run(...args) {
   const { status, signal, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8' });

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,11 +15,20 @@ const std::filesystem::path kTests = SPINELOFT_TESTS_DIR;
 
 }  // namespace
 
-std::vector<std::uint8_t> testFile(const std::string& path) {
-  std::ifstream file(kTests / path, std::ios::binary);
-  REQUIRE_MESSAGE(file.good(), path);
+std::vector<std::uint8_t> bytesOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  REQUIRE_MESSAGE(file.good(), path.string());
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
+
+std::optional<std::filesystem::path> dataFolder() {
+  const char* folder = std::getenv("SPINELOFT_DATA");
+  if (folder != nullptr && std::filesystem::is_directory(folder)) return folder;
+  MESSAGE("skipped: SPINELOFT_DATA names no folder");
+  return std::nullopt;
+}
+
+std::vector<std::uint8_t> testFile(const std::string& path) { return bytesOf(kTests / path); }
 
 std::vector<std::pair<std::string, std::vector<std::uint8_t>>> testFiles(const std::string& folder) {
   std::vector<std::string> names;

@@ -2,11 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace spineloft::testing {
+
+std::vector<std::uint8_t> bytesOf(const std::filesystem::path& path);
+
+/// The folder with real cases that $SPINELOFT_DATA names; none: a message says that the test is skipped.
+std::optional<std::filesystem::path> dataFolder();
 
 /// The bytes of `tests/PATH`; a test fails when there is no such file.
 std::vector<std::uint8_t> testFile(const std::string& path);

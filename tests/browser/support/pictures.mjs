@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { PNG } from 'pngjs';
-import { root } from '../../../.ci/lib/paths.mjs';
+import { dataFolder, root } from '../../../.ci/lib/paths.mjs';
 
 /** PNG bytes of a picture whose pixel (x, y) is paint(x, y) → [r, g, b, a?]. */
 export function paintedPng(width, height, paint) {
@@ -102,11 +102,10 @@ export function samples() {
 
 /** A few cases of the data folder, where there is one: picture and careful stroke. */
 export function dataCases(names) {
-  const folder = process.env.SPINELOFT_DATA ?? join(root, '../shared/data/public');
   return names
-    .filter((name) => existsSync(join(folder, name, 'case.json')))
+    .filter((name) => dataFolder && existsSync(join(dataFolder, name, 'case.json')))
     .map((name) => {
-      const about = JSON.parse(readFileSync(join(folder, name, 'case.json'), 'utf8'));
-      return { name, bytes: readFileSync(join(folder, name, about.image)), width: about.width, height: about.height, spine: about.spines.careful };
+      const about = JSON.parse(readFileSync(join(dataFolder, name, 'case.json'), 'utf8'));
+      return { name, bytes: readFileSync(join(dataFolder, name, about.image)), width: about.width, height: about.height, spine: about.spines.careful };
     });
 }

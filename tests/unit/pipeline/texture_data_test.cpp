@@ -2,10 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -15,6 +12,7 @@
 #include "engine/pipeline/derive.h"
 #include "tests/support/front_view.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/test_files.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -22,11 +20,6 @@ using namespace spineloft::document;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::uint8_t> bytesOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 fs::path firstOf(const fs::path& folder, std::initializer_list<const char*> names) {
   for (const char* name : names) {
@@ -60,11 +53,11 @@ Seen awayFromRim(const Seen& seen, int width, int height) {
 
 /// Of the part that the careful stroke makes.
 Front frontOf(const fs::path& folder) {
-  const auto picture = io::decodePicture(bytesOf(firstOf(folder, {"image.jpg", "image.png"})), {});
-  const auto mask = io::decodeImage(bytesOf(firstOf(folder, {"mask_visible.png", "mask.png"})), 1 << 26);
+  const auto picture = io::decodePicture(testing::bytesOf(firstOf(folder, {"image.jpg", "image.png"})), {});
+  const auto mask = io::decodeImage(testing::bytesOf(firstOf(folder, {"mask_visible.png", "mask.png"})), 1 << 26);
   REQUIRE(picture.ok());
   REQUIRE(mask.ok());
-  const auto text = bytesOf(folder / "case.json");
+  const auto text = testing::bytesOf(folder / "case.json");
   const auto truth = nlohmann::json::parse(text.begin(), text.end());
   std::vector<PicturePoint> stroke;
   for (const auto& p : truth["spines"]["careful"]) stroke.push_back({p[0].get<double>(), p[1].get<double>()});
@@ -91,13 +84,10 @@ Front frontOf(const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("away from their rims at least six parts of the public pictures look as the pictures do, to 30 dB") {
-  const char* folder = std::getenv("SPINELOFT_DATA");
-  if (folder == nullptr || !fs::is_directory(folder)) {
-    MESSAGE("skipped: SPINELOFT_DATA names no folder");
-    return;
-  }
+  const auto folder = testing::dataFolder();
+  if (!folder) return;
   int enough = 0, looked = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_") && !name.starts_with("render_")) continue;
     const Front front = frontOf(entry.path());

@@ -2,16 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "engine/geometry/polygon.h"
 #include "engine/io/picture_file.h"
 #include "engine/vision/cut_out.h"
+#include "tests/support/test_files.h"
 
 using namespace spineloft;
 using namespace spineloft::vision;
@@ -19,11 +17,6 @@ using namespace spineloft::vision;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::uint8_t> bytesOf(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// 255: the thing; 128: it does not matter.
 struct Truth {
@@ -61,22 +54,19 @@ double overlapOf(const Truth& truth, const CutContours& contours) {
 }  // namespace
 
 TEST_CASE("a box round the thing cuts it out of the public photos, most of it in most of them") {
-  const char* folder = std::getenv("SPINELOFT_DATA");
-  if (folder == nullptr || !fs::is_directory(folder)) {
-    MESSAGE("skipped: SPINELOFT_DATA names no folder");
-    return;
-  }
+  const auto folder = testing::dataFolder();
+  if (!folder) return;
   std::vector<double> overlaps;
   std::string said;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_")) continue;
     fs::path image = entry.path() / "image.jpg";
     if (!fs::exists(image)) image = entry.path() / "image.png";
     fs::path mask = entry.path() / "mask_visible.png";
     if (!fs::exists(mask)) mask = entry.path() / "mask.png";
-    const auto picture = io::decodePicture(bytesOf(image), {});
-    const auto shown = io::decodeImage(bytesOf(mask), 1 << 26);
+    const auto picture = io::decodePicture(testing::bytesOf(image), {});
+    const auto shown = io::decodeImage(testing::bytesOf(mask), 1 << 26);
     REQUIRE(picture.ok());
     REQUIRE(shown.ok());
     const Truth truth{shown.value()};
