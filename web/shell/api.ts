@@ -341,7 +341,7 @@ export interface SpineLoftApi {
   imageToClient(x: number, y: number): { x: number; y: number };
   state(): State;
   commands(): Command[];
-  /** Runs a command of the table by its id. */
+  /** Runs a command of the table by its id; resolves when the page shows what it did (work may go on: `idle()`). */
   run(id: string, args?: Record<string, unknown>): Promise<void>;
   /** All visible parts as the bytes of a file. */
   exportModel(format: ExportFormat): Promise<Uint8Array>;

@@ -5,6 +5,8 @@ import { Failure } from './failure.ts';
 import type { ModelInfo } from './keep/store.ts';
 
 const kPollMs = 12;
+/** A page that draws slower than this is not waited for. */
+const kFramesMs = 1000;
 const kFormats: ExportFormat[] = ['glb', 'obj', 'stl', 'spineloft', 'zip', '3mf'];
 
 export interface ApiPage {
@@ -38,6 +40,15 @@ const kBeforeReady: State = {
 
 function wait(milliseconds: number): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
+
+/** When two frames were drawn: the bars of the first may take room from the picture in the second. */
+function drawn(): Promise<void> {
+  if (document.hidden) return Promise.resolve();  // nothing is drawn there
+  const frames = new Promise<void>((resolve) => {
+    requestAnimationFrame(() => requestAnimationFrame(() => resolve()));
+  });
+  return Promise.race([frames, wait(kFramesMs)]);
 }
 
 function keptModelOf({ id, name, created, modified, pictures, parts, baseSize, journalSize }: ModelInfo): KeptModelInfo {
@@ -89,6 +100,7 @@ export function installApi(api: ApiPage): void {
       const engine = await running();
       page.mustBeChangeable();
       engine.run(id, args);
+      await drawn();
     },
     async exportModel(format) {
       const engine = await running();
