@@ -46,6 +46,7 @@ Placement mirrored(const Placement& placement, const MirrorPlane& plane) {
 }
 
 Placement about(const Placement& placement, WorldPoint pivot) {
+  if (pivot == placement.pivot) return placement;  // without rounding
   Placement out = placement;
   out.pivot = pivot;
   out.move = placement(pivot) - pivot;

@@ -60,6 +60,11 @@ constexpr float kSurelyOutside = 1.15f;
 // factor of e costs so much.
 constexpr float kMostChange = 1.5f;
 constexpr double kPriceOfChange = 3;
+// It holds them to a line through what was found that is so many times as stiff as the last fairing's,
+// and leaves a side more to itself than the first two, for the lean of a stroke is not the same
+// everywhere.
+constexpr double kStiffer = 40;
+constexpr float kOppositeShare = 0.7f;
 // A rib end with at least this share of a full edge under it stands on one.
 constexpr float kOnEdge = 0.5f;
 
@@ -233,30 +238,46 @@ void bestLabels(bool withColours, Search& s, LengthLabels& best) {
   if (last != chosen) suppose(chosen);  // states and fans are read from its evidence
 }
 
-// The curve of a rib on one side, and where its end stands on it.
-struct RibEnd {
-  int curve;
-  float along;
-};
-template <class Do>
-void forEnds(const Search& s, const LengthLabels& labels, Do&& what) {
-  for (int i = 0; i < s.curves.layout.ribs; ++i) {
-    const int left = s.curves.layout.left(i), right = s.curves.layout.right(i);
-    what(RibEnd{left, s.curves.along[s.curves.at(left, labels.left[index(i)])]});
-    what(RibEnd{right, s.curves.along[s.curves.at(right, labels.right[index(i)])]});
+// Where the third look starts from, of every curve of a rib: a stiff, robust line through the ends of
+// a side, in which a dent or a bulge of a few ribs leaves little.
+void stiffLengths(const LengthLabels& labels, Search& s) {
+  FairingParams stiff = s.params.fairing;
+  stiff.stiffness *= kStiffer;
+  for (const bool leftSide : {true, false}) {
+    const std::vector<int>& side = leftSide ? labels.left : labels.right;
+    const auto curveOf = [&](int i) {
+      return leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    };
+    s.lengths.length.clear();
+    s.lengths.trust.clear();
+    for (int i = 0; i < s.problem.ribs; ++i) {
+      const std::size_t at = s.curves.at(curveOf(i), side[index(i)]);
+      const auto support = static_cast<double>(s.support[at]);
+      s.lengths.length.push_back(static_cast<double>(s.curves.along[at]));
+      s.lengths.trust.push_back(support * support);
+    }
+    const std::vector<double>& fair = fairLengths(s.lengths, stiff, s.fairing);
+    for (int i = 0; i < s.problem.ribs; ++i)
+      s.known.inside[index(curveOf(i))] = std::max(1.f, static_cast<float>(fair[index(i)]));
   }
 }
 
 // The evidence once more, with the colours inside the part that was found against those around it.
-// Ends are held near to where they are, for colours that were learned from a wrong part can lead
-// to a worse one.
+// Ends are held near to where they are, but for dents and bulges, for colours that were learned from a
+// wrong part can lead to a worse one.
 void thirdEvidence(const LengthLabels& labels, Search& s) {
   constexpr float kUnknown = std::numeric_limits<float>::infinity();
   s.known.inside.assign(index(s.curves.layout.total()), 0.f);
   s.known.outside.assign(s.known.inside.size(), kUnknown);
-  forEnds(s, labels, [&](RibEnd end) {
-    s.known.inside[index(end.curve)] = end.along;
-    s.known.outside[index(end.curve)] = kSurelyOutside * end.along;
+  stiffLengths(labels, s);
+  const auto forRibs = [&](auto&& what) {
+    for (int i = 0; i < s.curves.layout.ribs; ++i) {
+      what(s.curves.layout.left(i));
+      what(s.curves.layout.right(i));
+    }
+  };
+  forRibs([&](int curve) {
+    s.known.outside[index(curve)] = kSurelyOutside * s.known.inside[index(curve)];
   });
   colourTerms(s.curves, s.strip, s.known, s.terms);
   // Contrast against what is near lifts the borders of shadows and haloes; colours do its work now.
@@ -265,15 +286,17 @@ void thirdEvidence(const LengthLabels& labels, Search& s) {
   weighTerms(params, s);
   const float most = std::log(kMostChange);
   const auto price = static_cast<float>(kPriceOfChange * shareOfRib(s));
-  forEnds(s, labels, [&](RibEnd end) {
-    for (int k = 1; k < s.curves.reached[index(end.curve)]; ++k) {
-      const std::size_t at = s.curves.at(end.curve, k);
-      const float change = std::abs(std::log(s.curves.along[at] / std::max(1e-3f, end.along)));
+  forRibs([&](int curve) {
+    const float held = s.known.inside[index(curve)];
+    for (int k = 1; k < s.curves.reached[index(curve)]; ++k) {
+      const std::size_t at = s.curves.at(curve, k);
+      const float change = std::abs(std::log(s.curves.along[at] / held));
       if (change > most) s.costs[at] += price * (change - most);
     }
   });
   fillSide(s, true);
   fillSide(s, false);
+  for (float& scale : s.problem.leanScale) scale *= kOppositeShare;
 }
 
 // Edge where the end stands on one; Bridged between two of those; else Guessed.
