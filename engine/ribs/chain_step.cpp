@@ -125,38 +125,6 @@ void convolveRows(const ChainStep& t, const ChainRows& rows, const float* in, fl
   }
 }
 
-void convolveLine(const ChainStep& t, int count, const float* in, float* out,
-                  StepScratch& scratch) {
-  const std::size_t n = index(count);
-  // What comes from the labels from each one on, with the slope taken out.
-  scratch.running.resize(n + 1);
-  float* above = scratch.running.data();
-  float best = kUnreachable, least = kUnreachable;
-  above[n] = kUnreachable;
-  for (std::size_t i = n; i-- > 0;) {
-    const float moved = in[i] + t.slope * t.from[i];
-    least = moved < least ? moved : least;
-    above[i] = least;
-    best = in[i] < best ? in[i] : best;
-  }
-  best += t.cap;
-  float below = kUnreachable;
-  int low = 0, high = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const float to = t.to[k], first = to - t.free, last = to + t.free;
-    for (; low < count && t.from[low] < first; ++low) {
-      const float moved = in[low] - t.slope * t.from[low];
-      below = moved < below ? moved : below;
-    }
-    while (high < count && t.from[high] <= last) ++high;
-    const float under = below + t.slope * first, over = above[high] - t.slope * last;
-    float value = under < best ? under : best;
-    value = over < value ? over : value;
-    for (int q = low; q < high; ++q) value = in[q] < value ? in[q] : value;
-    out[k] = value;
-  }
-}
-
 float oppositeCost(const LengthProblem& p, int rib, std::size_t l, std::size_t r) {
   const std::size_t n = index(p.levels), row = index(rib) * n;
   float cost = p.opposite.empty() ? 0.f : p.opposite[l * n + r];

@@ -32,10 +32,6 @@ struct ChainRows {
 void convolveRows(const ChainStep& step, const ChainRows& rows, const float* in, float* out,
                   StepScratch& scratch);
 
-/// The same for one column of `count` labels on either rib.
-void convolveLine(const ChainStep& step, int count, const float* in, float* out,
-                  StepScratch& scratch);
-
 /// Opposite cost of one pair of labels of a rib, and the least one of every label of one side plus
 /// what is given for the labels of the other: least(l) = min over r of cost(l, r) + other(r),
 /// `levels` entries each; `other` is kUnreachable where there is no such label. O(levels) for a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/ribs/chain_line.h"
 #include "engine/ribs/chain_step.h"
 
 namespace spineloft::ribs {
@@ -22,7 +23,14 @@ double slackOf(double energy) { return 2e-3 + 1e-4 * std::abs(energy); }
 class Ascent {
  public:
   Ascent(const LengthProblem& p, LengthWorkspace& workspace, LabelBounds& b)
-      : p_(p), workspace_(workspace), b_(b), n_(index(p.levels)) {
+      : p_(p),
+        workspace_(workspace),
+        b_(b),
+        n_(index(p.levels)),
+        onwards_{{p, p.left, StepWay::Forwards, workspace},
+                 {p, p.right, StepWay::Forwards, workspace}},
+        back_{{p, p.left, StepWay::Backwards, workspace},
+              {p, p.right, StepWay::Backwards, workspace}} {
     for (LengthWorkspace::Chain& side : workspace_.chains) {
       side.moved.assign(index(p.ribs) * n_, 0.f);
       side.forward.resize(side.moved.size());
@@ -72,8 +80,7 @@ class Ascent {
       const std::size_t at = index(i) * n_;
       for (std::size_t k = 0; k < n_; ++k)
         own.next[k] = own.backward[at + k] + costs.unary[at + k] + own.moved[at + k];
-      convolveLine(stepFrom(p_, costs, i), p_.levels, own.next.data(), &own.backward[at - n_],
-                   workspace_.step);
+      back_[left ? 0 : 1].step(i, {own.next.data(), &own.backward[at - n_]});
     }
   }
 
@@ -174,14 +181,14 @@ class Ascent {
     const std::size_t at = index(i) * n_;
     for (std::size_t k = 0; k < n_; ++k)
       own.next[k] = own.forward[at + k] + costs.unary[at + k] + own.moved[at + k];
-    convolveLine(stepTo(p_, costs, i + 1), p_.levels, own.next.data(), &own.forward[at + n_],
-                 workspace_.step);
+    onwards_[left ? 0 : 1].step(i + 1, {own.next.data(), &own.forward[at + n_]});
   }
 
   const LengthProblem& p_;
   LengthWorkspace& workspace_;
   LabelBounds& b_;
   std::size_t n_;
+  ChainLine onwards_[2], back_[2];  // of the left and the right side
 };
 
 }  // namespace

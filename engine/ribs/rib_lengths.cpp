@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/ribs/chain_line.h"
 #include "engine/ribs/chain_step.h"
 #include "engine/ribs/label_bounds.h"
 #include "engine/ribs/pair_search.h"
@@ -32,13 +33,14 @@ int cameFrom(const LengthProblem& p, const SideCosts& side, int rib, int label,
 
 // Least energy of the chain's beginning for every label of every rib of one independent side.
 void forwardChain(const LengthProblem& p, const SideCosts& side, const std::vector<float>& unary,
-                  StepScratch& scratch, std::vector<float>& table) {
+                  LengthWorkspace& workspace, std::vector<float>& table) {
   const std::size_t n = index(p.levels);
   table.resize(index(p.ribs) * n);
   std::copy(unary.begin(), unary.begin() + p.levels, table.begin());
+  const ChainLine line(p, side, StepWay::Forwards, workspace);
   for (int i = 1; i < p.ribs; ++i) {
     float* row = &table[index(i) * n];
-    convolveLine(stepTo(p, side, i), p.levels, row - n, row, scratch);
+    line.step(i, {row - n, row});
     for (std::size_t k = 0; k < n; ++k) row[k] += unary[index(i) * n + k];
   }
 }
@@ -125,7 +127,7 @@ EnergyTerms energyOf(const LengthProblem& p, const LengthLabels& labels) {
 void optimalChain(const LengthProblem& p, const SideCosts& side, const std::vector<float>& unary,
                   LengthWorkspace& workspace, std::vector<int>& labels) {
   std::vector<float>& table = workspace.table;
-  forwardChain(p, side, unary, workspace.step, table);
+  forwardChain(p, side, unary, workspace, table);
   const std::size_t n = index(p.levels);
   labels.resize(index(p.ribs));
   const float* last = &table[index(p.ribs - 1) * n];
@@ -176,15 +178,16 @@ void sideMarginals(const LengthProblem& p, const LengthLabels& labels, bool left
       }
     }
   }
-  forwardChain(p, side, unary, workspace.step, marginals);
+  forwardChain(p, side, unary, workspace, marginals);
   // Backwards: the same convolution with the two ribs' parts exchanged.
   std::vector<float>&ahead = workspace.first, &with = workspace.second;
   ahead.assign(n, 0.f);
   with.resize(n);
+  const ChainLine line(p, side, StepWay::Backwards, workspace);
   for (int i = p.ribs - 2; i >= 0; --i) {
     const std::size_t next = index(i + 1) * n;
     for (std::size_t k = 0; k < n; ++k) with[k] = ahead[k] + unary[next + k];
-    convolveLine(stepFrom(p, side, i + 1), p.levels, with.data(), ahead.data(), workspace.step);
+    line.step(i + 1, {with.data(), ahead.data()});
     for (std::size_t k = 0; k < n; ++k) marginals[index(i) * n + k] += ahead[k];
   }
 }

@@ -84,6 +84,21 @@ struct StepScratch {
   std::vector<float> running, tables;
 };
 
+/// Which labels are free of charge in every step along one side, one way (chain_line.h). A search
+/// steps along the same side many times.
+struct StepPlan {
+  /// Of one label: as many of the labels of the rib before lie below its window, and up to the
+  /// window's end; and where in a line's tables the two overlapping runs are that make the window.
+  struct Window {
+    std::uint16_t low, high, first, second;
+  };
+  std::vector<Window> windows;         ///< of every rib but the first one stepped from × levels
+  std::vector<std::uint8_t> doublings;  ///< most of a window of each of these ribs
+  /// What the windows depend on.
+  std::vector<float> place, spacing;
+  float freedom = 0;
+};
+
 /// Memory of the chains over widths (lean.h).
 struct WidthTables {
   /// Costs from a place to the next: base + slope · (at − place).
@@ -116,6 +131,7 @@ struct LengthWorkspace {
   Chain chains[2];
   LengthLabels trial;
   StepScratch step;
+  StepPlan forwards[2], backwards[2];  // of the left and the right side
   WidthTables widths;
   EndTables end;
   std::vector<float> table, first, second, columns, rowCosts, columnCosts, unary;
