@@ -2,7 +2,7 @@
 // there is none.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { identity, library, loft, measure, node, seeded, shell, shifted, solve, turned } from './support/solids.mjs';
+import { deepest, depthOf, diagonal, identity, library, loft, measure, merged, node, seeded, shell, shifted, solve, turned } from './support/solids.mjs';
 
 const { SolidKernel, DistanceField, gridOver, sample, surfaceWhere, Solver, findCrossings, ringsOf } = shell;
 const fresh = () => new SolidKernel(library);
@@ -16,6 +16,7 @@ function lawful(solved, what) {
   near(found.volume, mesh.volume, 1e-3, `${what}: volume as counted`);
   assert.equal(mesh.runs.reduce((sum, run) => sum + run.count, 0), mesh.triangles.length / 3, `${what}: every face has an owner`);
   assert.ok(mesh.uv.every((value) => value >= 0 && value <= 1), `${what}: uv in range`);
+  assert.deepEqual(findCrossings(mesh.positions, merged(mesh, mesh.positions.length / 3), 1), [], `${what} does not cross itself`);
   return found;
 }
 
@@ -87,7 +88,6 @@ test('a loft that runs through itself is united with itself', () => {
   assert.equal(ringsOf(loop).size, 24);
   const { mesh } = solve(fresh(), [node([rod(1, identity, 'loop'), rod(2, shifted(0, 4), 'loop')])], { loop });
   const found = lawful({ mesh }, 'the loop');
-  assert.equal(findCrossings(mesh.positions, mesh.triangles, 1).length, 0);
   // Seven radians of a ring: a whole turn of the torus, whatever is passed twice.
   near(found.volume / 2, 2 * Math.PI * (3 / 7) * Math.PI * 0.12 ** 2, 0.04, 'volume');
 });
@@ -119,6 +119,56 @@ test('random lofts, bent and pulled out of shape, become solids or name the part
     }
   }
   assert.ok(told.solid >= 35, `${told.solid} of 40 are solids`);
+});
+
+test('of 170 lofts that cross themselves in every way each is a solid that does not, or names the part and the place', () => {
+  const told = { solid: 0, fault: 0 };
+  for (let seed = 1; told.solid + told.fault < 170; seed += 1) {
+    const random = seeded(7919 * seed), hard = random() < 0.3;
+    const wild = loft({ rings: 6 + Math.floor(18 * random()), around: 6 + Math.floor(8 * random()), length: 0.2 + random(), radius: 0.05 + 0.25 * random(), bend: (hard ? 30 : 16) * (random() - 0.5), wave: (hard ? 1.5 : 0.6) * random() });
+    for (let pulls = Math.floor((hard ? 6 : 2) * random()); pulls > 0; pulls -= 1) {
+      const n = wild.positions.length, from = Math.floor(n * random()), to = from + 3 * Math.floor(12 * random());
+      for (let i = from; i < Math.min(n, to); i += 1) wild.positions[i] += (hard ? 0.4 : 0.15) * (random() - 0.5);
+    }
+    const crossings = findCrossings(wild.positions, wild.triangles);
+    if (crossings.length === 0) continue;
+    const solved = solve(fresh(), [node([rod(1, identity, 'wild')], { kind: 'join' })], { wild });
+    if (solved.failure) {
+      assert.deepEqual([solved.failure.error, solved.failure.part], ['PartCrossesItself', 1], `seed ${seed}`);
+      // It is shown where a crossing is.
+      const away = Math.min(...crossings.map(({ a, b }) => Math.hypot(...[0, 1, 2].map((k) => solved.failure.at[k] - [a, b].reduce((sum, t) => sum + [0, 1, 2].reduce((all, c) => all + wild.positions[3 * wild.triangles[3 * t + c] + k], 0), 0) / 6))));
+      assert.ok(away < 1e-6, `seed ${seed}: shown ${away} away from every crossing`);
+      told.fault += 1;
+    } else {
+      const { positions } = solved.mesh;
+      lawful(solved, `seed ${seed}`);
+      const depth = deepest(positions, merged(solved.mesh, positions.length / 3)) / diagonal(positions);
+      assert.ok(depth < 1e-6, `seed ${seed}: triangles ${depth} of the size deep in one another`);
+      told.solid += 1;
+    }
+  }
+  assert.ok(told.solid >= 110, `${told.solid} are solids, ${told.fault} are told of`);
+});
+
+test('triangles cross exactly when no short shift takes them apart', () => {
+  const random = seeded(77), told = { deep: 0, apart: 0 };
+  const point = () => [random(), random(), random()];
+  for (let i = 0; i < 3000; i += 1) {
+    const one = [point(), point(), point()], other = [point(), point(), point()];
+    // Some share a corner, some lie in one plane, some stand on the other by a hair.
+    if (i % 4 === 1) other[0] = one[0];
+    if (i % 4 === 2) for (const p of [...one, ...other]) p[2] = 0.25;
+    if (i % 4 === 3) [one[0], one[1], one[2], other[0]] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.3, 0.3, -2e-3 * random()]];
+    const positions = Float32Array.from([...one, ...other].flat()), shares = i % 4 === 1;
+    if (i % 4 === 3) for (let v = 4; v < 6; v += 1) positions[3 * v + 2] += 0.1;
+    const at = (v) => [...positions.subarray(3 * v, 3 * v + 3)];
+    const depth = depthOf([0, 1, 2].map(at), [3, 4, 5].map(at)), touch = 1e-3;
+    if (Math.abs(depth - touch) < 1e-6) continue;
+    const found = findCrossings(positions, Uint32Array.of(0, 1, 2, shares ? 0 : 3, 4, 5), 1, touch).length;
+    assert.equal(found, depth > touch ? 1 : 0, `pair ${i}: ${depth} deep`);
+    told[depth > touch ? 'deep' : 'apart'] += 1;
+  }
+  assert.ok(told.deep > 300 && told.apart > 300, JSON.stringify(told));
 });
 
 test('a mesh that crosses itself and is no loft names the part and the place', () => {

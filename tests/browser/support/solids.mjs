@@ -70,15 +70,86 @@ export function solve(kernel, nodes, meshes = {}) {
   return solved[0];
 }
 
-/** Volume, genus and what breaks the law that a solid is closed and outward, by counting. */
-export function measure({ positions, triangles, mergeFrom, mergeTo }) {
-  const place = Uint32Array.from({ length: positions.length / 3 }, (_, i) => i);
+/** The corners of the triangles, vertices of one place as one vertex. */
+export function merged({ triangles, mergeFrom, mergeTo }, vertices) {
+  const place = Uint32Array.from({ length: vertices }, (_, i) => i);
   mergeFrom.forEach((from, i) => { place[from] = mergeTo[i]; });
   const find = (v) => (place[v] === v ? v : find(place[v]));
+  return triangles.map(find);
+}
+
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** How far triangles, three points each, must be shifted to part them; 0: they are apart. From the hull of all their differences. */
+export function depthOf(one, other) {
+  const size = Math.max(...[...one, ...other].flatMap((p) => minus(p, one[0]).map(Math.abs)));
+  if (size === 0) return 0;
+  const hull = library.Manifold.hull(one.flatMap((a) => other.map((b) => minus(a, b).map((x) => x / size))));
+  const { vertProperties: p, triVerts } = hull.getMesh();
+  hull.delete();
+  let depth = Infinity;
+  for (let t = 0; t < triVerts.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => p.subarray(3 * triVerts[t + k], 3 * triVerts[t + k] + 3));
+    const normal = cross(minus(b, a), minus(c, a)), length = Math.hypot(...normal);
+    if (length > 1e-9) depth = Math.min(depth, dot(normal, a) / length);
+  }
+  // What has no faces is flat.
+  return Number.isFinite(depth) ? Math.max(0, depth) * size : 0;
+}
+
+/** The depth of the deepest crossing of a mesh, by trying every pair of triangles that is not surely apart. */
+export function deepest(positions, triangles) {
+  const at = (v) => [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+  const all = Array.from({ length: triangles.length / 3 }, (_, t) => {
+    const ids = [...triangles.subarray(3 * t, 3 * t + 3)], points = ids.map(at);
+    return { ids, points, low: [0, 1, 2].map((k) => Math.min(...points.map((p) => p[k]))), high: [0, 1, 2].map((k) => Math.max(...points.map((p) => p[k]))) };
+  }).sort((a, b) => a.low[0] - b.low[0]);
+  const volume = (a, b, c, d) => {
+    const x = d[0] - a[0], y = d[1] - a[1], z = d[2] - a[2], ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2], vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+    return x * (uy * vz - uz * vy) + y * (uz * vx - ux * vz) + z * (ux * vy - uy * vx);
+  };
+  /** An edge goes through a triangle, or it may with another rounding. */
+  const mayPierce = ([a, b, c], d, e) => {
+    if (volume(a, b, c, d) * volume(a, b, c, e) > 0) return false;
+    const x = volume(d, e, a, b), y = volume(d, e, b, c), z = volume(d, e, c, a);
+    return (x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0);
+  };
+  /** Any edge of one without a corner of the other does. */
+  const edgesMayPierce = (one, other) => [0, 1, 2].some((k) => {
+    const l = (k + 1) % 3;
+    return !other.ids.includes(one.ids[k]) && !other.ids.includes(one.ids[l]) && mayPierce(other.points, one.points[k], one.points[l]);
+  });
+  let most = 0;
+  for (let i = 0; i < all.length; i += 1) {
+    for (let j = i + 1; j < all.length && all[j].low[0] <= all[i].high[0]; j += 1) {
+      const s = all[i], t = all[j];
+      if (s.low[1] > t.high[1] || t.low[1] > s.high[1] || s.low[2] > t.high[2] || t.low[2] > s.high[2]) continue;
+      if (s.ids.filter((v) => t.ids.includes(v)).length > 1) continue;
+      if (edgesMayPierce(s, t) || edgesMayPierce(t, s)) most = Math.max(most, depthOf(s.points, t.points));
+    }
+  }
+  return most;
+}
+
+/** The diagonal of the box round all points. */
+export function diagonal(positions) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  return Math.hypot(...minus(high, low));
+}
+
+/** Volume, genus and what breaks the law that a solid is closed and outward, by counting. */
+export function measure({ positions, triangles, mergeFrom, mergeTo }) {
+  const together = merged({ triangles, mergeFrom, mergeTo }, positions.length / 3);
   const edges = new Map(), used = new Set();
   let volume = 0;
   for (let t = 0; t < triangles.length; t += 3) {
-    const corners = [0, 1, 2].map((k) => find(triangles[t + k]));
+    const corners = [...together.subarray(t, t + 3)];
     corners.forEach((a, k) => {
       used.add(a);
       const b = corners[(k + 1) % 3], key = `${a} ${b}`;

@@ -116,9 +116,18 @@ export function importPart(library: ManifoldToplevel, mesh: MeshData, id: number
   if (!pieces) throw fault;
   const solid = library.Manifold.union(pieces);
   for (const piece of pieces) piece.delete();
-  if (solid.status() !== 'NoError') {
+  if (solid.status() !== 'NoError' || !isMended(solid)) {
     solid.delete();
     throw fault;
   }
   return solid;
+}
+
+/** Whether nothing of it crosses any more. */
+function isMended(solid: Manifold): boolean {
+  const mesh = solid.getMesh(), stride = mesh.numProp, n = mesh.vertProperties.length / stride;
+  const place = Uint32Array.from({ length: n }, (_, v) => v), positions = new Float32Array(3 * n);
+  for (let v = 0; v < n; v += 1) for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
+  mesh.mergeFromVert?.forEach((from, i) => { place[from] = mesh.mergeToVert![i]!; });
+  return findCrossings(positions, mesh.triVerts.map((v) => place[v]!), 1).length === 0;
 }
