@@ -18,130 +18,66 @@ std::size_t countOf(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
+/// Distances from one row to the next in sweeping order: `near` is done, `here` not yet.
+void relaxFrom(const std::uint16_t* near, std::uint16_t* here, std::size_t width) {
+  const auto least = [](int a, int b) { return static_cast<std::uint16_t>(std::min(a, b)); };
+  for (std::size_t x = 0; x < width; ++x) here[x] = least(here[x], near[x] + kUnit);
+  for (std::size_t x = 1; x < width; ++x) here[x] = least(here[x], near[x - 1] + kSlanted);
+  for (std::size_t x = 1; x < width; ++x) here[x - 1] = least(here[x - 1], near[x] + kSlanted);
+}
+
 /// To the nearest pixel outside, at most kFarthest.
 Distances inwardDistances(const image::Mask& mask) {
-  const int width = mask.width, height = mask.height;
   Distances d(mask.pixels.size());
+  if (d.empty()) return d;
   std::ranges::transform(mask.pixels, d.begin(), [](std::uint8_t inside) {
     return static_cast<std::uint16_t>(inside != 0 ? kFarthest : 0);
   });
-  const auto at = [&](int x, int y) -> std::uint16_t& {
-    return d[countOf(width, y) + static_cast<std::size_t>(x)];
-  };
-  const auto relax = [&](int x, int y, int fromX, int fromY, int step) {
-    if (fromX < 0 || fromY < 0 || fromX >= width || fromY >= height) return;
-    std::uint16_t& here = at(x, y);
-    here = static_cast<std::uint16_t>(std::min<int>(here, at(fromX, fromY) + step));
-  };
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      relax(x, y, x - 1, y, kUnit);
-      relax(x, y, x, y - 1, kUnit);
-      relax(x, y, x - 1, y - 1, kSlanted);
-      relax(x, y, x + 1, y - 1, kSlanted);
+  const auto width = static_cast<std::size_t>(mask.width),
+             height = static_cast<std::size_t>(mask.height);
+  for (std::size_t y = 0; y < height; ++y) {
+    std::uint16_t* row = d.data() + y * width;
+    if (y > 0) relaxFrom(row - width, row, width);
+    for (std::size_t x = 1; x < width; ++x) {
+      row[x] = static_cast<std::uint16_t>(std::min<int>(row[x], row[x - 1] + kUnit));
     }
   }
-  for (int y = height - 1; y >= 0; --y) {
-    for (int x = width - 1; x >= 0; --x) {
-      relax(x, y, x + 1, y, kUnit);
-      relax(x, y, x, y + 1, kUnit);
-      relax(x, y, x + 1, y + 1, kSlanted);
-      relax(x, y, x - 1, y + 1, kSlanted);
+  for (std::size_t y = height; y-- > 0;) {
+    std::uint16_t* row = d.data() + y * width;
+    if (y + 1 < height) relaxFrom(row + width, row, width);
+    for (std::size_t x = width - 1; x-- > 0;) {
+      row[x] = static_cast<std::uint16_t>(std::min<int>(row[x], row[x + 1] + kUnit));
     }
   }
   return d;
 }
 
-int unitsOf(double margin) { return static_cast<int>(std::lround(std::clamp(margin, 0.0, 64.0) * kUnit)); }
-
-/// Largest value within `radius` of each entry of a row or column of `count` entries, `step` apart.
-void widen(std::uint16_t* first, int count, std::size_t step, int radius,
-           std::vector<std::uint16_t>& line) {
-  line.resize(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i)] = first[static_cast<std::size_t>(i) * step];
-  for (int i = 0; i < count; ++i) {
-    const auto from = line.begin() + std::max(0, i - radius);
-    const auto to = line.begin() + std::min(count, i + radius + 1);
-    first[static_cast<std::size_t>(i) * step] = *std::max_element(from, to);
-  }
+int unitsOf(double margin) {
+  return static_cast<int>(std::lround(std::clamp(margin, 0.0, 64.0) * kUnit));
 }
 
-/// Colour and how much of it is known, in eighths of a level so that averages of averages stay true.
-struct Sample {
-  std::array<std::uint16_t, 3> colour{};
-  std::uint16_t weight = 0;  ///< 0…kWhole
-};
-constexpr int kFine = 8, kWhole = 4096;
-
-struct Level {
-  int width = 0, height = 0;
-  std::vector<Sample> samples;
-  const Sample& at(int x, int y) const {
-    return samples[countOf(width, std::clamp(y, 0, height - 1)) +
-                   static_cast<std::size_t>(std::clamp(x, 0, width - 1))];
-  }
-};
-
-/// Half the size: what is known of each four, and four times as sure of it.
-Level pull(const Level& fine) {
-  Level coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}};
-  coarse.samples.resize(countOf(coarse.width, coarse.height));
-  auto out = coarse.samples.begin();
-  for (int y = 0; y < coarse.height; ++y) {
-    for (int x = 0; x < coarse.width; ++x, ++out) {
-      std::uint32_t weight = 0;
-      std::array<std::uint32_t, 3> sum{};
-      for (int k = 0; k < 4; ++k) {
-        const int fx = 2 * x + k % 2, fy = 2 * y + k / 2;
-        if (fx >= fine.width || fy >= fine.height) continue;
-        const Sample& s = fine.at(fx, fy);
-        weight += s.weight;
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += std::uint32_t{s.colour[c]} * s.weight;
-      }
-      if (weight == 0) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        out->colour[c] = static_cast<std::uint16_t>((sum[c] + weight / 2) / weight);
-      }
-      out->weight = static_cast<std::uint16_t>(std::min<std::uint32_t>(weight, kWhole));
-    }
-  }
-  return coarse;
+/// The larger of each and the one `by` (> 0) further on, and of each and the one as far before it.
+void takeLarger(const std::uint16_t* from, std::uint16_t* to, std::size_t count, std::size_t by) {
+  if (by >= count) return;
+  for (std::size_t i = 0; i + by < count; ++i) to[i] = std::max(to[i], from[i + by]);
+  for (std::size_t i = by; i < count; ++i) to[i] = std::max(to[i], from[i - by]);
 }
 
-/// What a level does not know it takes from the next coarser one, between whose samples it lies.
-void push(const Level& coarse, Level& fine) {
-  auto out = fine.samples.begin();
-  for (int y = 0; y < fine.height; ++y) {
-    for (int x = 0; x < fine.width; ++x, ++out) {
-      if (out->weight >= kWhole) continue;
-      const int cx = x / 2, cy = y / 2, dx = x % 2 == 0 ? -1 : 1, dy = y % 2 == 0 ? -1 : 1;
-      const Sample &a = coarse.at(cx, cy), &b = coarse.at(cx + dx, cy), &c = coarse.at(cx, cy + dy),
-                   &d = coarse.at(cx + dx, cy + dy);
-      const std::uint32_t known = out->weight, rest = kWhole - known;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t mixed =
-            (9u * a.colour[i] + 3u * b.colour[i] + 3u * c.colour[i] + d.colour[i] + 8) / 16;
-        out->colour[i] =
-            static_cast<std::uint16_t>((out->colour[i] * known + mixed * rest + kWhole / 2) / kWhole);
-      }
-      out->weight = kWhole;
-    }
+/// Largest value within `radius` columns and rows of each entry.
+Distances widened(const Distances& d, std::size_t width, std::size_t radius) {
+  Distances across = d;
+  for (std::size_t row = 0; row < d.size(); row += width) {
+    for (std::size_t k = 1; k <= radius; ++k) takeLarger(&d[row], &across[row], width, k);
   }
+  Distances out = across;
+  for (std::size_t k = 1; k <= radius; ++k) {
+    takeLarger(across.data(), out.data(), d.size(), k * width);
+  }
+  return out;
 }
 
-Level firstLevel(const image::Image& image, const image::Mask& known) {
-  Level level{image.width, image.height, {}};
-  level.samples.resize(known.pixels.size());
-  for (std::size_t i = 0; i < level.samples.size(); ++i) {
-    const std::uint8_t* p = image.pixels.data() + 4 * i;
-    if (known.pixels[i] == 0 || p[3] < 128) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      level.samples[i].colour[c] = static_cast<std::uint16_t>(p[c] * kFine);
-    }
-    level.samples[i].weight = kWhole;
-  }
-  return level;
-}
+/// Eighths of a level, so that averages of averages stay true.
+constexpr unsigned kFine = 8;
 
 }  // namespace
 
@@ -164,16 +100,8 @@ image::Mask trusted(const image::Mask& covered, double margin) {
   if (covered.width <= 0 || covered.height <= 0 || wanted == 0) return out;
   const Distances inward = inwardDistances(covered);
   // How deep it gets near by, which is half its width there.
-  Distances deepest = inward;
-  std::vector<std::uint16_t> line;
-  const int radius = (2 * wanted + kUnit - 1) / kUnit;
-  const auto width = static_cast<std::size_t>(covered.width);
-  for (int y = 0; y < covered.height; ++y) {
-    widen(deepest.data() + countOf(covered.width, y), covered.width, 1, radius, line);
-  }
-  for (int x = 0; x < covered.width; ++x) {
-    widen(deepest.data() + x, covered.height, width, radius, line);
-  }
+  const auto radius = static_cast<std::size_t>((2 * wanted + kUnit - 1) / kUnit);
+  const Distances deepest = widened(inward, static_cast<std::size_t>(covered.width), radius);
   for (std::size_t i = 0; i < out.pixels.size(); ++i) {
     // An inner pixel next to an outer one is one pixel from it, but its outer side touches it.
     const int needed = std::min(wanted + kUnit / 2, deepest[i] / 2 + kUnit / 2);
@@ -182,21 +110,114 @@ image::Mask trusted(const image::Mask& covered, double margin) {
   return out;
 }
 
-image::Image bleed(const image::Image& image, const image::Mask& known) {
-  if (image.empty() || known.width != image.width || known.height != image.height) return {};
-  std::vector<Level> levels;
-  levels.push_back(firstLevel(image, known));
-  while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(pull(levels.back()));
-  if (levels.back().samples.front().weight == 0) return {};
-  levels.back().samples.front().weight = kWhole;
-  for (std::size_t i = levels.size() - 1; i-- > 0;) push(levels[i + 1], levels[i]);
-  image::Image out{image.width, image.height, {}};
-  out.pixels.reserve(4 * known.pixels.size());
-  for (const Sample& s : levels.front().samples) {
-    for (const std::uint16_t c : s.colour) {
-      out.pixels.push_back(static_cast<std::uint8_t>((c + kFine / 2) / kFine));
+double meanDepth(const image::Mask& mask) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const std::uint16_t distance : inwardDistances(mask)) {
+    sum += distance;
+    count += distance > 0 ? 1 : 0;
+  }
+  return count > 0 ? sum / (kUnit * static_cast<double>(count)) : 0;
+}
+
+Carried::Carried(const image::Image& image, const image::Mask& known)
+    : image_(image), known_(known) {
+  if (image.empty() || known.width != image.width || known.height != image.height) return;
+  levels_.push_back(average(image.width, image.height, [&](int x, int y) {
+    const std::size_t i = countOf(image.width, y) + static_cast<std::size_t>(x);
+    const std::uint8_t* p = image.pixels.data() + 4 * i;
+    const auto fine = [](std::uint8_t c) { return static_cast<std::uint16_t>(c * kFine); };
+    return isKnown(i) ? Sample{{fine(p[0]), fine(p[1]), fine(p[2])}, 1} : Sample{};
+  }));
+  while (levels_.back().width > 1 || levels_.back().height > 1) {
+    const Level& last = levels_.back();
+    levels_.push_back(average(last.width, last.height, [&](int x, int y) {
+      return last.samples[countOf(last.width, y) + static_cast<std::size_t>(x)];
+    }));
+  }
+  if (levels_.back().samples.front().known == 0) {
+    levels_.clear();
+    return;
+  }
+  for (std::size_t i = levels_.size() - 1; i-- > 0;) {
+    Level& level = levels_[i];
+    auto out = level.samples.begin();
+    for (int y = 0; y < level.height; ++y) {
+      for (int x = 0; x < level.width; ++x, ++out) {
+        if (out->known == 0) *out = between(levels_[i + 1], x, y);
+      }
     }
-    out.pixels.push_back(255);
+  }
+}
+
+template <class At>
+Carried::Level Carried::average(int width, int height, const At& at) {
+  constexpr std::array<unsigned, 5> kTwelfths = {0, 12, 6, 4, 3};
+  Level coarse{(width + 1) / 2, (height + 1) / 2, {}};
+  coarse.samples.resize(countOf(coarse.width, coarse.height));
+  auto out = coarse.samples.begin();
+  for (int y = 0; y < coarse.height; ++y) {
+    for (int x = 0; x < coarse.width; ++x, ++out) {
+      std::array<unsigned, 3> sum{};
+      unsigned count = 0;
+      for (int k = 0; k < 4; ++k) {
+        const int fx = 2 * x + k % 2, fy = 2 * y + k / 2;
+        if (fx >= width || fy >= height) continue;
+        const Sample s = at(fx, fy);
+        count += s.known;
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += s.known * s.colour[c];
+      }
+      if (count == 0) continue;
+      for (std::size_t c = 0; c < 3;
+           ++c) {  // twelfths: the compiler knows how to divide by a constant
+        out->colour[c] = static_cast<std::uint16_t>((sum[c] * kTwelfths[count] + 6) / 12);
+      }
+      out->known = 1;
+    }
+  }
+  return coarse;
+}
+
+Carried::Sample Carried::between(const Level& coarse, int x, int y) {
+  const auto at = [&](int cx, int cy) -> const Sample& {
+    return coarse.samples[countOf(coarse.width, std::clamp(cy, 0, coarse.height - 1)) +
+                          static_cast<std::size_t>(std::clamp(cx, 0, coarse.width - 1))];
+  };
+  const int cx = x / 2, cy = y / 2, dx = x % 2 == 0 ? -1 : 1, dy = y % 2 == 0 ? -1 : 1;
+  const Sample &a = at(cx, cy), &b = at(cx + dx, cy), &c = at(cx, cy + dy),
+               &d = at(cx + dx, cy + dy);
+  Sample mixed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    mixed.colour[i] = static_cast<std::uint16_t>(
+        (9u * a.colour[i] + 3u * b.colour[i] + 3u * c.colour[i] + d.colour[i] + 8) / 16);
+  }
+  mixed.known = 1;
+  return mixed;
+}
+
+bool Carried::isKnown(std::size_t i) const {
+  return known_.pixels[i] != 0 && image_.pixels[4 * i + 3] >= 128;
+}
+
+Colour Carried::at(std::size_t i) const {
+  const std::uint8_t* p = image_.pixels.data() + 4 * i;
+  if (isKnown(i)) return {p[0], p[1], p[2]};
+  const auto width = static_cast<std::size_t>(image_.width);
+  const Sample s =
+      between(levels_.front(), static_cast<int>(i % width), static_cast<int>(i / width));
+  const auto coarse = [](unsigned c) { return static_cast<std::uint8_t>((c + kFine / 2) / kFine); };
+  return {coarse(s.colour[0]), coarse(s.colour[1]), coarse(s.colour[2])};
+}
+
+image::Image bleed(const image::Image& image, const image::Mask& known) {
+  const Carried carried(image, known);
+  if (carried.empty()) return {};
+  image::Image out{image.width, image.height, {}};
+  out.pixels.resize(image.pixels.size());
+  for (std::size_t i = 0; i < known.pixels.size(); ++i) {
+    const Colour colour = carried.at(i);
+    std::ranges::copy(colour, out.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    out.pixels[4 * i + 3] = 255;
   }
   return out;
 }

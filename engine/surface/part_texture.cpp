@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <type_traits>
+#include <utility>
 
 #include "engine/surface/bleed.h"
+#include "engine/surface/foreign.h"
 #include "engine/surface/raster.h"
 
 namespace spineloft::surface {
 namespace {
 
-/// Pixels around what is covered: what the part stands before, and room for filters.
-constexpr int kBorder = 24;
+/// Pixels around what is covered: of the texture, room for filters; and while colours are judged,
+/// what the part stands before, beyond the clearance.
+constexpr int kBorder = 8, kAround = 24;
 
 /// Whole pixels of a picture, the last ones excluded.
 struct Cut {
@@ -20,34 +23,44 @@ struct Cut {
   int height() const { return bottom - top; }
 };
 
-std::optional<Cut> cutOf(const image::Image& picture, const Wrapped& surface) {
-  double left = 1, top = 1, right = 0, bottom = 0;
+/// Picture UV, without border.
+std::optional<UvArea> areaOf(const Wrapped& surface) {
+  UvArea area{1, 1, 0, 0};
   for (const auto& triangle : surface.triangles) {
     for (const std::uint32_t v : triangle) {
-      const double x = static_cast<double>(surface.uv[v][0]), y = static_cast<double>(surface.uv[v][1]);
+      const double x = static_cast<double>(surface.uv[v][0]),
+                   y = static_cast<double>(surface.uv[v][1]);
       if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) continue;
-      left = std::min(left, x), right = std::max(right, x);
-      top = std::min(top, y), bottom = std::max(bottom, y);
+      area.left = std::min(area.left, x), area.right = std::max(area.right, x);
+      area.top = std::min(area.top, y), area.bottom = std::max(area.bottom, y);
     }
   }
-  if (!(left <= right && top <= bottom)) return std::nullopt;
-  const auto low = [](double share, int side) {
-    return std::max(0, static_cast<int>(std::floor(share * side)) - kBorder);
-  };
-  const auto high = [](double share, int side) {
-    return std::min(side, static_cast<int>(std::ceil(share * side)) + kBorder);
-  };
-  return Cut{low(left, picture.width), low(top, picture.height), high(right, picture.width),
-             high(bottom, picture.height)};
+  if (!(area.left <= area.right && area.top <= area.bottom)) return std::nullopt;
+  return area;
 }
 
-image::Image cutOut(const image::Image& picture, const Cut& cut) {
-  image::Image out{cut.width(), cut.height(), {}};
-  const auto row = static_cast<std::ptrdiff_t>(4) * cut.width();
+/// The pixels of an area and of a border around it, as far as there are any.
+Cut cutOf(const UvArea& area, image::Size picture, int border) {
+  const auto low = [&](double share, int side) {
+    return std::max(0, static_cast<int>(std::floor(share * side)) - border);
+  };
+  const auto high = [&](double share, int side) {
+    return std::min(side, static_cast<int>(std::ceil(share * side)) + border);
+  };
+  return {low(area.left, picture.width), low(area.top, picture.height),
+          high(area.right, picture.width), high(area.bottom, picture.height)};
+}
+
+/// Of an image or a mask.
+template <class Pixels>
+Pixels cutOut(const Pixels& picture, const Cut& cut) {
+  constexpr std::ptrdiff_t kBytes = std::is_same_v<Pixels, image::Image> ? 4 : 1;
+  Pixels out{cut.width(), cut.height(), {}};
+  const std::ptrdiff_t row = kBytes * cut.width();
   out.pixels.reserve(static_cast<std::size_t>(row) * static_cast<std::size_t>(cut.height()));
   for (int y = cut.top; y < cut.bottom; ++y) {
-    const auto first =
-        picture.pixels.begin() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + cut.left);
+    const auto first = picture.pixels.begin() +
+                       kBytes * (static_cast<std::ptrdiff_t>(y) * picture.width + cut.left);
     out.pixels.insert(out.pixels.end(), first, first + row);
   }
   return out;
@@ -56,7 +69,7 @@ image::Image cutOut(const image::Image& picture, const Cut& cut) {
 /// From the picture's UV to pixels of the texture, centres at integers.
 class ToTexture {
  public:
-  ToTexture(const UvArea& area, const image::Image& texture)
+  ToTexture(const UvArea& area, image::Size texture)
       : area_(area),
         perU_(texture.width / (area.right - area.left)),
         perV_(texture.height / (area.bottom - area.top)) {}
@@ -69,14 +82,16 @@ class ToTexture {
   double perU_, perV_;
 };
 
-image::Mask emptyMask(const image::Image& like) {
-  image::Mask mask{like.width, like.height, {}};
-  mask.pixels.assign(like.pixels.size() / 4, 0);
+image::Mask emptyMask(image::Size size) {
+  image::Mask mask{size.width, size.height, {}};
+  mask.pixels.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
+                     0);
   return mask;
 }
 
-image::Mask coverOf(const Wrapped& surface, const ToTexture& toTexture, const image::Image& texture) {
-  image::Mask mask = emptyMask(texture);
+image::Mask coverOf(const Wrapped& surface, const UvArea& area, image::Size size) {
+  image::Mask mask = emptyMask(size);
+  const ToTexture toTexture(area, size);
   const auto at = [&](std::uint32_t v) {
     return toTexture(static_cast<double>(surface.uv[v][0]), static_cast<double>(surface.uv[v][1]));
   };
@@ -101,8 +116,9 @@ image::Mask coverOf(const Wrapped& surface, const ToTexture& toTexture, const im
 }
 
 /// Where the part is sure. A fan covers each polygon.
-image::Mask sureOf(const Wrapped& surface, const ToTexture& toTexture, const image::Image& texture) {
-  image::Mask sure = emptyMask(texture);
+image::Mask sureOf(const Wrapped& surface, const UvArea& area, image::Size size) {
+  image::Mask sure = emptyMask(size);
+  const ToTexture toTexture(area, size);
   for (const std::vector<PicturePoint>& polygon : surface.sure) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<PicturePoint, 3> corners = {toTexture(polygon[0].x, polygon[0].y),
@@ -116,49 +132,6 @@ image::Mask sureOf(const Wrapped& surface, const ToTexture& toTexture, const ima
   return sure;
 }
 
-int apartness(const std::uint8_t* a, const std::uint8_t* b) {
-  int apart = 0;
-  for (int c = 0; c < 3; ++c) apart = std::max(apart, std::abs(a[c] - b[c]));
-  return apart;
-}
-
-/// 0 where what is around the part goes on within it: from its outline inwards over pixels that are not
-/// `sure`, do not look like the part there (`in`: its colours carried on), and differ little from one
-/// to the next. 255 elsewhere. Channels that differ most decide, of 255.
-image::Mask familiarOf(const image::Image& shown, const image::Mask& covered, const image::Mask& sure,
-                       const image::Image& in) {
-  constexpr int kUnlike = 56, kAlike = 28;
-  const int width = shown.width, height = shown.height;
-  image::Mask familiar = covered;
-  std::ranges::fill(familiar.pixels, std::uint8_t{255});
-  std::vector<std::size_t> front, next;
-  const auto look = [&](std::size_t from, std::vector<std::size_t>& to) {
-    const int x = static_cast<int>(from % static_cast<std::size_t>(width));
-    const int y = static_cast<int>(from / static_cast<std::size_t>(width));
-    const auto visit = [&](bool exists, std::size_t at) {
-      if (!exists || covered.pixels[at] == 0 || sure.pixels[at] != 0 || familiar.pixels[at] == 0) return;
-      const std::uint8_t* pixel = &shown.pixels[4 * at];
-      if (apartness(pixel, &shown.pixels[4 * from]) > kAlike) return;
-      if (apartness(pixel, &in.pixels[4 * at]) <= kUnlike) return;
-      familiar.pixels[at] = 0;
-      to.push_back(at);
-    };
-    visit(x > 0, from - 1);
-    visit(x + 1 < width, from + 1);
-    visit(y > 0, from - static_cast<std::size_t>(width));
-    visit(y + 1 < height, from + static_cast<std::size_t>(width));
-  };
-  for (std::size_t i = 0; i < covered.pixels.size(); ++i) {
-    if (covered.pixels[i] == 0) look(i, front);
-  }
-  while (!front.empty()) {
-    next.clear();
-    for (const std::size_t i : front) look(i, next);
-    std::swap(front, next);
-  }
-  return familiar;
-}
-
 /// `a` where `b` is inside too.
 image::Mask common(image::Mask a, const image::Mask& b) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -167,42 +140,100 @@ image::Mask common(image::Mask a, const image::Mask& b) {
   return a;
 }
 
-/// The texture's pixels; empty when nothing can be seen.
-image::Image paint(const image::Image& shown, const image::Mask& covered, const image::Mask& sure,
-                   double margin) {
-  const image::Mask inner = trusted(covered, margin);
-  if (inner == common(inner, sure)) {
-    image::Image filled = bleed(shown, inner);
-    return filled.empty() ? bleed(shown, covered) : filled;
+image::Mask opposite(image::Mask mask) {
+  for (std::uint8_t& p : mask.pixels) p = static_cast<std::uint8_t>(255 - p);
+  return mask;
+}
+
+/// How a part lies on its picture.
+struct Lie {
+  image::Mask covered, sure;
+  double margin = 0;     ///< of the rim, px
+  double clearance = 0;  ///< around the part, px
+};
+
+/// The pixels that the part keeps as the picture has them; none when nothing can be seen.
+image::Mask keptOf(const image::Image& shown, const Lie& lie) {
+  const image::Mask inner = trusted(lie.covered, lie.margin);
+  image::Mask kept = common(inner, lie.sure), rim = lie.covered;
+  if (const Carried in(shown, kept); in.empty()) {  // nothing is sure, or nothing but the rim seen
+    kept = inner;
+  } else if (kept != inner) {
+    const image::Mask familiar =
+        familiarPixels({shown, lie.covered, lie.sure, kept, in}, lie.clearance);
+    rim = common(rim, familiar);
+    // What is mixed with the foreign pixels goes with them.
+    kept = common(inner, inset(familiar, lie.margin));
   }
-  const image::Image in = bleed(shown, common(inner, sure));
-  if (in.empty()) return paint(shown, covered, covered, margin);
-  // What is mixed with the foreign pixels goes with them.
-  const image::Mask familiar = inset(familiarOf(shown, covered, sure, in), margin);
-  return bleed(shown, common(inner, familiar));
+  const Carried in(shown, kept);
+  if (in.empty()) return lie.covered;
+  const image::Mask beyond = inset(opposite(rim), lie.margin);
+  const Carried out(shown, beyond);
+  return out.empty() ? kept : withCleanRim(shown, kept, rim, in, out);
+}
+
+/// Mean depth of a surface, pixels of the picture, about.
+double depthOf(const Wrapped& surface, const UvArea& area, image::Size picture) {
+  const Cut cut = cutOf(area, picture, 0);
+  constexpr int kMostSide = 128;
+  const image::Size size =
+      image::fitSize({cut.width(), cut.height()}, kMostSide * kMostSide, kMostSide);
+  if (size.width <= 0) return 0;
+  return meanDepth(coverOf(surface, area, size)) * cut.width() / size.width;
+}
+
+UvArea uvOf(const Cut& cut, image::Size picture) {
+  const double width = picture.width, height = picture.height;
+  return {cut.left / width, cut.top / height, cut.right / width, cut.bottom / height};
+}
+
+/// As far as a texture of size `own` at the same scale would have to be.
+image::Image shrunkLike(image::Image image, image::Size own) {
+  const image::Size fit = image::fitSize(own, kTexturePixels, 4096);
+  if (fit == own) return image;
+  const auto side = [](int pixels, int to, int from) {
+    return std::max(1, static_cast<int>(static_cast<long long>(pixels) * to / from));
+  };
+  return image::shrink(image, side(image.width, fit.width, own.width),
+                       side(image.height, fit.height, own.height));
 }
 
 }  // namespace
 
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface) {
   if (picture.empty()) return std::nullopt;
-  const std::optional<Cut> cut = cutOf(picture, surface);
-  if (!cut) return std::nullopt;
-  image::Image shown = cutOut(picture, *cut);
-  const image::Size size = image::fitSize({shown.width, shown.height}, kTexturePixels, 4096);
-  if (size != image::Size{shown.width, shown.height}) {
-    shown = image::shrink(shown, size.width, size.height);
-  }
-  const double width = picture.width, height = picture.height;
-  PartTexture out;
-  out.area = {cut->left / width, cut->top / height, cut->right / width, cut->bottom / height};
-  const ToTexture toTexture(out.area, shown);
-  const image::Mask covered = coverOf(surface, toTexture, shown);
-  image::Mask sure = covered;
-  if (!surface.sure.empty()) sure = sureOf(surface, toTexture, shown);
-  out.pixels = paint(shown, covered, sure, rimMargin(std::max(picture.width, picture.height)));
-  if (out.pixels.empty()) return std::nullopt;
-  return out;
+  const std::optional<UvArea> area = areaOf(surface);
+  if (!area) return std::nullopt;
+  const image::Size whole{picture.width, picture.height};
+  Lie lie;
+  lie.margin = rimMargin(std::max(whole.width, whole.height));
+  if (!surface.sure.empty()) lie.clearance = clearanceOf(depthOf(surface, *area, whole));
+  const Cut cut = cutOf(*area, whole, kBorder);
+  const Cut wide = cutOf(*area, whole, kAround + static_cast<int>(std::ceil(lie.clearance)));
+  const image::Image shown = shrunkLike(cutOut(picture, wide), {cut.width(), cut.height()});
+  const image::Size size{shown.width, shown.height};
+  const UvArea around = uvOf(wide, whole);
+  lie.covered = coverOf(surface, around, size);
+  lie.sure = surface.sure.empty() ? lie.covered : sureOf(surface, around, size);
+  const image::Mask kept = keptOf(shown, lie);
+  // Of these pixels those within the cut.
+  const auto first = [](int from, int side, int pixels) {
+    return static_cast<int>((static_cast<long long>(from) * pixels + side - 1) / side);
+  };
+  const auto last = [](int to, int side, int pixels) {
+    return static_cast<int>(static_cast<long long>(to) * pixels / side);
+  };
+  const Cut own{first(cut.left - wide.left, wide.width(), size.width),
+                first(cut.top - wide.top, wide.height(), size.height),
+                last(cut.right - wide.left, wide.width(), size.width),
+                last(cut.bottom - wide.top, wide.height(), size.height)};
+  const UvArea share = uvOf(own, size);
+  const double width = around.right - around.left, height = around.bottom - around.top;
+  image::Image pixels = bleed(cutOut(shown, own), cutOut(kept, own));
+  if (pixels.empty()) return std::nullopt;
+  return PartTexture{std::move(pixels),
+                     {around.left + share.left * width, around.top + share.top * height,
+                      around.left + share.right * width, around.top + share.bottom * height}};
 }
 
 }  // namespace spineloft::surface

@@ -32,19 +32,19 @@ inline constexpr long long kTexturePixels = 2'000'000;
 
 /// A surface over the picture. Spans must outlive the call.
 struct Wrapped {
-  std::span<const std::array<float, 2>> uv;                    ///< in the picture, 0…1
-  std::span<const std::array<std::uint32_t, 3>> triangles;     ///< of indices into uv
-  /// Polygons (picture UV, convex or nearly so) in which the picture certainly shows the part; empty:
-  /// it does everywhere. Elsewhere the background or another thing may show.
+  std::span<const std::array<float, 2>> uv;                 ///< in the picture, 0…1
+  std::span<const std::array<std::uint32_t, 3>> triangles;  ///< of indices into uv
+  /// Polygons (picture UV, convex or nearly so) in which the picture certainly shows the part;
+  /// empty: it does everywhere. Elsewhere the background or another thing may show.
   std::span<const std::vector<PicturePoint>> sure;
 };
 
-/// Cuts out what the triangles cover of the picture's working copy and bleeds the colours from well
-/// inside that over its rim and beyond (bleed.h), so that no colour from around the part is on it.
-/// Transparent pixels are filled too, and where the part is not sure those that look like what is
-/// around it and not like its sure places. When nothing would be left, the rim is believed after all.
-/// None when no pixel that is covered can be seen, or nothing is covered. Linear in the pixels of the
-/// cut-out and the rows of the triangles.
+/// Cuts out what the triangles cover of the picture's working copy. What the picture shows of the part stays
+/// as it is, pixel for pixel; over the rest colours are bled (bleed.h): over the rim where what is behind is
+/// mixed into it, over transparent pixels, beyond the outline, and where the part is not sure over
+/// what is foreign there (foreign.h), so that no colour from around the part is on it. When nothing
+/// would be left, the rim is believed after all. None when no pixel that is covered can be seen, or
+/// nothing is covered. Linear in the pixels of the cut-out and the rows of the triangles.
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);
 
 }  // namespace spineloft::surface

@@ -83,6 +83,36 @@ TEST_CASE("seen from the front a part looks as its picture does, to 30 dB") {
   CHECK(found >= 30);
 }
 
+TEST_CASE("the ends of a thing show their own colours, whatever they are") {
+  // A blue foot, where ribs may reach beyond the thing.
+  image::Picture picture = stripedPicture({200, 190, 180});
+  const auto isFoot = [](int x, int y) { return x >= 268 && isThing(x, y); };
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      std::uint8_t* p = picture.working.pixels.data() + 4 * (std::size_t(y) * kWidth + std::size_t(x));
+      if (isFoot(x, y)) p[0] = 30, p[1] = 40, p[2] = 160;
+    }
+  }
+  const auto shared = std::make_shared<const image::Picture>(picture);
+  Document document = update({}, AddPicture{"foot", shared}).value();
+  document = update(document, DrawSpine{PictureId{1}, middleStroke()}).value();
+  const auto shape = shapeOf(document);
+  REQUIRE(shape);
+  REQUIRE(shape->texture);
+  auto seen = testing::frontView(shape->mesh, {kWidth, kHeight}, wearing(*shape->texture));
+  int looked = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::size_t i = std::size_t(y) * kWidth + std::size_t(x);
+      const bool inner = isFoot(x - 2, y - 2) && isFoot(x + 2, y + 2) && isFoot(x - 2, y + 2) && isFoot(x + 2, y - 2);
+      if (!inner || !seen[i]) seen[i].reset();
+      looked += seen[i] ? 1 : 0;
+    }
+  }
+  CHECK(looked > 300);
+  CHECK(testing::psnr(seen, picture.working) >= 30);
+}
+
 TEST_CASE("a loud ground leaves no trace on the part, on its rim neither") {
   const auto shape = shapeOf(stripedDocument({255, 0, 255}));
   REQUIRE(shape);
