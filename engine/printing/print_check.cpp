@@ -8,6 +8,7 @@
 
 #include "engine/base/vec.h"
 #include "engine/mesh/laws.h"
+#include "engine/printing/pieces.h"
 #include "engine/printing/stand.h"
 
 namespace spineloft::printing {
@@ -157,6 +158,8 @@ PrintCheck checkPrint(std::span<const mesh::TriMesh> parts) {
   while (check.printer < kPrinters.size() && !fits(check.size, kPrinters[check.printer].volume)) ++check.printer;
   findThinnest(parts, check);
   findStand(parts, low[1], check);
+  check.pieces = countPieces(parts);
+  check.footHelps = !check.stands() && flatFoot(parts).has_value();
   return check;
 }
 

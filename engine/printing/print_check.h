@@ -27,6 +27,7 @@ inline constexpr double kFootReach = 0.3;
 
 struct PrintCheck {
   bool closed = false;  ///< every part is finite, closed and outward
+  std::size_t pieces = 0;  ///< how many come off the printer (see countPieces)
   /// Width (x), depth (z of the meshes), height (y), millimetres.
   std::array<double, 3> size{};
   double volume = 0;  ///< cubic millimetres; where parts overlap it counts twice
@@ -39,6 +40,8 @@ struct PrintCheck {
   /// itself.
   double lean = 0;
   bool stands() const { return lean >= kLeastLean; }
+  /// What does not stand would on a flat foot (see flatFoot).
+  bool footHelps = false;
   bool thick() const { return thinnest >= kLeastWall; }
   /// Index of the first printer that it fits into, turned by 90° about the height where that helps; the
   /// number of printers when it fits into none.

@@ -70,12 +70,7 @@ void App::layout() {
   if (!ui_.slices.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
-    // Where bars take much of the view, the picture stays clear of them.
-    Rect clear = ui_.layout.picture;
-    clear.y += ui_.headRoom;
-    clear.height = std::max(1.0, clear.height - ui_.headRoom - ui_.footRoom);
-    ui_.pictureView = fitPicture(entry->size, clear);
-    ui_.pictureView.centre.y -= (ui_.headRoom - ui_.footRoom) / 2 / ui_.pictureView.zoom;
+    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barRoom);
   }
 }
 

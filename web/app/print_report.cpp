@@ -34,11 +34,18 @@ PrintLine wallLine(const printing::PrintCheck& check) {
   return {false, "Its thinnest place is " + thin + "; below 0.8 mm it breaks or is left out. \"Make it thick enough\" makes it larger.", "thicken"};
 }
 
+PrintLine closedLine(const printing::PrintCheck& check) {
+  if (!check.closed) return {false, "A part of it is not closed. Change its ribs a little, or draw it again."};
+  if (check.pieces < 2) return {true, "It is closed all round and in one piece."};
+  return {false, "It is in " + std::to_string(check.pieces) + " pieces that do not touch. Move them together, or print each by itself."};
+}
+
 PrintLine standLine(const printing::PrintCheck& check) {
   const double degrees = check.lean * 180 / std::numbers::pi;
   if (check.stands()) {
     return {true, "It stands: it can lean " + number(std::floor(degrees), 0) + "° before it falls."};
   }
+  if (!check.footHelps) return {false, "It would fall over. Print it lying down, or stick it on something broad."};
   return {false, "It would fall over. \"Flat foot\" cuts it flat below; or print it lying down.", "flat-foot"};
 }
 
@@ -46,10 +53,10 @@ PrintLine standLine(const printing::PrintCheck& check) {
 
 std::vector<PrintLine> printLines(const PrintReport& report) {
   const printing::PrintCheck& check = report.check;
-  const PrintLine closed = check.closed
-                               ? PrintLine{true, "It is closed all round."}
-                               : PrintLine{false, "A part of it is not closed. Change its ribs a little, or draw it again."};
-  return {closed, sizeLine(check), wallLine(check), standLine(check)};
+  std::vector<PrintLine> lines{closedLine(check), sizeLine(check), wallLine(check)};
+  // How a heap of loose pieces stands is nobody's question.
+  if (check.pieces < 2) lines.push_back(standLine(check));
+  return lines;
 }
 
 }  // namespace spineloft::app

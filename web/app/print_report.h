@@ -21,7 +21,7 @@ struct PrintLine {
   std::string text;           ///< a sentence
   std::string_view fix = {};  ///< the command that mends it, if one does
 };
-/// Closed, size, thickness, standing: a line each.
+/// Closed and in how many pieces, size, thickness, and how a single piece stands: a line each.
 std::vector<PrintLine> printLines(const PrintReport& report);
 
 }  // namespace spineloft::app

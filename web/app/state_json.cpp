@@ -232,7 +232,7 @@ void writePrint(JsonWriter& json, const document::Document& document, const UiSt
     return;
   }
   const printing::PrintCheck& check = ui.print->check;
-  json.beginObject().key("closed").flag(check.closed).key("size").beginArray();
+  json.beginObject().key("closed").flag(check.closed).key("pieces").number(static_cast<double>(check.pieces)).key("size").beginArray();
   for (const double side : check.size) json.number(side);
   json.endArray().key("thinnest").number(check.thinnest).key("lean").number(check.lean);
   json.key("stands").flag(check.stands()).key("volume").number(check.volume).key("printer");

@@ -190,9 +190,7 @@ struct UiState {
   PictureView pictureView;
   std::vector<SeenPicture> seen;  ///< how the other pictures were last looked at
   bool legendOpen = false;        ///< on a phone, where it is folded at first
-  /// CSS pixels of the picture view that bars take on a phone: at its head, and at its foot by more
-  /// rows than the one that is always reckoned with.
-  double headRoom = 0, footRoom = 0;
+  BarRoom barRoom;                ///< what bars take of the picture view on a phone
   Camera camera;
   std::optional<CameraFlight> flight;
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more

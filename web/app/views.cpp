@@ -32,20 +32,26 @@ bool buttonsAtSide(const Rect& view) {
   return view.height < kLowView && view.width > 1.1 * view.height;
 }
 
-PictureView fitPicture(image::Size picture, const Rect& view) {
+PictureView fitPicture(image::Size picture, const Rect& view, const BarRoom& bars) {
   PictureView out;
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
   const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
   Rect inner = view.inset(margin);
-  if (view.height >= kTallView) {  // the options of the tools stand at the top
-    inner.y += kTopRoom - margin;
-    inner.height -= kTopRoom - margin;
-  }
+  // The options of the tools stand at the head of a tall view.
+  double head = std::max(view.height >= kTallView ? kTopRoom - margin : 0.0, bars.head);
+  double foot = bars.foot;
   if (buttonsAtSide(view)) {
     inner.width = std::max(0.0, inner.width - (kButtonRoom - margin));
   } else if (inner.height > 2 * kButtonRoom) {
-    inner.height -= kButtonRoom - margin;
+    foot += kButtonRoom - margin;
   }
+  const double most = std::max(0.0, inner.height - view.height / 3);
+  if (head + foot > most) {
+    head *= most / (head + foot);
+    foot = most - head;
+  }
+  inner.y += head;
+  inner.height -= head + foot;
   if (picture.width > 0 && picture.height > 0 && inner.width > 0 && inner.height > 0) {
     out.zoom = std::clamp(std::min(inner.width / picture.width, inner.height / picture.height),
                           kMinZoom, kMaxZoom);

@@ -32,8 +32,16 @@ struct PictureView {
 /// row at its foot.
 bool buttonsAtSide(const Rect& view);
 
-/// The whole picture in the middle of the view with a small margin, clear of the buttons.
-PictureView fitPicture(image::Size picture, const Rect& view);
+/// CSS pixels of a picture view that bars take: at its head, and at its foot by more rows than the
+/// one of buttons that is always reckoned with.
+struct BarRoom {
+  double head = 0, foot = 0;
+  bool operator==(const BarRoom&) const = default;
+};
+
+/// The whole picture in the middle of the view with a small margin, clear of the buttons and bars
+/// (but never smaller than a third of the view for their sake).
+PictureView fitPicture(image::Size picture, const Rect& view, const BarRoom& bars = {});
 /// Where the picture's outer edge lies.
 Rect pictureRect(const PictureView& view, image::Size picture, const Rect& at);
 /// Scales by `factor` (clamped to sensible zooms) so that what lies under `anchor` stays there.

@@ -157,7 +157,7 @@ void drawEditBar(const PanelEnv& env) {
   const std::span<const Item> items = itemsOf(env.ui());
   const bool places = env.ui().tool == app::ToolKind::Place;  // which works in the solid view
   const app::Rect& view = places ? env.ui().layout.solid : env.ui().layout.picture;
-  env.ui().headRoom = 0;
+  env.ui().barRoom.head = 0;
   if (items.empty() || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
   // On a phone the view's name gives way.
@@ -176,7 +176,7 @@ void drawEditBar(const PanelEnv& env) {
   const double height = rows * (side + kGap) - kGap + 2 * kPadding;
   const app::Rect card{view.right() - kMargin - width, view.y + kMargin, width, height};
   env.ui().overlays.push_back(card);
-  if (env.ui().layout.stacked && !places) env.ui().headRoom = height + kMargin;
+  if (env.ui().layout.stacked && !places) env.ui().barRoom.head = height + kMargin;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});

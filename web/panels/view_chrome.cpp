@@ -248,7 +248,7 @@ void drawViewChrome(const PanelEnv& env) {
                         : Ids(kPictureAll),
           app::Focus::Picture);
   const double row = env.ui().touch ? 44. + 2 : 34. + 2;
-  env.ui().footRoom = layout.stacked && bar.height > 2 * row ? bar.height - row : 0;
+  env.ui().barRoom.foot = layout.stacked && bar.height > 2 * row ? bar.height - row : 0;
   legend(env, layout.picture, bar);
   const bool fewSolid =
       layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);

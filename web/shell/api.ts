@@ -260,6 +260,8 @@ export interface State {
   /** The last check for printing, null when the model has changed since. Lengths in millimetres, `lean` in radians. */
   print: {
     closed: boolean;
+    /** How many come off the printer: what touches is one. */
+    pieces: number;
     size: number[];
     thinnest: number;
     lean: number;

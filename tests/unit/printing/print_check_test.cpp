@@ -85,6 +85,21 @@ TEST_CASE("a box leans until its centre is over its edge") {
   CHECK(check.stands());
 }
 
+TEST_CASE("a flat foot is offered only where it helps") {
+  const mesh::TriMesh leaning = movedBox({4, 40, 4}, {0, 0, 0});
+  CHECK(checkPrint({&leaning, 1}).stands());
+  CHECK_FALSE(checkPrint({&leaning, 1}).footHelps);
+  mesh::TriMesh hangs = leaning;
+  for (auto& p : hangs.positions) p[0] += 3 * p[1];
+  requireLawful(hangs);
+  CHECK_FALSE(checkPrint({&hangs, 1}).stands());
+  CHECK_FALSE(checkPrint({&hangs, 1}).footHelps);
+  mesh::TriMesh tip;
+  tip.positions = {{0, 0, 0}, {10, 9, 6}, {-10, 9, 6}, {0, 9, -12}};
+  tip.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  CHECK(checkPrint({&tip, 1}).footHelps);
+}
+
 TEST_CASE("what stands on a point falls, and so does what hangs out too far") {
   mesh::TriMesh tip;
   tip.positions = {{0, 0, 0}, {10, 20, 10}, {-10, 20, 10}, {0, 20, -10}};

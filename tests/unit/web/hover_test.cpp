@@ -109,11 +109,11 @@ TEST_CASE("on a phone the picture lies below the bar of the tool, whole") {
   for (const char* tool : {"ribs", "bone", "ignore-edges"}) {
     REQUIRE(rig.ok(tool));
     const app::UiState& ui = rig.app->ui();
-    CHECK(ui.headRoom > 40);
+    CHECK(ui.barRoom.head > 40);
     const auto top = rig.at(0, 0), bottom = rig.at(199, 199);
-    CHECK(top.y >= ui.layout.picture.y + ui.headRoom);
-    CHECK(bottom.y <= ui.layout.picture.bottom() - ui.footRoom);
+    CHECK(top.y >= ui.layout.picture.y + ui.barRoom.head);
+    CHECK(bottom.y <= ui.layout.picture.bottom() - ui.barRoom.foot);
   }
   REQUIRE(rig.ok("draw"));
-  CHECK(rig.app->ui().headRoom == 0);
+  CHECK(rig.app->ui().barRoom.head == 0);
 }

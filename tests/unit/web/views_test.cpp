@@ -110,6 +110,29 @@ TEST_CASE("on a low and wide view the fitted picture leaves the column of button
   CHECK_FALSE(buttonsAtSide({0, 0, 390, 306}));
 }
 
+TEST_CASE("a fitted picture is clear of the bars at the head and at the foot, and in the middle between them") {
+  const Rect phone{0, 60, 390, 300};
+  const double head = 54, foot = 46, row = 44 + 6;  // a tool's bar, a second row, the first row
+  const Rect shown = pictureRect(fitPicture({1024, 683}, phone, {head, foot}), {1024, 683}, phone);
+  CHECK(shown.y >= phone.y + head);
+  CHECK(shown.bottom() <= phone.bottom() - foot - row);
+  CHECK(shown.centre().x == doctest::Approx(phone.centre().x));
+}
+
+TEST_CASE("bars never take more than two thirds of a view from its picture") {
+  Rng rng(61);
+  for (int round = 0; round < 300; ++round) {
+    const Rect at = randomRect(rng);
+    const image::Size size{100, 16 + static_cast<int>(rng.below(6000))};
+    const BarRoom bars{rng.uniform(0, 300), rng.uniform(0, 300)};
+    const Rect shown = pictureRect(fitPicture(size, at, bars), size, at);
+    CHECK(shown.y >= at.y - 1e-6);
+    CHECK(shown.bottom() <= at.bottom() + 1e-6);
+    const bool fullHeight = shown.width < 0.3 * at.width;
+    if (fullHeight) CHECK(shown.height >= 0.3 * at.height - 1e-6);
+  }
+}
+
 TEST_CASE("zooming the picture keeps what lies under the pointer") {
   Rng rng(7);
   for (int round = 0; round < 500; ++round) {
