@@ -189,6 +189,21 @@ TEST_CASE("the golden document with paints reads as what was written") {
   CHECK(read.value().parts[1]->look == shell);
 }
 
+TEST_CASE("the golden document with a weight of the search reads as what was written") {
+  const auto bytes = testFile("golden/document-v1-rims.json");
+  ReadNotes notes;
+  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                                 [](std::uint64_t) { return nullptr; }, &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  REQUIRE(read.value().parts.size() == 1);
+  document::LoftRecipe tail;
+  tail.picture = PictureId{1};
+  tail.stroke = {{20, 40}, {100, 40}};
+  tail.ribs.evidence.rimWeight = 0.5;
+  CHECK(read.value().parts[0]->recipe == document::Recipe(tail));
+}
+
 TEST_CASE("the golden documents hold every key that a document can have") {
   std::set<std::string> found, wanted;
   for (const auto& [name, bytes] : testFiles("golden")) {
