@@ -7,6 +7,8 @@ export type ToastLevel = 'info' | 'error';
 const kMs: Record<ToastLevel, number> = { info: 4500, error: 9000 };
 /** Who is to press a button needs longer. */
 const kActionMs = 9000;
+/** A slow reader's pace, and the moment before the eye is there. */
+const kMsPerLetter = 70, kFirstMs = 1500;
 const kMost = 4;
 
 /** A button of a toast. */
@@ -41,7 +43,7 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   const stop = () => clearTimeout(timer);
   const start = () => {
     stop();
-    timer = window.setTimeout(() => element.remove(), action ? kActionMs : kMs[level]);
+    timer = window.setTimeout(() => element.remove(), Math.max(action ? kActionMs : kMs[level], kFirstMs + kMsPerLetter * text.length));
   };
   close.addEventListener('click', () => element.remove());
   // Reading takes the time it takes: the clock stands still under the pointer and while focused.
