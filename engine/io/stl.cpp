@@ -1,7 +1,9 @@
 #include "engine/io/stl.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <limits>
 #include <new>
 #include <string_view>
@@ -23,18 +25,23 @@ void putNumber(Bytes& bytes, std::uint32_t value) {
   }
 }
 
-void putPoint(Bytes& bytes, Point p) {
-  for (const double c : {p.x, p.y, p.z}) {
-    putNumber(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(c)));
-  }
+/// As a reader gets it.
+using Corner = std::array<float, 3>;
+
+Corner rounded(Point p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-Bytes write(std::span<const ExportPart> parts, std::size_t triangles) {
+void putCorner(Bytes& bytes, const Corner& corner) {
+  for (const float c : corner) putNumber(bytes, std::bit_cast<std::uint32_t>(c));
+}
+
+Bytes write(std::span<const ExportPart> parts, std::size_t atMost) {
   Bytes bytes;
-  bytes.reserve(kHeaderBytes + 4 + triangles * kTriangleBytes);
+  bytes.reserve(kHeaderBytes + 4 + atMost * kTriangleBytes);
   bytes.assign(kHeader.begin(), kHeader.end());
-  bytes.resize(kHeaderBytes, 0);
-  putNumber(bytes, static_cast<std::uint32_t>(triangles));
+  bytes.resize(kHeaderBytes + 4, 0);
+  std::uint32_t triangles = 0;
   for (const ExportPart& part : parts) {
     const auto at = [&](std::uint32_t v) {
       const std::array<double, 3> p = placed(part.placement, part.mesh->positions[v]);
@@ -42,14 +49,21 @@ Bytes write(std::span<const ExportPart> parts, std::size_t triangles) {
     };
     for (const auto& t : part.mesh->triangles) {
       const Point a = at(t[0]), b = at(t[1]), c = at(t[2]);
-      putPoint(bytes, normalized(cross(b - a, c - a)));
-      putPoint(bytes, a);
-      putPoint(bytes, b);
-      putPoint(bytes, c);
+      const Corner first = rounded(a), second = rounded(b), third = rounded(c);
+      // Of two corners in one place: what is beside it meets without it.
+      if (first == second || second == third || third == first) continue;
+      putCorner(bytes, rounded(normalized(cross(b - a, c - a))));
+      putCorner(bytes, first);
+      putCorner(bytes, second);
+      putCorner(bytes, third);
       bytes.push_back(0);
       bytes.push_back(0);
+      ++triangles;
     }
   }
+  Bytes count;
+  putNumber(count, triangles);
+  std::ranges::copy(count, bytes.begin() + static_cast<std::ptrdiff_t>(kHeaderBytes));
   return bytes;
 }
 

@@ -47,6 +47,49 @@ std::string hexOf(const std::array<float, 3>& colour) {
   return out;
 }
 
+/// Parts [first, last) that are one thing: faces of one solid, or a part of its own.
+struct Thing {
+  std::size_t first = 0, last = 0;
+};
+
+std::vector<Thing> thingsOf(std::span<const ExportPart> parts) {
+  std::vector<Thing> things;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool goesOn = i > 0 && parts[i].joins && parts[i].placement == parts[i - 1].placement;
+    if (goesOn) things.back().last = i + 1;
+    else things.push_back({i, i + 1});
+  }
+  return things;
+}
+
+/// The vertices of a thing, each place once where its parts are closed only together: readers go by numbers.
+struct Corners {
+  std::vector<std::array<float, 3>> places;
+  std::vector<std::vector<std::size_t>> numbers;  ///< of the vertices of each part
+};
+
+Corners cornersOf(std::span<const ExportPart> parts) {
+  Corners out;
+  const bool weld = parts.front().ofSolid;
+  for (const ExportPart& part : parts) {
+    out.places.insert(out.places.end(), part.mesh->positions.begin(), part.mesh->positions.end());
+  }
+  if (weld) {
+    std::ranges::sort(out.places);
+    const auto rest = std::ranges::unique(out.places);
+    out.places.erase(rest.begin(), rest.end());
+  }
+  std::size_t next = 0;
+  for (const ExportPart& part : parts) {
+    std::vector<std::size_t>& numbers = out.numbers.emplace_back();
+    for (const auto& position : part.mesh->positions) {
+      const auto at = weld ? std::ranges::lower_bound(out.places, position) : out.places.begin();
+      numbers.push_back(weld ? static_cast<std::size_t>(at - out.places.begin()) : next++);
+    }
+  }
+  return out;
+}
+
 /// A picture of the package.
 struct Texture {
   std::string path, type;
@@ -70,14 +113,15 @@ class Model {
     std::size_t next = kFirstFree + textures_.size();
     const Point low = lowest();
     std::vector<std::size_t> objects;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      std::optional<std::size_t> group;
-      if (parts_[i].picture) {
-        group = next++;
-        coordinates(parts_[i], *group);
+    groups_.resize(parts_.size());
+    for (const Thing thing : thingsOf(parts_)) {
+      for (std::size_t i = thing.first; i < thing.last; ++i) {
+        if (!parts_[i].picture) continue;
+        groups_[i] = next++;
+        coordinates(parts_[i], *groups_[i]);
       }
       objects.push_back(next);
-      object(i, next++, group, low);
+      object(thing, next++, low);
     }
     text_.add("  <object id=\"").add(next).add("\" type=\"model\">\n   <components>\n");
     for (const std::size_t id : objects) text_.add("    <component objectid=\"").add(id).add("\"/>\n");
@@ -137,31 +181,44 @@ class Model {
     text_.add("  </m:texture2dgroup>\n");
   }
 
-  void object(std::size_t index, std::size_t id, std::optional<std::size_t> group, const Point& low) {
-    const ExportPart& part = parts_[index];
+  void object(const Thing& thing, std::size_t id, const Point& low) {
+    const ExportPart& part = parts_[thing.first];
+    const Corners corners = cornersOf(parts_.subspan(thing.first, thing.last - thing.first));
     text_.add("  <object id=\"").add(id).add("\" name=\"").add(escaped(part.name));
-    text_.add("\" type=\"model\" pid=\"").add(kMaterials).add("\" pindex=\"").add(index);
+    text_.add("\" type=\"model\" pid=\"").add(kMaterials).add("\" pindex=\"").add(thing.first);
     text_.add("\">\n   <mesh>\n    <vertices>\n");
-    for (const auto& position : part.mesh->positions) {
-      const Point p = standing(part, position);
+    for (const auto& place : corners.places) {
+      const Point p = standing(part, place);
       text_.add("     <vertex x=\"").add(p[0] - low[0]).add("\" y=\"").add(p[1] - low[1]);
       text_.add("\" z=\"").add(p[2] - low[2]).add("\"/>\n");
     }
     text_.add("    </vertices>\n    <triangles>\n");
-    for (const auto& [a, b, c] : part.mesh->triangles) {
-      text_.add("     <triangle v1=\"").add(std::size_t{a}).add("\" v2=\"").add(std::size_t{b});
-      text_.add("\" v3=\"").add(std::size_t{c});
-      if (group) {
-        text_.add("\" pid=\"").add(*group).add("\" p1=\"").add(std::size_t{a}).add("\" p2=\"");
-        text_.add(std::size_t{b}).add("\" p3=\"").add(std::size_t{c});
-      }
-      text_.add("\"/>\n");
+    for (std::size_t i = thing.first; i < thing.last; ++i) {
+      triangles(i, corners.numbers[i - thing.first], i > thing.first);
     }
     text_.add("    </triangles>\n   </mesh>\n  </object>\n");
   }
 
+  /// `named`: they do not look as the object does by itself.
+  void triangles(std::size_t index, std::span<const std::size_t> numbers, bool named) {
+    for (const auto& corners : parts_[index].mesh->triangles) {
+      const std::size_t a = numbers[corners[0]], b = numbers[corners[1]], c = numbers[corners[2]];
+      // Of two corners in one place: what is beside it meets without it, and the format forbids it.
+      if (a == b || b == c || c == a) continue;
+      text_.add("     <triangle v1=\"").add(a).add("\" v2=\"").add(b).add("\" v3=\"").add(c);
+      if (groups_[index]) {
+        text_.add("\" pid=\"").add(*groups_[index]).add("\" p1=\"").add(std::size_t{corners[0]});
+        text_.add("\" p2=\"").add(std::size_t{corners[1]}).add("\" p3=\"").add(std::size_t{corners[2]});
+      } else if (named) {
+        text_.add("\" pid=\"").add(kMaterials).add("\" p1=\"").add(index);
+      }
+      text_.add("\"/>\n");
+    }
+  }
+
   std::span<const ExportPart> parts_;
   std::span<const Texture> textures_;
+  std::vector<std::optional<std::size_t>> groups_;  ///< of texture coordinates, of each part
   TextFile text_;
 };
 
