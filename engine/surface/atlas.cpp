@@ -51,7 +51,12 @@ std::optional<image::Size> arrange(std::vector<Tile>& tiles, double scale, int m
   for (int width = std::max(widest, static_cast<int>(std::ceil(std::sqrt(area))));;) {
     width = std::min(width, mostSide);
     const int height = shelve(tiles, width);
-    if (height <= mostSide && (height <= 2 * width || width == mostSide)) return image::Size{width, height};
+    if (height <= mostSide && (height <= 2 * width || width == mostSide)) {
+      const auto even = [&](int side) {
+        return std::min(mostSide, (side + kAtlasStep - 1) / kAtlasStep * kAtlasStep);
+      };
+      return image::Size{even(width), even(height)};
+    }
     if (width == mostSide) return std::nullopt;
     width += width / 4 + 1;
   }

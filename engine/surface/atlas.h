@@ -12,8 +12,11 @@ namespace spineloft::surface {
 
 /// Most pixels on a side of an atlas: what every renderer takes.
 inline constexpr int kAtlasSide = 4096;
-/// Pixels around each picture that repeat its own edge, so that filters mix nothing else in.
-inline constexpr int kAtlasPadding = 4;
+/// Pixels around each picture that repeat its own edge. A filter between four pixels of the second mip
+/// level, each a mean of 4 × 4, reaches 6 pixels far and so mixes nothing else in.
+inline constexpr int kAtlasPadding = 8;
+/// The sides are multiples of this, if the most allowed is one: then mip levels halve evenly.
+inline constexpr int kAtlasStep = 4;
 
 struct Atlas {
   image::Image pixels;

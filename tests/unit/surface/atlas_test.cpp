@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "engine/base/rng.h"
+#include "tests/support/front_view.h"
 
 using namespace spineloft;
 using namespace spineloft::surface;
@@ -25,7 +26,53 @@ std::array<long, 4> pixelsOf(const Atlas& atlas, const UvArea& a) {
   return {std::lround(a.left * w), std::lround(a.top * h), std::lround(a.right * w), std::lround(a.bottom * h)};
 }
 
+/// The next mip level: means of 2 × 2 pixels.
+image::Image halved(const image::Image& fine) {
+  image::Image out{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
+  for (int y = 0; y < out.height; ++y) {
+    for (int x = 0; x < out.width; ++x) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        int sum = 0;
+        for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+          const int fx = std::min(2 * x + dx, fine.width - 1), fy = std::min(2 * y + dy, fine.height - 1);
+          sum += fine.pixels[4 * (std::size_t(fy) * std::size_t(fine.width) + std::size_t(fx)) + c];
+        }
+        out.pixels.push_back(std::uint8_t((sum + 2) / 4));
+      }
+    }
+  }
+  return out;
+}
+
 }  // namespace
+
+TEST_CASE("at the second mip level a picture of an atlas has still no colour of another") {
+  Rng rng(29);
+  for (int round = 0; round < 12; ++round) {
+    std::deque<image::Image> images;
+    std::vector<const image::Image*> given;
+    const int count = 2 + int(rng.below(20));
+    for (int i = 0; i < count; ++i) {
+      images.push_back(plain(1 + int(rng.below(150)), 1 + int(rng.below(150)), std::uint8_t(i % 2 == 0 ? 10 + i : 250 - i)));
+      given.push_back(&images.back());
+    }
+    const auto atlas = packAtlas(given);
+    REQUIRE(atlas);
+    CHECK(atlas->pixels.width % 4 == 0);
+    CHECK(atlas->pixels.height % 4 == 0);
+    const image::Image second = halved(halved(atlas->pixels));
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      for (int k = 0; k < 200; ++k) {
+        // Everywhere, and on its edges and corners.
+        const auto place = [&] { return k % 3 == 0 ? rng.uniform() : double(rng.below(2)); };
+        const auto [u, v] = inAtlas(atlas->places[i], place(), place());
+        for (const double c : testing::sampled(second, double(u), double(v))) {
+          REQUIRE(c == doctest::Approx(images[i].pixels[0]));
+        }
+      }
+    }
+  }
+}
 
 TEST_CASE("pictures of an atlas keep their pixels, lie apart and within it") {
   Rng rng(11);
