@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace spineloft::geometry {
 namespace {
@@ -65,6 +66,19 @@ std::optional<PicturePoint> meet(PicturePoint a, PicturePoint b, PicturePoint c,
   return a + u * s;
 }
 
+struct Extent {
+  double lowX = std::numeric_limits<double>::infinity(), lowY = lowX, highX = -lowX, highY = -lowX;
+  void add(PicturePoint a, PicturePoint b) {
+    lowX = std::min({lowX, a.x, b.x});
+    highX = std::max({highX, a.x, b.x});
+    lowY = std::min({lowY, a.y, b.y});
+    highY = std::max({highY, a.y, b.y});
+  }
+  bool meets(const Extent& o) const {
+    return o.highX >= lowX && o.lowX <= highX && o.highY >= lowY && o.lowY <= highY;
+  }
+};
+
 }  // namespace
 
 std::vector<PicturePoint> smooth(std::span<const PicturePoint> points, double weight) {
@@ -91,14 +105,22 @@ std::vector<PicturePoint> smooth(std::span<const PicturePoint> points, double we
 std::optional<Crossing> findCrossing(std::span<const PicturePoint> points) {
   if (points.size() < 4) return std::nullopt;
   const std::size_t segments = points.size() - 1;
+  // Boxes of runs of segments: most of the line is not even near to a segment.
+  std::array<Extent, 64> boxes;
+  const std::size_t run = std::max<std::size_t>(8, (segments + boxes.size() - 1) / boxes.size());
+  for (std::size_t j = 0; j < segments; ++j) boxes[j / run].add(points[j], points[j + 1]);
   for (std::size_t i = 0; i + 2 < segments; ++i) {
     const PicturePoint a = points[i], b = points[i + 1];
-    const auto [lowX, highX] = std::minmax(a.x, b.x);
-    const auto [lowY, highY] = std::minmax(a.y, b.y);
+    Extent own;
+    own.add(a, b);
     for (std::size_t j = i + 2; j < segments; ++j) {
+      if (!own.meets(boxes[j / run])) {
+        j = (j / run + 1) * run - 1;
+        continue;
+      }
       const PicturePoint c = points[j], d = points[j + 1];
-      if (std::max(c.x, d.x) < lowX || std::min(c.x, d.x) > highX) continue;
-      if (std::max(c.y, d.y) < lowY || std::min(c.y, d.y) > highY) continue;
+      if (std::max(c.x, d.x) < own.lowX || std::min(c.x, d.x) > own.highX) continue;
+      if (std::max(c.y, d.y) < own.lowY || std::min(c.y, d.y) > own.highY) continue;
       if (const auto at = meet(a, b, c, d)) return Crossing{i, j, *at};
     }
   }

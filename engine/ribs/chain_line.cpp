@@ -59,40 +59,7 @@ Float4 movedDown(Float4 v, Float4 after) { return __builtin_shufflevector(after,
 Float4 movedDownTwice(Float4 v, Float4 after) {
   return __builtin_shufflevector(after, v, 6, 7, 0, 1);
 }
-float lesser(float a, float b) { return a < b ? a : b; }
 
-// below[i]: the least of what comes from the labels before i with the slope taken out; above[i]: from i
-// on; both have one entry more than there are labels. Returns the least cost.
-float scan(const ChainStep& t, std::size_t n, const float* in, float* below, float* above) {
-  const Float4 none = all4(kUnreachable), slope = all4(t.slope);
-  const std::size_t whole = n / kLanes * kLanes;
-  below[0] = above[n] = kUnreachable;
-  for (std::size_t i = n; i-- > whole;) above[i] = lesser(in[i] + t.slope * t.from[i], above[i + 1]);
-  Float4 best = none, under = none, over = all4(above[whole]);
-  for (std::size_t i = 0; i < whole; i += kLanes) {
-    const Float4 cost = load4(in + i);
-    best = least4(cost, best);
-    Float4 up = cost - slope * load4(t.from + i);
-    up = least4(movedUp(up, none), up);
-    up = least4(movedUpTwice(up, none), up);
-    under = least4(up, under);
-    store4(under, below + 1 + i);
-    under = __builtin_shufflevector(under, under, 3, 3, 3, 3);
-    const std::size_t j = whole - kLanes - i;
-    Float4 down = load4(in + j) + slope * load4(t.from + j);
-    down = least4(movedDown(down, none), down);
-    down = least4(movedDownTwice(down, none), down);
-    over = least4(down, over);
-    store4(over, above + j);
-    over = __builtin_shufflevector(over, over, 0, 0, 0, 0);
-  }
-  float least = lesser(lesser(best[0], best[1]), lesser(best[2], best[3]));
-  for (std::size_t i = whole; i < n; ++i) {
-    below[i + 1] = lesser(in[i] - t.slope * t.from[i], below[i]);
-    least = lesser(in[i], least);
-  }
-  return least;
-}
 
 // After an entry that is beyond all values: the costs themselves, the lesser of two neighbours each,
 // of four, …; entries that would need labels beyond the last are not set.
@@ -112,6 +79,32 @@ void fillTables(const float* in, std::size_t n, int doublings, float* tables) {
 
 }  // namespace
 
+void runningMinima(const SlopedLine& line, std::size_t n, float* below, float* above) {
+  const float *in = line.in, *place = line.place;
+  const Float4 none = all4(kUnreachable), slope = all4(line.slope);
+  const std::size_t whole = n / kLanes * kLanes;
+  below[0] = above[n] = kUnreachable;
+  for (std::size_t i = n; i-- > whole;) above[i] = lesser(in[i] + line.slope * place[i], above[i + 1]);
+  Float4 under = none, over = all4(above[whole]);
+  for (std::size_t i = 0; i < whole; i += kLanes) {
+    Float4 up = load4(in + i) - slope * load4(place + i);
+    up = least4(movedUp(up, none), up);
+    up = least4(movedUpTwice(up, none), up);
+    under = least4(up, under);
+    store4(under, below + 1 + i);
+    under = __builtin_shufflevector(under, under, 3, 3, 3, 3);
+    const std::size_t j = whole - kLanes - i;
+    Float4 down = load4(in + j) + slope * load4(place + j);
+    down = least4(movedDown(down, none), down);
+    down = least4(movedDownTwice(down, none), down);
+    over = least4(down, over);
+    store4(over, above + j);
+    over = __builtin_shufflevector(over, over, 0, 0, 0, 0);
+  }
+  for (std::size_t i = whole; i < n; ++i)
+    below[i + 1] = lesser(in[i] - line.slope * place[i], below[i]);
+}
+
 ChainLine::ChainLine(const LengthProblem& problem, const SideCosts& side, StepWay way,
                      LengthWorkspace& workspace)
     : problem_(problem), side_(side), way_(way), scratch_(workspace.step) {
@@ -128,7 +121,8 @@ void ChainLine::step(int rib, CostLine line) const {
   scratch_.running.resize(2 * (n + 1));
   scratch_.tables.resize(std::max(scratch_.tables.size(), 1 + n * index(doublings + 1)));
   float *below = scratch_.running.data(), *above = below + n + 1, *tables = scratch_.tables.data();
-  const float most = scan(t, n, line.in, below, above) + t.cap;
+  runningMinima({line.in, t.from, t.slope}, n, below, above);
+  const float most = leastOf(line.in, n) + t.cap;
   fillTables(line.in, n, doublings, tables);
   const StepPlan::Window* w = &plan_->windows[index(rib) * n];
   std::size_t k = 0;

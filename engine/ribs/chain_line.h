@@ -2,17 +2,20 @@
 // windows known beforehand.
 #pragma once
 
-#include "engine/ribs/rib_lengths.h"
+#include "engine/ribs/chain_step.h"
 
 namespace spineloft::ribs {
 
-enum class StepWay : std::uint8_t { Forwards, Backwards };
-
-/// Where the costs of a step are read and written: `problem.levels` entries each, apart.
-struct CostLine {
-  const float* in;
-  float* out;
+/// Costs that rise with the distance from where they stand.
+struct SlopedLine {
+  const float *in, *place;  ///< costs, and places that increase
+  float slope;
 };
+/// For the minimum over i of in(i) + slope · |x − place(i)|: below[i] is the least of in − slope · place
+/// over what comes before i, above[i] that of in + slope · place from i on; n + 1 entries each.
+void runningMinima(const SlopedLine& line, std::size_t n, float* below, float* above);
+
+enum class StepWay : std::uint8_t { Forwards, Backwards };
 
 /// The steps along one side (`side` of `problem`: both must outlive it). Plans are kept in the
 /// workspace, and made anew only where places, spacings or the freedom are others than last time.

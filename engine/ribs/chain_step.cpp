@@ -5,6 +5,9 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/ribs/chain_line.h"
+#include "engine/ribs/lanes.h"
+
 namespace spineloft::ribs {
 namespace {
 
@@ -135,14 +138,31 @@ float oppositeCost(const LengthProblem& p, int rib, std::size_t l, std::size_t r
   return cost;
 }
 
-void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, const float* other, float* least) {
+void addOpposite(const LengthProblem& p, int rib, bool ofLeft, std::size_t other, float* costs) {
+  const std::size_t n = index(p.levels), row = index(rib) * n;
+  if (!p.opposite.empty()) {
+    for (std::size_t k = 0; k < n; ++k)
+      costs[k] += ofLeft ? oppositeCost(p, rib, k, other) : oppositeCost(p, rib, other, k);
+    return;
+  }
+  if (p.leanScale.empty()) return;
+  const float scale = p.leanScale[index(rib)];
+  const float ownShare = ofLeft ? 1 - p.lean : 1 + p.lean;
+  const float* own = &(ofLeft ? p.left : p.right).place[row];
+  const float far = ofLeft ? (1 + p.lean) * p.right.place[row + other]
+                           : (1 - p.lean) * p.left.place[row + other];
+  for (std::size_t k = 0; k < n; ++k) costs[k] += scale * std::abs(ownShare * own[k] - far);
+}
+
+void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, CostLine line,
+                   StepScratch& scratch) {
   const std::size_t n = index(p.levels);
   if (!p.opposite.empty()) {
     for (std::size_t k = 0; k < n; ++k) {
-      least[k] = kUnreachable;
+      line.out[k] = kUnreachable;
       for (std::size_t q = 0; q < n; ++q) {
         const float cost = ofLeft ? oppositeCost(p, rib, k, q) : oppositeCost(p, rib, q, k);
-        least[k] = std::min(least[k], other[q] + cost);
+        line.out[k] = std::min(line.out[k], line.in[q] + cost);
       }
     }
     return;
@@ -153,21 +173,14 @@ void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, const float* ot
   const float* far = &(ofLeft ? p.right : p.left).place[index(rib) * n];
   const float ownScale = scale * (ofLeft ? 1 - p.lean : 1 + p.lean);
   const float farScale = scale * (ofLeft ? 1 + p.lean : 1 - p.lean);
-  float running = kUnreachable;
+  scratch.running.resize(2 * (n + 1));
+  float *below = scratch.running.data(), *above = below + n + 1;
+  runningMinima({line.in, far, farScale}, n, below, above);
   std::size_t q = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const float at = ownScale * own[k];
-    for (; q < n && farScale * far[q] <= at; ++q)
-      running = std::min(running, other[q] - farScale * far[q]);
-    least[k] = running + at;
-  }
-  running = kUnreachable;
-  q = n;
-  for (std::size_t k = n; k-- > 0;) {
-    const float at = ownScale * own[k];
-    for (; q > 0 && farScale * far[q - 1] > at; --q)
-      running = std::min(running, other[q - 1] + farScale * far[q - 1]);
-    least[k] = std::min(least[k], running - at);
+    while (q < n && farScale * far[q] <= at) ++q;
+    line.out[k] = lesser(below[q] + at, above[q] - at);
   }
 }
 

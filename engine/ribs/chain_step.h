@@ -32,12 +32,20 @@ struct ChainRows {
 void convolveRows(const ChainStep& step, const ChainRows& rows, const float* in, float* out,
                   StepScratch& scratch);
 
-/// Opposite cost of one pair of labels of a rib, and the least one of every label of one side plus
-/// what is given for the labels of the other: least(l) = min over r of cost(l, r) + other(r),
-/// `levels` entries each; `other` is kUnreachable where there is no such label. O(levels) for a
-/// lean alone.
+/// Where the costs of a step are read and written: `problem.levels` entries each, apart.
+struct CostLine {
+  const float* in;
+  float* out;
+};
+
+/// Opposite cost of one pair of labels of a rib.
 float oppositeCost(const LengthProblem& problem, int rib, std::size_t left, std::size_t right);
-void leastOpposite(const LengthProblem& problem, int rib, bool ofLeft, const float* other,
-                   float* least);
+/// Adds to the costs of the labels of one side what they cost opposite label `other` of the other side.
+void addOpposite(const LengthProblem& problem, int rib, bool ofLeft, std::size_t other, float* costs);
+/// The least opposite cost of every label of one side plus what is given for the labels of the other:
+/// out(l) = min over r of cost(l, r) + in(r); `in` is kUnreachable where there is no such label.
+/// O(levels) for a lean alone.
+void leastOpposite(const LengthProblem& problem, int rib, bool ofLeft, CostLine line,
+                   StepScratch& scratch);
 
 }  // namespace spineloft::ribs

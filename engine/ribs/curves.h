@@ -60,6 +60,8 @@ struct GradientCurves {
   }
   /// The point at an arc length, held to where the curve is.
   PicturePoint pointAlong(int curve, double length) const;
+  /// The same, looked for from label `from` ≥ 0 on, which is not beyond it and moves there.
+  PicturePoint pointAlong(int curve, double length, int& from) const;
 };
 
 /// Follows x' = ∇d2 / |∇d2|² (in the parameter ρ) from the hull: the spine's points offset by

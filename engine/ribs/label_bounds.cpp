@@ -5,6 +5,7 @@
 
 #include "engine/ribs/chain_line.h"
 #include "engine/ribs/chain_step.h"
+#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -43,25 +44,23 @@ class Ascent {
   void handOn(bool left) {
     LengthWorkspace::Chain &own = workspace_.chains[left ? 0 : 1],
                            &other = workspace_.chains[left ? 1 : 0];
-    const SideCosts& costs = left ? p_.left : p_.right;
     sweepBackward(left);
     std::fill(own.forward.begin(), own.forward.begin() + p_.levels, 0.f);
     for (int i = 0; i < p_.ribs; ++i) {
       const std::size_t at = index(i) * n_;
-      float least = kUnreachable;
-      for (std::size_t k = 0; k < n_; ++k) {
-        own.row[k] =
-            own.forward[at + k] + costs.unary[at + k] + own.moved[at + k] + own.backward[at + k];
-        least = std::min(least, own.row[k]);
-      }
+      fillThrough(left, at, own.row.data());
+      const float* row = own.row.data();
+      float *moved = &own.moved[at], *held = own.held.data();
+      const float least = leastOf(row, n_);
       const float share = std::max(kHandedOn, 1.f / static_cast<float>(p_.ribs - i));
       for (std::size_t k = 0; k < n_; ++k) {
-        const bool exists = own.row[k] < kUnreachable;
-        if (exists) own.moved[at + k] -= share * (own.row[k] - least);
-        own.held[k] = exists ? -own.moved[at + k] : kUnreachable;
+        const bool exists = row[k] < kUnreachable;
+        const float kept = moved[k] - share * (row[k] - least);
+        moved[k] = exists ? kept : moved[k];
+        held[k] = exists ? -kept : kUnreachable;
       }
       // All that is left of the opposite costs goes to the other side.
-      leastOpposite(p_, i, !left, own.held.data(), &other.moved[at]);
+      leastOpposite(p_, i, !left, {held, &other.moved[at]}, workspace_.step);
       stepForward(left, i);
     }
   }
@@ -84,16 +83,18 @@ class Ascent {
     }
   }
 
-  // Least energy of one side's chain through label k of rib i; both halves must be swept.
-  float through(bool left, std::size_t at) const {
+  // Least energies of one side's chain through every label of a rib, whose first one is at `at`; both
+  // halves must be swept.
+  void fillThrough(bool left, std::size_t at, float* __restrict row) const {
     const LengthWorkspace::Chain& own = workspace_.chains[left ? 0 : 1];
-    return own.forward[at] + (left ? p_.left : p_.right).unary[at] + own.moved[at] +
-           own.backward[at];
+    const float *forward = &own.forward[at], *backward = &own.backward[at], *moved = &own.moved[at],
+                *unary = &(left ? p_.left : p_.right).unary[at];
+    for (std::size_t k = 0; k < n_; ++k) row[k] = forward[k] + unary[k] + moved[k] + backward[k];
   }
-  float least(bool left) const {
-    float best = kUnreachable;
-    for (std::size_t k = 0; k < n_; ++k) best = std::min(best, through(left, k));
-    return best;
+  float least(bool left) {
+    std::vector<float>& row = workspace_.chains[left ? 0 : 1].row;
+    fillThrough(left, 0, row.data());
+    return leastOf(row.data(), n_);
   }
 
   // Better labels, if the bounds lead to any: rib after rib the label that is least on the left,
@@ -121,14 +122,16 @@ class Ascent {
   void keepLabels(bool left) {
     const float rest = least(!left);
     const auto most = static_cast<float>(b_.upper + slackOf(b_.upper));
+    float* row = workspace_.chains[left ? 0 : 1].row.data();
     std::vector<LabelRun>& runs = left ? b_.left : b_.right;
     runs.resize(index(p_.ribs));
     for (int i = 0; i < p_.ribs; ++i) {
       const int chosen = (left ? b_.best.left : b_.best.right)[index(i)];
       LabelRun& run = runs[index(i)];
       run = {chosen, chosen + 1};
+      fillThrough(left, index(i) * n_, row);
       for (int k = 0; k < p_.levels; ++k) {
-        if (!(through(left, index(i) * n_ + index(k)) + rest <= most)) continue;
+        if (!(row[k] + rest <= most)) continue;
         run.low = std::min(run.low, k);
         run.high = std::max(run.high, k + 1);
       }
@@ -136,40 +139,35 @@ class Ascent {
   }
 
  private:
-  int likeliest(bool left, int i, int before, int opposite) const {
+  int likeliest(bool left, int i, int before, int opposite) {
     const SideCosts& costs = left ? p_.left : p_.right;
-    const LengthWorkspace::Chain& own = workspace_.chains[left ? 0 : 1];
+    LengthWorkspace::Chain& own = workspace_.chains[left ? 0 : 1];
     const std::size_t at = index(i) * n_;
-    int best = 0;
-    float least = kUnreachable;
-    for (int k = 0; k < p_.levels; ++k) {
-      float cost = costs.unary[at + index(k)] + own.backward[at + index(k)];
-      cost += opposite < 0 ? own.moved[at + index(k)]
-                           : (left ? oppositeCost(p_, i, index(k), index(opposite))
-                                   : oppositeCost(p_, i, index(opposite), index(k)));
-      if (before >= 0)
-        cost += neighbourCost(p_, costs.place[at - n_ + index(before)], costs.place[at + index(k)],
-                              costs.spacing[index(i - 1)]);
-      if (cost < least) {
-        least = cost;
-        best = k;
-      }
+    float* row = own.row.data();
+    const float *unary = &costs.unary[at], *backward = &own.backward[at], *moved = &own.moved[at];
+    for (std::size_t k = 0; k < n_; ++k) row[k] = unary[k] + backward[k];
+    if (opposite < 0) {
+      for (std::size_t k = 0; k < n_; ++k) row[k] += moved[k];
+    } else {
+      addOpposite(p_, i, left, index(opposite), row);
     }
-    return best;
+    if (before >= 0) {
+      const float from = costs.place[at - n_ + index(before)], spacing = costs.spacing[index(i - 1)];
+      const float *place = &costs.place[at];
+      for (std::size_t k = 0; k < n_; ++k) row[k] += neighbourCost(p_, from, place[k], spacing);
+    }
+    const float least = leastOf(row, n_);
+    return least < kUnreachable ? static_cast<int>(std::find(row, row + n_, least) - row) : 0;
   }
 
   // The best labels of one side against the other's.
   void answer(bool left, LengthLabels& labels) {
     const SideCosts& own = left ? p_.left : p_.right;
     std::vector<float>& unary = workspace_.unary;
-    unary.resize(own.unary.size());
+    unary = own.unary;
     for (int i = 0; i < p_.ribs; ++i) {
       const std::size_t other = index((left ? labels.right : labels.left)[index(i)]);
-      for (std::size_t k = 0; k < n_; ++k) {
-        unary[index(i) * n_ + k] =
-            own.unary[index(i) * n_ + k] +
-            (left ? oppositeCost(p_, i, k, other) : oppositeCost(p_, i, other, k));
-      }
+      addOpposite(p_, i, left, other, &unary[index(i) * n_]);
     }
     optimalChain(p_, own, unary, workspace_, left ? labels.left : labels.right);
   }

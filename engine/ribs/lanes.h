@@ -3,7 +3,9 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace spineloft::ribs {
 
@@ -21,6 +23,17 @@ inline Float4 least4(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 most4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 magnitude4(Float4 v) { return v < all4(0) ? -v : v; }
 inline float sum4(Float4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+/// Where the lesser of single floats is a branch, that of lanes is one instruction.
+inline float lesser(float a, float b) { return a < b ? a : b; }
+/// The least of `count` values, infinity if there are none.
+inline float leastOf(const float* values, std::size_t count) {
+  Float4 least = all4(std::numeric_limits<float>::infinity());
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) least = least4(load4(values + i), least);
+  float best = lesser(lesser(least[0], least[1]), lesser(least[2], least[3]));
+  for (; i < count; ++i) best = lesser(values[i], best);
+  return best;
+}
 
 /// log x for x > 0 that is neither denormal nor infinite: within 2e-7, relative beyond 1.
 /// x = 2^e m with √½ ≤ m < √2, and log m = 2 artanh((m − 1) / (m + 1)) by its series.

@@ -52,11 +52,12 @@ struct Profile {
       : reach(wanted), low(0), high(-1) {
     const double pixel = std::max(edges.scaleX, edges.scaleY);
     const double longest = curves.along[curves.at(curve, curves.reached[index(curve)] - 1)];
+    int label = 0;
     for (int i = 0; i <= 2 * reach; ++i) {
       const double at = along + (i - reach) * pixel;
       if (at < 0) low = i + 1;
       if (at < 0 || at > longest) continue;
-      colour[index(i)] = colourAt(edges, curves.pointAlong(curve, at));
+      colour[index(i)] = colourAt(edges, curves.pointAlong(curve, at, label));
       high = i;
     }
   }

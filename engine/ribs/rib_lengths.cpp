@@ -6,6 +6,7 @@
 #include "engine/ribs/chain_line.h"
 #include "engine/ribs/chain_step.h"
 #include "engine/ribs/label_bounds.h"
+#include "engine/ribs/lanes.h"
 #include "engine/ribs/pair_search.h"
 
 namespace spineloft::ribs {
@@ -15,20 +16,17 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // The label of the previous rib through which `reached` (a value of convolveRows) came.
 int cameFrom(const LengthProblem& p, const SideCosts& side, int rib, int label,
-             const float* before) {
+             const float* before, std::vector<float>& costs) {
   const std::size_t row = index(rib) * index(p.levels);
   const float s = side.spacing[index(rib - 1)];
-  int best = 0;
-  float least = kUnreachable;
-  for (int k = 0; k < p.levels; ++k) {
-    const float cost = before[k] + neighbourCost(p, side.place[row - index(p.levels) + index(k)],
-                                                 side.place[row + index(label)], s);
-    if (cost < least) {
-      least = cost;
-      best = k;
-    }
-  }
-  return best;
+  const float* from = &side.place[row - index(p.levels)];
+  const float to = side.place[row + index(label)];
+  costs.resize(index(p.levels));
+  for (std::size_t k = 0; k < costs.size(); ++k)
+    costs[k] = before[k] + neighbourCost(p, from[k], to, s);
+  const float least = leastOf(costs.data(), costs.size());
+  if (!(least < kUnreachable)) return 0;
+  return static_cast<int>(std::find(costs.begin(), costs.end(), least) - costs.begin());
 }
 
 // Least energy of the chain's beginning for every label of every rib of one independent side.
@@ -58,11 +56,6 @@ std::vector<float> oppositeTable(const std::vector<double>& values, double weigh
     }
   }
   return table;
-}
-
-float neighbourCost(const LengthProblem& p, float a, float b, float spacing) {
-  const float over = std::abs(a - b) - p.neighbourFreedom * spacing;
-  return over <= 0 ? 0.f : std::min(p.neighbourCap, p.neighbourWeight / spacing * over);
 }
 
 namespace {
@@ -133,7 +126,8 @@ void optimalChain(const LengthProblem& p, const SideCosts& side, const std::vect
   const float* last = &table[index(p.ribs - 1) * n];
   labels.back() = static_cast<int>(std::min_element(last, last + n) - last);
   for (int i = p.ribs - 1; i > 0; --i) {
-    labels[index(i - 1)] = cameFrom(p, side, i, labels[index(i)], &table[index(i - 1) * n]);
+    labels[index(i - 1)] = cameFrom(p, side, i, labels[index(i)], &table[index(i - 1) * n],
+                                    workspace.rowCosts);
   }
 }
 
@@ -172,10 +166,7 @@ void sideMarginals(const LengthProblem& p, const LengthLabels& labels, bool left
   if (p.paired()) {
     for (int i = 0; i < p.ribs; ++i) {
       const std::size_t other = index((leftSide ? labels.right : labels.left)[index(i)]);
-      for (std::size_t k = 0; k < n; ++k) {
-        unary[index(i) * n + k] +=
-            leftSide ? oppositeCost(p, i, k, other) : oppositeCost(p, i, other, k);
-      }
+      addOpposite(p, i, leftSide, other, &unary[index(i) * n]);
     }
   }
   forwardChain(p, side, unary, workspace, marginals);

@@ -57,7 +57,12 @@ struct LengthLabels {
 std::vector<float> oppositeTable(const std::vector<double>& values, double weight);
 
 /// The cost between two neighbouring labels standing at places a and b.
-float neighbourCost(const LengthProblem& problem, float a, float b, float spacing);
+inline float neighbourCost(const LengthProblem& problem, float a, float b, float spacing) {
+  const float apart = a - b, over = (apart < 0 ? -apart : apart) - problem.neighbourFreedom * spacing;
+  const float cost = problem.neighbourWeight / spacing * over;
+  const float held = cost < problem.neighbourCap ? cost : problem.neighbourCap;
+  return over <= 0 ? 0.f : held;
+}
 
 /// The energy of any labels by term; the unary table counts as `distance`.
 EnergyTerms energyOf(const LengthProblem& problem, const LengthLabels& labels);

@@ -128,10 +128,19 @@ void placeBands(const GradientCurves& curves, const image::EdgeMap& edges, float
   }
 }
 
-// Fills one curve's row; `marked`: whether something is ignored.
+// Labels of all curves that are sampled before farther ones. A curve that crosses the map's rows would
+// touch another page of memory with every label, and rows that lie a power of two apart drive each
+// other out of the cache; a few labels along the whole level set stay together.
+constexpr int kBandOfLabels = 16;
+struct Piece {
+  int curve, first, end;  // labels first … end − 1
+};
+
+// Fills a piece of one curve's row; `marked`: whether something is ignored.
 template <bool marked>
-void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, int c, Sampler& sampler,
-                 Strip& strip) {
+void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, Piece piece,
+                 Sampler& sampler, Strip& strip) {
+  const int c = piece.curve;
   const int total = strip.curves;
   const std::size_t row = curves.at(c, 0);
   const std::size_t before = curves.at(c > 0 ? c - 1 : total - 1, 0);
@@ -149,8 +158,7 @@ void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, int 
     }
     return true;
   };
-  const int reached = curves.reached[index(c)];
-  for (std::size_t k = 0; k < index(reached); ++k) {
+  for (std::size_t k = index(piece.first); k < index(piece.end); ++k) {
     const Float4 here{s.mapX[row + k], s.mapY[row + k], 0, 0};
     sampler.clear();
     if (!sample(here)) {
@@ -185,13 +193,20 @@ void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
   strip.ignored.assign(marked ? curves.x.size() : 0, 0);
   placeBands(curves, edges, kBandStep * static_cast<float>(strip.pixel), strip.scratch);
   Sampler sampler(edges);
+  for (int first = 0; first < strip.levels; first += kBandOfLabels) {
+    for (int c = 0; c < strip.curves; ++c) {
+      const int reached = curves.reached[index(c)];
+      if (reached <= first) continue;
+      const Piece piece{c, first, std::min(first + kBandOfLabels, reached)};
+      if (marked) {
+        sampleCurve<true>(curves, ignored, piece, sampler, strip);
+      } else {
+        sampleCurve<false>(curves, ignored, piece, sampler, strip);
+      }
+    }
+  }
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t end = curves.at(c, curves.reached[index(c)]), row = curves.at(c, 0);
-    if (marked) {
-      sampleCurve<true>(curves, ignored, c, sampler, strip);
-    } else {
-      sampleCurve<false>(curves, ignored, c, sampler, strip);
-    }
     const std::size_t next = row + index(curves.levels);
     std::fill(&strip.proximity[row] + (end - row), &strip.proximity[row] + (next - row), 0.f);
     std::fill(&strip.lab[row] + (end - row), &strip.lab[row] + (next - row), std::array<float, 4>{});
