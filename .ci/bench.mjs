@@ -157,7 +157,7 @@ await mainProgram(async () => {
   printTable(`Editing ${parts} parts of ${ribs} ribs in Chromium: from the pointer to the screen`,
     Object.entries(gestures).map(([name, times]) => ({ name, ...times })), { gesture: 'name', 'median ms': 'median_ms', 'p95 ms': 'p95_ms' });
   printTable('Solids: what the worker takes from a request to the mesh', Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
-    { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'the first of its kind': 'first_ms' });
+    { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'least of the processor': 'min_cpu_ms', 'the first of its kind': 'first_ms' });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? dataFolder;
   if (folder && existsSync(folder)) {

@@ -4,15 +4,7 @@ import { DistanceField } from './distance.ts';
 import { at, gridOver, lowestOf, sample, surfaceWhere } from './grid.ts';
 import type { Box, Grid, Point, Surface } from './grid.ts';
 import { Unsolvable } from './kernel.ts';
-import { fitPaint } from './paint.ts';
 import type { SolidNode } from './protocol.ts';
-
-/** What faces that are new look like. */
-interface Coat {
-  /** Original id, which says whose they are. */
-  id: number;
-  paint(x: number, y: number, z: number): [number, number];
-}
 
 /** What a maker of solids may do with what it makes on the way. */
 export interface Making {
@@ -26,18 +18,9 @@ export interface Making {
 /** Grid cells along the longest side, and all in all. */
 const kHollowCells = 88, kSeamCells = 6, kMostCells = 1_500_000;
 
-interface PaintedSurface extends Surface {
-  properties: Float32Array;
-  stride: number;
-}
-
-/** Vertices of one place as one vertex: the distance field asks for places alone. */
-function surfaceOf(solid: Manifold): PaintedSurface {
-  const mesh = solid.getMesh();
-  const stride = mesh.numProp, n = mesh.vertProperties.length / stride;
-  const positions = new Float32Array(3 * n);
-  for (let v = 0; v < n; v += 1) for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
-  return { positions, triangles: mesh.triVerts, properties: mesh.vertProperties, stride };
+function surfaceOf(solid: Manifold): Surface {
+  const { vertProperties, triVerts } = solid.getMesh();
+  return { positions: vertProperties, triangles: triVerts };
 }
 
 function grown(box: Box, by: number): Box {
@@ -80,42 +63,17 @@ function cutAlong({ positions, triangles }: Surface, side: (x: number, y: number
   return { positions: Float32Array.from(points), triangles: Uint32Array.from(corners) };
 }
 
-/** The surface as a solid, with uv on every vertex; `coatOf` says which coat a face at this place has, and with it whose it is. */
-function painted(library: ManifoldToplevel, { positions, triangles }: Surface, coats: Coat[], coatOf: (x: number, y: number, z: number) => number = () => 0): Manifold {
-  const faces = coats.map((): number[] => []);
+/** The surface as a solid; `which` says which of the original ids a face at this place carries. */
+function solidOf(library: ManifoldToplevel, { positions, triangles }: Surface, ids: number[], which: (x: number, y: number, z: number) => number = () => 0): Manifold {
+  const faces = ids.map((): number[] => []);
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [3 * triangles[t]!, 3 * triangles[t + 1]!, 3 * triangles[t + 2]!];
     const middle = (k: number) => (positions[a + k]! + positions[b + k]! + positions[c + k]!) / 3;
-    faces[coatOf(middle(0), middle(1), middle(2))]!.push(t);
+    faces[which(middle(0), middle(1), middle(2))]!.push(triangles[t]!, triangles[t + 1]!, triangles[t + 2]!);
   }
-  // Where two coats meet, each has its own vertices; they stand at one place.
-  const rows: number[] = [], corners: number[] = [], mergeFrom: number[] = [], mergeTo: number[] = [], runIndex = [0];
-  const first = new Int32Array(positions.length / 3).fill(-1);
-  for (const [coat, { paint }] of coats.entries()) {
-    const own = new Map<number, number>();
-    for (const t of faces[coat]!) {
-      for (const v of triangles.subarray(t, t + 3)) {
-        let at = own.get(v);
-        if (at === undefined) {
-          at = rows.length / 5;
-          own.set(v, at);
-          const x = positions[3 * v]!, y = positions[3 * v + 1]!, z = positions[3 * v + 2]!;
-          rows.push(x, y, z, ...paint(x, y, z));
-          if (first[v]! < 0) first[v] = at;
-          else {
-            mergeFrom.push(at);
-            mergeTo.push(first[v]!);
-          }
-        }
-        corners.push(at);
-      }
-    }
-    runIndex.push(corners.length);
-  }
-  const solid = library.Manifold.ofMesh(new library.Mesh({
-    numProp: 5, vertProperties: Float32Array.from(rows), triVerts: Uint32Array.from(corners), mergeFromVert: Uint32Array.from(mergeFrom), mergeToVert: Uint32Array.from(mergeTo),
-    runOriginalID: Uint32Array.from(coats, ({ id }) => id), runIndex: Uint32Array.from(runIndex),
-  }));
+  const runIndex = [0];
+  for (const corners of faces) runIndex.push(runIndex.at(-1)! + corners.length);
+  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: Uint32Array.from(faces.flat()), runOriginalID: Uint32Array.from(ids), runIndex: Uint32Array.from(runIndex) }));
   if (solid.status() !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
   return solid;
 }
@@ -198,7 +156,7 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   // What does not reach the opening, such as the inside of a handle, would be a void that nothing runs out of.
   const inside = opening ? reaching(deep, along, rim) : deep;
   if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values) });
-  const cavity = painted(library, inside, [{ id, paint: fitPaint(surface.properties, surface.stride) }]);
+  const cavity = solidOf(library, inside, [id]);
   let outside = body;
   if (opening && node.cut > 0) {
     outside = body.trimByPlane(opening.map((x) => -x) as Point, -rim);
@@ -245,12 +203,9 @@ function meetingAt(place: Manifold, [a, b]: readonly [Surface, Surface], radius:
  */
 export function seamOf(library: ManifoldToplevel, { plain, operands, node, idOf }: Seam, own: Manifold[]): Manifold {
   const radius = node.blend, cut = node.kind === 'cut', cells = node.coarse ? kSeamCells / 2 : kSeamCells;
-  const known = new Map<number, { surface: PaintedSurface; coat: Coat }>();
+  const known = new Map<number, { surface: Surface; id: number }>();
   const sideOf = (index: number) => {
-    const side = known.get(index) ?? (() => {
-      const surface = surfaceOf(operands[index]!);
-      return { surface, coat: { id: idOf(operands[index]!), paint: fitPaint(surface.properties, surface.stride) } };
-    })();
+    const side = known.get(index) ?? { surface: surfaceOf(operands[index]!), id: idOf(operands[index]!) };
     known.set(index, side);
     return side;
   };
@@ -268,7 +223,7 @@ export function seamOf(library: ManifoldToplevel, { plain, operands, node, idOf 
         const rounding = surfaceWhere(grid, sample(grid, (_x, _y, _z, n) => -smoothMin(cut ? -first[n]! : first[n]!, second[n]!, radius) - 0.06 * grid.step));
         if (rounding.triangles.length === 0) continue;
         const side = (x: number, y: number, z: number) => Math.abs(at(grid, first, x, y, z)) - Math.abs(at(grid, second, x, y, z));
-        const solid = painted(library, cutAlong(rounding, side), [one.coat, other.coat], (x, y, z) => (side(x, y, z) > 0 ? 1 : 0));
+        const solid = solidOf(library, cutAlong(rounding, side), [one.id, other.id], (x, y, z) => (side(x, y, z) > 0 ? 1 : 0));
         own.push(solid);
         roundings.push(solid);
       }

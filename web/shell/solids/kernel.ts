@@ -2,8 +2,11 @@
 // so that an edited part is fused again without redoing what did not change. Runs in a worker; knows no page.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { hollowOf, seamOf } from './fields.ts';
-import { FaultyPart, fromMesh, importPart } from './parts.ts';
-import type { MeshData, PartOperand, PartRun, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
+import { fitPaint } from './paint.ts';
+import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
+import { carried, runsOf } from './sources.ts';
+import type { Source } from './sources.ts';
+import type { MeshData, PartOperand, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
 /** How many requests long a sub-result is kept that nobody asks for. */
 const kKept = 12;
@@ -23,12 +26,25 @@ interface Kept {
   free?: Manifold[];
   failure?: SolidFailure;
   round: number;
+  /** What it was made from, which is kept as long: its faces are asked for. */
+  from?: Kept[];
+  /** Original ids of its own. */
+  ids?: number[];
+}
+
+/** What is made on the way to a solid. */
+interface Bench {
+  /** Deleted when the step is done. */
+  own: Manifold[];
+  ids: number[];
+  from: Kept[];
 }
 
 /** An operand in its place. */
 interface Keyed {
   key: string;
   solid: Manifold;
+  from: Kept;
 }
 
 export interface Solved {
@@ -44,8 +60,8 @@ export class SolidKernel {
   private readonly meshes = new Map<string, { data: MeshData; round: number }>();
   private readonly parts = new Map<string, Kept>();
   private readonly solids = new Map<string, Kept>();
-  /** Original ids of manifold-3d, and whose faces they are. */
-  private readonly owners = new Map<number, number>();
+  /** What faces were, by original ids of manifold-3d. */
+  private readonly sources = new Map<number, Source>();
   /** What each step was made of last. */
   private readonly lastOperands = new Map<number, string[]>();
   private round = 0;
@@ -65,7 +81,7 @@ export class SolidKernel {
       const started = this.now();
       const key = node.coarse ? `${node.key}~` : node.key;
       const kept = this.solids.get(key) ?? this.make(node);
-      kept.round = this.round;
+      this.use(kept);
       this.solids.set(key, kept);
       if (request.wanted.includes(node.key)) done(this.finish(node, kept, started));
       yield { done: (index + 1) / request.nodes.length };
@@ -76,6 +92,15 @@ export class SolidKernel {
   private touch(key: string): void {
     const mesh = this.meshes.get(key);
     if (mesh) mesh.round = this.round;
+  }
+
+  /** Keeps what is asked for, and what it was made from. */
+  private use(kept: Kept): Kept {
+    if (kept.round !== this.round) {
+      kept.round = this.round;
+      kept.from?.forEach((each) => this.use(each));
+    }
+    return kept;
   }
 
   private finish(node: SolidNode, kept: Kept, started: number): Solved {
@@ -89,82 +114,105 @@ export class SolidKernel {
   }
 
   private make(node: SolidNode): Kept {
-    const own: Manifold[] = [];
+    const bench: Bench = { own: [], ids: [], from: [] }, { own, ids, from } = bench;
+    const round = this.round;
     try {
-      const operands = node.operands.map((operand) => this.operand(operand, node.coarse, own));
-      const { solid, cavity, free } = this.combine(node, operands, own);
+      const operands = node.operands.map((operand) => this.operand(operand, node.coarse, bench));
+      const { solid, cavity, free } = this.combine(node, operands, bench);
       const error = solid.status() !== 'NoError' ? 'SolidFailed' : solid.isEmpty() ? 'SolidEmpty' : null;
       if (error) {
         own.push(solid, ...(cavity ? [cavity] : []));
         throw new Unsolvable({ error });
       }
-      return { solid, round: this.round, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
+      return { solid, round, ids, from, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
     } catch (thrown) {
-      return { solid: null, failure: failureOf(thrown), round: this.round };
+      return { solid: null, failure: failureOf(thrown), round, ids };
     } finally {
       for (const solid of own) solid.delete();
     }
   }
 
   /** The solid of an operand; what is made for it alone goes into `own`. */
-  private operand(operand: SolidOperand, coarse: boolean, own: Manifold[]): Manifold {
+  private operand(operand: SolidOperand, coarse: boolean, { own, from }: Bench): Manifold {
     if (!isPart(operand)) {
       const kept = this.solids.get(coarse ? `${operand.node}~` : operand.node);
       if (!kept?.solid) throw new Unsolvable(kept?.failure ?? { error: 'SolidFailed' });
-      kept.round = this.round;
+      from.push(this.use(kept));
       return kept.solid;
     }
     const key = `${operand.mesh}#${operand.part}`;
-    // What the hand is at is not looked over for places where it crosses itself.
-    const unchecked = coarse && !this.parts.has(key);
-    const kept = this.parts.get(key) ?? this.parts.get(`${key}~`) ?? this.importPart(operand, unchecked);
-    kept.round = this.round;
-    this.parts.set(unchecked ? `${key}~` : key, kept);
+    const kept = this.part(operand, key, coarse);
+    from.push(this.use(kept));
     if (!kept.solid) throw new Unsolvable({ ...kept.failure!, ...(kept.failure!.at ? { at: inWorld(operand.matrix, kept.failure!.at) } : {}) });
     const placed = kept.solid.transform(operand.matrix as Parameters<Manifold['transform']>[0]);
     own.push(placed);
     return placed;
   }
 
-  private importPart(operand: PartOperand, unchecked: boolean): Kept {
-    const mesh = this.meshes.get(operand.mesh);
-    if (!mesh) return { solid: null, failure: { error: 'SolidFailed', part: operand.part }, round: this.round };
-    const id = this.ownerId(operand.part);
+  /** What the hand is at is not looked over for places where it crosses itself. */
+  private part(operand: PartOperand, key: string, coarse: boolean): Kept {
+    const known = this.parts.get(key), loose = this.parts.get(`${key}~`);
+    if (known) return known;
+    const mesh = this.meshes.get(operand.mesh)?.data;
+    if (loose && (coarse || (mesh && !crossesItself(mesh)))) {
+      if (coarse) return loose;
+      // Now it has been looked over.
+      this.parts.delete(`${key}~`);
+      this.parts.set(key, loose);
+      return loose;
+    }
+    const kept = this.importPart(operand, coarse);
+    this.parts.set(coarse ? `${key}~` : key, kept);
+    return kept;
+  }
+
+  private importPart({ mesh: key, part }: PartOperand, unchecked: boolean): Kept {
+    const mesh = this.meshes.get(key), { round } = this, ids: number[] = [];
+    if (!mesh) return { solid: null, failure: { error: 'SolidFailed', part }, round };
+    const register = (piece: MeshData) => this.register({ part, mesh: piece }, ids);
     try {
-      return { solid: unchecked ? fromMesh(this.library, mesh.data, id) : importPart(this.library, mesh.data, id), round: this.round };
+      return { solid: unchecked ? fromMesh(this.library, mesh.data, register) : importPart(this.library, mesh.data, register), round, ids };
     } catch (thrown) {
       const failure = thrown instanceof FaultyPart ? { error: 'PartCrossesItself' as const, at: thrown.at } : failureOf(thrown);
-      return { solid: null, failure: { ...failure, part: operand.part }, round: this.round };
+      return { solid: null, failure: { ...failure, part }, round, ids };
     }
   }
 
-  private ownerId(part: number): number {
+  /** An original id for faces from this source. */
+  private register(source: Source, ids: number[]): number {
     const id = this.library.Manifold.reserveIDs(1);
-    this.owners.set(id, part);
+    this.sources.set(id, source);
+    ids.push(id);
     return id;
   }
 
-  private combine(node: SolidNode, operands: Manifold[], own: Manifold[]): { solid: Manifold; cavity?: Manifold; free: Manifold[] } {
-    const { Manifold } = this.library;
+  private combine(node: SolidNode, operands: Manifold[], bench: Bench): { solid: Manifold; cavity?: Manifold; free: Manifold[] } {
+    const { own } = bench;
     if (node.kind === 'hollow') {
       // A part with live symmetry comes with its twin.
-      const body = operands.length > 1 ? Manifold.union(operands) : operands[0]!;
+      const body = operands.length > 1 ? this.library.Manifold.union(operands) : operands[0]!;
       if (operands.length > 1) own.push(body);
-      const part = this.mainPart(body);
-      const { shell, cavity } = hollowOf(this.library, body, node, { id: this.ownerId(part), part, own });
+      const { shell, cavity } = hollowOf(this.library, body, node, { ...this.likeness(body, bench), own });
       return { solid: shell, cavity, free: [cavity] };
     }
-    const plain = this.together(node, operands, own);
-    const solid = node.blend <= 0 || node.kind === 'common' || plain.isEmpty() ? plain : this.rounded(node, plain, operands, own);
+    const plain = this.together(node, operands, bench);
+    const solid = node.blend <= 0 || node.kind === 'common' || plain.isEmpty() ? plain : this.rounded(node, plain, operands, bench);
     const free = node.kind === 'join' ? this.freeOf(node) : [];
     if (free.length === 0) return { solid, free };
     own.push(solid);
     return { solid: this.library.Manifold.difference([solid, ...free]), free };
   }
 
-  private rounded(node: SolidNode, plain: Manifold, operands: Manifold[], own: Manifold[]): Manifold {
-    own.push(plain);
-    return seamOf(this.library, { plain, operands, node, idOf: (operand) => this.ownerId(this.mainPart(operand)) }, own);
+  /** For new faces that look as a solid does: the part that most of it is from, and its picture as it lies on it. */
+  private likeness(solid: Manifold, { ids }: Bench): { id: number; part: number } {
+    const mesh = solid.getMesh(), { positions, uv } = carried(mesh, this.sources);
+    const { part } = runsOf(mesh, this.sources).reduce((most, run) => (run.count > most.count ? run : most), { part: 0, count: -1 });
+    return { id: this.register({ part, paint: fitPaint(positions, uv) }, ids), part };
+  }
+
+  private rounded(node: SolidNode, plain: Manifold, operands: Manifold[], bench: Bench): Manifold {
+    bench.own.push(plain);
+    return seamOf(this.library, { plain, operands, node, idOf: (operand) => this.likeness(operand, bench).id }, bench.own);
   }
 
   /** The insides of hollow operands: the end of a handle does not stand into its mug. */
@@ -176,12 +224,12 @@ export class SolidKernel {
    * All operands as the step says. Where one alone is another than last time, what the others make is kept: the next
    * time that one changes there is a single thing left to do.
    */
-  private together(node: SolidNode, operands: Manifold[], own: Manifold[]): Manifold {
+  private together(node: SolidNode, operands: Manifold[], { own, from }: Bench): Manifold {
     const keys = node.operands.map((operand) => this.nameOf(operand, node.coarse));
     const before = this.lastOperands.get(node.step);
     this.lastOperands.set(node.step, keys);
     const changed = before?.length === keys.length ? keys.flatMap((key, i) => (key === before[i] ? [] : [i])) : [];
-    const all = keys.map((key, i) => ({ key, solid: operands[i]! }));
+    const all = keys.map((key, i) => ({ key, solid: operands[i]!, from: from[i]! }));
     const one = keys.length >= 3 && changed.length === 1 ? changed[0]! : -1;
     const whole = one < 0 ? this.whole(node.kind, all) : this.withOne(node.kind, all, one);
     if (one < 0 || whole.status() === 'NoError') return whole;
@@ -206,12 +254,11 @@ export class SolidKernel {
   /** Number `one` to what the others make. */
   private withOne(kind: SolidNode['kind'], all: Keyed[], one: number): Manifold {
     const { solid } = all[one]!, others = all.filter((_, i) => i !== one);
-    const named = (what: string) => `${what}: ${others.map(({ key }) => key).join(' ')}`;
-    if (kind === 'common') return this.keep(named('common'), () => this.whole('common', others)).intersect(solid);
+    if (kind === 'common') return this.keep('common', others, () => this.whole('common', others)).intersect(solid);
     if (kind === 'cut' && one === 0) return solid.subtract(this.union(others));
-    if (kind === 'cut') return this.keep(named('cut'), () => this.whole('cut', others)).subtract(solid);
-    const rest = this.groups(all).flatMap((group) => (group.includes(all[one]!) ? group.filter((each) => each !== all[one]) : [{ key: '', solid: this.union(group) }]));
-    return this.keep(named('join'), () => this.library.Manifold.union(rest.map((each) => each.solid))).add(solid);
+    if (kind === 'cut') return this.keep('cut', others, () => this.whole('cut', others)).subtract(solid);
+    const rest = () => this.groups(all).flatMap((group) => (group.includes(all[one]!) ? group.filter((each) => each !== all[one]).map((each) => each.solid) : [this.union(group)]));
+    return this.keep('join', others, () => this.library.Manifold.union(rest())).add(solid);
   }
 
   /** Many in a few groups, which stay as they are when one of another group changes. */
@@ -222,51 +269,25 @@ export class SolidKernel {
 
   private union(of: Keyed[]): Manifold {
     if (of.length === 1) return of[0]!.solid;
-    return this.keep(`join: ${of.map(({ key }) => key).join(' ')}`, () => this.library.Manifold.union(of.map(({ solid }) => solid)));
+    return this.keep('join', of, () => this.library.Manifold.union(of.map(({ solid }) => solid)));
   }
 
-  private keep(key: string, make: () => Manifold): Manifold {
-    const kept = this.solids.get(key) ?? { solid: make(), round: this.round };
-    kept.round = this.round;
+  /** What some of a step's operands make. */
+  private keep(what: string, of: Keyed[], make: () => Manifold): Manifold {
+    const key = `${what}: ${of.map((each) => each.key).join(' ')}`;
+    const kept = this.solids.get(key) ?? { solid: make(), round: this.round, from: of.map((each) => each.from) };
+    this.use(kept);
     this.solids.set(key, kept);
     // The library works when it is asked for something, and then for good.
     kept.solid!.status();
     return kept.solid!;
   }
 
-  /** Whose faces are the most. */
-  private mainPart(solid: Manifold): number {
-    let best = 0, most = -1;
-    for (const run of this.runsOf(solid.getMesh())) {
-      if (run.count > most) [best, most] = [run.part, run.count];
-    }
-    return best;
-  }
-
-  private runsOf(mesh: { runIndex: Uint32Array; runOriginalID: Uint32Array }): PartRun[] {
-    const runs: PartRun[] = [];
-    for (let i = 0; i < mesh.runOriginalID.length; i += 1) {
-      const first = mesh.runIndex[i]! / 3, count = mesh.runIndex[i + 1]! / 3 - first;
-      const part = this.owners.get(mesh.runOriginalID[i]!) ?? 0, last = runs[runs.length - 1];
-      if (last && last.part === part && last.first + last.count === first) last.count += count;
-      else if (count > 0) runs.push({ part, first, count });
-    }
-    return runs;
-  }
-
   private meshOf(solid: Manifold): SolidMesh {
     const mesh = solid.getMesh();
-    const stride = mesh.numProp, vertices = mesh.vertProperties.length / stride;
-    const positions = new Float32Array(3 * vertices), uv = new Float32Array(2 * vertices);
-    for (let v = 0; v < vertices; v += 1) {
-      for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
-      for (let k = 0; k < 2; k += 1) uv[2 * v + k] = stride >= 5 ? Math.min(1, Math.max(0, mesh.vertProperties[stride * v + 3 + k]!)) : 0;
-    }
-    const triangles = mesh.triVerts.slice();
-    const mergeFrom = (mesh.mergeFromVert ?? new Uint32Array()).slice(), mergeTo = (mesh.mergeToVert ?? new Uint32Array()).slice();
     // The library counts as if all were one shell.
-    const genus = solid.genus() + shellsOf({ vertices, triangles, mergeFrom, mergeTo }) - 1;
-    return { positions, uv, triangles, mergeFrom, mergeTo, runs: this.runsOf(mesh), volume: solid.volume(), area: solid.surfaceArea(), genus };
+    const genus = solid.genus() + shellsOf(mesh.vertProperties.length / 3, mesh.triVerts) - 1;
+    return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), volume: solid.volume(), area: solid.surfaceArea(), genus };
   }
 
   /** Lets go of what was not asked for in a while. */
@@ -276,6 +297,7 @@ export class SolidKernel {
         if (kept.round + kKept > this.round) continue;
         kept.solid?.delete();
         kept.cavity?.delete();
+        for (const id of kept.ids ?? []) this.sources.delete(id);
         map.delete(key);
       }
     }
@@ -297,34 +319,21 @@ function failureOf(thrown: unknown): SolidFailure {
   return { error: thrown instanceof RangeError ? 'OutOfMemory' : 'SolidFailed' };
 }
 
-/** How many closed surfaces there are that no edge joins; vertices that are merged are one. */
-function shellsOf({ vertices, triangles, mergeFrom, mergeTo }: { vertices: number; triangles: Uint32Array; mergeFrom: Uint32Array; mergeTo: Uint32Array }): number {
-  const root = new Uint32Array(vertices), used = new Uint8Array(vertices);
+/** How many closed surfaces there are that no edge joins. */
+function shellsOf(vertices: number, triangles: Uint32Array): number {
+  const root = new Uint32Array(vertices);
   for (let v = 0; v < vertices; v += 1) root[v] = v;
-  const find = (v: number) => {
-    while (root[v] !== v) v = root[v] = root[root[v]!]!;
-    return v;
-  };
-  let shells = 0;
-  const join = (a: number, b: number) => {
-    const from = find(a), to = find(b);
-    if (from === to) return;
-    root[from] = to;
+  let shells = vertices;
+  for (let i = 0; i < triangles.length; i += 1) {
+    // Every corner with the first one of its triangle.
+    const c = i % 3;
+    if (c === 0) continue;
+    let a = triangles[i - c]!, b = triangles[i]!;
+    while (root[a] !== a) a = root[a] = root[root[a]!]!;
+    while (root[b] !== b) b = root[b] = root[root[b]!]!;
+    if (a === b) continue;
+    root[a] = b;
     shells -= 1;
-  };
-  const use = (v: number) => {
-    shells += used[v] ? 0 : 1;
-    used[v] = 1;
-  };
-  for (const v of triangles) use(v);
-  for (let i = 0; i < mergeFrom.length; i += 1) {
-    use(mergeFrom[i]!);
-    use(mergeTo[i]!);
-    join(mergeFrom[i]!, mergeTo[i]!);
-  }
-  for (let i = 0; i < triangles.length; i += 3) {
-    join(triangles[i]!, triangles[i + 1]!);
-    join(triangles[i]!, triangles[i + 2]!);
   }
   return shells;
 }

@@ -1,20 +1,24 @@
 // Colour for faces that no part had before, such as the inside of a hollow: the picture goes on through the
 // solid as it lies on its surface.
+import type { Paint } from './sources.ts';
 
-/** The affine map from place to uv that fits the vertices best (least squares); rows of properties are x, y, z, u, v. */
-export function fitPaint(rows: Float32Array, stride: number): (x: number, y: number, z: number) => [number, number] {
-  const n = rows.length / stride;
-  if (stride < 5 || n < 4) return () => [0.5, 0.5];
+/** The affine map from place to uv that fits the vertices best (least squares). */
+export function fitPaint(positions: Float32Array, uv: Float32Array): Paint {
+  const n = positions.length / 3;
+  if (uv.length < 2 * n || n < 4) return () => [0.5, 0.5];
   const mean = [0, 0, 0, 0, 0];
-  for (let i = 0; i < n; i += 1) for (let k = 0; k < 5; k += 1) mean[k]! += rows[stride * i + k]! / n;
+  for (let i = 0; i < n; i += 1) {
+    for (let k = 0; k < 3; k += 1) mean[k]! += positions[3 * i + k]! / n;
+    for (let k = 0; k < 2; k += 1) mean[3 + k]! += uv[2 * i + k]! / n;
+  }
   const normal = new Float64Array(9), right = new Float64Array(6);
   let scale = 0;
   for (let i = 0; i < n; i += 1) {
     for (let r = 0; r < 3; r += 1) {
-      const d = rows[stride * i + r]! - mean[r]!;
+      const d = positions[3 * i + r]! - mean[r]!;
       scale += d * d;
-      for (let c = 0; c < 3; c += 1) normal[3 * r + c]! += d * (rows[stride * i + c]! - mean[c]!);
-      for (let c = 0; c < 2; c += 1) right[2 * r + c]! += d * (rows[stride * i + 3 + c]! - mean[3 + c]!);
+      for (let c = 0; c < 3; c += 1) normal[3 * r + c]! += d * (positions[3 * i + c]! - mean[c]!);
+      for (let c = 0; c < 2; c += 1) right[2 * r + c]! += d * (uv[2 * i + c]! - mean[3 + c]!);
     }
   }
   // A little stiffness: a flat solid says nothing about the way across it.

@@ -13,15 +13,14 @@ export class FaultyPart extends Error {
   }
 }
 
-/** The mesh as it is, as a solid whose faces carry `id`. */
-export function fromMesh(library: ManifoldToplevel, data: MeshData, id: number): Manifold {
-  const vertices = data.positions.length / 3;
-  const properties = new Float32Array(5 * vertices);
-  for (let v = 0; v < vertices; v += 1) {
-    properties.set(data.positions.subarray(3 * v, 3 * v + 3), 5 * v);
-    if (data.uv.length > 0) properties.set(data.uv.subarray(2 * v, 2 * v + 2), 5 * v + 3);
-  }
-  const mesh = new library.Mesh({ numProp: 5, vertProperties: properties, triVerts: data.triangles, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, data.triangles.length) });
+/** Takes a mesh down as the source of faces; the original id that they are to carry. */
+export type Register = (mesh: MeshData) => number;
+
+/** The mesh as it is, as a solid. */
+export function fromMesh(library: ManifoldToplevel, data: MeshData, register: Register): Manifold {
+  const { positions, triangles } = data, faces = triangles.length / 3, faceID = new Uint32Array(faces);
+  for (let f = 0; f < faces; f += 1) faceID[f] = f;
+  const mesh = new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: triangles, runOriginalID: Uint32Array.of(register(data)), runIndex: Uint32Array.of(0, triangles.length), faceID });
   const solid = library.Manifold.ofMesh(mesh);
   if (solid.status() !== 'NoError') throw new Error(solid.status());
   return solid;
@@ -56,7 +55,7 @@ function signedVolume({ positions: p, triangles }: MeshData): number {
 }
 
 /** Pieces between rings that do not cross themselves; none where that cannot be had. */
-function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, id: number): Manifold[] | null {
+function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, register: Register): Manifold[] | null {
   const fill = fillIn(library);
   const pieces: Manifold[] = [];
   const fail = () => {
@@ -67,23 +66,23 @@ function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, id: n
   while (ranges.length > 0) {
     const [from, to] = ranges.pop()!;
     const piece = pieceOf(mesh, rings, from, to, fill);
-    const clean = findCrossings(piece.positions, piece.triangles, 1).length === 0;
+    const clean = !crossesItself(piece);
     if (clean && signedVolume(piece) <= 0) return fail();
-    if (clean) pieces.push(fromMesh(library, piece, id));
+    if (clean) pieces.push(fromMesh(library, piece, register));
     else if (to - from > 1) ranges.push([from, (from + to) >> 1], [(from + to) >> 1, to]);
-    else pieces.push(...wedges(library, mesh, rings, from, id));
+    else pieces.push(...wedges(library, mesh, rings, from, register));
   }
-  if (rings.joined) pieces.push(...wedges(library, mesh, rings, rings.count - 1, id));
+  if (rings.joined) pieces.push(...wedges(library, mesh, rings, rings.count - 1, register));
   return pieces;
 }
 
-function wedges(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number, id: number): Manifold[] {
+function wedges(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number, register: Register): Manifold[] {
   return wedgesOf(mesh, rings, from).flatMap((corners) => {
     const hull = library.Manifold.hull(corners as Vec3[]);
     if (hull.isEmpty() || hull.status() !== 'NoError') return [];
     const { positions, triangles } = { positions: hull.getMesh().vertProperties, triangles: hull.getMesh().triVerts };
     hull.delete();
-    return [fromMesh(library, { positions, uv: nearUv(mesh, rings, from, positions), triangles }, id)];
+    return [fromMesh(library, { positions, uv: nearUv(mesh, rings, from, positions), triangles }, register)];
   });
 }
 
@@ -106,13 +105,17 @@ function nearUv(mesh: MeshData, rings: Rings, from: number, positions: Float32Ar
   return uv;
 }
 
-/** The part as a solid whose faces carry `id`. Throws FaultyPart. */
-export function importPart(library: ManifoldToplevel, mesh: MeshData, id: number): Manifold {
+export function crossesItself({ positions, triangles }: MeshData): boolean {
+  return findCrossings(positions, triangles, 1).length > 0;
+}
+
+/** The part as a solid. Throws FaultyPart. */
+export function importPart(library: ManifoldToplevel, mesh: MeshData, register: Register): Manifold {
   const [crossing] = findCrossings(mesh.positions, mesh.triangles, 1);
-  if (!crossing) return fromMesh(library, mesh, id);
+  if (!crossing) return fromMesh(library, mesh, register);
   const fault = new FaultyPart(placeOf(crossing, mesh.positions, mesh.triangles));
   const rings = ringsOf(mesh);
-  const pieces = rings && runForward(mesh, rings) ? piecesOf(library, mesh, rings, id) : null;
+  const pieces = rings && runForward(mesh, rings) ? piecesOf(library, mesh, rings, register) : null;
   if (!pieces) throw fault;
   const solid = library.Manifold.union(pieces);
   for (const piece of pieces) piece.delete();
@@ -125,9 +128,6 @@ export function importPart(library: ManifoldToplevel, mesh: MeshData, id: number
 
 /** Whether nothing of it crosses any more. */
 function isMended(solid: Manifold): boolean {
-  const mesh = solid.getMesh(), stride = mesh.numProp, n = mesh.vertProperties.length / stride;
-  const place = Uint32Array.from({ length: n }, (_, v) => v), positions = new Float32Array(3 * n);
-  for (let v = 0; v < n; v += 1) for (let k = 0; k < 3; k += 1) positions[3 * v + k] = mesh.vertProperties[stride * v + k]!;
-  mesh.mergeFromVert?.forEach((from, i) => { place[from] = mesh.mergeToVert![i]!; });
-  return findCrossings(positions, mesh.triVerts.map((v) => place[v]!), 1).length === 0;
+  const { vertProperties, triVerts } = solid.getMesh();
+  return findCrossings(vertProperties, triVerts, 1).length === 0;
 }
