@@ -213,6 +213,7 @@ void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing s
     if (!neighbours.isFree(place, kNearest * least)) return;
     if (mesh.insert(p)) neighbours.add(place);
   };
+  for (const SectionPoint p : surface.features) offer(p, spacing.rows);
   std::vector<std::vector<double>> rows;
   std::size_t most = 0;
   for (std::size_t i = 0; i < rim.size(); ++i) {

@@ -14,6 +14,7 @@ struct SurfaceOver {
   /// Distances from the rim at which rows of points follow it, for each corner of the rim; growing.
   std::function<std::vector<double>(std::size_t corner)> rows;
   std::function<double(SectionPoint)> height;  ///< over a point
+  std::vector<SectionPoint> features = {};     ///< points that it needs before all others (ridge.h)
 };
 
 /// How far points lie from each other on the surface, about.
@@ -22,8 +23,8 @@ struct Spacing {
   double lattice = 1;  ///< and all others; not less
 };
 
-/// Adds points to a mesh of a region that has only its rim: rows along it, then a triangular lattice,
-/// each only where it is the spacing · kNearest away from all others, measured on the surface. Ends with
+/// Adds points to a mesh of a region that has only its rim: its features, rows along it, then a triangular
+/// lattice, each only where it is the spacing · kNearest away from all others, measured on the surface. Ends with
 /// splitChords. `sizes`: corners of each outline, as the mesh was made of.
 void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing spacing,
                   const SurfaceOver& surface);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/geometry/refine.h"
+#include "engine/geometry/ridge.h"
 #include "engine/geometry/spread.h"
 #include "engine/mesh/two_sided.h"
 
@@ -32,6 +33,7 @@ class Profile {
         round_(params.edge == EdgeKind::Round) {}
 
   double half() const { return half_; }
+  double edge() const { return edge_; }
   double rim() const { return half_ - edge_; }
   double heightAt(double away) const {
     if (away >= edge_) return half_;
@@ -46,6 +48,8 @@ class Profile {
     const int steps = round_ ? kRoundSteps : 1;
     for (int k = 1; k < steps; ++k) rows.push_back(edge_ * (1 - std::cos(kHalfPi * k / steps)));
     rows.push_back(edge_);
+    // One more on the face: what its triangles have of the edge's shading ends there, evenly.
+    rows.push_back(edge_ + step());
     return rows;
   }
   /// Between rows, on the surface.
@@ -79,8 +83,16 @@ Result<mesh::TriMesh> sheet(const geometry::Contours& contours, image::Size pict
   const auto heightAt = [&](SectionPoint p) { return profile.heightAt(distances.to(p)); };
   const double face = kFaceShare * size;
   const double step = profile.step() > 0 ? std::min(profile.step(), face) : face;
-  geometry::spreadPoints(mesh, region.sizes, {step, face},
-                         {[&](std::size_t) { return rows; }, heightAt});
+  geometry::SurfaceOver surface{[&](std::size_t) { return rows; }, heightAt};
+  if (!rows.empty()) {
+    surface.features = geometry::ridgePoints(region.points, region.sizes, distances,
+                                             {profile.edge(), step, rows});
+  }
+  geometry::spreadPoints(mesh, region.sizes, {step, face}, surface);
+  if (!rows.empty()) {
+    constexpr double kGain = 0.03;  // of the edge: more than its steps are off
+    geometry::flipToSurface(mesh, heightAt, profile.half(), kGain * profile.edge());
+  }
   std::vector<double> up(mesh.points().size()), down(up.size());
   const double middle = params.depth * side;
   for (std::size_t i = 0; i < up.size(); ++i) {
