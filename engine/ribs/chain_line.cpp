@@ -36,9 +36,18 @@ std::uint8_t planStep(const ChainStep& t, int count, StepPlan::Window* windows) 
   return static_cast<std::uint8_t>(most);
 }
 
+// Without a way out on the first difference, which would keep it from being SIMD.
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+  if (a.size() != b.size()) return false;
+  std::uint32_t different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    different |= std::bit_cast<std::uint32_t>(a[i]) ^ std::bit_cast<std::uint32_t>(b[i]);
+  return different == 0;
+}
+
 void makePlan(const LengthProblem& p, const SideCosts& side, StepWay way, StepPlan& plan) {
-  const bool known = plan.freedom == p.neighbourFreedom && plan.spacing == side.spacing &&
-                     plan.place == side.place;
+  const bool known = plan.freedom == p.neighbourFreedom && same(plan.spacing, side.spacing) &&
+                     same(plan.place, side.place);
   if (known) return;
   plan.place = side.place;
   plan.spacing = side.spacing;

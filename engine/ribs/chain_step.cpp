@@ -81,8 +81,72 @@ ChainStep stepFrom(const LengthProblem& p, const SideCosts& side, int rib) {
   return step;
 }
 
+namespace {
+
+// The same for so few columns that a row stays in registers; windows are looked through as they are.
+template <std::size_t kVectors>
+struct FewColumns {
+  std::array<Float4, kVectors> lanes;
+  static FewColumns load(const float* from) {
+    FewColumns row;
+    for (std::size_t v = 0; v < kVectors; ++v) row.lanes[v] = load4(from + 4 * v);
+    return row;
+  }
+  static FewColumns none() {
+    FewColumns row;
+    row.lanes.fill(all4(kUnreachable));
+    return row;
+  }
+  void store(float* to) const {
+    for (std::size_t v = 0; v < kVectors; ++v) store4(lanes[v], to + 4 * v);
+  }
+  FewColumns plus(float offset) const {
+    FewColumns row;
+    for (std::size_t v = 0; v < kVectors; ++v) row.lanes[v] = lanes[v] + all4(offset);
+    return row;
+  }
+  void keepLess(const FewColumns& other) {
+    for (std::size_t v = 0; v < kVectors; ++v) lanes[v] = least4(other.lanes[v], lanes[v]);
+  }
+};
+
+template <std::size_t kVectors>
+void convolveFew(const ChainStep& t, const ChainRows& rows, const float* in, float* out,
+                 StepScratch& scratch) {
+  using Row = FewColumns<kVectors>;
+  constexpr std::size_t kWidth = 4 * kVectors;
+  findWindows(t, rows.fromCount, rows.toCount, scratch);
+  Row best = Row::none(), running = Row::none();
+  for (int k = 0; k < rows.fromCount; ++k) best.keepLess(Row::load(in + index(k) * kWidth));
+  best = best.plus(t.cap);
+  int taken = 0;
+  for (int k = 0; k < rows.toCount; ++k) {
+    const int low = scratch.low[index(k)], high = scratch.high[index(k)];
+    for (; taken < low; ++taken)
+      running.keepLess(Row::load(in + index(taken) * kWidth).plus(-t.slope * t.from[taken]));
+    Row row = running.plus(t.slope * (t.to[k] - t.free));
+    row.keepLess(best);
+    for (int q = low; q < high; ++q) row.keepLess(Row::load(in + index(q) * kWidth));
+    row.store(out + index(k) * kWidth);
+  }
+  running = Row::none();
+  taken = rows.fromCount;
+  for (int k = rows.toCount; k-- > 0;) {
+    for (; taken > scratch.high[index(k)]; --taken)
+      running.keepLess(Row::load(in + index(taken - 1) * kWidth).plus(t.slope * t.from[taken - 1]));
+    Row row = Row::load(out + index(k) * kWidth);
+    row.keepLess(running.plus(-t.slope * (t.to[k] + t.free)));
+    row.store(out + index(k) * kWidth);
+  }
+}
+
+}  // namespace
+
 void convolveRows(const ChainStep& t, const ChainRows& rows, const float* in, float* out,
                   StepScratch& scratch) {
+  if (rows.width == 4) return convolveFew<1>(t, rows, in, out, scratch);
+  if (rows.width == 8) return convolveFew<2>(t, rows, in, out, scratch);
+  if (rows.width == 12) return convolveFew<3>(t, rows, in, out, scratch);
   const std::size_t w = index(rows.width);
   const int widest = findWindows(t, rows.fromCount, rows.toCount, scratch);
   // Tables pay where windows are wide.

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "engine/ribs/lanes.h"
+
 namespace spineloft::ribs {
 namespace {
 
@@ -37,24 +39,53 @@ void drawLines(const LengthProblem& p, const SideCosts& side, Lines& lines) {
   }
 }
 
-// Adds one side's costs at the places factor · width[j], interpolated between labels, to a column of
-// costs. `labels[j]` is where to begin to look: where the rib before had that place.
-struct CostColumn {
-  float* first;
-  std::size_t stride;
-};
-void addSide(std::span<const Line> row, float factor, const std::vector<float>& widths,
-             CostColumn costs, std::int32_t* labels) {
+// The line on which a place lies, looked for from label `k` on, which moves there.
+const Line& lineAt(std::span<const Line> row, float at, std::int32_t& k) {
   const std::int32_t most = std::max(0, static_cast<std::int32_t>(row.size()) - 2);
+  while (k < most && row[index(k)].next <= at) ++k;
+  while (k > 0 && row[index(k)].place > at) --k;
+  return row[index(k)];
+}
+
+// Adds one side's costs at the places factor · width[j], interpolated between labels. `labels` is where to
+// begin to look: where the rib before had that place. All have an entry for every width.
+void addSide(std::span<const Line> row, float factor, const std::vector<float>& widths, float* costs,
+             std::int32_t* labels) {
   for (std::size_t j = 0; j < widths.size(); ++j) {
     const float at = factor * widths[j];
-    std::int32_t k = labels[j];
-    while (k < most && row[index(k)].next <= at) ++k;
-    while (k > 0 && row[index(k)].place > at) --k;
-    labels[j] = k;
-    const Line& line = row[index(k)];
+    const Line& line = lineAt(row, at, labels[j]);
     const float held = at < line.next ? at : line.next;
-    costs.first[j * costs.stride] += line.base + line.slope * (held - line.place);
+    costs[j] += line.base + line.slope * (held - line.place);
+  }
+}
+
+// The same with four factors at once: `costs` and `labels` have `stride` entries for every width, of
+// which the first four are meant.
+struct FourColumns {
+  float* costs;
+  std::int32_t* labels;
+  std::size_t stride;
+};
+void addSide(std::span<const Line> row, Float4 factors, const std::vector<float>& widths,
+             const FourColumns& columns) {
+  float* costs = columns.costs;
+  std::int32_t* labels = columns.labels;
+  for (const float width : widths) {
+    const Float4 at = factors * width;
+    const auto lineOf = [&](std::size_t q) { return load4(&lineAt(row, at[q], labels[q]).place); };
+    const Float4 a = lineOf(0), b = lineOf(1), c = lineOf(2), d = lineOf(3);
+    // Place, next place, base and slope of the four, each together.
+    const Float4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                 cd = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+                 abLast = __builtin_shufflevector(a, b, 2, 6, 3, 7),
+                 cdLast = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    const Float4 place = __builtin_shufflevector(ab, cd, 0, 1, 4, 5),
+                 next = __builtin_shufflevector(ab, cd, 2, 3, 6, 7),
+                 base = __builtin_shufflevector(abLast, cdLast, 0, 1, 4, 5),
+                 slope = __builtin_shufflevector(abLast, cdLast, 2, 3, 6, 7);
+    store4(load4(costs) + (base + slope * (least4(at, next) - place)), costs);
+    costs += columns.stride;
+    labels += columns.stride;
   }
 }
 
@@ -127,19 +158,28 @@ class WidthChains {
   void fillCosts(const Leans& leans, std::vector<float>& out) {
     const std::size_t columns = leans.columns();
     out.resize(index(problem_.ribs) * kWidths * columns);
-    t_.begin.assign(2 * kWidths * leans.count, 0);
+    t_.begin.assign(2 * kWidths * columns, 0);
+    std::int32_t* labels = t_.begin.data();
     std::array<float, kMostLeans> own{};
     for (std::size_t q = 0; q < leans.count; ++q)
       own[q] = static_cast<float>(leanCost_ * std::abs(leans.lean[q]));
     for (std::size_t at = 0; at < out.size(); at += columns)
       std::copy(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(columns), &out[at]);
+    // Columns that no lean has are like an even one.
+    std::array<float, kMostLeans> left{};
+    for (std::size_t q = 0; q < columns; ++q) left[q] = static_cast<float>((1 + leans.lean[q]) / 2);
     for (int i = 0; i < problem_.ribs; ++i) {
-      for (std::size_t q = 0; q < leans.count; ++q) {
-        float* first = &out[index(i) * kWidths * columns + q];
-        const auto left = static_cast<float>((1 + leans.lean[q]) / 2);
-        std::int32_t* labels = &t_.begin[2 * q * kWidths];
-        addSide(rowOf(t_.left, i), left, t_.widths, {first, columns}, labels);
-        addSide(rowOf(t_.right, i), 1 - left, t_.widths, {first, columns}, labels + kWidths);
+      float* first = &out[index(i) * kWidths * columns];
+      if (columns == 1) {
+        addSide(rowOf(t_.left, i), left[0], t_.widths, first, labels);
+        addSide(rowOf(t_.right, i), 1 - left[0], t_.widths, first, labels + kWidths);
+        continue;
+      }
+      for (std::size_t q = 0; q < columns; q += 4) {
+        const Float4 share = load4(&left[q]);
+        addSide(rowOf(t_.left, i), share, t_.widths, {first + q, labels + q, columns});
+        addSide(rowOf(t_.right, i), 1 - share, t_.widths,
+                {first + q, labels + kWidths * columns + q, columns});
       }
     }
   }

@@ -79,3 +79,30 @@ TEST_CASE("a line of costs steps as its neighbour costs say") {
     }
   }
 }
+
+TEST_CASE("columns of costs step side by side as each does alone") {
+  Rng rng(20261125);
+  StepScratch scratch;
+  for (int round = 0; round < 120; ++round) {
+    const LengthProblem p = twoRibs(rng, 2 + static_cast<int>(rng.uniform(0, 40)));
+    const ChainStep step = stepTo(p, p.left, 1);
+    const auto levels = static_cast<std::size_t>(p.levels);
+    for (const std::size_t width : {std::size_t{3}, std::size_t{4}, std::size_t{8}, std::size_t{12},
+                                    std::size_t{16}}) {
+      std::vector<float> in, out(levels * width);
+      for (std::size_t i = 0; i < levels * width; ++i)
+        in.push_back(rng.uniform() < 0.2 ? kUnreachable : static_cast<float>(rng.uniform(-2, 2)));
+      convolveRows(step, {p.levels, p.levels, static_cast<int>(width)}, in.data(), out.data(),
+                   scratch);
+      for (std::size_t column = 0; column < width; ++column) {
+        std::vector<float> one, alone(levels), here;
+        for (std::size_t k = 0; k < levels; ++k) {
+          one.push_back(in[k * width + column]);
+          here.push_back(out[k * width + column]);
+        }
+        convolveRows(step, {p.levels, p.levels, 1}, one.data(), alone.data(), scratch);
+        CHECK(here == alone);
+      }
+    }
+  }
+}
