@@ -274,6 +274,19 @@ test('scooping out a body with its handle leaves no void in the handle that noth
   assert.ok(lawful(mug(null), 'closed').shells > 1, 'a closed hollow keeps all of its inside');
 });
 
+test('a handle stays solid when its mug is scooped out, however thick it is', () => {
+  for (const radius of [0.05, 0.08, 0.1, 0.12, 0.14]) {
+    const meshes = { body: loft({ rings: 30, around: 40, radius: 0.3 }), handle: loft({ rings: 60, around: 20, length: 1.1, radius, bend: 3.2 }) };
+    const both = node([rod(1, identity, 'body'), rod(2, [0, 1, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0.15, 0.28, 0, 1], 'handle')]);
+    const wall = 0.04, kernel = fresh(), whole = lawful(solve(kernel, [both], meshes), 'body and handle').volume;
+    const mug = solve(kernel, [both, node([{ node: both.key }], { step: 2, kind: 'hollow', wall, opening: [1, 0, 0] })]);
+    const { volume, shells, euler } = lawful(mug, `radius ${radius}`);
+    assert.deepEqual([shells, euler], [1, 0], `radius ${radius}: one handle`);
+    // All of the body's inside is scooped out, and at most a stub of the handle's.
+    near(whole - volume, Math.PI * (0.3 - wall) ** 2 * (1 - wall), 0.06, `radius ${radius}: what is scooped out`);
+  }
+});
+
 test('a rounded seam adds a little at a join, takes a little at a cut, and stays a solid', () => {
   const kernel = fresh(), meshes = { rod: loft({ rings: 30, around: 32 }) };
   const pair = [rod(1), rod(2, turned(Math.PI / 2, 0.5, 0))];
@@ -320,6 +333,33 @@ test('edits of any part in any order give what all of it anew gives, for every k
       if (!again.failure) near(lawful(again, `${kind}, edit ${i}`).volume, anew.mesh.volume, 1e-5, `${kind}, edit ${i}`);
     }
   }
+});
+
+test('a hundred requests given up half-way, at any moment, leave the solver as sound as a fresh one', () => {
+  const random = seeded(21), kernel = fresh(), meshes = { rod: loft({ rings: 14, around: 12 }), body: loft({ rings: 20, around: 24, radius: 0.25 }) };
+  const place = () => turned(3 * random(), 0.15 * random(), 0.15 * random(), 0.05 * random());
+  const operands = Array.from({ length: 7 }, (_, i) => rod(i + 1, place()));
+  const model = (coarse) => {
+    const hollow = node([rod(9, identity, 'body')], { kind: 'hollow', wall: random() < 0.5 ? 0.05 : 0.07, step: 3, coarse });
+    const first = node(operands.slice(0, 4), { step: 1, coarse }), second = node([{ node: first.key }, ...operands.slice(4)], { kind: random() < 0.5 ? 'join' : 'cut', step: 2, coarse });
+    return [hollow, first, second, node([{ node: hollow.key }, { node: second.key }], { step: 4, coarse })];
+  };
+  for (let i = 0; i < 100; i += 1) {
+    const edited = Math.floor(operands.length * random());
+    operands[edited] = rod(edited + 1, place());
+    const nodes = model(random() < 0.4);
+    const work = kernel.solve({ id: i, nodes, wanted: [nodes.at(-1).key], meshes: i === 0 ? meshes : {} }, () => {});
+    for (let steps = Math.floor((nodes.length + 1) * random()); steps > 0; steps -= 1) work.next();
+    work.return();
+    kernel.keepMeshes(meshes);
+  }
+  const nodes = model(false), after = solve(kernel, nodes);
+  near(lawful(after, 'after a hundred').volume, lawful(solve(fresh(), nodes, meshes), 'afresh').volume, 1e-5, 'volume');
+});
+
+test('a library that breaks down is not asked again: its worker ends', () => {
+  const broken = Object.create(library, { Manifold: { value: Object.create(library.Manifold, { union: { value: () => { throw new WebAssembly.RuntimeError('memory access out of bounds'); } } }) } });
+  assert.throws(() => solve(new SolidKernel(broken), [node([rod(1), rod(2, shifted(0.4))])], { rod: loft() }), WebAssembly.RuntimeError);
 });
 
 /** A worker that answers when it is told to. */

@@ -67,5 +67,6 @@ async function solve(request: SolveRequest): Promise<void> {
 
 scope.onmessage = ({ data }) => {
   newest = data.id;
-  queue = queue.then(() => solve(data));
+  // What is thrown here ends the worker for the page, which starts another one.
+  queue = queue.then(() => solve(data)).catch((problem) => { setTimeout(() => { throw problem; }); });
 };

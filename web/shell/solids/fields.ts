@@ -1,10 +1,11 @@
 // Solids from distance fields: the inside of a hollow, and the rounding at a seam.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { DistanceField } from './distance.ts';
-import { at, gridOver, lowestOf, sample, surfaceWhere } from './grid.ts';
+import { at, gridOver, lowestOf, sample, signedVolume, surfaceWhere } from './grid.ts';
 import type { Box, Grid, Point, Surface } from './grid.ts';
 import { Unsolvable } from './kernel.ts';
 import type { SolidNode } from './protocol.ts';
+import { countOf, rootsOf } from './topology.ts';
 
 /** What a maker of solids may do with what it makes on the way. */
 export interface Making {
@@ -80,19 +81,9 @@ function solidOf(library: ManifoldToplevel, { positions, triangles }: Surface, i
 
 /** The pieces of a surface that reach as far as `rim` along a direction. */
 function reaching({ positions, triangles }: Surface, along: (x: number, y: number, z: number) => number, rim: number): Surface {
-  const n = positions.length / 3, root = new Uint32Array(n);
-  for (let v = 0; v < n; v += 1) root[v] = v;
-  const find = (v: number) => {
-    while (root[v] !== v) v = root[v] = root[root[v]!]!;
-    return v;
-  };
-  for (let t = 0; t < triangles.length; t += 3) {
-    root[find(triangles[t]!)] = find(triangles[t + 1]!);
-    root[find(triangles[t + 2]!)] = find(triangles[t + 1]!);
-  }
-  const reaches = new Uint8Array(n);
-  for (let v = 0; v < n; v += 1) if (along(positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!) >= rim) reaches[find(v)] = 1;
-  return { positions, triangles: triangles.filter((_, i) => reaches[find(triangles[i]!)] === 1) };
+  const n = positions.length / 3, root = rootsOf(n, triangles), reaches = new Uint8Array(n);
+  for (let v = 0; v < n; v += 1) if (along(positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!) >= rim) reaches[root[v]!] = 1;
+  return { positions, triangles: triangles.filter((_, i) => reaches[root[triangles[i]!]!] === 1) };
 }
 
 /**
@@ -119,6 +110,26 @@ function squareToLid({ positions: p, triangles }: { positions: Float32Array; tri
   const square = lean.map((x) => x / length) as Point;
   const lid = faces.reduce((sum, { normal, area }) => sum + (normal[0] * square[0] + normal[1] * square[1] + normal[2] * square[2] > flat ? area : 0), 0);
   return lid > most * all ? square : asked;
+}
+
+/**
+ * A cavity without passages through the handles of its body, which nobody scoops out of a mug: it has none where a ball
+ * does not go that is just too large for them. Where there are none, or they are most of it, it stays as it is.
+ */
+function withoutPassages(grid: Grid, all: Surface, roomOf: () => Float32Array, scooped: (room: Float32Array) => Surface): Surface {
+  const handlesOf = ({ positions, triangles }: Surface) => countOf(positions.length / 3, triangles).handles;
+  if (handlesOf(all) === 0) return all;
+  const { step } = grid, room = roomOf(), most = room.reduce((high, value) => Math.max(high, value), 0);
+  for (let ball = step; ball < most / 2; ball += step) {
+    const core = surfaceWhere(grid, room.map((value) => value - ball));
+    if (handlesOf(core) > 0) continue;
+    // Half a step more, for the grid is only so fine.
+    const away = new DistanceField(core.positions, core.triangles, grid, ball + 2 * step).values;
+    const some = scooped(room.map((value, i) => Math.min(value, ball + 0.5 * step - away[i]!)));
+    if (signedVolume(some) < 0.6 * signedVolume(all)) break;
+    if (handlesOf(some) === 0) return some;
+  }
+  return all;
 }
 
 /** What is left of a body, and what was taken out of it. Both are the caller's. */
@@ -149,12 +160,13 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
   }
   const rim = opening ? high - node.cut * (high - low) : Infinity;
   const throat = opening ? Math.min(rim, high - wall - step) : Infinity;
-  const deep = surfaceWhere(grid, sample(grid, (x, y, z, i) => {
-    const beyond = opening ? along(x, y, z) - throat : 0;
-    return (opening && beyond > 0 ? -field.at(x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : -field.values[i]!) - wall;
-  }));
   // What does not reach the opening, such as the inside of a handle, would be a void that nothing runs out of.
-  const inside = opening ? reaching(deep, along, rim) : deep;
+  const scooped = (room: Float32Array) => (opening ? reaching(surfaceWhere(grid, sample(grid, (x, y, z, i) => {
+    const beyond = along(x, y, z) - throat;
+    return beyond > 0 ? at(grid, room, x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : room[i]!;
+  })), along, rim) : surfaceWhere(grid, room));
+  const roomIn = ({ values }: DistanceField) => values.map((value) => -value - wall), all = scooped(roomIn(field));
+  const inside = opening ? withoutPassages(grid, all, () => roomIn(new DistanceField(surface.positions, surface.triangles, grid, longest, 'inside')), scooped) : all;
   if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values) });
   const cavity = solidOf(library, inside, [id]);
   let outside = body;

@@ -98,6 +98,16 @@ export interface Surface {
   triangles: Uint32Array;
 }
 
+/** Above 0: a closed surface looks outward. */
+export function signedVolume({ positions: p, triangles }: Surface): number {
+  let volume = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+    volume += p[a]! * (p[b + 1]! * p[c + 2]! - p[b + 2]! * p[c + 1]!) - p[a + 1]! * (p[b]! * p[c + 2]! - p[b + 2]! * p[c]!) + p[a + 2]! * (p[b]! * p[c + 1]! - p[b + 1]! * p[c]!);
+  }
+  return volume / 6;
+}
+
 /** The closed surface of where values are above 0, outward. What is inside at the rim of the grid is cut off there. */
 export function surfaceWhere({ min, step, size: [nx, ny, nz] }: Grid, values: Float32Array): Surface {
   const up = nx * ny, offsets = [0, 1, nx, nx + 1, up, up + 1, up + nx, up + nx + 1];

@@ -6,6 +6,7 @@ import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
 import { carried, runsOf } from './sources.ts';
 import type { Source } from './sources.ts';
+import { countOf } from './topology.ts';
 import type { MeshData, PartOperand, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
 /** How many requests long a sub-result is kept that nobody asks for. */
@@ -286,7 +287,7 @@ export class SolidKernel {
   private meshOf(solid: Manifold): SolidMesh {
     const mesh = solid.getMesh();
     // The library counts as if all were one shell.
-    const genus = solid.genus() + shellsOf(mesh.vertProperties.length / 3, mesh.triVerts) - 1;
+    const genus = solid.genus() + countOf(mesh.vertProperties.length / 3, mesh.triVerts).pieces - 1;
     return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), volume: solid.volume(), area: solid.surfaceArea(), genus };
   }
 
@@ -315,25 +316,8 @@ function inWorld(m: number[], [x, y, z]: [number, number, number]): [number, num
 }
 
 function failureOf(thrown: unknown): SolidFailure {
+  // The library's memory is not to be trusted after that: its worker has to end.
+  if (thrown instanceof WebAssembly.RuntimeError) throw thrown;
   if (thrown instanceof Unsolvable) return thrown.failure;
   return { error: thrown instanceof RangeError ? 'OutOfMemory' : 'SolidFailed' };
-}
-
-/** How many closed surfaces there are that no edge joins. */
-function shellsOf(vertices: number, triangles: Uint32Array): number {
-  const root = new Uint32Array(vertices);
-  for (let v = 0; v < vertices; v += 1) root[v] = v;
-  let shells = vertices;
-  for (let i = 0; i < triangles.length; i += 1) {
-    // Every corner with the first one of its triangle.
-    const c = i % 3;
-    if (c === 0) continue;
-    let a = triangles[i - c]!, b = triangles[i]!;
-    while (root[a] !== a) a = root[a] = root[root[a]!]!;
-    while (root[b] !== b) b = root[b] = root[root[b]!]!;
-    if (a === b) continue;
-    root[a] = b;
-    shells -= 1;
-  }
-  return shells;
 }

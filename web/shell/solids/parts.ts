@@ -2,6 +2,7 @@
 // rings into pieces that do not, and is united again.
 import type { Manifold, ManifoldToplevel, Vec3 } from 'manifold-3d';
 import { findCrossings, placeOf } from './crossings.ts';
+import { signedVolume } from './grid.ts';
 import type { MeshData } from './protocol.ts';
 import { pieceOf, ringsOf, runForward, wedgesOf } from './rings.ts';
 import type { FillCurve, Rings } from './rings.ts';
@@ -43,15 +44,6 @@ function fillIn(library: ManifoldToplevel): FillCurve {
     const flat = Array.from({ length: n }, (_, i) => [points[3 * i + (turned ? v : u)]!, points[3 * i + (turned ? u : v)]!] as [number, number]);
     return library.triangulate([flat]) as [number, number, number][];
   };
-}
-
-function signedVolume({ positions: p, triangles }: MeshData): number {
-  let volume = 0;
-  for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
-    volume += p[a]! * (p[b + 1]! * p[c + 2]! - p[b + 2]! * p[c + 1]!) - p[a + 1]! * (p[b]! * p[c + 2]! - p[b + 2]! * p[c]!) + p[a + 2]! * (p[b]! * p[c + 1]! - p[b + 1]! * p[c]!);
-  }
-  return volume / 6;
 }
 
 /** Pieces between rings that do not cross themselves; none where that cannot be had. */
