@@ -66,15 +66,19 @@ function cutAlong({ positions, triangles }: Surface, side: (x: number, y: number
 
 /** The surface as a solid; `which` says which of the original ids a face at this place carries. */
 function solidOf(library: ManifoldToplevel, { positions, triangles }: Surface, ids: number[], which: (x: number, y: number, z: number) => number = () => 0): Manifold {
-  const faces = ids.map((): number[] => []);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t]!, 3 * triangles[t + 1]!, 3 * triangles[t + 2]!];
-    const middle = (k: number) => (positions[a + k]! + positions[b + k]! + positions[c + k]!) / 3;
-    faces[which(middle(0), middle(1), middle(2))]!.push(triangles[t]!, triangles[t + 1]!, triangles[t + 2]!);
+  const faces = triangles.length / 3, of = new Uint8Array(faces), runIndex = new Uint32Array(ids.length + 1);
+  for (let f = 0; f < faces; f += 1) {
+    const a = 3 * triangles[3 * f]!, b = 3 * triangles[3 * f + 1]!, c = 3 * triangles[3 * f + 2]!;
+    of[f] = ids.length < 2 ? 0 : which((positions[a]! + positions[b]! + positions[c]!) / 3, (positions[a + 1]! + positions[b + 1]! + positions[c + 1]!) / 3, (positions[a + 2]! + positions[b + 2]! + positions[c + 2]!) / 3);
+    runIndex[of[f]! + 1]! += 3;
   }
-  const runIndex = [0];
-  for (const corners of faces) runIndex.push(runIndex.at(-1)! + corners.length);
-  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: Uint32Array.from(faces.flat()), runOriginalID: Uint32Array.from(ids), runIndex: Uint32Array.from(runIndex) }));
+  for (let id = 0; id < ids.length; id += 1) runIndex[id + 1]! += runIndex[id]!;
+  const next = runIndex.slice(), triVerts = new Uint32Array(triangles.length);
+  for (let f = 0; f < faces; f += 1) {
+    triVerts.set(triangles.subarray(3 * f, 3 * f + 3), next[of[f]!]!);
+    next[of[f]!]! += 3;
+  }
+  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 3, vertProperties: positions, triVerts, runOriginalID: Uint32Array.from(ids), runIndex }));
   if (solid.status() !== 'NoError') throw new Unsolvable({ error: 'SolidFailed' });
   return solid;
 }
@@ -191,21 +195,47 @@ export interface Seam {
   idOf(operand: Manifold): number;
 }
 
-/** Two operands, with the distances to both on one grid round a place where they meet. */
+/** Two operands, with the distances to both on one grid round a place where they meet, as far as both are near. */
 interface Meeting {
   grid: Grid;
   first: Float32Array;
   second: Float32Array;
+  near(index: number): boolean;
+}
+
+/** Marks the points of a grid that may be as near to a surface as `reach`, by blocks of points. */
+function around({ min, step, size: [nx, ny, nz] }: Grid, { positions: p, triangles }: Surface, reach: number): Uint8Array {
+  const side = 4 * step, count = [nx, ny, nz].map((n) => (n + 3) >> 2) as Point, blocks = new Uint8Array(count[0] * count[1] * count[2]);
+  const low: Point = [0, 0, 0], high: Point = [0, 0, 0];
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+    for (let k = 0; k < 3; k += 1) {
+      low[k] = Math.max(0, Math.floor((Math.min(p[a + k]!, p[b + k]!, p[c + k]!) - reach - min[k]!) / side));
+      high[k] = Math.min(count[k]! - 1, Math.floor((Math.max(p[a + k]!, p[b + k]!, p[c + k]!) + reach - min[k]!) / side));
+    }
+    for (let z = low[2]; z <= high[2]; z += 1) {
+      for (let y = low[1]; y <= high[1]; y += 1) {
+        if (low[0] <= high[0]) blocks.fill(1, low[0] + count[0] * (y + count[1] * z), high[0] + 1 + count[0] * (y + count[1] * z));
+      }
+    }
+  }
+  const marks = new Uint8Array(nx * ny * nz);
+  for (let z = 0, i = 0; z < nz; z += 1) {
+    for (let y = 0; y < ny; y += 1) {
+      for (let x = 0; x < nx; x += 1, i += 1) marks[i] = blocks[(x >> 2) + count[0] * ((y >> 2) + count[1] * (z >> 2))]!;
+    }
+  }
+  return marks;
 }
 
 function meetingAt(place: Manifold, [a, b]: readonly [Surface, Surface], radius: number, cells: number): Meeting {
-  const box = grown(place.boundingBox() as Box, 1.6 * radius), reach = 1.1 * radius;
+  const box = grown(place.boundingBox() as Box, 1.6 * radius), reach = Math.fround(1.1 * radius);
   const grid = gridOver(box, affordable(box, radius / cells));
-  const first = new DistanceField(a.positions, a.triangles, grid, reach).values;
   // Only what is near to both is round.
-  const near = new Uint8Array(first.length);
-  for (let n = 0; n < first.length; n += 1) near[n] = Math.abs(first[n]!) < reach ? 1 : 0;
-  return { grid, first, second: new DistanceField(b.positions, b.triangles, grid, reach, near).values };
+  const first = new DistanceField(a.positions, a.triangles, grid, reach, around(grid, b, reach)).values;
+  const near = first.map((value) => (Math.abs(value) < reach ? 1 : 0));
+  const second = new DistanceField(b.positions, b.triangles, grid, reach, Uint8Array.from(near)).values;
+  return { grid, first, second, near: (i) => near[i] === 1 && Math.abs(second[i]!) < reach };
 }
 
 /**
@@ -230,9 +260,9 @@ export function seamOf(library: ManifoldToplevel, { plain, operands, node, idOf 
       const one = sideOf(i), other = sideOf(j);
       for (const place of shared.decompose()) {
         own.push(place);
-        const { grid, first, second } = meetingAt(place, [one.surface, other.surface], radius, cells);
+        const { grid, first, second, near } = meetingAt(place, [one.surface, other.surface], radius, cells);
         // A little within, so that only the rounding itself looks out of what is there already.
-        const rounding = surfaceWhere(grid, sample(grid, (_x, _y, _z, n) => -smoothMin(cut ? -first[n]! : first[n]!, second[n]!, radius) - 0.06 * grid.step));
+        const rounding = surfaceWhere(grid, first.map((d, n) => (near(n) ? -smoothMin(cut ? -d : d, second[n]!, radius) - 0.06 * grid.step : -grid.step)));
         if (rounding.triangles.length === 0) continue;
         const side = (x: number, y: number, z: number) => Math.abs(at(grid, first, x, y, z)) - Math.abs(at(grid, second, x, y, z));
         const solid = solidOf(library, cutAlong(rounding, side), [one.id, other.id], (x, y, z) => (side(x, y, z) > 0 ? 1 : 0));
