@@ -104,20 +104,26 @@ class Builder {
   std::uint32_t ring(const Ring& ring) {
     const std::uint32_t first = static_cast<std::uint32_t>(mesh_.positions.size());
     const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
-    for (const SectionPoint& p : shape.first(count_)) {
-      place(ring.station, ring.scale == 1 ? p : lerp(shape[count_], p, ring.scale));
+    mesh_.positions.resize(first + count_);
+    mesh_.uv.resize(first + count_);
+    for (std::uint32_t k = 0; k < count_; ++k) {
+      const SectionPoint p = ring.scale == 1 ? shape[k] : lerp(shape[count_], shape[k], ring.scale);
+      place(ring.station, p, first + k);
     }
     return first;
   }
 
   /// The walls between two rings; the second follows the first along the surface.
   void band(std::uint32_t a, std::uint32_t b) {
+    const std::size_t before = mesh_.triangles.size();
+    mesh_.triangles.resize(before + 2 * count_);
+    auto* out = mesh_.triangles.data() + before;
     std::uint32_t first = 0;
     for (const std::size_t size : sweep_.sizes) {
       const std::uint32_t count = static_cast<std::uint32_t>(size);
-      for (std::uint32_t k = 0; k < count; ++k) {
+      for (std::uint32_t k = 0; k < count; ++k, out += 2) {
         const std::uint32_t l = first + (k + 1 < count ? k + 1 : 0);
-        quad({a + first + k, a + l, b + first + k, b + l});
+        quad({a + first + k, a + l, b + first + k, b + l}, out);
       }
       first += count;
     }
@@ -125,7 +131,9 @@ class Builder {
 
   /// A cone from a ring to a point; `before`: the point comes first.
   void tip(std::uint32_t ring, const Tip& tip, bool before) {
-    fan(ring, vertex(tip.at, tip.paint), !before);
+    const std::uint32_t hub = another();
+    vertex(tip.at, tip.paint, hub);
+    fan(ring, hub, !before);
   }
 
   /// A flat lid on a ring; `before`: it closes the start of the path. False when the section cannot be
@@ -134,7 +142,9 @@ class Builder {
     const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
     constexpr double kMargin = 0.02;  // section units: thinner lid triangles would be slivers
     if (sweep_.sizes.size() == 1 && geometry::seesAllEdges(shape.first(count_), shape[count_], kMargin)) {
-      fan(first, place(ring.station, shape[count_]), !before);
+      const std::uint32_t hub = another();
+      place(ring.station, shape[count_], hub);
+      fan(first, hub, !before);
       return true;
     }
     const auto triangles = geometry::triangulate(shape.first(count_), sweep_.sizes);
@@ -151,23 +161,27 @@ class Builder {
   mesh::TriMesh take() { return std::move(mesh_); }
 
  private:
-  void quad(const std::array<std::uint32_t, 4>& corners) {
-    const auto [a0, a1, b0, b1] = corners;
-    constexpr double kTie = 1 + 1e-5;  // equal diagonals: always the same one
-    if (squared(a0, b1) <= squared(a1, b0) * kTie) {
-      mesh_.triangles.push_back({a0, b0, b1});
-      mesh_.triangles.push_back({a0, b1, a1});
-    } else {
-      mesh_.triangles.push_back({a0, b0, a1});
-      mesh_.triangles.push_back({a1, b0, b1});
-    }
+  /// A vertex more, to be placed.
+  std::uint32_t another() {
+    mesh_.positions.emplace_back();
+    mesh_.uv.emplace_back();
+    return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
 
-  std::uint32_t place(const Station& station, SectionPoint p) {
+  /// Writes two triangles.
+  void quad(const std::array<std::uint32_t, 4>& corners, std::array<std::uint32_t, 3>* out) const {
+    const auto [a0, a1, b0, b1] = corners;
+    constexpr double kTie = 1 + 1e-5;  // equal diagonals: always the same one
+    const bool straight = squared(a0, b1) <= squared(a1, b0) * kTie;
+    out[0] = {a0, b0, straight ? b1 : a1};
+    out[1] = {straight ? a0 : a1, straight ? b1 : b0, straight ? a1 : b1};
+  }
+
+  void place(const Station& station, SectionPoint p, std::uint32_t at) {
     ModelPoint off = station.across * p.x + station.depth * p.y;
     if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
     const double x = std::clamp(p.x, -1.0, 1.0);
-    return vertex(station.centre + off, station.middle + station.half * x);
+    vertex(station.centre + off, station.middle + station.half * x, at);
   }
 
   /// From a point at `off` to where it may stand: 1 is the centre of the bend.
@@ -180,13 +194,10 @@ class Builder {
   }
 
   /// `paint`: the point of the picture that colours the vertex.
-  std::uint32_t vertex(ModelPoint p, PicturePoint paint) {
-    mesh_.positions.push_back(
-        {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  void vertex(ModelPoint p, PicturePoint paint, std::uint32_t at) {
+    mesh_.positions[at] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
     const double u = (paint.x + 0.5) * uPerPixel_, v = (paint.y + 0.5) * vPerPixel_;
-    mesh_.uv.push_back(
-        {static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
-    return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+    mesh_.uv[at] = {static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))};
   }
 
   /// Triangles from the edges of a ring to a hub: `ahead` when the hub follows the ring.
@@ -216,14 +227,17 @@ class Builder {
   mesh::TriMesh mesh_;
 };
 
+/// By the flux of (0, 0, z): every triangle's shadow times its mean height above the first vertex.
 double signedVolume(const mesh::TriMesh& mesh) {
-  const ModelPoint origin{mesh.positions[0][0], mesh.positions[0][1], mesh.positions[0][2]};
-  const auto at = [&](std::uint32_t v) {
-    const auto& p = mesh.positions[v];
-    return ModelPoint{p[0], p[1], p[2]} - origin;
-  };
+  const double ground = mesh.positions[0][2];
   double volume = 0;
-  for (const auto& t : mesh.triangles) volume += dot(at(t[0]), cross(at(t[1]), at(t[2])));
+  for (const auto& t : mesh.triangles) {
+    const auto &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const double ax = a[0], ay = a[1];
+    const double shadow = (b[0] - ax) * (c[1] - ay) - (b[1] - ay) * (c[0] - ax);
+    volume += shadow * (static_cast<double>(a[2]) + static_cast<double>(b[2]) +
+                        static_cast<double>(c[2]) - 3 * ground);
+  }
   return volume / 6;
 }
 
