@@ -3,9 +3,9 @@ import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { DistanceField } from './distance.ts';
 import { at, gridOver, lowestOf, sample, signedVolume, surfaceWhere } from './grid.ts';
 import type { Box, Grid, Point, Surface } from './grid.ts';
-import { Unsolvable } from './kernel.ts';
 import type { SolidNode } from './protocol.ts';
 import { countOf, rootsOf } from './topology.ts';
+import { Unsolvable } from './unsolvable.ts';
 
 /** What a maker of solids may do with what it makes on the way. */
 export interface Making {

@@ -7,17 +7,11 @@ import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
 import { carried, runsOf } from './sources.ts';
 import type { Source } from './sources.ts';
 import { countOf } from './topology.ts';
+import { Unsolvable } from './unsolvable.ts';
 import type { MeshData, PartOperand, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
 /** How many requests long a sub-result is kept that nobody asks for. */
 const kKept = 12;
-
-/** A request cannot be solved further; nothing is broken. */
-export class Unsolvable extends Error {
-  constructor(readonly failure: SolidFailure) {
-    super(failure.error);
-  }
-}
 
 interface Kept {
   solid: Manifold | null;
