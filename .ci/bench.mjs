@@ -116,11 +116,13 @@ function printAblation(lines) {
 
 async function stageTimes() {
   const native = await run('the native benchmark', join(presetDir('native-release'), 'spineloft_bench'), [], { log: 'bench', timeout: 20 * kMinutes });
-  const columns = { native: parsed(native.text, 'The native benchmark') };
+  const photo = await run('a large photo, native', join(presetDir('native-release'), 'spineloft_bench'), ['--photo'], { log: 'bench', timeout: 5 * kMinutes });
+  const columns = { native: { ...parsed(native.text, 'The native benchmark'), ...parsed(photo.text, 'The native benchmark with a photo') } };
   for (const [name, preset] of [['wasm threads', 'wasm-release'], ['wasm single', 'wasm-release-st']]) {
     const program = join(presetDir(preset), 'spineloft_bench.js');
     const done = await run(`the benchmark of ${preset}`, process.execPath, [program], { log: 'bench', timeout: 20 * kMinutes });
-    columns[name] = parsed(done.text, `The benchmark of ${preset}`);
+    const large = await run(`a large photo, ${preset}`, process.execPath, [program, '--photo'], { log: 'bench', timeout: 5 * kMinutes });
+    columns[name] = { ...parsed(done.text, `The benchmark of ${preset}`), ...parsed(large.text, `The benchmark of ${preset} with a photo`) };
   }
   return columns;
 }

@@ -82,6 +82,21 @@ float squared(Float4 v) {
   return s[0] + s[1] + s[2];
 }
 
+// The largest square of a colour difference among all slants: four of them side by side, and one.
+static_assert(kSlants == 5);
+float mostSquared(const Float4* sums) {
+  const Float4 ab = __builtin_shufflevector(sums[0], sums[1], 0, 4, 1, 5),
+               cd = __builtin_shufflevector(sums[2], sums[3], 0, 4, 1, 5),
+               abLast = __builtin_shufflevector(sums[0], sums[1], 2, 6, 3, 7),
+               cdLast = __builtin_shufflevector(sums[2], sums[3], 2, 6, 3, 7);
+  const Float4 l = __builtin_shufflevector(ab, cd, 0, 1, 4, 5),
+               a = __builtin_shufflevector(ab, cd, 2, 3, 6, 7),
+               b = __builtin_shufflevector(abLast, cdLast, 0, 1, 4, 5);
+  Float4 most = most4(l * l + a * a + b * b, all4(squared(sums[4])));
+  most = most4(most, __builtin_shufflevector(most, most, 2, 3, 0, 1));
+  return most4(most, __builtin_shufflevector(most, most, 1, 0, 3, 2))[0];
+}
+
 }  // namespace
 
 void contourContrast(const GradientCurves& curves, const Strip& strip, const ContrastParams& params,
@@ -130,9 +145,7 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
         for (std::size_t s = 0; s < kSlants; ++s, at += levels)
           sums[s] += load4(difference[*at].data());
       }
-      float best = 0;
-      for (const Float4& sum : sums) best = std::max(best, squared(sum));
-      contrast[row + k] = std::sqrt(best) * share;
+      contrast[row + k] = std::sqrt(mostSquared(sums)) * share;
     }
   }
 }

@@ -94,13 +94,20 @@ bool inFrame(Point p, image::Size picture) {
   return p.x >= -0.5 && p.y >= -0.5 && p.x <= picture.width - 0.5 && p.y <= picture.height - 0.5;
 }
 
-// One curve: from `base` on the spine through `seed` outwards. Writes points, returns their number.
-int traceOne(const Flow& flow, const Levels& levels, image::Size picture, Point base, Point seed,
-             float* outX, float* outY) {
+// Where a curve's points go, and what counts its steps.
+struct CurveOut {
+  float *x, *y;
+  std::size_t* steps;
+};
+
+// One curve: from `seeds[0]` on the spine through `seeds[1]` outwards. Writes points, returns their number.
+int traceOne(const Flow& flow, const Levels& levels, image::Size picture,
+             const std::array<Point, 2>& seeds, const CurveOut& out) {
+  const auto [base, seed] = seeds;
   const int count = static_cast<int>(levels.size());
   const auto put = [&](int k, Point p) {
-    outX[k] = static_cast<float>(p.x);
-    outY[k] = static_cast<float>(p.y);
+    out.x[k] = static_cast<float>(p.x);
+    out.y[k] = static_cast<float>(p.y);
   };
   put(0, base);
   int k = 1;
@@ -116,6 +123,7 @@ int traceOne(const Flow& flow, const Levels& levels, image::Size picture, Point 
   double h = t;
   for (int step = 0; step < kMaxSteps && k < count; ++step) {
     h = std::min(h, levels.radius.back() - t);
+    ++*out.steps;
     const Step s = advance(flow, x, slope, t, h);
     const double ratio = s.error / kStepTolerance;
     const float root = quickExp(-0.2f * quickLog(static_cast<float>(std::max(ratio, 1e-8))));
@@ -222,12 +230,13 @@ void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels,
   allocate(spine, levels, fan, curves);
   const std::size_t total = static_cast<std::size_t>(curves.layout.total());
   placeSeeds(spine, curves);
+  curves.steps = 0;
   const Flow flow{field, {field.length()}};
   for (std::size_t c = 0; c < total; ++c) {
     float* x = &curves.x[c * levels.size()];
     float* y = &curves.y[c * levels.size()];
     float* along = &curves.along[c * levels.size()];
-    curves.reached[c] = traceOne(flow, levels, picture, curves.seeds[c][0], curves.seeds[c][1], x, y);
+    curves.reached[c] = traceOne(flow, levels, picture, curves.seeds[c], {x, y, &curves.steps});
     along[0] = 0;
     for (int k = 1; k < curves.reached[c]; ++k) {
       const float dx = x[k] - x[k - 1], dy = y[k] - y[k - 1];
@@ -258,6 +267,7 @@ void traceStraightCurves(const Spine& spine, const Levels& levels, int fan, imag
                          GradientCurves& curves) {
   allocate(spine, levels, fan, curves);
   placeSeeds(spine, curves);
+  curves.steps = 0;
   // How much nearer another part may be, as a share, before the medial axis is taken to be crossed.
   constexpr double kNearer = 0.99;
   for (std::size_t c = 0; c < curves.seeds.size(); ++c) {

@@ -51,6 +51,7 @@ struct GradientCurves {
   std::vector<float> along;  ///< arc length from the spine, picture pixels, same shape
   std::vector<std::array<PicturePoint, 2>> seeds;  ///< on the spine, and on the hull
   std::vector<int> reached;  ///< labels that exist on a curve, ≥ 1 (label 0 is the spine point)
+  std::size_t steps = 0;     ///< of the integrator, over all curves, rejected ones included
   std::size_t at(int curve, int level) const {
     return static_cast<std::size_t>(curve) * static_cast<std::size_t>(levels) +
            static_cast<std::size_t>(level);

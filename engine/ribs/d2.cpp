@@ -7,27 +7,19 @@
 #include <numbers>
 
 #include "engine/base/limits.h"
+#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {
 
 constexpr std::size_t kLanes = 4;
-using Float4 = float __attribute__((vector_size(16)));
-
-Float4 load(const float* from) {
-  Float4 v;
-  __builtin_memcpy(&v, from, sizeof v);
-  return v;
-}
-Float4 all(float v) { return Float4{v, v, v, v}; }
-Float4 magnitude(Float4 v) { return v < all(0) ? -v : v; }
 
 // atan(√w) / √w on [0, 1]: interpolated at Chebyshev nodes, relative error below 2e-7.
 Float4 arctanOverArgument(Float4 w) {
   constexpr std::array<float, 8> c{0.999999882f,  -0.333318127f,  0.199669618f,  -0.140032902f,
                                    0.0986886546f, -0.0588297531f, 0.0237805186f, -0.00455979199f};
-  Float4 sum = all(c[7]);
-  for (std::size_t i = 7; i-- > 0;) sum = sum * w + all(c[i]);
+  Float4 sum = all4(c[7]);
+  for (std::size_t i = 7; i-- > 0;) sum = sum * w + all4(c[i]);
   return sum;
 }
 
@@ -35,11 +27,11 @@ Float4 arctanOverArgument(Float4 w) {
 struct Lanes {
   Float4 x, y;
   Lanes(PicturePoint p, PicturePoint origin)
-      : x(all(static_cast<float>(p.x - origin.x))), y(all(static_cast<float>(p.y - origin.y))) {}
+      : x(all4(static_cast<float>(p.x - origin.x))), y(all4(static_cast<float>(p.y - origin.y))) {}
 };
 
 struct Sums {
-  Float4 value = all(0), gradientX = all(0), gradientY = all(0);
+  Float4 value = all4(0), gradientX = all4(0), gradientY = all4(0);
   D2Integral total() const {
     const auto sum = [](Float4 v) { return v[0] + v[1] + v[2] + v[3]; };
     return {sum(value), sum(gradientX), sum(gradientY)};
@@ -57,27 +49,27 @@ constexpr double kNearShare = 4;
 
 // I and ∇I of four segments, as in segmentTerm.
 inline void addSegments(const Lanes& at, const Segments& s, Sums& sums) {
-  const Float4 ax = load(s.startX) - at.x, ay = load(s.startY) - at.y;
-  const Float4 ex = load(s.alongX), ey = load(s.alongY), reach = load(s.reach);
+  const Float4 ax = load4(s.startX) - at.x, ay = load4(s.startY) - at.y;
+  const Float4 ex = load4(s.alongX), ey = load4(s.alongY), reach = load4(s.reach);
   const Float4 u1 = ax * ex + ay * ey, u2 = u1 + reach, v = ex * ay - ey * ax;
   const Float4 v2 = v * v, near = u1 * u1 + v2, far = u2 * u2 + v2;
   // One division for both; lengths whose fourth power is beyond single precision do not occur.
   const Float4 both = 1 / (near * far), f1 = far * both, f2 = near * both;
-  const Float4 along = u1 * u2 + v2, size = magnitude(v), across = reach * size;
-  const Float4 run = magnitude(along);
+  const Float4 along = u1 * u2 + v2, size = magnitude4(v), across = reach * size;
+  const Float4 run = magnitude4(along);
   const auto steep = across > run;
   const Float4 longer = steep ? across : run, shorter = steep ? run : across;
   const Float4 inverse = 1 / longer, away = 1 / v, z = shorter * inverse;
   const Float4 slope = arctanOverArgument(z * z);
   Float4 angle = z * slope;
-  angle = steep ? all(std::numbers::pi_v<float> / 2) - angle : angle;
-  angle = along < all(0) ? all(std::numbers::pi_v<float>) - angle : angle;
+  angle = steep ? all4(std::numbers::pi_v<float> / 2) - angle : angle;
+  angle = along < all4(0) ? all4(std::numbers::pi_v<float>) - angle : angle;
   // Seen under less than 45° from outside: θ/|v| without dividing by a v that may be 0.
   const auto slim = (across <= along);
-  const Float4 term = slim ? reach * slope * inverse : angle * magnitude(away);
-  const auto inLine = (v2 < all(1e-4f) * (u1 * u2));
+  const Float4 term = slim ? reach * slope * inverse : angle * magnitude4(away);
+  const auto inLine = (v2 < all4(1e-4f) * (u1 * u2));
   // There 1/u² is as good as 1/(u² + v²).
-  const Float4 series = all(2.f / 3) * v * (u1 * f1 * f1 - u2 * f2 * f2);
+  const Float4 series = all4(2.f / 3) * v * (u1 * f1 * f1 - u2 * f2 * f2);
   const Float4 sideways = inLine ? series : (term + u2 * f2 - u1 * f1) * away;
   const Float4 lengthwise = f1 - f2;
   sums.value += term;
@@ -216,20 +208,20 @@ D2Integral D2Field::quickIntegral(PicturePoint x) const {
   const Lanes at(x, points_[0]);
   Sums sums;
   for (std::size_t g = 0; g < mass_.size(); g += kLanes) {
-    const Float4 dx = at.x - load(&middleX_[g]), dy = at.y - load(&middleY_[g]);
+    const Float4 dx = at.x - load4(&middleX_[g]), dy = at.y - load4(&middleY_[g]);
     const Float4 r2 = dx * dx + dy * dy, inverse = 1 / r2;
-    const auto close = r2 < load(&near_[g]);
+    const auto close = r2 < load4(&near_[g]);
     // f(d) = |d|⁻² to second order about the centroid: I = T f + ½ M : ∇∇f.
-    const Float4 xx = load(&momentXX_[g]), xy = load(&momentXY_[g]), yy = load(&momentYY_[g]);
+    const Float4 xx = load4(&momentXX_[g]), xy = load4(&momentXY_[g]), yy = load4(&momentYY_[g]);
     const Float4 mx = xx * dx + xy * dy, my = xy * dx + yy * dy;
-    const Float4 q = mx * dx + my * dy, trace = xx + yy, mass = load(&mass_[g]);
+    const Float4 q = mx * dx + my * dy, trace = xx + yy, mass = load4(&mass_[g]);
     const Float4 i2 = inverse * inverse, i3 = i2 * inverse;
     const Float4 value = mass * inverse - trace * i2 + 4 * q * i3;
     const Float4 radial = -2 * mass * i2 + 4 * trace * i3 - 24 * q * i3 * inverse;
-    sums.value += close ? all(0) : value;
-    sums.gradientX += close ? all(0) : radial * dx + 8 * mx * i3;
-    sums.gradientY += close ? all(0) : radial * dy + 8 * my * i3;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    sums.value += close ? all4(0) : value;
+    sums.gradientX += close ? all4(0) : radial * dx + 8 * mx * i3;
+    sums.gradientY += close ? all4(0) : radial * dy + 8 * my * i3;
+    for (std::size_t lane = 0; lane < kLanes && any4(close); ++lane) {
       if (!close[lane]) continue;
       const std::size_t first = (g + lane) * kStretch;
       const std::size_t last = std::min(first + kStretch, startX_.size());

@@ -10,6 +10,7 @@
 namespace spineloft::ribs {
 
 using Float4 = float __attribute__((vector_size(16)));
+using Long2 = std::int64_t __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
 inline Float4 load4(const float* from) {
@@ -22,6 +23,11 @@ inline Float4 all4(float v) { return Float4{v, v, v, v}; }
 inline Float4 least4(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 most4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 magnitude4(Float4 v) { return v < all4(0) ? -v : v; }
+/// Whether any lane of a comparison holds.
+inline bool any4(Int4 held) {
+  const auto halves = std::bit_cast<Long2>(held);
+  return (halves[0] | halves[1]) != 0;
+}
 inline float sum4(Float4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 /// Where the lesser of single floats is a branch, that of lanes is one instruction.
 inline float lesser(float a, float b) { return a < b ? a : b; }

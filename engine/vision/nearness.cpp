@@ -9,26 +9,36 @@
 namespace spineloft::vision {
 namespace {
 
-/// Squared distance along one row to its nearest edge, at most `reach` squared.
-void alongRow(const std::uint8_t* edges, std::size_t count, int reach, float* out) {
-  int away = reach;
+/// One row farther from the last edge of every column, at most `reach`; 0 on an edge.
+void goOn(const std::uint8_t* edges, std::uint16_t reach, std::size_t count, std::uint16_t* __restrict away) {
   for (std::size_t x = 0; x < count; ++x) {
-    away = edges[x] != 0 ? 0 : std::min(away + 1, reach);
-    out[x] = static_cast<float>(away);
+    const auto next = static_cast<std::uint16_t>(away[x] + 1);
+    const std::uint16_t held = next < reach ? next : reach;
+    away[x] = edges[x] != 0 ? std::uint16_t{0} : held;
   }
-  away = reach;
-  for (std::size_t x = count; x-- > 0;) {
-    away = edges[x] != 0 ? 0 : std::min(away + 1, reach);
-    const float least = std::min(out[x], static_cast<float>(away));
+}
+
+/// Squares of the lesser of two distances.
+void squareLesser(const std::uint16_t* a, const std::uint16_t* b, std::size_t count, float* __restrict out) {
+  for (std::size_t x = 0; x < count; ++x) {
+    const auto least = static_cast<float>(a[x] < b[x] ? a[x] : b[x]);
     out[x] = least * least;
   }
 }
 
-/// best = min(best, other + add).
-void lower(const float* __restrict other, float add, std::size_t count, float* __restrict best) {
+/// best = min(best, left + add, right + add).
+void lower(const float* left, const float* right, float add, std::size_t count, float* __restrict best) {
   for (std::size_t x = 0; x < count; ++x) {
-    const float there = other[x] + add;
+    const float there = (left[x] < right[x] ? left[x] : right[x]) + add;
     best[x] = there < best[x] ? there : best[x];
+  }
+}
+
+/// The ramp of one row of squared distances.
+void slope(float ramp, std::size_t count, float* __restrict values) {
+  for (std::size_t x = 0; x < count; ++x) {
+    const float near = 1 - std::sqrt(values[x]) * ramp;
+    values[x] = near > 0 ? near : 0;
   }
 }
 
@@ -36,23 +46,26 @@ void lower(const float* __restrict other, float add, std::size_t count, float* _
 
 void fillProximity(image::EdgeMap& map) {
   const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height);
-  // Nothing farther than the ramp's end matters, so rows farther than that need not be looked at.
-  const int reach = std::max(1, static_cast<int>(std::ceil(map.reach)));
-  std::vector<float> rows(width * height), best(width);
-  for (std::size_t y = 0; y < height; ++y)
-    alongRow(&map.edges[y * width], width, reach, &rows[y * width]);
-  const auto ramp = static_cast<float>(1 / map.reach);
+  // Nothing farther than the ramp's end matters, so columns farther than that need not be looked at.
+  const auto reach = static_cast<std::size_t>(std::max(1, static_cast<int>(std::ceil(map.reach))));
+  const auto most = static_cast<std::uint16_t>(reach);
+  // Along the columns first, many at a time; then along one row at a time, which stays at hand.
+  std::vector<std::uint16_t> above(width * height), away(width, most);
   for (std::size_t y = 0; y < height; ++y) {
-    std::copy_n(&rows[y * width], width, best.data());
-    for (std::size_t step = 1; step < static_cast<std::size_t>(reach); ++step) {
-      const auto add = static_cast<float>(step * step);
-      if (step <= y) lower(&rows[(y - step) * width], add, width, best.data());
-      if (y + step < height) lower(&rows[(y + step) * width], add, width, best.data());
-    }
-    for (float& value : best) {
-      const float near = 1 - std::sqrt(value) * ramp;
-      value = near > 0 ? near : 0;
-    }
+    goOn(&map.edges[y * width], most, width, away.data());
+    std::copy(away.begin(), away.end(), above.begin() + static_cast<std::ptrdiff_t>(y * width));
+  }
+  std::ranges::fill(away, most);
+  const auto far = static_cast<float>(reach * reach), ramp = static_cast<float>(1 / map.reach);
+  std::vector<float> row(width + 2 * reach, far), best(width);
+  float* squares = row.data() + reach;
+  for (std::size_t y = height; y-- > 0;) {
+    goOn(&map.edges[y * width], most, width, away.data());
+    squareLesser(&above[y * width], away.data(), width, squares);
+    std::copy_n(squares, width, best.data());
+    for (std::size_t step = 1; step < reach; ++step)
+      lower(squares - step, squares + step, static_cast<float>(step * step), width, best.data());
+    slope(ramp, width, best.data());
     for (std::size_t x = 0; x < width; ++x) map.look[y * width + x][3] = best[x];
   }
 }

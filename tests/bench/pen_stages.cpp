@@ -21,6 +21,7 @@
 #include <emscripten/heap.h>
 #else
 #include <malloc.h>
+#include <sys/resource.h>
 #endif
 
 namespace spineloft::bench {
@@ -33,6 +34,17 @@ double heapMegabytes() {
 #else
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd) / 1048576;
+#endif
+}
+
+// The most that was ever in use.
+double peakMegabytes() {
+#ifdef __EMSCRIPTEN__
+  return heapMegabytes();
+#else
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 #endif
 }
 
@@ -113,6 +125,29 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
     if (i == kFirst) first = heapMegabytes();
   }
   report.value("heap, MB more after a thousand strokes", heapMegabytes() - first);
+}
+
+void reportPhoto(Report& report) {
+  const image::Size size{6000, 4000};
+  image::Picture picture;
+  {
+    // As a browser decodes it: all pixels, which go as soon as the picture is made.
+    std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), 255);
+    const std::vector<PicturePoint> middle = tubeStroke(size, size.width);
+    std::size_t at = 0;
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x, at += 4) {
+        const bool inside = std::abs(y - middle[static_cast<std::size_t>(x)].y) < 400 && x > 700 && x < 5300;
+        const auto value = static_cast<std::uint8_t>((inside ? 80 : 160) + (x * 7 + y * 13) % 23);
+        pixels[at] = pixels[at + 1] = pixels[at + 2] = value;
+      }
+    }
+    picture = image::makePicture(image::ImageView{size.width, size.height, pixels}, 1);
+  }
+  const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
+  Desk desk(picture, edges);
+  desk.draw(1, 100, 0);
+  report.value("heap at its largest with a photo of 24 megapixels, MB", peakMegabytes());
 }
 
 void reportTwoWorkers(const image::Picture& picture, Report& report) {

@@ -11,6 +11,10 @@ namespace spineloft::bench {
 /// and 200 points; then a thousand finished strokes, and by how much the heap grew from the tenth on.
 void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges, Report& report);
 
+/// The heap at its largest after a photo of 24 megapixels was handed over as the page does it, its edges
+/// were found and a stroke was traced, in MB: of WebAssembly all of its memory, native the process's.
+void reportPhoto(Report& report);
+
 /// How much faster two workers find the edges of two pictures, and the field on two halves of a grid,
 /// than one: 2 at best. Nothing where there are no threads.
 void reportTwoWorkers(const image::Picture& picture, Report& report);

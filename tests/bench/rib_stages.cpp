@@ -95,6 +95,8 @@ void reportRibStages(const image::EdgeMap& edges, image::Size size, Report& repo
   ribs::GradientCurves curves;
   report.stage("curves of 100 ribs and fans", 41,
                [&](int) { ribs::traceCurves(spine, field, levels, 11, size, curves); });
+  report.value("curves of 100 ribs and fans: steps a curve",
+               static_cast<double>(curves.steps) / curves.layout.total());
   ribs::Strip strip;
   ribs::BoundaryTerms terms;
   std::vector<float> costs;
@@ -104,6 +106,34 @@ void reportRibStages(const image::EdgeMap& edges, image::Size size, Report& repo
     ribs::boundaryCosts(curves, strip, terms, {}, costs);
   });
   for (const int count : {128, 256}) reportPairSearch(count, report);
+}
+
+void reportInvariance(const image::EdgeMap& edges, image::Size size, Report& report) {
+  const auto ribsOf = [&](std::vector<PicturePoint> stroke, bool backwards) {
+    if (backwards) std::ranges::reverse(stroke);
+    const Result<ribs::Spine> spine = ribs::cleanSpine(stroke, size, {});
+    if (!spine.ok()) std::exit(1);
+    Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), edges, size, {}, Progress());
+    if (!found.ok()) std::exit(1);
+    std::vector<ribs::Rib> all = std::move(found.value().ribs);
+    if (backwards) {
+      std::ranges::reverse(all);
+      for (ribs::Rib& rib : all) std::swap(rib.left, rib.right);
+    }
+    return all;
+  };
+  const std::vector<ribs::Rib> usual = ribsOf(tubeStroke(size, 400), false);
+  const auto apart = [&](const std::vector<ribs::Rib>& other) {
+    double sum = 0;
+    for (std::size_t i = 0; i < std::min(usual.size(), other.size()); ++i) {
+      const double width = std::max(1.0, distance(usual[i].left, usual[i].right));
+      sum += distance(usual[i].left, other[i].left) / width + distance(usual[i].right, other[i].right) / width;
+    }
+    return sum / (2 * static_cast<double>(usual.size()));
+  };
+  report.value("rib ends, 30 samples: share of the width", apart(ribsOf(tubeStroke(size, 30), false)));
+  report.value("rib ends, 3000 samples: share of the width", apart(ribsOf(tubeStroke(size, 3000), false)));
+  report.value("rib ends, drawn backwards: share of the width", apart(ribsOf(tubeStroke(size, 400), true)));
 }
 
 void reportFieldStages(Report& report) {

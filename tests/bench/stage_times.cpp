@@ -1,4 +1,5 @@
-// Stage times on made-up inputs, as JSON on standard output: native, and as wasm under Node.
+// Stage times on made-up inputs, as JSON on standard output: native, and as wasm under Node. --photo: the
+// memory that a large photo takes, which only a fresh process can tell.
 // Nothing is asserted about times; a run that cannot make its part ends with 1.
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,7 @@ void printStageTimes() {
   document::LoftRecipe recipe;
   recipe.stroke = bench::tubeStroke(size, 200);
   bench::reportRibStages(edges, size, report);
+  bench::reportInvariance(edges, size, report);
   bench::reportFieldStages(report);
   recipe.spine.ribs = 100;
   const pipeline::PartShape shape = must(pipeline::shapePart(recipe, edges, size, progress));
@@ -137,10 +139,13 @@ void printStageTimes() {
 int main(int count, char** words) {
   if (count == 3 && std::string(words[1]) == "--ribs") {
     printRibs(words[2]);
+  } else if (count == 2 && std::string(words[1]) == "--photo") {
+    bench::Report report;
+    bench::reportPhoto(report);
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr << "spineloft_bench: no words, or --ribs and a case folder\n";
+    std::cerr << "spineloft_bench: no words, --photo, or --ribs and a case folder\n";
     return 2;
   }
   return 0;

@@ -111,6 +111,23 @@ TEST_CASE("curves end within a tenth of a pixel of where the flow of d2 goes") {
   CHECK(worst <= 0.1);
 }
 
+TEST_CASE("steps of curves grow with their number, not faster") {
+  Rng rng(44);
+  const auto stroke = fixtures::wander(rng, 40, 8);
+  const auto stepsOf = [&](int ribs) {
+    SpineParams params;
+    params.ribs = ribs;
+    params.minSpacing = 0.1;
+    const Spine spine = cleanSpine(stroke, kPicture, params).value();
+    REQUIRE(static_cast<int>(spine.points.size()) == ribs);
+    const GradientCurves curves = curvesOf(spine, makeLevels(128, 1, 250, D2Field(spine.points).length()), 11);
+    return static_cast<double>(curves.steps) / curves.layout.total();
+  };
+  const double few = stepsOf(50);
+  CHECK(few > 4);
+  for (const int ribs : {100, 200, 400}) CHECK(stepsOf(ribs) < 1.35 * few);
+}
+
 TEST_CASE("curves never cross, neither on one side nor around the ends") {
   Rng rng(42);
   for (int round = 0; round < 12; ++round) {
