@@ -229,9 +229,9 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
 }
 
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 6> kKnown{"--json",     "--jobs",
-                                                          "--overlays", "--ablation",
-                                                          "--variation", "--leave-one-out"};
+  static constexpr std::array<std::string_view, 7> kKnown{"--json",      "--jobs",
+                                                          "--overlays",  "--ablation",
+                                                          "--variation", "--leave-one-out", "--erase"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -253,6 +253,13 @@ Arguments parseBench(std::span<const std::string_view> rest) {
       return UsageProblem{"The number of jobs must be a whole number from 1 to 64."};
     }
     bench.jobs = static_cast<int>(*jobs);
+  }
+  if (words.has("--erase")) {
+    const auto share = numberOf(words.option("--erase"));
+    if (!share || !(*share >= 0 && *share <= 1)) {
+      return UsageProblem{"The share to erase must be a number from 0 to 1."};
+    }
+    bench.erase = *share;
   }
   return bench;
 }
@@ -307,7 +314,7 @@ std::string usageText() {
           "spineloft edges IMAGE --out FILE.png\n"
           "  the edges that were found, as large as the picture\n\n"
           "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
-          "                [--ablation FILE.md] [--leave-one-out FILE.md]\n"
+          "                [--ablation FILE.md] [--leave-one-out FILE.md] [--erase SHARE]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

@@ -48,6 +48,7 @@ struct BenchArguments {
   std::string leaveOneOut;     ///< Markdown of leave_one_out.h; empty where not wanted
   std::string variation = "product";  ///< which of them the rows and overlays are of
   int jobs = 1;                ///< 1…64
+  double erase = 0;            ///< share of every outline to blur away first (erased_outline.h), 0…1
 };
 
 /// What is wrong with the words, in one sentence.

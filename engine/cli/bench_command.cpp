@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/cli/bench_cases.h"
+#include "engine/cli/erased_outline.h"
 #include "engine/cli/files.h"
 #include "engine/cli/leave_one_out.h"
 #include "engine/cli/overlay.h"
@@ -93,14 +94,15 @@ class Bench {
 
   /// One row a stroke. A part that cannot be made counts as empty.
   Result<std::vector<io::BenchRow>> runCase(const fs::path& folder) const {
-    const Result<LoadedCase> loaded = loadCase(folder);
+    Result<LoadedCase> loaded = loadCase(folder);
     if (!loaded.ok()) return loaded.failure();
-    const LoadedCase& one = loaded.value();
+    LoadedCase& one = loaded.value();
+    const Truth truth({one.mask, one.text.axis, one.text.boundaryTolerance});
+    eraseOutline(truth, arguments_.erase, one.text.category == "sketch", one.picture.working);
     const double started = nowMs();
     const Result<image::EdgeMap> edges = vision::detectEdges(one.picture, {}, Progress());
     const double edgesMs = nowMs() - started;
     if (!edges.ok()) return {edges.error(), folder.string()};
-    const Truth truth({one.mask, one.text.axis, one.text.boundaryTolerance});
     std::vector<io::BenchRow> rows;
     std::vector<image::Mask> parts;
     for (const auto& [name, stroke] : one.text.strokes) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace spineloft::cli {
@@ -291,12 +292,25 @@ void Truth::findBoundary() {
 
 bool Truth::nearCut(PicturePoint p) const { return nearCut_[pixelAt(p)] != 0; }
 
-double Truth::arcAt(PicturePoint p) const {
+std::size_t Truth::nearestOnAxis(PicturePoint p) const {
   std::size_t best = 0;
   for (std::size_t i = 1; i < axis_.size(); ++i) {
     if (squared(p - axis_[i]) < squared(p - axis_[best])) best = i;
   }
-  return arc_[best];
+  return best;
+}
+
+double Truth::arcAt(PicturePoint p) const { return arc_[nearestOnAxis(p)]; }
+
+bool Truth::isLeft(PicturePoint p) const {
+  const std::size_t i = nearestOnAxis(p);
+  const PicturePoint on = axis_[std::min(i + 1, axis_.size() - 1)] - axis_[i > 0 ? i - 1 : 0];
+  const PicturePoint to = p - axis_[i];
+  return on.x * to.y - on.y * to.x < 0;
+}
+
+double Truth::meanWidth() const {
+  return std::accumulate(width_.begin(), width_.end(), 0.0) / static_cast<double>(width_.size());
 }
 
 double Truth::widthAt(double arc) const {

@@ -48,9 +48,14 @@ class Truth {
   double arcAt(PicturePoint p) const;
   /// True width at an arc length, ≥ 2 px.
   double widthAt(double arc) const;
+  /// Mean of it over the axis.
+  double meanWidth() const;
+  /// Whether the point lies on the left of the axis, seen on the screen in its direction.
+  bool isLeft(PicturePoint p) const;
 
  private:
   std::size_t pixelAt(PicturePoint p) const;
+  std::size_t nearestOnAxis(PicturePoint p) const;
   void resampleAxis(std::span<const std::array<double, 3>> axis);
   void labelPixels();
   void markCuts();

@@ -89,9 +89,9 @@ struct KnownReach {
 };
 
 /// How foreign every colour of the strip is to the object: log(share around it / share in it), ± 2,
-/// from smoothed Lab histograms. The object's is half of what is known of all of it, half of the
-/// stretch (an eighth of the spine) that the curve belongs to. Where it is known where the object ends,
-/// the share around it is that up to three and a half times as far, mostly of the stretch; where not,
+/// from smoothed Lab histograms. The object's is mixed of what is known of all of it and of the
+/// stretch (an eighth of the spine) that the curve belongs to, which counts 30 %, or half where it is
+/// known where the object ends. There the share around it is that up to three and a half times as far, mostly of the stretch; where not,
 /// it is that of the whole strip, and the novelty is multiplied by how far the two distributions are
 /// apart at all, so that ink on paper, where both are paper, says nothing.
 void spineNovelty(const GradientCurves& curves, const Strip& strip, const KnownReach& known,

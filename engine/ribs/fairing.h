@@ -21,7 +21,7 @@ struct FairingParams {
   double corner = 0.2;
   /// An end that lies farther than this share of the mean length off the line hardly counts any more
   /// (0.001…10).
-  double outlier = 0.2;
+  double outlier = 0.32;
   bool operator==(const FairingParams&) const = default;
 };
 

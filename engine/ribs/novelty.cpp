@@ -14,7 +14,10 @@ constexpr int kBins = 12;  // per Lab channel
 constexpr std::size_t kCells = static_cast<std::size_t>(kBins) * kBins * kBins;
 constexpr int kStretches = 8;
 // The spine's own colours are taken this close to it, in map pixels: surely inside the object.
-constexpr float kSpineReach = 4;
+constexpr float kSpineReach = 3;
+// What the stretch counts for of the object's colours: before what is around it is known, and after.
+// Where a part runs out to another thing, the stretch is that thing's.
+constexpr float kStretchFirst = 0.3f, kStretchLater = 0.5f;
 // Below it a colour's share is not known: where all colours are set against the spine's, and where
 // those around the object are known.
 constexpr float kLeastShare = 2e-4f, kLeastAround = 3e-3f;
@@ -214,7 +217,7 @@ void compareWithAll(ColourTables& colours) {
     const float* stretch = &colours.stretches[s * kCells];
     float* out = &colours.foreign[s * kCells];
     for (std::size_t i = 0; i < kCells; ++i) {
-      const float own = 0.5f * (spine[i] + stretch[i]);
+      const float own = spine[i] + kStretchFirst * (stretch[i] - spine[i]);
       out[i] = trust * held(quickLog((all[i] + kLeastShare) / (own + kLeastShare)));
     }
   }
@@ -228,7 +231,7 @@ void compareWithAround(ColourTables& colours) {
                 *near = &colours.aroundStretches[s * kCells];
     float* out = &colours.foreign[s * kCells];
     for (std::size_t i = 0; i < kCells; ++i) {
-      const float own = 0.5f * (colours.spine[i] + stretch[i]);
+      const float own = colours.spine[i] + kStretchLater * (stretch[i] - colours.spine[i]);
       const float other = colours.around[i] + kNearAround * (near[i] - colours.around[i]);
       out[i] = held(quickLog((other + kLeastAround) / (own + kLeastAround)));
     }
