@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { measure, parseStl, validated } from './support/model_files.mjs';
+import { measure, parse3mf, parseStl, validated } from './support/model_files.mjs';
 import { drawWithMouse, exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
 import { dataCases } from './support/pictures.mjs';
 
@@ -59,6 +59,8 @@ async function isWhole(page, { millimetres, genus }) {
   assert.ok(volume > 0, 'outward');
   assert.ok(Math.abs(size[2] - millimetres) < 0.01, `${size[2]} mm tall`);
   await validated(await exported(page, 'glb'));
+  const objects = parse3mf(await exported(page, '3mf')).map(measure);
+  assert.deepEqual(objects.map((object) => [object.open, object.pieces]), [[0, 1]], 'one closed object in the 3MF');
   await command(page, 'check-print');
   assert.ok((await state(page)).print.closed);
 }

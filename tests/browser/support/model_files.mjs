@@ -1,6 +1,7 @@
 // What is in the model files that the page saves, read without the programs that wrote them.
 import assert from 'node:assert/strict';
 import { validateBytes } from 'gltf-validator';
+import { strFromU8, unzipSync } from 'three/addons/libs/fflate.module.js';
 
 /** Edges that are not run through as often one way as the other, corners at one place being one. */
 function openEdges(triangles) {
@@ -46,6 +47,13 @@ export function measure(triangles) {
     }
   }
   return { volume, open: openEdges(triangles), pieces: piecesOf(triangles), size: high.map((value, k) => value - low[k]), triangles: triangles.length };
+}
+
+/** Of every object of a 3MF its triangles, with corners by number: that is what slicers go by. */
+export function parse3mf(bytes) {
+  const xml = strFromU8(unzipSync(new Uint8Array(bytes))['3D/3dmodel.model']);
+  return [...xml.matchAll(/<mesh>(.*?)<\/mesh>/gs)].map(([, mesh]) =>
+    [...mesh.matchAll(/<triangle v1="(\d+)" v2="(\d+)" v3="(\d+)"/g)].map(([, ...corners]) => corners.map((v) => [Number(v), 0, 0])));
 }
 
 export function parseObj(bytes) {

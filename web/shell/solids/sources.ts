@@ -3,6 +3,9 @@
 import type { Mesh } from 'manifold-3d';
 import type { MeshData, PartRun } from './protocol.ts';
 
+/** Less than a tenth of a pixel of a texture of 4,096. */
+const kSameUv = 2e-5;
+
 /** uv at a place of the source's own space. */
 export type Paint = (x: number, y: number, z: number) => [number, number];
 
@@ -12,7 +15,10 @@ export type Source = { part: number } & ({ mesh: MeshData } | { paint: Paint });
 /** Sources by the library's original ids. */
 export type Sources = ReadonlyMap<number, Source>;
 
-/** A mesh of the library with uv; vertices of several runs are there once for each. */
+/**
+ * A mesh of the library with uv; vertices of several runs are there once for each,
+ * where these differ.
+ */
 export interface Carried extends MeshData {
   /** Vertices at one place: `from[i]` stands where `to[i]` does. */
   mergeFrom: Uint32Array;
@@ -84,7 +90,7 @@ export function carried({ vertProperties, triVerts, runIndex, runOriginalID, run
   const taken = new Uint32Array(n), copied = new Uint32Array(n), copy = new Uint32Array(n);
   let uv = new Float32Array(2 * n + 512);
   for (let run = 0; run < runOriginalID.length; run += 1) {
-    const own = run + 1, painter = new Painter(sources.get(runOriginalID[run]!), runTransform.subarray(12 * run, 12 * run + 12));
+    const own = run + 1, source = sources.get(runOriginalID[run]!), part = source?.part, painter = new Painter(source, runTransform.subarray(12 * run, 12 * run + 12));
     for (let c = runIndex[run]!; c < runIndex[run + 1]!; c += 1) {
       const v = triangles[c]!;
       if (taken[v] === own) continue;
@@ -92,16 +98,19 @@ export function carried({ vertProperties, triVerts, runIndex, runOriginalID, run
         triangles[c] = copy[v]!;
         continue;
       }
-      let at = v;
-      if (taken[v] === 0) taken[v] = own;
-      else {
-        at = n + copyOf.length;
-        copyOf.push(v);
-        copied[v] = own;
-        copy[v] = triangles[c] = at;
-        if (2 * at + 2 > uv.length) uv = grown(uv);
-      }
+      const before = taken[v]!, at = before === 0 ? v : n + copyOf.length;
+      if (2 * at + 2 > uv.length) uv = grown(uv);
       painter.write(uv, 2 * at, faceID[(c / 3) | 0]!, vertProperties[3 * v]!, vertProperties[3 * v + 1]!, vertProperties[3 * v + 2]!);
+      if (before === 0) {
+        taken[v] = own;
+        continue;
+      }
+      // Pieces of one part that go on into one another need no seam.
+      const goesOn = sources.get(runOriginalID[before - 1]!)?.part === part && Math.abs(uv[2 * v]! - uv[2 * at]!) + Math.abs(uv[2 * v + 1]! - uv[2 * at + 1]!) < kSameUv;
+      copied[v] = own;
+      copy[v] = goesOn ? v : at;
+      triangles[c] = copy[v]!;
+      if (!goesOn) copyOf.push(v);
     }
   }
   const positions = new Float32Array(3 * (n + copyOf.length));
