@@ -6,6 +6,7 @@
 #include "engine/geometry/refine.h"
 #include "engine/geometry/ridge.h"
 #include "engine/geometry/spread.h"
+#include "engine/geometry/steady.h"
 #include "engine/mesh/two_sided.h"
 
 namespace spineloft::sheet {
@@ -74,8 +75,15 @@ Result<mesh::TriMesh> sheet(const geometry::Contours& contours, image::Size pict
   if (profile.step() > 0) {
     along = std::clamp(kMostAspect * profile.step(), 0.5 * along, along);
   }
+  // What is finer than a rounding would show as dents in it.
+  constexpr double kSteadyReach = 1.0, kSteadyMost = 0.12;  // of the edge
+  const geometry::Contours steady =
+      profile.edge() > 0
+          ? geometry::steadied(contours,
+                               {kSteadyReach * profile.edge(), kSteadyMost * profile.edge()})
+          : contours;
   const geometry::PlaneRegion region =
-      geometry::planeRegion(geometry::sampleRegion(contours, along));
+      geometry::planeRegion(geometry::sampleRegion(steady, along));
   geometry::PlaneMesh mesh(region.points, region.sizes);
   if (mesh.empty()) return Error::RegionTooFine;
   const std::vector<double> rows = profile.rows();

@@ -11,7 +11,8 @@ namespace spineloft::sheet {
 
 /// The solid over a region, params.thickness of the picture's longer side thick, its middle at
 /// params.depth. The edge is cut by the distance to the outline, so that it meets itself in a ridge where
-/// the region is narrow and never crosses itself. ModelSpace; UV as seen from the front; closed, with a
+/// the region is narrow and never crosses itself. Where there is such an edge, the outline is first evened out
+/// by at most an eighth of its size (geometry/steady.h). ModelSpace; UV as seen from the front; closed, with a
 /// handle for every hole. `contours` as geometry::cleanRegion gives them; `picture` in original pixels.
 /// Errors: RegionEmpty, RegionTooFine, ValueOutOfRange.
 Result<mesh::TriMesh> sheet(const geometry::Contours& contours, image::Size picture,
