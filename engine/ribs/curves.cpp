@@ -22,10 +22,12 @@ constexpr double kMaxStretch = 12;
 // dρ-derivative of Σ I along a curve: Σ I = 2 atan(A / 2ρ) / ρ.
 struct RadiusLaw {
   double length;
-  double value(double radius) const { return 2 * std::atan(length / (2 * radius)) / radius; }
-  double slope(double radius) const {
-    const double q = length / (2 * radius);
-    return -2 * (std::atan(q) + q / (1 + q * q)) / (radius * radius);
+  struct At {
+    double value, slope;
+  };
+  At at(double radius) const {
+    const double q = length / (2 * radius), angle = std::atan(q);
+    return {2 * angle / radius, -2 * (angle + q / (1 + q * q)) / (radius * radius)};
   }
 };
 
@@ -33,17 +35,19 @@ struct RadiusLaw {
 struct Flow {
   const D2Field& field;
   RadiusLaw law;
-  Point velocity(Point x, double radius) const { return velocity(field.quickIntegral(x), radius); }
-  Point velocity(const D2Integral& at, double radius) const {
-    const Point g{static_cast<double>(at.gradientX), static_cast<double>(at.gradientY)};
-    const double g2 = dot(g, g);
-    return g2 > 0 ? g * (law.slope(radius) / g2) : Point{};
+  Point velocity(Point x, RadiusLaw::At wanted) const {
+    return velocity(field.quickIntegral(x), wanted);
   }
-  // One Newton step along the gradient onto the level set of `radius`.
-  Point onto(Point x, const D2Integral& at, double radius) const {
+  Point velocity(const D2Integral& at, RadiusLaw::At wanted) const {
     const Point g{static_cast<double>(at.gradientX), static_cast<double>(at.gradientY)};
     const double g2 = dot(g, g);
-    return g2 > 0 ? x + g * ((law.value(radius) - static_cast<double>(at.value)) / g2) : x;
+    return g2 > 0 ? g * (wanted.slope / g2) : Point{};
+  }
+  // One Newton step along the gradient onto the wanted level set.
+  Point onto(Point x, const D2Integral& at, RadiusLaw::At wanted) const {
+    const Point g{static_cast<double>(at.gradientX), static_cast<double>(at.gradientY)};
+    const double g2 = dot(g, g);
+    return g2 > 0 ? x + g * ((wanted.value - static_cast<double>(at.value)) / g2) : x;
   }
 };
 
@@ -57,29 +61,31 @@ struct Step {
 Step advance(const Flow& flow, Point x, Point k0, double t, double h) {
   Step s;
   auto& k = s.k;
+  const RadiusLaw& law = flow.law;
+  const RadiusLaw::At wanted = law.at(t + h);
   k[0] = k0;
-  k[1] = flow.velocity(x + k[0] * (h / 5), t + h / 5);
-  k[2] = flow.velocity(x + (k[0] * (3. / 40) + k[1] * (9. / 40)) * h, t + h * 0.3);
+  k[1] = flow.velocity(x + k[0] * (h / 5), law.at(t + h / 5));
+  k[2] = flow.velocity(x + (k[0] * (3. / 40) + k[1] * (9. / 40)) * h, law.at(t + h * 0.3));
   k[3] = flow.velocity(x + (k[0] * (44. / 45) + k[1] * (-56. / 15) + k[2] * (32. / 9)) * h,
-                       t + h * 0.8);
+                       law.at(t + h * 0.8));
   k[4] = flow.velocity(x + (k[0] * (19372. / 6561) + k[1] * (-25360. / 2187) +
                             k[2] * (64448. / 6561) + k[3] * (-212. / 729)) *
                                h,
-                       t + h * (8. / 9));
+                       law.at(t + h * (8. / 9)));
   k[5] = flow.velocity(x + (k[0] * (9017. / 3168) + k[1] * (-355. / 33) + k[2] * (46732. / 5247) +
                             k[3] * (49. / 176) + k[4] * (-5103. / 18656)) *
                                h,
-                       t + h);
+                       wanted);
   s.to = x + (k[0] * (35. / 384) + k[2] * (500. / 1113) + k[3] * (125. / 192) +
               k[4] * (-2187. / 6784) + k[5] * (11. / 84)) *
                  h;
   const D2Integral end = flow.field.quickIntegral(s.to);
-  k[6] = flow.velocity(end, t + h);
+  k[6] = flow.velocity(end, wanted);
   const Point error = (k[0] * (71. / 57600) + k[2] * (-71. / 16695) + k[3] * (71. / 1920) +
                        k[4] * (-17253. / 339200) + k[5] * (22. / 525) + k[6] * (-1. / 40)) *
                       h;
   s.error = norm(error);
-  s.to = flow.onto(s.to, end, t + h);
+  s.to = flow.onto(s.to, end, wanted);
   return s;
 }
 
@@ -119,7 +125,7 @@ int traceOne(const Flow& flow, const Levels& levels, image::Size picture,
     if (!inFrame(p, picture)) return k;
     put(k, p);
   }
-  Point x = seed, slope = flow.velocity(start, t);
+  Point x = seed, slope = flow.velocity(start, flow.law.at(t));
   double h = t;
   for (int step = 0; step < kMaxSteps && k < count; ++step) {
     h = std::min(h, levels.radius.back() - t);

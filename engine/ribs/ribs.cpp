@@ -10,6 +10,7 @@
 #include "engine/ribs/end_fan.h"
 #include "engine/ribs/evidence.h"
 #include "engine/ribs/fairing.h"
+#include "engine/ribs/lanes.h"
 #include "engine/ribs/lean.h"
 #include "engine/ribs/pen_line.h"
 #include "engine/ribs/rib_lengths.h"
@@ -288,10 +289,12 @@ void thirdEvidence(const LengthLabels& labels, Search& s) {
   const auto price = static_cast<float>(kPriceOfChange * shareOfRib(s));
   forRibs([&](int curve) {
     const float held = s.known.inside[index(curve)];
+    const float* along = &s.curves.along[s.curves.at(curve, 0)];
+    float* costs = &s.costs[s.curves.at(curve, 0)];
     for (int k = 1; k < s.curves.reached[index(curve)]; ++k) {
-      const std::size_t at = s.curves.at(curve, k);
-      const float change = std::abs(std::log(s.curves.along[at] / held));
-      if (change > most) s.costs[at] += price * (change - most);
+      const float change = quickLog(along[k] / held);
+      const float beyond = (change < 0 ? -change : change) - most;
+      costs[k] += price * (beyond > 0 ? beyond : 0.f);
     }
   });
   fillSide(s, true);
