@@ -96,23 +96,31 @@ function reaching({ positions, triangles }: Surface, along: (x: number, y: numbe
  */
 function squareToLid({ positions: p, triangles }: { positions: Float32Array; triangles: Uint32Array }, opening: readonly number[]): Point {
   const facing = Math.cos(0.45), flat = Math.cos(0.02), most = 0.7;
-  const faces: { normal: Point; area: number }[] = [];
-  const lean: Point = [0, 0, 0];
+  const asked = [...opening] as Point, [ox, oy, oz] = asked, lean: Point = [0, 0, 0];
   let all = 0;
+  // Normals as long as twice the area of the faces that look towards the opening; 0 for the others.
+  const normals = new Float64Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => 3 * triangles[t + k]!) as Point;
-    const u = [0, 1, 2].map((k) => p[b + k]! - p[a + k]!) as Point, v = [0, 1, 2].map((k) => p[c + k]! - p[a + k]!) as Point;
-    const n: Point = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    const area = Math.hypot(...n);
-    if (!(n[0] * opening[0]! + n[1] * opening[1]! + n[2] * opening[2]! > facing * area)) continue;
-    faces.push({ normal: n.map((x) => x / area) as Point, area });
-    for (let k = 0; k < 3; k += 1) lean[k]! += n[k]!;
+    const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+    const ux = p[b]! - p[a]!, uy = p[b + 1]! - p[a + 1]!, uz = p[b + 2]! - p[a + 2]!, vx = p[c]! - p[a]!, vy = p[c + 1]! - p[a + 1]!, vz = p[c + 2]! - p[a + 2]!;
+    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, area = Math.sqrt(x * x + y * y + z * z);
+    if (!(x * ox + y * oy + z * oz > facing * area)) continue;
+    normals[t] = x;
+    normals[t + 1] = y;
+    normals[t + 2] = z;
+    lean[0] += x;
+    lean[1] += y;
+    lean[2] += z;
     all += area;
   }
-  const length = Math.hypot(...lean), asked = [...opening] as Point;
+  const length = Math.hypot(...lean);
   if (!(length > 0)) return asked;
   const square = lean.map((x) => x / length) as Point;
-  const lid = faces.reduce((sum, { normal, area }) => sum + (normal[0] * square[0] + normal[1] * square[1] + normal[2] * square[2] > flat ? area : 0), 0);
+  let lid = 0;
+  for (let t = 0; t < normals.length; t += 3) {
+    const x = normals[t]!, y = normals[t + 1]!, z = normals[t + 2]!, area = Math.sqrt(x * x + y * y + z * z);
+    if (x * square[0] + y * square[1] + z * square[2] > flat * area) lid += area;
+  }
   return lid > most * all ? square : asked;
 }
 
