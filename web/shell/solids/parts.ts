@@ -4,7 +4,7 @@ import type { Manifold, ManifoldToplevel, Vec3 } from 'manifold-3d';
 import { findCrossings, placeOf } from './crossings.ts';
 import { signedVolume } from './grid.ts';
 import type { MeshData } from './protocol.ts';
-import { pieceOf, ringsOf, runForward, wedgesOf } from './rings.ts';
+import { bandOf, pieceOf, ringsOf, runForward } from './rings.ts';
 import type { FillCurve, Rings } from './rings.ts';
 
 /** The part crosses itself at `at` (its own space) and cannot be mended. */
@@ -62,14 +62,14 @@ function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, regis
     if (clean && signedVolume(piece) <= 0) return fail();
     if (clean) pieces.push(fromMesh(library, piece, register));
     else if (to - from > 1) ranges.push([from, (from + to) >> 1], [(from + to) >> 1, to]);
-    else pieces.push(...wedges(library, mesh, rings, from, register));
+    else pieces.push(...hulls(library, mesh, rings, from, register));
   }
-  if (rings.joined) pieces.push(...wedges(library, mesh, rings, rings.count - 1, register));
+  if (rings.joined) pieces.push(...hulls(library, mesh, rings, rings.count - 1, register));
   return pieces;
 }
 
-function wedges(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number, register: Register): Manifold[] {
-  return wedgesOf(mesh, rings, from).flatMap((corners) => {
+function hulls(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number, register: Register): Manifold[] {
+  return bandOf(mesh, rings, from).flatMap((corners) => {
     const hull = library.Manifold.hull(corners as Vec3[]);
     if (hull.isEmpty() || hull.status() !== 'NoError') return [];
     const { positions, triangles } = { positions: hull.getMesh().vertProperties, triangles: hull.getMesh().triVerts };
@@ -109,13 +109,41 @@ export function importPart(library: ManifoldToplevel, mesh: MeshData, register: 
   const rings = ringsOf(mesh);
   const pieces = rings && runForward(mesh, rings) ? piecesOf(library, mesh, rings, register) : null;
   if (!pieces) throw fault;
-  const solid = library.Manifold.union(pieces);
-  for (const piece of pieces) piece.delete();
+  const solid = withoutCrumbs(library, united(library, pieces));
   if (solid.status() !== 'NoError' || !isMended(solid)) {
     solid.delete();
     throw fault;
   }
   return solid;
+}
+
+/**
+ * The union of pieces that follow one another, which it takes over. Where a loft bends about its own inside they all cross
+ * there, in ever more splinters: so it is made of a few at a time, without what is as thin as rounding.
+ */
+function united(library: ManifoldToplevel, pieces: Manifold[]): Manifold {
+  const few = 6, tolerance = 1e-5;
+  let row = pieces;
+  do {
+    const next: Manifold[] = [];
+    for (let i = 0; i < row.length; i += few) {
+      const group = row.slice(i, i + few), whole = library.Manifold.union(group), { min, max } = whole.boundingBox();
+      next.push(whole.simplify(tolerance * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2])));
+      for (const each of [whole, ...group]) each.delete();
+    }
+    row = next;
+  } while (row.length > 1);
+  return row[0]!;
+}
+
+/** Without the splinters and voids as thin as rounding that are left where pieces meet. */
+function withoutCrumbs(library: ManifoldToplevel, solid: Manifold): Manifold {
+  const pieces = solid.decompose(), least = 1e-5 * solid.volume(), large = pieces.filter((piece) => Math.abs(piece.volume()) > least);
+  const some = large.length < pieces.length && large.length > 0 ? library.Manifold.compose(large) : null;
+  for (const piece of pieces) piece.delete();
+  if (!some) return solid;
+  solid.delete();
+  return some;
 }
 
 /** Whether nothing of it crosses any more. */

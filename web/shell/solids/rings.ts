@@ -122,8 +122,36 @@ export function pieceOf(mesh: MeshData, rings: Rings, from: number, to: number, 
   return { positions, uv, triangles: Uint32Array.from(triangles) };
 }
 
+/** Whether a ring turns one way only, or next to it, and once. */
+function isConvex({ positions: p }: MeshData, { size }: Rings, ring: number): boolean {
+  const at = (k: number) => 3 * (ring * size + (k % size));
+  const edge = (k: number) => [0, 1, 2].map((axis) => p[at(k + 1) + axis]! - p[at(k) + axis]!) as [number, number, number];
+  const cross = ([ax, ay, az]: number[], [bx, by, bz]: number[]) => [ay! * bz! - az! * by!, az! * bx! - ax! * bz!, ax! * by! - ay! * bx!] as [number, number, number];
+  const edges = Array.from({ length: size }, (_, k) => edge(k)), turns = edges.map((e, k) => cross(e, edges[(k + 1) % size]!));
+  const normal = [0, 0, 0];
+  for (let k = 0; k < size; k += 1) cross([p[at(k)]!, p[at(k) + 1]!, p[at(k) + 2]!], [p[at(k + 1)]!, p[at(k + 1) + 1]!, p[at(k + 1) + 2]!]).forEach((x, axis) => { normal[axis]! += x; });
+  const length = Math.hypot(...normal);
+  let back = 0, on = 0;
+  for (const [k, turn] of turns.entries()) {
+    const [a, b] = [edges[k]!, edges[(k + 1) % size]!];
+    const angle = Math.atan2((turn[0] * normal[0]! + turn[1] * normal[1]! + turn[2] * normal[2]!) / length, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    if (angle < 0) back -= angle;
+    else on += angle;
+  }
+  return length > 0 && back < 0.02 && on < 2 * Math.PI + 0.1;
+}
+
+type Corners = [number, number, number][];
+
+/** A band's pieces, each by its corners: all of it where both of its rings are convex, otherwise its wedges. */
+export function bandOf(mesh: MeshData, rings: Rings, from: number): Corners[] {
+  const both = [from, (from + 1) % rings.count];
+  if (!both.every((ring) => isConvex(mesh, rings, ring))) return wedgesOf(mesh, rings, from);
+  return [both.flatMap((ring) => Array.from({ length: rings.size }, (_, k) => [...mesh.positions.subarray(3 * (ring * rings.size + k), 3 * (ring * rings.size + k) + 3)] as [number, number, number]))];
+}
+
 /** The wedges of a piece of one band: for every two neighbours of its rings the corners of what lies between them and the middles. */
-export function wedgesOf(mesh: MeshData, rings: Rings, from: number): [number, number, number][][] {
+function wedgesOf(mesh: MeshData, rings: Rings, from: number): Corners[] {
   const at = (v: number): [number, number, number] => [mesh.positions[3 * v]!, mesh.positions[3 * v + 1]!, mesh.positions[3 * v + 2]!];
   const next = (from + 1) % rings.count;
   const middle = (ring: number): [number, number, number] => {
