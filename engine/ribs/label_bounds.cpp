@@ -14,7 +14,7 @@ namespace {
 constexpr float kHandedOn = 0.1f;
 constexpr int kMostRounds = 3;
 // A round costs about as much as this many pairs of labels for every label.
-constexpr double kPairsPerLabel = 8;
+constexpr double kPairsPerLabel = 24;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
