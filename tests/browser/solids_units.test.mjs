@@ -95,7 +95,11 @@ test('a loft that runs through itself is united with itself', () => {
 test('a bend tighter than the part is thick becomes a solid', () => {
   const sharp = loft({ rings: 24, around: 16, length: 0.2, radius: 0.15, bend: 3 });
   assert.ok(findCrossings(sharp.positions, sharp.triangles, 1).length > 0);
-  lawful(solve(fresh(), [node([rod(1, identity, 'sharp'), rod(2, shifted(2), 'sharp')])], { sharp }), 'the bend');
+  const { shells, euler } = lawful(solve(fresh(), [node([rod(1, identity, 'sharp'), rod(2, shifted(2), 'sharp')])], { sharp }), 'the bend');
+  assert.deepEqual([shells, euler], [2, 4], 'two pieces, without splinters and voids');
+  const { mesh } = solve(fresh(), [node([rod(1, identity, 'sharp')])], { sharp });
+  assert.equal(mesh.mergeFrom.length, 0, 'no seam in its picture');
+  assert.ok(mesh.triangles.length < 8 * sharp.triangles.length, 'few triangles where it crosses itself');
 });
 
 test('random lofts, bent and pulled out of shape, become solids or name the part and the place', () => {

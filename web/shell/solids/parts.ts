@@ -47,7 +47,7 @@ function fillIn(library: ManifoldToplevel): FillCurve {
 }
 
 /** Pieces between rings that do not cross themselves; none where that cannot be had. */
-function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, register: Register): Manifold[] | null {
+function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings): Manifold[] | null {
   const fill = fillIn(library);
   const pieces: Manifold[] = [];
   const fail = () => {
@@ -60,41 +60,21 @@ function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings, regis
     const piece = pieceOf(mesh, rings, from, to, fill);
     const clean = !crossesItself(piece);
     if (clean && signedVolume(piece) <= 0) return fail();
-    if (clean) pieces.push(fromMesh(library, piece, register));
+    if (clean) pieces.push(bare(library, piece.positions, piece.triangles));
     else if (to - from > 1) ranges.push([from, (from + to) >> 1], [(from + to) >> 1, to]);
-    else pieces.push(...hulls(library, mesh, rings, from, register));
+    else pieces.push(...hulls(library, mesh, rings, from));
   }
-  if (rings.joined) pieces.push(...hulls(library, mesh, rings, rings.count - 1, register));
+  if (rings.joined) pieces.push(...hulls(library, mesh, rings, rings.count - 1));
   return pieces;
 }
 
-function hulls(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number, register: Register): Manifold[] {
+function hulls(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: number): Manifold[] {
   return bandOf(mesh, rings, from).flatMap((corners) => {
     const hull = library.Manifold.hull(corners as Vec3[]);
-    if (hull.isEmpty() || hull.status() !== 'NoError') return [];
-    const { positions, triangles } = { positions: hull.getMesh().vertProperties, triangles: hull.getMesh().triVerts };
+    if (!hull.isEmpty() && hull.status() === 'NoError') return [hull];
     hull.delete();
-    return [fromMesh(library, { positions, uv: nearUv(mesh, rings, from, positions), triangles }, register)];
+    return [];
   });
-}
-
-/** The uv of the nearest vertex of the band's two rings. */
-function nearUv(mesh: MeshData, rings: Rings, from: number, positions: Float32Array): Float32Array {
-  if (mesh.uv.length === 0) return new Float32Array();
-  const uv = new Float32Array((positions.length / 3) * 2);
-  const next = (from + 1) % rings.count;
-  for (let v = 0; v < positions.length / 3; v += 1) {
-    let least = Infinity;
-    for (const ring of [from, next]) {
-      for (let w = ring * rings.size; w < (ring + 1) * rings.size; w += 1) {
-        const d = Math.hypot(mesh.positions[3 * w]! - positions[3 * v]!, mesh.positions[3 * w + 1]! - positions[3 * v + 1]!, mesh.positions[3 * w + 2]! - positions[3 * v + 2]!);
-        if (d >= least) continue;
-        least = d;
-        uv.set(mesh.uv.subarray(2 * w, 2 * w + 2), 2 * v);
-      }
-    }
-  }
-  return uv;
 }
 
 export function crossesItself({ positions, triangles }: MeshData): boolean {
@@ -107,14 +87,44 @@ export function importPart(library: ManifoldToplevel, mesh: MeshData, register: 
   if (!crossing) return fromMesh(library, mesh, register);
   const fault = new FaultyPart(placeOf(crossing, mesh.positions, mesh.triangles));
   const rings = ringsOf(mesh);
-  const pieces = rings && runForward(mesh, rings) ? piecesOf(library, mesh, rings, register) : null;
-  if (!pieces) throw fault;
-  const solid = withoutCrumbs(library, united(library, pieces));
-  if (solid.status() !== 'NoError' || !isMended(solid)) {
-    solid.delete();
-    throw fault;
-  }
+  const pieces = rings && runForward(mesh, rings) ? piecesOf(library, { ...mesh, uv: new Float32Array() }, rings) : null;
+  if (!pieces?.length) throw fault;
+  const solid = withoutCrumbs(library, united(library, pieces)), { vertProperties: positions, triVerts: triangles } = solid.getMesh();
+  const sound = solid.status() === 'NoError' && triangles.length > 0;
+  solid.delete();
+  if (!sound || findCrossings(positions, triangles, 1).length > 0) throw fault;
+  return fromMesh(library, { positions, triangles, uv: uvOn(mesh, positions) }, register);
+}
+
+/** The mesh as a solid whose faces nobody asks for. */
+function bare(library: ManifoldToplevel, positions: Float32Array, triangles: Uint32Array): Manifold {
+  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: triangles }));
+  if (solid.status() !== 'NoError') throw new Error(solid.status());
   return solid;
+}
+
+function nearestOf(from: Float32Array, px: number, py: number, pz: number): number {
+  let nearest = 0, least = Infinity;
+  for (let v = 0; v < from.length; v += 3) {
+    const x = from[v]! - px, y = from[v + 1]! - py, z = from[v + 2]! - pz, d = x * x + y * y + z * z;
+    if (d >= least) continue;
+    least = d;
+    nearest = v / 3;
+  }
+  return nearest;
+}
+
+/** uv of places on a mesh: those of its vertices, and where it has none those of the nearest one. */
+function uvOn({ positions: from, uv: known }: MeshData, places: Float32Array): Float32Array {
+  const uv = new Float32Array(known.length > 0 ? (places.length / 3) * 2 : 0);
+  if (uv.length === 0) return uv;
+  const at = new Map<string, number>();
+  for (let v = 0; v < from.length; v += 3) at.set(`${from[v]} ${from[v + 1]} ${from[v + 2]}`, v / 3);
+  for (let p = 0; p < places.length; p += 3) {
+    const vertex = at.get(`${places[p]} ${places[p + 1]} ${places[p + 2]}`) ?? nearestOf(from, places[p]!, places[p + 1]!, places[p + 2]!);
+    uv.set(known.subarray(2 * vertex, 2 * vertex + 2), (p / 3) * 2);
+  }
+  return uv;
 }
 
 /**
@@ -127,9 +137,9 @@ function united(library: ManifoldToplevel, pieces: Manifold[]): Manifold {
   do {
     const next: Manifold[] = [];
     for (let i = 0; i < row.length; i += few) {
-      const group = row.slice(i, i + few), whole = library.Manifold.union(group), { min, max } = whole.boundingBox();
-      next.push(whole.simplify(tolerance * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2])));
-      for (const each of [whole, ...group]) each.delete();
+      const group = row.slice(i, i + few), whole = library.Manifold.union(group), plain = whole.asOriginal(), { min, max } = whole.boundingBox();
+      next.push(plain.simplify(tolerance * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2])));
+      for (const each of [whole, plain, ...group]) each.delete();
     }
     row = next;
   } while (row.length > 1);
@@ -144,10 +154,4 @@ function withoutCrumbs(library: ManifoldToplevel, solid: Manifold): Manifold {
   if (!some) return solid;
   solid.delete();
   return some;
-}
-
-/** Whether nothing of it crosses any more. */
-function isMended(solid: Manifold): boolean {
-  const { vertProperties, triVerts } = solid.getMesh();
-  return findCrossings(vertProperties, triVerts, 1).length === 0;
 }
