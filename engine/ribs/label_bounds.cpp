@@ -40,11 +40,11 @@ class Ascent {
     }
   }
 
-  // Hands the excess of one side's labels on to the other side, rib after rib.
+  // Hands the excess of one side's labels on to the other side, rib after rib; that side must be swept
+  // backward.
   void handOn(bool left) {
     LengthWorkspace::Chain &own = workspace_.chains[left ? 0 : 1],
                            &other = workspace_.chains[left ? 1 : 0];
-    sweepBackward(left);
     std::fill(own.forward.begin(), own.forward.begin() + p_.levels, 0.f);
     for (int i = 0; i < p_.ribs; ++i) {
       const std::size_t at = index(i) * n_;
@@ -91,6 +91,16 @@ class Ascent {
                 *unary = &(left ? p_.left : p_.right).unary[at];
     for (std::size_t k = 0; k < n_; ++k) row[k] = forward[k] + unary[k] + moved[k] + backward[k];
   }
+  // The same for a side that is swept backward only, from the labels of its first rib.
+  float leastAhead(bool left) const {
+    const LengthWorkspace::Chain& own = workspace_.chains[left ? 0 : 1];
+    const SideCosts& costs = left ? p_.left : p_.right;
+    float best = kUnreachable;
+    for (std::size_t k = 0; k < n_; ++k)
+      best = lesser(costs.unary[k] + own.moved[k] + own.backward[k], best);
+    return best;
+  }
+  // Least energy of one side's chain; both halves must be swept.
   float least(bool left) {
     std::vector<float>& row = workspace_.chains[left ? 0 : 1].row;
     fillThrough(left, 0, row.data());
@@ -202,7 +212,17 @@ void boundLabels(const LengthProblem& p, double limit, LengthWorkspace& workspac
   b.hopeless = false;
   Ascent ascent(p, workspace, b);
   for (int round = 0; round < kMostRounds; ++round) {
+    ascent.sweepBackward(true);
+    const double ofLeft = ascent.leastAhead(true);
     ascent.handOn(true);
+    // What was handed on was more than the least: that of the left side is as before. Often it is enough
+    // to see that a rival has no chance.
+    ascent.sweepBackward(false);
+    b.lower = ofLeft + static_cast<double>(ascent.leastAhead(false));
+    if (b.lower - slackOf(b.lower) >= limit) {
+      b.hopeless = true;
+      return;
+    }
     ascent.handOn(false);
     ascent.sweepBackward(false);
     ascent.sweepForward(true);
