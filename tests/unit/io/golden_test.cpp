@@ -77,6 +77,16 @@ struct KeyCollector {
   void beyond(std::string&) {}
 };
 
+/// A golden document, of which nothing may be lost or mended.
+document::Document readWhole(const std::string& name, const PictureSource& pictureOf = [](std::uint64_t) { return nullptr; }) {
+  const auto bytes = testFile(name);
+  ReadNotes notes;
+  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, pictureOf, &notes);
+  REQUIRE(read.ok());
+  CHECK(notes.clean());
+  return read.value();
+}
+
 }  // namespace
 
 TEST_CASE("the golden file of version 1 opens as what was saved, and its parts are solids") {
@@ -100,23 +110,12 @@ TEST_CASE("the golden file of version 1 opens as what was saved, and its parts a
 }
 
 TEST_CASE("the golden document of version 1 reads as what was written") {
-  const auto bytes = testFile("golden/document-v1.json");
   const document::Document expected = completeDocument();
-  ReadNotes notes;
-  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                 [&](std::uint64_t) { return expected.pictures[0]->picture; }, &notes);
-  REQUIRE(read.ok());
-  CHECK(notes.clean());
-  CHECK(read.value() == expected);
+  CHECK(readWhole("golden/document-v1.json", [&](std::uint64_t) { return expected.pictures[0]->picture; }) == expected);
 }
 
 TEST_CASE("the golden document with solids reads as what was written") {
-  const auto bytes = testFile("golden/document-v1-solids.json");
-  ReadNotes notes;
-  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                 [](std::uint64_t) { return nullptr; }, &notes);
-  REQUIRE(read.ok());
-  CHECK(notes.clean());
+  const document::Document read = readWhole("golden/document-v1-solids.json");
   document::Step body, mug, cut;
   body.id = StepId{2};
   body.name = "Body, hollow";
@@ -137,71 +136,51 @@ TEST_CASE("the golden document with solids reads as what was written") {
   cut.name = "Solid 4";
   cut.kind = document::StepKind::Cut;
   cut.operands = {{{}, StepId{3}}, {PartId{3}, {}}};
-  CHECK(read.value().steps == std::vector<Box<document::Step>>{body, mug, cut});
-  CHECK(read.value().lastStepId == 4);
+  CHECK(read.steps == std::vector<Box<document::Step>>{body, mug, cut});
+  CHECK(read.lastStepId == 4);
 }
 
 TEST_CASE("the golden document with regions reads as what was written") {
-  const auto bytes = testFile("golden/document-v2-regions.json");
-  ReadNotes notes;
-  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                 [](std::uint64_t) { return nullptr; }, &notes);
-  REQUIRE(read.ok());
-  CHECK(notes.clean());
+  const document::Document read = readWhole("golden/document-v2-regions.json");
   const document::PuffRecipe belly{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
                                    {1.5, inflate::PuffSides::Front, 400}};
   const document::SheetRecipe ear{{PictureId{1}, {{{20, 20}, {60, 24.5}}}, 6},
                                   {0.08, sheet::EdgeKind::Bevel, 0.25, -0.125}};
-  REQUIRE(read.value().parts.size() == 2);
-  CHECK(read.value().parts[0]->recipe == document::Recipe(belly));
-  CHECK(read.value().parts[1]->recipe == document::Recipe(ear));
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0]->recipe == document::Recipe(belly));
+  CHECK(read.parts[1]->recipe == document::Recipe(ear));
 }
 
 TEST_CASE("the golden document with parts that were placed, mirrored and grouped reads as what was written") {
-  const auto bytes = testFile("golden/document-v2-placed.json");
-  ReadNotes notes;
-  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                 [](std::uint64_t) { return nullptr; }, &notes);
-  REQUIRE(read.ok());
-  CHECK(notes.clean());
-  REQUIRE(read.value().parts.size() == 2);
-  const document::Part& wing = read.value().parts[0];
+  const document::Document read = readWhole("golden/document-v2-placed.json");
+  REQUIRE(read.parts.size() == 2);
+  const document::Part& wing = read.parts[0];
   CHECK(wing.placement ==
         document::Placement{{0.25, -0.125, 1.0 / 3}, {1, 0.5, -2}, {0.5, 0.5, -0.5, 0.5}, 1.75, true});
   CHECK(wing.mirror == document::MirrorPlane{{0.125, 0, 0}, {0.6, 0, 0.8}});
   CHECK(wing.group == GroupId{2});
-  CHECK(read.value().parts[1]->placement == document::Placement{});
-  CHECK(read.value().groups == std::vector<document::Group>{{GroupId{2}, "Wings"}});
-  CHECK(read.value().lastGroupId == 3);
+  CHECK(read.parts[1]->placement == document::Placement{});
+  CHECK(read.groups == std::vector<document::Group>{{GroupId{2}, "Wings"}});
+  CHECK(read.lastGroupId == 3);
 }
 
 TEST_CASE("the golden document with paints reads as what was written") {
-  const auto bytes = testFile("golden/document-v1-looks.json");
-  ReadNotes notes;
-  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                 [](std::uint64_t) { return nullptr; }, &notes);
-  REQUIRE(read.ok());
-  CHECK(notes.clean());
-  REQUIRE(read.value().parts.size() == 2);
+  const document::Document read = readWhole("golden/document-v1-looks.json");
+  REQUIRE(read.parts.size() == 2);
   const document::Look scales{false, {10, 20, 30}, surface::Paint::TwoTone, {200, 230, 0}, true};
-  CHECK(read.value().parts[0]->look == scales);
+  CHECK(read.parts[0]->look == scales);
   const document::Look shell{true, document::Look{}.colour, surface::Paint::Metal, document::Look{}.second, false};
-  CHECK(read.value().parts[1]->look == shell);
+  CHECK(read.parts[1]->look == shell);
 }
 
 TEST_CASE("the golden document with a weight of the search reads as what was written") {
-  const auto bytes = testFile("golden/document-v1-rims.json");
-  ReadNotes notes;
-  const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                 [](std::uint64_t) { return nullptr; }, &notes);
-  REQUIRE(read.ok());
-  CHECK(notes.clean());
-  REQUIRE(read.value().parts.size() == 1);
+  const document::Document read = readWhole("golden/document-v1-rims.json");
+  REQUIRE(read.parts.size() == 1);
   document::LoftRecipe tail;
   tail.picture = PictureId{1};
   tail.stroke = {{20, 40}, {100, 40}};
   tail.ribs.evidence.rimWeight = 0.5;
-  CHECK(read.value().parts[0]->recipe == document::Recipe(tail));
+  CHECK(read.parts[0]->recipe == document::Recipe(tail));
 }
 
 TEST_CASE("the golden documents hold every key that a document can have") {
