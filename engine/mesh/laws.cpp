@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "engine/base/groups.h"
 #include "engine/mesh/angles.h"
 #include "engine/mesh/topology.h"
 
@@ -62,21 +62,16 @@ bool fansAreWhole(const TriMesh& mesh, const Twins& twins) {
 }
 
 int countShells(const TriMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.positions.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::vector<bool> used(parent.size(), false);
+  Groups groups(mesh.positions.size());
+  std::vector<bool> used(mesh.positions.size(), false);
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
       used[v] = true;
-      parent[root(v)] = root(t[0]);
+      groups.unite(v, t[0]);
     }
   }
   int shells = 0;
-  for (std::uint32_t v = 0; v < parent.size(); ++v) shells += used[v] && parent[v] == v;
+  for (std::uint32_t v = 0; v < used.size(); ++v) shells += used[v] && groups.of(v) == v;
   return shells;
 }
 

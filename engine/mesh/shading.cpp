@@ -1,8 +1,8 @@
 #include "engine/mesh/shading.h"
 
 #include <cmath>
-#include <numeric>
 
+#include "engine/base/groups.h"
 #include "engine/base/vec.h"
 #include "engine/mesh/angles.h"
 #include "engine/mesh/topology.h"
@@ -35,29 +35,6 @@ std::vector<Facet> facetsOf(const TriMesh& mesh) {
   return facets;
 }
 
-/// Corners (half-edge origins) that share one vertex of the result, as a union-find forest.
-class Patches {
- public:
-  explicit Patches(std::size_t corners) : parent_(corners) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t root(std::uint32_t corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t ra = root(a), rb = root(b);
-    if (ra < rb) {
-      parent_[rb] = ra;
-    } else {
-      parent_[ra] = rb;
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
@@ -65,13 +42,13 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   const std::vector<Facet> facets = facetsOf(mesh);
   const double cosine = std::cos(creaseAngle);
   const std::uint32_t corners = static_cast<std::uint32_t>(twins.of.size());
-  Patches patches(corners);
+  Groups patches(corners);  // corners (half-edge origins) that share one vertex of the result
   for (std::uint32_t h = 0; h < corners; ++h) {
     const std::uint32_t twin = twins.of[h];
     if (twin == kNone || twin < h) continue;
     if (dot(facets[h / 3].normal, facets[twin / 3].normal) < cosine) continue;
-    patches.join(h, nextHalfEdge(twin));
-    patches.join(nextHalfEdge(h), twin);
+    patches.unite(h, nextHalfEdge(twin));
+    patches.unite(nextHalfEdge(h), twin);
   }
   ShadedMesh shaded;
   shaded.triangles.resize(mesh.triangles.size());
@@ -83,7 +60,7 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   if (!mesh.uv.empty()) shaded.uv.reserve(2 * mesh.positions.size());
   sums.reserve(2 * mesh.positions.size());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
-    const std::uint32_t root = patches.root(corner);
+    const std::uint32_t root = patches.of(corner);
     if (vertexOf[root] == kNone) {
       const std::uint32_t v = cornerVertex(mesh, corner);
       vertexOf[root] = static_cast<std::uint32_t>(shaded.positions.size());

@@ -5,38 +5,23 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 #include <vector>
 
-#include "engine/base/vec.h"
+#include "engine/base/groups.h"
+#include "engine/printing/triangle.h"
 
 namespace spineloft::printing {
 namespace {
 
-using Point = Vec3<struct PrintSpace>;
-
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-struct Box {
+struct Extent {
   Point low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
 
   void add(Point p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  bool meets(const Box& other, double reach) const {
+  bool meets(const Extent& other, double reach) const {
     return low.x <= other.high.x + reach && other.low.x <= high.x + reach && low.y <= other.high.y + reach &&
            other.low.y <= high.y + reach && low.z <= other.high.z + reach && other.low.z <= high.z + reach;
   }
@@ -45,17 +30,15 @@ struct Box {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 };
 
-using Corners = std::array<Point, 3>;
-
 /// A connected surface.
 struct Shell {
   std::vector<Corners> triangles;
-  Box box;
+  Extent box;
   double volume = 0;  ///< below 0 when it is the inside of something
 };
 
-Box boxOf(const Corners& corners) {
-  Box box;
+Extent extentOf(const Corners& corners) {
+  Extent box;
   for (const Point p : corners) box.add(p);
   return box;
 }
@@ -71,12 +54,8 @@ void addShells(const mesh::TriMesh& mesh, std::vector<Shell>& shells) {
     const auto [at, isNew] = shellOf.try_emplace(groups.of(t[0]), shells.size());
     if (isNew) shells.emplace_back();
     Shell& shell = shells[at->second];
-    Corners corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& p = mesh.positions[t[i]];
-      corners[i] = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-      shell.box.add(corners[i]);
-    }
+    const Corners corners = cornersOf(mesh, t);
+    for (const Point p : corners) shell.box.add(p);
     shell.volume += dot(corners[0], cross(corners[1], corners[2])) / 6;
     shell.triangles.push_back(corners);
   }
@@ -107,7 +86,7 @@ void uniteTouching(const std::vector<Shell>& shells, double cell, Groups& pieces
   Grid grid(cell, 0, pieces), between(cell, 0.5, pieces);
   for (std::uint32_t s = 0; s < shells.size(); ++s) {
     for (const Corners& t : shells[s].triangles) {
-      const Box box = boxOf(t);
+      const Extent box = extentOf(t);
       const auto near = [&](const Shell& other) { return &other != &shells[s] && box.meets(other.box, cell); };
       if (std::ranges::none_of(shells, near)) continue;
       const double longest = std::max({norm(t[1] - t[0]), norm(t[2] - t[1]), norm(t[0] - t[2])});
@@ -164,7 +143,7 @@ std::size_t countPieces(std::span<const mesh::TriMesh> parts) {
   const auto isMaterial = [](const Shell& shell) { return shell.volume > 0; };
   const auto material = static_cast<std::size_t>(std::ranges::count_if(shells, isMaterial));
   if (material < 2) return material;
-  Box all;
+  Extent all;
   for (const Shell& shell : shells) {
     all.add(shell.box.low);
     all.add(shell.box.high);

@@ -6,15 +6,13 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/base/vec.h"
 #include "engine/mesh/laws.h"
 #include "engine/printing/pieces.h"
 #include "engine/printing/stand.h"
+#include "engine/printing/triangle.h"
 
 namespace spineloft::printing {
 namespace {
-
-using Point = Vec3<struct PrintSpace>;
 
 constexpr std::array kPrinters = {
     Printer{"a small printer (120 mm)", {120, 120, 120}},
@@ -26,28 +24,16 @@ constexpr std::array kPrinters = {
 constexpr double kRays = 2000;
 constexpr double kThinShare = 0.02;
 
-Point pointOf(const mesh::TriMesh& mesh, std::uint32_t v) {
-  const auto& p = mesh.positions[v];
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
-struct Corners {
-  Point a, b, c;
-};
-Corners cornersOf(const mesh::TriMesh& mesh, const std::array<std::uint32_t, 3>& t) {
-  return {pointOf(mesh, t[0]), pointOf(mesh, t[1]), pointOf(mesh, t[2])};
-}
-
-double areaOf(const Corners& t) { return norm(cross(t.b - t.a, t.c - t.a)) / 2; }
+double areaOf(const Corners& t) { return norm(cross(t[1] - t[0], t[2] - t[0])) / 2; }
 
 /// How far along the ray it meets the triangle (Möller and Trumbore 1997); infinite when it does not.
 double hit(const Corners& t, Point from, Point direction) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  const Point e = t.b - t.a, f = t.c - t.a, p = cross(direction, f);
+  const Point e = t[1] - t[0], f = t[2] - t[0], p = cross(direction, f);
   const double det = dot(e, p);
   // Seen from within, an outward triangle turns its back.
   if (!(det < 0)) return kNever;
-  const Point s = from - t.a;
+  const Point s = from - t[0];
   const double u = dot(s, p) / det;
   if (u < 0 || u > 1) return kNever;
   const Point q = cross(s, e);
@@ -76,8 +62,8 @@ void probe(const mesh::TriMesh& mesh, std::size_t part, double share, std::vecto
     if (!(passed >= share) || !(area > 0)) continue;
     const double covered = std::floor(passed / share) * share;
     passed -= covered;
-    const Point middle = (t.a + t.b + t.c) / 3.0;
-    const Point inwards = normalized(cross(t.c - t.a, t.b - t.a));
+    const Point middle = (t[0] + t[1] + t[2]) / 3.0;
+    const Point inwards = normalized(cross(t[2] - t[0], t[1] - t[0]));
     double way = std::numeric_limits<double>::infinity();
     for (const Corners& other : triangles) way = std::min(way, hit(other, middle, inwards));
     if (std::isfinite(way)) out.push_back({way, covered, middle, part});

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/base/vec.h"
+#include "engine/printing/triangle.h"
 
 namespace spineloft::printing {
 namespace {
-
-using Point = Vec3<struct PrintSpace>;
 
 constexpr int kFootSteps = 30;
 /// A part keeps at least this share of its height.
@@ -63,7 +61,7 @@ Point crossing(Point a, Point b, double level) {
 }
 
 /// Adds one triangle. The flat cut adds nothing: the tetrahedra stand on a point of it.
-void addTriangle(const std::array<Point, 3>& corners, double level, Rest& rest) {
+void addTriangle(const Corners& corners, double level, Rest& rest) {
   std::array<Point, 4> kept;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -86,14 +84,7 @@ void addTriangle(const std::array<Point, 3>& corners, double level, Rest& rest) 
 double leanAt(std::span<const mesh::TriMesh> parts, double level) {
   Rest rest;
   for (const mesh::TriMesh& mesh : parts) {
-    for (const auto& t : mesh.triangles) {
-      std::array<Point, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto& p = mesh.positions[t[i]];
-        corners[i] = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-      }
-      addTriangle(corners, level, rest);
-    }
+    for (const auto& t : mesh.triangles) addTriangle(cornersOf(mesh, t), level, rest);
   }
   if (!(rest.volume > 0)) return -1;
   const Point centre = rest.weighted / rest.volume;
