@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "engine/base/limits.h"
+#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {
 
 constexpr int kLanes = 4;
-using Float4 = float __attribute__((vector_size(16)));
 
 // Chebyshev points a side, points a side of the smallest tile, segments of a leaf of the tree.
 constexpr int kNodes = 4, kSmallest = 8, kLeaf = 4;
@@ -21,13 +22,6 @@ constexpr int kLargest = 64;
 constexpr float kTileReach = 3.2f, kGroupReach = 3.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-Float4 all(float v) { return Float4{v, v, v, v}; }
-Float4 load(const float* from) {
-  Float4 v;
-  __builtin_memcpy(&v, from, sizeof v);
-  return v;
-}
-void store(Float4 v, float* to) { __builtin_memcpy(to, &v, sizeof v); }
 
 struct Segment {
   float x, y, alongX, alongY, reach;
@@ -40,12 +34,16 @@ struct Group {
   int child, first, count;
 };
 
-// atan(√w) / √w on [0, 1]: least squares at Chebyshev nodes, relative error below 1e-5.
-Float4 arctanOverArgument(Float4 w) {
-  constexpr std::array<float, 6> c{0.99999563f,  -0.33299460f, 0.19563595f,
-                                   -0.12123911f, 0.05747734f,  -0.01348047f};
-  Float4 sum = all(c[5]);
-  for (std::size_t i = 5; i-- > 0;) sum = sum * w + all(c[i]);
+// atan(√w) / √w, interpolated at Chebyshev nodes; the fewer terms, the smaller the w they hold for. Relative
+// error below 6e-6.
+constexpr std::array<float, 2> kFarTerms{0.99999396f, -0.33023854f};                               // w ≤ 1/64
+constexpr std::array<float, 4> kMidTerms{0.99999768f, -0.33303398f, 0.19380864f, -0.099772075f};  // w ≤ 1/4
+constexpr std::array<float, 6> kAllTerms{0.99999483f,  -0.33295711f, 0.19534659f,
+                                         -0.12044859f, 0.056589985f, -0.013130382f};  // w ≤ 1
+template <std::size_t kTerms>
+inline Float4 arctanOverArgument(const std::array<float, kTerms>& c, Float4 w) {
+  Float4 sum = all4(c[kTerms - 1]);
+  for (std::size_t i = kTerms - 1; i-- > 0;) sum = sum * w + all4(c[i]);
   return sum;
 }
 
@@ -53,50 +51,59 @@ Float4 arctanOverArgument(Float4 w) {
 Float4 segmentSum(const Segment& s, Float4 x, Float4 y) {
   const Float4 ax = s.x - x, ay = s.y - y;
   const Float4 u = ax * s.alongX + ay * s.alongY, v = ay * s.alongX - ax * s.alongY;
-  const Float4 size = v < all(0) ? -v : v;
+  const Float4 size = v < all4(0) ? -v : v;
   const Float4 along = u * (u + s.reach) + v * v, across = s.reach * size;
-  const Float4 run = along < all(0) ? -along : along;
+  const Float4 run = along < all4(0) ? -along : along;
   const auto steep = across > run;
   const Float4 longer = steep ? across : run, shorter = steep ? run : across;
-  const Float4 z = shorter / longer, slope = arctanOverArgument(z * z);
+  const Float4 z = shorter / longer, slope = arctanOverArgument(kAllTerms, z * z);
   Float4 angle = z * slope;
-  angle = steep ? all(std::numbers::pi_v<float> / 2) - angle : angle;
-  angle = along < all(0) ? all(std::numbers::pi_v<float>) - angle : angle;
+  angle = steep ? all4(std::numbers::pi_v<float> / 2) - angle : angle;
+  angle = along < all4(0) ? all4(std::numbers::pi_v<float>) - angle : angle;
   const auto slim = across <= along;  // θ/|v| without dividing by a v that may be 0
   return (slim ? s.reach * slope : angle) / (slim ? longer : size);
 }
 
-// All segments' sums at a row of kBlock points. Nearly all segments are seen under less than 45°,
-// from outside: those need one division and no choice.
-constexpr int kBlock = 16;
-std::array<float, kBlock> blockSums(std::span<const Segment> segments, float firstX, float rowY,
-                                    float step) {
-  constexpr std::size_t kVectors = kBlock / kLanes;
-  std::array<Float4, kVectors> x, sums{};
-  for (std::size_t i = 0; i < kVectors; ++i) {
-    const float at = static_cast<float>(i * kLanes);
-    x[i] = firstX + step * Float4{at, at + 1, at + 2, at + 3};
+// Sums at a row of kBlock points, which lie one after the other.
+constexpr std::size_t kBlock = 16, kVectors = kBlock / kLanes;
+using Block = std::array<Float4, kVectors>;
+
+// A segment from far enough away that `terms` hold for the angle under which it is seen: one division, and no
+// choice. u and v step from vector to vector.
+template <std::size_t kTerms>
+inline void addFarSegment(const std::array<float, kTerms>& terms, const Segment& s, Float4 ax, float ay, float step,
+                          Block& sums) {
+  Float4 u = ax * s.alongX + ay * s.alongY, v = ay * s.alongX - ax * s.alongY;
+  const Float4 du = all4(kLanes * step * s.alongX), dv = all4(kLanes * step * s.alongY);
+  for (Float4& sum : sums) {
+    const Float4 v2 = v * v, seen = s.reach / (u * (u + s.reach) + v2);
+    sum += seen * arctanOverArgument(terms, seen * seen * v2);
+    u -= du;
+    v += dv;
   }
-  const Float4 y = all(rowY);
+}
+
+// All segments' sums. At a distance r from where a segment of length T begins, tan θ ≤ T / (r − T).
+Block blockSums(std::span<const Segment> segments, float firstX, float rowY, float step) {
+  constexpr float kFar = 9, kMid = 3;  // distances in lengths of the segment: tan θ ≤ 1/8, 1/2
+  constexpr float kHalf = 0.5f * (kBlock - 1);
+  const Float4 x = firstX + step * Float4{0, 1, 2, 3};
+  const float half = kHalf * step, middle = firstX + half;
+  Block sums{};
   for (const Segment& s : segments) {
-    std::array<Float4, kVectors> terms;
-    auto slim = x[0] == x[0];
-    for (std::size_t i = 0; i < kVectors; ++i) {
-      const Float4 ax = s.x - x[i], ay = s.y - y;
-      const Float4 u = ax * s.alongX + ay * s.alongY, v = ay * s.alongX - ax * s.alongY;
-      const Float4 v2 = v * v, along = u * (u + s.reach) + v2;
-      const Float4 seen = s.reach / along, z2 = seen * seen * v2;
-      slim &= (z2 <= all(1)) & (along > all(0));
-      terms[i] = seen * arctanOverArgument(z2);
+    const Float4 ax = s.x - x;
+    const float ay = s.y - rowY, off = s.x - middle, away = off * off + ay * ay;
+    const float far = kFar * s.reach + half, mid = kMid * s.reach + half;
+    if (away > far * far) {
+      addFarSegment(kFarTerms, s, ax, ay, step, sums);
+    } else if (away > mid * mid) {
+      addFarSegment(kMidTerms, s, ax, ay, step, sums);
+    } else {
+      for (std::size_t i = 0; i < kVectors; ++i)
+        sums[i] += segmentSum(s, x + step * static_cast<float>(i * kLanes), all4(rowY));
     }
-    if ((slim[0] & slim[1] & slim[2] & slim[3]) == 0) {
-      for (std::size_t i = 0; i < kVectors; ++i) terms[i] = segmentSum(s, x[i], y);
-    }
-    for (std::size_t i = 0; i < kVectors; ++i) sums[i] += terms[i];
   }
-  std::array<float, kBlock> out;
-  for (std::size_t i = 0; i < kVectors; ++i) store(sums[i], &out[i * kLanes]);
-  return out;
+  return sums;
 }
 
 // The same of a group, to second order about its centroid.
@@ -177,7 +184,7 @@ struct Chebyshev {
       at[i] = -std::cos(std::numbers::pi * (2.0 * static_cast<double>(i) + 1) / (2 * kNodes));
   }
   Float4 weights(double x) const {
-    Float4 w = all(1);
+    Float4 w = all4(1);
     for (std::size_t i = 0; i < kNodes; ++i) {
       double product = 1;
       for (std::size_t j = 0; j < kNodes; ++j) {
@@ -270,11 +277,11 @@ class QuickGrid {
   }
 
   void addFar(const Group& g, float x, float y, float half, Nodes& field) {
-    Float4 nodesX = all(x);
+    Float4 nodesX = all4(x);
     for (std::size_t i = 0; i < kNodes; ++i)
       nodesX[i] += half * static_cast<float>(chebyshev_.at[i]);
     for (std::size_t i = 0; i < kNodes; ++i)
-      field[i] += groupSum(g, nodesX, all(y + half * static_cast<float>(chebyshev_.at[i])));
+      field[i] += groupSum(g, nodesX, all4(y + half * static_cast<float>(chebyshev_.at[i])));
     work_.groups += kNodes * kNodes;
   }
 
@@ -282,7 +289,7 @@ class QuickGrid {
     const auto &columns = quarter_[index(q % 2)], &rows = quarter_[index(q / 2)];
     Nodes out;
     for (std::size_t i = 0; i < kNodes; ++i) {
-      Float4 row = all(0);
+      Float4 row = all4(0);
       for (std::size_t j = 0; j < kNodes; ++j) row += rows[i][j] * field[j];
       for (std::size_t j = 0; j < kNodes; ++j) out[i][j] = dotOf(row, columns[j]);
     }
@@ -313,14 +320,14 @@ class QuickGrid {
     const int columns = std::min(tile.size, plan_.columns - tile.column);
     const int rows = std::min(tile.size, plan_.rows - tile.row);
     for (int r = 0; r < rows; ++r) {
-      const Float4 y = all(step * static_cast<float>(tile.row + r));
+      const Float4 y = all4(step * static_cast<float>(tile.row + r));
       float* out = rowOf(tile, r);
       for (int c = 0; c < columns; c += kLanes) {
         const auto at = static_cast<float>(tile.column + c);
         const Float4 x = step * Float4{at, at + 1, at + 2, at + 3};
         const Float4 sum = nearSum(groups, x, y);
         if (c + kLanes <= columns) {
-          store(load(out + c) + sum, out + c);
+          store4(load4(out + c) + sum, out + c);
         } else {
           for (int lane = 0; c + lane < columns; ++lane) out[c + lane] += sum[lane];
         }
@@ -330,7 +337,7 @@ class QuickGrid {
 
   // A group by its moments where all four points are far from it, else segment by segment.
   Float4 nearSum(std::span<const int> groups, Float4 x, Float4 y) {
-    Float4 sum = all(0);
+    Float4 sum = all4(0);
     const auto step = static_cast<float>(plan_.step);
     for (const int at : groups) {
       const Group& g = tree_[index(at)];
@@ -382,10 +389,9 @@ GridWork d2OnGrid(std::span<const PicturePoint> polyline, const GridPlan& plan,
   for (int r = 0; r < plan.rows; ++r) {
     float* out = &d2[index(r) * index(plan.columns)];
     for (int c = 0; c < plan.columns; c += kBlock) {
-      const std::array<float, kBlock> sums =
-          blockSums(segments, step * static_cast<float>(c), step * static_cast<float>(r), step);
-      const int count = std::min(kBlock, plan.columns - c);
-      std::copy(sums.begin(), sums.begin() + count, out + c);
+      const Block sums = blockSums(segments, step * static_cast<float>(c), step * static_cast<float>(r), step);
+      const int count = std::min<int>(kBlock, plan.columns - c);
+      std::memcpy(out + c, sums.data(), index(count) * sizeof(float));
     }
   }
   finish(length, d2);

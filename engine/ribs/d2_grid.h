@@ -25,7 +25,7 @@ struct GridWork {
 };
 
 /// d2 in picture pixels, columns × rows, in single precision: every segment at every point, within
-/// 6e-5 beyond a pixel of the polyline (≥ 2 distinct points). O(segments · points).
+/// 3e-5 beyond a pixel of the polyline (≥ 2 distinct points). O(segments · points).
 GridWork d2OnGrid(std::span<const PicturePoint> polyline, const GridPlan& plan,
                   std::vector<float>& d2);
 

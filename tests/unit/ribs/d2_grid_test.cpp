@@ -47,7 +47,7 @@ TEST_CASE("d2 on a grid is d2 at its points") {
       const PicturePoint x = plan.first + PicturePoint{plan.step * (i % 37), plan.step * (i / 37)};
       if (!beyond(p, x, 3)) continue;
       CHECK(static_cast<double>(d2[static_cast<std::size_t>(i)]) ==
-            doctest::Approx(field.distance(x)).epsilon(6e-5));
+            doctest::Approx(field.distance(x)).epsilon(3e-5));
     }
   }
 }
