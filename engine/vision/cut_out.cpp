@@ -7,6 +7,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "engine/vision/one_thread.h"
+
 namespace spineloft::vision {
 namespace {
 
@@ -343,6 +345,7 @@ CutOutSearch::~CutOutSearch() = default;
 Result<CutOutSearch> CutOutSearch::begin(const image::Picture& picture, const CutHints& hints) {
   try {
     if (picture.working.empty()) return Error::PictureEmpty;
+    useOneThread();
     auto state = std::make_unique<State>();
     state->copy = copyOf(picture, frameOf(picture, hints));
     state->hints = hints;

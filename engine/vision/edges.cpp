@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <new>
-#include <opencv2/core.hpp>
 
 #include "engine/base/limits.h"
 #include "engine/vision/colour_gradient.h"
@@ -15,16 +14,6 @@ namespace {
 
 /// Shortest ramp, in map pixels, so that tiny pictures still pull towards their edges.
 constexpr double kShortestReach = 1.5;
-
-/// OpenCV's own worker threads stay off: work is spread over pictures, not inside one, and the
-/// result of a run must not depend on the number of processors.
-void useOneThread() {
-  static const bool kDone = [] {
-    cv::setNumThreads(0);
-    return true;
-  }();
-  static_cast<void>(kDone);
-}
 
 bool inRange(const EdgeParams& params) {
   return params.longSide >= 16 && params.longSide <= 4096 && params.blurSigma >= 0 &&
@@ -68,11 +57,7 @@ Result<image::EdgeMap> detectEdges(const image::Picture& picture, const EdgePara
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (!progress.advance(0)) return Error::Cancelled;
   try {
-    useOneThread();
     return searchEdges(picture, params, progress);
-  } catch (const cv::Exception& problem) {
-    // OpenCV is only given sizes that it can take, so what is left is memory.
-    return {Error::OutOfMemory, problem.err};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
