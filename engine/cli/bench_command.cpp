@@ -98,7 +98,8 @@ class Bench {
     if (!loaded.ok()) return loaded.failure();
     LoadedCase& one = loaded.value();
     const Truth truth({one.mask, one.text.axis, one.text.boundaryTolerance});
-    eraseOutline(truth, arguments_.erase, one.text.category == "sketch", one.picture.working);
+    const bool sketch = one.text.category == "sketch";
+    if (const Status done = eraseOutline(truth, arguments_.erase, sketch, one.picture.working); !done.ok()) return done.failure();
     const double started = nowMs();
     const Result<image::EdgeMap> edges = vision::detectEdges(one.picture, {}, Progress());
     const double edgesMs = nowMs() - started;

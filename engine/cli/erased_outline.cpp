@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "engine/vision/blur.h"
 
 namespace spineloft::cli {
 namespace {
@@ -20,28 +23,6 @@ constexpr std::size_t kEvery = 3;
 constexpr double kWhole = 0.5;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-// One pass of a Gaussian along rows or columns of 8-bit RGBA; the frame's pixels go on beyond it.
-void blur(const image::Image& in, int dx, int dy, double sigma, image::Image& out) {
-  const int radius = std::max(1, static_cast<int>(std::ceil(3 * sigma)));
-  std::vector<double> weights;
-  for (int i = -radius; i <= radius; ++i) weights.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
-  for (int y = 0; y < in.height; ++y) {
-    for (int x = 0; x < in.width; ++x) {
-      std::array<double, 4> sum{};
-      double all = 0;
-      for (int i = -radius; i <= radius; ++i) {
-        const int u = std::clamp(x + i * dx, 0, in.width - 1), v = std::clamp(y + i * dy, 0, in.height - 1);
-        const double weight = weights[index(i + radius)];
-        const std::uint8_t* p = &in.pixels[4 * (index(v) * index(in.width) + index(u))];
-        for (std::size_t k = 0; k < 4; ++k) sum[k] += weight * p[k];
-        all += weight;
-      }
-      std::uint8_t* p = &out.pixels[4 * (index(y) * index(in.width) + index(x))];
-      for (std::size_t k = 0; k < 4; ++k) p[k] = static_cast<std::uint8_t>(std::lround(sum[k] / all));
-    }
-  }
-}
 
 // The most frequent colour, to sixteen steps of each channel: the middle of its step.
 std::array<std::uint8_t, 3> mostFrequent(const image::Image& image) {
@@ -91,8 +72,8 @@ std::vector<float> fades(const Truth& truth, double share, double width, image::
 
 }  // namespace
 
-void eraseOutline(const Truth& truth, double share, bool paper, image::Image& image) {
-  if (!(share > 0) || image.pixels.empty()) return;
+Status eraseOutline(const Truth& truth, double share, bool paper, image::Image& image) {
+  if (!(share > 0) || image.pixels.empty()) return Done{};
   const double width = truth.meanWidth();
   const double scale = static_cast<double>(image.width) / truth.width();
   image::Image soft = image;
@@ -103,9 +84,9 @@ void eraseOutline(const Truth& truth, double share, bool paper, image::Image& im
     }
   } else {
     const double sigma = std::max(1.0, kSigma * kReach * width * scale);
-    image::Image across = image;
-    blur(image, 1, 0, sigma, across);
-    blur(across, 0, 1, sigma, soft);
+    Result<image::Image> blurred = vision::blurred(image, sigma);
+    if (!blurred) return blurred.failure();
+    soft = std::move(blurred).value();
   }
   const std::vector<float> fade = fades(truth, share, width, {image.width, image.height});
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -113,6 +94,7 @@ void eraseOutline(const Truth& truth, double share, bool paper, image::Image& im
     const double mixed = (1 - t) * image.pixels[i] + t * soft.pixels[i];
     image.pixels[i] = static_cast<std::uint8_t>(std::lround(mixed));
   }
+  return Done{};
 }
 
 }  // namespace spineloft::cli

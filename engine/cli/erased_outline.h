@@ -1,6 +1,7 @@
 // A case with a share of its outline gone: what the same picture is worth without it.
 #pragma once
 
+#include "engine/base/result.h"
 #include "engine/cli/score.h"
 #include "engine/image/image.h"
 
@@ -10,7 +11,7 @@ namespace spineloft::cli {
 /// as long as the mean local width, `share` of each run, the right side's half a run later than the left's, and
 /// within 0.15 of that width (at least 3 px) on either side of the boundary. Nothing of an edge is left, only a
 /// soft halo. With `paper` it fades to the picture's most frequent colour instead: a drawn outline is
-/// gone altogether. 0 changes nothing.
-void eraseOutline(const Truth& truth, double share, bool paper, image::Image& image);
+/// gone altogether. 0 changes nothing. Errors: those of vision::blurred.
+Status eraseOutline(const Truth& truth, double share, bool paper, image::Image& image);
 
 }  // namespace spineloft::cli
