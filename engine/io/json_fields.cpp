@@ -166,8 +166,10 @@ Json toJson(const ribs::EndEdit& edit) {
 }
 
 Json toJson(const ribs::IgnoreMark& mark) {
-  const auto& [stroke, radius] = mark;
-  return Json::array({toJson(radius), toJson(stroke)});
+  const auto& [stroke, radius, covers] = mark;
+  Json out = Json::array({toJson(radius), toJson(stroke)});
+  if (covers) out.push_back(true);
+  return out;
 }
 
 Json toJson(const geometry::Turn& turn) {
@@ -303,9 +305,10 @@ bool get(const Json& from, ribs::EndEdit& to) {
 
 bool get(const Json& from, ribs::IgnoreMark& to) {
   ribs::IgnoreMark mark;
-  auto& [stroke, radius] = mark;
-  if (!from.is_array() || from.size() != 2) return false;
+  auto& [stroke, radius, covers] = mark;
+  if (!from.is_array() || from.size() < 2 || from.size() > 3) return false;
   if (!get(from[0], radius) || !getPoints(from[1], stroke)) return false;
+  if (from.size() == 3 && !get(from[2], covers)) return false;
   to = std::move(mark);
   return true;
 }

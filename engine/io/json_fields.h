@@ -316,7 +316,7 @@ Json toJson(T value) {
 Json toJson(const std::array<std::uint8_t, 3>& colour);  ///< "#rrggbb"
 Json toJson(const geometry::AlongCurve& curve);          ///< [at, value, at, value, …]
 Json toJson(const ribs::EndEdit& edit);         ///< [side, at, along, out, reach, locked]
-Json toJson(const ribs::IgnoreMark& mark);      ///< [radius, [x, y, …]]
+Json toJson(const ribs::IgnoreMark& mark);      ///< [radius, [x, y, …]], and true if it covers
 Json toJson(const geometry::Turn& turn);                        ///< [w, x, y, z]
 Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or point and normal in one list
 Json toJson(const image::SketchStroke& stroke); ///< [radius, erase, colour, [x, y, …], [pressure, …]]

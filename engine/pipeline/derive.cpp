@@ -107,7 +107,9 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
       if (made) {
         made.value().key = key;
         if (const auto pixels = cache.pixels(*entry)) {
-          made.value().texture = textureStage(made.value(), *pixels.value());
+          const auto* loft = std::get_if<document::LoftRecipe>(&part.recipe);
+          made.value().texture = textureStage(made.value(), *pixels.value(),
+                                              {entry->ignored, loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}});
         }
         result.shape = std::make_shared<const PartShape>(std::move(made).value());
         cache.keepShape(result.shape);

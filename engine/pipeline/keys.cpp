@@ -74,9 +74,9 @@ void mix(Hasher& hasher, const ribs::RibEdits& edits) {
 void mix(Hasher& hasher, const std::vector<ribs::IgnoreMark>& marks) {
   hasher.number(marks.size());
   for (const ribs::IgnoreMark& mark : marks) {
-    const auto& [stroke, radius] = mark;
+    const auto& [stroke, radius, covers] = mark;
     mix(hasher, stroke);
-    hasher.number(radius);
+    hasher.number(radius).number(covers);
   }
 }
 void mix(Hasher& hasher, const loft::Pose& pose) {
@@ -94,6 +94,9 @@ std::uint64_t regionKey(const document::Region& region, const document::PictureE
   hasher.number(contours.size());
   for (const auto& contour : contours) mix(hasher, contour);
   hasher.number(ribbon);
+  for (const ribs::IgnoreMark& mark : entry.ignored) {
+    if (mark.covers) mix(hasher, std::vector{mark});
+  }
   return hasher.value();
 }
 

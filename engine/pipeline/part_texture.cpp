@@ -1,7 +1,10 @@
 #include "engine/pipeline/part_texture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
+#include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,13 +33,14 @@ std::vector<bool> sureEnds(const ribs::RibSet& set, ribs::RibState ribs::Rib::* 
   return sure;
 }
 
+PicturePoint toUv(PicturePoint p, image::Size picture) {
+  return {(p.x + 0.5) / picture.width, (p.y + 0.5) / picture.height};
+}
+
 /// The halves between neighbouring ribs that end on an outline, or where a hand put them; not the ends of
 /// the part, where nothing tells an outline from any edge that lies further on.
 std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image::Size picture) {
   std::vector<std::vector<PicturePoint>> out;
-  const auto toUv = [&](PicturePoint p) {
-    return PicturePoint{(p.x + 0.5) / picture.width, (p.y + 0.5) / picture.height};
-  };
   const std::size_t count = set.ribs.size();
   const std::vector<bool> left = sureEnds(set, &ribs::Rib::leftState);
   const std::vector<bool> right = sureEnds(set, &ribs::Rib::rightState);
@@ -47,8 +51,8 @@ std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image:
     // What hides one side may reach over the middle.
     const double inner = leftSure && rightSure ? 0 : 0.5;
     const auto half = [&](PicturePoint endA, PicturePoint endB) {
-      out.push_back({toUv(a.center + (endA - a.center) * inner), toUv(endA), toUv(endB),
-                     toUv(b.center + (endB - b.center) * inner)});
+      out.push_back({toUv(a.center + (endA - a.center) * inner, picture), toUv(endA, picture), toUv(endB, picture),
+                     toUv(b.center + (endB - b.center) * inner, picture)});
     };
     if (leftSure) half(a.left, b.left);
     if (rightSure) half(a.right, b.right);
@@ -56,15 +60,43 @@ std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image:
   return out;
 }
 
+/// A band with round ends and corners, as discs and what lies between them.
+void addBand(const ribs::IgnoreMark& mark, image::Size picture, std::vector<std::vector<PicturePoint>>& out) {
+  constexpr int kCorners = 16;
+  for (std::size_t i = 0; i < mark.stroke.size(); ++i) {
+    const PicturePoint at = mark.stroke[i];
+    std::vector<PicturePoint> disc;
+    for (int k = 0; k < kCorners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / kCorners;
+      disc.push_back(toUv(at + PicturePoint{std::cos(angle), std::sin(angle)} * mark.radius, picture));
+    }
+    out.push_back(std::move(disc));
+    if (i == 0) continue;
+    const PicturePoint from = mark.stroke[i - 1], along = at - from;
+    const double length = std::hypot(along.x, along.y);
+    if (!(length > 0)) continue;
+    const PicturePoint aside = PicturePoint{-along.y, along.x} * (mark.radius / length);
+    out.push_back({toUv(from + aside, picture), toUv(at + aside, picture), toUv(at - aside, picture), toUv(from - aside, picture)});
+  }
+}
+
 }  // namespace
 
-std::shared_ptr<const surface::PartTexture> textureStage(const PartShape& shape,
-                                                         const image::Picture& pixels) {
+std::shared_ptr<const surface::PartTexture> textureStage(
+    const PartShape& shape, const image::Picture& pixels,
+    std::array<std::span<const ribs::IgnoreMark>, 2> marks) {
   if (shape.mesh.uv.size() != shape.mesh.positions.size()) return nullptr;
   try {
-    const auto sure = sureParts(shape.ribs, {pixels.width, pixels.height});
+    const image::Size size{pixels.width, pixels.height};
+    const auto sure = sureParts(shape.ribs, size);
+    std::vector<std::vector<PicturePoint>> hidden;
+    for (const auto& some : marks) {
+      for (const ribs::IgnoreMark& mark : some) {
+        if (mark.covers) addBand(mark, size, hidden);
+      }
+    }
     std::optional<surface::PartTexture> made = surface::partTexture(
-        pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure});
+        pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden});
     if (!made) return nullptr;
     return std::make_shared<const surface::PartTexture>(std::move(*made));
   } catch (const std::bad_alloc&) {

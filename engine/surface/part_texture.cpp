@@ -115,21 +115,22 @@ image::Mask coverOf(const Wrapped& surface, const UvArea& area, image::Size size
   return mask;
 }
 
-/// Where the part is sure. A fan covers each polygon.
-image::Mask sureOf(const Wrapped& surface, const UvArea& area, image::Size size) {
-  image::Mask sure = emptyMask(size);
+/// What polygons cover, each by a fan.
+image::Mask filled(std::span<const std::vector<PicturePoint>> polygons, const UvArea& area,
+                   image::Size size) {
+  image::Mask mask = emptyMask(size);
   const ToTexture toTexture(area, size);
-  for (const std::vector<PicturePoint>& polygon : surface.sure) {
+  for (const std::vector<PicturePoint>& polygon : polygons) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<PicturePoint, 3> corners = {toTexture(polygon[0].x, polygon[0].y),
                                                    toTexture(polygon[i - 1].x, polygon[i - 1].y),
                                                    toTexture(polygon[i].x, polygon[i].y)};
       if (isFinite(corners[0]) && isFinite(corners[1]) && isFinite(corners[2])) {
-        coverTriangle(corners, sure);
+        coverTriangle(corners, mask);
       }
     }
   }
-  return sure;
+  return mask;
 }
 
 /// `a` where `b` is inside too.
@@ -147,15 +148,16 @@ image::Mask opposite(image::Mask mask) {
 
 /// How a part lies on its picture.
 struct Lie {
-  image::Mask covered, sure;
+  image::Mask covered, sure, hidden;
   double margin = 0;     ///< of the rim, px
   double clearance = 0;  ///< around the part, px
 };
 
 /// The pixels that the part keeps as the picture has them; none when nothing can be seen.
 image::Mask keptOf(const image::Image& shown, const Lie& lie) {
-  const image::Mask inner = trusted(lie.covered, lie.margin);
-  image::Mask kept = common(inner, lie.sure), rim = lie.covered;
+  const image::Mask seen = opposite(lie.hidden);
+  const image::Mask inner = common(trusted(lie.covered, lie.margin), inset(seen, lie.margin));
+  image::Mask kept = common(inner, lie.sure), rim = common(lie.covered, seen);
   if (const Carried in(shown, kept); in.empty()) {  // nothing is sure, or nothing but the rim seen
     kept = inner;
   } else if (kept != inner) {
@@ -214,7 +216,8 @@ std::optional<PartTexture> partTexture(const image::Image& picture, const Wrappe
   const image::Size size{shown.width, shown.height};
   const UvArea around = uvOf(wide, whole);
   lie.covered = coverOf(surface, around, size);
-  lie.sure = surface.sure.empty() ? lie.covered : sureOf(surface, around, size);
+  lie.sure = surface.sure.empty() ? lie.covered : filled(surface.sure, around, size);
+  lie.hidden = filled(surface.hidden, around, size);
   const image::Mask kept = keptOf(shown, lie);
   // Of these pixels those within the cut.
   const auto first = [](int from, int side, int pixels) {

@@ -116,6 +116,13 @@ test('a scribble makes edges not count, for the part or for the picture, and a t
   await run(page, 'ignore-whole-picture');
   await drawWithMouse(page, stroke);
   assert.equal((await state(page)).picture.ignored, 1);
+  assert.equal((await state(page)).picture.paintedOver, 0);
+  // What is painted over is not on the part: the picture in the file changes, its shape need not.
+  const plain = await page.evaluate(async () => Array.from(await window.spineloft.exportModel('glb')).join());
+  await run(page, 'paint-over');
+  await drawWithMouse(page, before.ribs.slice(10, 20).map((rib) => rib.center));
+  assert.equal((await state(page)).picture.paintedOver, 1);
+  assert.notEqual(await page.evaluate(async () => Array.from(await window.spineloft.exportModel('glb')).join()), plain);
 }));
 
 test('a gesture is taken back by Escape, the right button and a second finger, without a trace', () => withPart('ribs', async (page) => {

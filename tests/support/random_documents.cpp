@@ -61,6 +61,7 @@ std::vector<ribs::IgnoreMark> anyMarks(Rng& rng) {
   for (ribs::IgnoreMark& mark : marks) {
     mark.stroke = randomStroke(rng, kWidth, kHeight);
     mark.radius = rng.uniform(0, 20);
+    mark.covers = rng.below(3) == 0;
   }
   return marks;
 }

@@ -250,7 +250,7 @@ void App::announce() {
   json_.number(ui_.chosen.end ? static_cast<double>(ui_.chosen.end->rib) : -1);
   json_.number(ui_.chosen.outline ? static_cast<double>(ui_.chosen.outline->point) : -1);
   json_.number(ui_.chosen.handle).number(ui_.edit.ribReach).number(ui_.edit.boneReach);
-  json_.flag(ui_.edit.bothSides).flag(ui_.edit.keepRibs).flag(ui_.edit.wholePicture);
+  json_.flag(ui_.edit.bothSides).flag(ui_.edit.keepRibs).flag(ui_.edit.wholePicture).flag(ui_.edit.paintOver);
   json_.flag(ui_.edit.depthByPressure).flag(ui_.penSeen).number(ui_.edit.brush);
   const PictureView& view = ui_.pictureView;
   json_.number(view.zoom).number(view.centre.x).number(view.centre.y);

@@ -103,6 +103,7 @@ inline constexpr std::array kIcons = {
     Icon{"circle-minus", 57470},
     Icon{"lock", 57611},
     Icon{"ban", 57425},
+    Icon{"paint-roller", 58782},
     Icon{"bone", 58200},
     Icon{"line-squiggle", 59002},
     Icon{"unfold-horizontal", 58429},

@@ -34,6 +34,7 @@ bool ignoreTool(Env env) { return env.ui.tool == ToolKind::Ignore; }
 bool usesBrush(Env env) { return ignoreTool(env) || env.ui.cut.has_value(); }
 bool bothSides(Env env) { return env.ui.edit.bothSides; }
 bool wholePicture(Env env) { return env.ui.edit.wholePicture; }
+bool paintsOver(Env env) { return env.ui.edit.paintOver; }
 bool softens(Env env) { return ribsTool(env) || env.ui.tool == ToolKind::Bone; }
 bool ribsByKeys(Env env) { return ribsTool(env) && hasChosenRib(env); }
 bool pointsByKeys(Env env) { return softens(env) && hasBone(env); }
@@ -286,7 +287,8 @@ Outcome otherEnd(Env env, const Json&) {
 Outcome ignore(Env env, const Json& args) {
   const auto stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
-  const ribs::IgnoreMark mark{*stroke, args.number("radius").value_or(kDefaultRadius)};
+  const ribs::IgnoreMark mark{*stroke, args.number("radius").value_or(kDefaultRadius),
+                              args.flag("covers").value_or(env.ui.edit.paintOver)};
   const document::Part* part = partOf(env, args);
   if (args.flag("picture").value_or(env.ui.edit.wholePicture || part == nullptr)) {
     const PictureId picture = part && namesPart(args) ? document::pictureOf(*part) : env.ui.picture;
@@ -329,6 +331,10 @@ Outcome clearIgnore(Env env, const Json&) {
 
 Outcome toggleWhole(Env env, const Json&) {
   env.ui.edit.wholePicture = !env.ui.edit.wholePicture;
+  return {};
+}
+Outcome togglePaintOver(Env env, const Json&) {
+  env.ui.edit.paintOver = !env.ui.edit.paintOver;
   return {};
 }
 Outcome largerBrush(Env env, const Json&) {
@@ -378,6 +384,8 @@ constexpr std::array kTable = {
             "The line changes the other side as well", hasParts, bothSides, toggleBoth},
     Command{"ignore-whole-picture", "For the whole picture", "image", "", "ribs", kNone,
             "Scribbles count for all parts of the picture", hasPicture, wholePicture, toggleWhole},
+    Command{"paint-over", "Paint over", "paint-roller", "", "ribs", kNone,
+            "What you scribble over is not on the part: its own colours go over it", hasPicture, paintsOver, togglePaintOver},
     Command{"brush-smaller", "Smaller brush", "minus", "", "ribs", kNone, "A smaller brush",
             usesBrush, nullptr, smallerBrush},
     Command{"brush-larger", "Larger brush", "plus", "", "ribs", kNone, "A larger brush",

@@ -1,5 +1,6 @@
 #include "web/app/state_json.h"
 
+#include <algorithm>
 #include <span>
 
 #include "engine/document/params.h"
@@ -83,8 +84,15 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("options").beginObject().key("ribReach").number(edit.ribReach);
   json.key("boneReach").number(edit.boneReach).key("bothSides").flag(edit.bothSides);
   json.key("keepRibs").flag(edit.keepRibs).key("wholePicture").flag(edit.wholePicture);
+  json.key("paintOver").flag(edit.paintOver);
   json.key("depthByPressure").flag(edit.depthByPressure).key("brush").number(edit.brush);
   json.endObject();
+}
+
+void writeMarks(JsonWriter& json, std::span<const ribs::IgnoreMark> marks) {
+  json.key("ignored").number(static_cast<double>(marks.size()));
+  const auto covering = std::ranges::count_if(marks, [](const ribs::IgnoreMark& mark) { return mark.covers; });
+  json.key("paintedOver").number(static_cast<double>(covering));
 }
 
 void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
@@ -214,7 +222,7 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.key("edits").beginObject().key("ends").number(static_cast<double>(edits.ends.size()));
   json.key("added").number(static_cast<double>(edits.added.size()));
   json.key("removed").number(static_cast<double>(edits.removed.size())).endObject();
-  json.key("ignored").number(static_cast<double>(loft.ignored.size()));
+  writeMarks(json, loft.ignored);
   writePose(json, loft.pose);
   writeLine(json, "bone", derived.shape && document::loftOf(part) ? boneHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
   writeRegion(json, part, derived.shape.get());
@@ -255,7 +263,7 @@ void writePicture(JsonWriter& json, const document::PictureEntry* entry) {
   json.beginObject().key("width").number(entry->size.width);
   json.key("height").number(entry->size.height).key("name").text(entry->name);
   json.key("id").number(entry->id.value);
-  json.key("ignored").number(static_cast<double>(entry->ignored.size()));
+  writeMarks(json, entry->ignored);
   json.key("sketch").flag(entry->isSketch());
   json.key("strokes").number(static_cast<double>(entry->sketch.size()));
   json.key("finished").flag(entry->isSketch() && looksFinished(*entry)).endObject();

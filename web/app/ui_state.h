@@ -129,6 +129,7 @@ struct EditOptions {
   bool bothSides = false;         ///< a line changes the other side of the ribs as well
   bool keepRibs = false;          ///< a changed bone takes its ribs along; else edges are found again
   bool wholePicture = false;      ///< a scribble counts for all parts of the picture
+  bool paintOver = false;         ///< what a scribble covers is not on the part
   bool depthByPressure = false;   ///< a pen's pressure becomes the depth of the bone
   double brush = 14;              ///< radius of a scribble, CSS pixels
   bool operator==(const EditOptions&) const = default;

@@ -30,7 +30,7 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
   static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
   static constexpr Item kBone[] = {{"find-edges", true}, {"keep-ribs", true}, {"side-view", true},
                                    {"coil", true}, {"join-ends", true}, {"reset-pose", true}};
-  static constexpr Item kIgnore[] = {{"brush-smaller"}, {"brush-larger"},
+  static constexpr Item kIgnore[] = {{"brush-smaller"}, {"brush-larger"}, {"paint-over", true},
                                      {"ignore-whole-picture", true}, {"clear-ignored", true}};
   static constexpr Item kDraw[] = {{"depth-by-pressure", true}};
   static constexpr Item kPlace[] = {{"snap-to-surface", true}, {"drop-on-floor", true},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/geometry/polyline.h"
 #include "engine/ribs/places.h"
@@ -226,16 +227,39 @@ void drawBoneTool(ImDrawList& list, const app::UiState& ui, const app::Subject& 
   }
 }
 
-/// A scribble: a pale band with slanted lines across.
-void drawMark(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> stroke,
-              double radius, bool hot) {
+/// Half a disc at the end of a broad line that comes from `before`; a whole one where there is no line. Nothing
+/// overlaps, so that it may be seen through.
+void roundEnd(ImDrawList& list, ImVec2 at, ImVec2 before, float radius, ImU32 fill) {
+  const float x = at.x - before.x, y = at.y - before.y;
+  const bool point = x == 0 && y == 0;
+  const float half = std::numbers::pi_v<float> / 2, angle = std::atan2(y, x);
+  list.PathArcTo(at, radius, angle - half, point ? angle + 3 * half : angle + half, 24);
+  list.PathFillConvex(fill);
+}
+
+/// Both ends of a stroke `width` wide on the canvas.
+void roundEnds(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> stroke, float width, ImU32 fill) {
+  const std::size_t last = stroke.size() - 1;
+  roundEnd(list, onCanvas(ui, stroke[last]), onCanvas(ui, stroke[last > 0 ? last - 1 : 0]), width / 2, fill);
+  if (last > 0) roundEnd(list, onCanvas(ui, stroke[0]), onCanvas(ui, stroke[1]), width / 2, fill);
+}
+
+struct Band {
+  std::span<const PicturePoint> stroke;
+  double radius = 0;
+  bool covers = false;
+};
+
+/// A scribble: a pale band with slanted lines across, or one as of paint where it covers.
+void drawMark(ImDrawList& list, const app::UiState& ui, const Band& mark, bool hot) {
+  const std::span<const PicturePoint> stroke = mark.stroke;
   if (stroke.empty()) return;
-  const auto width = static_cast<float>(std::max(2.0, 2 * radius * ui.pictureView.zoom));
-  const ImU32 fill = hot ? rgb(0xc8431d, 90) : rgb(0xffffff, 130);
+  const auto width = static_cast<float>(std::max(2.0, 2 * mark.radius * ui.pictureView.zoom));
+  const ImU32 fill = hot ? rgb(0xc8431d, 90) : rgb(0xffffff, mark.covers ? 205 : 130);
   const ImU32 ink = hot ? kAccent : toolColour(app::ToolKind::Ignore);
   picturePolyline(list, ui, stroke, {fill, width});
-  list.AddCircleFilled(onCanvas(ui, stroke.front()), width / 2, fill, 24);
-  list.AddCircleFilled(onCanvas(ui, stroke.back()), width / 2, fill, 24);
+  roundEnds(list, ui, stroke, width, fill);
+  if (mark.covers) return;
   const std::vector<double> s = geometry::arcLengths(stroke);
   const double gap = 7 / ui.pictureView.zoom;
   const float half = width * 0.35f;
@@ -249,7 +273,8 @@ void drawMarks(ImDrawList& list, const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   const app::Marks marks = app::marksOf(env.document(), ui.picture, ui.selection);
   for (int i = 0; i < marks.count(); ++i) {
-    drawMark(list, ui, marks.at(i).stroke, marks.at(i).radius, ui.hover.mark == i);
+    const auto& [stroke, radius, covers] = marks.at(i);
+    drawMark(list, ui, {stroke, radius, covers}, ui.hover.mark == i);
   }
 }
 
@@ -259,8 +284,7 @@ void drawCutMark(ImDrawList& list, const app::UiState& ui, std::span<const Pictu
   if (line.empty()) return;
   const auto width = static_cast<float>(std::max(3.0, 2 * radius * ui.pictureView.zoom));
   picturePolyline(list, ui, line, {colour, width});
-  list.AddCircleFilled(onCanvas(ui, line.front()), width / 2, colour, 24);
-  if (line.size() > 1) list.AddCircleFilled(onCanvas(ui, line.back()), width / 2, colour, 24);
+  roundEnds(list, ui, line, width, colour);
 }
 
 constexpr ImU32 brushColour(bool adds, unsigned alpha) { return rgb(adds ? 0x12876f : 0xc8231d, alpha); }
@@ -297,7 +321,7 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
   } else if (ui.cut) {
     drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(ui.cut->adding, 130));
   } else if (hand.radius > 0) {
-    drawMark(list, ui, hand.stroke, hand.radius, false);
+    drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
   } else if (ui.tool == app::ToolKind::Shape) {
     picturePolyline(list, ui, hand.stroke, {rgb(0xffffff, 220), 5.5f});
     picturePolyline(list, ui, hand.stroke, {toolColour(ui.tool), 2.6f});

@@ -93,6 +93,8 @@ export interface Part {
   edits: { ends: number; added: number; removed: number };
   /** Scribbles over edges that do not count for this part. */
   ignored: number;
+  /** So many of them paint over: what is under them is not on the part. */
+  paintedOver: number;
   pose: Pose;
   /** The handles of its bone, from start to end. */
   bone: PicturePoint[];
@@ -135,6 +137,8 @@ export interface ShownPicture extends PictureInfo {
   finished: boolean;
   /** Scribbles over edges that count for none of its parts. */
   ignored: number;
+  /** So many of them paint over: what is under them is not on the part. */
+  paintedOver: number;
 }
 
 export type PenSize = 'fine' | 'medium' | 'bold';
@@ -231,7 +235,7 @@ export interface State {
   touched: RibEnd[];
   /** How the tools work; reaches are shares of the bone's length, the brush is in CSS pixels. */
   options: {
-    ribReach: number; boneReach: number; bothSides: boolean; keepRibs: boolean; wholePicture: boolean; depthByPressure: boolean; brush: number;
+    ribReach: number; boneReach: number; bothSides: boolean; keepRibs: boolean; wholePicture: boolean; paintOver: boolean; depthByPressure: boolean; brush: number;
   };
   /** The visitor's own slices. */
   shelf: { id: number; name: string }[];

@@ -10,7 +10,7 @@ import {
   Brush, Cloud, Footprints, Puzzle, Lasso, SquareDashed,
   SquaresUnite, SquaresSubtract, SquaresIntersect, CupSoda, Unlink,
   Copy, EllipsisVertical, FilePlus, FolderOpen, LayoutGrid, Save, SaveAll, TriangleAlert,
-  ArrowDownToLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup,
+  ArrowDownToLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup, PaintRoller,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -35,7 +35,7 @@ const kIcons: Record<string, string> = {
   copy: Copy, 'ellipsis-vertical': EllipsisVertical, 'file-plus': FilePlus, 'folder-open': FolderOpen, 'layout-grid': LayoutGrid, save: Save,
   'save-all': SaveAll, 'triangle-alert': TriangleAlert,
   'arrow-down-to-line': ArrowDownToLine, 'chevron-up': ChevronUp, group: Group, magnet: Magnet, 'scan-face': ScanFace,
-  'square-stack': SquareStack, ungroup: Ungroup,
+  'square-stack': SquareStack, ungroup: Ungroup, 'paint-roller': PaintRoller,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

@@ -32,7 +32,7 @@ const kBeforeReady: State = {
   pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null }, parts: [], steps: [], picked: [], selectedStep: null, selected: [], groups: [], snap: false, gizmo: null,
   hover: { part: null, end: null, other: -1, handle: -1, bone: false, depth: -1, mark: -1 },
   chosen: { end: null, handle: -1, outline: null }, touched: [],
-  options: { ribReach: 0.06, boneReach: 0.25, bothSides: false, keepRibs: false, wholePicture: false, depthByPressure: false, brush: 14 },
+  options: { ribReach: 0.06, boneReach: 0.25, bothSides: false, keepRibs: false, wholePicture: false, paintOver: false, depthByPressure: false, brush: 14 },
   selection: null, tool: 'draw', undo: 0, redo: 0, history: { bytes: 0, budget: 0 }, busy: true,
   threads: 0, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null, preview: null, documentName: '', heightMm: 0, beside: null, cutByBox: false, cut: null, print: null,
   shelf: [], slice: 0, placing: false, sliceBoard: null,

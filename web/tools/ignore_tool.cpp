@@ -19,7 +19,7 @@ void IgnoreTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!extend(env, hand.stroke, event.at) || !subject) return;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
   preview.loft().ignored = document::loftIn(*subject.part).ignored;
-  preview.loft().ignored.push_back({hand.stroke, hand.radius});
+  preview.loft().ignored.push_back({hand.stroke, hand.radius, env.ui.edit.paintOver});
   preview.fresh = false;
 }
 
@@ -30,6 +30,7 @@ void IgnoreTool::commit(const ToolEnv& env) {
     const bool picture = env.ui.edit.wholePicture || !editedPart(env);
     env.sink.run("ignore", app::Json::Object{{"stroke", strokeJson(hand.stroke)},
                                              {"radius", hand.radius},
+                                             {"covers", env.ui.edit.paintOver},
                                              {"picture", picture}});
   } else if (under_.mark >= 0) {
     env.sink.run("remove-ignore", app::Json::Object{{"mark", under_.mark}});

@@ -169,6 +169,85 @@ TEST_CASE("what stands before a part does not colour it where its ends were brid
   CHECK(red == 0);
 }
 
+namespace {
+
+constexpr PicturePoint kSpot{160, 128};
+constexpr double kSpotRadius = 12;
+
+/// The thing with a red spot of another thing in its middle, where no rib end can tell.
+Document spottedDocument() {
+  image::Picture picture = stripedPicture({200, 190, 180});
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      std::uint8_t* p = picture.working.pixels.data() + 4 * (std::size_t(y) * kWidth + std::size_t(x));
+      if (distance(kSpot, {double(x), double(y)}) <= kSpotRadius) p[0] = 230, p[1] = 20, p[2] = 20;
+    }
+  }
+  const auto shared = std::make_shared<const image::Picture>(std::move(picture));
+  return update({}, AddPicture{"spot", shared}).value();
+}
+
+/// Red pixels of what a part wears, and those that differ from another texture of the same size.
+int reds(const image::Image& pixels) {
+  int count = 0;
+  for (std::size_t i = 0; i + 3 < pixels.pixels.size(); i += 4) count += pixels.pixels[i] > pixels.pixels[i + 1] + 40 ? 1 : 0;
+  return count;
+}
+
+/// What lies in a texture beyond the mark is as it was without it.
+void requireEqualBeyond(const surface::PartTexture& with, const surface::PartTexture& without, double reach) {
+  REQUIRE(with.area == without.area);
+  REQUIRE(with.pixels.width == without.pixels.width);
+  REQUIRE(with.pixels.height == without.pixels.height);
+  for (int y = 0; y < with.pixels.height; ++y) {
+    for (int x = 0; x < with.pixels.width; ++x) {
+      const surface::UvArea& a = with.area;
+      const PicturePoint at{(a.left + (a.right - a.left) * (x + 0.5) / with.pixels.width) * kWidth - 0.5,
+                            (a.top + (a.bottom - a.top) * (y + 0.5) / with.pixels.height) * kHeight - 0.5};
+      const std::size_t i = 4 * (std::size_t(y) * std::size_t(with.pixels.width) + std::size_t(x));
+      // Well within the thing and the puff.
+      const bool within = std::abs(at.x - 160) < 36 && std::abs(at.y - 129) < 17 && std::abs(at.y - middleAt(int(at.x))) < halfAt(int(at.x)) - 4;
+      if (!within || distance(at, kSpot) <= reach) continue;
+      REQUIRE(std::equal(&with.pixels.pixels[i], &with.pixels.pixels[i] + 4, &without.pixels.pixels[i]));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("under a mark that covers a part wears its own colours, and elsewhere what it wore, whatever its kind") {
+  const Document empty = spottedDocument();
+  const std::vector<PicturePoint> round = {{120, 108}, {200, 108}, {200, 150}, {120, 150}};
+  DrawRegion puff{};
+  puff.region = {PictureId{1}, {round}, 0};
+  puff.solid = inflate::PuffParams{};
+  const ribs::IgnoreMark covers{{kSpot + PicturePoint{-1, 0}, kSpot + PicturePoint{1, 0}}, kSpotRadius + 1, true};
+  for (const bool loft : {true, false}) {
+    CAPTURE(loft);
+    const Document document = loft ? update(empty, DrawSpine{PictureId{1}, middleStroke()}).value() : update(empty, puff).value();
+    const auto plain = shapeOf(document);
+    REQUIRE((plain && plain->texture));
+    CHECK(reds(plain->texture->pixels) > 300);
+    ribs::IgnoreMark only = covers;
+    only.covers = false;
+    const auto ignored = shapeOf(update(document, IgnoreForPicture{PictureId{1}, {only}}).value());
+    CHECK(reds(ignored->texture->pixels) > 300);
+    const auto covered = shapeOf(update(document, IgnoreForPicture{PictureId{1}, {covers}}).value());
+    REQUIRE((covered && covered->texture));
+    CHECK(covered->key != plain->key);
+    CHECK(reds(covered->texture->pixels) == 0);
+    CHECK(covered->mesh.positions.size() == ignored->mesh.positions.size());
+    // The mark, the rim around it, and a pixel of its corners.
+    requireEqualBeyond(*covered->texture, *ignored->texture, kSpotRadius + 6);
+    if (!loft) continue;
+    const auto own = shapeOf(update(document, IgnoreForPart{PartId{1}, {covers}}).value());
+    CHECK(*own->texture == *covered->texture);
+    // All of it under a mark: then the picture is believed after all.
+    const auto all = shapeOf(update(document, IgnoreForPart{PartId{1}, {{{{0, 120}, {320, 120}}, 200, true}}}).value());
+    CHECK((all && all->texture));
+  }
+}
+
 TEST_CASE("a texture depends on nothing but the shape and what it shows") {
   const Document document = stripedDocument({200, 190, 180});
   const auto a = shapeOf(document), b = shapeOf(update(document, SetLook{PartId{1}, {false, {1, 2, 3}}}).value());

@@ -302,6 +302,23 @@ TEST_CASE("scribbles count for the part or the picture, and a tap on one removes
   CHECK(rig.undo() == rig.steps + 4);
 }
 
+TEST_CASE("a scribble that paints over is one, until that is turned off") {
+  Editor rig("ignore-edges");
+  CHECK_FALSE(*rig.state().find("options")->flag("paintOver"));
+  rig.run("paint-over");
+  CHECK(*rig.state().find("options")->flag("paintOver"));
+  rig.drag({60, 60}, {60, 140});
+  rig.drop();
+  rig.run("paint-over");
+  rig.drag({100, 60}, {100, 140});
+  rig.drop();
+  CHECK(rig.part().number("ignored") == 2);
+  CHECK(rig.part().number("paintedOver") == 1);
+  rig.run("undo");
+  rig.run("undo");
+  CHECK(rig.part().number("paintedOver") == 0);
+}
+
 TEST_CASE("what lies under the mouse is lit and named, and draws a frame only when it changes") {
   Editor rig("ribs");
   const PicturePoint end = rig.end(12, "left");
