@@ -105,7 +105,7 @@ image::Mask withCleanRim(const image::Image& shown, const image::Mask& kept, con
                          const Carried& in, const Carried& out) {
   // Of the way from in to out, and the length of that way, of 255 a channel, below which it does
   // not show.
-  constexpr double kMixed = 0.15, kAlike = 40;
+  constexpr double kMixed = 0.07, kAlike = 40;
   image::Mask clean = kept;
   for (std::size_t i = 0; i < clean.pixels.size(); ++i) {
     if (rim.pixels[i] == 0 || clean.pixels[i] != 0) continue;

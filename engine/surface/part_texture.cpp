@@ -153,8 +153,14 @@ struct Lie {
   double clearance = 0;  ///< around the part, px
 };
 
+/// What a part keeps of its picture.
+struct Kept {
+  image::Mask inner;  ///< and carries on to where it keeps nothing
+  image::Mask rim;    ///< and only wears: a little of what is behind may be mixed into it
+};
+
 /// The pixels that the part keeps as the picture has them; none when nothing can be seen.
-image::Mask keptOf(const image::Image& shown, const Lie& lie) {
+Kept keptOf(const image::Image& shown, const Lie& lie) {
   const image::Mask seen = opposite(lie.hidden);
   const image::Mask inner = common(trusted(lie.covered, lie.margin), inset(seen, lie.margin));
   image::Mask kept = common(inner, lie.sure), rim = common(lie.covered, seen);
@@ -168,10 +174,24 @@ image::Mask keptOf(const image::Image& shown, const Lie& lie) {
     kept = common(inner, inset(familiar, lie.margin));
   }
   const Carried in(shown, kept);
-  if (in.empty()) return lie.covered;
+  if (in.empty()) return {lie.covered, emptyMask({shown.width, shown.height})};
   const image::Mask beyond = inset(opposite(rim), lie.margin);
   const Carried out(shown, beyond);
-  return out.empty() ? kept : withCleanRim(shown, kept, rim, in, out);
+  if (out.empty()) return {std::move(kept), emptyMask({shown.width, shown.height})};
+  image::Mask clean = withCleanRim(shown, kept, rim, in, out);
+  return {std::move(kept), std::move(clean)};
+}
+
+/// The picture of a part: what it keeps, and its colours carried on over the rest. Empty when it keeps
+/// nothing.
+image::Image worn(const image::Image& shown, const Kept& kept) {
+  image::Image out = bleed(shown, kept.inner);
+  if (out.empty()) return out;
+  for (std::size_t i = 0; i < kept.rim.pixels.size(); ++i) {
+    const std::uint8_t* p = shown.pixels.data() + 4 * i;
+    if (kept.rim.pixels[i] != 0 && p[3] >= 128) std::copy(p, p + 3, out.pixels.data() + 4 * i);
+  }
+  return out;
 }
 
 /// Mean depth of a surface, pixels of the picture, about.
@@ -218,7 +238,7 @@ std::optional<PartTexture> partTexture(const image::Image& picture, const Wrappe
   lie.covered = coverOf(surface, around, size);
   lie.sure = surface.sure.empty() ? lie.covered : filled(surface.sure, around, size);
   lie.hidden = filled(surface.hidden, around, size);
-  const image::Mask kept = keptOf(shown, lie);
+  const Kept kept = keptOf(shown, lie);
   // Of these pixels those within the cut.
   const auto first = [](int from, int side, int pixels) {
     return static_cast<int>((static_cast<long long>(from) * pixels + side - 1) / side);
@@ -232,7 +252,7 @@ std::optional<PartTexture> partTexture(const image::Image& picture, const Wrappe
                 last(cut.bottom - wide.top, wide.height(), size.height)};
   const UvArea share = uvOf(own, size);
   const double width = around.right - around.left, height = around.bottom - around.top;
-  image::Image pixels = bleed(cutOut(shown, own), cutOut(kept, own));
+  image::Image pixels = worn(cutOut(shown, own), {cutOut(kept.inner, own), cutOut(kept.rim, own)});
   if (pixels.empty()) return std::nullopt;
   return PartTexture{std::move(pixels),
                      {around.left + share.left * width, around.top + share.top * height,

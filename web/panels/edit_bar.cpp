@@ -69,7 +69,22 @@ struct Cell {
   int row = 0;
 };
 
-/// Cells in rows no wider than `room`; the first ones get their words as far as one row allows.
+/// Puts cells into as few rows as `room` allows; how many those are.
+int breakRows(std::vector<Cell>& cells, double room) {
+  double x = 0;
+  int row = 0;
+  for (Cell& cell : cells) {
+    if (x > 0 && x + cell.width > room) {
+      x = 0;
+      ++row;
+    }
+    cell.row = row;
+    x += cell.width + kGap;
+  }
+  return row + 1;
+}
+
+/// Cells in rows of about the same width, none wider than `room`; the first ones get their words as far as one row allows.
 std::vector<Cell> arrange(const PanelEnv& env, std::span<const Item> items, double room,
                           float side) {
   std::vector<Cell> cells;
@@ -86,16 +101,12 @@ std::vector<Cell> arrange(const PanelEnv& env, std::span<const Item> items, doub
     cell.width = own;
     width += own - side;
   }
-  double x = 0;
-  int row = 0;
-  for (Cell& cell : cells) {
-    if (x > 0 && x + cell.width > room) {
-      x = 0;
-      ++row;
-    }
-    cell.row = row;
-    x += cell.width + kGap;
-  }
+  const int rows = breakRows(cells, room);
+  if (rows == 1) return cells;
+  // No row of a single button below a full one.
+  double narrow = width / rows;
+  while (narrow < room && breakRows(cells, narrow) > rows) narrow += kGap;
+  breakRows(cells, std::min(narrow, room));
   return cells;
 }
 

@@ -121,8 +121,8 @@ TEST_CASE("a rim pixel is kept when little of what is behind is mixed into it") 
   for (int y = 0; y < kHeight; ++y) {
     const double share = double(y) / kHeight;
     CAPTURE(share);
-    if (share < 0.13) CHECK(clean.pixels[at(70, y)] != 0);
-    if (share > 0.17) CHECK(clean.pixels[at(70, y)] == 0);
+    if (share < 0.05) CHECK(clean.pixels[at(70, y)] != 0);
+    if (share > 0.09) CHECK(clean.pixels[at(70, y)] == 0);
     CHECK(clean.pixels[at(69, y)] != 0);
     CHECK(clean.pixels[at(71, y)] == 0);
   }
