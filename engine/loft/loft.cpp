@@ -267,6 +267,8 @@ Result<mesh::TriMesh> loftPlan(Plan plan) {
   for (CapStyle* cap : {&params.startCap, &params.endCap}) {
     if (many || ring || (*cap == CapStyle::Open && !plan.track.hollow())) *cap = CapStyle::Flat;
   }
+  SweepMemory memory;
+  mesh::TriMesh mesh;
   // Nearly always the first try is lawful. Ribs that touch or lie in one line need the stricter
   // ones.
   constexpr std::array kStrictness = {1.0, 1.0, 8.0, 64.0};
@@ -281,8 +283,8 @@ Result<mesh::TriMesh> loftPlan(Plan plan) {
     if (body.chords.size() == 1 && !body.startTip && !body.endTip) thicken(body.chords, limits);
     Outline outline = addCaps(body, input, params, limits);
     if (attempt > 0) spread(outline, limits);
-    mesh::TriMesh mesh = sweepMesh(maker.sweep(outline), plan.picture);
-    if (hasSoundTriangles(mesh)) return mesh;
+    Sweep sweep = maker.sweep(outline);
+    if (sweepMesh(sweep, plan.picture, memory, mesh)) return mesh;
   }
   return {Error::SectionInvalid, "too fine for ribs of this size"};
 }

@@ -6,6 +6,7 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulate.h"
+#include "engine/loft/bands.h"
 #include "engine/loft/loft.h"
 #include "engine/mesh/laws.h"
 
@@ -90,22 +91,26 @@ RingPath pathOf(Sweep& sweep) {
 /// Puts vertices and triangles into a mesh.
 class Builder {
  public:
-  Builder(const Sweep& sweep, image::Size picture, std::size_t rings)
+  Builder(const Sweep& sweep, image::Size picture, const RingPath& path, SweepMemory& memory, mesh::TriMesh& mesh)
       : sweep_(sweep),
         count_(static_cast<std::uint32_t>(sweep.count())),
         uPerPixel_(1.0 / picture.width),
-        vPerPixel_(1.0 / picture.height) {
+        vPerPixel_(1.0 / picture.height),
+        memory_(memory),
+        mesh_(mesh) {
+    const std::size_t rings = path.rings.size(), bands = path.joined ? rings : rings - 1;
     mesh_.positions.reserve(rings * count_ + 2);
     mesh_.uv.reserve(rings * count_ + 2);
-    mesh_.triangles.reserve(2 * rings * count_ + 2 * count_);
+    mesh_.triangles.reserve(2 * bands * count_ + 2 * count_);
+    mesh_.positions.resize(rings * count_);
+    mesh_.uv.resize(rings * count_);
+    mesh_.triangles.resize(2 * bands * count_);
   }
 
-  /// Returns the ring's first vertex.
-  std::uint32_t ring(const Ring& ring) {
-    const std::uint32_t first = static_cast<std::uint32_t>(mesh_.positions.size());
+  /// The vertices of the ring at `index`. Returns the first of them.
+  std::uint32_t ring(const Ring& ring, std::size_t index) {
+    const auto first = static_cast<std::uint32_t>(index * count_);
     const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
-    mesh_.positions.resize(first + count_);
-    mesh_.uv.resize(first + count_);
     for (std::uint32_t k = 0; k < count_; ++k) {
       const SectionPoint p = ring.scale == 1 ? shape[k] : lerp(shape[count_], shape[k], ring.scale);
       place(ring.station, p, first + k);
@@ -113,20 +118,24 @@ class Builder {
     return first;
   }
 
-  /// The walls between two rings; the second follows the first along the surface.
-  void band(std::uint32_t a, std::uint32_t b) {
-    const std::size_t before = mesh_.triangles.size();
-    mesh_.triangles.resize(before + 2 * count_);
-    auto* out = mesh_.triangles.data() + before;
-    std::uint32_t first = 0;
-    for (const std::size_t size : sweep_.sizes) {
-      const std::uint32_t count = static_cast<std::uint32_t>(size);
-      for (std::uint32_t k = 0; k < count; ++k, out += 2) {
-        const std::uint32_t l = first + (k + 1 < count ? k + 1 : 0);
-        quad({a + first + k, a + l, b + first + k, b + l}, out);
-      }
-      first += count;
+  /// The walls between all rings, which are there.
+  WallTally walls(const RingPath& path) {
+    WallTally tally(mesh_.positions[0][2]);
+    const std::size_t rings = path.rings.size();
+    RingPlanes *before = &memory_.planes[0], *after = &memory_.planes[1];
+    read(0, *before);
+    tally.addVertices(*before);
+    for (std::size_t i = 1; i < rings; ++i) {
+      read(i, *after);
+      tally.addVertices(*after);
+      wall(i - 1, i, {*before, *after, 0, 0}, tally);
+      std::swap(before, after);
     }
+    if (path.joined) {
+      read(0, *after);
+      wall(rings - 1, 0, {*before, *after, 0, 0}, tally);
+    }
+    return tally;
   }
 
   /// A cone from a ring to a point; `before`: the point comes first.
@@ -158,8 +167,6 @@ class Builder {
     return !triangles.empty();
   }
 
-  mesh::TriMesh take() { return std::move(mesh_); }
-
  private:
   /// A vertex more, to be placed.
   std::uint32_t another() {
@@ -168,13 +175,13 @@ class Builder {
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
 
-  /// Writes two triangles.
-  void quad(const std::array<std::uint32_t, 4>& corners, std::array<std::uint32_t, 3>* out) const {
-    const auto [a0, a1, b0, b1] = corners;
-    constexpr double kTie = 1 + 1e-5;  // equal diagonals: always the same one
-    const bool straight = squared(a0, b1) <= squared(a1, b0) * kTie;
-    out[0] = {a0, b0, straight ? b1 : a1};
-    out[1] = {straight ? a0 : a1, straight ? b1 : b0, straight ? a1 : b1};
+  void read(std::size_t ring, RingPlanes& planes) const {
+    planes.read(std::span(mesh_.positions).subspan(ring * count_, count_), sweep_.sizes);
+  }
+  void wall(std::size_t a, std::size_t b, Band band, WallTally& tally) {
+    band.firstA = static_cast<std::uint32_t>(a * count_);
+    band.firstB = static_cast<std::uint32_t>(b * count_);
+    makeWalls(band, sweep_.sizes, mesh_.triangles.data() + 2 * count_ * a, tally);
   }
 
   void place(const Station& station, SectionPoint p, std::uint32_t at) {
@@ -212,26 +219,20 @@ class Builder {
     }
   }
 
-  double squared(std::uint32_t i, std::uint32_t j) const {
-    const auto& p = mesh_.positions[i];
-    const auto& q = mesh_.positions[j];
-    const double x = static_cast<double>(p[0]) - static_cast<double>(q[0]);
-    const double y = static_cast<double>(p[1]) - static_cast<double>(q[1]);
-    const double z = static_cast<double>(p[2]) - static_cast<double>(q[2]);
-    return x * x + y * y + z * z;
-  }
-
   const Sweep& sweep_;
   std::uint32_t count_;
   double uPerPixel_, vPerPixel_;
-  mesh::TriMesh mesh_;
+  SweepMemory& memory_;
+  mesh::TriMesh& mesh_;
 };
 
+using Triangles = std::span<const std::array<std::uint32_t, 3>>;
+
 /// By the flux of (0, 0, z): every triangle's shadow times its mean height above the first vertex.
-double signedVolume(const mesh::TriMesh& mesh) {
+double signedVolume(const mesh::TriMesh& mesh, Triangles triangles) {
   const double ground = mesh.positions[0][2];
   double volume = 0;
-  for (const auto& t : mesh.triangles) {
+  for (const auto& t : triangles) {
     const auto &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     const double ax = a[0], ay = a[1];
     const double shadow = (b[0] - ax) * (c[1] - ay) - (b[1] - ay) * (c[0] - ax);
@@ -239,6 +240,34 @@ double signedVolume(const mesh::TriMesh& mesh) {
                         static_cast<double>(c[2]) - 3 * ground);
   }
   return volume / 6;
+}
+
+/// The law of area (mesh/laws.h) with a factor 2 in hand. `tally` is of the first `rings` vertices.
+double leastArea(const mesh::TriMesh& mesh, const WallTally& tally, std::size_t rings) {
+  mesh::Bounds bounds = tally.bounds();
+  for (const auto& p : std::span(mesh.positions).subspan(rings)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      bounds.low[axis] = std::min<double>(bounds.low[axis], p[axis]);
+      bounds.high[axis] = std::max<double>(bounds.high[axis], p[axis]);
+    }
+  }
+  double diagonal = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side = bounds.high[axis] - bounds.low[axis];
+    diagonal += side * side;
+  }
+  return 2 * mesh::kDegenerateArea * diagonal;
+}
+
+bool areLarger(const mesh::TriMesh& mesh, Triangles triangles, double area) {
+  return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    const auto at = [&](std::uint32_t v) {
+      const auto& p = mesh.positions[v];
+      return ModelPoint{p[0], p[1], p[2]};
+    };
+    const ModelPoint a = at(t[0]), n = cross(at(t[1]) - a, at(t[2]) - a);
+    return dot(n, n) > 4 * area * area;
+  });
 }
 
 }  // namespace
@@ -252,56 +281,36 @@ std::span<const SectionPoint> Sweep::shape(std::size_t which) const {
   return std::span(shapes).subspan(which * size, size);
 }
 
-mesh::TriMesh sweepMesh(Sweep sweep, image::Size picture) {
+bool sweepMesh(Sweep& sweep, image::Size picture, SweepMemory& memory, mesh::TriMesh& mesh) {
   const RingPath path = pathOf(sweep);
-  Builder builder(sweep, picture, path.rings.size());
-  std::uint32_t first = 0, last = 0;
-  for (std::size_t i = 0; i < path.rings.size(); ++i) {
-    const std::uint32_t ring = builder.ring(path.rings[i]);
-    if (i == 0) first = ring;
-    if (i > 0) builder.band(last, ring);
-    last = ring;
-  }
-  if (path.joined) {
-    builder.band(last, first);
-  } else {
+  Builder builder(sweep, picture, path, memory, mesh);
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < path.rings.size(); ++i) last = builder.ring(path.rings[i], i);
+  const WallTally tally = builder.walls(path);
+  const std::size_t walls = mesh.triangles.size(), rings = mesh.positions.size();
+  if (!path.joined) {
     if (sweep.startTip) {
-      builder.tip(first, *sweep.startTip, true);
-    } else if (!builder.lid(first, path.rings.front(), true)) {
-      return {};
+      builder.tip(0, *sweep.startTip, true);
+    } else if (!builder.lid(0, path.rings.front(), true)) {
+      return false;
     }
     if (sweep.endTip) {
       builder.tip(last, *sweep.endTip, false);
     } else if (!builder.lid(last, path.rings.back(), false)) {
-      return {};
+      return false;
     }
   }
-  mesh::TriMesh mesh = builder.take();
+  const Triangles all(mesh.triangles), ends = all.subspan(walls);
+  // What single precision leaves in doubt is looked at again, triangle by triangle.
+  double volume = tally.volume() + signedVolume(mesh, ends);
+  if (std::abs(volume) <= tally.volumeError()) volume = signedVolume(mesh, all);
+  const double least = leastArea(mesh, tally, rings);
+  const bool sound = !all.empty() && areLarger(mesh, tally.surelyLarger(least) ? ends : all, least);
   // A part that runs back over itself more than ahead: what remains is seen from its inside.
-  if (signedVolume(mesh) < 0) {
+  if (volume < 0) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
   }
-  return mesh;
-}
-
-bool hasSoundTriangles(const mesh::TriMesh& mesh) {
-  if (mesh.triangles.empty()) return false;
-  const mesh::Bounds bounds = mesh::boundsOf(mesh);
-  double diagonal = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = bounds.high[axis] - bounds.low[axis];
-    diagonal += side * side;
-  }
-  const double least = 2 * mesh::kDegenerateArea * diagonal;
-  const double leastSquared = 4 * least * least;
-  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-    const auto at = [&](std::uint32_t v) {
-      const auto& p = mesh.positions[v];
-      return ModelPoint{p[0], p[1], p[2]};
-    };
-    const ModelPoint a = at(t[0]), n = cross(at(t[1]) - a, at(t[2]) - a);
-    return dot(n, n) > leastSquared;
-  });
+  return sound;
 }
 
 }  // namespace spineloft::loft

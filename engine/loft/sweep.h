@@ -8,6 +8,7 @@
 
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
+#include "engine/loft/bands.h"
 #include "engine/mesh/tri_mesh.h"
 
 namespace spineloft::loft {
@@ -42,10 +43,13 @@ struct Sweep {
   std::span<const SectionPoint> shape(std::size_t which) const;  ///< count() + 1 points
 };
 
-/// The closed mesh in ModelSpace, with UV. Empty when a lid cannot be filled.
-mesh::TriMesh sweepMesh(Sweep sweep, image::Size picture);
+/// What sweepMesh asks for besides its result.
+struct SweepMemory {
+  std::array<RingPlanes, 2> planes;
+};
 
-/// No triangle that the law of area (mesh/laws.h) would refuse, with a factor 2 in hand; not empty.
-bool hasSoundTriangles(const mesh::TriMesh& mesh);
+/// The closed mesh in ModelSpace, with UV, in place of what `mesh` held. False when a lid cannot be filled or a triangle
+/// is so small that the law of area (mesh/laws.h) might refuse it (a factor 2 is in hand): then `mesh` is of no use.
+bool sweepMesh(Sweep& sweep, image::Size picture, SweepMemory& memory, mesh::TriMesh& mesh);
 
 }  // namespace spineloft::loft
