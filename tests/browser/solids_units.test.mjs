@@ -339,6 +339,31 @@ test('edits of any part in any order give what all of it anew gives, for every k
   }
 });
 
+test('what is made ahead for an edit, or half of it, changes no solid, and what nobody needs is let go', () => {
+  const random = seeded(31), meshes = { rod: loft({ rings: 12, around: 12 }) };
+  const place = () => turned(3 * random(), 0.15 * random(), 0.15 * random(), 0.05 * random());
+  for (const kind of ['join', 'cut', 'common']) {
+    const one = fresh(), operands = Array.from({ length: kind === 'join' ? 9 : 5 }, (_, i) => rod(i + 1, place()));
+    const inner = node(operands.slice(0, 4), { step: 1 }), model = () => [inner, node([{ node: inner.key }, ...operands.slice(4)], { kind, step: 2 })];
+    solve(one, model(), meshes);
+    const size = one.solids.size;
+    // As when one part after the other is chosen, and none is edited.
+    for (let part = 1; part <= operands.length; part += 1) for (const work = one.ahead(part); !work.next().done;);
+    for (const work = one.ahead(null); !work.next().done;);
+    assert.equal(one.solids.size, size, `${kind}: nothing is left of it`);
+    for (let i = 0; i < 12; i += 1) {
+      const chosen = 4 + Math.floor((operands.length - 4) * random()), edited = random() < 0.8 ? chosen : operands.length - 1;
+      const work = one.ahead(chosen + 1);
+      for (let steps = Math.floor(8 * random()); steps > 0 && !work.next().done; steps -= 1);
+      work.return();
+      operands[edited] = rod(edited + 1, place());
+      const nodes = model(), again = solve(one, nodes, meshes), anew = solve(fresh(), nodes, meshes);
+      assert.deepEqual(again.failure, anew.failure, `${kind}, edit ${i}`);
+      if (!again.failure) near(lawful(again, `${kind}, edit ${i}`).volume, anew.mesh.volume, 1e-5, `${kind}, edit ${i}`);
+    }
+  }
+});
+
 test('a hundred requests given up half-way, at any moment, leave the solver as sound as a fresh one', () => {
   const random = seeded(21), kernel = fresh(), meshes = { rod: loft({ rings: 14, around: 12 }), body: loft({ rings: 20, around: 24, radius: 0.25 }) };
   const place = () => turned(3 * random(), 0.15 * random(), 0.15 * random(), 0.05 * random());
@@ -379,17 +404,31 @@ const memory = (workers, answers) => ({
   integers: (at, count) => new Uint32Array(count).fill(at),
   answer: (json, bytes) => answers.push({ ...JSON.parse(json), bytes }),
 });
+/** What a worker was asked to solve. */
+const requestsOf = ({ asked }) => asked.filter(({ meshes }) => meshes);
 const solveEvent = (id, key = 'a') => ({ type: 'solve', id, meshes: [{ key, vertices: 4, triangles: 4, positions: 8, uv: 0, corners: 16 }], nodes: [], wanted: [] });
 
 test('meshes go to the worker once, and again after it was stopped', () => {
   const workers = [], solver = new Solver(memory(workers, []));
   solver.ask(solveEvent(1));
   solver.ask(solveEvent(2));
-  assert.deepEqual(workers[0].asked.map((each) => Object.keys(each.meshes)), [['a'], []]);
+  assert.deepEqual(requestsOf(workers[0]).map((each) => Object.keys(each.meshes)), [['a'], []]);
   solver.stop();
   assert.ok(workers[0].ended && !solver.isBusy);
   solver.ask(solveEvent(3));
-  assert.deepEqual(Object.keys(workers[1].asked[0].meshes), ['a']);
+  assert.deepEqual(Object.keys(requestsOf(workers[1])[0].meshes), ['a']);
+});
+
+test('a worker hears which part is chosen before it is asked, and again when another one is', () => {
+  const workers = [], solver = new Solver(memory(workers, []));
+  solver.expect(3);
+  assert.equal(workers.length, 0, 'choosing a part starts no worker');
+  solver.ask(solveEvent(1));
+  solver.expect(4);
+  assert.deepEqual(workers[0].asked.map(({ id, expect }) => id ?? expect), [3, 1, 4]);
+  solver.stop();
+  solver.ask(solveEvent(2));
+  assert.deepEqual(workers[1].asked.map(({ id, expect }) => id ?? expect), [4, 2]);
 });
 
 test('a worker that dies is said and started anew; a hundred cancels leave nothing behind', () => {

@@ -63,6 +63,16 @@ test('the check for printing says its four lines, and a picture and a turntable 
   assert.equal(print.lines.length, 4);
   for (const { text } of print.lines) assert.match(text, /^[A-Z].*[.]$/);
   assert.equal(print.closed, true);
+  // What is not good looks like a warning, and is not lost among what is.
+  const bad = print.lines.filter(({ good }) => !good), toast = page.locator('#toasts .toast').last();
+  assert.match(await toast.getAttribute('class'), bad.length > 0 ? /toast-warning/ : /toast-info/);
+  assert.equal(await toast.getAttribute('role'), bad.length > 0 ? 'alert' : 'status');
+  for (const { text, good } of print.lines) assert.equal((await toast.innerText()).includes(text), bad.length === 0 || !good, text);
+  await run(page, 'set-height', { mm: 2 });
+  await run(page, 'check-print');
+  const thin = page.locator('#toasts .toast').last();
+  assert.match(await thin.getAttribute('class'), /toast-warning/);
+  assert.match(await thin.innerText(), /thinnest place/);
   for (const [id, ending, magic] of [['save-picture', 'png', '89504e47'], ['save-turntable', 'gif', '47494638']]) {
     const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), run(page, id)]);
     assert.ok(download.suggestedFilename().endsWith(`.${ending}`), download.suggestedFilename());

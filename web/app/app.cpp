@@ -95,6 +95,7 @@ void App::settle() {
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
   settleCut(env());
   settleSolids(document, ui_);
+  studio_.expectEdit(ui_.selection);
   const bool orphaned =
       ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||
                       (ui_.preview->part && !document::findPart(document, ui_.preview->part)));

@@ -38,6 +38,7 @@ inline constexpr std::array kIcons = {
     Icon{"unlink", 57756},
     Icon{"circle-check", 57894},
     Icon{"circle-alert", 57463},
+    Icon{"triangle-alert", 57747},
     Icon{"brush", 57811},
     Icon{"square-dashed", 57803},
     Icon{"footprints", 58297},

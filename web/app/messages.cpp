@@ -29,6 +29,9 @@ void sendError(platform::Host& host, std::string_view sentence) {
 void sendInfo(platform::Host& host, std::string_view sentence) {
   sendToast(host, "info", sentence);
 }
+void sendWarning(platform::Host& host, std::string_view sentence) {
+  sendToast(host, "warning", sentence);
+}
 void sendPickPicture(platform::Host& host) { host.send(R"({"type":"pickPicture"})"); }
 void sendCursor(platform::Host& host, std::string_view css) {
   sendText(host, "cursor", "css", css);

@@ -1,5 +1,6 @@
 #include "web/app/print_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -57,6 +58,19 @@ std::vector<PrintLine> printLines(const PrintReport& report) {
   // How a heap of loose pieces stands is nobody's question.
   if (check.pieces < 2) lines.push_back(standLine(check));
   return lines;
+}
+
+PrintMessage printMessage(const PrintReport& report) {
+  const std::vector<PrintLine> lines = printLines(report);
+  PrintMessage message;
+  message.good = std::ranges::all_of(lines, &PrintLine::good);
+  bool someGood = false;
+  for (const PrintLine& line : lines) {
+    someGood = someGood || line.good;
+    if (line.good == message.good) message.text += (message.text.empty() ? "" : " ") + line.text;
+  }
+  if (!message.good && someGood) message.text += " The rest is fine for printing.";
+  return message;
 }
 
 }  // namespace spineloft::app

@@ -24,4 +24,11 @@ struct PrintLine {
 /// Closed and in how many pieces, size, thickness, and how a single piece stands: a line each.
 std::vector<PrintLine> printLines(const PrintReport& report);
 
+struct PrintMessage {
+  bool good = false;
+  std::string text;
+};
+/// All lines when all are good; otherwise those that are not, so that none of them is lost among the good ones.
+PrintMessage printMessage(const PrintReport& report);
+
 }  // namespace spineloft::app

@@ -82,9 +82,12 @@ Outcome checkPrint(Env env, const Json&) {
   Result<printing::PrintCheck> check = publish::checkPrint(env.studio.document(), env.studio.derived());
   if (!check) return refuse(check.failure());
   env.ui.print = PrintReport{check.value(), env.studio.document()};
-  std::string said;
-  for (const PrintLine& line : printLines(*env.ui.print)) said += (said.empty() ? "" : " ") + line.text;
-  sendInfo(env.host, said);
+  const PrintMessage message = printMessage(*env.ui.print);
+  if (message.good) {
+    sendInfo(env.host, message.text);
+  } else {
+    sendWarning(env.host, message.text);
+  }
   return {};
 }
 

@@ -208,6 +208,20 @@ void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> k
   host_.send(json.json());
 }
 
+void SolidWork::expect(PartId part) {
+  if (part == expected_) return;
+  expected_ = part;
+  JsonWriter json;
+  json.beginObject().key("type").text("expectEdit").key("part");
+  if (part) {
+    json.number(part.value);
+  } else {
+    json.null();
+  }
+  json.endObject();
+  host_.send(json.json());
+}
+
 void SolidWork::cancel() {
   if (!asked_) return;
   for (const std::uint64_t key : asked_->keys) {

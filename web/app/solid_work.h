@@ -32,6 +32,10 @@ class SolidWork {
   void preview(const document::Document& document, pipeline::Derived& derived,
                const publish::Substitute* instead);
 
+  /// The part that is likely to be edited next, or none: told to the solver when it is another one than before, so
+  /// that it makes ready while nothing else is asked for.
+  void expect(PartId part);
+
   /// What the solver says: {id, done}, {id, progress}, {id, lost} or {id, step, key, ms, mesh | failure}, with the
   /// arrays of the mesh as bytes: positions, uv, corners, both lists of merged vertices. True when something
   /// changed.
@@ -71,6 +75,7 @@ class SolidWork {
   std::vector<Trouble> failures_;
   std::optional<Asked> asked_;
   std::uint64_t lastId_ = 0;
+  PartId expected_;  ///< as told
 };
 
 }  // namespace spineloft::app

@@ -200,6 +200,11 @@ void Studio::previewPlaced(const document::PlaceParts& places) {
   solids_.preview(placed.value(), derived_, nullptr);
 }
 
+void Studio::expectEdit(PartId part) {
+  const bool isInSolid = part && document::rootOf(document(), {part, {}}) != nullptr;
+  solids_.expect(isInSolid ? part : PartId{});
+}
+
 void Studio::endPreview() {
   if (previewing_) updateSolids();
 }

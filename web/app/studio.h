@@ -80,6 +80,8 @@ class Studio {
   std::optional<Activity> activity() const;
   void cancelWork();
 
+  /// The chosen part, or none: what an edit of it needs of the solid that it is in is made ready.
+  void expectEdit(PartId part);
   /// What the solver of solids says (SolidWork::take).
   void takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
   /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.

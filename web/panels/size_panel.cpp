@@ -73,13 +73,13 @@ void likeThings(const PanelEnv& env, float width) {
   }
 }
 
-/// A sentence over as many lines as it needs, behind a mark that is green or orange.
+/// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
-  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : rgb(0xc8681c),
-        iconText(line.good ? "circle-check" : "circle-alert"));
+  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning,
+        iconText(line.good ? "circle-check" : "triangle-alert"));
   ImGui::SameLine(0, 6);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
-  label(env.fonts.small, kInk, line.text);
+  label(env.fonts.small, line.good ? kInk : kWarning, line.text);
   ImGui::PopTextWrapPos();
   const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);
   if (fix == nullptr) return;

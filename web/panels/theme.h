@@ -16,7 +16,7 @@ inline constexpr ImU32 kInk = rgb(0x1f2430), kMuted = rgb(0x5c6474), kPaper = rg
                        kAccentSoft = rgb(0xfdeee8), kHover = rgb(0xf4f1ea), kSpine = rgb(0x2457d6),
                        kEdgeRib = rgb(0x12876f), kBridgedRib = rgb(0xd98a00),
                        kGuessedRib = rgb(0x8b5fbf), kGlow = rgb(0xffd166),
-                       kEditedRib = rgb(0xc2257a), kTrouble = rgb(0xb3261e);
+                       kEditedRib = rgb(0xc2257a), kTrouble = rgb(0xb3261e), kWarning = rgb(0xa8500a);
 inline constexpr float kRadius = 10;
 
 /// The colour that a tool has wherever it shows.

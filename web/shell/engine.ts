@@ -14,7 +14,7 @@ import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 /** What the engine tells the shell; see `Host`. */
 export type EngineEvent =
   | { type: 'changed' }
-  | { type: 'toast'; level: 'info' | 'error'; text: string }
+  | { type: 'toast'; level: 'info' | 'warning' | 'error'; text: string }
   | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
   | { type: 'pickPicture' }
   | { type: 'ask'; id: string; title: string; text: string; value?: string }
@@ -22,6 +22,8 @@ export type EngineEvent =
   | { type: 'shelf'; slices: unknown[] }
   | { type: 'status'; text: string }
   | { type: 'stopSolving' }
+  /** The part of a solid that is chosen, and so the likely one to be edited next. */
+  | { type: 'expectEdit'; part: number | null }
   | SolveEvent
   | TurntableEvent
   | JournalEvent
@@ -130,6 +132,10 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
         // At once: the meshes are only there now. Answers come later, never from within.
         if (raw.type === 'solve') solver?.ask(raw);
         else solver?.stop();
+        return;
+      }
+      if (raw.type === 'expectEdit') {
+        solver?.expect(raw.part);
         return;
       }
       if (queue.length === 0) queueMicrotask(deliver);

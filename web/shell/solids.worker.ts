@@ -4,9 +4,9 @@ import create from 'manifold-3d';
 import wasm from 'manifold-3d/manifold.wasm';
 import { hold } from './solids/lifeline.ts';
 import { SolidKernel } from './solids/kernel.ts';
-import type { SolveRequest, WorkerMessage } from './solids/protocol.ts';
+import type { ExpectRequest, SolveRequest, WorkerMessage } from './solids/protocol.ts';
 
-const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest>) => void) | null };
+const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest | ExpectRequest>) => void) | null };
 
 let memory: WebAssembly.Memory | null = null;
 
@@ -31,7 +31,7 @@ loading.then(() => scope.postMessage({ type: 'ready' }, []));
 
 hold(scope.name, () => scope.postMessage({ type: 'alive' }, []));
 
-let newest = 0;
+let newest = 0, expected: number | null = null;
 let queue = Promise.resolve();
 
 /** Lets messages in that have arrived meanwhile. */
@@ -65,8 +65,27 @@ async function solve(request: SolveRequest): Promise<void> {
   scope.postMessage({ type: 'done', id: request.id, bytes: memory?.buffer.byteLength ?? 0 }, []);
 }
 
+/** While nothing is asked for: what an edit of the expected part will need. */
+async function workAhead(): Promise<void> {
+  const kernel = await loading, request = newest, part = expected;
+  for (const work = kernel.ahead(part); ;) {
+    await breathe();
+    if (request !== newest || part !== expected) {
+      work.return();
+      return;
+    }
+    if (work.next().done) return;
+  }
+}
+
 scope.onmessage = ({ data }) => {
-  newest = data.id;
+  if ('expect' in data) {
+    if (data.expect === expected) return;
+    expected = data.expect;
+  } else {
+    newest = data.id;
+    queue = queue.then(() => solve(data));
+  }
   // What is thrown here ends the worker for the page, which starts another one.
-  queue = queue.then(() => solve(data)).catch((problem) => { setTimeout(() => { throw problem; }); });
+  queue = queue.then(workAhead).catch((problem) => { setTimeout(() => { throw problem; }); });
 };

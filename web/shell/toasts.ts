@@ -2,9 +2,10 @@
 import { byId, make } from './dom.ts';
 import { icon } from './icons.ts';
 
-export type ToastLevel = 'info' | 'error';
+export type ToastLevel = 'info' | 'warning' | 'error';
 
-const kMs: Record<ToastLevel, number> = { info: 4500, error: 9000 };
+const kMs: Record<ToastLevel, number> = { info: 4500, warning: 9000, error: 9000 };
+const kIcon: Record<ToastLevel, string> = { info: 'circle-check', warning: 'triangle-alert', error: 'circle-alert' };
 /** Who is to press a button needs longer. */
 const kActionMs = 9000;
 /** A slow reader's pace, and the moment before the eye is there. */
@@ -26,8 +27,8 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   while (stack.children.length >= kMost) stack.firstElementChild?.remove();
   const close = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Dismiss' });
   close.append(icon('x'));
-  const element = make('div', { class: `toast toast-${level}`, role: level === 'error' ? 'alert' : 'status' },
-    icon(level === 'error' ? 'circle-alert' : 'circle-check'), make('p', {}, text));
+  const element = make('div', { class: `toast toast-${level}`, role: level === 'info' ? 'status' : 'alert' },
+    icon(kIcon[level]), make('p', {}, text));
   if (action) {
     const button = make('button', { type: 'button', class: 'button toast-action' }, action.label);
     button.addEventListener('click', () => {

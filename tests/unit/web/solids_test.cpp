@@ -1,11 +1,13 @@
 // Solids on the page, with a solver that does as it is told: what is asked of it, what becomes of its answers.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -253,4 +255,22 @@ TEST_CASE("a round seam follows the hand as a coarse solid") {
   CHECK_FALSE(fine.find("nodes")->array()->back().flag("coarse").value_or(true));
   rig.answer(fine);
   CHECK(rig.settle());
+}
+
+TEST_CASE("the solver hears which part of a solid is chosen, once, and when none is") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  const auto told = [&](std::string_view part) {
+    const std::string json = R"({"type":"expectEdit","part":)" + std::string(part) + "}";
+    return std::ranges::count(rig.host.sent, json);
+  };
+  const auto before = told("1");
+  rig.run("select-part", R"({"id": 1})");
+  rig.state();
+  CHECK(told("1") == before + 1);
+  rig.state();
+  CHECK(told("1") == before + 1);
+  rig.run("release");
+  rig.state();
+  CHECK(told("null") >= 1);
 }

@@ -25,6 +25,8 @@ interface Kept {
   from?: Kept[];
   /** Original ids of its own. */
   ids?: number[];
+  /** The part for whose edit it was made, before one needed it. */
+  ahead?: number | false;
 }
 
 /** What is made on the way to a solid. */
@@ -51,6 +53,23 @@ export interface Solved {
 
 const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' in operand;
 
+const joinKey = (of: Keyed[]) => `join: ${of.map((each) => each.key).join(' ')}`;
+
+/** Names what the operands make that do not change. What the first one of a cut loses is their union. */
+function restKey(kind: SolidNode['kind'], others: Keyed[], changed: boolean[]): string {
+  return kind === 'join' || (kind === 'cut' && changed[0]) ? joinKey(others) : `${kind}: ${others.map((each) => each.key).join(' ')}`;
+}
+
+/** Whether it pays to keep what the operands make that do not change; two or more of them. */
+function isWorthKeeping(kind: SolidNode['kind'], changed: boolean[]): boolean {
+  const count = changed.filter(Boolean).length;
+  return kind !== 'hollow' && count > 0 && changed.length - count >= 2 && !(kind === 'cut' && changed[0] && count > 1);
+}
+
+function drain(work: Generator<void, void>): void {
+  while (!work.next().done);
+}
+
 export class SolidKernel {
   private readonly meshes = new Map<string, { data: MeshData; round: number }>();
   private readonly parts = new Map<string, Kept>();
@@ -58,7 +77,9 @@ export class SolidKernel {
   /** What faces were, by original ids of manifold-3d. */
   private readonly sources = new Map<number, Source>();
   /** What each step was made of last. */
-  private readonly lastOperands = new Map<number, string[]>();
+  private readonly lastOperands = new Map<number, { keys: string[]; changed: boolean[] }>();
+  /** What was solved last. */
+  private nodes: SolidNode[] = [];
   private round = 0;
 
   constructor(private readonly library: ManifoldToplevel, private readonly now: () => number = () => performance.now()) {}
@@ -70,6 +91,7 @@ export class SolidKernel {
   /** Solves what is wanted, one node after the other, and hands out each as it is done; between two it can be given up. */
   *solve(request: SolveRequest, done: (solved: Solved) => void): Generator<{ done: number }, void> {
     this.round += 1;
+    this.nodes = request.nodes;
     this.keepMeshes(request.meshes);
     for (const node of request.nodes) for (const operand of node.operands) if (isPart(operand)) this.touch(operand.mesh);
     for (const [index, node] of request.nodes.entries()) {
@@ -216,18 +238,20 @@ export class SolidKernel {
   }
 
   /**
-   * All operands as the step says. Where one alone is another than last time, what the others make is kept: the next
-   * time that one changes there is a single thing left to do.
+   * All operands as the step says. Where some alone are others than last time, what the rest makes is kept (or was made
+   * ahead): the next time that these change there is a single thing left to do.
    */
   private together(node: SolidNode, operands: Manifold[], { own, from }: Bench): Manifold {
-    const keys = node.operands.map((operand) => this.nameOf(operand, node.coarse));
+    const all = node.operands.map((operand, i) => ({ key: this.nameOf(operand, node.coarse), solid: operands[i]!, from: from[i]! }));
     const before = this.lastOperands.get(node.step);
-    this.lastOperands.set(node.step, keys);
-    const changed = before?.length === keys.length ? keys.flatMap((key, i) => (key === before[i] ? [] : [i])) : [];
-    const all = keys.map((key, i) => ({ key, solid: operands[i]!, from: from[i]! }));
-    const one = keys.length >= 3 && changed.length === 1 ? changed[0]! : -1;
-    const whole = one < 0 ? this.whole(node.kind, all) : this.withOne(node.kind, all, one);
-    if (one < 0 || whole.status() === 'NoError') return whole;
+    const changed = all.map(({ key }, i) => before?.keys[i] !== key), others = all.filter((_, i) => !changed[i]);
+    const again = before?.changed.join() === changed.join();
+    this.lastOperands.set(node.step, { keys: all.map(({ key }) => key), changed });
+    if (before?.keys.length !== all.length || !isWorthKeeping(node.kind, changed)) return this.whole(node.kind, all);
+    if (again && !this.solids.has(restKey(node.kind, others, changed))) drain(this.rest(node.kind, all, changed));
+    const whole = this.withRest(node.kind, all, changed);
+    if (!whole) return this.whole(node.kind, all);
+    if (whole.status() === 'NoError') return whole;
     own.push(whole);
     return this.whole(node.kind, all);
   }
@@ -246,14 +270,79 @@ export class SolidKernel {
     return first!.subtract(others.length > 1 ? this.union(all.slice(1)) : others[0]!);
   }
 
-  /** Number `one` to what the others make. */
-  private withOne(kind: SolidNode['kind'], all: Keyed[], one: number): Manifold {
-    const { solid } = all[one]!, others = all.filter((_, i) => i !== one);
-    if (kind === 'common') return this.keep('common', others, () => this.whole('common', others)).intersect(solid);
-    if (kind === 'cut' && one === 0) return solid.subtract(this.union(others));
-    if (kind === 'cut') return this.keep('cut', others, () => this.whole('cut', others)).subtract(solid);
-    const rest = () => this.groups(all).flatMap((group) => (group.includes(all[one]!) ? group.filter((each) => each !== all[one]).map((each) => each.solid) : [this.union(group)]));
-    return this.keep('join', others, () => this.library.Manifold.union(rest())).add(solid);
+  /** What changed to what the others make; null when that is not there. */
+  private withRest(kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Manifold | null {
+    const { Manifold } = this.library, kept = this.solids.get(restKey(kind, all.filter((_, i) => !changed[i]), changed));
+    if (!kept) return null;
+    const rest = this.use(kept).solid!, solids = all.filter((_, i) => changed[i]).map(({ solid }) => solid);
+    kept.ahead = false;
+    if (kind === 'common') return Manifold.intersection([rest, ...solids]);
+    if (kind === 'join') return Manifold.union([rest, ...solids]);
+    return changed[0] ? solids[0]!.subtract(rest) : Manifold.difference([rest, ...solids]);
+  }
+
+  /**
+   * Makes and keeps what those make together that did not change, a piece at a time. What is only on the way to it is let
+   * go at the end.
+   */
+  private *rest(kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Generator<void, void> {
+    const others = all.filter((_, i) => !changed[i]), key = restKey(kind, others, changed), before = new Set(this.solids.keys());
+    if (kind === 'common') {
+      this.keep(key, others, () => this.library.Manifold.intersection(others.map(({ solid }) => solid)));
+      return;
+    }
+    const isCutFrom = kind === 'cut' && !changed[0], added = isCutFrom ? others.slice(1) : others;
+    let row = (kind === 'join' ? this.groups(all) : [all]).map((group) => group.filter((each) => added.includes(each)));
+    row = row.flatMap((group) => (kind === 'join' && group.length > 1 && this.solids.has(joinKey(group)) ? [group] : group.map((each) => [each])));
+    while (row.length > 1) {
+      const next: Keyed[][] = [];
+      for (let i = 0; i < row.length; i += 2) {
+        const pair = row.slice(i, i + 2), of = pair.flat();
+        next.push(of);
+        if (pair.length < 2 || this.solids.has(joinKey(of))) continue;
+        this.keep(joinKey(of), of, () => this.union(pair[0]!).add(this.union(pair[1]!)));
+        yield;
+      }
+      row = next;
+    }
+    if (isCutFrom) this.keep(key, others, () => others[0]!.solid.subtract(this.union(added)));
+    for (const [name, kept] of this.solids) {
+      if (before.has(name) || name === key) continue;
+      kept.solid?.delete();
+      this.solids.delete(name);
+    }
+  }
+
+  /**
+   * Makes what an edit of this part will count on, a piece at a time; null: of none. What was made ahead for another part
+   * and never needed is let go.
+   */
+  *ahead(part: number | null): Generator<void, void> {
+    for (const [key, kept] of this.solids) {
+      if (!kept.ahead || kept.ahead === part) continue;
+      kept.solid?.delete();
+      this.solids.delete(key);
+    }
+    const touched = new Set<string>();
+    for (const node of part === null ? [] : this.nodes) {
+      const changed = node.operands.map((operand) => (isPart(operand) ? operand.part === part : touched.has(operand.node)));
+      if (changed.includes(true)) touched.add(node.key);
+      if (!isWorthKeeping(node.kind, changed) || !node.operands.every((operand) => this.isHere(operand))) continue;
+      const bench: Bench = { own: [], ids: [], from: [] }, known = new Set(this.solids.keys());
+      try {
+        const operands = node.operands.map((operand) => this.operand(operand, false, bench));
+        const all = node.operands.map((operand, i) => ({ key: this.nameOf(operand, false), solid: operands[i]!, from: bench.from[i]! }));
+        if (!this.solids.has(restKey(node.kind, all.filter((_, i) => !changed[i]), changed))) yield* this.rest(node.kind, all, changed);
+      } finally {
+        for (const [key, kept] of this.solids) if (!known.has(key)) kept.ahead = part!;
+        for (const solid of bench.own) solid.delete();
+      }
+    }
+  }
+
+  /** Whether the solid of an operand was made before and is still there. */
+  private isHere(operand: SolidOperand): boolean {
+    return !!(isPart(operand) ? this.parts.get(`${operand.mesh}#${operand.part}`) : this.solids.get(operand.node))?.solid;
   }
 
   /** Many in a few groups, which stay as they are when one of another group changes. */
@@ -264,12 +353,11 @@ export class SolidKernel {
 
   private union(of: Keyed[]): Manifold {
     if (of.length === 1) return of[0]!.solid;
-    return this.keep('join', of, () => this.library.Manifold.union(of.map(({ solid }) => solid)));
+    return this.keep(joinKey(of), of, () => this.library.Manifold.union(of.map(({ solid }) => solid)));
   }
 
   /** What some of a step's operands make. */
-  private keep(what: string, of: Keyed[], make: () => Manifold): Manifold {
-    const key = `${what}: ${of.map((each) => each.key).join(' ')}`;
+  private keep(key: string, of: Keyed[], make: () => Manifold): Manifold {
     const kept = this.solids.get(key) ?? { solid: make(), round: this.round, from: of.map((each) => each.from) };
     this.use(kept);
     this.solids.set(key, kept);

@@ -48,6 +48,11 @@ export interface SolveRequest {
   meshes: Record<string, MeshData>;
 }
 
+/** The part that is likely to be edited next; null: none. */
+export interface ExpectRequest {
+  expect: number | null;
+}
+
 /** Faces [first, first + count) come from this part. */
 export interface PartRun {
   part: number;

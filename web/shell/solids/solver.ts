@@ -1,6 +1,6 @@
 // The solver of solids as the page has it: one worker, which is started when the first solid is asked for and again
 // after it died or was stopped. Answers go to the engine as they come.
-import type { SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
+import type { ExpectRequest, SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
 
 /** What the engine asks: {type: 'solve'}; addresses are of its memory, valid while the event is delivered. */
 export interface SolveEvent {
@@ -15,7 +15,7 @@ export interface SolveEvent {
 export interface SolidWorker {
   onmessage: ((event: { data: WorkerMessage }) => void) | null;
   onerror: ((event: unknown) => void) | null;
-  postMessage(message: SolveRequest, transfer: Transferable[]): void;
+  postMessage(message: SolveRequest | ExpectRequest, transfer: Transferable[]): void;
   terminate(): void;
 }
 
@@ -38,6 +38,7 @@ export class Solver {
   private readonly known = new Map<string, number>();
   private requests = 0;
   private bytes = 0;
+  private expected: number | null = null;
 
   constructor(private readonly host: SolverHost) {}
 
@@ -69,11 +70,20 @@ export class Solver {
     }
     this.asked = event.id;
     try {
-      this.worker ??= this.start();
+      if (!this.worker) {
+        this.worker = this.start();
+        this.expect(this.expected);
+      }
       this.worker.postMessage({ id: event.id, nodes: event.nodes, wanted: event.wanted, meshes }, transfer);
     } catch {
       this.lost();
     }
+  }
+
+  /** The part that is likely to be edited next, or null: a worker with nothing to do makes ready for it. */
+  expect(part: number | null): void {
+    this.expected = part;
+    this.worker?.postMessage({ expect: part }, []);
   }
 
   /** Ends what the worker is at; the next request starts a fresh one. */
