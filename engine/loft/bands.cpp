@@ -68,7 +68,7 @@ void WallTally::add(const Four& t, Int4 held) {
   const Float4 u2 = t.ux * t.ux + t.uy * t.uy + t.uz * t.uz, v2 = t.vx * t.vx + t.vy * t.vy + t.vz * t.vz;
   constexpr float kSine = 1e-8f;  // squared: rounding is felt below this angle between the edges
   thin_ |= held & (size <= kSine * u2 * v2);
-  least_ = held & (size < least_) ? size : least_;
+  least_ = (held & (size < least_)) ? size : least_;
   volume_ += held ? nz * t.height : all4(0);
   parts_ += held ? (ribs::magnitude4(xy) + ribs::magnitude4(yx)) * t.heights : all4(0);
 }
