@@ -53,8 +53,9 @@ async function isWhole(page, { millimetres, genus }) {
   await command(page, 'set-height', { mm: millimetres });
   const root = (await state(page)).steps.find((step) => step.root);
   assert.deepEqual([root.status, root.failure, root.genus], ['ready', null, genus]);
-  const { open, volume, size, pieces } = measure(parseStl(await exported(page, 'stl')));
+  const { open, unsound, volume, size, pieces } = measure(parseStl(await exported(page, 'stl')));
   assert.equal(open, 0, 'closed');
+  assert.equal(unsound, 0, 'two faces at every edge when corners are joined by place');
   assert.equal(pieces, 1, 'one piece');
   assert.ok(volume > 0, 'outward');
   assert.ok(Math.abs(size[2] - millimetres) < 0.01, `${size[2]} mm tall`);

@@ -2,7 +2,7 @@
 // there is none.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { deepest, depthOf, diagonal, identity, library, loft, measure, merged, node, seeded, shell, shifted, solve, turned } from './support/solids.mjs';
+import { deepest, depthOf, diagonal, identity, library, loft, measure, merged, node, seeded, shell, shifted, solve, turned, unsoundByPlace } from './support/solids.mjs';
 
 const { SolidKernel, DistanceField, gridOver, sample, surfaceWhere, Solver, findCrossings, ringsOf } = shell;
 const fresh = () => new SolidKernel(library);
@@ -251,6 +251,18 @@ test('a mug: body, handle and hollow inside', () => {
   const solved = solve(fresh(), [hollow, mug], meshes);
   lawful(solved, 'the mug');
   assert.equal(solved.mesh.genus, 1, 'one handle');
+});
+
+test('a scooped out mug is a solid for programs that join corners by place, in every mug of a row', () => {
+  const random = seeded(5), between = (low, high) => low + (high - low) * random();
+  for (let i = 0; i < 10; i += 1) {
+    const meshes = { body: loft({ rings: 48, around: 64, radius: between(0.4, 0.5), wave: between(0, 0.1) }), handle: loft({ rings: 64, around: 32, length: 1.1, radius: between(0.04, 0.09), bend: between(3.4, 4.4) }) };
+    const hollow = node([rod(1, identity, 'body')], { kind: 'hollow', wall: between(0.03, 0.06), opening: [1, 0, 0] });
+    const handle = rod(2, turned(between(-0.3, -0.1), 0.2, between(0.35, 0.4), between(0, 0.01)), 'handle');
+    const solved = solve(fresh(), [hollow, node([{ node: hollow.key }, handle], { step: 2 })], meshes);
+    lawful(solved, `mug ${i}`);
+    assert.equal(unsoundByPlace(solved.mesh), 0, `mug ${i}`);
+  }
 });
 
 test('what is stuck to a hollow thing does not stand into its inside, however deep it is nested', () => {

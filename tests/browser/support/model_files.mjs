@@ -17,6 +17,21 @@ function openEdges(triangles) {
   return [...balance.values()].filter((value) => value !== 0).length;
 }
 
+/** Edges that more or fewer than two faces have, and faces without three corners, corners at one place being one. */
+function unsoundOf(triangles) {
+  const faces = new Map();
+  let flat = 0;
+  for (const corners of triangles) {
+    const keys = corners.map((point) => point.join(' '));
+    if (new Set(keys).size < 3) flat += 1;
+    keys.forEach((from, k) => {
+      const to = keys[(k + 1) % 3], key = from < to ? `${from}, ${to}` : `${to}, ${from}`;
+      faces.set(key, (faces.get(key) ?? 0) + 1);
+    });
+  }
+  return flat + [...faces.values()].filter((count) => count !== 2).length;
+}
+
 /** How many pieces there are, corners at one place being one. */
 function piecesOf(triangles) {
   const root = new Map();
@@ -33,7 +48,7 @@ function piecesOf(triangles) {
   return [...root].filter(([key, up]) => key === up).length;
 }
 
-/** Signed volume, sides of the box, open edges and pieces of the triangles of an OBJ or STL. */
+/** Signed volume, sides of the box, open edges, edges and faces that programs stumble over, and pieces of the triangles of an OBJ or STL. */
 export function measure(triangles) {
   let volume = 0;
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -46,7 +61,7 @@ export function measure(triangles) {
       }
     }
   }
-  return { volume, open: openEdges(triangles), pieces: piecesOf(triangles), size: high.map((value, k) => value - low[k]), triangles: triangles.length };
+  return { volume, open: openEdges(triangles), unsound: unsoundOf(triangles), pieces: piecesOf(triangles), size: high.map((value, k) => value - low[k]), triangles: triangles.length };
 }
 
 /** Of every object of a 3MF its triangles, with corners by number: that is what slicers go by. */

@@ -167,6 +167,26 @@ export function measure({ positions, triangles, mergeFrom, mergeTo }) {
   return { volume, open, euler, shells: shellsOf([...edges.keys()].map((key) => key.split(' '))), finite: positions.every(Number.isFinite) };
 }
 
+/** Edges that more or fewer than two faces have, and faces without three corners, when corners at one place are one. */
+export function unsoundByPlace({ positions, triangles }) {
+  const numbers = new Map(), faces = new Map();
+  const numberOf = (v) => {
+    const key = positions.subarray(3 * v, 3 * v + 3).join(' ');
+    if (!numbers.has(key)) numbers.set(key, numbers.size);
+    return numbers.get(key);
+  };
+  let flat = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const corners = [0, 1, 2].map((k) => numberOf(triangles[t + k]));
+    if (new Set(corners).size < 3) flat += 1;
+    corners.forEach((a, k) => {
+      const b = corners[(k + 1) % 3], key = a < b ? `${a} ${b}` : `${b} ${a}`;
+      faces.set(key, (faces.get(key) ?? 0) + 1);
+    });
+  }
+  return flat + [...faces.values()].filter((count) => count !== 2).length;
+}
+
 /** How many pieces the edges fall into: walked through one after the other. */
 function shellsOf(edges) {
   const beside = new Map();

@@ -2,6 +2,7 @@
 // so that an edited part is fused again without redoing what did not change. Runs in a worker; knows no page.
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { hollowOf, seamOf } from './fields.ts';
+import { withoutFlaps } from './flaps.ts';
 import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
 import { carried, runsOf } from './sources.ts';
@@ -367,9 +368,9 @@ export class SolidKernel {
   }
 
   private meshOf(solid: Manifold): SolidMesh {
-    const mesh = solid.getMesh();
+    const whole = solid.getMesh(), mesh = withoutFlaps(whole);
     // The library counts as if all were one shell.
-    const genus = solid.genus() + countOf(mesh.vertProperties.length / 3, mesh.triVerts).pieces - 1;
+    const genus = solid.genus() + countOf(whole.vertProperties.length / 3, whole.triVerts).pieces - 1;
     return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), volume: solid.volume(), area: solid.surfaceArea(), genus };
   }
 

@@ -1,6 +1,6 @@
 // Where faces of solids come from. The library unites places alone, which is quicker; whose a face is and what lies on
 // it is found afterwards, from the source that it was a piece of.
-import type { Mesh } from 'manifold-3d';
+import type { Faces } from './flaps.ts';
 import type { MeshData, PartRun } from './protocol.ts';
 
 /** Less than a tenth of a pixel of a texture of 4,096. */
@@ -83,7 +83,7 @@ function onFace({ positions: p, uv: from, triangles }: MeshData, face: number, x
 }
 
 /** The mesh with the uv of what its faces were. */
-export function carried({ vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }: Mesh, sources: Sources): Carried {
+export function carried({ vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }: Faces, sources: Sources): Carried {
   const n = vertProperties.length / 3;
   const triangles = triVerts.slice(), copyOf: number[] = [];
   // The run that has each vertex, and the copy for the run that is at it; runs count from 1.
@@ -126,7 +126,7 @@ function grown(values: Float32Array): Float32Array<ArrayBuffer> {
 }
 
 /** Runs of faces of one part each. */
-export function runsOf({ runIndex, runOriginalID }: Mesh, sources: Sources): PartRun[] {
+export function runsOf({ runIndex, runOriginalID }: Pick<Faces, 'runIndex' | 'runOriginalID'>, sources: Sources): PartRun[] {
   const runs: PartRun[] = [];
   for (let i = 0; i < runOriginalID.length; i += 1) {
     const first = runIndex[i]! / 3, count = runIndex[i + 1]! / 3 - first;
