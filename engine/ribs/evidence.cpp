@@ -52,7 +52,7 @@ float median(std::vector<float>& values) {
 
 // Share of the curves' median strongest contrast that counts as a full edge, and the Lab
 // differences below which nothing is believed to be one, in the whole strip and near by.
-constexpr float kFullEdge = 0.7f, kLeastContrast = 2.f, kLeastLocalContrast = 1.5f;
+constexpr float kFullEdge = 0.7f, kLeastContrast = 2.f, kLeastLocalContrast = 3.5f;
 // Curves to either side that "near by" means.
 constexpr int kNearby = 10;
 // Half the width that an edge fills along a curve, and what is left out beyond it, in map pixels.

@@ -7,6 +7,7 @@
 
 #include "engine/ribs/algorithm_one.h"
 #include "engine/ribs/curves.h"
+#include "engine/ribs/edge_strength.h"
 #include "engine/ribs/end_fan.h"
 #include "engine/ribs/evidence.h"
 #include "engine/ribs/fairing.h"
@@ -38,6 +39,8 @@ struct RibWorkspace::Search {
   std::vector<float> marginals;
   std::vector<Rival> rivals;
   SideLengths lengths;
+  EdgeStrengths strengths;
+  std::vector<float> say;  // what the evidence of a curve counts for in the third look
   FairingMemory fairing;
   std::vector<RibState> states;
   const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
@@ -66,6 +69,9 @@ constexpr double kPriceOfChange = 3;
 // everywhere.
 constexpr double kStiffer = 40;
 constexpr float kOppositeShare = 0.7f;
+// What the evidence of a curve counts for in the third look whose end so far stands on nothing, against
+// one that stands on as strong an edge as its neighbours.
+constexpr float kLeastSay = 0.3f;
 // A rib end with at least this share of a full edge under it stands on one.
 constexpr float kOnEdge = 0.5f;
 
@@ -239,8 +245,15 @@ void bestLabels(bool withColours, Search& s, LengthLabels& best) {
   if (last != chosen) suppose(chosen);  // states and fans are read from its evidence
 }
 
+const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s) {
+  const auto& differences = s.terms.scratch.differences;
+  return edgeStrengths({s.curves, labels, leftSide},
+                       s.edges ? std::span(differences) : std::span(differences).first(0), s.strengths);
+}
+
 // Where the third look starts from, of every curve of a rib: a stiff, robust line through the ends of
-// a side, in which a dent or a bulge of a few ribs leaves little.
+// a side, in which a dent or a bulge of a few ribs leaves little, least where they stand on fainter edges
+// than others near by; and what each curve may say in that look.
 void stiffLengths(const LengthLabels& labels, Search& s) {
   FairingParams stiff = s.params.fairing;
   stiff.stiffness *= kStiffer;
@@ -249,17 +262,20 @@ void stiffLengths(const LengthLabels& labels, Search& s) {
     const auto curveOf = [&](int i) {
       return leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
     };
+    const std::vector<float>& strengths = strengthsOf(side, leftSide, s);
     s.lengths.length.clear();
     s.lengths.trust.clear();
     for (int i = 0; i < s.problem.ribs; ++i) {
       const std::size_t at = s.curves.at(curveOf(i), side[index(i)]);
-      const auto support = static_cast<double>(s.support[at]);
+      const auto support = static_cast<double>(s.support[at] * strengths[index(i)]);
       s.lengths.length.push_back(static_cast<double>(s.curves.along[at]));
       s.lengths.trust.push_back(support * support);
     }
     const std::vector<double>& fair = fairLengths(s.lengths, stiff, s.fairing);
-    for (int i = 0; i < s.problem.ribs; ++i)
+    for (int i = 0; i < s.problem.ribs; ++i) {
       s.known.inside[index(curveOf(i))] = std::max(1.f, static_cast<float>(fair[index(i)]));
+      s.say[index(curveOf(i))] = kLeastSay + (1 - kLeastSay) * strengths[index(i)];
+    }
   }
 }
 
@@ -270,6 +286,7 @@ void thirdEvidence(const LengthLabels& labels, Search& s) {
   constexpr float kUnknown = std::numeric_limits<float>::infinity();
   s.known.inside.assign(index(s.curves.layout.total()), 0.f);
   s.known.outside.assign(s.known.inside.size(), kUnknown);
+  s.say.assign(s.known.inside.size(), 1.f);
   stiffLengths(labels, s);
   const auto forRibs = [&](auto&& what) {
     for (int i = 0; i < s.curves.layout.ribs; ++i) {
@@ -288,13 +305,13 @@ void thirdEvidence(const LengthLabels& labels, Search& s) {
   const float most = std::log(kMostChange);
   const auto price = static_cast<float>(kPriceOfChange * shareOfRib(s));
   forRibs([&](int curve) {
-    const float held = s.known.inside[index(curve)];
+    const float held = s.known.inside[index(curve)], say = s.say[index(curve)];
     const float* along = &s.curves.along[s.curves.at(curve, 0)];
     float* costs = &s.costs[s.curves.at(curve, 0)];
     for (int k = 1; k < s.curves.reached[index(curve)]; ++k) {
       const float change = quickLog(along[k] / held);
       const float beyond = (change < 0 ? -change : change) - most;
-      costs[k] += price * (beyond > 0 ? beyond : 0.f);
+      costs[k] = say * costs[k] + price * (beyond > 0 ? beyond : 0.f);
     }
   });
   fillSide(s, true);
@@ -342,15 +359,18 @@ void readRivals(Search& s, const LengthLabels& labels, bool leftSide, RibSet& se
   }
 }
 
-// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair.
+// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair. An end on a
+// fainter edge than others near by is led by these.
 const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftSide, Search& s) {
+  const std::vector<float>& strengths = strengthsOf(labels, leftSide, s);
   SideLengths& side = s.lengths;
   side.length.clear();
   side.trust.clear();
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
-    const double support = s.support[at];
+    const auto strength = static_cast<double>(strengths[index(i)]);
+    const double support = static_cast<double>(s.support[at]) * strength * strength;
     const double length = s.curves.along[at];
     side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
     side.trust.push_back(support * support);

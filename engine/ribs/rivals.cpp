@@ -13,7 +13,7 @@ constexpr float kRivalShare = 0.1f;
 constexpr int kSameLabels = 2;
 constexpr std::size_t kMostRivals = 3;
 // An end on its own at another place costs the chain two jumps between neighbours; one that is dearer
-// than this (in units of a rib's energy; RibParams::neighbourCap is 5) has the picture against it too.
+// than this (in units of a rib's energy; RibParams::neighbourCap is 8) has the picture against it too.
 constexpr float kMostMargin = 8.f;
 // Less support than this is no edge worth offering.
 constexpr float kLeastSupport = 0.9f;
