@@ -16,8 +16,8 @@ PicturePoint slopeAt(PicturePoint a, PicturePoint b, PicturePoint c) {
 
 /// A smooth curve through all points (cubic Hermite), `steps` pieces between neighbours; the first
 /// and last point only steer.
-std::vector<PicturePoint> throughPoints(std::span<const PicturePoint> points, std::size_t steps) {
-  std::vector<PicturePoint> out;
+void throughPoints(std::span<const PicturePoint> points, std::size_t steps, std::vector<PicturePoint>& out) {
+  out.clear();
   out.reserve((points.size() - 3) * steps + 1);
   for (std::size_t i = 1; i + 2 < points.size(); ++i) {
     const PicturePoint a = points[i], b = points[i + 1];
@@ -31,7 +31,6 @@ std::vector<PicturePoint> throughPoints(std::span<const PicturePoint> points, st
     }
   }
   out.push_back(points[points.size() - 2]);
-  return out;
 }
 
 /// Where the fan is farthest out: its middle.
@@ -68,8 +67,8 @@ void closeAt(PicturePoint tip, const CapSite& site, const ChordLimits& limits, C
 }
 
 /// Fan points that can be used: those that differ from their predecessor and from the rib's ends.
-std::vector<PicturePoint> usableFan(const CapSite& site, const ChordLimits& limits) {
-  std::vector<PicturePoint> fan;
+void usableFan(const CapSite& site, const ChordLimits& limits, std::vector<PicturePoint>& fan) {
+  fan.clear();
   PicturePoint last = site.last.left;
   for (const PicturePoint& p : site.fan) {
     if (!isFinite(p) || distance(p, last) < limits.spacing ||
@@ -79,11 +78,10 @@ std::vector<PicturePoint> usableFan(const CapSite& site, const ChordLimits& limi
     fan.push_back(p);
     last = p;
   }
-  if (fan.empty()) return fan;
+  if (fan.empty()) return;
   const PicturePoint forward = normalized(forwardOf(site.last.across()));
   const double lead = dot(middleOf(fan) - site.last.middle(), forward);
   if (lead < 2 * limits.spacing) fan.clear();  // it does not lie beyond the end
-  return fan;
 }
 
 /// Where the way from `inside` to `p` leaves the side that runs on from `from` in direction `along`,
@@ -108,57 +106,56 @@ void keepWithinSides(const CapSite& site, std::vector<PicturePoint>& fan) {
   }
 }
 
-Cap fanCap(const CapSite& site, std::span<const PicturePoint> fan, int rings,
-           const ChordLimits& limits) {
+/// A cap round the fan in `memory`.
+void fanCap(const CapSite& site, const CapPlan& plan, CapMemory& memory, Cap& cap) {
+  const std::vector<PicturePoint>& fan = memory.fan;
   // An even number of pieces in all makes the middle of the outline one of its points: the tip.
-  const std::size_t gaps = fan.size() + 1, wanted = 2 * static_cast<std::size_t>(rings);
+  const std::size_t gaps = fan.size() + 1, wanted = 2 * static_cast<std::size_t>(plan.rings);
   std::size_t steps = std::max<std::size_t>(1, (wanted + gaps - 1) / gaps);
   if (steps * gaps % 2 == 1) ++steps;
-  std::vector<PicturePoint> frame = {site.before.left, site.last.left};
+  std::vector<PicturePoint>& frame = memory.frame;
+  frame.assign({site.before.left, site.last.left});
   frame.insert(frame.end(), fan.begin(), fan.end());
   frame.push_back(site.last.right);
   frame.push_back(site.before.right);
-  const std::vector<PicturePoint> outline = throughPoints(frame, steps);
-  Cap cap;
+  std::vector<PicturePoint>& outline = memory.outline;
+  throughPoints(frame, steps, outline);
   const std::size_t half = outline.size() / 2;
   for (std::size_t k = 1; k < half; ++k) {
-    admit({outline[k], outline[outline.size() - 1 - k]}, site, limits, cap);
+    admit({outline[k], outline[outline.size() - 1 - k]}, site, plan.limits, cap);
   }
-  closeAt(outline[half], site, limits, cap);
-  return cap;
+  closeAt(outline[half], site, plan.limits, cap);
 }
 
-Cap dome(const CapSite& site, double height, int rings, const ChordLimits& limits) {
-  Cap cap;
+void dome(const CapSite& site, double height, const CapPlan& plan, Cap& cap) {
   const PicturePoint middle = site.last.middle(), half = site.last.across() / 2;
-  for (int ring = 1; ring <= rings; ++ring) {
-    const double angle = std::numbers::pi / 2 * ring / (rings + 1);
+  for (int ring = 1; ring <= plan.rings; ++ring) {
+    const double angle = std::numbers::pi / 2 * ring / (plan.rings + 1);
     const PicturePoint at = middle + site.travel * (height * std::sin(angle));
-    admit({at - half * std::cos(angle), at + half * std::cos(angle)}, site, limits, cap);
+    admit({at - half * std::cos(angle), at + half * std::cos(angle)}, site, plan.limits, cap);
   }
-  closeAt(middle + site.travel * height, site, limits, cap);
-  return cap;
+  closeAt(middle + site.travel * height, site, plan.limits, cap);
 }
 
 }  // namespace
 
-Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,
-            CapStyle style) {
-  if (style != CapStyle::Round && style != CapStyle::Pointed) return {};
-  std::vector<PicturePoint> fan = usableFan(site, limits);
-  if (style == CapStyle::Round) keepWithinSides(site, fan);
+void planCap(const CapSite& site, const CapPlan& plan, CapMemory& memory, Cap& cap) {
+  cap.chords.clear();
+  cap.tip.reset();
+  if (plan.style != CapStyle::Round && plan.style != CapStyle::Pointed) return;
+  usableFan(site, plan.limits, memory.fan);
+  std::vector<PicturePoint>& fan = memory.fan;
+  if (plan.style == CapStyle::Round) keepWithinSides(site, fan);
   const double halfWidth = std::abs(cross(site.last.across(), site.travel)) / 2;
-  if (style == CapStyle::Round) {
-    // A fan that was found, but not beyond the last rib: the part ends there.
-    if (fan.empty() && !site.fan.empty()) return {};
-    return fan.empty() ? dome(site, kDomeHeight * halfWidth, params.capRings, limits)
-                       : fanCap(site, fan, params.capRings, limits);
+  if (plan.style == CapStyle::Pointed) {
+    const PicturePoint point = site.last.middle() + site.travel * (kPointLength * halfWidth);
+    closeAt(fan.empty() ? point : middleOf(fan), site, plan.limits, cap);
+  } else if (!fan.empty()) {
+    fanCap(site, plan, memory, cap);
+  } else if (site.fan.empty()) {
+    // Where a fan was found, but not beyond the last rib, the part ends there.
+    dome(site, kDomeHeight * halfWidth, plan, cap);
   }
-  Cap cap;
-  closeAt(
-      fan.empty() ? site.last.middle() + site.travel * (kPointLength * halfWidth) : middleOf(fan),
-      site, limits, cap);
-  return cap;
 }
 
 }  // namespace spineloft::loft

@@ -28,9 +28,18 @@ struct CapSite {
 /// The same chord for someone who travels the other way.
 inline Chord flipped(const Chord& chord) { return {chord.right, chord.left, chord.at}; }
 
-/// Chords and tip of a cap; nothing for Flat and Open, nor for Round where the fan says that the part
+/// What planCap asks for besides its result.
+struct CapMemory {
+  std::vector<PicturePoint> fan, frame, outline;
+};
+
+/// Chords and tip of a cap, in place of what `cap` held; nothing for Flat and Open, nor for Round where the fan says that the part
 /// ends before its last chord.
-Cap planCap(const CapSite& site, const LoftParams& params, const ChordLimits& limits,
-            CapStyle style);
+struct CapPlan {
+  CapStyle style;
+  int rings;  ///< LoftParams::capRings
+  ChordLimits limits;
+};
+void planCap(const CapSite& site, const CapPlan& plan, CapMemory& memory, Cap& cap);
 
 }  // namespace spineloft::loft

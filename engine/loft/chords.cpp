@@ -191,8 +191,7 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits) {
   }
 }
 
-std::vector<Chord> orderChords(std::span<const Chord> chords, const ChordLimits& limits) {
-  std::vector<Chord> row(chords.begin(), chords.end());
+std::vector<Chord> orderChords(std::vector<Chord> row, const ChordLimits& limits) {
   if (!inOrder(row, limits)) {
     std::vector<std::size_t> run = longestRun(row, limits);
     if (run.size() * 5 < row.size() * 3) {

@@ -45,7 +45,7 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits);
 /// place. Ends that coincide with their predecessor's move ahead by `spacing`. Chords that already
 /// follow each other come back unchanged. Afterwards chords up to eight places apart do not cross,
 /// but for a few `spacing` at ends that coincided. Cost: linear, with a bounded look at neighbours.
-std::vector<Chord> orderChords(std::span<const Chord> chords, const ChordLimits& limits);
+std::vector<Chord> orderChords(std::vector<Chord> chords, const ChordLimits& limits);
 
 /// Moves both ends of every chord strictly ahead of its predecessor (by `spacing`, measured across
 /// both chords), dropping what would have to move by more than a quarter of its width.

@@ -14,17 +14,11 @@
 #include "engine/loft/stations.h"
 #include "engine/loft/straight_end.h"
 #include "engine/loft/sweep.h"
+#include "engine/loft/workspace.h"
 
 namespace spineloft::loft {
-namespace {
 
-constexpr std::array kCapNames = {
-    CapName{CapStyle::Flat, "flat", "Flat"},
-    CapName{CapStyle::Round, "round", "Round"},
-    CapName{CapStyle::Pointed, "pointed", "Pointed"},
-    CapName{CapStyle::Open, "open", "Open"},
-};
-static_assert(kCapNames.size() == static_cast<std::size_t>(CapStyle::kCount));
+namespace {
 
 /// Ribs as chords, ready for repair, in the order and direction in which they sweep a positive
 /// area.
@@ -35,14 +29,53 @@ struct Input {
   double farthest = 0;  ///< largest absolute coordinate
 };
 
+/// The stretch between the caps, and the tips that ribs without width made.
+struct Body {
+  std::vector<Chord> chords;
+  std::optional<PicturePoint> startTip, endTip;
+};
+
+}  // namespace
+
+struct LoftWorkspace::Tables {
+  // The section of these params.
+  LoftParams params;
+  bool ring = false;
+  std::optional<SectionTrack> track;
+  // One loft, step by step.
+  Input input;
+  Body body;
+  CentreLine line;
+  std::vector<PicturePoint> fan;  ///< of the start, seen from the other end
+  CapMemory caps;
+  Cap cap;
+  Outline outline;
+  StationMemory stations;
+  Sweep sweep;
+  SweepMemory rings;
+};
+
+namespace {
+
+constexpr std::array kCapNames = {
+    CapName{CapStyle::Flat, "flat", "Flat"},
+    CapName{CapStyle::Round, "round", "Round"},
+    CapName{CapStyle::Pointed, "pointed", "Pointed"},
+    CapName{CapStyle::Open, "open", "Open"},
+};
+static_assert(kCapNames.size() == static_cast<std::size_t>(CapStyle::kCount));
+
 PicturePoint clamped(PicturePoint p) {
   return {std::clamp(p.x, -kFarthest, kFarthest), std::clamp(p.y, -kFarthest, kFarthest)};
 }
 
 /// `place`: share of the spine's length at which a rib stands.
 template <class Place>
-Input readRibs(const ribs::RibSet& set, const Place& place) {
-  Input input;
+void readRibs(const ribs::RibSet& set, const Place& place, Input& input) {
+  input.chords.clear();
+  input.startFan.clear();
+  input.endFan.clear();
+  input.diagonal = input.farthest = 0;
   input.chords.reserve(set.ribs.size());
   PicturePoint low{kFarthest, kFarthest}, high{-kFarthest, -kFarthest};
   for (const ribs::Rib& rib : set.ribs) {
@@ -55,17 +88,15 @@ Input readRibs(const ribs::RibSet& set, const Place& place) {
       input.farthest = std::max({input.farthest, std::abs(p.x), std::abs(p.y)});
     }
   }
-  if (input.chords.empty()) return input;
+  if (input.chords.empty()) return;
   input.diagonal = distance(low, high);
-  const auto readFan = [](const ribs::EndFan& fan) {
-    std::vector<PicturePoint> points;
+  const auto readFan = [](const ribs::EndFan& fan, std::vector<PicturePoint>& points) {
     for (const PicturePoint& p : fan.points) {
       if (isFinite(p)) points.push_back(clamped(p));
     }
-    return points;
   };
-  input.startFan = readFan(set.startFan);
-  input.endFan = readFan(set.endFan);
+  readFan(set.startFan, input.startFan);
+  readFan(set.endFan, input.endFan);
   double swept = 0;
   for (std::size_t i = 1; i < input.chords.size(); ++i) {
     swept += sweptArea(input.chords[i - 1], input.chords[i]);
@@ -75,7 +106,6 @@ Input readRibs(const ribs::RibSet& set, const Place& place) {
     std::reverse(input.startFan.begin(), input.startFan.end());
     std::reverse(input.endFan.begin(), input.endFan.end());
   }
-  return input;
 }
 
 /// Limits below which float coordinates or the mesh laws would make triangles without area.
@@ -91,14 +121,11 @@ ChordLimits limitsFor(const Input& input, double shortestEdge, double strictness
   return limits;
 }
 
-/// The stretch between the caps, and the tips that ribs without width made.
-struct Body {
-  std::vector<Chord> chords;
-  std::optional<PicturePoint> startTip, endTip;
-};
-
-Body repairBody(std::vector<Chord> chords, const ChordLimits& limits) {
-  Body body;
+void repairBody(std::span<const Chord> given, const ChordLimits& limits, Body& body) {
+  std::vector<Chord>& chords = body.chords;
+  chords.assign(given.begin(), given.end());
+  body.startTip.reset();
+  body.endTip.reset();
   const auto isTip = [&](const Chord& chord) { return chord.width() < limits.width / 2; };
   if (chords.size() >= 2 && isTip(chords.front()) && !isTip(chords[1])) {
     body.startTip = chords.front().middle();
@@ -109,13 +136,12 @@ Body repairBody(std::vector<Chord> chords, const ChordLimits& limits) {
     chords.pop_back();
   }
   widenChords(chords, limits);
-  body.chords = orderChords(chords, limits);
+  chords = orderChords(std::move(chords), limits);
   const auto ahead = [&](const Chord& chord, PicturePoint tip) {
     return dot(tip - chord.middle(), normalized(forwardOf(chord.across()))) > 2 * limits.spacing;
   };
   if (body.startTip && !ahead(flipped(body.chords.front()), *body.startTip)) body.startTip.reset();
   if (body.endTip && !ahead(body.chords.back(), *body.endTip)) body.endTip.reset();
-  return body;
 }
 
 /// A single chord becomes a thin slab.
@@ -148,28 +174,31 @@ Chord shoulderOf(const Chords& chords) {
   return chords.front();
 }
 
-Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
-                const ChordLimits& limits) {
+void addCaps(const LoftParams& params, const ChordLimits& limits, LoftWorkspace::Tables& tables) {
+  const Body& body = tables.body;
+  const Input& input = tables.input;
   const std::vector<Chord>& chords = body.chords;
   const std::size_t n = chords.size();
-  Outline outline{chords, body.startTip, body.endTip};
-  const std::vector<PicturePoint> middles = middlesOf(outline);
-  const std::vector<PicturePoint> travel = travelAlong(middles, params.centring);
+  Outline& outline = tables.outline;
+  outline.chords.assign(chords.begin(), chords.end());
+  outline.startTip = body.startTip;
+  outline.endTip = body.endTip;
+  outline.startOpen = outline.endOpen = false;
+  outline.bodyBegin = 0;
+  tables.line.follow(outline, params.centring);
+  const std::vector<PicturePoint>& travel = tables.line.travel;
   const std::size_t first = body.startTip ? 1 : 0;
+  Cap& cap = tables.cap;
   if (!body.startTip) {
     const Chord last = flipped(chords.front()),
                 before = flipped(chords[std::min<std::size_t>(1, n - 1)]);
-    std::vector<PicturePoint> fan(input.startFan.rbegin(), input.startFan.rend());
-    const Cap cap = planCap({last, before, flipped(shoulderOf(chords | std::views::reverse)),
-                             capTravel(last, -travel[first]), fan},
-                            params, limits, params.startCap);
-    std::vector<Chord> all;
-    all.reserve(cap.chords.size() + n);
-    for (auto chord = cap.chords.rbegin(); chord != cap.chords.rend(); ++chord) {
-      all.push_back(flipped(*chord));
-    }
-    all.insert(all.end(), chords.begin(), chords.end());
-    outline.chords = std::move(all);
+    tables.fan.assign(input.startFan.rbegin(), input.startFan.rend());
+    planCap({last, before, flipped(shoulderOf(chords | std::views::reverse)),
+             capTravel(last, -travel[first]), tables.fan},
+            {params.startCap, params.capRings, limits}, tables.caps, cap);
+    std::ranges::reverse(cap.chords);
+    for (Chord& chord : cap.chords) chord = flipped(chord);
+    outline.chords.insert(outline.chords.begin(), cap.chords.begin(), cap.chords.end());
     outline.bodyBegin = cap.chords.size();
     outline.startTip = cap.tip;
     outline.startOpen = params.startCap == CapStyle::Open;
@@ -177,14 +206,12 @@ Outline addCaps(const Body& body, const Input& input, const LoftParams& params,
   outline.bodyEnd = outline.bodyBegin + n;
   if (!body.endTip) {
     const Chord last = chords.back(), before = chords[n >= 2 ? n - 2 : 0];
-    const Cap cap = planCap({last, before, shoulderOf(chords),
-                             capTravel(last, travel[first + n - 1]), input.endFan},
-                            params, limits, params.endCap);
+    planCap({last, before, shoulderOf(chords), capTravel(last, travel[first + n - 1]), input.endFan},
+            {params.endCap, params.capRings, limits}, tables.caps, cap);
     outline.chords.insert(outline.chords.end(), cap.chords.begin(), cap.chords.end());
     outline.endTip = cap.tip;
     outline.endOpen = params.endCap == CapStyle::Open;
   }
-  return outline;
 }
 
 /// Strict repair: every chord clearly ahead of the one before, tips ahead of their chords.
@@ -225,7 +252,6 @@ Status checkInput(image::Size picture, const LoftParams& params) {
 struct Plan {
   const ribs::RibSet& ribs;
   image::Size picture;
-  LoftParams params;
   const SectionTrack& track;
   const PosedSpine* spine;
 };
@@ -251,40 +277,55 @@ std::vector<double> placesOf(const ribs::RibSet& set, const PosedSpine* spine) {
   return places;
 }
 
-Result<mesh::TriMesh> loftPlan(Plan plan) {
+/// The section on the points of `params`, which `tables` may know already.
+Result<const SectionTrack*> trackOf(const LoftParams& params, bool ring, LoftWorkspace::Tables& tables) {
+  const bool known = tables.track && tables.ring == ring && tables.params.sectionPoints == params.sectionPoints &&
+                     tables.params.sections == params.sections;
+  if (!known) {
+    tables.track.reset();
+    Result<SectionTrack> made = SectionTrack::along(params.sections, params.sectionPoints, ring);
+    if (!made) return made.failure();
+    tables.track = std::move(made).value();
+    tables.ring = ring;
+  }
+  tables.params = params;
+  return &*tables.track;
+}
+
+/// `params`: the plan's own, whose ends may become flat.
+Status loftPlan(const Plan& plan, LoftParams& params, LoftWorkspace::Tables& tables, mesh::TriMesh& mesh) {
   const ribs::Rib* first = plan.ribs.ribs.data();
   // Nothing looks at the places of ribs unless something changes along the spine.
-  const StationMaker maker{plan.track, plan.params, plan.spine};
+  const StationMaker maker{plan.track, params, plan.spine};
   std::vector<double> places;
   if (maker.changes()) places = placesOf(plan.ribs, plan.spine);
-  const Input input = readRibs(plan.ribs, [&](const ribs::Rib& rib) {
+  const Input& input = tables.input;
+  readRibs(plan.ribs, [&](const ribs::Rib& rib) {
     return places.empty() ? 0.0 : places[static_cast<std::size_t>(&rib - first)];
-  });
+  }, tables.input);
   if (input.chords.size() < 2) return Error::TooFewRibs;
   if (input.diagonal < kSamePoint) return {Error::TooFewRibs, "all in one point"};
   const bool many = plan.track.sizes().size() > 1, ring = maker.ring();
-  LoftParams& params = plan.params;
   for (CapStyle* cap : {&params.startCap, &params.endCap}) {
     if (many || ring || (*cap == CapStyle::Open && !plan.track.hollow())) *cap = CapStyle::Flat;
   }
-  SweepMemory memory;
-  mesh::TriMesh mesh;
   // Nearly always the first try is lawful. Ribs that touch or lie in one line need the stricter
   // ones.
   constexpr std::array kStrictness = {1.0, 1.0, 8.0, 64.0};
   for (std::size_t attempt = 0; attempt < kStrictness.size(); ++attempt) {
     const ChordLimits limits = limitsFor(input, plan.track.shortestEdge(), kStrictness[attempt]);
-    Body body = repairBody(input.chords, limits);
+    Body& body = tables.body;
+    repairBody(input.chords, limits, body);
     if (!ring) cutStraightEnds(body.chords, plan.ribs, params);
     if (many || ring) {
       body.startTip.reset();
       body.endTip.reset();
     }
     if (body.chords.size() == 1 && !body.startTip && !body.endTip) thicken(body.chords, limits);
-    Outline outline = addCaps(body, input, params, limits);
-    if (attempt > 0) spread(outline, limits);
-    Sweep sweep = maker.sweep(outline);
-    if (sweepMesh(sweep, plan.picture, memory, mesh)) return mesh;
+    addCaps(params, limits, tables);
+    if (attempt > 0) spread(tables.outline, limits);
+    maker.sweep(tables.outline, tables.stations, tables.sweep);
+    if (sweepMesh(tables.sweep, plan.picture, tables.rings, mesh)) return Done{};
   }
   return {Error::SectionInvalid, "too fine for ribs of this size"};
 }
@@ -325,28 +366,46 @@ Status checkParams(const LoftParams& params) {
   return checkStops(params.sections);
 }
 
+LoftWorkspace::LoftWorkspace() = default;
+LoftWorkspace::~LoftWorkspace() = default;
+LoftWorkspace::LoftWorkspace(LoftWorkspace&&) noexcept = default;
+LoftWorkspace& LoftWorkspace::operator=(LoftWorkspace&&) noexcept = default;
+LoftWorkspace::Tables& LoftWorkspace::tables() {
+  if (!tables_) tables_ = std::make_unique<Tables>();
+  return *tables_;
+}
+
 namespace {
 
-Result<mesh::TriMesh> loftAlong(const ribs::RibSet& ribs, image::Size picture,
-                                const LoftParams& params, const PosedSpine* spine) {
-  if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
+Status loftAlong(const Source& source, const PosedSpine* spine, LoftWorkspace& memory, mesh::TriMesh& mesh) {
+  if (const Status status = checkInput(source.picture, source.params); !status.ok()) return status.failure();
+  LoftWorkspace::Tables& tables = memory.tables();
   const bool ring = spine != nullptr && spine->closed;
-  const Result<SectionTrack> track =
-      SectionTrack::along(params.sections, params.sectionPoints, ring);
+  const Result<const SectionTrack*> track = trackOf(source.params, ring, tables);
   if (!track.ok()) return track.failure();
-  return loftPlan({ribs, picture, params, track.value(), spine});
+  return loftPlan({source.ribs, source.picture, *track.value(), spine}, tables.params, tables, mesh);
 }
 
 }  // namespace
 
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params) {
-  return loftAlong(ribs, picture, params, nullptr);
+  LoftWorkspace memory;
+  mesh::TriMesh mesh;
+  if (const Status status = loftAlong({ribs, picture, params}, nullptr, memory, mesh); !status.ok()) return status.failure();
+  return mesh;
 }
 
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params, const PosedSpine& spine) {
-  return loftAlong(ribs, picture, params, &spine);
+  LoftWorkspace memory;
+  mesh::TriMesh mesh;
+  if (const Status status = loftRibs({ribs, picture, params}, spine, memory, mesh); !status.ok()) return status.failure();
+  return mesh;
+}
+
+Status loftRibs(const Source& source, const PosedSpine& spine, LoftWorkspace& memory, mesh::TriMesh& mesh) {
+  return loftAlong(source, &spine, memory, mesh);
 }
 
 Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
@@ -358,7 +417,12 @@ Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
   if (!geometry::isSimple(points)) return {Error::SectionInvalid, "touches itself"};
   if (geometry::signedArea(points) <= 0) return {Error::SectionInvalid, "runs clockwise"};
   const SectionTrack track = SectionTrack::fixed(section.points);
-  return loftPlan({ribs, picture, params, track, nullptr});
+  LoftWorkspace::Tables tables;
+  LoftParams own = params;
+  mesh::TriMesh mesh;
+  if (const Status status = loftPlan({ribs, picture, track, nullptr}, own, tables, mesh); !status.ok())
+    return status.failure();
+  return mesh;
 }
 
 }  // namespace spineloft::loft

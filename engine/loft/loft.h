@@ -12,6 +12,7 @@
 #include "engine/image/image.h"
 #include "engine/loft/posed.h"
 #include "engine/loft/section.h"
+#include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/ribs.h"
 
@@ -98,6 +99,16 @@ Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
 /// caps: sizes and curves meet halfway near the seam, and twist is rounded to full turns.
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params, const PosedSpine& spine);
+
+/// The same for frame after frame: in place of what `mesh` held, without asking for memory once `memory` and `mesh`
+/// have seen parts as large, where one section stands along the spine at rest, ribs follow each other, and no end is
+/// open. After a failure `mesh` is of no use.
+struct Source {
+  const ribs::RibSet& ribs;
+  image::Size picture;
+  const LoftParams& params;
+};
+Status loftRibs(const Source& source, const PosedSpine& spine, LoftWorkspace& memory, mesh::TriMesh& mesh);
 
 /// The same with a section of one's own instead of the preset (`section` and `sectionPoints` of the
 /// params are not read). It must be simple and counter-clockwise, lie in [−1, 1]² and touch x = ±1 (to

@@ -197,13 +197,12 @@ double SectionTrack::soundBlend(Place place) const {
 
 void SectionTrack::appendShape(double share, Curve& out) const {
   const Place place = placeAt(share);
-  Curve curve;
-  if (!varies()) {
-    curve = stops_.front().points;
-  } else {
-    blended({place.from, place.to, soundBlend(place)}, curve);
-    touchBothEnds(curve);
+  Curve mixed;
+  if (varies()) {
+    blended({place.from, place.to, soundBlend(place)}, mixed);
+    touchBothEnds(mixed);
   }
+  const Curve& curve = varies() ? mixed : stops_.front().points;
   const SectionPoint middle = geometry::centroid(std::span(curve).first(sizes_.front()));
   const SectionPoint hub = sizes_.size() == 1 ? hubOf(curve).value_or(middle) : middle;
   out.insert(out.end(), curve.begin(), curve.end());

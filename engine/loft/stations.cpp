@@ -9,18 +9,13 @@
 namespace spineloft::loft {
 namespace {
 
-/// A section where it was traced: across its chord, `depth` picture pixels for section y = 1.
-struct Flat {
-  Chord chord;
-  double depth = 0;
-};
-
 /// Ribs wobble by a pixel; seen from the front that is the silhouette, but in depth it would be a
 /// wrinkle. The window shrinks towards the ends, so that steady tapers and both ends stay as they are.
-void smoothDepths(std::span<Flat> body, double reach) {
-  std::vector<double> depths(body.size());
+void smoothDepths(std::span<Flat> body, double reach, StationMemory& memory) {
+  std::vector<double>&depths = memory.depths, &weights = memory.weights;
+  depths.resize(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) depths[i] = body[i].depth;
-  std::vector<double> weights;
+  weights.clear();
   for (double k = 0; k <= std::ceil(3 * reach); ++k) {
     weights.push_back(reach > 0 ? std::exp(-k * k / (2 * reach * reach)) : 1);
   }
@@ -36,19 +31,19 @@ void smoothDepths(std::span<Flat> body, double reach) {
   }
 }
 
-std::vector<Flat> flatStations(const Outline& outline, double centring) {
-  const std::vector<PicturePoint> travel = travelAlong(middlesOf(outline), centring);
+void flatStations(const Outline& outline, double centring, StationMemory& memory) {
+  memory.line.follow(outline, centring);
   const std::size_t first = outline.startTip ? 1 : 0;
-  std::vector<Flat> stations;
+  std::vector<Flat>& stations = memory.flat;
+  stations.clear();
   stations.reserve(outline.chords.size());
   for (std::size_t i = 0; i < outline.chords.size(); ++i) {
     const PicturePoint across = outline.chords[i].across();
-    const double square = std::abs(cross(across, travel[first + i]));
+    const double square = std::abs(cross(across, memory.line.travel[first + i]));
     stations.push_back({outline.chords[i], std::max(square, kLeastDepth * norm(across)) / 2});
   }
   const std::size_t body = outline.bodyEnd - outline.bodyBegin;
-  smoothDepths(std::span(stations).subspan(outline.bodyBegin, body), centring);
-  return stations;
+  smoothDepths(std::span(stations).subspan(outline.bodyBegin, body), centring, memory);
 }
 
 /// The curves along the spine at one place.
@@ -259,25 +254,19 @@ void addBends(std::vector<Station>& stations, const std::vector<Flat>& flat, con
 
 }  // namespace
 
-std::vector<PicturePoint> middlesOf(const Outline& outline) {
-  std::vector<PicturePoint> middles;
+void CentreLine::follow(const Outline& outline, double reach) {
+  middles.clear();
   middles.reserve(outline.chords.size() + 2);
   if (outline.startTip) middles.push_back(*outline.startTip);
   for (const Chord& chord : outline.chords) middles.push_back(chord.middle());
   if (outline.endTip) middles.push_back(*outline.endTip);
-  return middles;
-}
-
-/// Direction of the smoothed centre line at each of `middles`; the raw difference where `reach` is
-/// 0.
-std::vector<PicturePoint> travelAlong(std::span<const PicturePoint> middles, double reach) {
   const std::size_t n = middles.size();
   const double sigma = std::max(reach, 0.25);
-  std::vector<double> weights;
+  weights.clear();
   for (double k = 1; k <= std::max(1.0, std::ceil(3 * sigma)); ++k) {
     weights.push_back(k * std::exp((1 - k * k) / (2 * sigma * sigma)));
   }
-  std::vector<PicturePoint> travel(n);
+  travel.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     PicturePoint sum;
     for (std::size_t k = 1; k <= weights.size(); ++k) {
@@ -285,7 +274,6 @@ std::vector<PicturePoint> travelAlong(std::span<const PicturePoint> middles, dou
     }
     travel[i] = normalized(sum);
   }
-  return travel;
 }
 
 bool StationMaker::changes() const {
@@ -293,13 +281,16 @@ bool StationMaker::changes() const {
          !params.tilt.empty() || !params.bulge.empty();
 }
 
-Sweep StationMaker::sweep(const Outline& outline) const {
-  Sweep sweep;
+void StationMaker::sweep(const Outline& outline, StationMemory& memory, Sweep& sweep) const {
+  sweep.shapes.clear();
+  sweep.stations.clear();
+  sweep.joined = false;
   sweep.sizes.assign(track.sizes().begin(), track.sizes().end());
   sweep.startOpen = outline.startOpen;
   sweep.endOpen = outline.endOpen;
   const PosedSpine* carrier = moved() ? spine : nullptr;
-  std::vector<Flat> flat = flatStations(outline, params.centring);
+  flatStations(outline, params.centring, memory);
+  std::vector<Flat>& flat = memory.flat;
   if (changes()) flat = refined(flat, Change(*this), track.count());
   constexpr std::size_t kLeastRing = 3;
   if (ring() && flat.size() > kLeastRing) {
@@ -323,7 +314,6 @@ Sweep StationMaker::sweep(const Outline& outline) const {
     sweep.stations.back().shape = oneShape ? 0 : i;
   }
   if (carrier != nullptr) addBends(sweep.stations, flat, *carrier);
-  return sweep;
 }
 
 }  // namespace spineloft::loft

@@ -18,11 +18,27 @@ struct Outline {
   bool startOpen = false, endOpen = false;
   std::size_t bodyBegin = 0, bodyEnd = 0;  ///< the chords that are ribs; none when not known
 };
-std::vector<PicturePoint> middlesOf(const Outline& outline);
 
-/// Direction of the smoothed centre line at each of `middles`; the raw difference where `reach` is
-/// 0.
-std::vector<PicturePoint> travelAlong(std::span<const PicturePoint> middles, double reach);
+/// A section where it was traced: across its chord, `depth` picture pixels for section y = 1.
+struct Flat {
+  Chord chord;
+  double depth = 0;
+};
+
+/// The line through the middles of an outline's chords, from tip to tip.
+struct CentreLine {
+  std::vector<PicturePoint> middles;
+  std::vector<PicturePoint> travel;  ///< its direction at each, smoothed; the raw difference where `reach` is 0
+  std::vector<double> weights;
+  void follow(const Outline& outline, double reach);
+};
+
+/// What StationMaker asks for besides its result.
+struct StationMemory {
+  CentreLine line;
+  std::vector<Flat> flat;
+  std::vector<double> depths, weights;
+};
 
 /// A section is never flatter than this share of its width: a rib along the centre line would
 /// otherwise have no depth at all.
@@ -38,7 +54,8 @@ struct StationMaker {
   bool ring() const { return moved() && spine->closed; }
   /// Whether anything depends on the place along the spine.
   bool changes() const;
-  Sweep sweep(const Outline& outline) const;
+  /// In place of what `sweep` held.
+  void sweep(const Outline& outline, StationMemory& memory, Sweep& sweep) const;
 };
 
 }  // namespace spineloft::loft

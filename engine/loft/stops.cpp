@@ -97,6 +97,7 @@ Status checkStops(std::span<const SectionStop> stops) {
       return {Error::ValueOutOfRange, "blend"};
     }
     if (stop.shape.preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "slice"};
+    if (stops.size() == 1 && !stop.shape.drawn()) break;  // nothing that it could disagree with
     std::vector<int> pieces = {0};
     if (stop.shape.drawn()) {
       const Result<std::vector<SectionPiece>> read = readShape(stop.shape);

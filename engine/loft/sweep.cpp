@@ -13,19 +13,6 @@
 namespace spineloft::loft {
 namespace {
 
-/// A ring of the surface: a station, shrunk towards the section's centre for an inner wall.
-struct Ring {
-  Station station;
-  double scale = 1;
-};
-
-/// All rings in the order in which the surface runs through them, from its start to its end; the
-/// start and end are closed by tips or lids, or joined to each other.
-struct RingPath {
-  std::vector<Ring> rings;
-  bool joined = false;
-};
-
 /// The station at share `t` of the way between two; its section joins the sweep.
 Station between(const Station& a, const Station& b, double t, Sweep& sweep) {
   Station station = a;
@@ -64,8 +51,8 @@ std::vector<Ring> mouthRings(std::span<const Station> stations, Sweep& sweep) {
   return rings;
 }
 
-RingPath pathOf(Sweep& sweep) {
-  RingPath path;
+void fillPath(Sweep& sweep, RingPath& path) {
+  path.rings.clear();
   const std::vector<Station>& stations = sweep.stations;
   const bool deep = stations.size() >= 2 && !sweep.joined;
   const bool startOpen = sweep.startOpen && deep, endOpen = sweep.endOpen && deep;
@@ -85,7 +72,6 @@ RingPath pathOf(Sweep& sweep) {
     const std::vector<Ring> mouth = mouthRings(backwards, sweep);
     path.rings.insert(path.rings.end(), mouth.begin(), mouth.end());
   }
-  return path;
 }
 
 /// Puts vertices and triangles into a mesh.
@@ -282,7 +268,8 @@ std::span<const SectionPoint> Sweep::shape(std::size_t which) const {
 }
 
 bool sweepMesh(Sweep& sweep, image::Size picture, SweepMemory& memory, mesh::TriMesh& mesh) {
-  const RingPath path = pathOf(sweep);
+  RingPath& path = memory.path;
+  fillPath(sweep, path);
   Builder builder(sweep, picture, path, memory, mesh);
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < path.rings.size(); ++i) last = builder.ring(path.rings[i], i);

@@ -43,8 +43,22 @@ struct Sweep {
   std::span<const SectionPoint> shape(std::size_t which) const;  ///< count() + 1 points
 };
 
+/// A ring of the surface: a station, shrunk towards the section's centre for an inner wall.
+struct Ring {
+  Station station;
+  double scale = 1;
+};
+
+/// All rings in the order in which the surface runs through them, from its start to its end; the
+/// start and end are closed by tips or lids, or joined to each other.
+struct RingPath {
+  std::vector<Ring> rings;
+  bool joined = false;
+};
+
 /// What sweepMesh asks for besides its result.
 struct SweepMemory {
+  RingPath path;
   std::array<RingPlanes, 2> planes;
 };
 

@@ -83,6 +83,9 @@ class Cache {
   /// What is kept apart from edges and pictures, in bytes.
   std::size_t bytes() const;
 
+  /// For shapeStage, likewise from frame to frame.
+  loft::LoftWorkspace& loftMemory() { return loftMemory_; }
+
   static constexpr std::uint64_t kKeptRounds = 32;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those shown; the marks
   /// of 4 pictures.
@@ -113,6 +116,7 @@ class Cache {
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;
   std::uint64_t round_ = 0;
+  loft::LoftWorkspace loftMemory_;
 };
 
 }  // namespace spineloft::pipeline

@@ -50,7 +50,7 @@ Result<PartShape> loftShape(const document::LoftRecipe& recipe,
     if (edges) cache.keepTraced(key, traced, preview);
   }
   const double took = nowMs(clock) - started;
-  Result<PartShape> shape = shapeStage(recipe, *traced, entry.size, clock);
+  Result<PartShape> shape = shapeStage(recipe, *traced, entry.size, cache.loftMemory(), clock);
   if (shape) shape.value().ms.ribs += took;
   return shape;
 }

@@ -24,7 +24,7 @@ std::size_t bytesOf(const std::vector<std::vector<PicturePoint>>& contours) {
 }
 
 Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                            image::Size picture, const Clock& clock) {
+                            image::Size picture, const Clock& clock, loft::LoftWorkspace& memory) {
   const double started = nowMs(clock);
   PartShape shape;
   shape.spine = traced.spine;
@@ -35,9 +35,8 @@ Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs
   shape.shown = loft::poseRibs(posed.value(), shape.ribs);
   shape.centreLine = loft::centreLine(posed.value(), shape.spine.points.size());
   const double edited = nowMs(clock);
-  Result<mesh::TriMesh> solid = loft::loftRibs(shape.ribs, picture, recipe.loft, posed.value());
-  if (!solid) return solid.failure();
-  shape.mesh = std::move(solid).value();
+  const Status made = loft::loftRibs({shape.ribs, picture, recipe.loft}, posed.value(), memory, shape.mesh);
+  if (!made.ok()) return made.failure();
   shape.ms.ribs = edited - started;
   shape.ms.loft = nowMs(clock) - edited;
   return shape;
@@ -89,9 +88,9 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
 }
 
 Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                             image::Size picture, const Clock& clock) {
+                             image::Size picture, loft::LoftWorkspace& memory, const Clock& clock) {
   try {
-    return makeShape(recipe, traced, picture, clock);
+    return makeShape(recipe, traced, picture, clock, memory);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
@@ -107,7 +106,8 @@ Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::Edg
       traceStage(recipe, {edges, picture, &ignored.value()}, progress, memory);
   if (!traced) return traced.failure();
   const double took = nowMs(clock) - started;
-  Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, clock);
+  loft::LoftWorkspace loftMemory;
+  Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, loftMemory, clock);
   if (shape) shape.value().ms.ribs += took;
   return shape;
 }

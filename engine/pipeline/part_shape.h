@@ -13,6 +13,7 @@
 #include "engine/base/vec.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
+#include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/ignored.h"
 #include "engine/ribs/ribs.h"
@@ -71,9 +72,9 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
                               ribs::RibWorkspace& memory);
 
 /// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
-/// those of the stages, OutOfMemory.
+/// those of the stages, OutOfMemory. `memory` is reused and never shows in the result.
 Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                             image::Size picture, const Clock& clock = {});
+                             image::Size picture, loft::LoftWorkspace& memory, const Clock& clock = {});
 
 /// Of a region: clean → swell, and clean → give thickness. `key` of the result is 0; the times stand in
 /// `ms.loft`. Errors: RegionEmpty, RegionTooFine, OutOfMemory.

@@ -54,7 +54,7 @@ TEST_CASE("walls between rings of any curves use every edge of a curve once, and
   Rng rng(81);
   for (int round = 0; round < 300; ++round) {
     std::vector<std::size_t> sizes;
-    for (std::uint64_t curves = 1 + rng.below(3); curves > 0; --curves) sizes.push_back(3 + rng.below(12));
+    for (std::uint32_t curves = 1 + rng.below(3); curves > 0; --curves) sizes.push_back(3 + rng.below(12));
     const std::size_t count = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
     const Points points = twoRings(count, rng.uniform(0.1, 300), rng);
     const Walls walls = wallsOf(points, sizes);
