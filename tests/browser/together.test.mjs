@@ -159,11 +159,13 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
   await onPage(kit, { isolated: false }, async (page) => {
     await page.addInitScript(() => {
       const Plain = window.Worker;
-      window.solidWorkers = [];
+      window.endNext = false;
       window.Worker = class extends Plain {
-        constructor(url, options) {
-          super(url, options);
-          if (options?.name?.startsWith('spineloft-solids')) window.solidWorkers.push(this);
+        postMessage(message, transfer) {
+          super.postMessage(message, transfer);
+          if (!window.endNext || !message.nodes) return;
+          window.endNext = false;
+          this.terminate();
         }
       };
     });
@@ -179,10 +181,9 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
     assert.equal(good.status, 'ready');
 
     // The browser ends the worker in the middle of a job, and tells nobody.
-    await page.evaluate(async () => {
-      await window.spineloft.run('set-section', { part: 1, section: 'star' });
-      window.spineloft.state();
-      window.solidWorkers.at(-1).terminate();
+    await page.evaluate(() => {
+      window.endNext = true;
+      return window.spineloft.run('set-section', { part: 1, section: 'star' });
     });
     assert.match(await toastText(page), /interrupted/);
     await idle(page);
@@ -220,6 +221,59 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
     await idle(page);
     assert.equal((await root(page)).status, 'ready');
     await lawful(page);
+  });
+});
+
+test('a mesh that arrives damaged names its part, and one that breaks the solver down leaves the model whole', async () => {
+  await onPage(kit, { isolated: false }, async (page, { troubles }) => {
+    await page.addInitScript(() => {
+      const Plain = window.Worker;
+      window.damage = null;
+      window.Worker = class extends Plain {
+        postMessage(message, transfer) {
+          const meshes = Object.values(message.meshes ?? {});
+          if (window.damage && meshes.length > 0) {
+            window.damage(meshes[0], message);
+            window.damage = null;
+          }
+          super.postMessage(message, transfer);
+        }
+      };
+    });
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    await openPicture(page, lemur.bytes, 'lemur');
+    await drawWithMouse(page, lemur.spine);
+    await page.keyboard.press('n');
+    await drawWithMouse(page, beside(lemur.spine));
+    await run(page, 'stick-together');
+    await idle(page);
+    const good = await root(page);
+    assert.equal(good.status, 'ready');
+
+    // A face is missing: the library refuses the part.
+    await page.evaluate(() => { window.damage = (mesh) => { mesh.triangles = mesh.triangles.slice(3); }; });
+    await dragRib(page, 1, 25);
+    const damaged = await root(page);
+    assert.deepEqual([damaged.status, damaged.failure, damaged.faulty, damaged.triangles], ['failed', 'SolidFailed', 1, good.triangles]);
+    const { name } = (await state(page)).parts.find(({ id }) => id === 1);
+    assert.ok((await toastText(page)).includes(name), await toastText(page));
+    // The next edit is as if nothing had been.
+    await dragRib(page, 1, 12);
+    const mended = await root(page);
+    assert.deepEqual([mended.status, mended.failure], ['ready', null]);
+
+    // The solver itself breaks down on what it is given.
+    await page.evaluate(() => { window.damage = (mesh, message) => { message.nodes = [null]; }; });
+    await dragRib(page, 1, 30);
+    assert.match(await toastText(page), /interrupted/);
+    const broken = await root(page);
+    assert.deepEqual([broken.status, broken.failure, broken.triangles], ['failed', 'SolverStopped', mended.triangles]);
+    await dragRib(page, 1, 20);
+    assert.equal((await root(page)).status, 'ready');
+    await lawful(page);
+    // Of its end the browser writes to the console.
+    troubles.splice(0);
   });
 });
 
