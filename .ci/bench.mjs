@@ -106,6 +106,14 @@ function printAccuracy({ summary, cases }, folder) {
     guessed: 'share_ends_guessed',
     failed: 'failed',
   });
+  printTable('A stroke under the pen against a whole trace, in % of the width', summary, {
+    strokes: 'name',
+    'at pen-up': 'live_up_pct',
+    'at pen-up, p95': 'p95_live_up_pct',
+    'while it grows': 'live_mean_pct',
+    'moments above 5 %': 'live_jumps',
+    'moves followed': 'live_followed',
+  });
   printTable('Each case', cases, { case: 'name', ...scores, edge: 'ends_edge', bridged: 'ends_bridged', guessed: 'ends_guessed', 'ribs ms': 'ribs_ms' });
 }
 
@@ -131,7 +139,7 @@ async function accuracy(data, withAblation) {
   const file = join(buildDir, 'bench-accuracy.json');
   const program = join(presetDir('native-release'), 'spineloft');
   const table = withAblation ? ['--ablation', join(buildDir, 'bench-ablation.md')] : [];
-  await run('spineloft bench', program, ['bench', data, '--json', file, ...table], { log: 'bench', timeout: 30 * kMinutes });
+  await run('spineloft bench', program, ['bench', data, '--json', file, '--live', '80', ...table], { log: 'bench', timeout: 30 * kMinutes });
   return JSON.parse(readFileSync(file, 'utf8'));
 }
 

@@ -229,9 +229,10 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
 }
 
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 7> kKnown{"--json",      "--jobs",
+  static constexpr std::array<std::string_view, 8> kKnown{"--json",      "--jobs",
                                                           "--overlays",  "--ablation",
-                                                          "--variation", "--leave-one-out", "--erase"};
+                                                          "--variation", "--leave-one-out",
+                                                          "--erase",     "--live"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -253,6 +254,13 @@ Arguments parseBench(std::span<const std::string_view> rest) {
       return UsageProblem{"The number of jobs must be a whole number from 1 to 64."};
     }
     bench.jobs = static_cast<int>(*jobs);
+  }
+  if (words.has("--live")) {
+    const auto moves = numberOf(words.option("--live"));
+    if (!moves || *moves < 10 || *moves > 1000 || *moves != std::floor(*moves)) {
+      return UsageProblem{"The number of moves of a live stroke must be a whole number from 10 to 1000."};
+    }
+    bench.live = static_cast<int>(*moves);
   }
   if (words.has("--erase")) {
     const auto share = numberOf(words.option("--erase"));
@@ -315,6 +323,7 @@ std::string usageText() {
           "  the edges that were found, as large as the picture\n\n"
           "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
           "                [--ablation FILE.md] [--leave-one-out FILE.md] [--erase SHARE]\n"
+          "                [--live MOVES]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

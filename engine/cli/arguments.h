@@ -48,6 +48,7 @@ struct BenchArguments {
   std::string leaveOneOut;     ///< Markdown of leave_one_out.h; empty where not wanted
   std::string variation = "product";  ///< which of them the rows and overlays are of
   int jobs = 1;                ///< 1…64
+  int live = 0;                ///< moves in which every stroke is drawn once more (live_score.h), 10…1000; 0: none
   double erase = 0;            ///< share of every outline to blur away first (erased_outline.h), 0…1
 };
 

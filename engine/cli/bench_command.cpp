@@ -19,6 +19,7 @@
 #include "engine/cli/erased_outline.h"
 #include "engine/cli/files.h"
 #include "engine/cli/leave_one_out.h"
+#include "engine/cli/live_score.h"
 #include "engine/cli/overlay.h"
 #include "engine/cli/program.h"
 #include "engine/cli/score.h"
@@ -140,6 +141,13 @@ class Bench {
                                            {"mesh_lawful", laws.lawful() ? 1.0 : 0.0}});
     addScore(scorePart(truth, part, stroke, endsOf(shape.ribs)), row.numbers);
     addStates(shape.ribs, row.numbers);
+    if (arguments_.live > 0) {
+      const LiveScore live = scoreLive(stroke, edges, size, variation_.params, arguments_.live);
+      row.numbers.insert(row.numbers.end(), {{"live_up_pct", live.upPct},
+                                             {"live_mean_pct", live.meanPct},
+                                             {"live_jumps", live.jumps},
+                                             {"live_followed", live.followed}});
+    }
     if (arguments_.overlays.empty()) return part;
     const image::Image overlay = drawOverlay({one.picture, shape.ribs, part, one.mask, stroke});
     Result<Bytes> png = io::encodePng(overlay);
@@ -206,6 +214,12 @@ io::NamedNumbers summarise(const std::vector<const io::BenchRow*>& rows) {
                            "iou_between_strokes"}) {
     out.emplace_back(name, mean(column(rows, name)));
   }
+  for (const char* name : {"live_up_pct", "live_mean_pct", "live_jumps", "live_followed"}) {
+    const std::vector<double> values = column(rows, name);
+    if (!values.empty()) out.emplace_back(name, mean(values));
+  }
+  const std::vector<double> up = column(rows, "live_up_pct");
+  if (!up.empty()) out.emplace_back("p95_live_up_pct", percentile(up, 0.95));
   const std::vector<double> p95 = column(rows, "rib_p95_pct");
   out.emplace_back("median_rib_p95_pct", p95.empty() ? 0 : percentile(p95, 0.5));
   const std::vector<double> body = column(rows, "iou_body");
@@ -357,6 +371,7 @@ Status ablate(const BenchArguments& arguments, const std::vector<fs::path>& fold
               io::BenchReport& report) {
   BenchArguments plain = arguments;
   plain.overlays.clear();
+  plain.live = 0;
   for (const Variation& variation : variations()) {
     const Result<std::vector<io::BenchRow>> rows = runAll(plain, folders, variation);
     if (!rows.ok()) return rows.failure();

@@ -78,6 +78,8 @@ class Cache {
   Result<std::shared_ptr<const image::Picture>> pixels(const document::PictureEntry& entry);
   /// For traceStage: a stroke under the pen asks for the same tables every frame.
   ribs::RibWorkspace& ribMemory() { return ribMemory_; }
+  /// For liveStage: what is known of the stroke under the pen.
+  ribs::LiveTrace& liveTrace() { return liveTrace_; }
   void clear() { *this = {}; }
 
   /// What is kept apart from edges and pictures, in bytes.
@@ -115,6 +117,7 @@ class Cache {
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;
+  ribs::LiveTrace liveTrace_;
   std::uint64_t round_ = 0;
   loft::LoftWorkspace loftMemory_;
 };

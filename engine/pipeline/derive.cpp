@@ -24,12 +24,16 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
   return known;
 }
 
+// What a shape is made for: a part, one in the making, or one whose stroke is being drawn.
+enum class Purpose : std::uint8_t { Part, Preview, Live };
+
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
 Result<PartShape> loftShape(const document::LoftRecipe& recipe,
-                            const document::PictureEntry& entry, Cache& cache, bool preview,
+                            const document::PictureEntry& entry, Cache& cache, Purpose purpose,
                             const Clock& clock) {
   static const image::EdgeMap kNoEdges;
   const double started = nowMs(clock);
+  const bool preview = purpose != Purpose::Part;
   const std::uint64_t key = traceKey(recipe, entry);
   const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry.contentHash);
   // Without edges the ribs are guessed: that is no result to keep.
@@ -42,12 +46,13 @@ Result<PartShape> loftShape(const document::LoftRecipe& recipe,
       if (!found) return found.failure();
       ignored = std::move(found).value();
     }
-    Result<TracedRibs> made = traceStage(
-        recipe, {edges ? *edges : kNoEdges, entry.size, ignored.get()}, Progress{},
-        cache.ribMemory());
+    const ribs::PictureEvidence evidence{edges ? *edges : kNoEdges, entry.size, ignored.get()};
+    Result<TracedRibs> made =
+        purpose == Purpose::Live ? liveStage(recipe, evidence, cache.liveTrace())
+                                 : traceStage(recipe, evidence, Progress{}, cache.ribMemory());
     if (!made) return made.failure();
     traced = std::make_shared<const TracedRibs>(std::move(made).value());
-    if (edges) cache.keepTraced(key, traced, preview);
+    if (edges && traced->exact) cache.keepTraced(key, traced, preview);
   }
   const double took = nowMs(clock) - started;
   Result<PartShape> shape = shapeStage(recipe, *traced, entry.size, cache.loftMemory(), clock);
@@ -60,9 +65,9 @@ bool needsEdges(const document::Recipe& recipe) {
 }
 
 Result<PartShape> shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry,
-                          Cache& cache, bool preview, const Clock& clock) {
+                          Cache& cache, Purpose purpose, const Clock& clock) {
   if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
-    return loftShape(*loft, entry, cache, preview, clock);
+    return loftShape(*loft, entry, cache, purpose, clock);
   }
   if (const auto* puff = std::get_if<document::PuffRecipe>(&recipe)) {
     return puffStage(*puff, entry.size, clock);
@@ -103,7 +108,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     const bool known = !needsEdges(part.recipe) || cache.edges(entry->contentHash) != nullptr;
     if (!result.shape && !known) result.waiting = true;
     if (!result.shape && known) {
-      Result<PartShape> made = shapeOf(part.recipe, *entry, cache, false, clock);
+      Result<PartShape> made = shapeOf(part.recipe, *entry, cache, Purpose::Part, clock);
       if (made) {
         made.value().key = key;
         if (const auto pixels = cache.pixels(*entry)) {
@@ -128,7 +133,14 @@ Result<PartShape> previewShape(const document::Document& document,
                                const Clock& clock) {
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf(recipe, *entry, cache, true, clock);
+  return shapeOf(recipe, *entry, cache, Purpose::Preview, clock);
+}
+
+Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
+                            Cache& cache, const Clock& clock) {
+  const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
+  if (entry == nullptr) return Error::NoSuchPicture;
+  return shapeOf(recipe, *entry, cache, Purpose::Live, clock);
 }
 
 Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache,

@@ -55,6 +55,11 @@ Result<PartShape> previewShape(const document::Document& document,
                                const document::Recipe& recipe, Cache& cache,
                                const Clock& clock = {});
 
+/// The same for a stroke that is being drawn: ribs that are not known yet are those of a live trace, near
+/// to what they will be, unless the result is `exact`. When the pen rests, let previewShape follow.
+Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
+                            Cache& cache, const Clock& clock = {});
+
 /// As `derive`, but finds missing edges on the calling thread first (command line, tests). `edgesMs`,
 /// when given, receives the time they took.
 /// Errors: those of detectEdges. Failures of single parts stay in their DerivedPart.

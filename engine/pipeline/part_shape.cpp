@@ -29,6 +29,7 @@ Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs
   PartShape shape;
   shape.spine = traced.spine;
   shape.generated = traced.generated;
+  shape.exact = traced.exact;
   shape.ribs = ribs::applyEdits(shape.spine, shape.generated, recipe.edits);
   const Result<loft::PosedSpine> posed = loft::poseSpine(shape.spine, recipe.pose);
   if (!posed) return posed.failure();
@@ -82,6 +83,20 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
         ribs::traceRibs(spine.value(), picture, recipe.ribs, progress, memory);
     if (!found) return found.failure();
     return TracedRibs{std::move(spine).value(), std::move(found).value()};
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Result<TracedRibs> liveStage(const document::LoftRecipe& recipe,
+                             const ribs::PictureEvidence& picture, ribs::LiveTrace& live) {
+  try {
+    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
+    if (!spine) return spine.failure();
+    Result<ribs::LiveTrace::Ribs> found = live.move(spine.value(), picture, recipe.ribs);
+    if (!found) return found.failure();
+    const bool exact = found.value().exact;
+    return TracedRibs{std::move(spine).value(), std::move(found).value().set, exact};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }

@@ -16,6 +16,7 @@
 #include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/ignored.h"
+#include "engine/ribs/live_trace.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
 #include "engine/surface/part_texture.h"
@@ -35,6 +36,7 @@ struct StageMs {
 struct TracedRibs {
   ribs::Spine spine;
   ribs::RibSet generated;
+  bool exact = true;  ///< false: of a stroke under the pen (live_trace.h), near to what it will be
 };
 
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
@@ -49,6 +51,7 @@ struct PartShape {
   mesh::TriMesh mesh;      ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
+  bool exact = true;      ///< false: made from ribs of a stroke under the pen; only previews are
   std::uint64_t key = 0;  ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;             ///< times of its ribs and loft stages; what was known already took none
 };
@@ -70,6 +73,10 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
 Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
                               const ribs::PictureEvidence& picture, const Progress& progress,
                               ribs::RibWorkspace& memory);
+
+/// The same for a stroke under the pen, whose moves `live` follows.
+Result<TracedRibs> liveStage(const document::LoftRecipe& recipe,
+                             const ribs::PictureEvidence& picture, ribs::LiveTrace& live);
 
 /// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
 /// those of the stages, OutOfMemory. `memory` is reused and never shows in the result.

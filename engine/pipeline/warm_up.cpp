@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <vector>
 
 #include "engine/image/image.h"
 #include "engine/pipeline/part_shape.h"
@@ -31,6 +32,20 @@ image::Picture tinyPicture() {
   return image::makePicture(std::move(image));
 }
 
+/// The same stroke as it grows, with enough ribs for a live trace to follow it.
+Status underThePen(document::LoftRecipe recipe, const ribs::PictureEvidence& picture) {
+  constexpr std::size_t kMoves = 8;
+  recipe.spine.minSpacing = 1;
+  ribs::LiveTrace live;
+  const std::vector<PicturePoint> stroke = std::move(recipe.stroke);
+  for (std::size_t move = 0; move < kMoves; ++move) {
+    const auto count = static_cast<std::ptrdiff_t>(stroke.size() - (move + 1 < kMoves ? 3 : 0));
+    recipe.stroke.assign(stroke.begin(), stroke.begin() + (move == 0 ? count - 2 : count));
+    if (Result<TracedRibs> made = liveStage(recipe, picture, live); !made) return made.failure();
+  }
+  return Done{};
+}
+
 Status everyStage(const image::Picture& picture) {
   const Result<image::EdgeMap> edges = vision::detectEdges(picture, {}, Progress());
   if (!edges) return edges.failure();
@@ -40,7 +55,7 @@ Status everyStage(const image::Picture& picture) {
   const Result<PartShape> shape =
       shapePart(recipe, edges.value(), {picture.width, picture.height}, Progress());
   if (!shape) return shape.failure();
-  return Done{};
+  return underThePen(std::move(recipe), {edges.value(), {picture.width, picture.height}});
 }
 
 }  // namespace

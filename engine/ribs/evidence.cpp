@@ -140,6 +140,12 @@ void rimOf(const GradientCurves& curves, const Strip& strip, int c,
 
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms) {
+  contourTerms(curves, strip, params, terms);
+  colourTerms(curves, strip, {}, terms);
+}
+
+void contourTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
+                  BoundaryTerms& terms) {
   contourContrast(curves, strip, {.reach = params.contrastReach * strip.pixel}, terms.scratch,
                   terms.contrast);
   normalise(curves, strip, terms);
@@ -162,7 +168,6 @@ void boundaryTerms(const GradientCurves& curves, const Strip& strip, const Evide
   }
   placeOutside(curves, strip, terms.scratch);
   sortColours(curves, strip, terms.scratch.colours);
-  colourTerms(curves, strip, {}, terms);
 }
 
 void colourTerms(const GradientCurves& curves, const Strip& strip, const KnownReach& known,

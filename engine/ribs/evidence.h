@@ -116,6 +116,11 @@ struct BoundaryTerms {
 void boundaryTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
                    BoundaryTerms& terms);
 
+/// Fills all but `inside`, `outside`, `farther` and `rim`, and sorts the colours that those are read
+/// from.
+void contourTerms(const GradientCurves& curves, const Strip& strip, const EvidenceParams& params,
+                  BoundaryTerms& terms);
+
 /// Fills `inside`, `outside`, `farther` and `rim` alone, with more of the object known (see
 /// spineNovelty), in terms that boundaryTerms filled for the same strip.
 void colourTerms(const GradientCurves& curves, const Strip& strip, const KnownReach& known,

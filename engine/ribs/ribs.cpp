@@ -6,46 +6,15 @@
 #include <span>
 
 #include "engine/ribs/algorithm_one.h"
-#include "engine/ribs/curves.h"
 #include "engine/ribs/edge_strength.h"
 #include "engine/ribs/end_fan.h"
-#include "engine/ribs/evidence.h"
-#include "engine/ribs/fairing.h"
 #include "engine/ribs/lanes.h"
-#include "engine/ribs/lean.h"
 #include "engine/ribs/pen_line.h"
-#include "engine/ribs/rib_lengths.h"
+#include "engine/ribs/rib_search.h"
 #include "engine/ribs/rivals.h"
 #include "engine/ribs/trace_variant.h"
 
 namespace spineloft::ribs {
-// Everything that one search passes from step to step.
-struct RibWorkspace::Search {
-  Spine spine;
-  RibParams params;
-  TraceVariant variant;
-  D2Field field;
-  Levels levels;
-  GradientCurves curves;
-  Strip strip;
-  BoundaryTerms terms;
-  KnownReach known;
-  std::vector<float> costs;    // of every curve and level
-  std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
-  LengthProblem problem;
-  LengthWorkspace workspace;
-  EvenParts parts;
-  LengthLabels labels, trial;
-  std::vector<float> marginals;
-  std::vector<Rival> rivals;
-  SideLengths lengths;
-  EdgeStrengths strengths;
-  std::vector<float> say;  // what the evidence of a curve counts for in the third look
-  FairingMemory fairing;
-  std::vector<RibState> states;
-  const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
-};
-
 namespace {
 
 // The number of ribs that the weights are meant for. Neighbouring ribs see the same edges: three times
@@ -77,8 +46,6 @@ constexpr float kOnEdge = 0.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-using Search = RibWorkspace::Search;
-
 void chooseLevels(const image::EdgeMap& edges, image::Size picture, Search& s) {
   const D2Field& field = s.field;
   const RibParams& params = s.params;
@@ -87,7 +54,8 @@ void chooseLevels(const image::EdgeMap& edges, image::Size picture, Search& s) {
   // has at most three quarters of that on one side of it.
   const double widest = kFarthestPerSide * std::min(picture.width, picture.height);
   const double farthest =
-      std::min({params.maxLevelShare * diagonal, widest, kFarthestPerLength * field.length()});
+      std::min({params.maxLevelShare * diagonal, widest, kFarthestPerLength * field.length(),
+                s.farthest});
   const double step = edges.empty() ? 1.0 : std::max(edges.scaleX, edges.scaleY);
   makeLevels(params.levels, step, farthest, field.length(), s.levels);
 }
@@ -110,16 +78,22 @@ void weighTerms(const EvidenceParams& params, Search& s) {
   for (float& cost : s.costs) cost *= static_cast<float>(weight);
 }
 
-// The evidence of every curve, with the colours close to the spine as the object's.
-void firstEvidence(const PictureEvidence& picture, Search& s) {
-  sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
-  boundaryTerms(s.curves, s.strip, s.params.evidence, s.terms);
+}  // namespace
+
+void findContours(Search& s) {
+  contourTerms(s.curves, s.strip, s.params.evidence, s.terms);
   s.support.resize(s.terms.contrast.size());
   for (std::size_t i = 0; i < s.support.size(); ++i) {
     s.support[i] = std::max(s.terms.contrast[i], s.strip.proximity[i]);
   }
+}
+
+void firstEvidence(Search& s) {
+  colourTerms(s.curves, s.strip, {}, s.terms);
   weighTerms(s.params.evidence, s);
 }
+
+namespace {
 
 // The evidence again, with the inner part of the even part as the object's colours.
 void secondEvidence(const EvenPart& even, Search& s) {
@@ -166,6 +140,8 @@ void fillSpacing(Search& s) {
   }
 }
 
+}  // namespace
+
 void fillProblem(Search& s) {
   s.problem.ribs = s.curves.layout.ribs;
   s.problem.levels = s.curves.levels;
@@ -175,9 +151,14 @@ void fillProblem(Search& s) {
   fillSide(s, true);
   fillSide(s, false);
   fillSpacing(s);
+}
+
+void findEvenParts(Search& s) {
   const double pixel = s.levels.radius[1];
   findEvenParts(s.problem, 2 * pixel, s.params.leanCost, s.workspace, s.parts);
 }
+
+namespace {
 
 // How far neighbouring ends are apart where the part is thought to end, at least as far as on the hull:
 // round bends and ends curves part, and lengths may differ by more from one to the next.
@@ -199,7 +180,8 @@ void spread(const EvenPart& even, bool leftSide, Search& s) {
   }
 }
 
-// Holds the opposite ends of each rib to the lean of the part.
+}  // namespace
+
 void assume(const EvenPart& even, Search& s) {
   spread(even, true, s);
   spread(even, false, s);
@@ -213,36 +195,44 @@ void assume(const EvenPart& even, Search& s) {
   }
 }
 
-// The labels of least energy under the best of the even parts: each is given its turn, with its
-// inner colours as the object's, for only then their energies can be compared.
-void bestLabels(bool withColours, Search& s, LengthLabels& best) {
-  const std::span<const EvenPart> parts = s.parts.span();
-  LengthLabels& labels = s.trial;
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t last = 0, chosen = 0;
-  const auto suppose = [&](std::size_t i) {
-    assume(parts[i], s);
-    if (withColours) {
-      secondEvidence(parts[i], s);
-      fillSide(s, true);
-      fillSide(s, false);
-    }
-    last = i;
-  };
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    suppose(i);
-    if (s.variant.sampled) {
-      labels = algorithmOne(s.problem, {});
-    } else if (!findLabels(s.problem, least, s.workspace, labels)) {
-      continue;
-    }
-    const double energy = energyOf(s.problem, labels).total();
-    if (energy >= least) continue;
-    least = energy;
-    best = labels;
-    chosen = i;
+namespace {
+
+// Supposes the `i`-th even part, with its inner colours as the object's where colours count.
+void suppose(std::size_t i, bool withColours, Search& s) {
+  const EvenPart& part = s.parts.all[i];
+  assume(part, s);
+  if (withColours) {
+    secondEvidence(part, s);
+    fillSide(s, true);
+    fillSide(s, false);
   }
-  if (last != chosen) suppose(chosen);  // states and fans are read from its evidence
+  s.contest.last = i;
+}
+
+}  // namespace
+
+void tryPart(std::size_t i, bool withColours, Search& s) {
+  suppose(i, withColours, s);
+  if (s.variant.sampled) {
+    s.trial = algorithmOne(s.problem, {});
+  } else if (!findLabels(s.problem, s.contest.least, s.workspace, s.trial)) {
+    return;
+  }
+  const double energy = energyOf(s.problem, s.trial).total();
+  if (energy >= s.contest.least) return;
+  s.contest.least = energy;
+  s.contest.chosen = i;
+  s.labels = s.trial;
+}
+
+namespace {
+
+// The labels of least energy under the best of the even parts.
+void bestLabels(bool withColours, Search& s) {
+  s.contest = {};
+  for (std::size_t i = 0; i < s.parts.count; ++i) tryPart(i, withColours, s);
+  // States and fans are read from its evidence.
+  if (s.contest.last != s.contest.chosen) suppose(s.contest.chosen, withColours, s);
 }
 
 const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s) {
@@ -251,10 +241,12 @@ const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftS
                        s.edges ? std::span(differences) : std::span(differences).first(0), s.strengths);
 }
 
-// Where the third look starts from, of every curve of a rib: a stiff, robust line through the ends of
-// a side, in which a dent or a bulge of a few ribs leaves little, least where they stand on fainter edges
-// than others near by; and what each curve may say in that look.
-void stiffLengths(const LengthLabels& labels, Search& s) {
+}  // namespace
+
+void stiffLengths(Search& s) {
+  const LengthLabels& labels = s.labels;
+  s.known.inside.assign(index(s.curves.layout.total()), 0.f);
+  s.say.assign(s.known.inside.size(), 1.f);
   FairingParams stiff = s.params.fairing;
   stiff.stiffness *= kStiffer;
   for (const bool leftSide : {true, false}) {
@@ -279,15 +271,9 @@ void stiffLengths(const LengthLabels& labels, Search& s) {
   }
 }
 
-// The evidence once more, with the colours inside the part that was found against those around it.
-// Ends are held near to where they are, but for dents and bulges, for colours that were learned from a
-// wrong part can lead to a worse one.
-void thirdEvidence(const LengthLabels& labels, Search& s) {
+void thirdEvidence(Search& s) {
   constexpr float kUnknown = std::numeric_limits<float>::infinity();
-  s.known.inside.assign(index(s.curves.layout.total()), 0.f);
   s.known.outside.assign(s.known.inside.size(), kUnknown);
-  s.say.assign(s.known.inside.size(), 1.f);
-  stiffLengths(labels, s);
   const auto forRibs = [&](auto&& what) {
     for (int i = 0; i < s.curves.layout.ribs; ++i) {
       what(s.curves.layout.left(i));
@@ -318,6 +304,8 @@ void thirdEvidence(const LengthLabels& labels, Search& s) {
   fillSide(s, false);
   for (float& scale : s.problem.leanScale) scale *= kOppositeShare;
 }
+
+namespace {
 
 // Edge where the end stands on one; Bridged between two of those; else Guessed.
 const std::vector<RibState>& endStates(const std::vector<int>& labels, bool leftSide, Search& s) {
@@ -378,7 +366,10 @@ const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftS
   return fairLengths(side, s.params.fairing, s.fairing);
 }
 
-RibSet readRibs(Search& s, const LengthLabels& labels) {
+}  // namespace
+
+RibSet readRibs(bool withRivals, Search& s) {
+  const LengthLabels& labels = s.labels;
   RibSet set;
   set.ribs.resize(index(s.problem.ribs));
   for (const bool leftSide : {true, false}) {
@@ -394,8 +385,10 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
       (leftSide ? rib.leftLevel : rib.rightLevel) = s.levels.d2[index(side[index(i)])];
     }
   }
-  readRivals(s, labels, true, set);
-  readRivals(s, labels, false, set);
+  if (withRivals) {
+    readRivals(s, labels, true, set);
+    readRivals(s, labels, false, set);
+  }
   const Rib &first = set.ribs.front(), &last = set.ribs.back();
   set.startFan = followEnd({s.curves, s.costs, true, first.left, first.right, labels.left.front(),
                             labels.right.front(), s.problem.neighbourWeight, s.edges},
@@ -413,45 +406,60 @@ RibSet readRibs(Search& s, const LengthLabels& labels) {
   return set;
 }
 
-Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
-                          const RibParams& params, const Progress& progress, Search& s) {
+Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                   double farthest, Search& s) {
   const image::EdgeMap& edges = picture.edges;
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
   s.spine = spine;
   s.edges = edges.empty() ? nullptr : &edges;
   s.params = params;
+  s.farthest = farthest;
   s.field.assign(spine.points);
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
-  if (!progress.advance(0.05)) return Error::Cancelled;
   chooseLevels(edges, picture.size, s);
   if (s.variant.euclidean) {
     traceStraightCurves(spine, s.levels, kFanCurves, picture.size, s.curves);
   } else {
     traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
   }
+  return Done{};
+}
+
+bool usesColours(const PictureEvidence& picture, const RibParams& params) {
+  return !picture.edges.empty() && params.evidence.knownShare > 0;
+}
+
+Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
+                          const RibParams& params, const Progress& progress, Search& s) {
+  if (!progress.advance(0.05)) return Error::Cancelled;
+  const double anywhere = std::numeric_limits<double>::infinity();
+  if (Status begun = beginSearch(spine, picture, params, anywhere, s); !begun.ok()) {
+    return begun.failure();
+  }
   if (!progress.advance(0.4)) return Error::Cancelled;
-  if (edges.empty()) {
+  if (picture.edges.empty()) {
     defaultCosts(s);
   } else {
-    firstEvidence(picture, s);
+    sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
+    findContours(s);
+    firstEvidence(s);
   }
   fillProblem(s);
+  findEvenParts(s);
   if (!progress.advance(0.5)) return Error::Cancelled;
-  const bool withColours = !edges.empty() && params.evidence.knownShare > 0;
-  LengthLabels& labels = s.labels;
-  bestLabels(withColours, s, labels);
+  const bool withColours = usesColours(picture, params);
+  bestLabels(withColours, s);
   if (withColours && params.evidence.rimWeight > 0 && !s.variant.sampled) {
-    thirdEvidence(labels, s);
-    findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, labels);
+    stiffLengths(s);
+    thirdEvidence(s);
+    findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, s.labels);
   }
   if (!progress.advance(0.9)) return Error::Cancelled;
-  RibSet set = readRibs(s, labels);
+  RibSet set = readRibs(true, s);
   progress.advance(1);
   return set;
 }
-
-}  // namespace
 
 std::string_view ribStateKey(RibState state) {
   switch (state) {

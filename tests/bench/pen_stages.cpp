@@ -72,7 +72,15 @@ struct Desk {
     const auto count = static_cast<std::size_t>(std::max(2.0, share * static_cast<double>(stroke.size())));
     recipe.stroke.assign(stroke.begin(), stroke.begin() + static_cast<std::ptrdiff_t>(count));
     for (PicturePoint& p : recipe.stroke) p.y += 0.01 * wobble;
-    must(pipeline::previewShape(model, document::Recipe{recipe}, cache));
+    must(pipeline::liveShape(model, document::Recipe{recipe}, cache));
+  }
+  // The whole stroke becomes a part, with its texture.
+  void lift(int ribs, int wobble) {
+    std::vector<PicturePoint> line = stroke;
+    for (PicturePoint& p : line) p.y += 0.01 * wobble;
+    document::Document drawn = must(document::update(model, document::DrawSpine{PictureId{1}, std::move(line)}));
+    drawn = must(document::update(drawn, document::SetParameter{PartId{1}, "ribs", static_cast<double>(ribs)}));
+    if (!pipeline::derive(drawn, cache).parts[0].shape) std::exit(1);
   }
 };
 
@@ -117,6 +125,7 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
     };
     for (int i = 0; i < kMoves; i += 10) move(i);
     report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves, move);
+    report.stage(ribs == 100 ? "pen up to mesh" : "pen up to mesh, 200 ribs", 21, [&](int) { desk.lift(ribs, ++wobble); });
   }
   constexpr int kStrokes = 1000, kFirst = 10;
   double first = 0;

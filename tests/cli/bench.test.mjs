@@ -34,7 +34,7 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
   writeCase(folder, 'one');
   writeCase(folder, 'two', { category: 'other' });
   mkdirSync(folder.path('not-a-case'));
-  const { stdout } = works('bench', folder.folder, '--json', folder.path('bench.json'), '--overlays', folder.path('seen/here'), '--jobs', '2');
+  const { stdout } = works('bench', folder.folder, '--json', folder.path('bench.json'), '--overlays', folder.path('seen/here'), '--jobs', '2', '--live', '20');
   const { cases, summary } = readJson(folder.path('bench.json'));
   assert.deepEqual(cases.map(({ id, stroke }) => `${id} ${stroke}`), ['one careful', 'one sloppy', 'two careful', 'two sloppy']);
   for (const row of cases) {
@@ -43,6 +43,7 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
     assert.equal(row.mesh_lawful, 1);
     assert.equal(row.ends_edge + row.ends_bridged + row.ends_guessed, 2 * row.ribs);
     assert.ok(row.edges_ms > 0 && row.ribs_ms > 0 && row.loft_ms > 0);
+    assert.ok(row.live_up_pct < 3 && row.live_jumps < 0.3 && row.live_followed > 0.3, JSON.stringify(row));
     const overlay = readPng(folder.path(`seen/here/${row.id}.${row.stroke}.png`));
     assert.deepEqual([overlay.width, overlay.height], [bar.width, bar.height]);
     assert.ok(stdout.includes(`${row.id} ${row.stroke}`));

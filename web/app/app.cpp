@@ -23,6 +23,7 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kPumpMs = 16;         // how often finished work is looked for
+constexpr double kRestMs = 120;        // a hand that has not moved for so long rests
 constexpr double kPreviewShare = 0.6;  // of the time may go into shapes under the pen
 constexpr double kTooltipMs = 650;
 constexpr double kLongestStepSeconds = 0.5;
@@ -161,7 +162,7 @@ void App::frame() {
   ImGui::Render();
   const bool acted = !sink_.empty();
   runCalls();
-  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->fresh) || studio_.busy();
+  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.busy();
   if (acted) framesWanted_ = std::max(framesWanted_, 2);
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
@@ -174,17 +175,21 @@ void App::frame() {
 }
 
 /// What the gesture in hand makes: a new shape as often as the time allows, so that the hand never
-/// waits.
+/// waits; an exact one once it rests.
 void App::growPreview() {
-  if (!ui_.preview || ui_.preview->fresh) return;
+  if (!ui_.preview || ui_.preview->settled()) return;
   Preview& preview = *ui_.preview;
   const double now = host_.nowMs();
-  if (now < preview.nextMs) return;
+  const bool rests = preview.fresh;
+  if (now < (rests ? *preview.exactMs : preview.nextMs)) return;
   preview.fresh = true;
-  Result<pipeline::PartShape> shape = studio_.preview(preview.recipe);
+  preview.exactMs.reset();
+  Result<pipeline::PartShape> shape =
+      rests ? studio_.preview(preview.recipe) : studio_.previewLive(preview.recipe);
   preview.costMs = host_.nowMs() - now;
   preview.nextMs = host_.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
   if (!shape) return;  // the last good one stays
+  if (!shape.value().exact) preview.exactMs = host_.nowMs() + kRestMs;
   preview.shape = std::move(shape).value();
   preview.revision = ++ui_.previewShapes;
 }
@@ -546,7 +551,7 @@ void App::answer(std::string_view id, std::string_view text) {
 
 bool App::idle() {
   return !studio_.busy() && framesWanted_ == 0 && !ui_.flight &&
-         !(ui_.preview && !ui_.preview->fresh);
+         !(ui_.preview && !ui_.preview->settled());
 }
 
 void App::cancelWork() {

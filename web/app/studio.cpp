@@ -355,6 +355,10 @@ Result<pipeline::PartShape> Studio::preview(const document::Recipe& recipe) {
   return pipeline::previewShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
 }
 
+Result<pipeline::PartShape> Studio::previewLive(const document::Recipe& recipe) {
+  return pipeline::liveShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
+}
+
 Status Studio::save(publish::Format format) {
   derived();
   if (!solids_.busy()) return saveNow(format);

@@ -56,6 +56,8 @@ class Studio {
 
   /// What a recipe would become, with the edges known so far (pipeline::previewShape).
   Result<pipeline::PartShape> preview(const document::Recipe& recipe);
+  /// The same while its stroke is being drawn (pipeline::liveShape).
+  Result<pipeline::PartShape> previewLive(const document::Recipe& recipe);
 
   /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
   Status save(publish::Format format);

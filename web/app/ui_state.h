@@ -54,6 +54,9 @@ struct Preview {
   std::uint64_t revision = 0;                ///< of `shape`; none other had it
   double costMs = 0;                         ///< what the last shape took
   double nextMs = 0;                         ///< not before this time is the next one made
+  /// From this time on, if the hand rests, the shape is made exactly; none: it is exact.
+  std::optional<double> exactMs;
+  bool settled() const { return fresh && !exactMs; }
   /// The loft that `recipe` is; gestures of lofts make it one.
   document::LoftRecipe& loft() {
     auto* loft = std::get_if<document::LoftRecipe>(&recipe);

@@ -204,6 +204,33 @@ TEST_CASE("a preview is what the part becomes, and is traced only once") {
   testing::requireLawful(shape->mesh);
 }
 
+TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
+  const Document document = ellipseDocument();
+  Cache cache, other;
+  deriveWithEdges(document, cache, {}).value();
+  deriveWithEdges(document, other, {}).value();
+  LoftRecipe recipe;
+  recipe.picture = PictureId{1};
+  recipe.spine.minSpacing = 1;
+  bool near = false;
+  for (double x = 60; x <= 150; x += 3) {
+    recipe.stroke = {{40, 70}, {50, 72}, {x, 72}};
+    const auto live = liveShape(document, recipe, cache);
+    REQUIRE(live.ok());
+    testing::requireLawful(live.value().mesh);
+    near = near || !live.value().exact;
+  }
+  CHECK(near);
+  const auto whole = previewShape(document, recipe, other);
+  CHECK(whole.value().exact);
+  CHECK(previewShape(document, recipe, cache).value().generated == whole.value().generated);
+  // Ribs that are known are used, whatever is done to the shape.
+  recipe.loft.sectionPoints = 32;
+  const auto coarser = liveShape(document, recipe, cache);
+  CHECK(coarser.value().exact);
+  CHECK(coarser.value().generated == whole.value().generated);
+}
+
 TEST_CASE("a preview before the edges are known is guessed, and not kept") {
   const Document document = ellipseDocument();
   Cache cache;

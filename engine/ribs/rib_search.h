@@ -1,0 +1,92 @@
+// The steps of a search for ribs, for traceRibs and for a stroke under the pen (live_trace.h). Internal
+// to ribs/.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/ribs/curves.h"
+#include "engine/ribs/edge_strength.h"
+#include "engine/ribs/evidence.h"
+#include "engine/ribs/fairing.h"
+#include "engine/ribs/lean.h"
+#include "engine/ribs/rib_lengths.h"
+#include "engine/ribs/ribs.h"
+#include "engine/ribs/rivals.h"
+#include "engine/ribs/trace_variant.h"
+
+namespace spineloft::ribs {
+
+// Everything that one search passes from step to step.
+struct RibWorkspace::Search {
+  Spine spine;
+  RibParams params;
+  TraceVariant variant;
+  D2Field field;
+  Levels levels;
+  GradientCurves curves;
+  Strip strip;
+  BoundaryTerms terms;
+  KnownReach known;
+  std::vector<float> costs;    // of every curve and level
+  std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
+  LengthProblem problem;
+  LengthWorkspace workspace;
+  EvenParts parts;
+  LengthLabels labels, trial;
+  std::vector<float> marginals;
+  std::vector<Rival> rivals;
+  SideLengths lengths;
+  EdgeStrengths strengths;
+  std::vector<float> say;  // what the evidence of a curve counts for in the third look
+  FairingMemory fairing;
+  std::vector<RibState> states;
+  const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
+  double farthest = 0;                    // levels go no farther, picture pixels
+  /// Which even part explains the picture best: each is given its turn.
+  struct Contest {
+    double least = std::numeric_limits<double>::infinity();  // energy of `labels`, under `chosen`
+    std::size_t chosen = 0, last = 0;                        // numbers of parts
+  };
+  Contest contest;
+};
+
+using Search = RibWorkspace::Search;
+
+/// Field, levels and curves, which end at `farthest` (picture pixels) at the latest. `s.variant` is set.
+/// Errors: those of traceRibs.
+Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                   double farthest, Search& s);
+/// Whether colours are looked at a second time at all.
+bool usesColours(const PictureEvidence& picture, const RibParams& params);
+/// After the strip was sampled: all evidence but that of colours, and where ends stand on edges.
+void findContours(Search& s);
+/// After it: the costs of all labels, with the colours close to the spine as the object's.
+void firstEvidence(Search& s);
+/// From costs (`s.costs`, of every curve and level) to the chain that is to be solved.
+void fillProblem(Search& s);
+/// The even parts that explain it best: `s.parts`.
+void findEvenParts(Search& s);
+/// Holds the opposite ends of each rib to the lean of the part.
+void assume(const EvenPart& even, Search& s);
+/// Gives one even part its turn in `s.contest`, which begins as {}: with its inner colours as the
+/// object's where they count, for only then the energies of parts can be compared. `s.labels` are those
+/// of the best so far.
+void tryPart(std::size_t i, bool withColours, Search& s);
+/// Where the third look starts from, of every curve of a rib, into `s.known.inside`: a stiff, robust
+/// line through the ends of a side, in which a dent or a bulge of a few ribs leaves little, least where they
+/// stand on fainter edges than others near by; and into `s.say` what each curve may say in that look.
+void stiffLengths(Search& s);
+/// The evidence once more, with the colours inside the part that was found against those around it.
+/// Ends are held near to `s.known.inside`, but for dents and bulges, for colours that were learned from
+/// a wrong part can lead to a worse one.
+void thirdEvidence(Search& s);
+/// The ribs of `s.labels`; `withRivals`: with confidence and other places.
+RibSet readRibs(bool withRivals, Search& s);
+/// All of it, start to end: traceRibs.
+Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
+                          const RibParams& params, const Progress& progress, Search& s);
+
+}  // namespace spineloft::ribs

@@ -1,0 +1,161 @@
+#include "engine/ribs/live_trace.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/base/rng.h"
+#include "engine/ribs/ignored.h"
+#include "engine/ribs/ribs.h"
+#include "tests/support/scarce_memory.h"
+#include "tests/unit/ribs/fixtures.h"
+
+using namespace spineloft;
+using namespace spineloft::ribs;
+
+namespace {
+
+constexpr image::Size kPicture{600, 400};
+
+double middleAt(double x) { return 200 + 50 * std::sin(0.012 * x); }
+
+/// A bent thing that gets broader, with a hollow on one side.
+const image::EdgeMap& thing() {
+  static const image::EdgeMap kMap = fixtures::mapOf(kPicture, [](PicturePoint p) {
+    const double away = p.y - middleAt(p.x), half = 24 + 0.04 * p.x;
+    const double hollow = 9 * std::exp(-std::pow((p.x - 330) / 20, 2));
+    return p.x > 40 && p.x < 560 && away > -half && away < half - hollow;
+  });
+  return kMap;
+}
+
+/// From x = 60 to there, drawn by a hand that shakes a little.
+Spine spineTo(double to, double shift = 0) {
+  Rng rng(7);
+  fixtures::Points stroke;
+  for (double x = 60; x <= to; x += 3)
+    stroke.push_back({x, middleAt(x) + shift + rng.uniform(-1.5, 1.5)});
+  return cleanSpine(stroke, kPicture, {}).value();
+}
+
+/// Mean distance of the rib ends, as a share of the width.
+double apart(const RibSet& a, const RibSet& b) {
+  REQUIRE(a.ribs.size() == b.ribs.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < a.ribs.size(); ++i) {
+    const double width = distance(a.ribs[i].left, a.ribs[i].right);
+    sum += (distance(a.ribs[i].left, b.ribs[i].left) + distance(a.ribs[i].right, b.ribs[i].right)) / width;
+  }
+  return sum / (2 * static_cast<double>(a.ribs.size()));
+}
+
+RibSet whole(const Spine& spine) {
+  return traceRibs(spine, {thing(), kPicture}, {}, Progress()).value();
+}
+
+LiveTrace::Ribs moved(LiveTrace& live, const Spine& spine) {
+  return live.move(spine, {thing(), kPicture}, {}).value();
+}
+
+}  // namespace
+
+TEST_CASE("ribs under the pen are within two hundredths of the width of those of a whole trace") {
+  LiveTrace live;
+  int followed = 0;
+  for (double to = 90; to <= 540; to += 5) {
+    CAPTURE(to);
+    const Spine spine = spineTo(to);
+    const LiveTrace::Ribs found = moved(live, spine);
+    followed += found.exact ? 0 : 1;
+    CHECK(apart(whole(spine), found.set) < (found.exact ? 1e-12 : 0.02));
+    for (const Rib& rib : found.set.ribs) {
+      for (const PicturePoint p : {rib.left, rib.right}) {
+        CHECK(isFinite(p));
+        CHECK(p.x >= -0.5);
+        CHECK(p.y >= -0.5);
+        CHECK(p.x <= kPicture.width - 0.5);
+        CHECK(p.y <= kPicture.height - 0.5);
+      }
+    }
+  }
+  // Whole traces are the exception: while the stroke is short.
+  CHECK(followed > 60);
+}
+
+TEST_CASE("equal moves give equal ribs, whatever was drawn before") {
+  LiveTrace fresh, used;
+  for (double to = 540; to >= 90; to -= 50) moved(used, spineTo(to, 12));
+  for (double to = 80; to <= 400; to += 8) {
+    const LiveTrace::Ribs a = moved(fresh, spineTo(to)), b = moved(used, spineTo(to));
+    CHECK(a.exact == b.exact);
+    CHECK(a.set == b.set);
+  }
+}
+
+TEST_CASE("a short stroke, another stroke, other marks and other parameters get a whole trace") {
+  LiveTrace live;
+  const Spine brief = spineTo(60 + 2.0 * (LiveTrace::kShort - 8)), long1 = spineTo(400), far = spineTo(400, 40);
+  REQUIRE(brief.points.size() < LiveTrace::kShort);
+  CHECK(moved(live, brief).exact);
+  const auto exactly = [&](const Spine& spine) {
+    const LiveTrace::Ribs found = moved(live, spine);
+    CHECK(found.exact);
+    CHECK(found.set == whole(spine));
+  };
+  exactly(brief);
+  exactly(long1);
+  CHECK_FALSE(moved(live, long1).exact);
+  exactly(far);
+  CHECK_FALSE(moved(live, far).exact);
+  RibParams stiff;
+  stiff.neighbourWeight = 1.5;
+  CHECK(live.move(far, {thing(), kPicture}, stiff).value().exact);
+  CHECK_FALSE(live.move(far, {thing(), kPicture}, stiff).value().exact);
+  const IgnoredEdges marks;
+  CHECK(live.move(far, {thing(), kPicture, &marks}, stiff).value().exact);
+  CHECK(live.move(far, {image::EdgeMap{}, kPicture}, stiff).value().exact);
+  CHECK(live.move(far, {image::EdgeMap{}, kPicture}, stiff).value().exact);
+}
+
+TEST_CASE("a pen that stays where it is comes to rest, too") {
+  LiveTrace live;
+  for (double to = 90; to <= 540; to += 6) moved(live, spineTo(to));
+  const Spine spine = spineTo(540);
+  RibSet last;
+  for (int i = 0; i < 12; ++i) last = moved(live, spine).set;
+  CHECK(moved(live, spine).set == last);
+  CHECK(apart(whole(spine), last) < 0.015);
+}
+
+TEST_CASE("a live trace refuses what a whole trace refuses") {
+  LiveTrace live;
+  RibParams wrong;
+  wrong.levels = 3;
+  CHECK(live.move(spineTo(400), {thing(), kPicture}, wrong).error() == Error::ValueOutOfRange);
+  CHECK(live.move({{{1, 1}}}, {thing(), kPicture}, {}).error() == Error::StrokeTooShort);
+  moved(live, spineTo(400));
+  CHECK(live.move({{{1, 1}}}, {thing(), kPicture}, {}).error() == Error::StrokeTooShort);
+}
+
+TEST_CASE("a pen whose stroke was followed before asks for no memory but its result's") {
+  LiveTrace live;
+  const auto drawn = [&](double to) {
+    const Spine spine = spineTo(to);
+    const std::size_t before = testing::allocatedBytes();
+    const LiveTrace::Ribs found = moved(live, spine);
+    const std::size_t asked = testing::allocatedBytes() - before;
+    const std::size_t result =
+        found.set.ribs.size() * sizeof(Rib) +
+        (found.set.startFan.points.size() + found.set.endFan.points.size()) * sizeof(PicturePoint);
+    return static_cast<double>(asked) / static_cast<double>(result);
+  };
+  for (int round = 0; round < 2; ++round) {
+    for (double to = 90; to <= 540; to += 6) drawn(to);
+  }
+  for (double to = 90; to <= 540; to += 6) {
+    CAPTURE(to);
+    CHECK(drawn(to) < 1.05);
+  }
+}
