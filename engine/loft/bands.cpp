@@ -7,7 +7,7 @@
 namespace spineloft::loft {
 namespace {
 
-using ribs::all4, ribs::Float4, ribs::Int4, ribs::load4;
+
 
 constexpr std::size_t kLanes = 4;
 
@@ -28,7 +28,7 @@ float leastLane(Float4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2],
 void addTriangles(const Point4& a, const Point4& b, const Point4& c, Int4 held, WallTally& tally) {
   const Point4 u = b - a, v = c - a;
   const Float4 g = tally.ground(), za = a.z - g, zb = b.z - g, zc = c.z - g;
-  const auto size = [](Float4 z) { return ribs::magnitude4(z); };
+  const auto size = [](Float4 z) { return magnitude4(z); };
   tally.add({u.x, u.y, u.z, v.x, v.y, v.z, za + zb + zc, size(za) + size(zb) + size(zc)}, held);
 }
 
@@ -55,8 +55,8 @@ void WallTally::addVertices(const RingPlanes& ring) {
   for (std::size_t i = 0; i < ring.points(); i += kLanes) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Float4 p = load4(ring.plane(axis) + i);
-      low_[axis] = ribs::least4(p, low_[axis]);
-      high_[axis] = ribs::most4(p, high_[axis]);
+      low_[axis] = least4(p, low_[axis]);
+      high_[axis] = most4(p, high_[axis]);
     }
   }
 }
@@ -70,7 +70,7 @@ void WallTally::add(const Four& t, Int4 held) {
   thin_ |= held & (size <= kSine * u2 * v2);
   least_ = (held & (size < least_)) ? size : least_;
   volume_ += held ? nz * t.height : all4(0);
-  parts_ += held ? (ribs::magnitude4(xy) + ribs::magnitude4(yx)) * t.heights : all4(0);
+  parts_ += held ? (magnitude4(xy) + magnitude4(yx)) * t.heights : all4(0);
 }
 
 mesh::Bounds WallTally::bounds() const {
@@ -85,14 +85,14 @@ mesh::Bounds WallTally::bounds() const {
 bool WallTally::surelyLarger(double area) const {
   constexpr double kInHand = 2, kSmallest = 1e-30;  // below that single precision has nothing to say
   const auto least = static_cast<double>(leastLane(least_));
-  return !ribs::any4(thin_) && least > kInHand * 4 * area * area && least > kSmallest;
+  return !any4(thin_) && least > kInHand * 4 * area * area && least > kSmallest;
 }
 
-double WallTally::volume() const { return static_cast<double>(ribs::sum4(volume_)) / 6; }
+double WallTally::volume() const { return static_cast<double>(sum4(volume_)) / 6; }
 
 double WallTally::volumeError() const {
   constexpr double kRounding = 1e-3;  // of some ten thousand sums of numbers of 24 bits, with plenty in hand
-  return kRounding * static_cast<double>(ribs::sum4(parts_)) / 6;
+  return kRounding * static_cast<double>(sum4(parts_)) / 6;
 }
 
 void makeWalls(const Band& band, std::span<const std::size_t> sizes, std::array<std::uint32_t, 3>* out,

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/lanes.h"
 #include "engine/mesh/laws.h"
 #include "engine/mesh/tri_mesh.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::loft {
 
@@ -32,15 +32,15 @@ class RingPlanes {
 class WallTally {
  public:
   /// `ground`: heights are measured from there.
-  explicit WallTally(float ground) : ground_(ribs::all4(ground)) {}
+  explicit WallTally(float ground) : ground_(all4(ground)) {}
   void addVertices(const RingPlanes& ring);
   /// Four triangles by two edges from their first corner, and the sums of their corners' heights over the ground and
   /// of the sizes of those. Lanes that are not `held` do not count.
   struct Four {
-    ribs::Float4 ux, uy, uz, vx, vy, vz, height, heights;
+    Float4 ux, uy, uz, vx, vy, vz, height, heights;
   };
-  void add(const Four& t, ribs::Int4 held);
-  ribs::Float4 ground() const { return ground_; }
+  void add(const Four& t, Int4 held);
+  Float4 ground() const { return ground_; }
 
   mesh::Bounds bounds() const;
   /// Every triangle is certainly larger than `area`.
@@ -50,10 +50,10 @@ class WallTally {
   double volumeError() const;
 
  private:
-  ribs::Float4 ground_, least_ = ribs::all4(std::numeric_limits<float>::infinity());
-  ribs::Float4 volume_ = ribs::all4(0), parts_ = ribs::all4(0);
-  std::array<ribs::Float4, 3> low_{least_, least_, least_}, high_{-least_, -least_, -least_};
-  ribs::Int4 thin_{};
+  Float4 ground_, least_ = all4(std::numeric_limits<float>::infinity());
+  Float4 volume_ = all4(0), parts_ = all4(0);
+  std::array<Float4, 3> low_{least_, least_, least_}, high_{-least_, -least_, -least_};
+  Int4 thin_{};
 };
 
 /// The walls between two rings whose first vertices are `firstA` and `firstB`; the second follows the first along the

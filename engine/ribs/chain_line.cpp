@@ -4,8 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/chain_step.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/chain_line.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/evidence.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

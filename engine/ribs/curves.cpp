@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/ribs/lanes.h"
+#include "engine/base/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "engine/base/lanes.h"
 #include "engine/base/limits.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

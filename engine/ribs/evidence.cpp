@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/ribs/lanes.h"
+#include "engine/base/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

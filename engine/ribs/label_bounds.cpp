@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/chain_line.h"
 #include "engine/ribs/chain_step.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/ribs/lanes.h"
+#include "engine/base/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/evidence.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

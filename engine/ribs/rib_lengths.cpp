@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/chain_line.h"
 #include "engine/ribs/chain_step.h"
 #include "engine/ribs/label_bounds.h"
-#include "engine/ribs/lanes.h"
 #include "engine/ribs/pair_search.h"
 
 namespace spineloft::ribs {

@@ -5,10 +5,10 @@
 #include <limits>
 #include <span>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/algorithm_one.h"
 #include "engine/ribs/edge_strength.h"
 #include "engine/ribs/end_fan.h"
-#include "engine/ribs/lanes.h"
 #include "engine/ribs/pen_line.h"
 #include "engine/ribs/rib_search.h"
 #include "engine/ribs/rivals.h"

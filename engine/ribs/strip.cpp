@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/lanes.h"
 #include "engine/ribs/evidence.h"
-#include "engine/ribs/lanes.h"
 
 namespace spineloft::ribs {
 namespace {

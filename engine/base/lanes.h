@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace spineloft::ribs {
+namespace spineloft {
 
 using Float4 = float __attribute__((vector_size(16)));
 using Long2 = std::int64_t __attribute__((vector_size(16)));
@@ -66,4 +66,4 @@ inline float quickExp(float x) {
   return series * std::bit_cast<float>((power + 127) << 23);
 }
 
-}  // namespace spineloft::ribs
+}  // namespace spineloft
