@@ -130,9 +130,7 @@ export class Keeper {
 
   newModel(): Promise<void> {
     return this.change(async () => {
-      if (!(await this.finishCurrent())) return;
-      this.engine.restore('', []);
-      this.settleOn(null);
+      await this.leave();
     });
   }
 
@@ -186,32 +184,30 @@ export class Keeper {
     const info = await this.store?.info(id);
     const name = info && (await this.page.askName('Rename model', 'A name for this model', info.name));
     if (!name?.trim()) return;
-    if (id === this.current) this.engine.run('rename-model', { name });
-    else await this.store?.rename(id, name.trim().slice(0, 200));
-    await this.writer.settled();
-    this.page.changed();
+    await this.change(async () => {
+      if (id === this.current) this.engine.run('rename-model', { name });
+      else await this.store?.rename(id, name.trim().slice(0, 200));
+      await this.writer.settled();
+    });
   }
 
   /** Takes a model off the device; for a while it can be brought back. */
-  async remove(id: string): Promise<void> {
-    const info = await this.store?.info(id);
-    if (!info) throw new Failure('NoSuchModel', 'There is no such model on this device.');
-    if ((await this.elsewhere()).has(id)) throw new Failure('OpenElsewhere', `${info.name} is open in another tab. Close it there first.`);
-    if (id === this.current) await this.newModel();
-    await this.store?.delete(id, Date.now());
-    if (this.writer.isInTrouble) {
-      // Its room is wanted now.
-      await this.store?.sweep(Date.now());
-      this.writer.retry();
-      this.page.changed();
-      return;
-    }
-    this.page.changed();
-    const bringBack = async () => {
-      await this.store?.undelete(id);
-      this.page.changed();
-    };
-    toast(`${info.name} is deleted.`, 'info', { label: 'Undo', run: () => this.complainOf(bringBack()) });
+  remove(id: string): Promise<void> {
+    return this.change(async () => {
+      const info = await this.store?.info(id);
+      if (!info) throw new Failure('NoSuchModel', 'There is no such model on this device.');
+      if ((await this.elsewhere()).has(id)) throw new Failure('OpenElsewhere', `${info.name} is open in another tab. Close it there first.`);
+      if (id === this.current && !(await this.leave())) return;
+      await this.store?.delete(id, Date.now());
+      if (this.writer.isInTrouble) {
+        // Its room is wanted now.
+        await this.store?.sweep(Date.now());
+        this.writer.retry();
+        return;
+      }
+      const bringBack = () => this.change(async () => this.store?.undelete(id));
+      toast(`${info.name} is deleted.`, 'info', { label: 'Undo', run: () => this.complainOf(bringBack()) });
+    });
   }
 
   /** Resolves when nothing is being written or changed any more. */
@@ -236,6 +232,14 @@ export class Keeper {
 
   private complainOf(work: Promise<unknown>): void {
     work.catch((thrown: unknown) => toast(thrown instanceof StoreFailure ? thrown.message : sentenceOf(thrown), 'error'));
+  }
+
+  /** An empty model in place of the open one. False when the visitor would rather stay. */
+  private async leave(): Promise<boolean> {
+    if (!(await this.finishCurrent())) return false;
+    this.engine.restore('', []);
+    this.settleOn(null);
+    return true;
   }
 
   /** Everything of the open model is on the disk. False when the visitor would rather stay. */
