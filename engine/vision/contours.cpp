@@ -14,7 +14,7 @@ namespace {
 /// Gradients are compared as whole numbers, so that every platform finds the same edges; this many steps a Lab unit
 /// keep faint edges, and no product overflows (the steepest step between two sRGB colours is below 130 Lab units a
 /// pixel).
-constexpr float kStepsPerUnit = 128, kMost = 200 * kStepsPerUnit;
+constexpr float kStepsPerUnit = 128, kMostUnits = 200, kMost = kMostUnits * kStepsPerUnit;
 
 /// What a pixel is before it is known which contour it is on.
 enum Mark : std::uint8_t { kNone = 0, kWeak = 1, kStrong = 2 };
@@ -152,7 +152,7 @@ class ContourWalk {
 
 void fillEdges(const Thresholds& thresholds, image::EdgeMap& map) {
   const auto squared = [](double threshold) {
-    const double steps = static_cast<double>(kStepsPerUnit) * std::min(threshold, 200.0);
+    const double steps = static_cast<double>(kStepsPerUnit) * std::min(threshold, static_cast<double>(kMostUnits));
     return static_cast<std::int32_t>(std::floor(steps * steps));
   };
   std::vector<std::uint8_t> marks = maxima(map, {squared(thresholds.low), squared(thresholds.high)});

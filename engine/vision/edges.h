@@ -19,7 +19,7 @@ struct EdgeParams {
 
 /// Canny with thresholds chosen from the picture's own gradient statistics, the proximity ramp, Lab
 /// colour and its gradient. Transparent pixels count as white paper.
-/// Cost: about 22 ms for a 1024 × 768 copy, one thread, native or in the browser (npm run bench).
+/// Cost: about 25 ms for a 1024 × 768 copy, one thread, native or in the browser (npm run bench).
 /// Errors: PictureEmpty, PictureTooSmall (< kMinPictureSide), ValueOutOfRange (params), Cancelled,
 /// OutOfMemory.
 Result<image::EdgeMap> detectEdges(const image::Picture& picture, const EdgeParams& params,

@@ -11,13 +11,17 @@ const [lemur] = samples();
 const beside = (spine) => spine.slice(Math.floor(spine.length * 0.25), Math.ceil(spine.length * 0.75)).map(([x, y], i, all) => [x + 16 - (32 * i) / all.length, y + 8]);
 
 /** Two parts drawn with the mouse on the sample. */
+async function drawTwo(page) {
+  await openPicture(page, lemur.bytes, 'lemur');
+  await drawWithMouse(page, lemur.spine);
+  await page.keyboard.press('n');
+  await drawWithMouse(page, beside(lemur.spine));
+  assert.equal((await state(page)).parts.length, 2);
+}
+
 async function withTwo(work) {
   await onPage(kit, { isolated: false }, async (page, opened) => {
-    await openPicture(page, lemur.bytes, 'lemur');
-    await drawWithMouse(page, lemur.spine);
-    await page.keyboard.press('n');
-    await drawWithMouse(page, beside(lemur.spine));
-    assert.equal((await state(page)).parts.length, 2);
+    await drawTwo(page);
     await work(page, opened);
   });
 }
@@ -26,6 +30,18 @@ const steps = async (page) => (await state(page)).steps;
 const root = async (page) => (await steps(page)).findLast((step) => step.root);
 
 const measureStl = (bytes) => measure(parseStl(bytes));
+
+/** The page once more, with what was put under it; its two parts stuck together. */
+async function stuckAnew(page) {
+  await page.reload();
+  await page.evaluate(() => window.spineloft.ready);
+  await drawTwo(page);
+  await run(page, 'stick-together');
+  await idle(page);
+  const good = await root(page);
+  assert.equal(good.status, 'ready');
+  return good;
+}
 
 /** What is saved: a closed, outward STL and a GLB without a fault. */
 async function lawful(page) {
@@ -169,16 +185,7 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
         }
       };
     });
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    await openPicture(page, lemur.bytes, 'lemur');
-    await drawWithMouse(page, lemur.spine);
-    await page.keyboard.press('n');
-    await drawWithMouse(page, beside(lemur.spine));
-    await run(page, 'stick-together');
-    await idle(page);
-    const good = await root(page);
-    assert.equal(good.status, 'ready');
+    const good = await stuckAnew(page);
 
     // The browser ends the worker in the middle of a job, and tells nobody.
     await page.evaluate(() => {
@@ -240,16 +247,7 @@ test('a mesh that arrives damaged names its part, and one that breaks the solver
         }
       };
     });
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    await openPicture(page, lemur.bytes, 'lemur');
-    await drawWithMouse(page, lemur.spine);
-    await page.keyboard.press('n');
-    await drawWithMouse(page, beside(lemur.spine));
-    await run(page, 'stick-together');
-    await idle(page);
-    const good = await root(page);
-    assert.equal(good.status, 'ready');
+    const good = await stuckAnew(page);
 
     // A face is missing: the library refuses the part.
     await page.evaluate(() => { window.damage = (mesh) => { mesh.triangles = mesh.triangles.slice(3); }; });
