@@ -3,11 +3,14 @@
 import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { hollowOf, seamOf } from './fields.ts';
 import { withoutFlaps } from './flaps.ts';
+import type { Faces } from './flaps.ts';
+import { Near } from './near.ts';
 import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
 import { carried, runsOf } from './sources.ts';
 import type { Source } from './sources.ts';
 import { countOf } from './topology.ts';
+import type { Shape } from './rooms.ts';
 import { Unsolvable } from './unsolvable.ts';
 import type { MeshData, PartOperand, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
@@ -16,6 +19,10 @@ const kKept = 12;
 
 interface Kept {
   solid: Manifold | null;
+  /** In its stead, for a solid that no other is made of. */
+  faces?: Faces;
+  /** What is near the parts with which it is to be joined. */
+  near?: Near | null;
   /** What was scooped out of it. */
   cavity?: Manifold;
   /** That, and what was scooped out of what it is joined from: it stays free. */
@@ -40,6 +47,7 @@ interface Bench {
 
 /** An operand in its place. */
 interface Keyed {
+  operand: SolidOperand;
   key: string;
   solid: Manifold;
   from: Kept;
@@ -51,6 +59,9 @@ export interface Solved {
   mesh?: SolidMesh;
   failure?: SolidFailure;
 }
+
+/** What was made of a step's operands: a solid, or its faces alone. */
+type Made = { solid: Manifold } | { faces: Faces };
 
 const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' in operand;
 
@@ -98,7 +109,8 @@ export class SolidKernel {
     for (const [index, node] of request.nodes.entries()) {
       const started = this.now();
       const key = node.coarse ? `${node.key}~` : node.key;
-      const kept = this.solids.get(key) ?? this.make(node);
+      const isOperand = request.nodes.some(({ operands }) => operands.some((operand) => !isPart(operand) && operand.node === node.key)), known = this.solids.get(key);
+      const kept = known && !(known.faces && isOperand) ? known : this.make(node, isOperand);
       this.use(kept);
       this.solids.set(key, kept);
       if (request.wanted.includes(node.key)) done(this.finish(node, kept, started));
@@ -122,21 +134,23 @@ export class SolidKernel {
   }
 
   private finish(node: SolidNode, kept: Kept, started: number): Solved {
-    if (!kept.solid) return { node, ms: this.now() - started, ...(kept.failure ? { failure: kept.failure } : {}) };
+    if (!kept.solid && !kept.faces) return { node, ms: this.now() - started, ...(kept.failure ? { failure: kept.failure } : {}) };
     try {
-      const mesh = this.meshOf(kept.solid);
+      const mesh = kept.faces ? this.meshOf(kept.faces, sizeOf(kept.faces)) : this.meshOf(kept.solid!.getMesh(), { volume: kept.solid!.volume(), area: kept.solid!.surfaceArea() });
       return { node, mesh, ms: this.now() - started };
     } catch (thrown) {
       return { node, ms: this.now() - started, failure: failureOf(thrown) };
     }
   }
 
-  private make(node: SolidNode): Kept {
+  private make(node: SolidNode, isOperand: boolean): Kept {
     const bench: Bench = { own: [], ids: [], from: [] }, { own, ids, from } = bench;
     const round = this.round;
     try {
       const operands = node.operands.map((operand) => this.operand(operand, node.coarse, bench));
-      const { solid, cavity, free } = this.combine(node, operands, bench);
+      const made = this.combine(node, operands, bench, isOperand);
+      if ('faces' in made) return { solid: null, faces: made.faces, round, ids, from };
+      const { solid, cavity, free } = made;
       const error = solid.status() !== 'NoError' ? 'SolidFailed' : solid.isEmpty() ? 'SolidEmpty' : null;
       if (error) {
         own.push(solid, ...(cavity ? [cavity] : []));
@@ -204,7 +218,7 @@ export class SolidKernel {
     return id;
   }
 
-  private combine(node: SolidNode, operands: Manifold[], bench: Bench): { solid: Manifold; cavity?: Manifold; free: Manifold[] } {
+  private combine(node: SolidNode, operands: Manifold[], bench: Bench, isOperand: boolean): { solid: Manifold; cavity?: Manifold; free: Manifold[] } | { faces: Faces } {
     const { own } = bench;
     if (node.kind === 'hollow') {
       // A part with live symmetry comes with its twin.
@@ -213,9 +227,10 @@ export class SolidKernel {
       const { shell, cavity } = hollowOf(this.library, body, node, { ...this.likeness(body, bench), own });
       return { solid: shell, cavity, free: [cavity] };
     }
-    const plain = this.together(node, operands, bench);
-    const solid = node.blend <= 0 || node.kind === 'common' || plain.isEmpty() ? plain : this.rounded(node, plain, operands, bench);
-    const free = node.kind === 'join' ? this.freeOf(node) : [];
+    const isSharp = node.blend <= 0 || node.kind === 'common', free = node.kind === 'join' ? this.freeOf(node) : [];
+    const made = this.together(node, operands, bench, isOperand || !isSharp || free.length > 0);
+    if ('faces' in made) return made;
+    const plain = made.solid, solid = isSharp || plain.isEmpty() ? plain : this.rounded(node, plain, operands, bench);
     if (free.length === 0) return { solid, free };
     own.push(solid);
     return { solid: this.library.Manifold.difference([solid, ...free]), free };
@@ -242,19 +257,29 @@ export class SolidKernel {
    * All operands as the step says. Where some alone are others than last time, what the rest makes is kept (or was made
    * ahead): the next time that these change there is a single thing left to do.
    */
-  private together(node: SolidNode, operands: Manifold[], { own, from }: Bench): Manifold {
-    const all = node.operands.map((operand, i) => ({ key: this.nameOf(operand, node.coarse), solid: operands[i]!, from: from[i]! }));
+  private together(node: SolidNode, operands: Manifold[], { own, from }: Bench, asSolid: boolean): Made {
+    const { kind } = node, all = this.keyed(node, operands, from);
     const before = this.lastOperands.get(node.step);
     const changed = all.map(({ key }, i) => before?.keys[i] !== key), others = all.filter((_, i) => !changed[i]);
     const again = before?.changed.join() === changed.join();
     this.lastOperands.set(node.step, { keys: all.map(({ key }) => key), changed });
-    if (before?.keys.length !== all.length || !isWorthKeeping(node.kind, changed)) return this.whole(node.kind, all);
-    if (again && !this.solids.has(restKey(node.kind, others, changed))) drain(this.rest(node.kind, all, changed));
-    const whole = this.withRest(node.kind, all, changed);
-    if (!whole) return this.whole(node.kind, all);
-    if (whole.status() === 'NoError') return whole;
-    own.push(whole);
-    return this.whole(node.kind, all);
+    const anew = () => ({ solid: this.whole(kind, all) });
+    if (before?.keys.length !== all.length || !isWorthKeeping(kind, changed)) return anew();
+    const key = restKey(kind, others, changed);
+    if (again && !this.solids.has(key)) drain(this.rest(kind, all, changed));
+    const kept = this.solids.get(key);
+    if (!kept) return anew();
+    this.use(kept).ahead = false;
+    const near = this.withNear(kept, kind, all, changed, asSolid);
+    if (near) return near;
+    const solid = this.withRest(kept.solid!, kind, all, changed);
+    if (solid.status() === 'NoError') return { solid };
+    own.push(solid);
+    return anew();
+  }
+
+  private keyed(node: SolidNode, operands: Manifold[], from: Kept[]): Keyed[] {
+    return node.operands.map((operand, i) => ({ operand, key: this.nameOf(operand, node.coarse), solid: operands[i]!, from: from[i]! }));
   }
 
   /** Equal names, equal operands. What was not looked over is another thing than what was. */
@@ -271,15 +296,34 @@ export class SolidKernel {
     return first!.subtract(others.length > 1 ? this.union(all.slice(1)) : others[0]!);
   }
 
-  /** What changed to what the others make; null when that is not there. */
-  private withRest(kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Manifold | null {
-    const { Manifold } = this.library, kept = this.solids.get(restKey(kind, all.filter((_, i) => !changed[i]), changed));
-    if (!kept) return null;
-    const rest = this.use(kept).solid!, solids = all.filter((_, i) => changed[i]).map(({ solid }) => solid);
-    kept.ahead = false;
+  /** What changed to what the others make. */
+  private withRest(rest: Manifold, kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Manifold {
+    const { Manifold } = this.library, solids = all.filter((_, i) => changed[i]).map(({ solid }) => solid);
     if (kind === 'common') return Manifold.intersection([rest, ...solids]);
     if (kind === 'join') return Manifold.union([rest, ...solids]);
     return changed[0] ? solids[0]!.subtract(rest) : Manifold.difference([rest, ...solids]);
+  }
+
+  /** The same by what is near alone; null where what changed goes beyond that. */
+  private withNear({ near }: Kept, kind: SolidNode['kind'], all: Keyed[], changed: boolean[], asSolid: boolean): Made | null {
+    // Nothing that is away is in what two have in common, or is left of the first one.
+    const isAll = kind === 'common' || (kind === 'cut' && changed[0]!);
+    if (!near || (asSolid && !isAll) || !near.holds(this.shapes(all, changed))) return null;
+    const solid = this.withRest(near.solid, kind, all, changed), isSound = solid.status() === 'NoError';
+    if (isSound && isAll) return { solid };
+    const faces = isSound ? near.withAway(solid.getMesh()) : null;
+    solid.delete();
+    return faces && faces.triVerts.length > 0 ? { faces } : null;
+  }
+
+  /** Where those are that changed. */
+  private shapes(all: Keyed[], changed: boolean[]): Shape[] {
+    return all.filter((_, i) => changed[i]).map(({ operand, solid }) => {
+      const mesh = isPart(operand) ? this.meshes.get(operand.mesh)?.data : undefined;
+      if (mesh) return { positions: mesh.positions, matrix: (operand as PartOperand).matrix };
+      const { min, max } = solid.boundingBox();
+      return { positions: Float32Array.of(...min, ...max), matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
+    });
   }
 
   /**
@@ -309,8 +353,8 @@ export class SolidKernel {
     if (isCutFrom) this.keep(key, others, () => others[0]!.solid.subtract(this.union(added)));
     for (const [name, kept] of this.solids) {
       if (before.has(name) || name === key) continue;
-      kept.solid?.delete();
       this.solids.delete(name);
+      this.letGo(kept);
     }
   }
 
@@ -321,8 +365,8 @@ export class SolidKernel {
   *ahead(part: number | null): Generator<void, void> {
     for (const [key, kept] of this.solids) {
       if (!kept.ahead || kept.ahead === part) continue;
-      kept.solid?.delete();
       this.solids.delete(key);
+      this.letGo(kept);
     }
     const touched = new Set<string>();
     for (const node of part === null ? [] : this.nodes) {
@@ -332,13 +376,22 @@ export class SolidKernel {
       const bench: Bench = { own: [], ids: [], from: [] }, known = new Set(this.solids.keys());
       try {
         const operands = node.operands.map((operand) => this.operand(operand, false, bench));
-        const all = node.operands.map((operand, i) => ({ key: this.nameOf(operand, false), solid: operands[i]!, from: bench.from[i]! }));
-        if (!this.solids.has(restKey(node.kind, all.filter((_, i) => !changed[i]), changed))) yield* this.rest(node.kind, all, changed);
+        const all = this.keyed(node, operands, bench.from), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
+        if (!this.solids.has(key)) yield* this.rest(node.kind, all, changed);
+        yield* this.comeNear(this.solids.get(key)!, this.shapes(all, changed));
       } finally {
         for (const [key, kept] of this.solids) if (!known.has(key)) kept.ahead = part!;
         for (const solid of bench.own) solid.delete();
       }
     }
+  }
+
+  /** Makes what is near these ready, where it is not. */
+  private *comeNear(kept: Kept, shapes: Shape[]): Generator<void, void> {
+    if (!kept.solid || kept.near === null || kept.near?.holds(shapes)) return;
+    const { library } = this, near = yield* Near.of(library, kept.solid, shapes);
+    kept.near?.solid.delete();
+    kept.near = near;
   }
 
   /** Whether the solid of an operand was made before and is still there. */
@@ -367,11 +420,9 @@ export class SolidKernel {
     return kept.solid!;
   }
 
-  private meshOf(solid: Manifold): SolidMesh {
-    const whole = solid.getMesh(), mesh = withoutFlaps(whole);
-    // The library counts as if all were one shell.
-    const genus = solid.genus() + countOf(whole.vertProperties.length / 3, whole.triVerts).pieces - 1;
-    return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), volume: solid.volume(), area: solid.surfaceArea(), genus };
+  private meshOf(whole: Faces, size: { volume: number; area: number }): SolidMesh {
+    const mesh = withoutFlaps(whole), genus = countOf(whole.vertProperties.length / 3, whole.triVerts).handles;
+    return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), ...size, genus };
   }
 
   /** Lets go of what was not asked for in a while. */
@@ -379,13 +430,16 @@ export class SolidKernel {
     for (const map of [this.parts, this.solids]) {
       for (const [key, kept] of map) {
         if (kept.round + kKept > this.round) continue;
-        kept.solid?.delete();
-        kept.cavity?.delete();
-        for (const id of kept.ids ?? []) this.sources.delete(id);
         map.delete(key);
+        this.letGo(kept);
       }
     }
     for (const [key, mesh] of this.meshes) if (mesh.round + kKept <= this.round) this.meshes.delete(key);
+  }
+
+  private letGo(kept: Kept): void {
+    for (const solid of [kept.solid, kept.cavity, kept.near?.solid]) solid?.delete();
+    for (const id of kept.ids ?? []) this.sources.delete(id);
   }
 
   /** Keys of the meshes that are here. */
@@ -396,6 +450,18 @@ export class SolidKernel {
 
 function inWorld(m: number[], [x, y, z]: [number, number, number]): [number, number, number] {
   return [0, 1, 2].map((k) => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!) as [number, number, number];
+}
+
+function sizeOf({ vertProperties: p, triVerts }: Faces): { volume: number; area: number } {
+  let volume = 0, area = 0;
+  for (let t = 0; t < triVerts.length; t += 3) {
+    const a = 3 * triVerts[t]!, b = 3 * triVerts[t + 1]!, c = 3 * triVerts[t + 2]!, ax = p[a]!, ay = p[a + 1]!, az = p[a + 2]!;
+    const ux = p[b]! - ax, uy = p[b + 1]! - ay, uz = p[b + 2]! - az, vx = p[c]! - ax, vy = p[c + 1]! - ay, vz = p[c + 2]! - az;
+    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    volume += (x * ax + y * ay + z * az) / 6;
+    area += Math.sqrt(x * x + y * y + z * z) / 2;
+  }
+  return { volume, area };
 }
 
 function failureOf(thrown: unknown): SolidFailure {
