@@ -37,6 +37,7 @@ struct CurveLayout {
   int total() const { return 2 * (ribs + fan); }
   int left(int rib) const { return rib; }
   int right(int rib) const { return 2 * ribs + fan - 1 - rib; }
+  int sideOf(int rib, bool leftSide) const { return leftSide ? left(rib) : right(rib); }
   int endFan(int i) const { return ribs + i; }           ///< from the left to the right
   int startFan(int i) const { return total() - 1 - i; }  ///< from the left to the right
 };

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "engine/ribs/pen_line.h"
 
@@ -20,60 +21,77 @@ constexpr double kLeastExtent = 0.1, kMostExtent = 4;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// The end in the frame of its last rib: x across, in half widths, and t forward, in half widths.
+// The end in the frame of the two ribs at which it begins: x across and t forward from between their ends, in
+// halves of their distance. The last ribs of a wide part bend round its end: the stroke stops well
+// before them then, at t < 0, and the part may end before them too.
 struct EndFrame {
   PicturePoint middle, across, forward;
-  double half = 1;
+  double half = 1, stroke = 0, unit = 1;
   explicit EndFrame(const EndSite& site) {
     const CurveLayout& layout = site.curves.layout;
-    const int rib = site.atStart ? 0 : layout.ribs - 1;
     middle = (site.left + site.right) / 2;
     half = std::max(1.0, distance(site.left, site.right) / 2);
     across = normalized(site.left - site.right);
     const int out = site.atStart ? layout.startFan(layout.fan / 2) : layout.endFan(layout.fan / 2);
-    const PicturePoint base = site.curves.point(layout.left(rib), 0);
+    const PicturePoint stop = site.curves.point(out, 0);
     const int last = std::max(0, site.curves.reached[index(out)] - 1);
     const PicturePoint far = site.curves.point(out, last);
     forward = {across.y, -across.x};
-    if (dot(forward, far - base) < 0) forward = forward * -1.0;
+    if (dot(forward, far - stop) < 0) forward = forward * -1.0;
+    stroke = std::min(0.0, t(stop));
+    unit = site.halfWidth / half;
   }
   double x(PicturePoint p) const { return std::abs(dot(p - middle, across)) / half; }
-  double t(PicturePoint p) const { return std::max(0.0, dot(p - middle, forward) / half); }
+  double t(PicturePoint p) const { return dot(p - middle, forward) / half; }
+  double tip(double extent) const { return stroke + extent * unit; }
 };
 
-bool outside(EndShape shape, double x, double t) {
+// How far a shape goes at x, as a share of what it does in the middle.
+double reachAt(EndShape shape, double x) {
   switch (shape) {
     case EndShape::Round:
-      return x * x + t * t >= 1;
+      return std::sqrt(1 - x * x);
     case EndShape::Flat:
-      return std::max(x, t) >= 1;
+      return 1;
     case EndShape::Pointed:
-      return x + t >= 1;
+      return 1 - x;
   }
-  return true;
+  return 0;
 }
 
-// The fan's curves from the left rib round to the right one, both included.
-int fanCurve(const EndSite& site, int i) {
+bool outside(const EndFrame& frame, EndShape shape, double tip, PicturePoint p) {
+  const double x = frame.x(p);
+  return x >= 1 || frame.t(p) >= tip * reachAt(shape, x);
+}
+
+// The end's curves but for the two at which it begins.
+int curvesOf(const EndSite& site) {
+  return site.freeLeft + site.curves.layout.fan + site.freeRight;
+}
+
+// The end's curves from the left rib at which it begins round to the right one, both included.
+int curveOf(const EndSite& site, int i) {
   const CurveLayout& layout = site.curves.layout;
-  const int rib = site.atStart ? 0 : layout.ribs - 1;
-  if (i == 0) return layout.left(rib);
-  if (i == layout.fan + 1) return layout.right(rib);
-  return site.atStart ? layout.startFan(i - 1) : layout.endFan(i - 1);
+  const auto rib = [&](int inwards) { return site.atStart ? inwards : layout.ribs - 1 - inwards; };
+  if (i <= site.freeLeft) return layout.left(rib(site.freeLeft - i));
+  const int fan = i - site.freeLeft - 1;
+  if (fan >= layout.fan) return layout.right(rib(fan - layout.fan));
+  return site.atStart ? layout.startFan(fan) : layout.endFan(fan);
 }
 
 // Label at which a curve leaves the shape; its last one where it never does.
 int crossing(const EndSite& site, const EndFrame& frame, const EndGuess& guess, int curve) {
   const int reached = site.curves.reached[index(curve)];
+  const double tip = frame.tip(guess.extent);
   for (int k = 1; k < reached; ++k) {
-    const PicturePoint p = site.curves.point(curve, k);
-    if (outside(guess.shape, frame.x(p), frame.t(p) / guess.extent)) return k;
+    if (outside(frame, guess.shape, tip, site.curves.point(curve, k))) return k;
   }
   return std::max(0, reached - 1);
 }
 
-// What an end costs that is unusually long or short, and what a shape costs that is rarer than round.
-constexpr double kPriceOfLength = 0.5, kPriceOfFlat = 0.2, kPriceOfPoint = 0.5;
+// What every factor of e costs by which an end is shorter or longer than usual, and what a shape costs that
+// is rarer than round.
+constexpr double kPriceOfLength = 1, kPriceOfFlat = 0.2, kPriceOfPoint = 0.5;
 // Usual extents, in half widths.
 constexpr double kRoundExtent = 1, kStraightExtent = 0.7;
 
@@ -85,12 +103,12 @@ double priceOf(const EndGuess& guess) {
   return price + (guess.shape == EndShape::Flat ? kPriceOfFlat : kPriceOfPoint);
 }
 
-// One side's chain over the fan's curves. Places are shares of the guessed shape; between neighbours
+// The chain over the end's curves. Places are shares of the guessed shape; between neighbours
 // lies their part of a half circle.
 void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess,
                LengthProblem& p) {
   const GradientCurves& curves = site.curves;
-  p.ribs = curves.layout.fan + 2;
+  p.ribs = curvesOf(site) + 2;
   p.levels = curves.levels;
   p.neighbourWeight = site.neighbourWeight;
   const std::size_t count = index(p.levels);
@@ -99,7 +117,7 @@ void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess
   p.left.spacing.assign(index(p.ribs - 1),
                         std::numbers::pi_v<float> / static_cast<float>(p.ribs - 1));
   for (int i = 0; i < p.ribs; ++i) {
-    const int curve = fanCurve(site, i), reached = curves.reached[index(curve)];
+    const int curve = curveOf(site, i), reached = curves.reached[index(curve)];
     const int fixed = i == 0 ? site.leftLabel : i == p.ribs - 1 ? site.rightLabel : -1;
     const int wanted = fixed >= 0 ? fixed : crossing(site, frame, guess, curve);
     const float length = std::max(1e-3f, curves.along[curves.at(curve, wanted)]);
@@ -117,11 +135,14 @@ void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess
 
 // The outline with the two corners of a flat end, each after the points on its side that lie clearly
 // before the end's level.
-std::vector<PicturePoint> withCorners(const EndSite& site, const EndFrame& frame, double extent,
-                                      const std::vector<PicturePoint>& outline) {
+std::vector<PicturePoint> withCorners(const EndSite& site, double extent,
+                                      std::span<const PicturePoint> outline) {
   constexpr double kBefore = 0.85;
-  const PicturePoint on = frame.forward * (extent * frame.half);
-  const auto before = [&](PicturePoint p) { return frame.t(p) < kBefore * extent; };
+  const EndFrame frame(site);
+  const double tip = frame.tip(extent);
+  if (!(tip > 0)) return {outline.begin(), outline.end()};
+  const PicturePoint on = frame.forward * (tip * frame.half);
+  const auto before = [&](PicturePoint p) { return frame.t(p) < kBefore * tip; };
   const auto middle = outline.begin() + static_cast<std::ptrdiff_t>(outline.size() / 2);
   const auto left = std::find_if_not(outline.begin(), middle, before);
   const auto right =
@@ -140,7 +161,7 @@ std::vector<PicturePoint> withCorners(const EndSite& site, const EndFrame& frame
 
 EndGuess guessEnd(const EndSite& site) {
   const EndFrame frame(site);
-  const int fan = site.curves.layout.fan;
+  const int count = curvesOf(site);
   std::array<double, kExtents> extents, costs;
   for (int e = 0; e < kExtents; ++e) {
     const double share = static_cast<double>(e) / (kExtents - 1);
@@ -150,15 +171,13 @@ EndGuess guessEnd(const EndSite& site) {
   double least = std::numeric_limits<double>::infinity();
   for (const EndShape shape : {EndShape::Round, EndShape::Flat, EndShape::Pointed}) {
     for (std::size_t e = 0; e < costs.size(); ++e) costs[e] = priceOf({shape, extents[e]});
-    for (int i = 1; i <= fan; ++i) {
-      const int curve = fanCurve(site, i), reached = site.curves.reached[index(curve)];
+    for (int i = 1; i <= count; ++i) {
+      const int curve = curveOf(site, i), reached = site.curves.reached[index(curve)];
       // The farther a shape goes, the later a curve leaves it.
       int k = 1;
       for (std::size_t e = 0; e < costs.size(); ++e) {
-        for (; k < reached; ++k) {
-          const PicturePoint p = site.curves.point(curve, k);
-          if (outside(shape, frame.x(p), frame.t(p) / extents[e])) break;
-        }
+        const double tip = frame.tip(extents[e]);
+        while (k < reached && !outside(frame, shape, tip, site.curves.point(curve, k))) ++k;
         const int label = k < reached ? k : std::max(0, reached - 1);
         costs[e] += static_cast<double>(site.costs[site.curves.at(curve, label)]);
       }
@@ -172,23 +191,30 @@ EndGuess guessEnd(const EndSite& site) {
   return best;
 }
 
-EndFan followEnd(const EndSite& site, LengthWorkspace& workspace) {
-  const EndFrame frame(site);
-  const EndGuess guess = guessEnd(site);
+void followEnd(const EndSite& site, LengthWorkspace& workspace, EndOutline& outline) {
+  outline.guess = guessEnd(site);
+  outline.cost = priceOf(outline.guess);
+  outline.labels.clear();
+  outline.points.clear();
   LengthProblem& chain = workspace.end.chain;
-  fillChain(site, frame, guess, chain);
+  fillChain(site, EndFrame(site), outline.guess, chain);
   std::vector<int>& labels = workspace.end.labels;
   optimalChain(chain, chain.left, chain.left.unary, workspace, labels);
-  std::vector<PicturePoint>& points = workspace.end.points;
-  points.clear();
   for (int i = 1; i + 1 < chain.ribs; ++i) {
-    const int curve = fanCurve(site, i);
-    const double along = site.curves.along[site.curves.at(curve, labels[index(i)])];
-    points.push_back(site.curves.pointAlong(
+    const int curve = curveOf(site, i), label = labels[index(i)];
+    const double along = site.curves.along[site.curves.at(curve, label)];
+    outline.labels.push_back(label);
+    outline.points.push_back(site.curves.pointAlong(
         curve, site.edges ? middleOfLine(site.curves, *site.edges, curve, along) : along));
+    outline.cost += static_cast<double>(site.costs[site.curves.at(curve, label)]);
   }
-  if (guess.shape == EndShape::Flat) return {withCorners(site, frame, guess.extent, points)};
-  return {points};
+}
+
+EndFan fanOf(const EndSite& site, const EndOutline& outline) {
+  const std::span fan = std::span(outline.points)
+                            .subspan(index(site.freeLeft), index(site.curves.layout.fan));
+  if (outline.guess.shape == EndShape::Flat) return {withCorners(site, outline.guess.extent, fan)};
+  return {{fan.begin(), fan.end()}};
 }
 
 }  // namespace spineloft::ribs

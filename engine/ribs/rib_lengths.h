@@ -117,11 +117,10 @@ struct WidthTables {
   LengthProblem chain;
 };
 
-/// Memory of the outline of a cap (end_fan.h).
+/// Memory of the chain round an end (end_fan.h).
 struct EndTables {
   LengthProblem chain;
   std::vector<int> labels;
-  std::vector<PicturePoint> points;
 };
 
 /// Memory that the optimiser reuses from call to call, and what it last found out about a problem.

@@ -9,6 +9,7 @@
 #include "engine/base/result.h"
 #include "engine/ribs/curves.h"
 #include "engine/ribs/edge_strength.h"
+#include "engine/ribs/end_fan.h"
 #include "engine/ribs/evidence.h"
 #include "engine/ribs/fairing.h"
 #include "engine/ribs/lean.h"
@@ -30,12 +31,14 @@ struct RibWorkspace::Search {
   Strip strip;
   BoundaryTerms terms;
   KnownReach known;
-  std::vector<float> costs;    // of every curve and level
+  std::vector<float> costs;    // of every curve and level: what the evidence says
+  std::vector<float> held;     // the same in the third look, with the ends held to what was found; of ribs
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
   LengthWorkspace workspace;
   EvenParts parts;
   LengthLabels labels, trial;
+  EndOutline ends[2];
   std::vector<float> marginals;
   std::vector<Rival> rivals;
   SideLengths lengths;
@@ -54,6 +57,9 @@ struct RibWorkspace::Search {
 };
 
 using Search = RibWorkspace::Search;
+
+/// A rib end with at least this share of a full edge under it stands on one.
+inline constexpr float kOnEdge = 0.5f;
 
 /// Field, levels and curves, which end at `farthest` (picture pixels) at the latest. `s.variant` is set.
 /// Errors: those of traceRibs.

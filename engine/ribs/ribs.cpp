@@ -8,7 +8,7 @@
 #include "engine/base/lanes.h"
 #include "engine/ribs/algorithm_one.h"
 #include "engine/ribs/edge_strength.h"
-#include "engine/ribs/end_fan.h"
+#include "engine/ribs/end_search.h"
 #include "engine/ribs/pen_line.h"
 #include "engine/ribs/rib_search.h"
 #include "engine/ribs/rivals.h"
@@ -41,8 +41,6 @@ constexpr float kOppositeShare = 0.7f;
 // What the evidence of a curve counts for in the third look whose end so far stands on nothing, against
 // one that stands on as strong an edge as its neighbours.
 constexpr float kLeastSay = 0.3f;
-// A rib end with at least this share of a full edge under it stands on one.
-constexpr float kOnEdge = 0.5f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -110,14 +108,15 @@ void secondEvidence(const EvenPart& even, Search& s) {
   weighTerms(s.params.evidence, s);
 }
 
-void fillSide(Search& s, bool leftSide) {
+// From costs of every curve and level to those of one side's chain.
+void fillSide(const std::vector<float>& costs, bool leftSide, Search& s) {
   SideCosts& side = leftSide ? s.problem.left : s.problem.right;
   const int ribs = s.problem.ribs, count = s.problem.levels;
   const double middle = 0.5 * (count - 1);
   side.unary.assign(index(ribs) * index(count), kUnreachable);
   side.place.resize(side.unary.size());
   for (int i = 0; i < ribs; ++i) {
-    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const int curve = s.curves.layout.sideOf(i, leftSide);
     const int reached = s.curves.reached[index(curve)];
     for (int k = 0; k < count; ++k) {
       const std::size_t at = index(i) * index(count) + index(k);
@@ -125,7 +124,7 @@ void fillSide(Search& s, bool leftSide) {
       // Label 0 is the spine itself: only for a curve that has nowhere else to go.
       if (k >= reached || (k == 0 && reached > 1)) continue;
       const double pull = s.params.priorWeight * std::abs(k - middle) / middle;
-      side.unary[at] = s.costs[s.curves.at(curve, k)] + static_cast<float>(pull);
+      side.unary[at] = costs[s.curves.at(curve, k)] + static_cast<float>(pull);
     }
   }
 }
@@ -148,8 +147,8 @@ void fillProblem(Search& s) {
   s.problem.neighbourWeight = static_cast<float>(s.params.neighbourWeight * shareOfRib(s));
   s.problem.neighbourFreedom = static_cast<float>(s.params.neighbourFreedom);
   s.problem.neighbourCap = static_cast<float>(s.params.neighbourCap);
-  fillSide(s, true);
-  fillSide(s, false);
+  fillSide(s.costs, true, s);
+  fillSide(s.costs, false, s);
   fillSpacing(s);
 }
 
@@ -166,7 +165,7 @@ void spread(const EvenPart& even, bool leftSide, Search& s) {
   SideCosts& side = leftSide ? s.problem.left : s.problem.right;
   const double factor = 0.5 * (leftSide ? 1 + even.lean : 1 - even.lean);
   const auto curveOf = [&](int i) {
-    return leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    return s.curves.layout.sideOf(i, leftSide);
   };
   for (int i = 0; i + 1 < s.problem.ribs; ++i) {
     const int a = curveOf(i), b = curveOf(i + 1);
@@ -203,8 +202,8 @@ void suppose(std::size_t i, bool withColours, Search& s) {
   assume(part, s);
   if (withColours) {
     secondEvidence(part, s);
-    fillSide(s, true);
-    fillSide(s, false);
+    fillSide(s.costs, true, s);
+    fillSide(s.costs, false, s);
   }
   s.contest.last = i;
 }
@@ -252,7 +251,7 @@ void stiffLengths(Search& s) {
   for (const bool leftSide : {true, false}) {
     const std::vector<int>& side = leftSide ? labels.left : labels.right;
     const auto curveOf = [&](int i) {
-      return leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+      return s.curves.layout.sideOf(i, leftSide);
     };
     const std::vector<float>& strengths = strengthsOf(side, leftSide, s);
     s.lengths.length.clear();
@@ -290,18 +289,21 @@ void thirdEvidence(Search& s) {
   weighTerms(params, s);
   const float most = std::log(kMostChange);
   const auto price = static_cast<float>(kPriceOfChange * shareOfRib(s));
+  s.held.resize(s.costs.size());
   forRibs([&](int curve) {
     const float held = s.known.inside[index(curve)], say = s.say[index(curve)];
     const float* along = &s.curves.along[s.curves.at(curve, 0)];
-    float* costs = &s.costs[s.curves.at(curve, 0)];
+    const float* costs = &s.costs[s.curves.at(curve, 0)];
+    float* kept = &s.held[s.curves.at(curve, 0)];
+    kept[0] = costs[0];
     for (int k = 1; k < s.curves.reached[index(curve)]; ++k) {
       const float change = quickLog(along[k] / held);
       const float beyond = (change < 0 ? -change : change) - most;
-      costs[k] = say * costs[k] + price * (beyond > 0 ? beyond : 0.f);
+      kept[k] = say * costs[k] + price * (beyond > 0 ? beyond : 0.f);
     }
   });
-  fillSide(s, true);
-  fillSide(s, false);
+  fillSide(s.held, true, s);
+  fillSide(s.held, false, s);
   for (float& scale : s.problem.leanScale) scale *= kOppositeShare;
 }
 
@@ -314,7 +316,7 @@ const std::vector<RibState>& endStates(const std::vector<int>& labels, bool left
   states.assign(index(ribs), RibState::Guessed);
   int last = -1;
   for (int i = 0; i < ribs; ++i) {
-    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const int curve = s.curves.layout.sideOf(i, leftSide);
     if (s.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
     states[index(i)] = RibState::Edge;
     if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
@@ -328,7 +330,7 @@ void readRivals(Search& s, const LengthLabels& labels, bool leftSide, RibSet& se
   std::vector<float>& marginals = s.marginals;
   sideMarginals(s.problem, labels, leftSide, s.workspace, marginals);
   for (int i = 0; i < s.problem.ribs; ++i) {
-    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const int curve = s.curves.layout.sideOf(i, leftSide);
     const std::size_t reached = index(s.curves.reached[index(curve)]);
     const auto row = [&](const std::vector<float>& values, std::size_t first) {
       return std::span<const float>(&values[first], reached);
@@ -355,7 +357,7 @@ const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftS
   side.length.clear();
   side.trust.clear();
   for (int i = 0; i < s.problem.ribs; ++i) {
-    const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+    const int curve = s.curves.layout.sideOf(i, leftSide);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
     const auto strength = static_cast<double>(strengths[index(i)]);
     const double support = static_cast<double>(s.support[at]) * strength * strength;
@@ -378,7 +380,7 @@ RibSet readRibs(bool withRivals, Search& s) {
     const std::vector<double>& lengths = endLengths(side, leftSide, s);
     for (int i = 0; i < s.problem.ribs; ++i) {
       Rib& rib = set.ribs[index(i)];
-      const int curve = leftSide ? s.curves.layout.left(i) : s.curves.layout.right(i);
+      const int curve = s.curves.layout.sideOf(i, leftSide);
       rib.center = s.spine.points[index(i)];
       (leftSide ? rib.left : rib.right) = s.curves.pointAlong(curve, lengths[index(i)]);
       (leftSide ? rib.leftState : rib.rightState) = states[index(i)];
@@ -389,13 +391,8 @@ RibSet readRibs(bool withRivals, Search& s) {
     readRivals(s, labels, true, set);
     readRivals(s, labels, false, set);
   }
-  const Rib &first = set.ribs.front(), &last = set.ribs.back();
-  set.startFan = followEnd({s.curves, s.costs, true, first.left, first.right, labels.left.front(),
-                            labels.right.front(), s.problem.neighbourWeight, s.edges},
-                           s.workspace);
-  set.endFan = followEnd({s.curves, s.costs, false, last.left, last.right, labels.left.back(),
-                          labels.right.back(), s.problem.neighbourWeight, s.edges},
-                         s.workspace);
+  set.startFan = findEnd(true, set, s);
+  set.endFan = findEnd(false, set, s);
   set.energy = energyOf(s.problem, labels);
   const double middle = 0.5 * (s.problem.levels - 1);
   for (const auto* side : {&labels.left, &labels.right}) {

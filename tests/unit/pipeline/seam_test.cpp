@@ -155,8 +155,11 @@ TEST_CASE("one does not see where the picture on a part ends, from the front and
       CHECK(seen.seam.count > 100);
       CHECK(seen.seam.mean() <= 1.5 * seen.within.mean());
     }
-    // From the front there is none but the outline. And a back that begins ten pixels further on would be seen.
-    CHECK(lookAt(part, *shape->texture, {0, 0}).seam.count == 0);
+    // From the front there is none but the outline and where a steep end begins, which one does not see either.
+    // And a back that begins ten pixels further on would be seen.
+    const Seen front = lookAt(part, *shape->texture, {0, 0});
+    MESSAGE("front: across " << front.seam.mean() << " (" << front.seam.count << "), elsewhere " << front.within.mean());
+    CHECK(front.seam.mean() <= 1.5 * front.within.mean());
     for (std::size_t v = 0; v < part.of.size(); ++v) {
       if (part.of[v] == kBack) part.mesh.uv[v][0] += 10.0f / kWidth;
     }

@@ -67,7 +67,15 @@ struct MadeUp {
       }
     }
   }
-  EndGuess guess() const { return guessEnd({curves, costs, false, left, right, 1, 1, 0.7f}); }
+  EndGuess guess() const { 
+    return guessEnd({.curves = curves,
+                     .costs = costs,
+                     .left = left,
+                     .right = right,
+                     .leftLabel = 1,
+                     .rightLabel = 1,
+                     .halfWidth = kHalf});
+  }
 };
 
 }  // namespace

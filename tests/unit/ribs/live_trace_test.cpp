@@ -61,15 +61,19 @@ LiveTrace::Ribs moved(LiveTrace& live, const Spine& spine) {
 
 }  // namespace
 
-TEST_CASE("ribs under the pen are within two hundredths of the width of those of a whole trace") {
+TEST_CASE("ribs under the pen are within three hundredths of the width of those of a whole trace, one and a half on the mean") {
   LiveTrace live;
-  int followed = 0;
+  int followed = 0, moves = 0;
+  double sum = 0;
   for (double to = 90; to <= 540; to += 5) {
     CAPTURE(to);
     const Spine spine = spineTo(to);
     const LiveTrace::Ribs found = moved(live, spine);
     followed += found.exact ? 0 : 1;
-    CHECK(apart(whole(spine), found.set) < (found.exact ? 1e-12 : 0.02));
+    const double away = apart(whole(spine), found.set);
+    CHECK(away < (found.exact ? 1e-12 : 0.03));
+    sum += away;
+    ++moves;
     for (const Rib& rib : found.set.ribs) {
       for (const PicturePoint p : {rib.left, rib.right}) {
         CHECK(isFinite(p));
@@ -82,6 +86,7 @@ TEST_CASE("ribs under the pen are within two hundredths of the width of those of
   }
   // Whole traces are the exception: while the stroke is short.
   CHECK(followed > 60);
+  CHECK(sum < 0.015 * moves);
 }
 
 TEST_CASE("equal moves give equal ribs, whatever was drawn before") {

@@ -1,0 +1,16 @@
+// The last step of a search for ribs: the ends of the part, and the ribs that bend round them. Internal to
+// ribs/.
+#pragma once
+
+#include "engine/ribs/rib_search.h"
+
+namespace spineloft::ribs {
+
+/// Where the part ends beyond the stroke's start or end: the fan of that end. Near the end of a wide part the
+/// last ribs run round it, and neighbours and the width so far may have held them beyond it. So the end
+/// is looked for twice, from the last ribs as they are, and with all ribs that reach beyond the stroke
+/// free to find it too; where that explains the picture clearly better and the part goes no farther, these ribs
+/// of `set` are moved to it. O((ribs moved + fan) · levels).
+EndFan findEnd(bool atStart, RibSet& set, Search& s);
+
+}  // namespace spineloft::ribs
