@@ -84,25 +84,55 @@ void usableFan(const CapSite& site, const ChordLimits& limits, std::vector<Pictu
   if (lead < 2 * limits.spacing) fan.clear();  // it does not lie beyond the end
 }
 
-/// Where the way from `inside` to `p` leaves the side that runs on from `from` in direction `along`,
-/// with the part on the side of `inside`; `p` when it does not.
-PicturePoint within(PicturePoint p, PicturePoint inside, PicturePoint from, PicturePoint along) {
-  const double at = cross(along, p - from), here = cross(along, inside - from);
-  if (at * here >= 0 || here == 0) return p;
-  return lerp(inside, p, here / (here - at));
+/// One side of an end as a line on which it runs on.
+struct SideLine {
+  PicturePoint from, along;
+  /// How far a point lies beyond it, the part being where `inside` is.
+  double beyond(PicturePoint p, PicturePoint inside) const {
+    const double at = cross(along, p - from);
+    return cross(along, inside - from) > 0 ? -at : at;
+  }
+  /// Where the way from `inside` to `p` leaves it; `p` when it does not.
+  PicturePoint kept(PicturePoint p, PicturePoint inside) const {
+    const double at = beyond(p, inside), here = beyond(inside, inside);
+    return at <= 0 || here == 0 ? p : lerp(inside, p, here / (here - at));
+  }
+};
+
+/// Where the way from `inside`, within the circle, to `p` leaves it; `p` when it does not.
+PicturePoint keptInCircle(PicturePoint p, PicturePoint inside, PicturePoint centre, double radius) {
+  if (distance(p, centre) <= radius) return p;
+  const PicturePoint way = p - inside, from = inside - centre;
+  const double a = dot(way, way), b = dot(way, from), c = dot(from, from) - radius * radius;
+  return inside + way * ((std::sqrt(std::max(0.0, b * b - a * c)) - b) / a);
 }
 
 /// A cap goes on as the sides run: a fan that is broader than an end that closes would sit on it as a
-/// knob, for which there is no rib. What lies beyond the run of a closing side is brought back to it.
+/// knob, for which there is no rib. Of one that hardly is, what lies beyond the run of a closing side is
+/// brought back to it; of a broad one everything is brought within the arc that meets both sides smoothly.
 void keepWithinSides(const CapSite& site, std::vector<PicturePoint>& fan) {
   constexpr double kClosing = 0.6;  // sine of the angle between the sides: less is a mere taper
+  constexpr double kSlightly = 0.05, kBroadly = 0.3;  // beyond a side, as shares of the half width
   const PicturePoint left = normalized(site.last.left - site.shoulder.left),
                      right = normalized(site.last.right - site.shoulder.right);
   const double opening = cross(left, right) * (cross(site.travel, site.last.across()) < 0 ? -1 : 1);
   if (!(opening < -kClosing)) return;
   const PicturePoint inside = site.last.middle();
+  const SideLine sides[2] = {{site.last.left, left}, {site.last.right, right}};
+  const double half = site.last.width() / 2;
+  double most = 0;
+  for (const PicturePoint& p : fan) {
+    for (const SideLine& side : sides) most = std::max(most, side.beyond(p, inside));
+  }
+  const double knob = std::clamp((most / half - kSlightly) / (kBroadly - kSlightly), 0.0, 1.0);
+  // The circle through both ends of the last chord that runs on from the sides: half the angle between them is the
+  // one between its radii there and the chord.
+  const double lean = std::acos(std::clamp(dot(left, right), -1.0, 1.0)) / 2;
+  const double radius = half / std::cos(std::min(lean, 1.4));
+  const PicturePoint centre = inside - site.travel * std::sqrt(std::max(0.0, radius * radius - half * half));
   for (PicturePoint& p : fan) {
-    p = within(within(p, inside, site.last.left, left), inside, site.last.right, right);
+    const PicturePoint run = sides[1].kept(sides[0].kept(p, inside), inside);
+    p = lerp(run, keptInCircle(run, inside, centre, radius), knob);
   }
 }
 

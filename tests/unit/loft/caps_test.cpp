@@ -72,6 +72,39 @@ TEST_CASE("a fan broader than an end that closes makes no knob: the cap stays be
   }
 }
 
+TEST_CASE("a fan far broader than an end that closes leaves it round, on the arc that meets both sides smoothly") {
+  for (const double slope : {0.7, 1.0, 1.4}) {
+    const double half = 100 - slope * 60, radius = half * std::hypot(1, slope);
+    const PicturePoint centre{500 - half * slope, 400};
+    ribs::RibSet set = closing(slope);
+    set.endFan = halfCircle(2 * half, 0);
+    const auto mesh = capped(set, CapStyle::Round);
+    CHECK(mesh::boundsOf(mesh).high[0] == doctest::Approx(centre.x + radius).epsilon(0.002));
+    // Of what is seen from the front the outermost is on the arc.
+    double widest = 0;
+    for (const auto& v : mesh.positions) {
+      if (v[0] <= 501) continue;
+      const double away = std::hypot(v[0] - centre.x, v[1] + 400);
+      CHECK(away < 1.01 * radius);
+      const double share = (v[0] - 500) / (centre.x + radius - 500);
+      if (share > 0.8 && share < 0.9) widest = std::max(widest, std::abs(v[1] + 400) / half);
+    }
+    CHECK(widest > 0.3);
+  }
+}
+
+TEST_CASE("a pointed end that the picture shows stays pointed") {
+  for (const double slope : {0.7, 1.0, 1.4}) {
+    const double half = 100 - slope * 60, length = half / slope;
+    ribs::RibSet set = closing(slope);
+    for (int i = 1; i <= 11; ++i) {
+      const double t = 1 - std::abs(i - 6) / 6.0;
+      set.endFan.points.push_back({500 + length * t, 400 + (i < 6 ? -1 : 1) * half * (1 - t)});
+    }
+    CHECK(mesh::boundsOf(capped(set, CapStyle::Round)).high[0] == doctest::Approx(500 + length).epsilon(0.01));
+  }
+}
+
 TEST_CASE("parallel and opening sides leave the fan as it is") {
   for (const double slope : {0.0, 0.05, -0.4}) {
     ribs::RibSet set = closing(slope);
