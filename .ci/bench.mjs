@@ -157,7 +157,7 @@ await mainProgram(async () => {
     stages: await stageTimes(),
     sizes: siteSizes(),
     // Its libraries are there only after the set-up.
-    solids: (await import('../tests/bench/solids.mjs')).solidTimes(),
+    solids: await (await import('../tests/bench/solids.mjs')).solidTimes(),
     editing: await editingTimes(),
   };
   printStages(result.stages);

@@ -2,27 +2,9 @@
 // there is none.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { deepest, depthOf, diagonal, identity, library, loft, measure, merged, node, seeded, shell, shifted, solve, turned, unsoundByPlace } from './support/solids.mjs';
+import { deepest, depthOf, diagonal, fresh, identity, lawful, library, loft, measure, merged, near, node, rod, seeded, shell, shifted, solve, turned, unsoundByPlace } from './support/solids.mjs';
 
 const { SolidKernel, DistanceField, gridOver, sample, surfaceWhere, Solver, findCrossings, ringsOf } = shell;
-const fresh = () => new SolidKernel(library);
-const near = (actual, wanted, share, what) => assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
-
-function lawful(solved, what) {
-  assert.equal(solved.failure, undefined, `${what}: ${JSON.stringify(solved.failure)}`);
-  const { mesh } = solved, found = measure(mesh);
-  assert.equal(found.open, 0, `${what} is closed`);
-  assert.ok(found.finite && found.volume > 0, `${what} is finite and outward`);
-  near(found.volume, mesh.volume, 1e-3, `${what}: volume as counted`);
-  assert.equal(mesh.runs.reduce((sum, run) => sum + run.count, 0), mesh.triangles.length / 3, `${what}: every face has an owner`);
-  assert.ok(mesh.uv.every((value) => value >= 0 && value <= 1), `${what}: uv in range`);
-  assert.deepEqual(findCrossings(mesh.positions, merged(mesh, mesh.positions.length / 3), 1), [], `${what} does not cross itself`);
-  return found;
-}
-
-/** A part of the mesh `rod` as an operand. */
-const rod = (part, matrix = identity, mesh = 'rod') => ({ mesh, part, matrix });
-
 test('join, cut and common of two parts hold what sets say', () => {
   const kernel = fresh(), meshes = { rod: loft() };
   const alone = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
@@ -373,73 +355,6 @@ test('what is made ahead for an edit, or half of it, changes no solid, and what 
       assert.deepEqual(again.failure, anew.failure, `${kind}, edit ${i}`);
       if (!again.failure) near(lawful(again, `${kind}, edit ${i}`).volume, anew.mesh.volume, 1e-5, `${kind}, edit ${i}`);
     }
-  }
-});
-
-/** Area of the faces of each part. */
-function areas({ positions, triangles, runs }) {
-  const found = {};
-  for (const { part, first, count } of runs) {
-    for (let t = first; t < first + count; t += 1) {
-      const [a, b, c] = [0, 1, 2].map((k) => positions.subarray(3 * triangles[3 * t + k], 3 * triangles[3 * t + k] + 3));
-      const u = [0, 1, 2].map((k) => b[k] - a[k]), v = [0, 1, 2].map((k) => c[k] - a[k]);
-      found[part] = (found[part] ?? 0) + Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
-    }
-  }
-  return found;
-}
-
-/** The other parts of a model, that an edit of the last one is expected, and how it is edited. */
-function readyForEdits(kind, random) {
-  const meshes = Object.fromEntries([0, 1, 2].map((i) => [`m${i}`, loft({ rings: 30, around: 16, radius: 0.06 + 0.05 * random(), bend: 2 * (random() - 0.5), wave: 0.2 * random() })]));
-  const place = () => turned(6 * random(), 0.3 * random(), 0.3 * random(), 0.06 * random()), one = fresh();
-  const operands = Array.from({ length: 6 }, (_, i) => rod(i + 1, place(), `m${i % 3}`)), edited = kind === 'cut' ? 1 + Math.floor(5 * random()) : Math.floor(6 * random());
-  solve(one, [node(operands, { kind })], meshes);
-  for (const work = one.ahead(edited + 1); !work.next().done;);
-  const { mesh, matrix } = operands[edited];
-  // Its vertices are shaken too little to make it cross itself.
-  const edit = (number, shift) => {
-    const key = `edit ${number}`, positions = meshes[mesh].positions.map((x) => x + 0.002 * random());
-    operands[edited] = rod(edited + 1, matrix.map((x, i) => (i > 11 && i < 15 ? x + shift * (random() - 0.5) : x)), key);
-    return { nodes: [node(operands, { kind })], meshes: { ...meshes, [key]: { ...meshes[mesh], positions } } };
-  };
-  return { one, edit };
-}
-
-test('an edit united with what is near alone is the solid that all of it anew is, for every kind', () => {
-  let stitched = 0;
-  for (let seed = 1; seed <= 12; seed += 1) {
-    const random = seeded(101 * seed), kind = ['join', 'join', 'cut'][seed % 3], { one, edit } = readyForEdits(kind, random);
-    for (let i = 0; i < 3; i += 1) {
-      // The last one goes beyond what was made ready.
-      const { nodes, meshes } = edit(i, i < 2 ? 0.05 : 2), what = `seed ${seed}, ${kind}, edit ${i}`;
-      const again = solve(one, nodes, meshes), anew = solve(fresh(), nodes, meshes);
-      assert.equal(again.failure?.error, anew.failure?.error, what);
-      if (again.failure) continue;
-      const found = lawful(again, what);
-      near(found.volume, anew.mesh.volume, 1e-6, `${what}: volume`);
-      near(again.mesh.area, anew.mesh.area, 1e-5, `${what}: area`);
-      assert.equal(again.mesh.genus, anew.mesh.genus, `${what}: handles`);
-      assert.equal(found.euler, 2 * found.shells - 2 * again.mesh.genus, `${what}: handles as counted`);
-      const [own, wanted] = [again, anew].map(({ mesh }) => areas(mesh));
-      assert.deepEqual(Object.keys(own), Object.keys(wanted), `${what}: parts that show`);
-      for (const part of Object.keys(own)) assert.ok(Math.abs(own[part] - wanted[part]) < 1e-5 * anew.mesh.area, `${what}: area of part ${part}`);
-      const byNear = one.solids.get(nodes[0].key).faces !== undefined;
-      if (byNear) stitched += 1;
-      assert.ok(!byNear || i < 2, `${what}: what goes beyond its room is made with all`);
-    }
-  }
-  assert.ok(stitched >= 16, `${stitched} of 24 edits needed only what is near`);
-});
-
-test('where what is near and what is away do not fit together, all is made anew', () => {
-  for (const spoil of [({ away }) => away.corner.clear(), ({ away }) => away.rim.clear(), ({ isNear }) => isNear.fill(0, 0, isNear.lastIndexOf(1) + 1)]) {
-    const { one, edit } = readyForEdits('join', seeded(4));
-    const { near: prepared } = [...one.solids.values()].find((kept) => kept.near);
-    spoil(prepared);
-    const { nodes, meshes } = edit(1, 0.05), again = solve(one, nodes, meshes);
-    near(lawful(again, 'spoilt').volume, solve(fresh(), nodes, meshes).mesh.volume, 1e-6, 'volume');
-    assert.equal(one.solids.get(nodes[0].key).faces, undefined);
   }
 });
 

@@ -2,11 +2,16 @@
 // older one at the next node.
 import create from 'manifold-3d';
 import wasm from 'manifold-3d/manifold.wasm';
+import { Helper, kWorthSharing } from './solids/helper.ts';
+import type { HelperWorker } from './solids/helper.ts';
 import { hold } from './solids/lifeline.ts';
 import { SolidKernel } from './solids/kernel.ts';
-import type { ExpectRequest, SolveRequest, WorkerMessage } from './solids/protocol.ts';
+import type { ExpectRequest, ShareAnswer, ShareRequest, SolveRequest, WorkerMessage } from './solids/protocol.ts';
 
-const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest | ExpectRequest>) => void) | null };
+const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage | ShareAnswer, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest | ExpectRequest | ShareRequest>) => void) | null };
+
+/** The same program in a worker of this one, which ends with it. */
+const helper = navigator.hardwareConcurrency > 1 ? new Helper(() => new Worker(import.meta.url, { type: 'module' }) as unknown as HelperWorker) : null;
 
 let memory: WebAssembly.Memory | null = null;
 
@@ -25,13 +30,15 @@ const loading = load({ instantiateWasm(imports, done) {
   return {};
 } }).then((library) => {
   library.setup();
-  return new SolidKernel(library);
+  return new SolidKernel(library, helper);
 });
 loading.then(() => scope.postMessage({ type: 'ready' }, []));
 
 hold(scope.name, () => scope.postMessage({ type: 'alive' }, []));
 
 let newest = 0, expected: number | null = null;
+/** Ends the wait for the second worker. */
+let interrupt = () => {};
 let queue = Promise.resolve();
 
 /** Lets messages in that have arrived meanwhile. */
@@ -57,6 +64,7 @@ async function solve(request: SolveRequest): Promise<void> {
   for (let step = work.next(); !step.done; step = work.next()) {
     scope.postMessage({ type: 'progress', id: request.id, done: step.value.done }, []);
     await breathe();
+    if (request.id === newest && step.value.wait) await Promise.race([step.value.wait, new Promise<void>((resolve) => { interrupt = resolve; })]);
     if (request.id !== newest) {
       work.return();
       break;
@@ -78,12 +86,29 @@ async function workAhead(): Promise<void> {
   }
 }
 
+async function unite(request: ShareRequest): Promise<void> {
+  const union = (await loading).unite(request), { faces } = union ?? {};
+  const arrays = faces ? [faces.vertProperties, faces.triVerts, faces.runIndex, faces.runOriginalID, faces.runTransform, faces.faceID] : [];
+  scope.postMessage({ share: request.share, union }, arrays.map((array) => array.buffer as ArrayBuffer));
+}
+
+/** Large unions need a second worker, which loads while this one does. */
+function isLarge({ meshes, nodes }: SolveRequest): boolean {
+  return nodes.some(({ kind, coarse }) => kind === 'join' && !coarse) && Object.values(meshes).reduce((sum, { triangles }) => sum + triangles.length / 3, 0) >= kWorthSharing;
+}
+
 scope.onmessage = ({ data }) => {
+  if ('share' in data) {
+    queue = queue.then(() => unite(data)).catch((problem) => { setTimeout(() => { throw problem; }); });
+    return;
+  }
   if ('expect' in data) {
     if (data.expect === expected) return;
     expected = data.expect;
   } else {
     newest = data.id;
+    interrupt();
+    if (isLarge(data)) helper?.wake();
     queue = queue.then(() => solve(data));
   }
   // What is thrown here ends the worker for the page, which starts another one.

@@ -1,10 +1,12 @@
 // Solids for tests without a page: the kernel of the worker on manifold-3d, simple parts, and the laws of a solid
 // by counting and by rays, independent of the library.
+import assert from 'node:assert/strict';
 import create from 'manifold-3d';
 import { loadShell } from './shell.mjs';
 
 export const shell = await loadShell(`
   export { SolidKernel } from './solids/kernel.ts';
+  export { Helper, halvesOf } from './solids/helper.ts';
   export { findCrossings } from './solids/crossings.ts';
   export { ringsOf } from './solids/rings.ts';
   export { DistanceField } from './solids/distance.ts';
@@ -67,6 +69,14 @@ export function solve(kernel, nodes, meshes = {}) {
   const solved = [];
   const work = kernel.solve({ id: 1, nodes, wanted: [nodes.at(-1).key], meshes }, (each) => solved.push(each));
   while (!work.next().done);
+  return solved[0];
+}
+
+/** The same where a second worker may take a share. */
+export async function solveWithHelp(kernel, nodes, meshes = {}) {
+  const solved = [];
+  const work = kernel.solve({ id: 1, nodes, wanted: [nodes.at(-1).key], meshes }, (each) => solved.push(each));
+  for (let step = work.next(); !step.done; step = work.next()) await step.value.wait;
   return solved[0];
 }
 
@@ -205,3 +215,22 @@ function shellsOf(edges) {
   }
   return shells;
 }
+
+export const fresh = () => new shell.SolidKernel(library);
+export const near = (actual, wanted, share, what) => assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
+
+/** What every solid is held to; its measures by counting. */
+export function lawful(solved, what) {
+  assert.equal(solved.failure, undefined, `${what}: ${JSON.stringify(solved.failure)}`);
+  const { mesh } = solved, found = measure(mesh);
+  assert.equal(found.open, 0, `${what} is closed`);
+  assert.ok(found.finite && found.volume > 0, `${what} is finite and outward`);
+  near(found.volume, mesh.volume, 1e-3, `${what}: volume as counted`);
+  assert.equal(mesh.runs.reduce((sum, run) => sum + run.count, 0), mesh.triangles.length / 3, `${what}: every face has an owner`);
+  assert.ok(mesh.uv.every((value) => value >= 0 && value <= 1), `${what}: uv in range`);
+  assert.deepEqual(shell.findCrossings(mesh.positions, merged(mesh, mesh.positions.length / 3), 1), [], `${what} does not cross itself`);
+  return found;
+}
+
+/** A part of the mesh `rod` as an operand. */
+export const rod = (part, matrix = identity, mesh = 'rod') => ({ mesh, part, matrix });

@@ -4,6 +4,7 @@ import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { hollowOf, seamOf } from './fields.ts';
 import { withoutFlaps } from './flaps.ts';
 import type { Faces } from './flaps.ts';
+import { halvesOf, kWorthSharing } from './helper.ts';
 import { Near } from './near.ts';
 import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
@@ -12,7 +13,7 @@ import type { Source } from './sources.ts';
 import { countOf } from './topology.ts';
 import type { Shape } from './rooms.ts';
 import { Unsolvable } from './unsolvable.ts';
-import type { MeshData, PartOperand, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
+import type { MeshData, PartOperand, SharedUnion, ShareRequest, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
 /** How many requests long a sub-result is kept that nobody asks for. */
 const kKept = 12;
@@ -35,6 +36,10 @@ interface Kept {
   ids?: number[];
   /** The part for whose edit it was made, before one needed it. */
   ahead?: number | false;
+  /** Of a union, the keys of what it was made of. */
+  joined?: string[];
+  /** Of a part that was looked over elsewhere: what it is made from when it is needed, and the original id of its faces. */
+  waiting?: { mesh: MeshData; id: number };
 }
 
 /** What is made on the way to a solid. */
@@ -49,8 +54,21 @@ interface Bench {
 interface Keyed {
   operand: SolidOperand;
   key: string;
-  solid: Manifold;
+  /** Made when it is first needed. */
+  solid(): Manifold;
   from: Kept;
+}
+
+/** A second worker; see helper.ts. */
+export interface Sharer {
+  readonly isFree: boolean;
+  unite(operands: PartOperand[], meshes: Record<string, MeshData>): Promise<SharedUnion | null>;
+}
+
+/** Between two pieces of work; what there is to wait for. */
+export interface Pause {
+  done: number;
+  wait?: Promise<unknown>;
 }
 
 export interface Solved {
@@ -65,7 +83,12 @@ type Made = { solid: Manifold } | { faces: Faces };
 
 const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' in operand;
 
-const joinKey = (of: Keyed[]) => `join: ${of.map((each) => each.key).join(' ')}`;
+const partKey = ({ mesh, part }: PartOperand) => `${mesh}#${part}`;
+
+/** In any order, and however often the same. */
+const keysOf = (of: Keyed[]) => [...new Set(of.map(({ key }) => key))].sort();
+
+const joinKey = (of: Keyed[]) => `join: ${keysOf(of).join(' ')}`;
 
 /** Names what the operands make that do not change. What the first one of a cut loses is their union. */
 function restKey(kind: SolidNode['kind'], others: Keyed[], changed: boolean[]): string {
@@ -94,14 +117,14 @@ export class SolidKernel {
   private nodes: SolidNode[] = [];
   private round = 0;
 
-  constructor(private readonly library: ManifoldToplevel, private readonly now: () => number = () => performance.now()) {}
+  constructor(private readonly library: ManifoldToplevel, private readonly sharer: Sharer | null = null, private readonly now: () => number = () => performance.now()) {}
 
   keepMeshes(meshes: SolveRequest['meshes']): void {
     for (const [key, data] of Object.entries(meshes)) this.meshes.set(key, { data, round: this.round });
   }
 
   /** Solves what is wanted, one node after the other, and hands out each as it is done; between two it can be given up. */
-  *solve(request: SolveRequest, done: (solved: Solved) => void): Generator<{ done: number }, void> {
+  *solve(request: SolveRequest, done: (solved: Solved) => void): Generator<Pause, void> {
     this.round += 1;
     this.nodes = request.nodes;
     this.keepMeshes(request.meshes);
@@ -110,6 +133,7 @@ export class SolidKernel {
       const started = this.now();
       const key = node.coarse ? `${node.key}~` : node.key;
       const isOperand = request.nodes.some(({ operands }) => operands.some((operand) => !isPart(operand) && operand.node === node.key)), known = this.solids.get(key);
+      if (!known) yield* this.share(node, index / request.nodes.length);
       const kept = known && !(known.faces && isOperand) ? known : this.make(node, isOperand);
       this.use(kept);
       this.solids.set(key, kept);
@@ -143,6 +167,67 @@ export class SolidKernel {
     }
   }
 
+  /** Has a second worker make one half of a large union of parts that are new while this one makes the other. */
+  private *share(node: SolidNode, done: number): Generator<Pause, void> {
+    const fresh = node.operands.filter((operand) => isPart(operand) && !this.parts.has(partKey(operand)) && this.meshes.has(operand.mesh)) as PartOperand[];
+    const meshOf = (operand: PartOperand) => this.meshes.get(operand.mesh)!.data, count = fresh.reduce((sum, operand) => sum + meshOf(operand).triangles.length / 3, 0);
+    if (!this.sharer?.isFree || node.kind !== 'join' || node.coarse || node.blend > 0 || fresh.length < 4 || count < kWorthSharing) return;
+    const [own, given] = halvesOf(fresh, meshOf), bench: Bench = { own: [], ids: [], from: [] };
+    if (Math.min(own.length, given.length) < 2) return;
+    let union = null as SharedUnion | null;
+    const wait = this.sharer.unite(given, Object.fromEntries(given.map((operand) => [operand.mesh, meshOf(operand)]))).then((made) => { union = made; });
+    try {
+      this.union(own.map((operand) => this.operand(operand, false, bench)));
+      yield { done, wait };
+      if (union) this.takeShare(union, given);
+    } catch (thrown) {
+      // The step says so itself, when it meets with the same part.
+      failureOf(thrown);
+    } finally {
+      for (const solid of bench.own) solid.delete();
+    }
+  }
+
+  private takeShare({ faces, sources }: SharedUnion, given: PartOperand[]): void {
+    const ids = new Map<number, number>(), bench: Bench = { own: [], ids: [], from: [] };
+    for (const { id, operand, mesh } of sources) {
+      const key = partKey(operand), data = mesh ?? this.meshes.get(operand.mesh)!.data, kept: Kept = this.parts.get(key) ?? { solid: null, round: this.round };
+      kept.ids ??= [];
+      const own = this.register({ part: operand.part, mesh: data }, kept.ids);
+      if (!this.parts.has(key)) kept.waiting = { mesh: data, id: own };
+      this.parts.set(key, kept);
+      ids.set(id, own);
+    }
+    const solid = this.library.Manifold.ofMesh(new this.library.Mesh({ numProp: 3, ...faces, runOriginalID: faces.runOriginalID.map((id) => ids.get(id)!) }));
+    if (solid.status() !== 'NoError') {
+      solid.delete();
+      return;
+    }
+    const of = given.map((operand) => this.operand(operand, false, bench));
+    this.keep(joinKey(of), of, () => solid, keysOf(of));
+  }
+
+  /** In the second worker: the union of a share, and nothing that is kept. Null where a part is at fault. */
+  unite({ operands, meshes }: ShareRequest): SharedUnion | null {
+    const bench: Bench = { own: [], ids: [], from: [] };
+    this.keepMeshes(meshes);
+    try {
+      const union = this.union(operands.map((operand) => this.operand(operand, false, bench))), { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID } = union.getMesh();
+      const sources = [...new Set(runOriginalID)].map((id) => {
+        const source = this.sources.get(id) as Source & { mesh: MeshData }, operand = operands.find((each) => this.parts.get(partKey(each))!.ids!.includes(id))!;
+        return { id, operand, mesh: source.mesh === meshes[operand.mesh] ? null : source.mesh };
+      });
+      return union.status() === 'NoError' ? { faces: { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }, sources } : null;
+    } catch (thrown) {
+      failureOf(thrown);
+      return null;
+    } finally {
+      for (const solid of bench.own) solid.delete();
+      this.round += kKept;
+      this.forget();
+    }
+  }
+
   private make(node: SolidNode, isOperand: boolean): Kept {
     const bench: Bench = { own: [], ids: [], from: [] }, { own, ids, from } = bench;
     const round = this.round;
@@ -164,21 +249,32 @@ export class SolidKernel {
     }
   }
 
-  /** The solid of an operand; what is made for it alone goes into `own`. */
-  private operand(operand: SolidOperand, coarse: boolean, { own, from }: Bench): Manifold {
+  /** An operand in its place; what is made for it alone goes into `own`. */
+  private operand(operand: SolidOperand, coarse: boolean, { own, from }: Bench): Keyed {
     if (!isPart(operand)) {
-      const kept = this.solids.get(coarse ? `${operand.node}~` : operand.node);
-      if (!kept?.solid) throw new Unsolvable(kept?.failure ?? { error: 'SolidFailed' });
+      const key = coarse ? `${operand.node}~` : operand.node, kept = this.solids.get(key), solid = kept?.solid;
+      if (!solid) throw new Unsolvable(kept?.failure ?? { error: 'SolidFailed' });
       from.push(this.use(kept));
-      return kept.solid;
+      return { operand, key, solid: () => solid, from: kept };
     }
-    const key = `${operand.mesh}#${operand.part}`;
-    const kept = this.part(operand, key, coarse);
+    const kept = this.part(operand, partKey(operand), coarse);
     from.push(this.use(kept));
-    if (!kept.solid) throw new Unsolvable({ ...kept.failure!, ...(kept.failure!.at ? { at: inWorld(operand.matrix, kept.failure!.at) } : {}) });
-    const placed = kept.solid.transform(operand.matrix as Parameters<Manifold['transform']>[0]);
-    own.push(placed);
-    return placed;
+    if (!kept.solid && !kept.waiting) throw new Unsolvable({ ...kept.failure!, ...(kept.failure!.at ? { at: inWorld(operand.matrix, kept.failure!.at) } : {}) });
+    let placed: Manifold | null = null;
+    const place = () => {
+      placed = this.solidOf(kept).transform(operand.matrix as Parameters<Manifold['transform']>[0]);
+      own.push(placed);
+      return placed;
+    };
+    return { operand, key: this.nameOf(operand), solid: () => placed ?? place(), from: kept };
+  }
+
+  private solidOf(kept: Kept): Manifold {
+    const { waiting } = kept;
+    if (!waiting) return kept.solid!;
+    kept.solid = fromMesh(this.library, waiting.mesh, () => waiting.id);
+    delete kept.waiting;
+    return kept.solid;
   }
 
   /** What the hand is at is not looked over for places where it crosses itself. */
@@ -218,11 +314,11 @@ export class SolidKernel {
     return id;
   }
 
-  private combine(node: SolidNode, operands: Manifold[], bench: Bench, isOperand: boolean): { solid: Manifold; cavity?: Manifold; free: Manifold[] } | { faces: Faces } {
+  private combine(node: SolidNode, operands: Keyed[], bench: Bench, isOperand: boolean): { solid: Manifold; cavity?: Manifold; free: Manifold[] } | { faces: Faces } {
     const { own } = bench;
     if (node.kind === 'hollow') {
       // A part with live symmetry comes with its twin.
-      const body = operands.length > 1 ? this.library.Manifold.union(operands) : operands[0]!;
+      const body = operands.length > 1 ? this.library.Manifold.union(operands.map(({ solid }) => solid())) : operands[0]!.solid();
       if (operands.length > 1) own.push(body);
       const { shell, cavity } = hollowOf(this.library, body, node, { ...this.likeness(body, bench), own });
       return { solid: shell, cavity, free: [cavity] };
@@ -230,7 +326,7 @@ export class SolidKernel {
     const isSharp = node.blend <= 0 || node.kind === 'common', free = node.kind === 'join' ? this.freeOf(node) : [];
     const made = this.together(node, operands, bench, isOperand || !isSharp || free.length > 0);
     if ('faces' in made) return made;
-    const plain = made.solid, solid = isSharp || plain.isEmpty() ? plain : this.rounded(node, plain, operands, bench);
+    const plain = made.solid, solid = isSharp || plain.isEmpty() ? plain : this.rounded(node, plain, operands.map((each) => each.solid()), bench);
     if (free.length === 0) return { solid, free };
     own.push(solid);
     return { solid: this.library.Manifold.difference([solid, ...free]), free };
@@ -257,8 +353,8 @@ export class SolidKernel {
    * All operands as the step says. Where some alone are others than last time, what the rest makes is kept (or was made
    * ahead): the next time that these change there is a single thing left to do.
    */
-  private together(node: SolidNode, operands: Manifold[], { own, from }: Bench, asSolid: boolean): Made {
-    const { kind } = node, all = this.keyed(node, operands, from);
+  private together(node: SolidNode, all: Keyed[], { own }: Bench, asSolid: boolean): Made {
+    const { kind } = node;
     const before = this.lastOperands.get(node.step);
     const changed = all.map(({ key }, i) => before?.keys[i] !== key), others = all.filter((_, i) => !changed[i]);
     const again = before?.changed.join() === changed.join();
@@ -278,27 +374,21 @@ export class SolidKernel {
     return anew();
   }
 
-  private keyed(node: SolidNode, operands: Manifold[], from: Kept[]): Keyed[] {
-    return node.operands.map((operand, i) => ({ operand, key: this.nameOf(operand, node.coarse), solid: operands[i]!, from: from[i]! }));
-  }
-
   /** Equal names, equal operands. What was not looked over is another thing than what was. */
-  private nameOf(operand: SolidOperand, coarse: boolean): string {
-    if (!isPart(operand)) return coarse ? `${operand.node}~` : operand.node;
-    const key = `${operand.mesh}#${operand.part}`;
-    return `${key}${this.parts.has(key) ? '' : '~'}@${operand.matrix.join()}`;
+  private nameOf(operand: PartOperand): string {
+    return `${partKey(operand)}${this.parts.has(partKey(operand)) ? '' : '~'}@${operand.matrix.join()}`;
   }
 
   private whole(kind: SolidNode['kind'], all: Keyed[]): Manifold {
-    const { Manifold } = this.library, [first, ...others] = all.map(({ solid }) => solid);
-    if (kind === 'common') return Manifold.intersection([first!, ...others]);
+    const { Manifold } = this.library, [first, ...others] = all;
+    if (kind === 'common') return Manifold.intersection(all.map(({ solid }) => solid()));
     if (kind === 'join') return Manifold.union(this.groups(all).map((group) => this.union(group)));
-    return first!.subtract(others.length > 1 ? this.union(all.slice(1)) : others[0]!);
+    return first!.solid().subtract(this.union(others));
   }
 
   /** What changed to what the others make. */
   private withRest(rest: Manifold, kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Manifold {
-    const { Manifold } = this.library, solids = all.filter((_, i) => changed[i]).map(({ solid }) => solid);
+    const { Manifold } = this.library, solids = all.filter((_, i) => changed[i]).map(({ solid }) => solid());
     if (kind === 'common') return Manifold.intersection([rest, ...solids]);
     if (kind === 'join') return Manifold.union([rest, ...solids]);
     return changed[0] ? solids[0]!.subtract(rest) : Manifold.difference([rest, ...solids]);
@@ -321,7 +411,7 @@ export class SolidKernel {
     return all.filter((_, i) => changed[i]).map(({ operand, solid }) => {
       const mesh = isPart(operand) ? this.meshes.get(operand.mesh)?.data : undefined;
       if (mesh) return { positions: mesh.positions, matrix: (operand as PartOperand).matrix };
-      const { min, max } = solid.boundingBox();
+      const { min, max } = solid().boundingBox();
       return { positions: Float32Array.of(...min, ...max), matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
     });
   }
@@ -333,24 +423,24 @@ export class SolidKernel {
   private *rest(kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Generator<void, void> {
     const others = all.filter((_, i) => !changed[i]), key = restKey(kind, others, changed), before = new Set(this.solids.keys());
     if (kind === 'common') {
-      this.keep(key, others, () => this.library.Manifold.intersection(others.map(({ solid }) => solid)));
+      this.keep(key, others, () => this.library.Manifold.intersection(others.map(({ solid }) => solid())));
       return;
     }
     const isCutFrom = kind === 'cut' && !changed[0], added = isCutFrom ? others.slice(1) : others;
-    let row = (kind === 'join' ? this.groups(all) : [all]).map((group) => group.filter((each) => added.includes(each)));
-    row = row.flatMap((group) => (kind === 'join' && group.length > 1 && this.solids.has(joinKey(group)) ? [group] : group.map((each) => [each])));
+    const { made, left } = this.madeOf(added);
+    let row = [...made, ...left.map((each) => [each])];
     while (row.length > 1) {
       const next: Keyed[][] = [];
       for (let i = 0; i < row.length; i += 2) {
         const pair = row.slice(i, i + 2), of = pair.flat();
         next.push(of);
         if (pair.length < 2 || this.solids.has(joinKey(of))) continue;
-        this.keep(joinKey(of), of, () => this.union(pair[0]!).add(this.union(pair[1]!)));
+        this.keep(joinKey(of), of, () => this.union(pair[0]!).add(this.union(pair[1]!)), keysOf(of));
         yield;
       }
       row = next;
     }
-    if (isCutFrom) this.keep(key, others, () => others[0]!.solid.subtract(this.union(added)));
+    if (isCutFrom) this.keep(key, others, () => others[0]!.solid().subtract(this.union(added)));
     for (const [name, kept] of this.solids) {
       if (before.has(name) || name === key) continue;
       this.solids.delete(name);
@@ -375,8 +465,7 @@ export class SolidKernel {
       if (!isWorthKeeping(node.kind, changed) || !node.operands.every((operand) => this.isHere(operand))) continue;
       const bench: Bench = { own: [], ids: [], from: [] }, known = new Set(this.solids.keys());
       try {
-        const operands = node.operands.map((operand) => this.operand(operand, false, bench));
-        const all = this.keyed(node, operands, bench.from), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
+        const all = node.operands.map((operand) => this.operand(operand, false, bench)), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
         if (!this.solids.has(key)) yield* this.rest(node.kind, all, changed);
         yield* this.comeNear(this.solids.get(key)!, this.shapes(all, changed));
       } finally {
@@ -396,23 +485,38 @@ export class SolidKernel {
 
   /** Whether the solid of an operand was made before and is still there. */
   private isHere(operand: SolidOperand): boolean {
-    return !!(isPart(operand) ? this.parts.get(`${operand.mesh}#${operand.part}`) : this.solids.get(operand.node))?.solid;
+    const kept = isPart(operand) ? this.parts.get(partKey(operand)) : this.solids.get(operand.node);
+    return !!(kept?.solid || kept?.waiting);
   }
 
-  /** Many in a few groups, which stay as they are when one of another group changes. */
+  /** Unions of some of these that are there, and what is left. */
+  private madeOf(all: Keyed[]): { made: Keyed[][]; left: Keyed[] } {
+    const made: Keyed[][] = [];
+    for (let left = all; ;) {
+      const keys = new Set(keysOf(left));
+      let most: string[] = [];
+      for (const { joined } of this.solids.values()) if (joined && joined.length > Math.max(1, most.length) && joined.every((key) => keys.has(key))) most = joined;
+      if (most.length === 0) return { made, left };
+      const taken = new Set(most);
+      made.push(left.filter(({ key }) => taken.has(key)));
+      left = left.filter(({ key }) => !taken.has(key));
+    }
+  }
+
+  /** Many in a few groups: what is there, and others which stay as they are when one of another group changes. */
   private groups(all: Keyed[]): Keyed[][] {
-    const count = all.length < 6 ? all.length : Math.round(Math.sqrt(all.length));
-    return Array.from({ length: count }, (_, i) => all.slice(Math.floor((i * all.length) / count), Math.floor(((i + 1) * all.length) / count)));
+    const { made, left } = this.madeOf(all), count = left.length < 6 ? left.length : Math.round(Math.sqrt(left.length));
+    return [...made, ...Array.from({ length: count }, (_, i) => left.slice(Math.floor((i * left.length) / count), Math.floor(((i + 1) * left.length) / count)))];
   }
 
   private union(of: Keyed[]): Manifold {
-    if (of.length === 1) return of[0]!.solid;
-    return this.keep(joinKey(of), of, () => this.library.Manifold.union(of.map(({ solid }) => solid)));
+    if (of.length === 1) return of[0]!.solid();
+    return this.keep(joinKey(of), of, () => this.library.Manifold.union(of.map(({ solid }) => solid())), keysOf(of));
   }
 
   /** What some of a step's operands make. */
-  private keep(key: string, of: Keyed[], make: () => Manifold): Manifold {
-    const kept = this.solids.get(key) ?? { solid: make(), round: this.round, from: of.map((each) => each.from) };
+  private keep(key: string, of: Keyed[], make: () => Manifold, joined?: string[]): Manifold {
+    const kept = this.solids.get(key) ?? { solid: make(), round: this.round, from: of.map((each) => each.from), ...(joined ? { joined } : {}) };
     this.use(kept);
     this.solids.set(key, kept);
     // The library works when it is asked for something, and then for good.

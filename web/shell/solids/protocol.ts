@@ -1,5 +1,6 @@
 // What the page and the worker of solids tell each other. Positions are in the world's units (the longer
 // side of a picture is 1), matrices are 4 × 4 in columns.
+import type { Faces } from './flaps.ts';
 
 /** A closed mesh, as the engine has it; uv may be empty. */
 export interface MeshData {
@@ -51,6 +52,26 @@ export interface SolveRequest {
 /** The part that is likely to be edited next; null: none. */
 export interface ExpectRequest {
   expect: number | null;
+}
+
+/** A share of a union, for a second worker. */
+export interface ShareRequest {
+  share: number;
+  operands: PartOperand[];
+  meshes: Record<string, MeshData>;
+}
+
+/** What a second worker made of its share. */
+export interface SharedUnion {
+  faces: Faces;
+  /** What its original ids are; `mesh`: what had to be made of the operand's, so that it does not cross itself. */
+  sources: { id: number; operand: PartOperand; mesh: MeshData | null }[];
+}
+
+/** Null: it could not be had. */
+export interface ShareAnswer {
+  share: number;
+  union: SharedUnion | null;
 }
 
 /** Faces [first, first + count) come from this part. */

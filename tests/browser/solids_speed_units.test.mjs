@@ -1,0 +1,190 @@
+// What makes solids quicker changes none: edits united with what is near alone, and unions in two workers.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { fresh, identity, lawful, library, loft, near, node, rod, seeded, shell, shifted, solve, solveWithHelp, turned } from './support/solids.mjs';
+
+const { Helper, SolidKernel, halvesOf } = shell;
+
+/** Area of the faces of each part. */
+function areas({ positions, triangles, runs }) {
+  const found = {};
+  for (const { part, first, count } of runs) {
+    for (let t = first; t < first + count; t += 1) {
+      const [a, b, c] = [0, 1, 2].map((k) => positions.subarray(3 * triangles[3 * t + k], 3 * triangles[3 * t + k] + 3));
+      const u = [0, 1, 2].map((k) => b[k] - a[k]), v = [0, 1, 2].map((k) => c[k] - a[k]);
+      found[part] = (found[part] ?? 0) + Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2;
+    }
+  }
+  return found;
+}
+
+/** The other parts of a model, that an edit of the last one is expected, and how it is edited. */
+function readyForEdits(kind, random) {
+  const meshes = Object.fromEntries([0, 1, 2].map((i) => [`m${i}`, loft({ rings: 30, around: 16, radius: 0.06 + 0.05 * random(), bend: 2 * (random() - 0.5), wave: 0.2 * random() })]));
+  const place = () => turned(6 * random(), 0.3 * random(), 0.3 * random(), 0.06 * random()), one = fresh();
+  const operands = Array.from({ length: 6 }, (_, i) => rod(i + 1, place(), `m${i % 3}`)), edited = kind === 'cut' ? 1 + Math.floor(5 * random()) : Math.floor(6 * random());
+  solve(one, [node(operands, { kind })], meshes);
+  for (const work = one.ahead(edited + 1); !work.next().done;);
+  const { mesh, matrix } = operands[edited];
+  // Its vertices are shaken too little to make it cross itself.
+  const edit = (number, shift) => {
+    const key = `edit ${number}`, positions = meshes[mesh].positions.map((x) => x + 0.002 * random());
+    operands[edited] = rod(edited + 1, matrix.map((x, i) => (i > 11 && i < 15 ? x + shift * (random() - 0.5) : x)), key);
+    return { nodes: [node(operands, { kind })], meshes: { ...meshes, [key]: { ...meshes[mesh], positions } } };
+  };
+  return { one, edit };
+}
+
+test('an edit united with what is near alone is the solid that all of it anew is, for every kind', () => {
+  let stitched = 0;
+  for (let seed = 1; seed <= 12; seed += 1) {
+    const random = seeded(101 * seed), kind = ['join', 'join', 'cut'][seed % 3], { one, edit } = readyForEdits(kind, random);
+    for (let i = 0; i < 3; i += 1) {
+      // The last one goes beyond what was made ready.
+      const { nodes, meshes } = edit(i, i < 2 ? 0.05 : 2), what = `seed ${seed}, ${kind}, edit ${i}`;
+      const again = solve(one, nodes, meshes), anew = solve(fresh(), nodes, meshes);
+      assert.equal(again.failure?.error, anew.failure?.error, what);
+      if (again.failure) continue;
+      const found = lawful(again, what);
+      near(found.volume, anew.mesh.volume, 1e-6, `${what}: volume`);
+      near(again.mesh.area, anew.mesh.area, 1e-5, `${what}: area`);
+      assert.equal(again.mesh.genus, anew.mesh.genus, `${what}: handles`);
+      assert.equal(found.euler, 2 * found.shells - 2 * again.mesh.genus, `${what}: handles as counted`);
+      const [own, wanted] = [again, anew].map(({ mesh }) => areas(mesh));
+      assert.deepEqual(Object.keys(own), Object.keys(wanted), `${what}: parts that show`);
+      for (const part of Object.keys(own)) assert.ok(Math.abs(own[part] - wanted[part]) < 1e-5 * anew.mesh.area, `${what}: area of part ${part}`);
+      const byNear = one.solids.get(nodes[0].key).faces !== undefined;
+      if (byNear) stitched += 1;
+      assert.ok(!byNear || i < 2, `${what}: what goes beyond its room is made with all`);
+    }
+  }
+  assert.ok(stitched >= 16, `${stitched} of 24 edits needed only what is near`);
+});
+
+test('where what is near and what is away do not fit together, all is made anew', () => {
+  for (const spoil of [({ away }) => away.corner.clear(), ({ away }) => away.rim.clear(), ({ isNear }) => isNear.fill(0, 0, isNear.lastIndexOf(1) + 1)]) {
+    const { one, edit } = readyForEdits('join', seeded(4));
+    const { near: prepared } = [...one.solids.values()].find((kept) => kept.near);
+    spoil(prepared);
+    const { nodes, meshes } = edit(1, 0.05), again = solve(one, nodes, meshes);
+    near(lawful(again, 'spoilt').volume, solve(fresh(), nodes, meshes).mesh.volume, 1e-6, 'volume');
+    assert.equal(one.solids.get(nodes[0].key).faces, undefined);
+  }
+});
+
+/** A second worker on the same library; `fault` says what becomes of a request in its stead. */
+function standIn(fault, patience) {
+  const told = { shares: 0, ended: 0 };
+  const start = () => {
+    const stand = { onmessage: null, onerror: null, terminate: () => { told.ended += 1; } };
+    stand.postMessage = (message) => {
+      told.shares += 1;
+      const request = structuredClone(message);
+      setImmediate(() => (fault ? fault(stand, request) : stand.onmessage?.({ data: { share: request.share, union: fresh().unite(request) } })));
+    };
+    return stand;
+  };
+  return { helper: new Helper(start, patience), told };
+}
+
+/** Parts enough for two, each in a mesh of its own. */
+function large(random, count = 5) {
+  const meshes = Object.fromEntries(Array.from({ length: count }, (_, i) => [`m${i}`, loft({ rings: 40, around: 40, radius: 0.05 + 0.06 * random(), bend: random() - 0.5, wave: 0.2 * random() })]));
+  return { meshes, operands: Array.from({ length: count }, (_, i) => rod(i + 1, turned(6 * random(), 0.3 * random(), 0.3 * random(), 0.06 * random()), `m${i}`)) };
+}
+
+function same(solved, anew, what) {
+  const found = lawful(solved, what);
+  near(found.volume, anew.mesh.volume, 1e-6, `${what}: volume`);
+  assert.equal(solved.mesh.genus, anew.mesh.genus, `${what}: handles`);
+  const [own, wanted] = [solved, anew].map(({ mesh }) => areas(mesh));
+  assert.deepEqual(Object.keys(own), Object.keys(wanted), `${what}: parts that show`);
+  for (const part of Object.keys(own)) assert.ok(Math.abs(own[part] - wanted[part]) < 1e-5 * anew.mesh.area, `${what}: area of part ${part}`);
+}
+
+test('a union of which a second worker makes one half is the one that one worker makes, and so are its edits', async () => {
+  for (let seed = 1; seed <= 5; seed += 1) {
+    const random = seeded(17 * seed), { meshes, operands } = large(random), { helper, told } = standIn(), kernel = new SolidKernel(library, helper);
+    // One part goes through itself, and one is there twice.
+    if (seed % 2) meshes.m4 = loft({ rings: 60, around: 24, length: 3, radius: 0.12, bend: 7 });
+    operands.push({ ...operands[1], matrix: shifted(0.1 * random()) });
+    same(await solveWithHelp(kernel, [node(operands)], meshes), solve(fresh(), [node(operands)], meshes), `seed ${seed}`);
+    assert.equal(told.shares, 1, 'it was asked');
+    for (const edited of [0, 3, 4]) {
+      for (const work = kernel.ahead(edited + 1); random() < 0.9 && !work.next().done;);
+      operands[edited] = { ...operands[edited], matrix: turned(6 * random(), 0.2 * random()) };
+      same(await solveWithHelp(kernel, [node(operands)]), solve(fresh(), [node(operands)], meshes), `seed ${seed}, edit of ${edited}`);
+    }
+    assert.equal(told.shares, 1, 'what is known is not shared again');
+    helper.stop();
+  }
+});
+
+test('the uv of what the second worker made are those of its parts', async () => {
+  const { helper } = standIn(), meshes = { rod: loft({ rings: 44, around: 44 }) };
+  const operands = [0, 0.4, 0.8, 1.2, 1.6].map((x, i) => rod(i + 1, shifted(x, 0.01 * i)));
+  const { mesh } = await solveWithHelp(new SolidKernel(library, helper), [node(operands)], meshes);
+  helper.stop();
+  assert.deepEqual([...new Set(mesh.runs.map(({ part }) => part))].sort(), [1, 2, 3, 4, 5]);
+  for (const { part, first, count } of mesh.runs) {
+    for (const v of mesh.triangles.subarray(3 * first, 3 * (first + count))) assert.ok(Math.abs(mesh.uv[2 * v] - (mesh.positions[3 * v] - 0.4 * (part - 1))) < 1e-3);
+  }
+});
+
+test('a second worker that fails, dies, cannot start or answers late leaves the union to the first one', async () => {
+  const random = seeded(9), { meshes, operands } = large(random), anew = solve(fresh(), [node(operands)], meshes);
+  const faults = [
+    (stand, { share }) => stand.onmessage?.({ data: { share, union: null } }),
+    (stand) => stand.onerror?.(new Event('error')),
+    (stand, { share }) => {
+      stand.onmessage?.({ data: { share: share - 1, union: null } });
+      stand.onerror?.(new Event('error'));
+    },
+    () => {},
+  ];
+  for (const [i, fault] of faults.entries()) {
+    const { helper } = standIn(fault, 50);
+    same(await solveWithHelp(new SolidKernel(library, helper), [node(operands)], meshes), anew, `fault ${i}`);
+    assert.ok(helper.isFree);
+    helper.stop();
+  }
+  const none = new Helper(() => { throw new Error('no workers here'); });
+  same(await solveWithHelp(new SolidKernel(library, none), [node(operands)], meshes), anew, 'no worker');
+  assert.ok(none.isFree);
+});
+
+test('a part at fault is named, whichever worker has it', async () => {
+  const a = loft(), b = loft(), n = a.positions.length / 3;
+  const both = { positions: Float32Array.from([...a.positions, ...b.positions.map((x, i) => (i % 3 === 0 ? 0.05 + x * 0.9 : x * 1.2))]), uv: new Float32Array([...a.uv, ...b.uv]), triangles: Uint32Array.from([...a.triangles, ...b.triangles.map((v) => v + n)]) };
+  for (let faulty = 0; faulty < 6; faulty += 1) {
+    const { meshes, operands } = large(seeded(5), 6), { helper, told } = standIn();
+    operands[faulty] = rod(faulty + 1, identity, 'both');
+    const { failure } = await solveWithHelp(new SolidKernel(library, helper), [node(operands)], { ...meshes, both });
+    assert.deepEqual([failure.error, failure.part, told.shares], ['PartCrossesItself', faulty + 1, 1]);
+    helper.stop();
+  }
+});
+
+test('a shared union given up half-way leaves the solver as sound as a fresh one', async () => {
+  const random = seeded(12), { meshes, operands } = large(random), { helper } = standIn(), kernel = new SolidKernel(library, helper);
+  kernel.keepMeshes(meshes);
+  for (let i = 0; i < 4; i += 1) {
+    const work = kernel.solve({ id: i, nodes: [node(operands)], wanted: [], meshes: {} }, () => {});
+    for (let steps = i; steps > 0; steps -= 1) work.next();
+    work.return();
+    operands[i] = { ...operands[i], matrix: turned(random()) };
+  }
+  same(await solveWithHelp(kernel, [node(operands)]), solve(fresh(), [node(operands)], meshes), 'after it');
+  helper.stop();
+});
+
+test('halves lie side by side and are as large as one another', () => {
+  for (let seed = 1; seed <= 40; seed += 1) {
+    const random = seeded(seed), meshes = Array.from({ length: 3 }, () => loft({ rings: 4 + Math.floor(20 * random()), around: 8 }));
+    const operands = Array.from({ length: 4 + Math.floor(8 * random()) }, (_, i) => rod(i, shifted(9 * random(), random(), random()), String(i % 3)));
+    const meshOf = ({ mesh }) => meshes[mesh], [first, second] = halvesOf(operands, meshOf), count = (half) => half.reduce((sum, operand) => sum + meshOf(operand).triangles.length, 0);
+    assert.deepEqual([...first, ...second].map(({ part }) => part).sort((a, b) => a - b), operands.map(({ part }) => part));
+    assert.ok(Math.abs(count(first) - count(second)) <= Math.max(...operands.map((operand) => meshOf(operand).triangles.length)), `seed ${seed}`);
+    assert.ok(Math.max(...first.map(({ matrix }) => matrix[12])) < Math.min(...second.map(({ matrix }) => matrix[12])) + 1e-9, `seed ${seed}: along their longest side`);
+  }
+});
