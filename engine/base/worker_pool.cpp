@@ -144,7 +144,8 @@ int WorkerPool::threads() const {
 std::optional<WorkerPool::Activity> WorkerPool::activity() const {
   const Shared::Lock lock(shared_->mutex);
   if (shared_->jobs.empty()) return std::nullopt;
-  const Job& job = *shared_->jobs.front();
+  const auto told = std::ranges::find_if(shared_->jobs, [](const auto& job) { return !job->label.empty(); });
+  const Job& job = told == shared_->jobs.end() ? *shared_->jobs.front() : **told;
   return Activity{job.label, job.progress};
 }
 

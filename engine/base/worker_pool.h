@@ -25,7 +25,8 @@ class WorkerPool {
 
   /// Queues a job. `work(progress)` returns a value; it may run on another thread and must not throw.
   /// `done(value)` runs later inside `pump` on the owner's thread, also when the job was cancelled
-  /// (the value then says so, as Results do). `label` says what is being done, for the page.
+  /// (the value then says so, as Results do). `label` says what is being done, for the page;
+  /// empty: nothing that anybody needs to know of.
   template <class Work, class Finish>
   Progress submit(std::string label, Work work, Finish done) {
     using Value = decltype(work(std::declval<const Progress&>()));
@@ -43,7 +44,7 @@ class WorkerPool {
   bool idle() const;
   int threads() const;
 
-  /// The oldest unfinished job, for a progress bar.
+  /// The oldest unfinished job, for a progress bar; one with a label, if there is any.
   struct Activity {
     std::string label;
     Progress progress;

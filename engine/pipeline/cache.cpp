@@ -46,6 +46,20 @@ void Cache::keepShape(std::shared_ptr<const PartShape> shape) {
   shapes_.push_back({std::move(shape), round_, bytes});
 }
 
+std::shared_ptr<const PartShape> Cache::dress(std::uint64_t key,
+                                              std::shared_ptr<const surface::PartTexture> texture) {
+  for (ShapeSlot& slot : shapes_) {
+    if (slot.shape->key != key) continue;
+    auto dressed = std::make_shared<PartShape>(*slot.shape);
+    dressed->texture = std::move(texture);
+    dressed->textureKey = key;
+    slot.bytes = bytesOf(*dressed);
+    slot.shape = std::move(dressed);
+    return slot.shape;
+  }
+  return nullptr;
+}
+
 Result<std::shared_ptr<const image::Picture>> Cache::pixels(const document::PictureEntry& entry) {
   if (!entry.isSketch()) return entry.picture;
   const auto at = std::ranges::find(sketches_, entry.contentHash, &SketchSlot::contentHash);

@@ -1,6 +1,10 @@
 #include "engine/pipeline/derive.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <new>
+#include <span>
 #include <utility>
 
 #include "engine/pipeline/keys.h"
@@ -86,7 +90,57 @@ const image::Picture* pixelsOf(const document::Document& document, const Derived
   return nullptr;
 }
 
-Derived derive(const document::Document& document, Cache& cache, const Clock& clock) {
+namespace {
+
+// Scribbles that may cover a part: of its picture, and its own.
+std::array<std::span<const ribs::IgnoreMark>, 2> marksOver(const document::Part& part,
+                                                           const document::PictureEntry& entry) {
+  const auto* loft = std::get_if<document::LoftRecipe>(&part.recipe);
+  return {entry.ignored, loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
+}
+
+// Makes the texture of one part that wants one, or puts it down as wanting one.
+void dress(const document::Document& document, std::size_t number, Cache& cache, Textures textures,
+           Derived& derived) {
+  const std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
+  if (!shape || isDressed(*shape)) return;
+  const document::Part& part = document.parts[number];
+  if (textures == Textures::Later) {
+    const bool known = std::any_of(
+        derived.parts.begin(), derived.parts.begin() + static_cast<std::ptrdiff_t>(number),
+        [&](const DerivedPart& other) { return other.shape && other.shape->key == shape->key; });
+    if (!known) derived.wantedTextures.push_back(part.id);
+    return;
+  }
+  const document::PictureEntry* entry = findPicture(document, pictureOf(part));
+  const image::Picture* pixels = pixelsOf(document, derived, pictureOf(part));
+  if (entry == nullptr) return;
+  derived.parts[number].shape = cache.dress(
+      shape->key, pixels ? textureStage(*shape, *pixels, marksOver(part, *entry)) : nullptr);
+}
+
+}  // namespace
+
+std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, const Derived& derived,
+                                           PartId id) {
+  const document::Part* part = document::findPart(document, id);
+  const auto at = std::ranges::find(derived.parts, id, &DerivedPart::id);
+  if (part == nullptr || at == derived.parts.end() || !at->shape) return nullptr;
+  const document::PictureEntry* entry = findPicture(document, pictureOf(*part));
+  const std::size_t count = std::min(document.pictures.size(), derived.pictures.size());
+  for (std::size_t i = 0; entry != nullptr && i < count; ++i) {
+    if (document.pictures[i]->id != entry->id || !derived.pictures[i]) continue;
+    try {
+      return std::make_shared<TextureMaking>(at->shape, derived.pictures[i], marksOver(*part, *entry));
+    } catch (const std::bad_alloc&) {
+      return nullptr;
+    }
+  }
+  return nullptr;
+}
+
+Derived derive(const document::Document& document, Cache& cache, const Clock& clock,
+               Textures textures) {
   Derived derived;
   std::vector<std::uint64_t> usedEdges;
   for (const document::PictureEntry& entry : document.pictures) {
@@ -111,11 +165,6 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
       Result<PartShape> made = shapeOf(part.recipe, *entry, cache, Purpose::Part, clock);
       if (made) {
         made.value().key = key;
-        if (const auto pixels = cache.pixels(*entry)) {
-          const auto* loft = std::get_if<document::LoftRecipe>(&part.recipe);
-          made.value().texture = textureStage(made.value(), *pixels.value(),
-                                              {entry->ignored, loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}});
-        }
         result.shape = std::make_shared<const PartShape>(std::move(made).value());
         cache.keepShape(result.shape);
       } else {
@@ -123,6 +172,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
       }
     }
     derived.parts.push_back(std::move(result));
+    dress(document, derived.parts.size() - 1, cache, textures, derived);
   }
   cache.endRound(usedEdges);
   return derived;

@@ -3,6 +3,7 @@
 // a person sees.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "engine/pipeline/cache.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_shape.h"
+#include "engine/pipeline/part_texture.h"
 #include "engine/pipeline/solid.h"
 #include "engine/vision/edges.h"
 
@@ -34,6 +36,9 @@ struct Derived {
   /// Pictures whose edges are not in the cache, each once: let a worker find them (detectEdges),
   /// keep them in the cache, derive again.
   std::vector<PictureId> wantedEdges;
+  /// Parts whose texture is not made yet, one of each shape: let a worker make it (makeTexture), dress
+  /// the shape in the cache with it, derive again.
+  std::vector<PartId> wantedTextures;
   /// Steps with what is known of their solids, same order as Document::steps; filled by whoever has a
   /// solver. Empty: no step is solved, and parts show themselves.
   std::vector<DerivedStep> steps;
@@ -43,9 +48,18 @@ struct Derived {
 const image::Picture* pixelsOf(const document::Document& document, const Derived& derived,
                                PictureId id);
 
+/// Whether the parts get their textures at once, or a page shows them before.
+enum class Textures : std::uint8_t { Now, Later };
+
 /// Derives every part; a cached shape costs one hash of its recipe, and where only what comes after
 /// the ribs changed, the ribs are not traced again. Never looks for edges itself.
-Derived derive(const document::Document& document, Cache& cache, const Clock& clock = {});
+Derived derive(const document::Document& document, Cache& cache, const Clock& clock = {},
+               Textures textures = Textures::Now);
+
+/// What makes the texture of one of the wanted. Null when there is no such part with a shape, or no
+/// memory.
+std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, const Derived& derived,
+                                           PartId part);
 
 /// What a recipe would become with the edges known so far (guessed ribs where there are none yet),
 /// for a part that is not in the document or differs from it. Ribs that were traced are used again:

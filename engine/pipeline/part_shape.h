@@ -51,10 +51,16 @@ struct PartShape {
   mesh::TriMesh mesh;      ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
+  /// `key` once its texture was looked for. Before that 0, or that of the earlier shape of the part whose
+  /// texture it wears meanwhile.
+  std::uint64_t textureKey = 0;
   bool exact = true;      ///< false: made from ribs of a stroke under the pen; only previews are
   std::uint64_t key = 0;  ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;             ///< times of its ribs and loft stages; what was known already took none
 };
+
+/// Whether its texture, or that there is none, is known.
+inline bool isDressed(const PartShape& shape) { return shape.key != 0 && shape.textureKey == shape.key; }
 
 /// Memory that they take, about.
 std::size_t bytesOf(const TracedRibs& traced);

@@ -80,6 +80,21 @@ void addBand(const ribs::IgnoreMark& mark, image::Size picture, std::vector<std:
   }
 }
 
+std::vector<std::vector<PicturePoint>> hiddenParts(
+    std::array<std::span<const ribs::IgnoreMark>, 2> marks, image::Size picture) {
+  std::vector<std::vector<PicturePoint>> hidden;
+  for (const auto& some : marks) {
+    for (const ribs::IgnoreMark& mark : some) {
+      if (mark.covers) addBand(mark, picture, hidden);
+    }
+  }
+  return hidden;
+}
+
+std::shared_ptr<const surface::PartTexture> shared(std::optional<surface::PartTexture> made) {
+  return made ? std::make_shared<const surface::PartTexture>(std::move(*made)) : nullptr;
+}
+
 }  // namespace
 
 std::shared_ptr<const surface::PartTexture> textureStage(
@@ -88,20 +103,36 @@ std::shared_ptr<const surface::PartTexture> textureStage(
   if (shape.mesh.uv.size() != shape.mesh.positions.size()) return nullptr;
   try {
     const image::Size size{pixels.width, pixels.height};
-    const auto sure = sureParts(shape.ribs, size);
-    std::vector<std::vector<PicturePoint>> hidden;
-    for (const auto& some : marks) {
-      for (const ribs::IgnoreMark& mark : some) {
-        if (mark.covers) addBand(mark, size, hidden);
-      }
-    }
-    std::optional<surface::PartTexture> made = surface::partTexture(
-        pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden});
-    if (!made) return nullptr;
-    return std::make_shared<const surface::PartTexture>(std::move(*made));
+    const auto sure = sureParts(shape.ribs, size), hidden = hiddenParts(marks, size);
+    return shared(
+        surface::partTexture(pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden}));
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
+}
+
+TextureMaking::TextureMaking(std::shared_ptr<const PartShape> shape,
+                             std::shared_ptr<const image::Picture> pixels,
+                             std::array<std::span<const ribs::IgnoreMark>, 2> marks)
+    : shape_(std::move(shape)), pixels_(std::move(pixels)) {
+  const image::Size size{pixels_->width, pixels_->height};
+  const mesh::TriMesh& mesh = shape_->mesh;
+  if (mesh.uv.size() != mesh.positions.size()) return;
+  sure_ = sureParts(shape_->ribs, size);
+  hidden_ = hiddenParts(marks, size);
+  steps_.emplace(pixels_->working, surface::Wrapped{mesh.uv, mesh.triangles, sure_, hidden_});
+}
+
+bool TextureMaking::step() {
+  if (!steps_) return false;
+  try {
+    if (steps_->step()) return true;
+    made_ = shared(steps_->take());
+  } catch (const std::bad_alloc&) {
+    made_ = nullptr;
+  }
+  steps_.reset();
+  return false;
 }
 
 }  // namespace spineloft::pipeline

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/image/image.h"
 #include "engine/pipeline/part_shape.h"
@@ -18,5 +20,25 @@ namespace spineloft::pipeline {
 std::shared_ptr<const surface::PartTexture> textureStage(
     const PartShape& shape, const image::Picture& pixels,
     std::array<std::span<const ribs::IgnoreMark>, 2> marks);
+
+/// The same in steps (surface::TextureSteps), on any thread: it holds what it is made from.
+class TextureMaking {
+ public:
+  TextureMaking(std::shared_ptr<const PartShape> shape, std::shared_ptr<const image::Picture> pixels,
+                std::array<std::span<const ribs::IgnoreMark>, 2> marks);
+  /// The next step. False: it was the last.
+  bool step();
+  /// After the last.
+  std::shared_ptr<const surface::PartTexture> texture() const { return made_; }
+  /// shapeKey of the shape.
+  std::uint64_t key() const { return shape_->key; }
+
+ private:
+  std::shared_ptr<const PartShape> shape_;
+  std::shared_ptr<const image::Picture> pixels_;
+  std::vector<std::vector<PicturePoint>> sure_, hidden_;
+  std::optional<surface::TextureSteps> steps_;
+  std::shared_ptr<const surface::PartTexture> made_;
+};
 
 }  // namespace spineloft::pipeline

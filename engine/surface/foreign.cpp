@@ -27,15 +27,20 @@ class Front {
   image::Mask advance(const image::Mask& beyond) {
     image::Mask free = beyond;
     for (std::uint8_t& p : free.pixels) p = static_cast<std::uint8_t>(255 - p);
-    for (std::size_t at = 0; at < beyond.pixels.size(); ++at) {
-      if (beyond.pixels[at] == 0) continue;
-      const std::uint8_t* p = pixel(at);
-      came_[at] = {p[0], p[1], p[2]};
-      forNeighbours(at, free, [&](std::size_t next) { step(at, next, free); });
+    std::size_t at = 0;
+    for (int y = 0; y < beyond.height; ++y) {
+      for (int x = 0; x < beyond.width; ++x, ++at) {
+        if (beyond.pixels[at] == 0) continue;
+        const std::uint8_t* p = pixel(at);
+        came_[at] = {p[0], p[1], p[2]};
+        forNeighbours(at, {x, y}, free, [&](std::size_t next) { step(at, next, free); });
+      }
     }
+    const auto width = static_cast<std::size_t>(free.width);
     for (std::size_t k = 0; k < reached_.size(); ++k) {
-      const std::size_t at = reached_[k];
-      forNeighbours(at, free, [&](std::size_t next) { step(at, next, free); });
+      const std::size_t from = reached_[k];
+      const Place place{static_cast<int>(from % width), static_cast<int>(from / width)};
+      forNeighbours(from, place, free, [&](std::size_t next) { step(from, next, free); });
     }
     return free;
   }
@@ -43,14 +48,16 @@ class Front {
  private:
   const std::uint8_t* pixel(std::size_t at) const { return &doubt_.shown.pixels[4 * at]; }
 
+  struct Place {
+    int x, y;
+  };
   template <class Visit>
-  static void forNeighbours(std::size_t at, const image::Mask& mask, const Visit& visit) {
+  static void forNeighbours(std::size_t at, Place place, const image::Mask& mask, const Visit& visit) {
     const auto width = static_cast<std::size_t>(mask.width);
-    const std::size_t x = at % width, y = at / width;
-    if (x > 0) visit(at - 1);
-    if (x + 1 < width) visit(at + 1);
-    if (y > 0) visit(at - width);
-    if (y + 1 < static_cast<std::size_t>(mask.height)) visit(at + width);
+    if (place.x > 0) visit(at - 1);
+    if (place.x + 1 < mask.width) visit(at + 1);
+    if (place.y > 0) visit(at - width);
+    if (place.y + 1 < mask.height) visit(at + width);
   }
 
   void step(std::size_t from, std::size_t at, image::Mask& free) {

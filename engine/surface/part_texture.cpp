@@ -159,29 +159,6 @@ struct Kept {
   image::Mask rim;    ///< and only wears: a little of what is behind may be mixed into it
 };
 
-/// The pixels that the part keeps as the picture has them; none when nothing can be seen.
-Kept keptOf(const image::Image& shown, const Lie& lie) {
-  const image::Mask seen = opposite(lie.hidden);
-  const image::Mask inner = common(trusted(lie.covered, lie.margin), inset(seen, lie.margin));
-  image::Mask kept = common(inner, lie.sure), rim = common(lie.covered, seen);
-  if (const Carried in(shown, kept); in.empty()) {  // nothing is sure, or nothing but the rim seen
-    kept = inner;
-  } else if (kept != inner) {
-    const image::Mask familiar =
-        familiarPixels({shown, lie.covered, lie.sure, kept, in}, lie.clearance);
-    rim = common(rim, familiar);
-    // What is mixed with the foreign pixels goes with them.
-    kept = common(inner, inset(familiar, lie.margin));
-  }
-  const Carried in(shown, kept);
-  if (in.empty()) return {lie.covered, emptyMask({shown.width, shown.height})};
-  const image::Mask beyond = inset(opposite(rim), lie.margin);
-  const Carried out(shown, beyond);
-  if (out.empty()) return {std::move(kept), emptyMask({shown.width, shown.height})};
-  image::Mask clean = withCleanRim(shown, kept, rim, in, out);
-  return {std::move(kept), std::move(clean)};
-}
-
 /// The picture of a part: what it keeps, and its colours carried on over the rest. Empty when it keeps
 /// nothing.
 image::Image worn(const image::Image& shown, const Kept& kept) {
@@ -222,23 +199,98 @@ image::Image shrunkLike(image::Image image, image::Size own) {
 
 }  // namespace
 
-std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface) {
-  if (picture.empty()) return std::nullopt;
-  const std::optional<UvArea> area = areaOf(surface);
-  if (!area) return std::nullopt;
-  const image::Size whole{picture.width, picture.height};
+struct TextureSteps::State {
+  using Step = void (State::*)();
+
+  State(const image::Image& of, const Wrapped& wrapped) : picture(of), surface(wrapped) {}
+
+  const image::Image& picture;
+  Wrapped surface;
+  Step next = &State::begin;  ///< null: it is made
+  Cut cut, wide;              ///< of the picture: what the texture shows, and what is judged with it
+  image::Image shown;         ///< the wide one, as large as the texture's pixels are
   Lie lie;
-  lie.margin = rimMargin(std::max(whole.width, whole.height));
-  if (!surface.sure.empty()) lie.clearance = clearanceOf(depthOf(surface, *area, whole));
-  const Cut cut = cutOf(*area, whole, kBorder);
-  const Cut wide = cutOf(*area, whole, kAround + static_cast<int>(std::ceil(lie.clearance)));
-  const image::Image shown = shrunkLike(cutOut(picture, wide), {cut.width(), cut.height()});
-  const image::Size size{shown.width, shown.height};
-  const UvArea around = uvOf(wide, whole);
-  lie.covered = coverOf(surface, around, size);
-  lie.sure = surface.sure.empty() ? lie.covered : filled(surface.sure, around, size);
-  lie.hidden = filled(surface.hidden, around, size);
-  const Kept kept = keptOf(shown, lie);
+  image::Mask inner;     ///< what can be kept where the part is sure
+  image::Mask familiar;  ///< what is not foreign
+  Kept kept;
+  std::optional<Carried> in;  ///< the part's colours, from what it keeps
+  std::optional<PartTexture> made;
+
+  image::Size whole() const { return {picture.width, picture.height}; }
+  image::Size size() const { return {shown.width, shown.height}; }
+
+  void begin();
+  void trust();
+  void judge();
+  void settle();
+  void cleanRim();
+  void finish();
+};
+
+void TextureSteps::State::begin() {
+  next = nullptr;
+  if (picture.empty()) return;
+  const std::optional<UvArea> area = areaOf(surface);
+  if (!area) return;
+  lie.margin = rimMargin(std::max(picture.width, picture.height));
+  if (!surface.sure.empty()) lie.clearance = clearanceOf(depthOf(surface, *area, whole()));
+  cut = cutOf(*area, whole(), kBorder);
+  wide = cutOf(*area, whole(), kAround + static_cast<int>(std::ceil(lie.clearance)));
+  shown = shrunkLike(cutOut(picture, wide), {cut.width(), cut.height()});
+  const UvArea around = uvOf(wide, whole());
+  lie.covered = coverOf(surface, around, size());
+  lie.sure = surface.sure.empty() ? lie.covered : filled(surface.sure, around, size());
+  lie.hidden = filled(surface.hidden, around, size());
+  next = &State::trust;
+}
+
+/// What can be seen well inside the outline, and what of that is sure.
+void TextureSteps::State::trust() {
+  inner = trusted(lie.covered, lie.margin);
+  kept.rim = lie.covered;
+  if (!surface.hidden.empty()) {
+    const image::Mask seen = opposite(lie.hidden);
+    inner = common(std::move(inner), inset(seen, lie.margin));
+    kept.rim = common(std::move(kept.rim), seen);
+  }
+  kept.inner = common(inner, lie.sure);
+  in.emplace(shown, kept.inner);
+  next = &State::judge;
+}
+
+/// What is not sure, by its colours.
+void TextureSteps::State::judge() {
+  next = &State::cleanRim;
+  if (in->empty()) {  // nothing is sure, or nothing but the rim seen
+    kept.inner = inner;
+    in.emplace(shown, kept.inner);
+  } else if (kept.inner != inner) {
+    familiar = familiarPixels({shown, lie.covered, lie.sure, kept.inner, *in}, lie.clearance);
+    next = &State::settle;
+  }
+}
+
+/// What is mixed with the foreign pixels goes with them.
+void TextureSteps::State::settle() {
+  kept.rim = common(std::move(kept.rim), familiar);
+  kept.inner = common(inner, inset(familiar, lie.margin));
+  in.emplace(shown, kept.inner);
+  next = &State::cleanRim;
+}
+
+void TextureSteps::State::cleanRim() {
+  next = &State::finish;
+  if (in->empty()) {
+    kept = {lie.covered, emptyMask(size())};
+    return;
+  }
+  const image::Mask beyond = inset(opposite(kept.rim), lie.margin);
+  const Carried out(shown, beyond);
+  kept.rim = out.empty() ? emptyMask(size()) : withCleanRim(shown, kept.inner, kept.rim, *in, out);
+}
+
+void TextureSteps::State::finish() {
+  next = nullptr;
   // Of these pixels those within the cut.
   const auto first = [](int from, int side, int pixels) {
     return static_cast<int>((static_cast<long long>(from) * pixels + side - 1) / side);
@@ -246,17 +298,35 @@ std::optional<PartTexture> partTexture(const image::Image& picture, const Wrappe
   const auto last = [](int to, int side, int pixels) {
     return static_cast<int>(static_cast<long long>(to) * pixels / side);
   };
-  const Cut own{first(cut.left - wide.left, wide.width(), size.width),
-                first(cut.top - wide.top, wide.height(), size.height),
-                last(cut.right - wide.left, wide.width(), size.width),
-                last(cut.bottom - wide.top, wide.height(), size.height)};
-  const UvArea share = uvOf(own, size);
+  const Cut own{first(cut.left - wide.left, wide.width(), shown.width),
+                first(cut.top - wide.top, wide.height(), shown.height),
+                last(cut.right - wide.left, wide.width(), shown.width),
+                last(cut.bottom - wide.top, wide.height(), shown.height)};
+  const UvArea around = uvOf(wide, whole()), share = uvOf(own, size());
   const double width = around.right - around.left, height = around.bottom - around.top;
   image::Image pixels = worn(cutOut(shown, own), {cutOut(kept.inner, own), cutOut(kept.rim, own)});
-  if (pixels.empty()) return std::nullopt;
-  return PartTexture{std::move(pixels),
+  if (pixels.empty()) return;
+  made = PartTexture{std::move(pixels),
                      {around.left + share.left * width, around.top + share.top * height,
                       around.left + share.right * width, around.top + share.bottom * height}};
+}
+
+TextureSteps::TextureSteps(const image::Image& picture, const Wrapped& surface)
+    : state_(std::make_unique<State>(picture, surface)) {}
+TextureSteps::~TextureSteps() = default;
+
+bool TextureSteps::step() {
+  if (state_->next != nullptr) (state_.get()->*state_->next)();
+  return state_->next != nullptr;
+}
+
+std::optional<PartTexture> TextureSteps::take() { return std::move(state_->made); }
+
+std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface) {
+  TextureSteps steps(picture, surface);
+  while (steps.step()) {
+  }
+  return steps.take();
 }
 
 }  // namespace spineloft::surface

@@ -49,4 +49,22 @@ struct Wrapped {
 /// nothing is covered. Linear in the pixels of the cut-out and the rows of the triangles.
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);
 
+/// The same in steps, the longest about a quarter of the whole: for a page that is drawn in between.
+class TextureSteps {
+ public:
+  /// The picture, and what the surface's spans show, must outlive it.
+  TextureSteps(const image::Image& picture, const Wrapped& surface);
+  ~TextureSteps();
+  TextureSteps(const TextureSteps&) = delete;
+  TextureSteps& operator=(const TextureSteps&) = delete;
+  /// The next one. False: it was the last, and `take` has what partTexture gives.
+  bool step();
+  /// Once.
+  std::optional<PartTexture> take();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 }  // namespace spineloft::surface

@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/base/worker_pool.h"
@@ -74,13 +76,24 @@ struct Desk {
     for (PicturePoint& p : recipe.stroke) p.y += 0.01 * wobble;
     must(pipeline::liveShape(model, document::Recipe{recipe}, cache));
   }
-  // The whole stroke becomes a part, with its texture.
-  void lift(int ribs, int wobble) {
+  // The whole stroke becomes a part, shown before its texture is made.
+  struct Lifted {
+    document::Document model;
+    pipeline::Derived derived;
+  };
+  Lifted lift(int ribs, int wobble) {
     std::vector<PicturePoint> line = stroke;
     for (PicturePoint& p : line) p.y += 0.01 * wobble;
     document::Document drawn = must(document::update(model, document::DrawSpine{PictureId{1}, std::move(line)}));
     drawn = must(document::update(drawn, document::SetParameter{PartId{1}, "ribs", static_cast<double>(ribs)}));
-    if (!pipeline::derive(drawn, cache).parts[0].shape) std::exit(1);
+    pipeline::Derived derived = pipeline::derive(drawn, cache, {}, pipeline::Textures::Later);
+    if (!derived.parts[0].shape) std::exit(1);
+    return {std::move(drawn), std::move(derived)};
+  }
+  // The steps in which it gets its texture.
+  std::shared_ptr<pipeline::TextureMaking> dress(int wobble) {
+    const Lifted lifted = lift(100, wobble);
+    return pipeline::makeTexture(lifted.model, lifted.derived, PartId{1});
   }
 };
 
@@ -126,6 +139,20 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
     for (int i = 0; i < kMoves; i += 10) move(i);
     report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves, move);
     report.stage(ribs == 100 ? "pen up to mesh" : "pen up to mesh, 200 ribs", 21, [&](int) { desk.lift(ribs, ++wobble); });
+  }
+  // How long a page without workers stands still for a texture, and how long the whole takes.
+  int steps = 0;
+  const std::shared_ptr<pipeline::TextureMaking> counted = desk.dress(++wobble);
+  for (bool more = true; more; ++steps) more = counted->step();
+  for (int step = 0; step < steps; ++step) {
+    std::vector<std::shared_ptr<pipeline::TextureMaking>> begun;
+    for (int i = 0; i < 13; ++i) {
+      begun.push_back(desk.dress(++wobble));
+      for (int k = 0; k < step; ++k) begun.back()->step();
+    }
+    std::size_t next = 0;
+    report.stage("texture, step " + std::to_string(step + 1) + " of " + std::to_string(steps), 11,
+                 [&](int) { begun[next++]->step(); });
   }
   constexpr int kStrokes = 1000, kFirst = 10;
   double first = 0;

@@ -153,10 +153,15 @@ int main(int count, char** words) {
   } else if (count == 2 && std::string(words[1]) == "--photo") {
     bench::Report report;
     bench::reportPhoto(report);
+  } else if (count == 2 && std::string(words[1]) == "--pen") {
+    const image::Picture picture = bench::tubePicture({1024, 768});
+    const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
+    bench::Report report;
+    bench::reportPenStages(picture, edges, report);
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr << "spineloft_bench: no words, --photo, or --ribs and a case folder\n";
+    std::cerr << "spineloft_bench: no words, --pen, --photo, or --ribs and a case folder\n";
     return 2;
   }
   return 0;

@@ -232,8 +232,9 @@ void App::watchWork() {
 void App::wake() {
   wakePending_ = tooltipPending_ = false;
   studio_.tellAmends();
-  // Without threads a search would hold up the ink under the pen: it waits.
-  const bool inHand = ui_.sketching.stroke || (ui_.cut && gestures_.active());
+  // Without threads a search would hold up the ink under the pen, and textures what is in the hand: they
+  // wait.
+  const bool inHand = ui_.sketching.stroke || (gestures_.active() && (ui_.cut || !studio_.activity()));
   const bool penDown = studio_.threads() == 0 && inHand;
   if (!penDown && studio_.pump()) {
     settle();
@@ -268,7 +269,8 @@ void App::announce() {
   json_.flag(ui_.cutByBox).flag(ui_.cut.has_value());
   if (ui_.cut) json_.flag(ui_.cut->searching).flag(ui_.cut->adding).number(static_cast<double>(ui_.cut->hints.marks.size()));
   json_.flag(ui_.slices.placing).number(static_cast<double>(ui_.slices.shelf.size()));
-  json_.number(studio_.busy() ? std::floor(studio_.activity()->done * 20) : 0);
+  const std::optional<Studio::Activity> activity = studio_.activity();
+  json_.flag(activity.has_value()).number(activity ? std::floor(activity->done * 20) : 0);
   json_.endArray();
   if (json_.json() == announced_) return;
   announced_ = json_.json();

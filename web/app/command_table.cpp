@@ -62,7 +62,7 @@ Outcome cancel(Env env, const Json&) {
     env.ui.preview.reset();
   } else if (env.ui.redraw) {
     env.ui.redraw = {};
-  } else if (env.studio.busy()) {
+  } else if (env.studio.activity()) {
     env.studio.cancelWork();
   } else if (env.ui.chosen != Chosen{}) {
     env.ui.chosen = {};

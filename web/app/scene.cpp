@@ -51,15 +51,16 @@ Source sourceOf(const document::Document& document, const pipeline::Derived& der
   return {document::findPicture(document, id), pipeline::pixelsOf(document, derived, id)};
 }
 
-/// A finished shape has a texture of its own; one in hand wears the picture itself.
+/// A finished shape has a texture of its own; one in hand, or whose texture is being made, that of an
+/// earlier one or the picture itself.
 void wear(const Source& source, const pipeline::PartShape& shape, gl::SceneMesh& mesh) {
   if (shape.texture) {
     const surface::UvArea& area = shape.texture->area;
-    mesh.texture = {Hasher().text("texture").number(shape.key).value() | 1u, &shape.texture->pixels};
+    mesh.texture = {Hasher().text("texture").number(shape.textureKey).value() | 1u, &shape.texture->pixels};
     mesh.textureArea = {static_cast<float>(area.left), static_cast<float>(area.top),
                         static_cast<float>(area.right - area.left),
                         static_cast<float>(area.bottom - area.top)};
-  } else if (shape.key == 0 && source.pixels) {
+  } else if (!isDressed(shape) && source.pixels) {
     mesh.texture = textureOf(*source.entry, *source.pixels);
   }
 }

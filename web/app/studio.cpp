@@ -36,7 +36,12 @@ struct EdgeSearch {
 }  // namespace
 
 Studio::Studio(platform::Host& host, int threads)
-    : host_(host), solids_(host), pool_(threads) {}
+    : host_(host),
+      solids_(host),
+      textures_(pool_, [this](std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture) {
+        takeTexture(key, std::move(texture));
+      }),
+      pool_(threads) {}
 
 Status Studio::act(std::span<const document::Action> actions, std::string_view burst) {
   document::Document next = document();
@@ -133,12 +138,17 @@ void Studio::changed() {
 const pipeline::Derived& Studio::derived() {
   if (!stale_) return derived_;
   stale_ = false;
+  const auto clock = [this] { return host_.nowMs(); };
   const pipeline::Derived before = std::exchange(
-      derived_, pipeline::derive(document(), cache_, [this] { return host_.nowMs(); }));
+      derived_, pipeline::derive(document(), cache_, clock, pipeline::Textures::Later));
   for (const PictureId id : derived_.wantedEdges) findEdges(id);
   keepShown(before);
+  wearEarlier(before, derived_);
+  textures_.update(document(), derived_);
   for (const pipeline::DerivedPart& part : derived_.parts) {
-    const bool known = std::ranges::count(before.parts, part.shape, &pipeline::DerivedPart::shape);
+    const bool known = std::ranges::any_of(before.parts, [&](const pipeline::DerivedPart& other) {
+      return part.shape && other.shape && part.shape->key == other.shape->key;
+    });
     if (!part.shape || known) continue;
     lastMs_.ribs = part.shape->ms.ribs;
     lastMs_.loft = part.shape->ms.loft;
@@ -178,12 +188,22 @@ void Studio::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) 
   ++revision_;
   if (answer.find("progress") != nullptr) return;
   if (!stale_ && !previewing_) updateSolids();
-  if (!busy() && saveWaiting_) {
-    const publish::Format format = *std::exchange(saveWaiting_, std::nullopt);
-    if (const Status status = saveNow(format); !status) {
-      sendError(host_, failureSentence(status.failure()));
-    }
+  saveWaiting();
+}
+
+void Studio::takeTexture(std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture) {
+  const std::shared_ptr<const pipeline::PartShape> dressed = cache_.dress(key, std::move(texture));
+  for (pipeline::DerivedPart& part : derived_.parts) {
+    if (dressed && part.shape && part.shape->key == key) part.shape = dressed;
   }
+  ++revision_;
+  saveWaiting();
+}
+
+void Studio::saveWaiting() {
+  if (!saveWaiting_ || solids_.busy() || textures_.busy()) return;
+  const publish::Format format = *std::exchange(saveWaiting_, std::nullopt);
+  if (const Status status = saveNow(format); !status) sendError(host_, failureSentence(status.failure()));
 }
 
 void Studio::previewSolid(const publish::Substitute& instead) {
@@ -216,7 +236,7 @@ void Studio::solveAgain() {
 }
 
 std::optional<Studio::Activity> Studio::activity() const {
-  if (const auto activity = pool_.activity()) {
+  if (const auto activity = pool_.activity(); activity && !activity->label.empty()) {
     return Activity{activity->label, activity->progress.done()};
   }
   if (solids_.busy()) return Activity{"Putting the parts together", solids_.done()};
@@ -361,7 +381,7 @@ Result<pipeline::PartShape> Studio::previewLive(const document::Recipe& recipe) 
 
 Status Studio::save(publish::Format format) {
   derived();
-  if (!solids_.busy()) return saveNow(format);
+  if (!solids_.busy() && !textures_.busy()) return saveNow(format);
   saveWaiting_ = format;
   return Done{};
 }
@@ -392,7 +412,9 @@ void Studio::finishSave(Result<publish::Bytes> bytes, publish::Format format,
 }
 
 Result<publish::Bytes> Studio::publishNow(publish::Format format) {
-  return publish::publish(document(), derived(), format, Progress{});
+  derived();
+  textures_.finish(document(), derived_);
+  return publish::publish(document(), derived_, format, Progress{});
 }
 
 bool Studio::pump() { return pool_.pump() > 0; }

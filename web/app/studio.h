@@ -20,6 +20,7 @@
 #include "engine/publish/publish.h"
 #include "web/app/cut_draft.h"
 #include "web/app/solid_work.h"
+#include "web/app/texture_work.h"
 #include "web/platform/host.h"
 
 namespace spineloft::app {
@@ -51,7 +52,7 @@ class Studio {
   void tellAmends(bool now = false);
 
   /// Up to date with the document: derives now if it has to. Starts the search for edges that are
-  /// missing, and reports parts that failed, each once.
+  /// missing and the making of textures, and reports parts that failed, each once.
   const pipeline::Derived& derived();
 
   /// What a recipe would become, with the edges known so far (pipeline::previewShape).
@@ -74,7 +75,7 @@ class Studio {
   bool pump();
   bool busy() const { return !pool_.idle() || solids_.busy(); }
   int threads() const { return pool_.threads(); }
-  /// What is going on, for a progress bar.
+  /// What is going on, for a progress bar; not what takes a moment only.
   struct Activity {
     std::string label;
     double done = 0;
@@ -113,6 +114,10 @@ class Studio {
   void keepShown(const pipeline::Derived& before);
   void updateSolids();
   void reportSolids();
+  /// Of the shape with that key.
+  void takeTexture(std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture);
+  /// Saves what waited for it, when all is there.
+  void saveWaiting();
   Status saveNow(publish::Format format);
   void report(const pipeline::Derived& derived);
   void finishSave(Result<publish::Bytes> bytes, publish::Format format,
@@ -141,8 +146,9 @@ class Studio {
   SolidWork solids_;
   bool previewing_ = false;
   std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
-  /// Waits for the solids it is to hold.
+  /// Waits for the solids and textures it is to hold.
   std::optional<publish::Format> saveWaiting_;
+  TextureWork textures_;
   WorkerPool pool_;  ///< last: its jobs end before the rest goes
 };
 

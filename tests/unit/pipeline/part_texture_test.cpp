@@ -261,3 +261,36 @@ TEST_CASE("a texture depends on nothing but the shape and what it shows") {
     CHECK(double(uv[1]) <= a->texture->area.bottom + 1e-6);
   }
 }
+
+TEST_CASE("a texture made in steps is the one made at once, and a step is never the whole of it") {
+  for (const bool marked : {false, true}) {
+    Document document = stripedDocument({200, 190, 180});
+    const ribs::IgnoreMark mark{{{100, 110}, {140, 120}}, 9, true};
+    if (marked) document = update(document, IgnoreForPart{PartId{1}, {mark}}).value();
+    pipeline::Cache cache;
+    REQUIRE(pipeline::deriveWithEdges(document, cache, {}).ok());
+    const auto whole = shapeOf(document);
+    pipeline::Cache later;
+    later.keepEdges(document.pictures[0]->contentHash, cache.edges(document.pictures[0]->contentHash));
+    const pipeline::Derived derived = pipeline::derive(document, later, {}, pipeline::Textures::Later);
+    REQUIRE(derived.wantedTextures == std::vector{PartId{1}});
+    CHECK(derived.parts[0].shape->texture == nullptr);
+    const auto making = pipeline::makeTexture(document, derived, PartId{1});
+    REQUIRE(making);
+    CHECK(making->texture() == nullptr);
+    int steps = 1;
+    while (making->step()) ++steps;
+    CHECK(steps >= 5);
+    REQUIRE((making->texture() && whole->texture));
+    CHECK(*making->texture() == *whole->texture);
+    CHECK_FALSE(making->step());
+    const auto dressed = later.dress(making->key(), making->texture());
+    REQUIRE(dressed);
+    CHECK(isDressed(*dressed));
+    const pipeline::Derived again = pipeline::derive(document, later, {}, pipeline::Textures::Later);
+    CHECK(again.wantedTextures.empty());
+    CHECK(again.parts[0].shape == dressed);
+    CHECK(later.dress(12345, nullptr) == nullptr);
+  }
+  CHECK(pipeline::makeTexture({}, {}, PartId{1}) == nullptr);
+}
