@@ -52,6 +52,8 @@ struct ContrastParams {
   int neighbours = 2;
   double slant = 0.15;  ///< step between the five slants tried, rise over run
 };
+/// Cells of every Lab channel; the cell of a colour is (lightness · bins + a) · bins + b.
+inline constexpr int kColourBins = 12;
 /// Colours in a few cells, and how they spread over them.
 struct ColourTables {
   std::vector<std::uint16_t> cells;  ///< of every entry of a strip

@@ -10,7 +10,7 @@
 namespace spineloft::ribs {
 namespace {
 
-constexpr int kBins = 12;  // per Lab channel
+constexpr int kBins = kColourBins;
 constexpr std::size_t kCells = static_cast<std::size_t>(kBins) * kBins * kBins;
 constexpr int kStretches = 8;
 // The spine's own colours are taken this close to it, in map pixels: surely inside the object.

@@ -38,6 +38,9 @@ struct RibWorkspace::Search {
   LengthWorkspace workspace;
   EvenParts parts;
   LengthLabels labels, trial;
+  struct {
+    std::vector<float> left, right;
+  } nearUnary;  // of the problem, while tryFarther has others in it
   EndOutline ends[2];
   std::vector<float> marginals;
   std::vector<Rival> rivals;
@@ -81,6 +84,13 @@ void assume(const EvenPart& even, Search& s);
 /// object's where they count, for only then the energies of parts can be compared. `s.labels` are those
 /// of the best so far.
 void tryPart(std::size_t i, bool withColours, Search& s);
+/// After all parts had their turn: the chosen one's evidence, which costs, states and fans are read from.
+void supposeChosen(bool withColours, Search& s);
+/// After it: looks for the best part that reaches farther out on both sides, and takes it where, as a whole, its
+/// colours differ clearly more from those around it and no great cost speaks against it (farther_part.h).
+void tryFarther(Search& s);
+/// What one rib's energy counts for: less the more ribs there are.
+double shareOfRib(const Search& s);
 /// Where the third look starts from, of every curve of a rib, into `s.known.inside`: a stiff, robust
 /// line through the ends of a side, in which a dent or a bulge of a few ribs leaves little, least where they
 /// stand on fainter edges than others near by; and into `s.say` what each curve may say in that look.

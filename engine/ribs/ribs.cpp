@@ -68,8 +68,6 @@ void defaultCosts(Search& s) {
   }
 }
 
-double shareOfRib(const Search& s) { return kReferenceRibs / s.curves.layout.ribs; }
-
 void weighTerms(const EvidenceParams& params, Search& s) {
   boundaryCosts(s.curves, s.strip, s.terms, params, s.costs);
   const double weight = s.params.evidence.weight * shareOfRib(s);
@@ -77,6 +75,8 @@ void weighTerms(const EvidenceParams& params, Search& s) {
 }
 
 }  // namespace
+
+double shareOfRib(const Search& s) { return kReferenceRibs / s.curves.layout.ribs; }
 
 void findContours(Search& s) {
   contourTerms(s.curves, s.strip, s.params.evidence, s.terms);
@@ -224,14 +224,17 @@ void tryPart(std::size_t i, bool withColours, Search& s) {
   s.labels = s.trial;
 }
 
+void supposeChosen(bool withColours, Search& s) {
+  if (s.contest.last != s.contest.chosen) suppose(s.contest.chosen, withColours, s);
+}
+
 namespace {
 
 // The labels of least energy under the best of the even parts.
 void bestLabels(bool withColours, Search& s) {
   s.contest = {};
   for (std::size_t i = 0; i < s.parts.count; ++i) tryPart(i, withColours, s);
-  // States and fans are read from its evidence.
-  if (s.contest.last != s.contest.chosen) suppose(s.contest.chosen, withColours, s);
+  supposeChosen(withColours, s);
 }
 
 const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s) {
@@ -447,6 +450,7 @@ Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
   if (!progress.advance(0.5)) return Error::Cancelled;
   const bool withColours = usesColours(picture, params);
   bestLabels(withColours, s);
+  if (withColours && !s.variant.sampled && !s.variant.nearest) tryFarther(s);
   if (withColours && params.evidence.rimWeight > 0 && !s.variant.sampled) {
     stiffLengths(s);
     thirdEvidence(s);

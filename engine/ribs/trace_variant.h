@@ -8,6 +8,7 @@ namespace spineloft::ribs {
 struct TraceVariant {
   bool euclidean = false;  ///< curves of the Euclidean distance d∞ instead of d2 (traceStraightCurves)
   bool sampled = false;    ///< the paper's Algorithm 1 instead of the exact optimum (algorithmOne)
+  bool nearest = false;    ///< no look whether the thing goes on beyond the part (tryFarther)
   bool operator==(const TraceVariant&) const = default;
 };
 

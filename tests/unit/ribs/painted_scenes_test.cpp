@@ -10,6 +10,7 @@
 #include "engine/base/rng.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
+#include "engine/ribs/trace_variant.h"
 #include "engine/vision/edges.h"
 
 using namespace spineloft;
@@ -151,6 +152,27 @@ TEST_CASE("with half of the outline gone at most a few more ends are off than wi
   };
   const double complete = missed(trace(stroke(120), mapOf(plain)));
   CHECK(missed(trace(stroke(120), mapOf(half))) <= complete + 0.05);
+}
+
+TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half of whose outline is gone") {
+  for (const Colour stripe : {kInk, kPaper}) {
+    const auto striped = [&](PicturePoint p, double away) {
+      const double off = std::abs(p.y - middleAt(p.x));
+      if (off > 10 && off < 15) return stripe;
+      const double soft = std::clamp(0.5 + away / 48, 0.0, 1.0), sharp = away < 0 ? 0 : 1;
+      const double t = std::fmod(p.x, 50) < 25 ? soft : sharp;
+      return Colour{kWood.r + t * (kWall.r - kWood.r), kWood.g + t * (kWall.g - kWood.g),
+                    kWood.b + t * (kWall.b - kWood.b)};
+    };
+    const image::EdgeMap map = mapOf(striped);
+    CHECK(missed(trace(stroke(120), map)) <= 0.05);
+    CHECK(missed(trace(stroke(120, 8), map)) <= 0.05);
+    // Without a look beyond the part it is what lies between the stripes.
+    const auto spine = cleanSpine(stroke(120), kSize, {.ribs = 60});
+    RibWorkspace memory;
+    const auto narrow = traceVariant(spine.value(), {map, kSize}, {}, {.nearest = true}, memory);
+    CHECK(missed(narrow.value()) > 0.5);
+  }
 }
 
 TEST_CASE("an open sketch of several strokes is one outline") {
