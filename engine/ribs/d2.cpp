@@ -134,7 +134,12 @@ void D2Field::assign(std::span<const PicturePoint> polyline) {
     reach_[i] = static_cast<float>(length);
     length_ += length;
   }
-  gatherStretches();
+  gather(kStretch, stretches_);
+  if (segments >= kGrouped) {
+    gather(kStretch * kLanes, groups_);
+  } else {
+    groups_.mass.clear();
+  }
 }
 
 D2Sample D2Field::sample(PicturePoint x) const {
@@ -162,15 +167,16 @@ D2Integral D2Field::integral(PicturePoint x) const {
   return sums.total();
 }
 
-void D2Field::gatherStretches() {
-  const std::size_t stretches = (startX_.size() + kStretch - 1) / kStretch;
-  const std::size_t padded = (stretches + kLanes - 1) / kLanes * kLanes;
-  for (auto* plane : {&middleX_, &middleY_, &mass_, &momentXX_, &momentXY_, &momentYY_, &near_}) {
+void D2Field::gather(std::size_t segments, Runs& runs) const {
+  const std::size_t count = (startX_.size() + segments - 1) / segments;
+  const std::size_t padded = (count + kLanes - 1) / kLanes * kLanes;
+  for (auto* plane : {&runs.middleX, &runs.middleY, &runs.mass, &runs.momentXX, &runs.momentXY,
+                      &runs.momentYY, &runs.near}) {
     plane->assign(padded, 0);
   }
   for (std::size_t g = 0; g < padded; ++g) {
-    middleX_[g] = middleY_[g] = 1e9f;  // a lane without segments: far from everything, no mass
-    const std::size_t first = g * kStretch, last = std::min(first + kStretch, startX_.size());
+    runs.middleX[g] = runs.middleY[g] = 1e9f;  // a lane without segments: far from everything, no mass
+    const std::size_t first = g * segments, last = std::min(first + segments, startX_.size());
     double mass = 0, cx = 0, cy = 0;
     for (std::size_t i = first; i < last; ++i) {
       const auto t = static_cast<double>(reach_[i]);
@@ -194,41 +200,53 @@ void D2Field::gatherStretches() {
       yy += t * my * my + own * ey * ey;
       extent = std::max(extent, std::hypot(mx, my) + 0.5 * t);
     }
-    middleX_[g] = static_cast<float>(cx);
-    middleY_[g] = static_cast<float>(cy);
-    mass_[g] = static_cast<float>(mass);
-    momentXX_[g] = static_cast<float>(xx);
-    momentXY_[g] = static_cast<float>(xy);
-    momentYY_[g] = static_cast<float>(yy);
-    near_[g] = static_cast<float>(kNearShare * kNearShare * extent * extent);
+    runs.middleX[g] = static_cast<float>(cx);
+    runs.middleY[g] = static_cast<float>(cy);
+    runs.mass[g] = static_cast<float>(mass);
+    runs.momentXX[g] = static_cast<float>(xx);
+    runs.momentXY[g] = static_cast<float>(xy);
+    runs.momentYY[g] = static_cast<float>(yy);
+    runs.near[g] = static_cast<float>(kNearShare * kNearShare * extent * extent);
+  }
+}
+
+// I and ∇I of four runs that are far; calls `close` with the number of each of the others.
+template <class Runs, class Close>
+inline void addRuns(const Lanes& at, const Runs& runs, std::size_t g, Sums& sums, const Close& whenClose) {
+  const Float4 dx = at.x - load4(&runs.middleX[g]), dy = at.y - load4(&runs.middleY[g]);
+  const Float4 r2 = dx * dx + dy * dy, inverse = 1 / r2;
+  const auto close = r2 < load4(&runs.near[g]);
+  // f(d) = |d|⁻² to second order about the centroid: I = T f + ½ M : ∇∇f.
+  const Float4 xx = load4(&runs.momentXX[g]), xy = load4(&runs.momentXY[g]), yy = load4(&runs.momentYY[g]);
+  const Float4 mx = xx * dx + xy * dy, my = xy * dx + yy * dy;
+  const Float4 q = mx * dx + my * dy, trace = xx + yy, mass = load4(&runs.mass[g]);
+  const Float4 i2 = inverse * inverse, i3 = i2 * inverse;
+  const Float4 value = mass * inverse - trace * i2 + 4 * q * i3;
+  const Float4 radial = -2 * mass * i2 + 4 * trace * i3 - 24 * q * i3 * inverse;
+  sums.value += close ? all4(0) : value;
+  sums.gradientX += close ? all4(0) : radial * dx + 8 * mx * i3;
+  sums.gradientY += close ? all4(0) : radial * dy + 8 * my * i3;
+  for (std::size_t lane = 0; lane < kLanes && any4(close); ++lane) {
+    if (close[lane]) whenClose(g + lane);
   }
 }
 
 D2Integral D2Field::quickIntegral(PicturePoint x) const {
   const Lanes at(x, points_[0]);
   Sums sums;
-  for (std::size_t g = 0; g < mass_.size(); g += kLanes) {
-    const Float4 dx = at.x - load4(&middleX_[g]), dy = at.y - load4(&middleY_[g]);
-    const Float4 r2 = dx * dx + dy * dy, inverse = 1 / r2;
-    const auto close = r2 < load4(&near_[g]);
-    // f(d) = |d|⁻² to second order about the centroid: I = T f + ½ M : ∇∇f.
-    const Float4 xx = load4(&momentXX_[g]), xy = load4(&momentXY_[g]), yy = load4(&momentYY_[g]);
-    const Float4 mx = xx * dx + xy * dy, my = xy * dx + yy * dy;
-    const Float4 q = mx * dx + my * dy, trace = xx + yy, mass = load4(&mass_[g]);
-    const Float4 i2 = inverse * inverse, i3 = i2 * inverse;
-    const Float4 value = mass * inverse - trace * i2 + 4 * q * i3;
-    const Float4 radial = -2 * mass * i2 + 4 * trace * i3 - 24 * q * i3 * inverse;
-    sums.value += close ? all4(0) : value;
-    sums.gradientX += close ? all4(0) : radial * dx + 8 * mx * i3;
-    sums.gradientY += close ? all4(0) : radial * dy + 8 * my * i3;
-    for (std::size_t lane = 0; lane < kLanes && any4(close); ++lane) {
-      if (!close[lane]) continue;
-      const std::size_t first = (g + lane) * kStretch;
-      const std::size_t last = std::min(first + kStretch, startX_.size());
-      for (std::size_t i = first; i < last; i += kLanes) {
-        addSegments(at, {&startX_[i], &startY_[i], &alongX_[i], &alongY_[i], &reach_[i]}, sums);
-      }
+  const auto addStretch = [&](std::size_t stretch) {
+    const std::size_t first = stretch * kStretch, last = std::min(first + kStretch, startX_.size());
+    for (std::size_t i = first; i < last; i += kLanes) {
+      addSegments(at, {&startX_[i], &startY_[i], &alongX_[i], &alongY_[i], &reach_[i]}, sums);
     }
+  };
+  if (groups_.size() > 0) {
+    for (std::size_t g = 0; g < groups_.size(); g += kLanes) {
+      addRuns(at, groups_, g, sums,
+              [&](std::size_t group) { addRuns(at, stretches_, group * kLanes, sums, addStretch); });
+    }
+  } else {
+    for (std::size_t g = 0; g < stretches_.size(); g += kLanes) addRuns(at, stretches_, g, sums, addStretch);
   }
   return sums.total();
 }

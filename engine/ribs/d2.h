@@ -37,11 +37,13 @@ class D2Field {
   /// Σ I and ∇Σ I at x in single precision, four segments at a time: within 3e-5 of the double
   /// result for points farther than a pixel from the polyline.
   D2Integral integral(PicturePoint x) const;
-  /// The same with far stretches of four segments replaced by their length and second moments:
-  /// within 2e-3, several times faster on long polylines. The curves are traced with this one.
+  /// The same with far stretches of four segments replaced by their length and second moments, and on
+  /// polylines of kGrouped segments or more those of four stretches: within 2e-3, several times faster on
+  /// long polylines. The curves are traced with this one.
   D2Integral quickIntegral(PicturePoint x) const;
   /// A: the polyline's length in picture pixels.
   double length() const { return length_; }
+  static constexpr std::size_t kGrouped = 180;
 
  private:
   std::vector<PicturePoint> points_;
@@ -49,10 +51,15 @@ class D2Field {
   // The same segments for the vector kernel, relative to the first point so that single precision
   // is enough, padded to whole lanes with segments of no length: start, unit direction, length.
   std::vector<float> startX_, startY_, alongX_, alongY_, reach_;
-  // Stretches of kStretch segments, padded to whole lanes: centroid, length, second moments about
-  // the centroid, squared distance within which the segments themselves are summed.
-  std::vector<float> middleX_, middleY_, mass_, momentXX_, momentXY_, momentYY_, near_;
-  void gatherStretches();
+  // Runs of segments, padded to whole lanes: centroid, length, second moments about the centroid, squared
+  // distance within which what they are made of is summed.
+  struct Runs {
+    std::vector<float> middleX, middleY, mass, momentXX, momentXY, momentYY, near;
+    std::size_t size() const { return mass.size(); }
+  };
+  Runs stretches_;  // of kStretch segments
+  Runs groups_;     // of a lane's width of stretches each; none on short polylines
+  void gather(std::size_t segments, Runs& runs) const;
 };
 
 /// The radius at which the perpendicular bisector of a *straight* spine of length `length` has the
