@@ -143,8 +143,9 @@ Carried::Carried(const image::Image& image, const image::Mask& known)
     Level& level = levels_[i];
     auto out = level.samples.begin();
     for (int y = 0; y < level.height; ++y) {
+      const Rows rows(levels_[i + 1], y);
       for (int x = 0; x < level.width; ++x, ++out) {
-        if (out->known == 0) *out = between(levels_[i + 1], x, y);
+        if (out->known == 0) *out = rows.between(x);
       }
     }
   }
@@ -178,14 +179,18 @@ Carried::Level Carried::average(int width, int height, const At& at) {
   return coarse;
 }
 
-Carried::Sample Carried::between(const Level& coarse, int x, int y) {
-  const auto at = [&](int cx, int cy) -> const Sample& {
-    return coarse.samples[countOf(coarse.width, std::clamp(cy, 0, coarse.height - 1)) +
-                          static_cast<std::size_t>(std::clamp(cx, 0, coarse.width - 1))];
+Carried::Rows::Rows(const Level& coarse, int y) : last(coarse.width - 1) {
+  const auto row = [&](int cy) {
+    return &coarse.samples[countOf(coarse.width, std::clamp(cy, 0, coarse.height - 1))];
   };
-  const int cx = x / 2, cy = y / 2, dx = x % 2 == 0 ? -1 : 1, dy = y % 2 == 0 ? -1 : 1;
-  const Sample &a = at(cx, cy), &b = at(cx + dx, cy), &c = at(cx, cy + dy),
-               &d = at(cx + dx, cy + dy);
+  near = row(y / 2);
+  far = row(y / 2 + (y % 2 == 0 ? -1 : 1));
+}
+
+Carried::Sample Carried::Rows::between(int x) const {
+  const auto own = static_cast<std::size_t>(std::min(x / 2, last));
+  const auto next = static_cast<std::size_t>(std::clamp(x / 2 + (x % 2 == 0 ? -1 : 1), 0, last));
+  const Sample &a = near[own], &b = near[next], &c = far[own], &d = far[next];
   Sample mixed;
   for (std::size_t i = 0; i < 3; ++i) {
     mixed.colour[i] = static_cast<std::uint16_t>(
@@ -193,6 +198,11 @@ Carried::Sample Carried::between(const Level& coarse, int x, int y) {
   }
   mixed.known = 1;
   return mixed;
+}
+
+Colour Carried::colourOf(const Sample& sample) {
+  const auto coarse = [](unsigned c) { return static_cast<std::uint8_t>((c + kFine / 2) / kFine); };
+  return {coarse(sample.colour[0]), coarse(sample.colour[1]), coarse(sample.colour[2])};
 }
 
 bool Carried::isKnown(std::size_t i) const {
@@ -203,21 +213,21 @@ Colour Carried::at(std::size_t i) const {
   const std::uint8_t* p = image_.pixels.data() + 4 * i;
   if (isKnown(i)) return {p[0], p[1], p[2]};
   const auto width = static_cast<std::size_t>(image_.width);
-  const Sample s =
-      between(levels_.front(), static_cast<int>(i % width), static_cast<int>(i / width));
-  const auto coarse = [](unsigned c) { return static_cast<std::uint8_t>((c + kFine / 2) / kFine); };
-  return {coarse(s.colour[0]), coarse(s.colour[1]), coarse(s.colour[2])};
+  return colourOf(Rows(levels_.front(), static_cast<int>(i / width)).between(static_cast<int>(i % width)));
 }
 
 image::Image bleed(const image::Image& image, const image::Mask& known) {
   const Carried carried(image, known);
   if (carried.empty()) return {};
-  image::Image out{image.width, image.height, {}};
-  out.pixels.resize(image.pixels.size());
-  for (std::size_t i = 0; i < known.pixels.size(); ++i) {
-    const Colour colour = carried.at(i);
-    std::ranges::copy(colour, out.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i));
-    out.pixels[4 * i + 3] = 255;
+  image::Image out = image;
+  std::size_t i = 0;
+  for (int y = 0; y < image.height; ++y) {
+    const Carried::Rows rows(carried.levels_.front(), y);
+    for (int x = 0; x < image.width; ++x, ++i) {
+      std::uint8_t* to = &out.pixels[4 * i];
+      to[3] = 255;
+      if (!carried.isKnown(i)) std::ranges::copy(Carried::colourOf(rows.between(x)), to);
+    }
   }
   return out;
 }

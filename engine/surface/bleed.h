@@ -56,8 +56,16 @@ class Carried {
   /// Half the size: the mean of those of each four that are known.
   template <class At>
   static Level average(int width, int height, const At& at);
-  /// Of pixel (x, y) of the level below, which lies between the samples.
-  static Sample between(const Level& coarse, int x, int y);
+  /// The samples of a level between which row y of the level below lies.
+  struct Rows {
+    const Sample *near, *far;
+    int last;  ///< column
+    Rows(const Level& coarse, int y);
+    /// Of pixel x of the row.
+    Sample between(int x) const;
+  };
+  static Colour colourOf(const Sample& sample);
+  friend image::Image bleed(const image::Image& image, const image::Mask& known);
   bool isKnown(std::size_t i) const;
 
   const image::Image& image_;

@@ -30,7 +30,7 @@ class Front {
     std::size_t at = 0;
     for (int y = 0; y < beyond.height; ++y) {
       for (int x = 0; x < beyond.width; ++x, ++at) {
-        if (beyond.pixels[at] == 0) continue;
+        if (beyond.pixels[at] == 0 || isWithin(beyond, at, {x, y})) continue;
         const std::uint8_t* p = pixel(at);
         came_[at] = {p[0], p[1], p[2]};
         forNeighbours(at, {x, y}, free, [&](std::size_t next) { step(at, next, free); });
@@ -51,6 +51,13 @@ class Front {
   struct Place {
     int x, y;
   };
+  // Whether its neighbours are of the mask, too: the front does not set out there.
+  static bool isWithin(const image::Mask& mask, std::size_t at, Place place) {
+    if (place.x == 0 || place.y == 0 || place.x + 1 >= mask.width || place.y + 1 >= mask.height) return false;
+    const auto width = static_cast<std::size_t>(mask.width);
+    const std::uint8_t* p = mask.pixels.data();
+    return (p[at - 1] & p[at + 1] & p[at - width] & p[at + width]) != 0;
+  }
   template <class Visit>
   static void forNeighbours(std::size_t at, Place place, const image::Mask& mask, const Visit& visit) {
     const auto width = static_cast<std::size_t>(mask.width);
