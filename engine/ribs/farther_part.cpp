@@ -20,10 +20,11 @@ constexpr int kCoarse = kColourBins / kMerged;
 static_assert(kColourBins % kMerged == 0);
 constexpr std::size_t kCells = std::size_t{kCoarse} * kCoarse * kCoarse;
 // A part is farther out whose ends are at least so many times as far; nearer labels cost so much more.
-constexpr float kFarther = 1.15f, kNearCost = 1.5f;
+constexpr float kFarther = 1.15f, kNearCost = 1.25f;
 // It is taken if its colours are so much farther apart, after so many times its unevenness is taken off, and if
-// no rib costs more than this on the mean: a part that every rib speaks against is not the thing.
-constexpr double kClearly = 0.06, kUneven = 1.2, kMostDearer = 1;
+// ribs do not cost more than this on the mean: a part that every rib speaks against is not the thing. The one
+// after the next has to cost less.
+constexpr double kClearly = 0.05, kUneven = 1.2, kMostDearer = 1, kMostDearerTwice = 0.6;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -55,6 +56,19 @@ void chargeNear(const std::vector<int>& found, float cost, int levels, SideCosts
     for (std::size_t k = row; k < row + index(levels) && side.place[k] < least; ++k)
       side.unary[k] += cost;
   }
+}
+
+// The best part farther out than `nearer`, into `s.trial`; false if it costs more than `limit`.
+bool findFarther(const LengthLabels& nearer, double limit, Search& s) {
+  const float cost = kNearCost * static_cast<float>(shareOfRib(s));
+  s.ownLeft = s.problem.left.unary;
+  s.ownRight = s.problem.right.unary;
+  chargeNear(nearer.left, cost, s.problem.levels, s.problem.left);
+  chargeNear(nearer.right, cost, s.problem.levels, s.problem.right);
+  const bool found = findLabels(s.problem, limit, s.workspace, s.trial);
+  s.problem.left.unary.swap(s.ownLeft);
+  s.problem.right.unary.swap(s.ownRight);
+  return found && energyOf(s.problem, s.trial).total() <= limit;
 }
 
 }  // namespace
@@ -103,18 +117,16 @@ double unevenness(const GradientCurves& curves, const LengthLabels& ends) {
 
 void tryFarther(Search& s) {
   const double perRib = s.problem.ribs * shareOfRib(s);
-  const double limit = energyOf(s.problem, s.labels).total() + kMostDearer * perRib;
-  for (const bool left : {true, false}) {
-    SideCosts& side = left ? s.problem.left : s.problem.right;
-    (left ? s.nearUnary.left : s.nearUnary.right) = side.unary;
-    chargeNear(left ? s.labels.left : s.labels.right, kNearCost * static_cast<float>(shareOfRib(s)),
-               s.problem.levels, side);
+  const double found = energyOf(s.problem, s.labels).total(), score = scoreOf(s, s.labels);
+  s.nearer = s.labels;
+  for (const double dearer : {kMostDearer, kMostDearerTwice}) {
+    if (!findFarther(s.nearer, found + dearer * perRib, s)) return;
+    if (scoreOf(s, s.trial) > score + kClearly) {
+      std::swap(s.labels, s.trial);
+      return;
+    }
+    std::swap(s.nearer, s.trial);
   }
-  const bool found = findLabels(s.problem, limit, s.workspace, s.trial);
-  s.problem.left.unary.swap(s.nearUnary.left);
-  s.problem.right.unary.swap(s.nearUnary.right);
-  if (!found || energyOf(s.problem, s.trial).total() > limit) return;
-  if (scoreOf(s, s.trial) > scoreOf(s, s.labels) + kClearly) std::swap(s.labels, s.trial);
 }
 
 }  // namespace spineloft::ribs

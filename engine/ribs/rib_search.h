@@ -38,9 +38,8 @@ struct RibWorkspace::Search {
   LengthWorkspace workspace;
   EvenParts parts;
   LengthLabels labels, trial;
-  struct {
-    std::vector<float> left, right;
-  } nearUnary;  // of the problem, while tryFarther has others in it
+  LengthLabels nearer;                   // of tryFarther
+  std::vector<float> ownLeft, ownRight;  // costs of the problem, while tryFarther has others in it
   EndOutline ends[2];
   std::vector<float> marginals;
   std::vector<Rival> rivals;
@@ -86,8 +85,9 @@ void assume(const EvenPart& even, Search& s);
 void tryPart(std::size_t i, bool withColours, Search& s);
 /// After all parts had their turn: the chosen one's evidence, which costs, states and fans are read from.
 void supposeChosen(bool withColours, Search& s);
-/// After it: looks for the best part that reaches farther out on both sides, and takes it where, as a whole, its
-/// colours differ clearly more from those around it and no great cost speaks against it (farther_part.h).
+/// After it: looks for the best part that reaches farther out on both sides, and for the one after it, and takes
+/// the first that, as a whole, differs clearly more in its colours from what is around it, if no great cost speaks
+/// against it (farther_part.h).
 void tryFarther(Search& s);
 /// What one rib's energy counts for: less the more ribs there are.
 double shareOfRib(const Search& s);
