@@ -53,7 +53,7 @@ function printTable(title, rows, columns) {
 const builds = (stages) => Object.keys(stages);
 const rowsOf = (stages, kind) => Object.keys(stages.native).filter((name) => kind in stages.native[name]).map((name) => ({ name }));
 
-/** Least, median, 95th and 99th percentile of each stage, four columns per build; then the other numbers. */
+/** Least, median, 95th and 99th percentile of each stage, and the median of what it takes of the processor; then the other numbers. */
 function printStages(stages) {
   const columns = { 'stage times in ms': 'name' };
   const values = { value: 'name' };
@@ -62,6 +62,7 @@ function printStages(stages) {
     columns[build] = ({ name }) => stages[build][name]?.median_ms;
     columns[`${build} p95`] = ({ name }) => stages[build][name]?.p95_ms;
     columns[`${build} p99`] = ({ name }) => stages[build][name]?.p99_ms;
+    columns[`${build} cpu`] = ({ name }) => stages[build][name]?.cpu_ms;
     values[build] = ({ name }) => stages[build][name]?.value;
   }
   printTable('Stages', rowsOf(stages, 'median_ms'), columns);
