@@ -231,23 +231,32 @@ inline void addRuns(const Lanes& at, const Runs& runs, std::size_t g, Sums& sums
   }
 }
 
+// Segments of a stretch: `planes` begin with the first one of all, of which there are `count`.
+inline void addStretch(const Lanes& at, const Segments& planes, std::size_t count, std::size_t stretch, Sums& sums) {
+  const std::size_t first = stretch * kStretch, last = std::min(first + kStretch, count);
+  for (std::size_t i = first; i < last; i += kLanes) {
+    addSegments(at, {planes.startX + i, planes.startY + i, planes.alongX + i, planes.alongY + i, planes.reach + i}, sums);
+  }
+}
+
+// Apart, so that the short polylines' sum stays in registers.
+template <class Runs>
+[[gnu::noinline]] Sums sumOfGroups(const Lanes& at, const Segments& planes, std::size_t count, const Runs& stretches,
+                                   const Runs& groups) {
+  Sums sums;
+  const auto near = [&](std::size_t stretch) { addStretch(at, planes, count, stretch, sums); };
+  const auto open = [&](std::size_t group) { addRuns(at, stretches, group * kLanes, sums, near); };
+  for (std::size_t g = 0; g < groups.size(); g += kLanes) addRuns(at, groups, g, sums, open);
+  return sums;
+}
+
 D2Integral D2Field::quickIntegral(PicturePoint x) const {
   const Lanes at(x, points_[0]);
+  const Segments planes{startX_.data(), startY_.data(), alongX_.data(), alongY_.data(), reach_.data()};
+  if (groups_.size() > 0) return sumOfGroups(at, planes, startX_.size(), stretches_, groups_).total();
   Sums sums;
-  const auto addStretch = [&](std::size_t stretch) {
-    const std::size_t first = stretch * kStretch, last = std::min(first + kStretch, startX_.size());
-    for (std::size_t i = first; i < last; i += kLanes) {
-      addSegments(at, {&startX_[i], &startY_[i], &alongX_[i], &alongY_[i], &reach_[i]}, sums);
-    }
-  };
-  if (groups_.size() > 0) {
-    for (std::size_t g = 0; g < groups_.size(); g += kLanes) {
-      addRuns(at, groups_, g, sums,
-              [&](std::size_t group) { addRuns(at, stretches_, group * kLanes, sums, addStretch); });
-    }
-  } else {
-    for (std::size_t g = 0; g < stretches_.size(); g += kLanes) addRuns(at, stretches_, g, sums, addStretch);
-  }
+  const auto near = [&](std::size_t stretch) { addStretch(at, planes, startX_.size(), stretch, sums); };
+  for (std::size_t g = 0; g < stretches_.size(); g += kLanes) addRuns(at, stretches_, g, sums, near);
   return sums.total();
 }
 
