@@ -33,6 +33,26 @@ class Planner {
     return std::move(plan_);
   }
 
+  OpeningSide facing(const Step& step, const WorldPoint& direction) const {
+    const double length = std::sqrt(dot(direction, direction));
+    if (!(length > 0) || !std::isfinite(length)) return OpeningSide::Up;
+    constexpr double kHardly = 0.05;
+    OpeningSide best = OpeningSide::Up;
+    double most = -2;
+    // The ends of the bone come first in their order, before the sides of the world.
+    for (int i = static_cast<int>(OpeningSide::None) + 1; i < static_cast<int>(OpeningSide::kCount); ++i) {
+      const auto side = static_cast<OpeningSide>(i);
+      const bool isEnd = side == OpeningSide::Start || side == OpeningSide::End;
+      const auto out = isEnd ? endOf(step, side == OpeningSide::Start) : directionOf(step, side);
+      if (!out) continue;
+      const double faces = ((*out)[0] * direction.x + (*out)[1] * direction.y + (*out)[2] * direction.z) / length;
+      if (faces + (isEnd ? kHardly : 0) <= most) continue;
+      most = faces + (isEnd ? kHardly : 0);
+      best = side;
+    }
+    return best;
+  }
+
  private:
   /// The step's node; none while something in it has no shape.
   std::optional<std::size_t> add(const Step& step, std::size_t depth) {
@@ -56,7 +76,7 @@ class Planner {
     }
     if (step.kind == StepKind::Hollow) {
       node.wall = step.wall;
-      node.opening = directionOf(step);
+      node.opening = directionOf(step, step.opening.side);
       node.cut = node.opening ? step.opening.depth : 0;
       hasher.number(node.wall).number(node.cut).number(node.opening.has_value());
       if (node.opening) {
@@ -132,31 +152,31 @@ class Planner {
     return {m[0], m[3], m[6], 0, m[1], m[4], m[7], 0, m[2], m[5], m[8], 0, zero.x, zero.y, zero.z, 1};
   }
 
-  std::optional<std::array<double, 3>> directionOf(const Step& step) const {
-    switch (step.opening.side) {
-      case OpeningSide::Up: return {{0, 1, 0}};
+  std::optional<std::array<double, 3>> directionOf(const Step& step, OpeningSide side) const {
+    const std::array<double, 3> up{0, 1, 0};
+    switch (side) {
+      case OpeningSide::Up: return up;
       case OpeningSide::Down: return {{0, -1, 0}};
       case OpeningSide::Left: return {{-1, 0, 0}};
       case OpeningSide::Right: return {{1, 0, 0}};
       case OpeningSide::Front: return {{0, 0, 1}};
       case OpeningSide::Back: return {{0, 0, -1}};
-      case OpeningSide::Start: return endOf(step, true);
-      case OpeningSide::End: return endOf(step, false);
+      case OpeningSide::Start: return endOf(step, true).value_or(up);
+      case OpeningSide::End: return endOf(step, false).value_or(up);
       case OpeningSide::None:
       case OpeningSide::kCount: break;
     }
     return std::nullopt;
   }
 
-  /// The direction in which the bone of the step's first part leaves it; up when it has none.
+  /// The direction in which the bone of the step's first part leaves it; none when it has none.
   std::optional<std::array<double, 3>> endOf(const Step& step, bool start) const {
-    const std::array<double, 3> up{0, 1, 0};
     const std::vector<PartId> parts = partsIn(document_, {{}, step.id});
     const document::Part* part = parts.empty() ? nullptr : findPart(document_, parts.front());
     const pipeline::PartShape* shape = parts.empty() ? nullptr : shapeOf(parts.front());
-    if (part == nullptr || shape == nullptr || shape->centreLine.size() < 2) return up;
+    if (part == nullptr || shape == nullptr || shape->centreLine.size() < 2) return std::nullopt;
     const document::PictureEntry* entry = findPicture(document_, document::pictureOf(*part));
-    if (entry == nullptr) return up;
+    if (entry == nullptr) return std::nullopt;
     const pipeline::Copies copies = pipeline::copiesInWorld(*part, entry->size);
     const std::vector<ModelPoint>& line = shape->centreLine;
     const std::size_t n = line.size(), inner = std::min(n - 1, 1 + n / 8);
@@ -164,7 +184,7 @@ class Planner {
     const WorldPoint leaves = copies.begin()->along(way);
     std::array<double, 3> out{leaves.x, leaves.y, leaves.z};
     const double length = std::hypot(out[0], out[1], out[2]);
-    if (!(length > 0)) return up;
+    if (!(length > 0)) return std::nullopt;
     for (double& value : out) value /= length;
     return out;
   }
@@ -180,6 +200,11 @@ class Planner {
 SolidPlan planSolids(const Document& document, const pipeline::Derived& derived,
                      const Substitute* instead) {
   return Planner(document, derived, instead).plan();
+}
+
+document::OpeningSide sideFacing(const document::Document& document, const pipeline::Derived& derived,
+                                 const document::Step& step, const WorldPoint& direction) {
+  return Planner(document, derived, nullptr).facing(step, direction);
 }
 
 }  // namespace spineloft::publish

@@ -52,4 +52,9 @@ struct Substitute {
 SolidPlan planSolids(const document::Document& document, const pipeline::Derived& derived,
                      const Substitute* instead = nullptr);
 
+/// The side of a hollow step that faces a direction most (WorldSpace, any length): an end of its bone before a side of
+/// the world that faces it hardly more. Up for a direction without length.
+document::OpeningSide sideFacing(const document::Document& document, const pipeline::Derived& derived,
+                                 const document::Step& step, const WorldPoint& direction);
+
 }  // namespace spineloft::publish

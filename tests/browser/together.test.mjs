@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseStl, validated } from './support/model_files.mjs';
-import { drawWithMouse, exported, idle, onPage, openPicture, run, state, toastText, toClient, useSite } from './support/page.mjs';
+import { drawWithMouse, exported, idle, onPage, openPicture, run, state, tapWith, toastText, toClient, useSite } from './support/page.mjs';
 import { dataCases, samples } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -169,6 +169,73 @@ test('a scooped out part is as thin as its wall, open at its end, and says when 
   await run(page, 'show-trouble');
   await idle(page);
   assert.equal((await state(page)).selection, 1);
+}));
+
+/** The middle of what a line across the solid view meets first, in client pixels. */
+async function onSolid(page) {
+  await run(page, 'move');
+  await idle(page);
+  const box = await page.locator('canvas').first().boundingBox(), { gizmo } = await state(page), y = box.y + gizmo.at[1];
+  await run(page, 'draw');
+  await idle(page);
+  const met = [];
+  for (let x = box.x + gizmo.at[0] - 140; x < box.x + gizmo.at[0] + 140; x += 4) {
+    await page.mouse.move(x, y);
+    if ((await state(page)).hover.part === 1) met.push(x);
+    else if (met.length > 2) break;
+  }
+  assert.ok(met.length > 2, 'the solid is in view');
+  return { x: met[met.length >> 1], y };
+}
+
+test('a tap on the solid says where it is open, by mouse and by finger; a drag only turns it, Esc leaves it', () => withTwo(async (page) => {
+  await run(page, 'select-part', { id: 2 });
+  await run(page, 'delete-part');
+  await run(page, 'select-part', { id: 1 });
+  await run(page, 'scoop-out', { part: 1, wall: 0.008, opening: 'none' });
+  await idle(page);
+  const box = await page.locator('canvas').first().boundingBox(), middle = await onSolid(page);
+  assert.deepEqual([(await root(page)).opening, (await state(page)).pointing], ['none', false]);
+
+  // From the front, as the picture is seen.
+  await run(page, 'point-opening');
+  assert.equal((await state(page)).pointing, true);
+  const { undo } = await state(page);
+  await page.mouse.click(middle.x, middle.y);
+  await idle(page);
+  const open = await root(page);
+  assert.deepEqual([open.opening, open.status, (await state(page)).pointing, (await state(page)).undo], ['front', 'ready', false, undo + 1], open.sentence);
+  await lawful(page);
+  // The next tap chooses a part again.
+  await page.mouse.click(middle.x, middle.y);
+  await idle(page);
+  assert.equal((await root(page)).opening, 'front');
+
+  await run(page, 'point-opening');
+  await page.keyboard.press('Escape');
+  assert.equal((await state(page)).pointing, false);
+
+  // Beside the solid there is nothing to open; a drag turns it until its back is seen.
+  await run(page, 'point-opening');
+  await page.mouse.click(middle.x + 3, box.y + box.height - 12);
+  await idle(page);
+  assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front']);
+  const { camera } = await state(page);
+  for (let turned = 0; turned < 40 && Math.cos((await state(page)).camera.yaw - camera.yaw) > -0.97; turned += 1) {
+    await page.mouse.move(middle.x, middle.y);
+    await page.mouse.down();
+    await page.mouse.move(middle.x + 20, middle.y);
+    await page.mouse.move(middle.x + 40, middle.y);
+    await page.mouse.up();
+    await idle(page);
+  }
+  assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front'], 'it was only turned');
+  await tapWith(page, 1, await onSolid(page));
+  const back = await root(page);
+  assert.deepEqual([back.opening, back.status, (await state(page)).pointing], ['back', 'ready', false], back.sentence);
+  await run(page, 'undo');
+  await idle(page);
+  assert.equal((await root(page)).opening, 'front');
 }));
 
 test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', async () => {

@@ -58,6 +58,8 @@ Outcome cancel(Env env, const Json&) {
   } else if (env.ui.pictureMenu || env.ui.sketching.menu != PenMenu::None) {
     env.ui.pictureMenu = {};
     env.ui.sketching.menu = PenMenu::None;
+  } else if (env.ui.solids.pointing) {
+    env.ui.solids.pointing = false;
   } else if (env.ui.preview) {
     env.ui.preview.reset();
   } else if (env.ui.redraw) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/publish/solid_plan.h"
 #include "web/app/colour_text.h"
 #include "web/app/command_actions.h"
 #include "web/app/command_args.h"
@@ -65,6 +66,8 @@ std::optional<std::vector<Operand>> meant(Env env, const Json& args) {
 bool severalRoots(Env env) { return rootsOf(env.studio.document()).size() >= 2; }
 bool hasSteps(Env env) { return !env.studio.document().steps.empty(); }
 bool hasStep(Env env) { return chosenStep(env) != nullptr; }
+bool hasHollow(Env env) { return hasStep(env) && chosenStep(env)->kind == StepKind::Hollow; }
+bool isPointing(Env env) { return env.ui.solids.pointing; }
 bool canHollow(Env env) { return hasStep(env) || hasSelection(env); }
 bool hasTrouble(Env env) {
   return std::ranges::any_of(env.studio.derived().steps,
@@ -124,6 +127,15 @@ Outcome readHollow(Env env, const Json& args, double& wall, document::Opening& o
   return {};
 }
 
+/// [x, y, z] under `towards`.
+std::optional<WorldPoint> directionOf(const Json& args) {
+  const Json* list = args.find("towards");
+  if (list == nullptr || list->array() == nullptr || list->array()->size() != 3) return std::nullopt;
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < 3; ++i) values[i] = (*list->array())[i].number().value_or(0);
+  return WorldPoint{values[0], values[1], values[2]};
+}
+
 Outcome scoopOut(Env env, const Json& args) {
   document::CombineParts action;
   action.kind = StepKind::Hollow;
@@ -152,6 +164,11 @@ Outcome setStep(Env env, const Json& args) {
     for (int i = 0; i < static_cast<int>(StepKind::kCount); ++i) {
       if (document::stepKindKey(static_cast<StepKind>(i)) == *name) action.kind = static_cast<StepKind>(i);
     }
+  }
+  if (const auto towards = directionOf(args)) {
+    // What was tapped looks this way.
+    action.opening.side = publish::sideFacing(env.studio.document(), env.studio.derived(), *step, *towards);
+    env.ui.solids.pointing = false;
   }
   const std::string burst = "set-step:" + std::to_string(step->id.value);
   const document::Action actions[] = {action};
@@ -213,11 +230,18 @@ Outcome selectStep(Env env, const Json& args) {
   const Json* id = args.find("id");
   if (id != nullptr && (id->isNull() || id->number() == 0)) {
     env.ui.solids.step = {};
+    env.ui.solids.pointing = false;
     return {};
   }
   const Step* step = stepOf(env, args);
   if (step == nullptr) return noStep();
+  if (env.ui.solids.step != step->id) env.ui.solids.pointing = false;
   env.ui.solids.step = step->id;
+  return {};
+}
+
+Outcome pointOpening(Env env, const Json& args) {
+  env.ui.solids.pointing = args.flag("on").value_or(!env.ui.solids.pointing);
   return {};
 }
 
@@ -298,6 +322,8 @@ constexpr std::array kTable = {
             "Undo the solid; its parts stay", hasStep, nullptr, release},
     Command{"set-step", "Opening", "cup-soda", "", "part", {"opening", openings},
             "Where the hollow solid is open", hasStep, nullptr, setStep},
+    Command{"point-opening", "Tap the opening", "crosshair", "", "part", {},
+            "Then tap the solid where it is to be open", hasHollow, isPointing, pointOpening},
     Command{"order-operands", "Next part first", "rows-2", "", "part", {},
             "Another part becomes the main one", hasStep, nullptr, orderOperands},
     Command{"show-step", "Show or hide solid", "eye", "", "part", {}, "Hide the solid, or show it again", hasStep, nullptr, showStep},

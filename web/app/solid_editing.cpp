@@ -74,7 +74,9 @@ std::vector<Operand> rootsOf(const document::Document& document) {
 }
 
 void settleSolids(const document::Document& document, UiState& ui) {
-  if (!findStep(document, ui.solids.step)) ui.solids.step = {};
+  const document::Step* chosen = findStep(document, ui.solids.step);
+  if (chosen == nullptr) ui.solids.step = {};
+  if (chosen == nullptr || chosen->kind != document::StepKind::Hollow) ui.solids.pointing = false;
   std::erase_if(ui.solids.picked, [&](const Operand& o) { return !isRoot(document, o); });
   std::erase_if(ui.solids.folded, [&](StepId id) { return findStep(document, id) == nullptr; });
 }
@@ -113,6 +115,7 @@ void writeSolids(JsonWriter& json, const CommandEnv& env) {
   writeOperands(json, env.ui.solids.picked);
   json.key("selectedStep");
   env.ui.solids.step ? json.number(env.ui.solids.step.value) : json.null();
+  json.key("pointing").flag(env.ui.solids.pointing);
 }
 
 }  // namespace spineloft::app

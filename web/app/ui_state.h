@@ -167,6 +167,7 @@ struct SeenPicture {
 /// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.
 struct SolidUi {
   StepId step;                             ///< the chosen solid
+  bool pointing = false;                   ///< a tap on it says where it is open
   std::vector<document::Operand> picked;   ///< ticked, in this order
   std::vector<StepId> folded;              ///< whose parts the list does not show
 };

@@ -71,6 +71,9 @@ void openingChooser(const PanelEnv& env, const document::Step& step, float width
       env.sink.run("set-step", app::Json::Object{{"step", step.id.value}, {"opening", key}});
     }
   }
+  const bool pointing = env.ui().solids.pointing;
+  const char* text = pointing ? "Now tap the solid there" : "Tap the place on the solid";
+  if (textButton(env, {"point", text, pointing, true, side, width})) env.sink.run("point-opening", {});
 }
 
 void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {

@@ -166,6 +166,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
   using app::ToolKind;
   const app::Hover& hover = ui.hover;
   if (view == app::Focus::Solid) {
+    if (ui.solids.pointing) return hover.part ? "crosshair" : "grab";
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.depth >= 0) return "ns-resize";
     return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";

@@ -1,6 +1,26 @@
 #include "web/tools/turn_solid.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace spineloft::tools {
+namespace {
+
+/// The chosen hollow solid opens where the ray meets what it is made of.
+void pointOpening(const ToolEnv& env, const app::Ray& ray) {
+  const StepId step = env.ui.solids.step;
+  const std::vector<PartId> own = document::partsIn(env.document, {{}, step});
+  std::vector<PartId> others;
+  for (const document::Part& part : env.document.parts) {
+    if (std::ranges::find(own, part.id) == own.end()) others.push_back(part.id);
+  }
+  const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray, others);
+  if (!hit) return;
+  const app::Json::Array towards{hit.normal.x, hit.normal.y, hit.normal.z};
+  env.sink.run("set-step", app::Json::Object{{"step", step.value}, {"towards", towards}});
+}
+
+}  // namespace
 
 void TurnSolid::begin(const ToolEnv&, const ToolEvent& event) {
   watch_.begin(event);
@@ -23,6 +43,10 @@ void TurnSolid::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
   const app::Ray ray{env.ui.camera.eye(),
                      app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
+  if (env.ui.solids.pointing) {
+    pointOpening(env, ray);
+    return;
+  }
   const PartId part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", adds_}});
 }

@@ -179,6 +179,36 @@ TEST_CASE("a part and its twin are one thing to cut with") {
   CHECK(twins.operands[0].part == twins.operands[1].part);
 }
 
+TEST_CASE("what was tapped opens the side that faces there most, an end of the bone before a side no better") {
+  Rng rng(43);
+  Deriving derive;
+  const Document base = after(withParts(1), combine(StepKind::Hollow, {part(1)}));
+  int ends = 0;
+  for (int round = 0; round < 60; ++round) {
+    const Document document = after(base, PlaceParts{{{PartId{1}, randomPlacement(rng), {}}}});
+    const WorldPoint towards{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    const Step& hollow = *findStep(document, StepId{1});
+    const OpeningSide chosen = publish::sideFacing(document, derive(document), hollow, towards);
+    const auto faces = [&](OpeningSide side) {
+      const Document open = after(document, SetStep{StepId{1}, StepKind::Hollow, 0, 0.02, {side, 0}});
+      const std::array<double, 3> way = rootNode(publish::planSolids(open, derive(open))).opening.value();
+      return way[0] * towards.x + way[1] * towards.y + way[2] * towards.z;
+    };
+    const bool end = chosen == OpeningSide::Start || chosen == OpeningSide::End;
+    const double most = faces(chosen), slack = 0.05 * norm(towards) + 1e-9;
+    for (int i = static_cast<int>(OpeningSide::Start); i < static_cast<int>(OpeningSide::kCount); ++i) {
+      const auto side = static_cast<OpeningSide>(i);
+      CHECK(faces(side) <= most + (end ? slack : 1e-9));
+    }
+    CHECK((end || std::max(faces(OpeningSide::Start), faces(OpeningSide::End)) < most));
+    ends += end;
+  }
+  CHECK(ends > 5);
+  CHECK(ends < 55);
+  const Step& hollow = *findStep(base, StepId{1});
+  CHECK(publish::sideFacing(base, derive(base), hollow, {}) == OpeningSide::Up);
+}
+
 TEST_CASE("a solid with a part that has no shape is not asked for, the others are") {
   Deriving derive;
   Document document = after(withParts(4), combine(StepKind::Join, {part(1), part(2)}));

@@ -257,6 +257,56 @@ TEST_CASE("a round seam follows the hand as a coarse solid") {
   CHECK(rig.settle());
 }
 
+TEST_CASE("a tap on the solid says where it is open, once; a drag, a miss and Esc say nothing") {
+  using platform::PointerKind;
+  Stuck rig;
+  rig.run("delete-part", R"({"id": 2})");
+  rig.run("select-part", R"({"id": 1})");
+  rig.run("scoop-out", R"({"part": 1, "opening": "none"})");
+  rig.settle();
+  rig.run("move");
+  rig.settle();
+  const Json gizmo = *rig.state().find("gizmo");
+  const double x = *(*gizmo.find("at")->array())[0].number(), y = *(*gizmo.find("at")->array())[1].number();
+  rig.run("draw");
+  rig.settle();
+  const auto opening = [&] { return *rig.step().text("opening"); };
+  const auto pointing = [&] { return rig.state().flag("pointing").value(); };
+  REQUIRE(opening() == "none");
+  rig.click(x, y);
+  CHECK(opening() == "none");
+  rig.run("select-step", R"({"id": 1})");
+
+  rig.run("point-opening");
+  REQUIRE(pointing());
+  rig.key("Escape", "Escape");
+  CHECK_FALSE(pointing());
+
+  rig.run("point-opening");
+  rig.pointer(PointerKind::Down, x, y);
+  for (int i = 1; i <= 5; ++i) rig.pointer(PointerKind::Move, x + 0.1 * i, y + 12 * i);
+  rig.pointer(PointerKind::Up, x, y + 60);
+  rig.settle();
+  CHECK(pointing());
+  CHECK(opening() == "none");
+  // Back to the front, and a place where nothing is.
+  rig.pointer(PointerKind::Down, x, y + 60);
+  for (int i = 1; i <= 5; ++i) rig.pointer(PointerKind::Move, x, y + 60 - 12 * i);
+  rig.pointer(PointerKind::Up, x, y);
+  rig.click(x, 690);
+  CHECK(pointing());
+  CHECK(opening() == "none");
+  rig.click(x, y);
+  CHECK_FALSE(pointing());
+  CHECK(opening() == "front");
+
+  // Another solid, or none, is not asked for its opening.
+  rig.run("point-opening");
+  rig.run("select-step", R"({"id": null})");
+  CHECK_FALSE(pointing());
+  CHECK_FALSE(rig.run("point-opening").flag("ok").value_or(true));
+}
+
 TEST_CASE("the solver hears which part of a solid is chosen, once, and when none is") {
   Stuck rig;
   rig.answer(rig.lastAsked());
