@@ -195,12 +195,8 @@ Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture,
       break;
   }
   const int part = step_ - kFirstPart;
-  if (index(part) < s.parts.count) {
-    tryPart(index(part), true, s);
-    return Done{};
-  }
-  supposeChosen(true, s);
-  tryFarther(s);
+  tryPart(index(part), true, s);
+  if (index(part + 1) < s.parts.count) return Done{};
   stiffLengths(s);
   learn(s, learned_);
   step_ = kIdle;

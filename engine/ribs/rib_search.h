@@ -83,9 +83,7 @@ void assume(const EvenPart& even, Search& s);
 /// object's where they count, for only then the energies of parts can be compared. `s.labels` are those
 /// of the best so far.
 void tryPart(std::size_t i, bool withColours, Search& s);
-/// After all parts had their turn: the chosen one's evidence, which costs, states and fans are read from.
-void supposeChosen(bool withColours, Search& s);
-/// After it: looks for the best part that reaches farther out on both sides, and for the one after it, and takes
+/// After all parts had their turn, with the chosen one supposed: looks for the best part that reaches farther out on both sides, and for the one after it, and takes
 /// the first that, as a whole, differs clearly more in its colours from what is around it, if no great cost speaks
 /// against it (farther_part.h).
 void tryFarther(Search& s);

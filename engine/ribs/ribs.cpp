@@ -224,17 +224,14 @@ void tryPart(std::size_t i, bool withColours, Search& s) {
   s.labels = s.trial;
 }
 
-void supposeChosen(bool withColours, Search& s) {
-  if (s.contest.last != s.contest.chosen) suppose(s.contest.chosen, withColours, s);
-}
-
 namespace {
 
 // The labels of least energy under the best of the even parts.
 void bestLabels(bool withColours, Search& s) {
   s.contest = {};
   for (std::size_t i = 0; i < s.parts.count; ++i) tryPart(i, withColours, s);
-  supposeChosen(withColours, s);
+  // States and fans are read from its evidence.
+  if (s.contest.last != s.contest.chosen) suppose(s.contest.chosen, withColours, s);
 }
 
 const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s) {
