@@ -175,9 +175,9 @@ std::optional<UsageProblem> readOutputs(const Words& words, LoftArguments& loft)
 }
 
 Arguments parseLoft(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 11> kKnown{
-      "--stroke", "--stroke-name", "--recipe", "--section", "--caps",     "--height-mm",
-      "--out",    "--mask",        "--ribs",   "--report",  "--obj-space"};
+  static constexpr std::array<std::string_view, 12> kKnown{
+      "--stroke",    "--stroke-name", "--stroke-ends", "--recipe", "--section", "--caps",
+      "--height-mm", "--out",         "--mask",        "--ribs",   "--report",  "--obj-space"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   LoftArguments loft;
@@ -193,6 +193,13 @@ Arguments parseLoft(std::span<const std::string_view> rest) {
   }
   if (!loft.recipe.empty() && (words.has("--section") || words.has("--caps"))) {
     return UsageProblem{"The section and the caps stand in the recipe; leave --section and --caps out."};
+  }
+  if (words.has("--stroke-ends")) {
+    const std::string& ends = words.option("--stroke-ends");
+    if (ends != "cut" && ends != "keep") {
+      return UsageProblem{"What to do with the stroke's ends must be cut or keep."};
+    }
+    loft.wholeStroke = ends == "keep";
   }
   if (const auto problem = readShape(words, loft)) return *problem;
   if (const auto problem = readOutputs(words, loft)) return *problem;
@@ -228,11 +235,22 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
   return open;
 }
 
+/// A number from 0 to `most`, where the option is given.
+std::optional<UsageProblem> readShare(const Words& words, std::string_view option, std::string_view what,
+                                      int most, double& share) {
+  if (!words.has(option)) return std::nullopt;
+  const auto value = numberOf(words.option(option));
+  if (!value || !(*value >= 0 && *value <= most)) {
+    return UsageProblem{std::string(what) + " must be a number from 0 to " + std::to_string(most) + "."};
+  }
+  share = *value;
+  return std::nullopt;
+}
+
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 8> kKnown{"--json",      "--jobs",
-                                                          "--overlays",  "--ablation",
-                                                          "--variation", "--leave-one-out",
-                                                          "--erase",     "--live"};
+  static constexpr std::array<std::string_view, 9> kKnown{
+      "--json",          "--jobs",  "--overlays",  "--ablation", "--variation",
+      "--leave-one-out", "--erase", "--overshoot", "--live"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -262,13 +280,8 @@ Arguments parseBench(std::span<const std::string_view> rest) {
     }
     bench.live = static_cast<int>(*moves);
   }
-  if (words.has("--erase")) {
-    const auto share = numberOf(words.option("--erase"));
-    if (!share || !(*share >= 0 && *share <= 1)) {
-      return UsageProblem{"The share to erase must be a number from 0 to 1."};
-    }
-    bench.erase = *share;
-  }
+  if (const auto problem = readShare(words, "--erase", "The share to erase", 1, bench.erase)) return *problem;
+  if (const auto problem = readShare(words, "--overshoot", "The overshoot", 3, bench.overshoot)) return *problem;
   return bench;
 }
 
@@ -299,6 +312,7 @@ std::string usageText() {
           "  --stroke FILE        JSON: a list of [x, y] picture pixels, or {\"spines\": {name: "
           "list}}\n"
           "  --stroke-name NAME   which of the spines (default: the first)\n"
+          "  --stroke-ends WHAT   cut (default): what clearly went past the thing is left off; keep\n"
           "  --recipe FILE        instead of --section and --caps: JSON of a part or of a whole\n"
           "                       document, as projects hold it; then IMAGE and --stroke are only\n"
           "                       needed where the recipe has no picture or no stroke of its own\n"
@@ -323,7 +337,7 @@ std::string usageText() {
           "  the edges that were found, as large as the picture\n\n"
           "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
           "                [--ablation FILE.md] [--leave-one-out FILE.md] [--erase SHARE]\n"
-          "                [--live MOVES]\n"
+          "                [--overshoot HALF_WIDTHS] [--live MOVES]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

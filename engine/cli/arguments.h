@@ -28,6 +28,7 @@ struct LoftArguments {
   std::string out, mask, ribs, report;
   publish::Format format = publish::Format::Glb;  ///< of `out`
   bool objInPicture = false;                      ///< OBJ in picture pixels, y down
+  bool wholeStroke = false;  ///< the stroke is not cut to the thing under it (ribs/overshoot.h)
 };
 
 struct EdgesArguments {
@@ -49,6 +50,7 @@ struct BenchArguments {
   std::string variation = "product";  ///< which of them the rows and overlays are of
   int jobs = 1;                ///< 1…64
   int live = 0;                ///< moves in which every stroke is drawn once more (live_score.h), 10…1000; 0: none
+  double overshoot = 0;        ///< how far strokes go past the thing's ends (overshot_stroke.h), 0…3
   double erase = 0;            ///< share of every outline to blur away first (erased_outline.h), 0…1
 };
 

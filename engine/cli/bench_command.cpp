@@ -17,6 +17,7 @@
 
 #include "engine/cli/bench_cases.h"
 #include "engine/cli/erased_outline.h"
+#include "engine/cli/overshot_stroke.h"
 #include "engine/cli/files.h"
 #include "engine/cli/leave_one_out.h"
 #include "engine/cli/live_score.h"
@@ -29,6 +30,7 @@
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
+#include "engine/ribs/overshoot.h"
 #include "engine/vision/edges.h"
 
 namespace spineloft::cli {
@@ -126,7 +128,8 @@ class Bench {
                                 const Truth& truth, const std::vector<PicturePoint>& stroke,
                                 io::BenchRow& row) const {
     const image::Size size{one.picture.width, one.picture.height};
-    const Result<pipeline::PartShape> made = makePart(stroke, edges, size);
+    const Result<pipeline::PartShape> made =
+        makePart(overshot(truth, stroke, arguments_.overshoot), edges, size);
     if (!made.ok()) {
       row.failure = errorName(made.error());
       addScore(scorePart(truth, {}, stroke, {}), row.numbers);
@@ -164,6 +167,7 @@ class Bench {
     recipe.stroke = stroke;
     recipe.ribs = variation_.params;
     if (variation_.variant == ribs::TraceVariant{}) {
+      recipe.stroke = ribs::strokeOnThing(stroke, {edges, size}, recipe.spine, recipe.ribs);
       return pipeline::shapePart(recipe, edges, size, Progress(), nowMs);
     }
     Result<ribs::Spine> spine = ribs::cleanSpine(stroke, size, recipe.spine);

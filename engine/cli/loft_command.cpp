@@ -91,14 +91,30 @@ Result<document::Document> follow(const LoftArguments& arguments, image::Picture
   return document::update(document.value(), document::SetHeight{Millimetres{*arguments.heightMm}});
 }
 
+/// The document with its only stroke cut to the thing under it, as the page does when the pen lifts.
+/// `cache` has the edges.
+Result<document::Document> onThing(const document::Document& document, pipeline::Cache& cache) {
+  const document::Part& part = document.parts.front();
+  const document::LoftRecipe& recipe = *document::loftOf(part);
+  std::vector<PicturePoint> stroke = pipeline::strokeOnThing(document, recipe, cache);
+  if (stroke == recipe.stroke) return document;
+  return document::update(document, document::RedrawSpine{part.id, std::move(stroke)});
+}
+
 /// Every part of the document with its shape. Error: the first failure of one of them.
-Result<Model> deriveModel(document::Document document, io::NamedNumbers milliseconds) {
+Result<Model> deriveModel(document::Document document, bool cut, io::NamedNumbers milliseconds) {
   if (document.parts.empty()) return Error::NothingToExport;
   pipeline::Cache cache;
   double edgesMs = 0;
   Result<pipeline::Derived> derived =
       pipeline::deriveWithEdges(document, cache, Progress(), nowMs, &edgesMs);
   if (!derived.ok()) return derived.failure();
+  if (cut) {
+    Result<document::Document> shorter = onThing(document, cache);
+    if (!shorter.ok()) return shorter.failure();
+    document = std::move(shorter).value();
+    derived = pipeline::derive(document, cache, nowMs);
+  }
   double ribsMs = 0, loftMs = 0;
   for (std::size_t i = 0; i < document.parts.size(); ++i) {
     const pipeline::DerivedPart& part = derived.value().parts[i];
@@ -135,7 +151,8 @@ Result<Model> makeModel(const LoftArguments& arguments) {
     if (!arguments.recipe.empty()) return document.failure();
     return {document.error(), arguments.stroke};
   }
-  return deriveModel(std::move(document).value(), {{"decode", decoded - started}});
+  const bool cut = arguments.recipe.empty() && !arguments.wholeStroke;
+  return deriveModel(std::move(document).value(), cut, {{"decode", decoded - started}});
 }
 
 /// What only makes sense for one part is not asked of several. Error: JsonInvalid.

@@ -9,15 +9,18 @@
 
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_texture.h"
+#include "engine/ribs/overshoot.h"
 
 namespace spineloft::pipeline {
 namespace {
 
 double nowMs(const Clock& clock) { return clock ? clock() : 0.0; }
 
+// Null where nothing is scribbled over.
 Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
     const document::LoftRecipe& recipe, const document::PictureEntry& entry,
     const image::EdgeMap& edges, Cache& cache) {
+  if (entry.ignored.empty() && recipe.ignored.empty()) return std::shared_ptr<const ribs::IgnoredEdges>{};
   const std::uint64_t key = ignoredKey(recipe, entry);
   std::shared_ptr<const ribs::IgnoredEdges> known = cache.ignored(key);
   if (known) return known;
@@ -44,7 +47,7 @@ Result<PartShape> loftShape(const document::LoftRecipe& recipe,
   std::shared_ptr<const TracedRibs> traced = edges ? cache.traced(key, preview) : nullptr;
   if (!traced) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
-    if (edges && !(entry.ignored.empty() && recipe.ignored.empty())) {
+    if (edges) {
       Result<std::shared_ptr<const ribs::IgnoredEdges>> found =
           ignoredEdgesOf(recipe, entry, *edges, cache);
       if (!found) return found.failure();
@@ -191,6 +194,21 @@ Result<PartShape> liveShape(const document::Document& document, const document::
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
   return shapeOf(recipe, *entry, cache, Purpose::Live, clock);
+}
+
+std::vector<PicturePoint> strokeOnThing(const document::Document& document,
+                                        const document::LoftRecipe& recipe, Cache& cache) {
+  const document::PictureEntry* entry = findPicture(document, recipe.picture);
+  const auto edges = entry ? cache.edges(entry->contentHash) : nullptr;
+  if (!edges) return recipe.stroke;
+  const auto ignored = ignoredEdgesOf(recipe, *entry, *edges, cache);
+  if (!ignored) return recipe.stroke;
+  try {
+    return ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()},
+                               recipe.spine, recipe.ribs);
+  } catch (const std::bad_alloc&) {
+    return recipe.stroke;
+  }
 }
 
 Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache,

@@ -74,6 +74,11 @@ Result<PartShape> previewShape(const document::Document& document,
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
                             Cache& cache, const Clock& clock = {});
 
+/// The recipe's stroke as far as it lies on the thing under it, by the edges known so far
+/// (ribs::strokeOnThing); the stroke itself where none are. Picture pixels.
+std::vector<PicturePoint> strokeOnThing(const document::Document& document,
+                                        const document::LoftRecipe& recipe, Cache& cache);
+
 /// As `derive`, but finds missing edges on the calling thread first (command line, tests). `edgesMs`,
 /// when given, receives the time they took.
 /// Errors: those of detectEdges. Failures of single parts stay in their DerivedPart.

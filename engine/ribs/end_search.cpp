@@ -9,8 +9,6 @@ namespace {
 constexpr int kMostFree = 3;
 // An end whose last ribs reach less than this share of a half width beyond the stroke bends round nothing.
 constexpr double kBent = 0.25;
-// By how much less it must cost with them free, about an edge more: ends shall not flicker under the pen.
-constexpr double kClearlyBetter = 1;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -101,7 +99,7 @@ EndFan findEnd(bool atStart, RibSet& set, Search& s) {
   const double cost = held.cost + end.costOf(left, true) + end.costOf(right, false);
   const double far = std::max(
       {end.farthest(held), end.farthest(left, &Rib::left), end.farthest(right, &Rib::right)});
-  if (freed.cost > cost - kClearlyBetter || end.farthest(freed) > far) return fanOf(last, held);
+  if (freed.cost > cost || end.farthest(freed) > far) return fanOf(last, held);
   for (int i = 0; i < left; ++i) end.move(left - 1 - i, true, freed, i);
   for (int i = 0; i < right; ++i) end.move(i, false, freed, left + s.curves.layout.fan + i);
   return fanOf(before, freed);

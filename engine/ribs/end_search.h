@@ -9,7 +9,7 @@ namespace spineloft::ribs {
 /// Where the part ends beyond the stroke's start or end: the fan of that end. Near the end of a wide part the
 /// last ribs run round it, and neighbours and the width so far may have held them beyond it. So the end
 /// is looked for twice, from the last ribs as they are, and with all ribs that reach beyond the stroke
-/// free to find it too; where that explains the picture clearly better and the part goes no farther, these ribs
+/// free to find it too; where that explains the picture better and the part goes no farther, these ribs
 /// of `set` are moved to it. O((ribs moved + fan) · levels).
 EndFan findEnd(bool atStart, RibSet& set, Search& s);
 

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseObj, parseStl, validated } from './support/model_files.mjs';
-import { difference, drawWithMouse, exported, idle, kEngines, onPage, openPicture, pixels, run, state, useSite } from './support/page.mjs';
-import { dataCases, samples, tubePicture } from './support/pictures.mjs';
+import { difference, drawWithMouse, exported, idle, kEngines, onPage, openPicture, pixels, run, state, toastText, useSite } from './support/page.mjs';
+import { dataCases, paintedPng, samples, tubePicture } from './support/pictures.mjs';
 import { loadWithThree } from './support/three.mjs';
 
 const kit = useSite();
@@ -54,6 +54,27 @@ for (const engine of kEngines) {
       assert.ok(Math.abs(width - 2 * tube.half) < 12, `rib of ${width} px on a tube of ${2 * tube.half}`);
       assert.deepEqual([rib.leftState, rib.rightState].filter((side) => !['edge', 'bridged', 'guessed'].includes(side)), []);
     }
+  }));
+
+  test(`${engine.name}: a line drawn past the ends of a thing stops where the thing does, and says so`, () => onPage(kit, { isolated: engine.isolated }, async (page) => {
+    const [from, to, middle, half] = [100, 380, 180, 30];
+    const bar = paintedPng(480, 360, (x, y) => (x >= from && x <= to && Math.abs(y - middle) <= half ? [60, 90, 150] : [235, 230, 220]));
+    await openPicture(page, bar, 'bar.png');
+    const along = (first, last) => Array.from({ length: 30 }, (_, i) => [first + ((last - first) * i) / 29, middle]);
+    const drawn = async (points) => {
+      await drawWithMouse(page, points);
+      await idle(page);
+      return (await state(page)).parts.at(-1).ribs;
+    };
+    const past = await drawn(along(from - 40, to + 50));
+    assert.match(await toastText(page, 'status'), /past the end/);
+    for (const rib of past) {
+      for (const [x] of [rib.left, rib.right]) assert.ok(x > from - 4 && x < to + 4, `a rib at ${x}`);
+    }
+    assert.ok(Math.min(...past.map((rib) => rib.left[0])) < from + 20 && Math.max(...past.map((rib) => rib.left[0])) > to - 20, 'and it reaches the ends');
+    await run(page, 'undo');
+    const within = await drawn(along(from + 30, to - 30));
+    assert.ok(Math.abs(within[0].center[0] - (from + 30)) < 3 && Math.abs(within.at(-1).center[0] - (to - 30)) < 3, 'a line on the thing stays as it is');
   }));
 
   test(`${engine.name}: undo and redo by button, key and API`, () => withTube(engine, async (page) => {

@@ -83,6 +83,9 @@ document::Look currentLook(const CommandEnv& env) {
   return part ? part->look : env.ui.look;
 }
 
+constexpr std::string_view kCutSentence =
+    "Your line went past the end, so it stops where the thing does. Pull the end of the bone to go on.";
+
 Outcome drawSpine(Env env, const Json& args) {
   std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
@@ -105,10 +108,16 @@ Outcome drawSpine(Env env, const Json& args) {
   document::LoftRecipe recipe;
   recipe.picture = draw.picture;
   recipe.stroke = draw.stroke;
+  // Depths belong to the places of the whole line.
+  const bool cut = args.flag("cut").value_or(false) && draw.depth.empty();
+  if (cut) draw.stroke = env.studio.strokeOnThing(recipe);
+  const bool shorter = draw.stroke != recipe.stroke;
+  recipe.stroke = draw.stroke;
   recipe.loft.sections.front().shape = draw.section;
   recipe.pose.depth = draw.depth;
   const Status status = env.studio.act(standingActions(env, std::move(draw), recipe));
   if (!status) return refuse(status.failure());
+  if (shorter) sendInfo(env.host, kCutSentence);
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.redraw = {};
   env.ui.framePending = true;

@@ -379,6 +379,10 @@ Result<pipeline::PartShape> Studio::previewLive(const document::Recipe& recipe) 
   return pipeline::liveShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
 }
 
+std::vector<PicturePoint> Studio::strokeOnThing(const document::LoftRecipe& recipe) {
+  return pipeline::strokeOnThing(document(), recipe, cache_);
+}
+
 Status Studio::save(publish::Format format) {
   derived();
   if (!solids_.busy() && !textures_.busy()) return saveNow(format);

@@ -60,6 +60,9 @@ class Studio {
   /// The same while its stroke is being drawn (pipeline::liveShape).
   Result<pipeline::PartShape> previewLive(const document::Recipe& recipe);
 
+  /// A stroke as far as it lies on the thing under it (pipeline::strokeOnThing).
+  std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
+
   /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
   Status save(publish::Format format);
   /// The file, now and here.

@@ -50,6 +50,7 @@ void DrawSpine::commit(const ToolEnv& env) {
   env.ui.preview.reset();
   app::Json::Object args{{"stroke", strokeJson(recipe.stroke)}};
   if (redraw) args.emplace_back("part", redraw.value);
+  if (!redraw) args.emplace_back("cut", true);
   if (!redraw && !recipe.pose.depth.empty()) args.emplace_back("depth", curveJson(recipe.pose.depth));
   env.sink.run(redraw ? "redraw-spine" : "draw-spine", std::move(args));
 }
