@@ -72,6 +72,9 @@ for (const engine of kEngines) {
       for (const [x] of [rib.left, rib.right]) assert.ok(x > from - 4 && x < to + 4, `a rib at ${x}`);
     }
     assert.ok(Math.min(...past.map((rib) => rib.left[0])) < from + 20 && Math.max(...past.map((rib) => rib.left[0])) > to - 20, 'and it reaches the ends');
+    const beside = await drawn(along(from - 40, to + 50));
+    assert.ok(beside[0].center[0] < from - 30, 'beside a part a line stays as it is: it may be meant to reach into it');
+    await run(page, 'undo');
     await run(page, 'undo');
     const within = await drawn(along(from + 30, to - 30));
     assert.ok(Math.abs(within[0].center[0] - (from + 30)) < 3 && Math.abs(within.at(-1).center[0] - (to - 30)) < 3, 'a line on the thing stays as it is');

@@ -93,7 +93,7 @@ model('a tap of three pipes', 'render_faucet_spout', async (page) => {
 
 model('a swan of lofts, puffs and wings', 'photo_swan_neck', async (page) => {
   await loft(page, [[221, 519], [227, 436], [250, 325], [274, 241], [286, 176], [260, 130]], { start: 'round', end: 'round' });
-  await loft(page, [[223, 165], [195, 186], [160, 215]], { start: 'round', end: 'pointed' });
+  await loft(page, [[250, 145], [223, 165], [195, 186], [160, 215]], { start: 'round', end: 'pointed' });
   await command(page, 'puff');
   await drawWithMouse(page, [[121, 519], [148, 464], [204, 408], [269, 380], [352, 388], [403, 394], [445, 454], [468, 519], [427, 531], [278, 536], [167, 536], [122, 521]]);
   await drawWithMouse(page, [[262, 127], [257, 136], [247, 138], [239, 131], [241, 121], [250, 117], [259, 120], [262, 127]].map(([x, y]) => [x - 6, y]));

@@ -108,8 +108,8 @@ Outcome drawSpine(Env env, const Json& args) {
   document::LoftRecipe recipe;
   recipe.picture = draw.picture;
   recipe.stroke = draw.stroke;
-  // Depths belong to the places of the whole line.
-  const bool cut = args.flag("cut").value_or(false) && draw.depth.empty();
+  // Depths belong to the places of the whole line; and where there are parts, a line may well be meant to reach into one.
+  const bool cut = args.flag("cut").value_or(false) && draw.depth.empty() && env.studio.document().parts.empty();
   if (cut) draw.stroke = env.studio.strokeOnThing(recipe);
   const bool shorter = draw.stroke != recipe.stroke;
   recipe.stroke = draw.stroke;
