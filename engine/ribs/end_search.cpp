@@ -5,8 +5,8 @@
 namespace spineloft::ribs {
 namespace {
 
-// Ribs that may belong to an end, at most this share of all on either side.
-constexpr int kMostFree = 3;
+// Of so many ribs at most one may belong to an end, on either side.
+constexpr int kRibsPerFree = 3;
 // An end whose last ribs reach less than this share of a half width beyond the stroke bends round nothing.
 constexpr double kBent = 0.25;
 
@@ -31,7 +31,7 @@ struct End {
 
   int reachingBeyond(PicturePoint Rib::*side) const {
     int count = 0;
-    while (count < s.problem.ribs / kMostFree && beyond(rib(count).*side) > 0) ++count;
+    while (count < s.problem.ribs / kRibsPerFree && beyond(rib(count).*side) > 0) ++count;
     return count;
   }
 

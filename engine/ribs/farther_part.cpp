@@ -103,8 +103,7 @@ double unevenness(const GradientCurves& curves, const LengthLabels& ends) {
   for (const bool left : {true, false}) {
     const std::vector<int>& labels = left ? ends.left : ends.right;
     const auto length = [&](int i) {
-      const int curve = left ? curves.layout.left(i) : curves.layout.right(i);
-      return static_cast<double>(curves.along[curves.at(curve, labels[index(i)])]);
+      return static_cast<double>(curves.along[curves.at(curves.layout.sideOf(i, left), labels[index(i)])]);
     };
     for (int i = 0; i < curves.layout.ribs; ++i) {
       all += length(i);

@@ -207,17 +207,15 @@ std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke,
   const auto spotAt = [&](double share) {
     return spotOn(stroke, geometry::pointAt(points, std::span<const double>(s), share * s.back()), share);
   };
-  const Spot first = spotAt(found.value().from), last = spotAt(found.value().to);
-  if (first.segment >= last.segment) return kept;
-  // The end first: what comes before it keeps its place.
-  if (found.value().to < 1) {
-    kept.resize(last.segment + 1);
-    kept.push_back(last.at);
-  }
-  if (found.value().from > 0) {
-    kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first.segment));
-    kept.front() = first.at;
-  }
+  const auto [from, to] = found.value();
+  const Spot first = spotAt(from), last = spotAt(to);
+  if (first.segment > last.segment) return kept;
+  kept.clear();
+  if (from > 0) kept.push_back(first.at);
+  const auto at = [&](std::size_t i) { return stroke.begin() + static_cast<std::ptrdiff_t>(i); };
+  kept.insert(kept.end(), at(from > 0 ? first.segment + 1 : 0),
+              at(to < 1 ? last.segment + 1 : stroke.size()));
+  if (to < 1) kept.push_back(last.at);
   return kept;
 }
 

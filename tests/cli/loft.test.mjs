@@ -22,7 +22,7 @@ function maskBounds({ width, height, data }) {
 
 test('help names every option, version the version, both on standard output', () => {
   const help = works('--help').stdout;
-  for (const word of ['--stroke', '--stroke-name', '--recipe', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays']) {
+  for (const word of ['--stroke', '--stroke-name', '--stroke-ends', '--recipe', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays', '--overshoot']) {
     assert.ok(help.includes(word), word);
   }
   assert.equal(works('loft', '--help').stdout, help);
@@ -162,6 +162,24 @@ test('a stroke may be a list, points, or one of several by name, the first if no
   assert.deepEqual(mask('spines.json', '--stroke-name', 'zebra'), whole);
   assert.deepEqual(mask('spines.json', '--stroke-name', 'ape'), mask('short.json'));
   assert.notDeepEqual(mask('short.json'), whole);
+});
+
+test('a stroke drawn past both ends of the bar is cut to it, unless it is to be kept', (t) => {
+  const folder = barFolder(t);
+  const [top, bottom] = [bar.top - bar.radius, bar.bottom + bar.radius];
+  writeFileSync(folder.path('past.json'), JSON.stringify([[bar.x, top - 35], [bar.x, bottom + 35]]));
+  const centres = (...rest) => {
+    works('loft', folder.path('bar.png'), '--stroke', folder.path('past.json'), '--ribs', folder.path('ribs.json'), ...rest);
+    return readJson(folder.path('ribs.json')).ribs.map((rib) => rib.center[1]);
+  };
+  for (const cut of [centres(), centres('--stroke-ends', 'cut')]) {
+    assert.ok(cut[0] > top && cut[0] < bar.top && cut.at(-1) < bottom && cut.at(-1) > bar.bottom, `from ${cut[0]} to ${cut.at(-1)}`);
+  }
+  const kept = centres('--stroke-ends', 'keep');
+  assert.ok(Math.abs(kept[0] - (top - 35)) < 1 && Math.abs(kept.at(-1) - (bottom + 35)) < 1, `from ${kept[0]} to ${kept.at(-1)}`);
+  const wrong = run('loft', folder.path('bar.png'), '--stroke', folder.path('past.json'), '--stroke-ends', 'some', '--ribs', folder.path('ribs.json'));
+  assert.equal(wrong.status, 2);
+  assert.match(wrong.stderr, /cut or keep/);
 });
 
 test('equal input gives equal files', (t) => {

@@ -86,6 +86,15 @@ TEST_CASE("only the end that went too far is cut, whichever way the stroke was d
   CHECK(distance(keptBack.front(), kept.back()) < 2);
 }
 
+TEST_CASE("a stroke of two points is cut as one of many is") {
+  const fixtures::Points kept = cut({{kFrom - kHalf, 150}, {kTo + kHalf, 150}}, bar());
+  REQUIRE(kept.size() == 2);
+  CHECK(kept.front().x > kFrom);
+  CHECK(kept.front().x < kFrom + kHalf);
+  CHECK(kept.back().x < kTo);
+  CHECK(kept.back().x > kTo - kHalf);
+}
+
 TEST_CASE("a stroke that was cut is not cut again") {
   const fixtures::Points once = cut(stroke(kFrom - kHalf, kTo + kHalf), bar());
   CHECK(cut(once, bar()) == once);
