@@ -159,6 +159,7 @@ await mainProgram(async () => {
     sizes: siteSizes(),
     // Its libraries are there only after the set-up.
     solids: await (await import('../tests/bench/solids.mjs')).solidTimes(),
+    solidsOnPage: await (await import('../tests/bench/solids_page.mjs')).solidPageTimes(),
     editing: await editingTimes(),
   };
   printStages(result.stages);
@@ -169,6 +170,8 @@ await mainProgram(async () => {
     Object.entries(gestures).map(([name, times]) => ({ name, ...times })), { gesture: 'name', 'median ms': 'median_ms', 'p95 ms': 'p95_ms' });
   printTable('Solids: what the worker takes from a request to the mesh', Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
     { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'least of the processor': 'min_cpu_ms', 'the first of its kind': 'first_ms' });
+  printTable('Solids in the worker of a fresh page in Chromium', Object.entries(result.solidsOnPage).map(([name, times]) => ({ name, ...times })),
+    { 'from the request to the mesh, ms': 'name', min: 'min_ms', median: 'median_ms' });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? dataFolder;
   if (folder && existsSync(folder)) {

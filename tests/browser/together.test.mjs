@@ -364,3 +364,37 @@ test('opening and closing a model with solids fifty times leaves the memory as i
   const [before, after] = [sizes[9], sizes.at(-1)];
   for (const what of ['engine', 'solver']) assert.ok(after[what] <= 1.05 * before[what], `${what}: ${before[what]} to ${after[what]} bytes`);
 }));
+
+test('the solver is there and quick before it is asked, in a model of two parts that is worked at; not for one part, nor where one only looks', async () => {
+  for (const isolated of [true, false]) {
+    await onPage(kit, { isolated }, async (page) => {
+      const workers = () => page.workers().filter((worker) => worker.url().includes('solids'));
+      const warm = () => page.evaluate(() => performance.getEntriesByName('spineloft-solids-warm').length);
+      await openPicture(page, lemur.bytes, 'lemur');
+      await drawWithMouse(page, lemur.spine);
+      await idle(page);
+      await page.waitForTimeout(500);
+      assert.deepEqual(workers(), [], 'there is nothing to stick together');
+      await page.keyboard.press('n');
+      await drawWithMouse(page, beside(lemur.spine));
+      await page.waitForFunction(() => performance.getEntriesByName('spineloft-solids-warm').length === 1, null, { timeout: 60000 });
+      const [first, ...others] = workers();
+      assert.ok(first && others.length === 0);
+      await run(page, 'stick-together');
+      await idle(page);
+      assert.equal((await root(page)).status, 'ready');
+      await lawful(page);
+      assert.ok(workers().includes(first) && (await warm()) === 1, 'it is the one that was made ready');
+      await run(page, 'undo');
+      await idle(page);
+      await page.waitForTimeout(400);
+
+      await page.reload();
+      await page.evaluate(() => window.spineloft.ready);
+      await page.waitForFunction(() => window.spineloft.state().parts.length === 2, undefined, { timeout: 20000 });
+      await idle(page);
+      await page.waitForTimeout(500);
+      assert.deepEqual(workers(), [], 'the model is only looked at');
+    });
+  }
+});

@@ -104,6 +104,9 @@ interface Outcome {
   dropped?: number;
 }
 
+/** What `performance` holds when the solver of solids is as quick as it gets. */
+const kSolidsWarmMark = 'spineloft-solids-warm';
+
 /** True where worker threads can share memory and the address does not ask for the other build. */
 export function wantsThreads(): boolean {
   const asked = new URLSearchParams(location.search).get('threads');
@@ -156,6 +159,7 @@ function solverOf(engine: Engine, module: Module): Solver {
       const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
       const worker = new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module', name });
       worker.addEventListener('message', ({ data }) => {
+        if (data.type === 'warm') performance.mark(kSolidsWarmMark);
         if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
       });
       return worker as unknown as SolidWorker;

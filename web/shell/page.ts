@@ -17,11 +17,13 @@ import type { Sample } from './start_page.ts';
 import { toast } from './toasts.ts';
 import { gifOf, pngOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
+import { SolidWarmUp } from './warm_up.ts';
 
 export class Page {
   private engine: Engine | null = null;
   private state: State | null = null;
   private keeper: Keeper | null = null;
+  private solids: SolidWarmUp | null = null;
   private readOnly = false;
   private turning = false;
   private readonly opening = new Set<AbortController>();
@@ -46,6 +48,7 @@ export class Page {
   /** The engine runs: from now on the DOM follows it. */
   async attach(engine: Engine): Promise<void> {
     this.engine = engine;
+    this.solids = new SolidWarmUp(engine);
     engine.run('load-shelf', { slices: readShelf() });
     watchShelf((slices) => this.run('load-shelf', { slices }));
     this.keeper = new Keeper(engine, {
@@ -280,6 +283,7 @@ export class Page {
     byId('status-end').textContent = hasPicture ? summary(state) : '';
     byId('status-history').textContent = state.undo + state.redo > 0 ? historyText(state) : '';
     this.showProgress();
+    if (!this.readOnly) this.solids?.see(state);
   }
 
   /** True when closing the page would lose something: work that is neither in a file nor kept on this device. */

@@ -6,14 +6,20 @@ import { Helper, kWorthSharing } from './solids/helper.ts';
 import type { HelperWorker } from './solids/helper.ts';
 import { hold } from './solids/lifeline.ts';
 import { SolidKernel } from './solids/kernel.ts';
-import type { ExpectRequest, ShareAnswer, ShareRequest, SolveRequest, WorkerMessage } from './solids/protocol.ts';
+import { rehearse } from './solids/rehearsal.ts';
+import type { ExpectRequest, ShareAnswer, ShareRequest, SolveRequest, WarmRequest, WorkerMessage } from './solids/protocol.ts';
 
-const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage | ShareAnswer, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest | ExpectRequest | ShareRequest>) => void) | null };
+const scope = globalThis as unknown as { name: string; postMessage(message: WorkerMessage | ShareAnswer, transfer: Transferable[]): void; onmessage: ((event: MessageEvent<SolveRequest | ExpectRequest | ShareRequest | WarmRequest>) => void) | null };
 
 /** The same program in a worker of this one, which ends with it. */
 const helper = navigator.hardwareConcurrency > 1 ? new Helper(() => new Worker(import.meta.url, { type: 'module' }) as unknown as HelperWorker) : null;
 
 let memory: WebAssembly.Memory | null = null;
+
+/** Ends the worker for the page, or for the first one. */
+function rethrow(problem: unknown): void {
+  setTimeout(() => { throw problem; });
+}
 
 /** Loads the library as it would itself, and keeps hold of its memory. */
 async function instantiate(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): Promise<void> {
@@ -26,17 +32,20 @@ async function instantiate(imports: WebAssembly.Imports, done: (instance: WebAss
 // Its types do not tell of this option of every Emscripten program.
 const load = create as unknown as (options: { instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): object }) => ReturnType<typeof create>;
 const loading = load({ instantiateWasm(imports, done) {
-  instantiate(imports, done).catch((problem) => setTimeout(() => { throw problem; }));
+  instantiate(imports, done).catch(rethrow);
   return {};
-} }).then((library) => {
+} });
+const starting = loading.then((library) => {
   library.setup();
   return new SolidKernel(library, helper);
 });
-loading.then(() => scope.postMessage({ type: 'ready' }, []));
+starting.then(() => scope.postMessage({ type: 'ready' }, []));
 
 hold(scope.name, () => scope.postMessage({ type: 'alive' }, []));
 
 let newest = 0, expected: number | null = null;
+/** Something was asked for: nothing is warmed up any more. */
+let isNeeded = false;
 /** Ends the wait for the second worker. */
 let interrupt = () => {};
 let queue = Promise.resolve();
@@ -49,7 +58,7 @@ const breathe = () => new Promise<void>((resolve) => {
 });
 
 async function solve(request: SolveRequest): Promise<void> {
-  const kernel = await loading;
+  const kernel = await starting;
   if (request.id !== newest) {
     // Its meshes may be what a later request counts on.
     kernel.keepMeshes(request.meshes);
@@ -75,7 +84,7 @@ async function solve(request: SolveRequest): Promise<void> {
 
 /** While nothing is asked for: what an edit of the expected part will need. */
 async function workAhead(): Promise<void> {
-  const kernel = await loading, request = newest, part = expected;
+  const kernel = await starting, request = newest, part = expected;
   for (const work = kernel.ahead(part); ;) {
     await breathe();
     if (request !== newest || part !== expected) {
@@ -87,9 +96,23 @@ async function workAhead(): Promise<void> {
 }
 
 async function unite(request: ShareRequest): Promise<void> {
-  const union = (await loading).unite(request), { faces } = union ?? {};
+  const union = (await starting).unite(request), { faces } = union ?? {};
   const arrays = faces ? [faces.vertProperties, faces.triVerts, faces.runIndex, faces.runOriginalID, faces.runTransform, faces.faceID] : [];
   scope.postMessage({ share: request.share, union }, arrays.map((array) => array.buffer as ArrayBuffer));
+}
+
+/** While nothing was asked for yet: makes itself quick. */
+async function warmUp(): Promise<void> {
+  await starting;
+  for (const work = rehearse(await loading); ;) {
+    await breathe();
+    if (isNeeded) {
+      work.return();
+      return;
+    }
+    isNeeded = work.next().done === true;
+    if (isNeeded) scope.postMessage({ type: 'warm' }, []);
+  }
 }
 
 /** Large unions need a second worker, which loads while this one does. */
@@ -98,8 +121,14 @@ function isLarge({ meshes, nodes }: SolveRequest): boolean {
 }
 
 scope.onmessage = ({ data }) => {
+  if ('warm' in data) {
+    if (data.warm.large) helper?.warm();
+    queue = queue.then(warmUp).catch(rethrow);
+    return;
+  }
   if ('share' in data) {
-    queue = queue.then(() => unite(data)).catch((problem) => { setTimeout(() => { throw problem; }); });
+    isNeeded = true;
+    queue = queue.then(() => unite(data)).catch(rethrow);
     return;
   }
   if ('expect' in data) {
@@ -107,10 +136,11 @@ scope.onmessage = ({ data }) => {
     expected = data.expect;
   } else {
     newest = data.id;
+    isNeeded = true;
     interrupt();
     if (isLarge(data)) helper?.wake();
     queue = queue.then(() => solve(data));
   }
   // What is thrown here ends the worker for the page, which starts another one.
-  queue = queue.then(workAhead).catch((problem) => { setTimeout(() => { throw problem; }); });
+  queue = queue.then(workAhead).catch(rethrow);
 };

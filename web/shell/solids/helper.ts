@@ -1,10 +1,12 @@
 // A second worker for the worker of solids: large unions are halved in space, and each makes one half.
-import type { MeshData, PartOperand, ShareAnswer, SharedUnion, ShareRequest } from './protocol.ts';
+import type { MeshData, PartOperand, ShareAnswer, SharedUnion, ShareRequest, WarmRequest } from './protocol.ts';
 
 /** Fewer triangles are united sooner by one. */
 export const kWorthSharing = 12000;
 /** A worker that has had nothing to do for so long, in ms, is let go with its memory. */
 const kIdle = 20000;
+/** The same for one that was started because it is likely to be needed. */
+const kExpected = 60000;
 /** One that takes so long is not waited for. */
 const kPatience = 10000;
 
@@ -12,7 +14,7 @@ const kPatience = 10000;
 export interface HelperWorker {
   onmessage: ((event: { data: Partial<ShareAnswer> }) => void) | null;
   onerror: ((event: { preventDefault(): void }) => void) | null;
-  postMessage(message: ShareRequest): void;
+  postMessage(message: ShareRequest | WarmRequest): void;
   terminate(): void;
 }
 
@@ -26,6 +28,14 @@ export class Helper {
 
   get isFree(): boolean {
     return this.asked === null;
+  }
+
+  /** Starts the worker, where it is not there, and has it make itself quick. */
+  warm(): void {
+    if (this.worker) return;
+    this.wake();
+    this.in(kExpected);
+    this.worker!.postMessage({ warm: { large: false } });
   }
 
   /** Starts the worker, where it is not there. */

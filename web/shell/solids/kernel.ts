@@ -5,9 +5,11 @@ import { hollowOf, seamOf } from './fields.ts';
 import { withoutFlaps } from './flaps.ts';
 import type { Faces } from './flaps.ts';
 import { halvesOf, kWorthSharing } from './helper.ts';
+import { isPart, isWorthKeeping, joinKey, keysOf, partKey, restKey } from './names.ts';
 import { Near } from './near.ts';
 import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
+import { sizeOf } from './sizes.ts';
 import { carried, runsOf } from './sources.ts';
 import type { Source } from './sources.ts';
 import { countOf } from './topology.ts';
@@ -17,6 +19,8 @@ import type { MeshData, PartOperand, SharedUnion, ShareRequest, SolidFailure, So
 
 /** How many requests long a sub-result is kept that nobody asks for. */
 const kKept = 12;
+/** How often the way of an edit is gone before the first one, so that it runs at its quickest. */
+const kTries = 3;
 
 interface Kept {
   solid: Manifold | null;
@@ -81,26 +85,6 @@ export interface Solved {
 /** What was made of a step's operands: a solid, or its faces alone. */
 type Made = { solid: Manifold } | { faces: Faces };
 
-const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' in operand;
-
-const partKey = ({ mesh, part }: PartOperand) => `${mesh}#${part}`;
-
-/** In any order, and however often the same. */
-const keysOf = (of: Keyed[]) => [...new Set(of.map(({ key }) => key))].sort();
-
-const joinKey = (of: Keyed[]) => `join: ${keysOf(of).join(' ')}`;
-
-/** Names what the operands make that do not change. What the first one of a cut loses is their union. */
-function restKey(kind: SolidNode['kind'], others: Keyed[], changed: boolean[]): string {
-  return kind === 'join' || (kind === 'cut' && changed[0]) ? joinKey(others) : `${kind}: ${others.map((each) => each.key).join(' ')}`;
-}
-
-/** Whether it pays to keep what the operands make that do not change; two or more of them. */
-function isWorthKeeping(kind: SolidNode['kind'], changed: boolean[]): boolean {
-  const count = changed.filter(Boolean).length;
-  return kind !== 'hollow' && count > 0 && changed.length - count >= 2 && !(kind === 'cut' && changed[0] && count > 1);
-}
-
 function drain(work: Generator<void, void>): void {
   while (!work.next().done);
 }
@@ -116,6 +100,7 @@ export class SolidKernel {
   /** What was solved last. */
   private nodes: SolidNode[] = [];
   private round = 0;
+  private tries = 0;
 
   constructor(private readonly library: ManifoldToplevel, private readonly sharer: Sharer | null = null, private readonly now: () => number = () => performance.now()) {}
 
@@ -223,8 +208,7 @@ export class SolidKernel {
       return null;
     } finally {
       for (const solid of bench.own) solid.delete();
-      this.round += kKept;
-      this.forget();
+      this.forgetAll();
     }
   }
 
@@ -467,7 +451,9 @@ export class SolidKernel {
       try {
         const all = node.operands.map((operand) => this.operand(operand, false, bench)), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
         if (!this.solids.has(key)) yield* this.rest(node.kind, all, changed);
-        yield* this.comeNear(this.solids.get(key)!, this.shapes(all, changed));
+        const kept = this.solids.get(key)!;
+        yield* this.comeNear(kept, this.shapes(all, changed));
+        if (kept.solid) yield* this.tryOut(kept, node.kind, all, changed);
       } finally {
         for (const [key, kept] of this.solids) if (!known.has(key)) kept.ahead = part!;
         for (const solid of bench.own) solid.delete();
@@ -481,6 +467,27 @@ export class SolidKernel {
     const { library } = this, near = yield* Near.of(library, kept.solid, shapes);
     kept.near?.solid.delete();
     kept.near = near;
+  }
+
+  /** Goes the way of an edit with parts as they are, a piece at a time, and keeps nothing of it: what runs for the first time is slow. */
+  private *tryOut(kept: Kept, kind: SolidNode['kind'], all: Keyed[], changed: boolean[]): Generator<void, void> {
+    for (const own: Manifold[] = []; this.tries < kTries; this.tries += 1) {
+      try {
+        for (const operand of all.filter((_, i) => changed[i]).map((each) => each.operand).filter(isPart)) {
+          const mesh = this.meshes.get(operand.mesh)?.data;
+          if (mesh && !crossesItself(mesh)) own.push(fromMesh(this.library, mesh, () => this.library.Manifold.reserveIDs(1)));
+          yield;
+        }
+        const made = this.withNear(kept, kind, all, changed, false) ?? { solid: this.withRest(kept.solid!, kind, all, changed) };
+        if ('solid' in made) own.push(made.solid);
+        const faces = 'solid' in made ? made.solid.getMesh() : made.faces;
+        yield;
+        this.meshOf(faces, sizeOf(faces));
+        yield;
+      } finally {
+        for (const solid of own.splice(0)) solid.delete();
+      }
+    }
   }
 
   /** Whether the solid of an operand was made before and is still there. */
@@ -541,6 +548,12 @@ export class SolidKernel {
     for (const [key, mesh] of this.meshes) if (mesh.round + kKept <= this.round) this.meshes.delete(key);
   }
 
+  /** Lets go of all that was kept. */
+  forgetAll(): void {
+    this.round += kKept;
+    this.forget();
+  }
+
   private letGo(kept: Kept): void {
     for (const solid of [kept.solid, kept.cavity, kept.near?.solid]) solid?.delete();
     for (const id of kept.ids ?? []) this.sources.delete(id);
@@ -554,18 +567,6 @@ export class SolidKernel {
 
 function inWorld(m: number[], [x, y, z]: [number, number, number]): [number, number, number] {
   return [0, 1, 2].map((k) => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!) as [number, number, number];
-}
-
-function sizeOf({ vertProperties: p, triVerts }: Faces): { volume: number; area: number } {
-  let volume = 0, area = 0;
-  for (let t = 0; t < triVerts.length; t += 3) {
-    const a = 3 * triVerts[t]!, b = 3 * triVerts[t + 1]!, c = 3 * triVerts[t + 2]!, ax = p[a]!, ay = p[a + 1]!, az = p[a + 2]!;
-    const ux = p[b]! - ax, uy = p[b + 1]! - ay, uz = p[b + 2]! - az, vx = p[c]! - ax, vy = p[c + 1]! - ay, vz = p[c + 2]! - az;
-    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-    volume += (x * ax + y * ay + z * az) / 6;
-    area += Math.sqrt(x * x + y * y + z * z) / 2;
-  }
-  return { volume, area };
 }
 
 function failureOf(thrown: unknown): SolidFailure {

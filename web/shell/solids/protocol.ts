@@ -54,6 +54,11 @@ export interface ExpectRequest {
   expect: number | null;
 }
 
+/** A union is likely soon: a worker with nothing to do makes itself quick; `large`: and the second worker. */
+export interface WarmRequest {
+  warm: { large: boolean };
+}
+
 /** A share of a union, for a second worker. */
 export interface ShareRequest {
   share: number;
@@ -105,6 +110,8 @@ export type WorkerMessage =
   | { type: 'ready' }
   /** It holds the lock that ends with it (lifeline.ts). */
   | { type: 'alive' }
+  /** It has made itself quick. */
+  | { type: 'warm' }
   | { type: 'progress'; id: number; done: number }
   | { type: 'solid'; id: number; step: number; key: string; coarse: boolean; ms: number; mesh?: SolidMesh; failure?: SolidFailure }
   /** `bytes`: what the library's memory has grown to. */

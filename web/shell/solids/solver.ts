@@ -1,6 +1,6 @@
 // The solver of solids as the page has it: one worker, which is started when the first solid is asked for and again
 // after it died or was stopped. Answers go to the engine as they come.
-import type { ExpectRequest, SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
+import type { ExpectRequest, SolidMesh, SolidNode, SolveRequest, WarmRequest, WorkerMessage } from './protocol.ts';
 
 /** What the engine asks: {type: 'solve'}; addresses are of its memory, valid while the event is delivered. */
 export interface SolveEvent {
@@ -15,7 +15,7 @@ export interface SolveEvent {
 export interface SolidWorker {
   onmessage: ((event: { data: WorkerMessage }) => void) | null;
   onerror: ((event: unknown) => void) | null;
-  postMessage(message: SolveRequest | ExpectRequest, transfer: Transferable[]): void;
+  postMessage(message: SolveRequest | ExpectRequest | WarmRequest, transfer: Transferable[]): void;
   terminate(): void;
 }
 
@@ -39,6 +39,7 @@ export class Solver {
   private requests = 0;
   private bytes = 0;
   private expected: number | null = null;
+  private wasStarted = false;
 
   constructor(private readonly host: SolverHost) {}
 
@@ -70,10 +71,7 @@ export class Solver {
     }
     this.asked = event.id;
     try {
-      if (!this.worker) {
-        this.worker = this.start();
-        this.expect(this.expected);
-      }
+      this.worker ??= this.start();
       this.worker.postMessage({ id: event.id, nodes: event.nodes, wanted: event.wanted, meshes }, transfer);
     } catch {
       this.lost();
@@ -86,6 +84,20 @@ export class Solver {
     this.worker?.postMessage({ expect: part }, []);
   }
 
+  /**
+   * A solid is likely to be asked for soon, a large union where `large`: the worker starts and makes itself quick. Not
+   * after one has died or was stopped: the next is started by a request.
+   */
+  warm(large: boolean): void {
+    if (this.asked !== null || (!this.worker && this.wasStarted)) return;
+    try {
+      this.worker ??= this.start();
+      this.worker.postMessage({ warm: { large } }, []);
+    } catch {
+      this.lost();
+    }
+  }
+
   /** Ends what the worker is at; the next request starts a fresh one. */
   stop(): void {
     this.asked = null;
@@ -94,10 +106,12 @@ export class Solver {
 
   private start(): SolidWorker {
     const worker = this.host.start();
+    this.wasStarted = true;
     worker.onmessage = ({ data }) => this.take(data);
     worker.onerror = () => {
       if (this.worker === worker) this.lost();
     };
+    worker.postMessage({ expect: this.expected }, []);
     return worker;
   }
 
@@ -117,7 +131,7 @@ export class Solver {
   }
 
   private take(message: WorkerMessage): void {
-    if (message.type === 'ready' || message.type === 'alive') return;
+    if (message.type === 'ready' || message.type === 'alive' || message.type === 'warm') return;
     if (message.type === 'solid') {
       const { mesh, ...rest } = message;
       this.host.answer(JSON.stringify({ ...rest, ...(mesh ? { mesh: headOf(mesh) } : {}) }), mesh ? packed(mesh) : null);

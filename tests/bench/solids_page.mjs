@@ -1,0 +1,96 @@
+// How long the solver of solids takes in its worker in headless Chromium, as a fresh page has it: npm run bench.
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { openPage, startBrowser } from '../../.ci/lib/browser.mjs';
+import { distDir } from '../../.ci/lib/paths.mjs';
+import { serveFolder } from '../../.ci/lib/server.mjs';
+import { loft, seeded, turned } from '../browser/support/lofts.mjs';
+
+const kPages = 5;
+const kEdits = 8;
+const kLater = 4;
+
+/** Runs in the page: one worker's first large unions and edits, ms from the request to the mesh. */
+async function timesOf({ address, warm, edits, later, functions }) {
+  const { loft, seeded, turned } = new Function(`${functions.join('\n')}; return { loft, seeded, turned };`)();
+  const fine = { rings: 64, around: 64, length: 1, radius: 0.12 };
+  const random = seeded(11), meshes = {}, worker = new Worker(address, { type: 'module' });
+  const operands = Array.from({ length: 10 }, (_, i) => {
+    meshes[`m${i}`] = loft({ ...fine, bend: random() - 0.5, wave: 0.2 * random() });
+    return { mesh: `m${i}`, part: i + 1, matrix: turned(i * 0.7, 0.25 * random(), 0.25 * random(), 0.04 * random()) };
+  });
+  const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  let id = 0, bytes = 0;
+  const ask = (of, given) => new Promise((resolve, reject) => {
+    const start = performance.now(), key = `node ${(id += 1)}`;
+    worker.onerror = (event) => reject(new Error(event.message));
+    let ms = 0;
+    worker.onmessage = ({ data }) => {
+      if (data.type === 'solid' && !data.mesh) reject(new Error(data.failure.error));
+      if (data.type === 'solid') ms = performance.now() - start;
+      if (data.type === 'done') bytes = data.bytes;
+      if (data.type === 'done') resolve(ms);
+    };
+    worker.postMessage({ id, nodes: [{ key, step: 1, kind: 'join', operands: of, blend: 0, wall: 0.02, opening: null, cut: 0, coarse: false }], wanted: [key], meshes: given });
+  });
+  if (warm) {
+    worker.postMessage({ warm: { large: true } });
+    await new Promise((resolve) => { worker.onmessage = ({ data }) => { if (data.type === 'warm') resolve(); }; });
+    // The second one began as soon as it had loaded, too.
+    await pause(1000);
+  }
+  const union = [await ask(operands, meshes)];
+  const known = bytes;
+  worker.postMessage({ expect: 2 });
+  await pause(2500);
+  const edit = [];
+  for (let i = 0; i < edits; i += 1) {
+    const mesh = `edit ${i}`;
+    edit.push(await ask(operands.map((each, k) => (k === 1 ? { ...each, mesh } : each)), { [mesh]: loft({ ...fine, bend: 0.3, wave: 0.03 * (i + 1) }) }));
+    await pause(200);
+  }
+  for (let i = 0; i < later; i += 1) {
+    const anew = {}, others = operands.map((each, k) => ({ ...each, mesh: `a${i} ${k}`, matrix: turned(k * 0.7 + 0.1 * i, 0.25 * random(), 0.25 * random(), 0.04 * random()) }));
+    others.forEach(({ mesh }) => { anew[mesh] = loft({ ...fine, bend: random() - 0.5, wave: 0.2 * random() }); });
+    union.push(await ask(others, anew));
+    await pause(100);
+  }
+  worker.terminate();
+  return { union, edit, bytes: known };
+}
+
+/** Times in a fresh browser of the site in `folder`; `warm`: of a worker that was told beforehand. */
+export async function freshTimes(folder, warm) {
+  const site = await serveFolder(folder, { isolated: true }), browser = await startBrowser();
+  try {
+    const { page } = await openPage(browser, site.url);
+    const file = readdirSync(join(folder, 'assets')).find((name) => /^solids\.worker-.*\.js$/.test(name));
+    return await page.evaluate(timesOf, { address: `assets/${file}`, warm, edits: kEdits, later: kLater, functions: [loft, seeded, turned].map(String) });
+  } finally {
+    await browser.close();
+    await site.close();
+  }
+}
+
+function summary(times) {
+  const sorted = [...times].sort((a, b) => a - b);
+  return { min_ms: sorted[0], median_ms: sorted[sorted.length >> 1], count: sorted.length };
+}
+
+/** Times by name, {min_ms, median_ms, count}; dist/ must be built. */
+export async function solidPageTimes(folder = distDir) {
+  const cold = [], warm = [];
+  for (let i = 0; i < kPages; i += 1) {
+    cold.push(await freshTimes(folder, false));
+    warm.push(await freshTimes(folder, true));
+  }
+  return {
+    'stick ten lofts of 8,192 triangles together, a fresh worker': summary(cold.map(({ union }) => union[0])),
+    'the same, made ready beforehand': summary(warm.map(({ union }) => union[0])),
+    'stick others together later': summary([...cold, ...warm].flatMap(({ union }) => union.slice(1))),
+    'the first rib of one of ten after it was chosen': summary([...cold, ...warm].map(({ edit }) => edit[0])),
+    'ribs after that': summary([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
+  };
+}
+
+if (import.meta.filename === process.argv[1]) process.stdout.write(`${JSON.stringify(await solidPageTimes(), null, 2)}\n`);

@@ -1,0 +1,26 @@
+// Names of what operands make together: equal names, equal solids.
+import type { PartOperand, SolidNode, SolidOperand } from './protocol.ts';
+
+interface Named {
+  key: string;
+}
+
+export const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' in operand;
+
+export const partKey = ({ mesh, part }: PartOperand) => `${mesh}#${part}`;
+
+/** In any order, and however often the same. */
+export const keysOf = (of: Named[]) => [...new Set(of.map(({ key }) => key))].sort();
+
+export const joinKey = (of: Named[]) => `join: ${keysOf(of).join(' ')}`;
+
+/** Names what the operands make that do not change. What the first one of a cut loses is their union. */
+export function restKey(kind: SolidNode['kind'], others: Named[], changed: boolean[]): string {
+  return kind === 'join' || (kind === 'cut' && changed[0]) ? joinKey(others) : `${kind}: ${others.map((each) => each.key).join(' ')}`;
+}
+
+/** Whether it pays to keep what the operands make that do not change; two or more of them. */
+export function isWorthKeeping(kind: SolidNode['kind'], changed: boolean[]): boolean {
+  const count = changed.filter(Boolean).length;
+  return kind !== 'hollow' && count > 0 && changed.length - count >= 2 && !(kind === 'cut' && changed[0] && count > 1);
+}
