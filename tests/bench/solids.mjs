@@ -90,6 +90,15 @@ function otherMesh({ operands }, run, more = {}) {
 function otherPlace({ operands }, run, more = {}) {
   return { meshes: {}, nodes: [node(operands.map((each, i) => (i === 1 ? { ...each, matrix: turned(0.1 * run, 0.2) } : each)), more)] };
 }
+/** A scooped out rod with a handle; each time it has another handle. */
+function mug() {
+  const body = { ...node([{ mesh: 'rod', part: 1, matrix: shifted(0) }], { kind: 'hollow', wall: 0.03, opening: [1, 0, 0] }), step: 2 };
+  const meshes = { rod: loft({ ...kFine, radius: 0.25 }), handle: handleOf(0) };
+  return { meshes, body, nodes: [body, mugOf(body, 'handle')] };
+}
+const handleOf = (more) => loft({ ...kFine, length: 0.7, radius: 0.04 + 0.001 * more, bend: 3 });
+const mugOf = (body, mesh) => node([{ node: body.key }, { mesh, part: 2, matrix: turned(0.1, 0.2, 0.22) }]);
+const otherHandle = ({ body }, run) => ({ meshes: { [`edit${run}`]: handleOf(run + 1) }, nodes: [body, mugOf(body, `edit${run}`)] });
 function hollowEdit(more) {
   return (_, run) => ({ meshes: { [`rod${run}`]: loft({ ...kFine, radius: 0.25, wave: 0.01 * (run + 1) }) }, nodes: [node([{ mesh: `rod${run}`, part: 1, matrix: shifted(0) }], { kind: 'hollow', wall: 0.03, opening: [1, 0, 0], ...more })] });
 }
@@ -108,6 +117,7 @@ export async function solidTimes() {
     'again after one of ten was moved': edited(joined(10), otherPlace),
     'again after one of ten that was chosen was moved': edited(joined(10), otherPlace, true),
     'again after a rib of one of two': edited(joined(2), otherMesh),
+    'again after a rib of the handle of a mug': edited(mug, otherHandle, true),
     'scoop out a loft of 8,192 triangles': anew(hollowed()),
     'round the seam of two lofts': anew(joined(2, { blend: 0.03 })),
     'cut one loft out of another': anew(joined(2, { kind: 'cut' })),

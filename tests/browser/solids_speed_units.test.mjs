@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fresh, identity, lawful, library, loft, near, node, rod, seeded, shell, shifted, solve, solveWithHelp, turned } from './support/solids.mjs';
 
-const { Helper, SolidKernel, halvesOf } = shell;
+const { Helper, SolidKernel, countOf, halvesOf } = shell;
 
 /** Area of the faces of each part. */
 function areas({ positions, triangles, runs }) {
@@ -186,5 +186,29 @@ test('halves lie side by side and are as large as one another', () => {
     assert.deepEqual([...first, ...second].map(({ part }) => part).sort((a, b) => a - b), operands.map(({ part }) => part));
     assert.ok(Math.abs(count(first) - count(second)) <= Math.max(...operands.map((operand) => meshOf(operand).triangles.length)), `seed ${seed}`);
     assert.ok(Math.max(...first.map(({ matrix }) => matrix[12])) < Math.min(...second.map(({ matrix }) => matrix[12])) + 1e-9, `seed ${seed}: along their longest side`);
+  }
+});
+
+/** Two hollow rods that may reach into one another, and a bent one that starts in the wall of the first. */
+function vessels(random) {
+  const meshes = { rod: loft({ rings: 14, around: 16, radius: 0.2 + 0.05 * random(), wave: 0.2 * random() }), handle: loft({ rings: 20, around: 10, length: 0.5 + 0.4 * random(), radius: 0.04 + 0.02 * random(), bend: 2.5 * random() }) };
+  const hollow = (part, matrix, opening) => ({ ...node([rod(part, matrix)], { kind: 'hollow', wall: 0.03, opening }), step: part });
+  return { meshes, bodies: [hollow(1, identity, [1, 0, 0]), hollow(2, turned(0.4 + random(), 0.3, 0.3 * random()), null)], handle: (mesh) => rod(3, turned(6 * random(), 0.2 + 0.3 * random(), 0.2 * random()), mesh) };
+}
+
+test('what is stuck to hollow things is cut by their insides alone, and that is the whole without the insides, also edit by edit', () => {
+  for (let seed = 1; seed <= 8; seed += 1) {
+    const random = seeded(31 * seed), { meshes, bodies, handle } = vessels(random), of = bodies.slice(0, 1 + (seed % 2)), kernel = fresh();
+    for (let edit = 0; edit < 3; edit += 1) {
+      const last = handle('handle'), all = node([...of.map(({ key }) => ({ node: key })), last], { coarse: edit === 1 }), nodes = [...of.map((each) => ({ ...each, coarse: edit === 1 })), all];
+      const made = solve(kernel, nodes, meshes), what = `seed ${seed}, edit ${edit}`;
+      lawful(made, what);
+      const kept = of.map(({ key }) => kernel.solids.get(edit === 1 ? `${key}~` : key)), plain = library.Manifold.ofMesh(new library.Mesh({ numProp: 3, vertProperties: meshes.handle.positions, triVerts: meshes.handle.triangles }));
+      const whole = library.Manifold.union([...kept.map(({ solid }) => solid), plain.transform(last.matrix)]).subtract(library.Manifold.union(kept.flatMap(({ free }) => free)));
+      near(made.mesh.volume, whole.volume(), 1e-6, `${what}: volume`);
+      const { vertProperties, triVerts } = whole.getMesh();
+      assert.equal(made.mesh.genus, countOf(vertProperties.length / 3, triVerts).handles, `${what}: handles`);
+      for (const work = kernel.ahead(3); !work.next().done;);
+    }
   }
 });

@@ -15,6 +15,7 @@ export const shell = await loadShell(`
   export { DistanceField } from './solids/distance.ts';
   export { gridOver, sample, surfaceWhere } from './solids/grid.ts';
   export { Solver } from './solids/solver.ts';
+  export { countOf } from './solids/topology.ts';
   export { rehearse } from './solids/rehearsal.ts';
   export { solidWorkersFor, wasWorkedAt } from './warm_up.ts';
 `);

@@ -216,8 +216,7 @@ export class SolidKernel {
     const bench: Bench = { own: [], ids: [], from: [] }, { own, ids, from } = bench;
     const round = this.round;
     try {
-      const operands = node.operands.map((operand) => this.operand(operand, node.coarse, bench));
-      const made = this.combine(node, operands, bench, isOperand);
+      const made = this.combine(node, this.operandsOf(node, bench), bench, isOperand);
       if ('faces' in made) return { solid: null, faces: made.faces, round, ids, from };
       const { solid, cavity, free } = made;
       const error = solid.status() !== 'NoError' ? 'SolidFailed' : solid.isEmpty() ? 'SolidEmpty' : null;
@@ -231,6 +230,26 @@ export class SolidKernel {
     } finally {
       for (const solid of own) solid.delete();
     }
+  }
+
+  /**
+   * What a step is made of. Where it only sticks together, each is without the insides of the others beforehand: that cuts
+   * a handle, while cutting all of it in the end would go along the whole inside of the mug.
+   */
+  private operandsOf(node: SolidNode, bench: Bench): Keyed[] {
+    const all = node.operands.map((operand) => this.operand(operand, node.coarse, bench));
+    if (node.kind !== 'join' || node.blend > 0) return all;
+    const insides = node.operands.map((operand) => this.freeIn(operand, node));
+    return all.map((each, i) => {
+      const free = insides.flatMap((inside, k) => (k === i ? [] : inside)), beside = all.filter((_, k) => k !== i && insides[k]!.length > 0);
+      let cut: Manifold | null = null;
+      const make = () => {
+        cut = this.library.Manifold.difference([each.solid(), ...free]);
+        bench.own.push(cut);
+        return cut;
+      };
+      return free.length === 0 ? each : { ...each, key: `${each.key} beside ${keysOf(beside).join(' ')}`, solid: () => cut ?? make() };
+    });
   }
 
   /** An operand in its place; what is made for it alone goes into `own`. */
@@ -307,11 +326,11 @@ export class SolidKernel {
       const { shell, cavity } = hollowOf(this.library, body, node, { ...this.likeness(body, bench), own });
       return { solid: shell, cavity, free: [cavity] };
     }
-    const isSharp = node.blend <= 0 || node.kind === 'common', free = node.kind === 'join' ? this.freeOf(node) : [];
-    const made = this.together(node, operands, bench, isOperand || !isSharp || free.length > 0);
+    const isSharp = node.blend <= 0 || node.kind === 'common', free = node.kind === 'join' ? node.operands.flatMap((operand) => this.freeIn(operand, node)) : [];
+    const made = this.together(node, operands, bench, isOperand || !isSharp);
     if ('faces' in made) return made;
     const plain = made.solid, solid = isSharp || plain.isEmpty() ? plain : this.rounded(node, plain, operands.map((each) => each.solid()), bench);
-    if (free.length === 0) return { solid, free };
+    if (isSharp || free.length === 0) return { solid, free };
     own.push(solid);
     return { solid: this.library.Manifold.difference([solid, ...free]), free };
   }
@@ -328,9 +347,9 @@ export class SolidKernel {
     return seamOf(this.library, { plain, operands, node, idOf: (operand) => this.likeness(operand, bench).id }, bench.own);
   }
 
-  /** The insides of hollow operands: the end of a handle does not stand into its mug. */
-  private freeOf(node: SolidNode): Manifold[] {
-    return node.operands.flatMap((operand) => (isPart(operand) ? [] : this.solids.get(node.coarse ? `${operand.node}~` : operand.node)?.free ?? []));
+  /** The insides of a hollow operand: the end of a handle does not stand into its mug. */
+  private freeIn(operand: SolidOperand, { coarse }: SolidNode): Manifold[] {
+    return isPart(operand) ? [] : this.solids.get(coarse ? `${operand.node}~` : operand.node)?.free ?? [];
   }
 
   /**
@@ -449,7 +468,7 @@ export class SolidKernel {
       if (!isWorthKeeping(node.kind, changed) || !node.operands.every((operand) => this.isHere(operand))) continue;
       const bench: Bench = { own: [], ids: [], from: [] }, known = new Set(this.solids.keys());
       try {
-        const all = node.operands.map((operand) => this.operand(operand, false, bench)), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
+        const all = this.operandsOf({ ...node, coarse: false }, bench), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
         if (!this.solids.has(key)) yield* this.rest(node.kind, all, changed);
         const kept = this.solids.get(key)!;
         yield* this.comeNear(kept, this.shapes(all, changed));
