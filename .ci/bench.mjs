@@ -102,6 +102,8 @@ function printAccuracy({ summary, cases }, folder) {
     ...scores,
     'body > 0.9': 'share_iou_body_0.9',
     'body > 0.8': 'share_iou_body_0.8',
+    'between strokes': 'iou_between_strokes',
+    'between their ends': 'iou_body_between_strokes',
     edge: 'share_ends_edge',
     bridged: 'share_ends_bridged',
     guessed: 'share_ends_guessed',

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,13 @@ struct LoadedCase {
 };
 /// Errors: those of reading files, pictures and JSON, with the path that is to blame.
 Result<LoadedCase> loadCase(const std::filesystem::path& folder);
+
+/// In which ways a case is hard; always one of "outline complete", "outline partly erased" and "outline half erased".
+/// None where nothing is known of it.
+std::vector<std::string> difficultyNames(const std::optional<io::BenchDifficulty>& difficulty);
+
+/// All those names.
+std::span<const std::string_view> difficultyOrder();
 
 /// One line each, with the columns of the first; numbers named "… %" get one decimal, others three.
 std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines);

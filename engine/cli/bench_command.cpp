@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/cli/agreement.h"
 #include "engine/cli/bench_cases.h"
 #include "engine/cli/erased_outline.h"
 #include "engine/cli/overshot_stroke.h"
@@ -70,25 +71,6 @@ void addStates(const ribs::RibSet& ribs, io::NamedNumbers& numbers) {
   }
 }
 
-/// Mean IoU of all pairs of parts of one case: 1 where it does not matter which stroke was drawn.
-double meanAgreement(const std::vector<image::Mask>& parts) {
-  double sum = 0;
-  int pairs = 0;
-  for (std::size_t a = 0; a < parts.size(); ++a) {
-    for (std::size_t b = a + 1; b < parts.size(); ++b, ++pairs) {
-      std::size_t both = 0, either = 0;
-      const std::size_t count = std::min(parts[a].pixels.size(), parts[b].pixels.size());
-      for (std::size_t i = 0; i < count; ++i) {
-        const bool inA = parts[a].pixels[i] > 0, inB = parts[b].pixels[i] > 0;
-        both += inA && inB;
-        either += inA || inB;
-      }
-      sum += either > 0 ? static_cast<double>(both) / static_cast<double>(either) : 0;
-    }
-  }
-  return pairs > 0 ? sum / pairs : 1;
-}
-
 /// Runs the cases; made for use from several threads, one case at a time each.
 class Bench {
  public:
@@ -110,15 +92,18 @@ class Bench {
     std::vector<io::BenchRow> rows;
     std::vector<image::Mask> parts;
     for (const auto& [name, stroke] : one.text.strokes) {
-      io::BenchRow row{one.text.id, one.text.category, name, {}, {}};
+      io::BenchRow row{one.text.id, one.text.category, name, {}, {}, difficultyNames(one.text.difficulty)};
       row.numbers.emplace_back("edges_ms", edgesMs);
       Result<image::Mask> part = runStroke(one, edges.value(), truth, stroke, row);
       if (!part.ok()) return part.failure();
       parts.push_back(std::move(part).value());
       rows.push_back(std::move(row));
     }
-    const double agreement = meanAgreement(parts);
-    for (io::BenchRow& row : rows) row.numbers.emplace_back("iou_between_strokes", agreement);
+    const Agreement agreement = agreementOf(truth, parts, one.text.strokes);
+    for (io::BenchRow& row : rows) {
+      row.numbers.insert(row.numbers.end(), {{"iou_between_strokes", agreement.whole},
+                                             {"iou_body_between_strokes", agreement.body}});
+    }
     return rows;
   }
 
@@ -215,7 +200,7 @@ double shareOf(const std::vector<double>& values, const std::function<bool(doubl
 io::NamedNumbers summarise(const std::vector<const io::BenchRow*>& rows) {
   io::NamedNumbers out{{"cases", static_cast<double>(rows.size())}};
   for (const char* name : {"iou", "iou_body", "rib_mean_pct", "rib_p95_pct", "rib_within_tol",
-                           "iou_between_strokes"}) {
+                           "iou_between_strokes", "iou_body_between_strokes"}) {
     out.emplace_back(name, mean(column(rows, name)));
   }
   for (const char* name : {"live_up_pct", "live_mean_pct", "live_jumps", "live_followed"}) {
@@ -250,7 +235,8 @@ io::NamedNumbers summarise(const std::vector<const io::BenchRow*>& rows) {
   return out;
 }
 
-/// Every stroke over all cases, then over each category; groups in order of first appearance.
+/// Every stroke over all cases, then over each category, then over all that are hard in one way; categories and
+/// strokes in order of first appearance.
 std::vector<std::pair<std::string, io::NamedNumbers>> summaries(
     const std::vector<io::BenchRow>& rows) {
   std::vector<std::pair<std::string, std::vector<const io::BenchRow*>>> groups;
@@ -265,6 +251,11 @@ std::vector<std::pair<std::string, io::NamedNumbers>> summaries(
   };
   for (const io::BenchRow& row : rows) add("all " + row.stroke, row);
   for (const io::BenchRow& row : rows) add(row.category + ' ' + row.stroke, row);
+  for (const std::string_view name : difficultyOrder()) {
+    for (const io::BenchRow& row : rows) {
+      if (std::ranges::find(row.difficulty, name) != row.difficulty.end()) add(std::string(name) + ", " + row.stroke, row);
+    }
+  }
   std::vector<std::pair<std::string, io::NamedNumbers>> out;
   for (const auto& [name, members] : groups) out.emplace_back(name, summarise(members));
   return out;
@@ -320,6 +311,7 @@ constexpr std::array kSummaryColumns{Column{"cases", "cases", 0},
                                      Column{"p95 %", "rib_p95_pct", 1},
                                      Column{"in tol", "rib_within_tol", 2},
                                      Column{"agree", "iou_between_strokes", 3},
+                                     Column{"agr.body", "iou_body_between_strokes", 3},
                                      Column{"edges ms", "median_edges_ms", 1},
                                      Column{"ribs ms", "median_ribs_ms", 1},
                                      Column{"loft ms", "median_loft_ms", 1},

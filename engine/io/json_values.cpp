@@ -98,6 +98,17 @@ std::string stringIn(const Json& root, const char* key) {
   return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
 }
 
+std::optional<BenchDifficulty> difficultyIn(const Json& root) {
+  const Json* said = member(root, "difficulty");
+  if (said == nullptr || !said->is_object()) return std::nullopt;
+  const auto number = [&](const char* key) {
+    const Json* value = member(*said, key);
+    return value != nullptr && value->is_number() ? value->get<double>() : 0.0;
+  };
+  return BenchDifficulty{number("occlusion_pct"), number("missing_boundary_pct"), number("noise_sigma"),
+                         number("no_edge_pct"), number("inner_edges_per_1000px")};
+}
+
 Result<BenchCase> caseIn(const Json& root) {
   if (root.is_discarded()) return {Error::JsonInvalid, "not JSON"};
   BenchCase out{stringIn(root, "id"),
@@ -106,7 +117,8 @@ Result<BenchCase> caseIn(const Json& root) {
                 stringIn(root, "mask"),
                 1,
                 {},
-                {}};
+                {},
+                difficultyIn(root)};
   if (out.id.empty() || out.image.empty() || out.mask.empty()) {
     return {Error::JsonInvalid, "a case needs an id, an image and a mask"};
   }
@@ -202,7 +214,8 @@ std::string writeBench(const BenchReport& report) {
     Json line = {{"name", row.name + ' ' + row.stroke},
                  {"id", row.name},
                  {"category", row.category},
-                 {"stroke", row.stroke}};
+                 {"stroke", row.stroke},
+                 {"difficulty", row.difficulty}};
     if (!row.failure.empty()) line["failure"] = row.failure;
     line.update(object(row.numbers));
     cases.push_back(std::move(line));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,12 +45,21 @@ struct LoftReport {
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.
+/// What makes a case hard, as its `difficulty` says; 0 for what that leaves out.
+struct BenchDifficulty {
+  double hiddenPct = 0;          ///< `occlusion_pct`: of the part's pixels
+  double missingOutlinePct = 0;  ///< `missing_boundary_pct`: of the outline, erased on purpose
+  double noise = 0;              ///< `noise_sigma`, grey levels
+  double faintOutlinePct = 0;    ///< `no_edge_pct`: of the outline, without an edge near by
+  double innerEdges = 0;         ///< `inner_edges_per_1000px`
+};
 struct BenchCase {
   std::string id, category, image, mask;    ///< image and mask are file names beside case.json
   double boundaryTolerance = 1;             ///< px
   std::vector<std::array<double, 3>> axis;  ///< true middle line: x, y, local width
   std::vector<std::pair<std::string, std::vector<PicturePoint>>>
       strokes;  ///< `spines`, in file order
+  std::optional<BenchDifficulty> difficulty;  ///< none where the file says nothing of it
 };
 /// Errors: JsonInvalid, StrokeNotFinite, OutOfMemory.
 Result<BenchCase> readBenchCase(std::string_view json);
@@ -59,8 +69,9 @@ struct BenchRow {
   std::string name, category, stroke;
   NamedNumbers numbers;
   std::string failure;  ///< empty when the part was made
+  std::vector<std::string> difficulty;  ///< names of what makes the case hard
 };
-/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke",…}]}; with an
+/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke","difficulty",…}]}; with an
 /// ablation also "ablation":[{"name",…}], and so "leave_one_out".
 struct BenchReport {
   std::vector<std::pair<std::string, NamedNumbers>> summary;

@@ -57,6 +57,26 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
   }
 });
 
+test('means are given for all cases that are hard in one way, and a case may be hard in several', (t) => {
+  const folder = workFolder(t);
+  writeCase(folder, 'clean', { difficulty: { missing_boundary_pct: 0 } });
+  writeCase(folder, 'gaps', { difficulty: { missing_boundary_pct: 25, noise_sigma: 9 } });
+  writeCase(folder, 'worse', { difficulty: { missing_boundary_pct: 50, occlusion_pct: 20, no_edge_pct: 60, inner_edges_per_1000px: 120 } });
+  writeCase(folder, 'unknown');
+  works('bench', folder.folder, '--json', folder.path('bench.json'));
+  const { cases, summary } = readJson(folder.path('bench.json'));
+  const hard = Object.fromEntries(cases.map(({ id, difficulty }) => [id, difficulty]));
+  assert.deepEqual(hard, {
+    clean: ['outline complete'], gaps: ['outline partly erased', 'noise'], unknown: [],
+    worse: ['outline half erased', 'outline faint', 'partly hidden', 'edges inside'],
+  });
+  for (const name of new Set(Object.values(hard).flat())) {
+    const group = summary.find((each) => each.name === `${name}, careful`), rows = cases.filter(({ stroke, difficulty }) => stroke === 'careful' && difficulty.includes(name));
+    assert.equal(group.cases, rows.length, name);
+    assert.ok(Math.abs(group.iou - rows.reduce((sum, { iou }) => sum + iou, 0) / rows.length) < 1e-9, name);
+  }
+});
+
 test('a single case folder is a data folder too, and a part that cannot be made counts as nothing', (t) => {
   const folder = workFolder(t);
   writeCase(folder, 'one', { spines: { outside: [[-90, -90], [-50, -90]], careful: barStroke } });

@@ -124,6 +124,7 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   ImGui::EndGroup();
   ImGui::SetCursorPos({10, env.ui().touch ? 47.f : 43.f});
   ImGui::BeginChild("content", {width, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  const float inside = ImGui::GetContentRegionAvail().x;  // a scroll bar takes some
   const document::Part* region = selectedRegion(env);
   const bool boneOnly = env.ui().tab == app::PanelTab::Along || env.ui().tab == app::PanelTab::Ends;
   switch (region && boneOnly ? app::PanelTab::Slice : env.ui().tab) {
@@ -131,22 +132,22 @@ void strip(const PanelEnv& env, const app::Rect& at) {
       partList(env);
       break;
     case app::PanelTab::Slice:
-      region ? regionPanel(env, *region, width) : sectionChooser(env, width);
+      region ? regionPanel(env, *region, inside) : sectionChooser(env, inside);
       break;
     case app::PanelTab::Along:
-      alongPanel(env, width);
+      alongPanel(env, inside);
       break;
     case app::PanelTab::Ends:
-      capChooser(env, width);
+      capChooser(env, inside);
       break;
     case app::PanelTab::Place:
-      placePanel(env, width);
+      placePanel(env, inside);
       break;
     case app::PanelTab::Look:
-      lookPanel(env, width);
+      lookPanel(env, inside);
       break;
     case app::PanelTab::Size:
-      sizePanel(env, width);
+      sizePanel(env, inside);
       break;
   }
   if (!env.ui().listDrag) dragScroll();

@@ -108,6 +108,20 @@ TEST_CASE("a report says everything, and what is not finite becomes null") {
   }
 }
 
+TEST_CASE("what makes a case hard is read with it, what is left out of that is 0, and what is no number too") {
+  const auto read = readBenchCase(R"({"id": "cup", "image": "i.png", "mask": "m.png", "axis": [[1, 2, 3], [4, 5, 6]],
+    "spines": {"sloppy": [[1, 1], [2, 2]]},
+    "difficulty": {"occlusion_pct": 12.5, "missing_boundary_pct": 25, "no_edge_pct": "much", "tags": ["shine"]}})");
+  REQUIRE(read.ok());
+  REQUIRE(read.value().difficulty.has_value());
+  const BenchDifficulty& hard = *read.value().difficulty;
+  CHECK(hard.hiddenPct == 12.5);
+  CHECK(hard.missingOutlinePct == 25);
+  CHECK(hard.faintOutlinePct == 0);
+  CHECK(hard.noise == 0);
+  CHECK(hard.innerEdges == 0);
+}
+
 TEST_CASE("a case of a data folder is read with its strokes in order") {
   const std::string text = R"({"id": "cup", "category": "photo", "image": "i.png", "mask": "m.png",
     "boundary_tolerance_px": 2.5, "axis": [[1, 2, 3], [4, 5, 6]],
@@ -122,6 +136,7 @@ TEST_CASE("a case of a data folder is read with its strokes in order") {
   REQUIRE(one.strokes.size() == 2);
   CHECK(one.strokes[0].first == "sloppy");
   CHECK(one.strokes[1].second == std::vector<PicturePoint>{{3, 3}});
+  CHECK_FALSE(one.difficulty.has_value());
   for (const char* key : {"\"id\"", "\"image\"", "\"mask\"", "\"axis\"", "\"spines\""}) {
     std::string broken = text;
     broken[broken.find(key) + 1] = '?';
@@ -132,15 +147,15 @@ TEST_CASE("a case of a data folder is read with its strokes in order") {
 TEST_CASE("a benchmark is written group by group and row by row; counts have no fraction") {
   BenchReport report;
   report.summary = {{"all careful", {{"cases", 2}, {"iou", 0.875}}}};
-  report.rows = {{"cup", "photo", "careful", {{"iou", 0.875}}, ""},
-                 {"cat", "photo", "careful", {{"iou", 0}}, "StrokeLoops"}};
+  report.rows = {{"cup", "photo", "careful", {{"iou", 0.875}}, "", {}},
+                 {"cat", "photo", "careful", {{"iou", 0}}, "StrokeLoops", {"noise"}}};
   std::string text = writeBench(report);
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
   CHECK(text ==
         "{\"summary\":[{\"name\":\"allcareful\",\"cases\":2,\"iou\":0.875}],\"cases\":["
         "{\"name\":\"cupcareful\",\"id\":\"cup\",\"category\":\"photo\",\"stroke\":\"careful\","
-        "\"iou\":0.875},{\"name\":\"catcareful\",\"id\":\"cat\",\"category\":\"photo\","
-        "\"stroke\":\"careful\",\"failure\":\"StrokeLoops\",\"iou\":0}]}");
+        "\"difficulty\":[],\"iou\":0.875},{\"name\":\"catcareful\",\"id\":\"cat\",\"category\":\"photo\","
+        "\"stroke\":\"careful\",\"difficulty\":[\"noise\"],\"failure\":\"StrokeLoops\",\"iou\":0}]}");
   CHECK(writeNumbers({{"a", 1}, {"b", std::numeric_limits<double>::infinity()}}) ==
         "{\n \"a\": 1,\n \"b\": null\n}\n");
 }
