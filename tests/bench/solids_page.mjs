@@ -42,7 +42,8 @@ async function timesOf({ address, warm, edits, later, functions }) {
   const union = [await ask(operands, meshes)];
   const known = bytes;
   worker.postMessage({ expect: 2 });
-  await pause(2500);
+  // Long enough on a busy machine, too.
+  await pause(6000);
   const edit = [];
   for (let i = 0; i < edits; i += 1) {
     const mesh = `edit ${i}`;
