@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <new>
 #include <numbers>
 #include <optional>
@@ -60,6 +61,60 @@ std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image:
   return out;
 }
 
+using Polygons = std::vector<std::vector<PicturePoint>>;
+
+/// Of the ribs `first` … `last`, which end at nothing seen on that side.
+surface::Crossing crossingAt(const ribs::RibSet& set, std::size_t first, std::size_t last, bool left, image::Size picture) {
+  // Of the way from the middle to the end.
+  constexpr double kOutside = 1.6, kThreshold = 0.85;
+  surface::Crossing out;
+  const auto band = [&](std::size_t i, double from, double to, Polygons& into) {
+    const auto at = [&](std::size_t k, double share) {
+      const ribs::Rib& rib = set.ribs[k];
+      return toUv(rib.center + ((left ? rib.left : rib.right) - rib.center) * share, picture);
+    };
+    into.push_back({at(i - 1, from), at(i - 1, to), at(i, to), at(i, from)});
+  };
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    band(i, 1, kOutside, out.outside);
+    band(i, kThreshold, 1, out.threshold);
+  }
+  const std::size_t more = (last - first) / 2 + kBeside, count = set.ribs.size();
+  for (std::size_t i = first - std::min(first, more) + 1; i <= std::min(count - 1, last + more); ++i) {
+    const ribs::Rib &a = set.ribs[i - 1], &b = set.ribs[i];
+    out.reach.push_back({toUv(a.left, picture), toUv(b.left, picture), toUv(b.right, picture), toUv(a.right, picture)});
+  }
+  return out;
+}
+
+/// The longest stretches of ribs in a row, but for a few between them, that stand on no outline on one side;
+/// not at the ends of the part.
+std::vector<surface::Crossing> crossings(const ribs::RibSet& set, image::Size picture) {
+  constexpr std::size_t kLeast = 5, kGap = 2, kMost = 2;
+  struct Stretch {
+    std::size_t first, last;
+    bool left;
+  };
+  std::vector<Stretch> found;
+  const std::size_t count = set.ribs.size();
+  const auto ends = static_cast<std::size_t>(kEndShare * static_cast<double>(count)) + 1;
+  for (const bool left : {true, false}) {
+    const auto isSeen = [&](std::size_t i) { return isSure(left ? set.ribs[i].leftState : set.ribs[i].rightState); };
+    for (std::size_t i = ends; i + ends < count; ++i) {
+      if (isSeen(i)) continue;
+      if (found.empty() || found.back().left != left || i > found.back().last + kGap + 1) found.push_back({i, i, left});
+      found.back().last = i;
+    }
+  }
+  std::erase_if(found, [](const Stretch& s) { return s.last - s.first + 1 < kLeast; });
+  std::ranges::stable_sort(found, std::ranges::greater{}, [](const Stretch& s) { return s.last - s.first; });
+  std::vector<surface::Crossing> out;
+  for (std::size_t i = 0; i < std::min(found.size(), kMost); ++i) {
+    out.push_back(crossingAt(set, found[i].first, found[i].last, found[i].left, picture));
+  }
+  return out;
+}
+
 /// A band with round ends and corners, as discs and what lies between them.
 void addBand(const ribs::IgnoreMark& mark, image::Size picture, std::vector<std::vector<PicturePoint>>& out) {
   constexpr int kCorners = 16;
@@ -104,8 +159,8 @@ std::shared_ptr<const surface::PartTexture> textureStage(
   try {
     const image::Size size{pixels.width, pixels.height};
     const auto sure = sureParts(shape.ribs, size), hidden = hiddenParts(marks, size);
-    return shared(
-        surface::partTexture(pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden}));
+    const auto unseen = crossings(shape.ribs, size);
+    return shared(surface::partTexture(pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden, unseen}));
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
@@ -120,7 +175,8 @@ TextureMaking::TextureMaking(std::shared_ptr<const PartShape> shape,
   if (mesh.uv.size() != mesh.positions.size()) return;
   sure_ = sureParts(shape_->ribs, size);
   hidden_ = hiddenParts(marks, size);
-  steps_.emplace(pixels_->working, surface::Wrapped{mesh.uv, mesh.triangles, sure_, hidden_});
+  crossings_ = crossings(shape_->ribs, size);
+  steps_.emplace(pixels_->working, surface::Wrapped{mesh.uv, mesh.triangles, sure_, hidden_, crossings_});
 }
 
 bool TextureMaking::step() {

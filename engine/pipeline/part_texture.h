@@ -37,6 +37,7 @@ class TextureMaking {
   std::shared_ptr<const PartShape> shape_;
   std::shared_ptr<const image::Picture> pixels_;
   std::vector<std::vector<PicturePoint>> sure_, hidden_;
+  std::vector<surface::Crossing> crossings_;
   std::optional<surface::TextureSteps> steps_;
   std::shared_ptr<const surface::PartTexture> made_;
 };

@@ -7,6 +7,7 @@
 
 #include "engine/surface/bleed.h"
 #include "engine/surface/foreign.h"
+#include "engine/surface/intruder.h"
 #include "engine/surface/raster.h"
 
 namespace spineloft::surface {
@@ -213,6 +214,7 @@ struct TextureSteps::State {
   image::Mask inner;     ///< what can be kept where the part is sure
   image::Mask familiar;  ///< what is not foreign
   Kept kept;
+  std::size_t crossed = 0;    ///< of the crossings that were looked at
   std::optional<Carried> in;  ///< the part's colours, from what it keeps
   std::optional<PartTexture> made;
 
@@ -221,6 +223,7 @@ struct TextureSteps::State {
 
   void begin();
   void trust();
+  void uncover();
   void judge();
   void settle();
   void cleanRim();
@@ -255,7 +258,23 @@ void TextureSteps::State::trust() {
   }
   kept.inner = common(inner, lie.sure);
   in.emplace(shown, kept.inner);
-  next = &State::judge;
+  next = surface.crossings.empty() ? &State::judge : &State::uncover;
+}
+
+/// What an intruder hides is neither seen nor sure; one stretch a step.
+void TextureSteps::State::uncover() {
+  const Crossing& crossing = surface.crossings[crossed++];
+  next = crossed < surface.crossings.size() ? &State::uncover : &State::judge;
+  const UvArea around = uvOf(wide, whole());
+  const image::Mask outside = filled(crossing.outside, around, size());
+  const image::Mask threshold = filled(crossing.threshold, around, size()), reach = filled(crossing.reach, around, size());
+  const image::Mask found = intruder({shown, lie.covered, inner, outside, threshold, reach});
+  if (found.pixels.empty()) return;
+  const image::Mask seen = opposite(found);
+  inner = common(std::move(inner), inset(seen, lie.margin));
+  kept.rim = common(std::move(kept.rim), seen);
+  kept.inner = common(inner, lie.sure);
+  in.emplace(shown, kept.inner);
 }
 
 /// What is not sure, by its colours.

@@ -30,6 +30,14 @@ struct PartTexture {
 /// Most pixels of one part's texture; larger cut-outs are averaged down.
 inline constexpr long long kTexturePixels = 2'000'000;
 
+/// A stretch of the outline of a part that could not be seen: something may stand before it and go on
+/// over the part. Polygons as those of Wrapped.
+struct Crossing {
+  std::vector<std::vector<PicturePoint>> outside;    ///< beside the stretch
+  std::vector<std::vector<PicturePoint>> threshold;  ///< along it, in the part
+  std::vector<std::vector<PicturePoint>> reach;      ///< all across the part, there and a little further
+};
+
 /// A surface over the picture. Spans must outlive the call.
 struct Wrapped {
   std::span<const std::array<float, 2>> uv;                 ///< in the picture, 0…1
@@ -39,12 +47,14 @@ struct Wrapped {
   std::span<const std::vector<PicturePoint>> sure;
   /// Polygons (the same) in which the picture certainly shows another thing. May overlap.
   std::span<const std::vector<PicturePoint>> hidden;
+  std::span<const Crossing> crossings = {};
 };
 
 /// Cuts out what the triangles cover of the picture's working copy. What the picture shows of the part stays
 /// as it is, pixel for pixel; over the rest colours are bled (bleed.h): over the rim where what is behind is
-/// mixed into it, over transparent pixels, beyond the outline, over what is hidden, and where the part
-/// is not sure over what is foreign there (foreign.h), so that no colour from around the part is on it.
+/// mixed into it, over transparent pixels, beyond the outline, over what is hidden, over what comes in at a
+/// crossing (intruder.h), and where the part is not sure over what is foreign there (foreign.h), so that no
+/// colour from around the part is on it.
 /// When nothing would be left, the rim is believed after all, and what is hidden too. None when no pixel that is covered can be seen, or
 /// nothing is covered. Linear in the pixels of the cut-out and the rows of the triangles.
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);
