@@ -161,8 +161,8 @@ class Bench {
     Result<ribs::RibSet> found = ribs::traceVariant(spine.value(), {edges, size}, recipe.ribs,
                                                     variation_.variant, memory);
     if (!found.ok()) return found.failure();
-    loft::LoftWorkspace loftMemory;
-    return pipeline::shapeStage(recipe, {std::move(spine).value(), std::move(found).value()}, size, loftMemory,
+    pipeline::ShapeMemory shapeMemory;
+    return pipeline::shapeStage(recipe, {std::move(spine).value(), std::move(found).value()}, size, shapeMemory,
                                 nowMs);
   }
 

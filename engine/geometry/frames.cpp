@@ -67,9 +67,9 @@ Frame between(const Frame& a, const Frame& b, double t) {
   return frameOf(lerp(a.at, b.at, t), tangent, squareTo(tangent, lerp(a.across, b.across, t)));
 }
 
-std::vector<ModelPoint> tangentsOf(std::span<const ModelPoint> line, bool closed) {
+void tangentsOf(std::span<const ModelPoint> line, bool closed, std::vector<ModelPoint>& tangents) {
   const std::size_t n = line.size();
-  std::vector<ModelPoint> tangents(n);
+  tangents.assign(n, {});
   for (std::size_t i = 1; i + 1 < n; ++i) {
     tangents[i] = normalized(slopeAt(line[i - 1], line[i], line[i + 1]));
   }
@@ -86,13 +86,20 @@ std::vector<ModelPoint> tangentsOf(std::span<const ModelPoint> line, bool closed
       tangents[i] = normalized(i + 1 < n ? line[i + 1] - line[i] : line[i] - line[i - 1]);
     }
   }
-  return tangents;
 }
 
 std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross,
                                  bool closed) {
-  const std::vector<ModelPoint> tangents = tangentsOf(line, closed);
+  std::vector<ModelPoint> tangents;
   std::vector<Frame> frames;
+  minimalFrames(line, firstAcross, closed, tangents, frames);
+  return frames;
+}
+
+void minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross, bool closed,
+                   std::vector<ModelPoint>& tangents, std::vector<Frame>& frames) {
+  tangentsOf(line, closed, tangents);
+  frames.clear();
   frames.reserve(line.size());
   frames.push_back(frameOf(line[0], tangents[0], squareTo(tangents[0], firstAcross)));
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -105,7 +112,6 @@ std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint fi
     frames.push_back(frameOf(line[i], tangents[i], squareTo(tangents[i], moved)));
   }
   if (closed) spreadHolonomy(frames);
-  return frames;
 }
 
 }  // namespace spineloft::geometry

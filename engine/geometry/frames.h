@@ -21,7 +21,7 @@ Frame between(const Frame& a, const Frame& b, double t);
 /// Unit tangents of a smooth line at its points, by the parabola through each point and its
 /// neighbours; ≥ 2 points, neighbours should be distinct. `closed`: the last point is the first again, and both
 /// get the same tangent.
-std::vector<ModelPoint> tangentsOf(std::span<const ModelPoint> line, bool closed);
+void tangentsOf(std::span<const ModelPoint> line, bool closed, std::vector<ModelPoint>& tangents);
 
 /// Frames that turn about the tangent as little as a line allows (rotation-minimising frames by
 /// double reflection; Wang, Jüttler, Zheng and Liu 2008; with these tangents the error falls with
@@ -31,5 +31,8 @@ std::vector<ModelPoint> tangentsOf(std::span<const ModelPoint> line, bool closed
 /// after one round is taken back evenly along the length, so that the last frame is the first.
 std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross,
                                  bool closed);
+/// The same into `frames`; `tangents` is memory.
+void minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross, bool closed,
+                   std::vector<ModelPoint>& tangents, std::vector<Frame>& frames);
 
 }  // namespace spineloft::geometry

@@ -1,7 +1,6 @@
 #include "engine/geometry/polyline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,9 +11,9 @@ namespace {
 using Band = std::vector<std::array<double, 3>>;
 
 // I + weight² DᵀD over the points between the fixed ends; D takes second differences.
-Band smoothingMatrix(std::size_t unknowns, double weight) {
+void smoothingMatrix(std::size_t unknowns, double weight, Band& band) {
   const double w2 = weight * weight;
-  Band band(unknowns, {1, 0, 0});
+  band.assign(unknowns, {1, 0, 0});
   // The second difference centred on point j of the whole polyline touches unknowns j−2, j−1, j.
   const std::array<double, 3> stencil{1, -2, 1};
   for (std::size_t j = 0; j < unknowns; ++j) {
@@ -25,7 +24,6 @@ Band smoothingMatrix(std::size_t unknowns, double weight) {
       }
     }
   }
-  return band;
 }
 
 // LDLᵀ in place: row i becomes d_i and the multipliers of rows i+1 and i+2.
@@ -81,24 +79,30 @@ struct Extent {
 
 }  // namespace
 
-std::vector<PicturePoint> smooth(std::span<const PicturePoint> points, double weight) {
-  std::vector<PicturePoint> out(points.begin(), points.end());
-  if (points.size() < 3 || !(weight > 0)) return out;
+void smooth(std::vector<PicturePoint>& points, double weight, SmoothMemory& memory) {
+  if (points.size() < 3 || !(weight > 0)) return;
   const std::size_t unknowns = points.size() - 2;
-  Band band = smoothingMatrix(unknowns, weight);
-  factor(band);
+  smoothingMatrix(unknowns, weight, memory.band);
+  factor(memory.band);
   // Solving for the departure from the chord through both ends makes the right-hand side zero at
   // the fixed ends and keeps a straight line exactly straight.
   const PicturePoint first = points.front(), last = points.back();
   const double steps = static_cast<double>(points.size() - 1);
-  std::vector<PicturePoint> departure(unknowns);
+  std::vector<PicturePoint>& departure = memory.departure;
+  departure.resize(unknowns);
   for (std::size_t i = 0; i < unknowns; ++i) {
     departure[i] = points[i + 1] - lerp(first, last, static_cast<double>(i + 1) / steps);
   }
-  solve(band, departure);
+  solve(memory.band, departure);
   for (std::size_t i = 0; i < unknowns; ++i) {
-    out[i + 1] = lerp(first, last, static_cast<double>(i + 1) / steps) + departure[i];
+    points[i + 1] = lerp(first, last, static_cast<double>(i + 1) / steps) + departure[i];
   }
+}
+
+std::vector<PicturePoint> smooth(std::span<const PicturePoint> points, double weight) {
+  std::vector<PicturePoint> out(points.begin(), points.end());
+  SmoothMemory memory;
+  smooth(out, weight, memory);
   return out;
 }
 

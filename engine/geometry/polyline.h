@@ -1,6 +1,7 @@
 // Open polylines in a plane: length, even resampling, smoothing, nearest points, self-crossings.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,11 +10,16 @@
 
 namespace spineloft::geometry {
 
-/// Arc length at every point, starting with 0. Same size as `points`.
+/// Arc length at every point, starting with 0, into `s`, whose memory is reused. Same size as `points`.
+template <class V>
+void arcLengths(std::span<const V> points, std::vector<double>& s) {
+  s.assign(points.size(), 0.0);
+  for (std::size_t i = 1; i < points.size(); ++i) s[i] = s[i - 1] + distance(points[i - 1], points[i]);
+}
 template <class V>
 std::vector<double> arcLengths(std::span<const V> points) {
-  std::vector<double> s(points.size(), 0.0);
-  for (std::size_t i = 1; i < points.size(); ++i) s[i] = s[i - 1] + distance(points[i - 1], points[i]);
+  std::vector<double> s;
+  arcLengths(points, s);
   return s;
 }
 
@@ -31,11 +37,12 @@ V pointAt(std::span<const V> points, std::span<const double> s, double at) {
   return step > 0 ? lerp(points[low], points[high], (at - s[low]) / step) : points[low];
 }
 
-/// `count` ≥ 2 points evenly spaced by arc length, first and last kept exactly.
+/// `count` ≥ 2 points evenly spaced by arc length, first and last kept exactly, into `out`, which `points` are
+/// no part of. `s` is memory, for their arc lengths.
 template <class V>
-std::vector<V> resample(std::span<const V> points, std::size_t count) {
-  const std::vector<double> s = arcLengths(points);
-  std::vector<V> out(count);
+void resample(std::span<const V> points, std::size_t count, std::vector<double>& s, std::vector<V>& out) {
+  arcLengths(points, s);
+  out.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     out[i] = pointAt(points, std::span<const double>(s),
                      s.back() * static_cast<double>(i) / static_cast<double>(count - 1));
@@ -44,23 +51,41 @@ std::vector<V> resample(std::span<const V> points, std::size_t count) {
     out.front() = points.front();
     out.back() = points.back();
   }
+}
+template <class V>
+std::vector<V> resample(std::span<const V> points, std::size_t count) {
+  std::vector<double> s;
+  std::vector<V> out;
+  resample(points, count, s, out);
   return out;
 }
 
 /// Drops points closer than `tolerance` to their predecessor (first kept; ≥ 1 point in, ≥ 1 out).
 template <class V>
-std::vector<V> dropRepeats(std::span<const V> points, double tolerance) {
-  std::vector<V> out;
-  out.reserve(points.size());
-  for (const V& p : points) {
-    if (out.empty() || distance(out.back(), p) > tolerance) out.push_back(p);
+void dropRepeats(std::vector<V>& points, double tolerance) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept == 0 || distance(points[kept - 1], points[i]) > tolerance) points[kept++] = points[i];
   }
+  points.resize(kept);
+}
+template <class V>
+std::vector<V> dropRepeats(std::span<const V> points, double tolerance) {
+  std::vector<V> out(points.begin(), points.end());
+  dropRepeats(out, tolerance);
   return out;
 }
 
 /// Minimises Σ|x_i − p_i|² + (weight · second differences)², ends fixed: a discrete smoothing spline
 /// that keeps straight lines straight. `points` evenly spaced; weight ≥ 0 in units of spacing².
 std::vector<PicturePoint> smooth(std::span<const PicturePoint> points, double weight);
+/// What it computes with.
+struct SmoothMemory {
+  std::vector<std::array<double, 3>> band;
+  std::vector<PicturePoint> departure;
+};
+/// The same in place, in memory that is reused.
+void smooth(std::vector<PicturePoint>& points, double weight, SmoothMemory& memory);
 
 /// Where an open polyline first crosses itself: segments i < j (not neighbours) and the crossing.
 struct Crossing {

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/polyline.h"
-
 namespace spineloft::geometry {
 
 bool readsForwards(std::span<const PicturePoint> stroke) {
@@ -16,15 +14,22 @@ bool readsForwards(std::span<const PicturePoint> stroke) {
   return true;
 }
 
-std::vector<PicturePoint> evenStroke(std::span<const PicturePoint> stroke) {
-  return resample(stroke, kStrokePoints);
+void spreadEvenly(std::vector<PicturePoint>& line, std::size_t count, StrokeMemory& memory) {
+  resample(std::span<const PicturePoint>(line), count, memory.lengths, memory.spare);
+  line.swap(memory.spare);
 }
 
-std::vector<PicturePoint> withoutWobble(std::span<const PicturePoint> line, double share) {
+void smoothWobble(std::vector<PicturePoint>& line, double share, StrokeMemory& memory) {
   // A wobble of wavelength λ points is halved by the weight (λ / 2π)²: `smooth` damps it by
   // 1 / (1 + weight² (2π/λ)⁴).
   const double wave = share * static_cast<double>(kStrokePoints - 1);
-  return smooth(line, std::pow(wave / (2 * std::numbers::pi), 2));
+  smooth(line, std::pow(wave / (2 * std::numbers::pi), 2), memory.smooth);
+}
+
+double lengthOf(std::span<const PicturePoint> line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+  return length;
 }
 
 }  // namespace spineloft::geometry

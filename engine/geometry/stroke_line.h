@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/geometry/polyline.h"
 
 namespace spineloft::geometry {
 
@@ -16,10 +17,20 @@ inline constexpr std::size_t kStrokePoints = 512;
 /// that a stroke and its reverse go through the very same arithmetic. An empty one does.
 bool readsForwards(std::span<const PicturePoint> stroke);
 
-/// The same line on kStrokePoints points at even distances; ≥ 2 points, of some length.
-std::vector<PicturePoint> evenStroke(std::span<const PicturePoint> stroke);
+/// What a stroke is worked on in: reused from stroke to stroke, without a trace in any result.
+struct StrokeMemory {
+  std::vector<double> lengths;
+  std::vector<PicturePoint> spare;
+  SmoothMemory smooth;
+};
 
-/// Smooths out what wobbles on less than `share` of the length, 0…0.2; `line` is one of evenStroke.
-std::vector<PicturePoint> withoutWobble(std::span<const PicturePoint> line, double share);
+/// The same line on `count` points at even distances; `line` has ≥ 2 points, of some length.
+void spreadEvenly(std::vector<PicturePoint>& line, std::size_t count, StrokeMemory& memory);
+
+/// Smooths out what wobbles on less than `share` of the length, 0…0.2; `line` is spread evenly over kStrokePoints.
+void smoothWobble(std::vector<PicturePoint>& line, double share, StrokeMemory& memory);
+
+/// Length of a line of ≥ 1 point.
+double lengthOf(std::span<const PicturePoint> line);
 
 }  // namespace spineloft::geometry

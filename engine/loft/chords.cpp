@@ -51,11 +51,13 @@ bool inOrder(std::span<const Chord> row, const ChordLimits& limits) {
   return true;
 }
 
-/// The indices of a long sequence in which each chord follows the one before and crosses none of
+/// Into `memory.run`: the indices of a long sequence in which each chord follows the one before and crosses none of
 /// the few before that: the longest, if the best ways to the earlier chords are part of it.
-std::vector<std::size_t> longestRun(std::span<const Chord> chords, const ChordLimits& limits) {
+void findLongestRun(std::span<const Chord> chords, const ChordLimits& limits, ChordMemory& memory) {
   const std::size_t n = chords.size();
-  std::vector<std::size_t> length(n, 1), previous(n, n);
+  std::vector<std::size_t> &length = memory.length, &previous = memory.previous, &run = memory.run;
+  length.assign(n, 1);
+  previous.assign(n, n);
   std::size_t best = 0;
   const auto chainIsClear = [&](std::size_t i, std::size_t j) {
     for (std::size_t step = 1; step < kNear && previous[j] != n; ++step) {
@@ -75,10 +77,9 @@ std::vector<std::size_t> longestRun(std::span<const Chord> chords, const ChordLi
     }
     if (length[i] > length[best]) best = i;
   }
-  std::vector<std::size_t> run;
+  run.clear();
   for (std::size_t i = best; i < n; i = previous[i]) run.push_back(i);
   std::reverse(run.begin(), run.end());
-  return run;
 }
 
 /// Chords between a and b that were left out come back where they fit, with the end that is in the
@@ -110,13 +111,10 @@ void fillGap(std::span<const Chord> left, std::span<const Chord> ahead, const Ch
 
 /// On one side, runs of ends that go backwards while their chords cross gather in their mean (pool
 /// adjacent violators; Ayer et al. 1955, in the plane). Linear.
-void gatherEnds(std::vector<Chord>& chords, PicturePoint Chord::*side) {
-  struct Block {
-    PicturePoint sum;
-    std::size_t first, count;
-    PicturePoint mean() const { return sum / static_cast<double>(count); }
-  };
-  std::vector<Block> blocks;
+void gatherEnds(std::vector<Chord>& chords, PicturePoint Chord::*side,
+                std::vector<ChordMemory::Block>& blocks) {
+  using Block = ChordMemory::Block;
+  blocks.clear();
   const auto chordOf = [&](const Block& block, std::size_t at) {
     Chord chord = chords[at];
     chord.*side = block.mean();
@@ -191,18 +189,20 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits) {
   }
 }
 
-std::vector<Chord> orderChords(std::vector<Chord> row, const ChordLimits& limits) {
+void orderChords(std::vector<Chord>& row, const ChordLimits& limits, ChordMemory& memory) {
   if (!inOrder(row, limits)) {
-    std::vector<std::size_t> run = longestRun(row, limits);
+    const std::vector<std::size_t>& run = memory.run;
+    findLongestRun(row, limits, memory);
     if (run.size() * 5 < row.size() * 3) {
       // Not a few that stray but a bend tighter than the part is wide: no majority to follow.
-      gatherEnds(row, &Chord::left);
-      gatherEnds(row, &Chord::right);
+      gatherEnds(row, &Chord::left, memory.blocks);
+      gatherEnds(row, &Chord::right, memory.blocks);
       partEnds(row, limits);
-      run = longestRun(row, limits);
+      findLongestRun(row, limits, memory);
     }
-    std::vector<Chord> kept, out;
-    kept.reserve(run.size());
+    std::vector<Chord> &kept = memory.kept, &out = memory.out;
+    kept.clear();
+    out.clear();
     out.reserve(row.size());
     for (const std::size_t at : run) kept.push_back(row[at]);
     for (std::size_t k = 0; k < run.size(); ++k) {
@@ -212,21 +212,21 @@ std::vector<Chord> orderChords(std::vector<Chord> row, const ChordLimits& limits
       }
       out.push_back(kept[k]);
     }
-    row = std::move(out);
+    row.assign(out.begin(), out.end());
   }
   partEnds(row, limits);
-  return row;
 }
 
-std::vector<Chord> spreadChords(std::span<const Chord> chords, const ChordLimits& limits) {
-  std::vector<Chord> out;
-  out.reserve(chords.size());
-  for (const Chord& chord : chords) {
-    if (out.empty()) {
-      out.push_back(chord);
-      continue;
-    }
-    const Chord& before = out.back();
+std::vector<Chord> orderChords(std::vector<Chord> chords, const ChordLimits& limits) {
+  ChordMemory memory;
+  orderChords(chords, limits, memory);
+  return chords;
+}
+
+void spreadChords(std::vector<Chord>& chords, const ChordLimits& limits) {
+  std::size_t kept = std::min<std::size_t>(1, chords.size());
+  for (std::size_t i = kept; i < chords.size(); ++i) {
+    const Chord &before = chords[kept - 1], &chord = chords[i];
     Chord moved = chord;
     constexpr int kRounds = 4;  // moving an end turns the chord a little, so look again
     bool ahead = false;
@@ -246,10 +246,10 @@ std::vector<Chord> spreadChords(std::span<const Chord> chords, const ChordLimits
         std::max(distance(moved.left, chord.left), distance(moved.right, chord.right));
     if (ahead && shift <= 0.25 * chord.width() + 8 * limits.spacing &&
         moved.width() >= limits.width / 2 && dot(moved.across(), before.across()) > 0) {
-      out.push_back(moved);
+      chords[kept++] = moved;
     }
   }
-  return out;
+  chords.resize(kept);
 }
 
 }  // namespace spineloft::loft

@@ -2,6 +2,7 @@
 // loft/.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -47,8 +48,23 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits);
 /// but for a few `spacing` at ends that coincided. Cost: linear, with a bounded look at neighbours.
 std::vector<Chord> orderChords(std::vector<Chord> chords, const ChordLimits& limits);
 
+/// What it looks for the run in.
+struct ChordMemory {
+  /// Ends of neighbouring chords that gather in one place.
+  struct Block {
+    PicturePoint sum;
+    std::size_t first, count;
+    PicturePoint mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<std::size_t> length, previous, run;
+  std::vector<Chord> kept, out;
+  std::vector<Block> blocks;
+};
+/// The same in place, in memory that is reused.
+void orderChords(std::vector<Chord>& chords, const ChordLimits& limits, ChordMemory& memory);
+
 /// Moves both ends of every chord strictly ahead of its predecessor (by `spacing`, measured across
 /// both chords), dropping what would have to move by more than a quarter of its width.
-std::vector<Chord> spreadChords(std::span<const Chord> chords, const ChordLimits& limits);
+void spreadChords(std::vector<Chord>& chords, const ChordLimits& limits);
 
 }  // namespace spineloft::loft

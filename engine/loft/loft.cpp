@@ -33,6 +33,7 @@ struct Input {
 struct Body {
   std::vector<Chord> chords;
   std::optional<PicturePoint> startTip, endTip;
+  ChordMemory memory;
 };
 
 }  // namespace
@@ -136,7 +137,7 @@ void repairBody(std::span<const Chord> given, const ChordLimits& limits, Body& b
     chords.pop_back();
   }
   widenChords(chords, limits);
-  chords = orderChords(std::move(chords), limits);
+  orderChords(chords, limits, body.memory);
   const auto ahead = [&](const Chord& chord, PicturePoint tip) {
     return dot(tip - chord.middle(), normalized(forwardOf(chord.across()))) > 2 * limits.spacing;
   };
@@ -216,7 +217,7 @@ void addCaps(const LoftParams& params, const ChordLimits& limits, LoftWorkspace:
 
 /// Strict repair: every chord clearly ahead of the one before, tips ahead of their chords.
 void spread(Outline& outline, const ChordLimits& limits) {
-  outline.chords = spreadChords(outline.chords, limits);
+  spreadChords(outline.chords, limits);
   outline.bodyBegin = outline.bodyEnd = 0;
   if (outline.chords.size() == 1 && !outline.startTip && !outline.endTip) {
     thicken(outline.chords, limits);

@@ -101,7 +101,7 @@ Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
                                const LoftParams& params, const PosedSpine& spine);
 
 /// The same for frame after frame: in place of what `mesh` held, without asking for memory once `memory` and `mesh`
-/// have seen parts as large, where one section stands along the spine at rest, ribs follow each other, and no end is
+/// have seen parts as large, where one section stands along the spine at rest and no end is
 /// open. After a failure `mesh` is of no use.
 struct Source {
   const ribs::RibSet& ribs;

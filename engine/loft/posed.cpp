@@ -6,8 +6,6 @@
 #include <numbers>
 
 #include "engine/base/limits.h"
-#include "engine/geometry/polyline.h"
-#include "engine/geometry/stroke_line.h"
 
 namespace spineloft::loft {
 namespace {
@@ -22,28 +20,26 @@ constexpr double kFarOut = 1e6;  ///< picture pixels: beyond it floats are too c
 using Plane = std::vector<PicturePoint>;
 using Line = std::vector<ModelPoint>;
 
-double lengthOf(const Plane& points) {
-  return geometry::arcLengths(std::span<const PicturePoint>(points)).back();
-}
+using geometry::lengthOf;
 
 /// A stroke made even and smooth, as cleanSpine does it but for hooks and the picture's frame.
-Result<Plane> cleaned(const Plane& stroke, std::size_t count) {
-  Plane points;
+Status cleaned(const Plane& stroke, std::size_t count, geometry::StrokeMemory& memory, Plane& points) {
+  points.clear();
   for (const PicturePoint& p : stroke) {
     if (!isFinite(p)) return Error::StrokeNotFinite;
     points.push_back({std::clamp(p.x, -kFarOut, kFarOut), std::clamp(p.y, -kFarOut, kFarOut)});
   }
   const bool backwards = !geometry::readsForwards(points);
   if (backwards) std::ranges::reverse(points);
-  points = geometry::dropRepeats(std::span<const PicturePoint>(points), kSamePoint);
+  geometry::dropRepeats(points, kSamePoint);
   if (points.size() < 2) return Error::StrokeTooShort;
   // Even twice: the first time cuts corners between points that were far apart.
-  points = geometry::evenStroke(geometry::evenStroke(points));
-  points = geometry::withoutWobble(points, kSmoothness);
+  for (int i = 0; i < 2; ++i) geometry::spreadEvenly(points, geometry::kStrokePoints, memory);
+  geometry::smoothWobble(points, kSmoothness, memory);
   if (!(lengthOf(points) > kSamePoint)) return Error::StrokeTooShort;
-  points = geometry::resample(std::span<const PicturePoint>(points), count);
+  geometry::spreadEvenly(points, count, memory);
   if (backwards) std::ranges::reverse(points);
-  return points;
+  return Done{};
 }
 
 /// Bends an even line until its ends meet: its turning becomes that of a ring, spread evenly, and what
@@ -82,7 +78,7 @@ Plane closed(const Plane& line) {
 }
 
 /// `pieces` points from each point to the next on a smooth curve (Catmull and Rom 1974), in ModelSpace.
-Line refined(const Plane& points, std::size_t pieces, bool ring) {
+void refine(const Plane& points, std::size_t pieces, bool ring, Line& line) {
   const std::size_t n = points.size();
   const auto at = [&](std::ptrdiff_t i) {
     const auto last = static_cast<std::ptrdiff_t>(n) - 1;
@@ -91,7 +87,7 @@ Line refined(const Plane& points, std::size_t pieces, bool ring) {
     if (i > last) return points[n - 1] * 2.0 - points[n - 2];
     return points[static_cast<std::size_t>(i)];
   };
-  Line line;
+  line.clear();
   line.reserve((n - 1) * pieces + 1);
   for (std::ptrdiff_t i = 0; i + 1 < static_cast<std::ptrdiff_t>(n); ++i) {
     const PicturePoint a = at(i), b = at(i + 1);
@@ -104,7 +100,6 @@ Line refined(const Plane& points, std::size_t pieces, bool ring) {
     }
   }
   line.push_back(ring ? line.front() : ModelPoint{points.back().x, -points.back().y, 0});
-  return line;
 }
 
 /// The direction of ribs in the picture's plane: to the right of travel.
@@ -149,43 +144,54 @@ ModelPoint inModel(PicturePoint p) { return {p.x, -p.y, 0}; }
 }  // namespace
 
 Result<PosedSpine> poseSpine(const ribs::Spine& rest, const Pose& pose) {
+  PoseMemory memory;
+  PosedSpine spine;
+  const Status posed = poseSpine(rest, pose, memory, spine);
+  if (!posed.ok()) return posed.failure();
+  return spine;
+}
+
+Status poseSpine(const ribs::Spine& rest, const Pose& pose, PoseMemory& memory, PosedSpine& spine) {
   if (!isValid(pose)) return {Error::ValueOutOfRange, "pose"};
   if (rest.points.size() < 2) return Error::StrokeTooShort;
   const bool coil = pose.coilTurns != 0 && pose.coilRadius > 0;
-  PosedSpine spine;
+  spine.scale = 1;
   spine.closed = pose.closed;
   spine.moved = !pose.stroke.empty() || !pose.depth.empty() || coil || pose.closed;
-  Plane traced = rest.points, line = traced;
-  if (traced.size() < kLeastPoints) {
-    traced = geometry::resample(std::span<const PicturePoint>(traced), kLeastPoints);
-    line = traced;
+  Plane &traced = memory.traced, &line = memory.line;
+  if (rest.points.size() < kLeastPoints) {
+    geometry::resample(std::span<const PicturePoint>(rest.points), kLeastPoints, memory.stroke.lengths, traced);
+  } else {
+    traced = rest.points;
   }
   if (!pose.stroke.empty()) {
-    Result<Plane> stroke = cleaned(pose.stroke, traced.size());
-    if (!stroke) return stroke.failure();
-    line = std::move(stroke).value();
+    const Status drawn = cleaned(pose.stroke, traced.size(), memory.stroke, line);
+    if (!drawn.ok()) return drawn;
     spine.scale = lengthOf(line) / lengthOf(traced);
+  } else {
+    line = traced;
   }
   if (pose.closed) line = closed(line);
   constexpr double kPointsATurn = 96;
   const double wanted = std::max(256.0, kPointsATurn * (coil ? std::abs(pose.coilTurns) : 0));
   const auto pieces = static_cast<std::size_t>(std::ceil(wanted / static_cast<double>(line.size() - 1)));
-  const Line flat = refined(traced, pieces, false);
-  spine.rest = geometry::minimalFrames(flat, ribDirection(flat), false);
+  Line& refined = memory.refined;
+  refine(traced, pieces, false, refined);
+  geometry::minimalFrames(refined, ribDirection(refined), false, memory.tangents, spine.rest);
   if (!spine.moved) {
     spine.posed = spine.rest;
-    return spine;
+    return Done{};
   }
-  Line stands = refined(line, pieces, pose.closed);
-  const ModelPoint across = ribDirection(stands);
+  refine(line, pieces, pose.closed, refined);
+  const ModelPoint across = ribDirection(refined);
   const double first = geometry::valueAt(pose.depth, 0, 0), last = geometry::valueAt(pose.depth, 1, 0);
-  for (std::size_t i = 0; i < stands.size(); ++i) {
-    const double t = static_cast<double>(i) / static_cast<double>(stands.size() - 1);
-    stands[i].z = geometry::valueAt(pose.depth, t, 0) - (pose.closed ? t * (last - first) : 0);
+  for (std::size_t i = 0; i < refined.size(); ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(refined.size() - 1);
+    refined[i].z = geometry::valueAt(pose.depth, t, 0) - (pose.closed ? t * (last - first) : 0);
   }
-  if (coil) wind(stands, pose, across);
-  spine.posed = geometry::minimalFrames(stands, across, pose.closed);
-  return spine;
+  if (coil) wind(refined, pose, across);
+  geometry::minimalFrames(refined, across, pose.closed, memory.tangents, spine.posed);
+  return Done{};
 }
 
 double shareAt(const PosedSpine& spine, PicturePoint p) {
@@ -226,8 +232,13 @@ std::optional<PicturePoint> atRest(const PosedSpine& spine, double at, PicturePo
 }
 
 ribs::RibSet poseRibs(const PosedSpine& spine, const ribs::RibSet& ribs) {
-  if (!spine.moved) return ribs;
   ribs::RibSet out = ribs;
+  carryRibs(spine, out);
+  return out;
+}
+
+void carryRibs(const PosedSpine& spine, ribs::RibSet& out) {
+  if (!spine.moved) return;
   const auto move = [&](double at, PicturePoint& p) {
     const ModelPoint q = carried(spine, at, p);
     p = {q.x, -q.y};
@@ -241,15 +252,19 @@ ribs::RibSet poseRibs(const PosedSpine& spine, const ribs::RibSet& ribs) {
   }
   for (PicturePoint& p : out.startFan.points) move(0, p);
   for (PicturePoint& p : out.endFan.points) move(1, p);
-  return out;
 }
 
 std::vector<ModelPoint> centreLine(const PosedSpine& spine, std::size_t count) {
   std::vector<ModelPoint> line;
+  centreLine(spine, count, line);
+  return line;
+}
+
+void centreLine(const PosedSpine& spine, std::size_t count, std::vector<ModelPoint>& line) {
+  line.clear();
   for (std::size_t i = 0; i < count; ++i) {
     line.push_back(frameAt(spine.posed, static_cast<double>(i) / static_cast<double>(count - 1)).at);
   }
-  return line;
 }
 
 }  // namespace spineloft::loft

@@ -9,6 +9,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
 #include "engine/geometry/frames.h"
+#include "engine/geometry/stroke_line.h"
 #include "engine/loft/pose.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
@@ -33,6 +34,16 @@ struct PosedSpine {
 /// Errors: StrokeTooShort, StrokeNotFinite, ValueOutOfRange (not a valid pose).
 Result<PosedSpine> poseSpine(const ribs::Spine& rest, const Pose& pose);
 
+/// What a spine is posed in: reused from frame to frame, without a trace in any result.
+struct PoseMemory {
+  geometry::StrokeMemory stroke;
+  std::vector<PicturePoint> traced, line;
+  std::vector<ModelPoint> refined, tangents;
+};
+/// The same into `spine`, in place of what it held, without asking for memory once both have seen spines of as
+/// many points, where the pose neither winds nor closes the line. After a failure `spine` is of no use.
+Status poseSpine(const ribs::Spine& rest, const Pose& pose, PoseMemory& memory, PosedSpine& spine);
+
 /// Share of the spine's length, 0…1, at the place of the traced spine nearest to `p`.
 double shareAt(const PosedSpine& spine, PicturePoint p);
 
@@ -46,8 +57,11 @@ std::optional<PicturePoint> atRest(const PosedSpine& spine, double at, PicturePo
 
 /// Ribs and fans in the pose, seen from the front. Unmoved: unchanged.
 ribs::RibSet poseRibs(const PosedSpine& spine, const ribs::RibSet& ribs);
+/// The same in place.
+void carryRibs(const PosedSpine& spine, ribs::RibSet& ribs);
 
 /// `count` ≥ 2 points of the posed line at even shares.
 std::vector<ModelPoint> centreLine(const PosedSpine& spine, std::size_t count);
+void centreLine(const PosedSpine& spine, std::size_t count, std::vector<ModelPoint>& line);
 
 }  // namespace spineloft::loft

@@ -82,15 +82,19 @@ class Cache {
   Result<std::shared_ptr<const image::Picture>> pixels(const document::PictureEntry& entry);
   /// For traceStage: a stroke under the pen asks for the same tables every frame.
   ribs::RibWorkspace& ribMemory() { return ribMemory_; }
-  /// For liveStage: what is known of the stroke under the pen.
-  ribs::LiveTrace& liveTrace() { return liveTrace_; }
+  /// For liveStage. `traced` finds the ribs of its last move by `key`; 0: they are near ones only, or of no use.
+  struct LiveRibs {
+    LivePen pen;
+    std::uint64_t key = 0;
+  };
+  LiveRibs& live() { return live_; }
   void clear() { *this = {}; }
 
   /// What is kept apart from edges and pictures, in bytes.
   std::size_t bytes() const;
 
   /// For shapeStage, likewise from frame to frame.
-  loft::LoftWorkspace& loftMemory() { return loftMemory_; }
+  ShapeMemory& shapeMemory() { return shapeMemory_; }
 
   static constexpr std::uint64_t kKeptRounds = 32;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those shown; the marks
@@ -121,9 +125,9 @@ class Cache {
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;
-  ribs::LiveTrace liveTrace_;
+  LiveRibs live_;
   std::uint64_t round_ = 0;
-  loft::LoftWorkspace loftMemory_;
+  ShapeMemory shapeMemory_;
 };
 
 }  // namespace spineloft::pipeline

@@ -34,18 +34,27 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
 // What a shape is made for: a part, one in the making, or one whose stroke is being drawn.
 enum class Purpose : std::uint8_t { Part, Preview, Live };
 
+// The ribs of a stroke under the pen, in `pen`, where no cache knows them.
+Status traceLive(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture, std::uint64_t key,
+                 Cache::LiveRibs& live) {
+  live.key = 0;
+  Status made = liveStage(recipe, picture, live.pen);
+  if (made.ok() && live.pen.traced.exact && !picture.edges.empty()) live.key = key;
+  return made;
+}
+
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
-Result<PartShape> loftShape(const document::LoftRecipe& recipe,
-                            const document::PictureEntry& entry, Cache& cache, Purpose purpose,
-                            const Clock& clock) {
+Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache,
+                 Purpose purpose, PartShape& shape, const Clock& clock) {
   static const image::EdgeMap kNoEdges;
   const double started = nowMs(clock);
-  const bool preview = purpose != Purpose::Part;
+  const bool preview = purpose != Purpose::Part, live = purpose == Purpose::Live;
   const std::uint64_t key = traceKey(recipe, entry);
   const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry.contentHash);
   // Without edges the ribs are guessed: that is no result to keep.
-  std::shared_ptr<const TracedRibs> traced = edges ? cache.traced(key, preview) : nullptr;
-  if (!traced) {
+  const bool underPen = live && edges && cache.live().key == key;
+  std::shared_ptr<const TracedRibs> traced = edges && !underPen ? cache.traced(key, preview) : nullptr;
+  if (!traced && !underPen) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
     if (edges) {
       Result<std::shared_ptr<const ribs::IgnoredEdges>> found =
@@ -54,32 +63,38 @@ Result<PartShape> loftShape(const document::LoftRecipe& recipe,
       ignored = std::move(found).value();
     }
     const ribs::PictureEvidence evidence{edges ? *edges : kNoEdges, entry.size, ignored.get()};
-    Result<TracedRibs> made =
-        purpose == Purpose::Live ? liveStage(recipe, evidence, cache.liveTrace())
-                                 : traceStage(recipe, evidence, Progress{}, cache.ribMemory());
-    if (!made) return made.failure();
-    traced = std::make_shared<const TracedRibs>(std::move(made).value());
-    if (edges && traced->exact) cache.keepTraced(key, traced, preview);
+    if (live) {
+      if (Status made = traceLive(recipe, evidence, key, cache.live()); !made.ok()) return made;
+    } else {
+      Result<TracedRibs> made = traceStage(recipe, evidence, Progress{}, cache.ribMemory());
+      if (!made) return made.failure();
+      traced = std::make_shared<const TracedRibs>(std::move(made).value());
+      if (edges) cache.keepTraced(key, traced, preview);
+    }
   }
   const double took = nowMs(clock) - started;
-  Result<PartShape> shape = shapeStage(recipe, *traced, entry.size, cache.loftMemory(), clock);
-  if (shape) shape.value().ms.ribs += took;
-  return shape;
+  const TracedRibs& ribs = traced ? *traced : cache.live().pen.traced;
+  Status made = shapeStage(recipe, ribs, entry.size, cache.shapeMemory(), shape, clock);
+  if (made.ok()) shape.ms.ribs += took;
+  return made;
 }
 
 bool needsEdges(const document::Recipe& recipe) {
   return document::kindOf(recipe) == document::PartKind::Loft;
 }
 
-Result<PartShape> shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry,
-                          Cache& cache, Purpose purpose, const Clock& clock) {
+// In place of what `shape` held, which a failure leaves as it was.
+Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry, Cache& cache,
+               Purpose purpose, PartShape& shape, const Clock& clock) {
   if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
-    return loftShape(*loft, entry, cache, purpose, clock);
+    return loftShape(*loft, entry, cache, purpose, shape, clock);
   }
-  if (const auto* puff = std::get_if<document::PuffRecipe>(&recipe)) {
-    return puffStage(*puff, entry.size, clock);
-  }
-  return sheetStage(std::get<document::SheetRecipe>(recipe), entry.size, clock);
+  const auto* puff = std::get_if<document::PuffRecipe>(&recipe);
+  Result<PartShape> made = puff ? puffStage(*puff, entry.size, clock)
+                                : sheetStage(std::get<document::SheetRecipe>(recipe), entry.size, clock);
+  if (!made) return made.failure();
+  shape = std::move(made).value();
+  return Done{};
 }
 
 }  // namespace
@@ -165,10 +180,11 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     const bool known = !needsEdges(part.recipe) || cache.edges(entry->contentHash) != nullptr;
     if (!result.shape && !known) result.waiting = true;
     if (!result.shape && known) {
-      Result<PartShape> made = shapeOf(part.recipe, *entry, cache, Purpose::Part, clock);
-      if (made) {
-        made.value().key = key;
-        result.shape = std::make_shared<const PartShape>(std::move(made).value());
+      PartShape shape;
+      const Status made = shapeOf(part.recipe, *entry, cache, Purpose::Part, shape, clock);
+      if (made.ok()) {
+        shape.key = key;
+        result.shape = std::make_shared<const PartShape>(std::move(shape));
         cache.keepShape(result.shape);
       } else {
         result.failure = made.failure();
@@ -181,19 +197,42 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
   return derived;
 }
 
+namespace {
+
+Status shapeFor(Purpose purpose, const document::Document& document, const document::Recipe& recipe,
+                Cache& cache, PartShape& shape, const Clock& clock) {
+  const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
+  if (entry == nullptr) return Error::NoSuchPicture;
+  return shapeOf(recipe, *entry, cache, purpose, shape, clock);
+}
+
+}  // namespace
+
+Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                    PartShape& shape, const Clock& clock) {
+  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock);
+}
+
+Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                 PartShape& shape, const Clock& clock) {
+  return shapeFor(Purpose::Live, document, recipe, cache, shape, clock);
+}
+
 Result<PartShape> previewShape(const document::Document& document,
                                const document::Recipe& recipe, Cache& cache,
                                const Clock& clock) {
-  const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
-  if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf(recipe, *entry, cache, Purpose::Preview, clock);
+  PartShape shape;
+  const Status made = previewShape(document, recipe, cache, shape, clock);
+  if (!made.ok()) return made.failure();
+  return shape;
 }
 
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
                             Cache& cache, const Clock& clock) {
-  const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
-  if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf(recipe, *entry, cache, Purpose::Live, clock);
+  PartShape shape;
+  const Status made = liveShape(document, recipe, cache, shape, clock);
+  if (!made.ok()) return made.failure();
+  return shape;
 }
 
 std::vector<PicturePoint> strokeOnThing(const document::Document& document,

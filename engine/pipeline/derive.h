@@ -68,11 +68,18 @@ std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, c
 Result<PartShape> previewShape(const document::Document& document,
                                const document::Recipe& recipe, Cache& cache,
                                const Clock& clock = {});
+/// The same in place of what `shape` held, which a failure leaves as it was.
+Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                    PartShape& shape, const Clock& clock = {});
 
 /// The same for a stroke that is being drawn: ribs that are not known yet are those of a live trace, near
 /// to what they will be, unless the result is `exact`. When the pen rests, let previewShape follow.
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
                             Cache& cache, const Clock& clock = {});
+/// The same in place of what `shape` held, which a failure leaves as it was. A stroke like an earlier one asks for
+/// no memory, where shapeStage asks for none.
+Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                 PartShape& shape, const Clock& clock = {});
 
 /// The recipe's stroke as far as it lies on the thing under it, by the edges known so far
 /// (ribs::strokeOnThing); the stroke itself where none are. Picture pixels.

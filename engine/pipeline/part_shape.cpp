@@ -23,24 +23,33 @@ std::size_t bytesOf(const std::vector<std::vector<PicturePoint>>& contours) {
   return bytes;
 }
 
-Result<PartShape> makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                            image::Size picture, const Clock& clock, loft::LoftWorkspace& memory) {
+// What may fail comes first, so that a failure leaves the shape as it was.
+Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
+                 const Clock& clock, ShapeMemory& memory, PartShape& shape) {
   const double started = nowMs(clock);
-  PartShape shape;
+  if (!recipe.edits.empty()) memory.edited = ribs::applyEdits(traced.spine, traced.generated, recipe.edits);
+  const ribs::RibSet& edited = recipe.edits.empty() ? traced.generated : memory.edited;
+  Status posed = loft::poseSpine(traced.spine, recipe.pose, memory.pose, memory.posed);
+  if (!posed.ok()) return posed;
+  const double ready = nowMs(clock);
+  Status made = loft::loftRibs({edited, picture, recipe.loft}, memory.posed, memory.loft, memory.mesh);
+  if (!made.ok()) return made;
+  const double lofted = nowMs(clock);
   shape.spine = traced.spine;
   shape.generated = traced.generated;
+  shape.ribs = edited;
+  shape.shown = edited;
+  loft::carryRibs(memory.posed, shape.shown);
+  loft::centreLine(memory.posed, traced.spine.points.size(), shape.centreLine);
+  shape.contours.clear();
+  shape.mesh = memory.mesh;
+  shape.texture.reset();
+  shape.textureKey = shape.key = 0;
   shape.exact = traced.exact;
-  shape.ribs = ribs::applyEdits(shape.spine, shape.generated, recipe.edits);
-  const Result<loft::PosedSpine> posed = loft::poseSpine(shape.spine, recipe.pose);
-  if (!posed) return posed.failure();
-  shape.shown = loft::poseRibs(posed.value(), shape.ribs);
-  shape.centreLine = loft::centreLine(posed.value(), shape.spine.points.size());
-  const double edited = nowMs(clock);
-  const Status made = loft::loftRibs({shape.ribs, picture, recipe.loft}, posed.value(), memory, shape.mesh);
-  if (!made.ok()) return made.failure();
-  shape.ms.ribs = edited - started;
-  shape.ms.loft = nowMs(clock) - edited;
-  return shape;
+  shape.ms = {};
+  shape.ms.loft = lofted - ready;
+  shape.ms.ribs = nowMs(clock) - started - shape.ms.loft;
+  return Done{};
 }
 
 }  // namespace
@@ -88,27 +97,35 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
   }
 }
 
-Result<TracedRibs> liveStage(const document::LoftRecipe& recipe,
-                             const ribs::PictureEvidence& picture, ribs::LiveTrace& live) {
+Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture, LivePen& pen) {
   try {
-    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
-    if (!spine) return spine.failure();
-    Result<ribs::LiveTrace::Ribs> found = live.move(spine.value(), picture, recipe.ribs);
-    if (!found) return found.failure();
-    const bool exact = found.value().exact;
-    return TracedRibs{std::move(spine).value(), std::move(found).value().set, exact};
+    TracedRibs& traced = pen.traced;
+    Status cleaned = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine, pen.spine, traced.spine);
+    if (!cleaned.ok()) return cleaned;
+    const Result<bool> exact = pen.trace.move(traced.spine, picture, recipe.ribs, traced.generated);
+    if (!exact) return exact.failure();
+    traced.exact = exact.value();
+    return Done{};
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
+                  ShapeMemory& memory, PartShape& shape, const Clock& clock) {
+  try {
+    return makeShape(recipe, traced, picture, clock, memory, shape);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
 }
 
 Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                             image::Size picture, loft::LoftWorkspace& memory, const Clock& clock) {
-  try {
-    return makeShape(recipe, traced, picture, clock, memory);
-  } catch (const std::bad_alloc&) {
-    return Error::OutOfMemory;
-  }
+                             image::Size picture, ShapeMemory& memory, const Clock& clock) {
+  PartShape shape;
+  const Status made = shapeStage(recipe, traced, picture, memory, shape, clock);
+  if (!made.ok()) return made.failure();
+  return shape;
 }
 
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
@@ -121,8 +138,8 @@ Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::Edg
       traceStage(recipe, {edges, picture, &ignored.value()}, progress, memory);
   if (!traced) return traced.failure();
   const double took = nowMs(clock) - started;
-  loft::LoftWorkspace loftMemory;
-  Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, loftMemory, clock);
+  ShapeMemory shapeMemory;
+  Result<PartShape> shape = shapeStage(recipe, traced.value(), picture, shapeMemory, clock);
   if (shape) shape.value().ms.ribs += took;
   return shape;
 }

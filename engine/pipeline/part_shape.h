@@ -13,6 +13,7 @@
 #include "engine/base/vec.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
+#include "engine/loft/posed.h"
 #include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/ignored.h"
@@ -80,14 +81,34 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
                               const ribs::PictureEvidence& picture, const Progress& progress,
                               ribs::RibWorkspace& memory);
 
-/// The same for a stroke under the pen, whose moves `live` follows.
-Result<TracedRibs> liveStage(const document::LoftRecipe& recipe,
-                             const ribs::PictureEvidence& picture, ribs::LiveTrace& live);
+/// What a stroke under the pen is traced in, from move to move.
+struct LivePen {
+  ribs::SpineMemory spine;
+  ribs::LiveTrace trace;
+  TracedRibs traced;
+};
+
+/// The same for a stroke under the pen, whose moves `pen` follows, into `pen.traced`. A stroke like an earlier one
+/// asks for no memory. After a failure `pen.traced` is of no use.
+Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture, LivePen& pen);
+
+/// What shapes are made in, from frame to frame.
+struct ShapeMemory {
+  loft::PoseMemory pose;
+  loft::PosedSpine posed;
+  loft::LoftWorkspace loft;
+  ribs::RibSet edited;
+  mesh::TriMesh mesh;
+};
 
 /// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
 /// those of the stages, OutOfMemory. `memory` is reused and never shows in the result.
 Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                             image::Size picture, loft::LoftWorkspace& memory, const Clock& clock = {});
+                             image::Size picture, ShapeMemory& memory, const Clock& clock = {});
+/// The same in place of what `shape` held, which a failure leaves as it was. Asks for no memory once `memory` and
+/// `shape` have seen parts as large, without edits, where loftRibs and poseSpine ask for none.
+Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
+                  ShapeMemory& memory, PartShape& shape, const Clock& clock = {});
 
 /// Of a region: clean → swell, and clean → give thickness. `key` of the result is 0; the times stand in
 /// `ms.loft`. Errors: RegionEmpty, RegionTooFine, OutOfMemory.

@@ -36,12 +36,12 @@ image::Picture tinyPicture() {
 Status underThePen(document::LoftRecipe recipe, const ribs::PictureEvidence& picture) {
   constexpr std::size_t kMoves = 8;
   recipe.spine.minSpacing = 1;
-  ribs::LiveTrace live;
+  LivePen pen;
   const std::vector<PicturePoint> stroke = std::move(recipe.stroke);
   for (std::size_t move = 0; move < kMoves; ++move) {
     const auto count = static_cast<std::ptrdiff_t>(stroke.size() - (move + 1 < kMoves ? 3 : 0));
     recipe.stroke.assign(stroke.begin(), stroke.begin() + (move == 0 ? count - 2 : count));
-    if (Result<TracedRibs> made = liveStage(recipe, picture, live); !made) return made.failure();
+    if (Status made = liveStage(recipe, picture, pen); !made.ok()) return made;
   }
   return Done{};
 }

@@ -135,26 +135,27 @@ void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess
 
 // The outline with the two corners of a flat end, each after the points on its side that lie clearly
 // before the end's level.
-std::vector<PicturePoint> withCorners(const EndSite& site, double extent,
-                                      std::span<const PicturePoint> outline) {
+void withCorners(const EndSite& site, double extent, std::span<const PicturePoint> outline,
+                 std::vector<PicturePoint>& out) {
   constexpr double kBefore = 0.85;
   const EndFrame frame(site);
   const double tip = frame.tip(extent);
-  if (!(tip > 0)) return {outline.begin(), outline.end()};
+  if (!(tip > 0)) {
+    out.assign(outline.begin(), outline.end());
+    return;
+  }
   const PicturePoint on = frame.forward * (tip * frame.half);
   const auto before = [&](PicturePoint p) { return frame.t(p) < kBefore * tip; };
   const auto middle = outline.begin() + static_cast<std::ptrdiff_t>(outline.size() / 2);
   const auto left = std::find_if_not(outline.begin(), middle, before);
   const auto right =
       std::find_if_not(outline.rbegin(), std::make_reverse_iterator(middle), before).base();
-  std::vector<PicturePoint> out;
   out.reserve(outline.size() + 2);
   out.assign(outline.begin(), left);
   out.push_back(site.left + on);
   out.insert(out.end(), left, right);
   out.push_back(site.right + on);
   out.insert(out.end(), right, outline.end());
-  return out;
 }
 
 }  // namespace
@@ -210,11 +211,14 @@ void followEnd(const EndSite& site, LengthWorkspace& workspace, EndOutline& outl
   }
 }
 
-EndFan fanOf(const EndSite& site, const EndOutline& outline) {
-  const std::span fan = std::span(outline.points)
+void fanOf(const EndSite& site, const EndOutline& outline, EndFan& fan) {
+  const std::span points = std::span(outline.points)
                             .subspan(index(site.freeLeft), index(site.curves.layout.fan));
-  if (outline.guess.shape == EndShape::Flat) return {withCorners(site, outline.guess.extent, fan)};
-  return {{fan.begin(), fan.end()}};
+  if (outline.guess.shape == EndShape::Flat) {
+    withCorners(site, outline.guess.extent, points, fan.points);
+  } else {
+    fan.points.assign(points.begin(), points.end());
+  }
 }
 
 }  // namespace spineloft::ribs

@@ -59,7 +59,7 @@ struct EndOutline {
 /// `outline` held, reusing memory.
 void followEnd(const EndSite& site, LengthWorkspace& workspace, EndOutline& outline);
 
-/// The fan's share of an outline. A flat one has its two corners as points too.
-EndFan fanOf(const EndSite& site, const EndOutline& outline);
+/// The fan's share of an outline, in place of what `fan` held. A flat one has its two corners as points too.
+void fanOf(const EndSite& site, const EndOutline& outline, EndFan& fan);
 
 }  // namespace spineloft::ribs

@@ -86,23 +86,30 @@ struct End {
 
 }  // namespace
 
-EndFan findEnd(bool atStart, RibSet& set, Search& s) {
+void findEnd(bool atStart, RibSet& set, Search& s) {
+  EndFan& fan = atStart ? set.startFan : set.endFan;
   const End end{atStart, set, s};
   const int left = end.reachingBeyond(&Rib::left), right = end.reachingBeyond(&Rib::right);
   const double half = std::max(1.0, distance(end.rib(left).left, end.rib(right).right) / 2);
   EndOutline &held = s.ends[0], &freed = s.ends[1];
   const EndSite last = end.site(0, 0, half);
   followEnd(last, s.workspace, held);
-  if (std::max(end.beyond(last.left), end.beyond(last.right)) < kBent * half) return fanOf(last, held);
+  if (std::max(end.beyond(last.left), end.beyond(last.right)) < kBent * half) {
+    fanOf(last, held, fan);
+    return;
+  }
   const EndSite before = end.site(left, right, half);
   followEnd(before, s.workspace, freed);
   const double cost = held.cost + end.costOf(left, true) + end.costOf(right, false);
   const double far = std::max(
       {end.farthest(held), end.farthest(left, &Rib::left), end.farthest(right, &Rib::right)});
-  if (freed.cost > cost || end.farthest(freed) > far) return fanOf(last, held);
+  if (freed.cost > cost || end.farthest(freed) > far) {
+    fanOf(last, held, fan);
+    return;
+  }
   for (int i = 0; i < left; ++i) end.move(left - 1 - i, true, freed, i);
   for (int i = 0; i < right; ++i) end.move(i, false, freed, left + s.curves.layout.fan + i);
-  return fanOf(before, freed);
+  fanOf(before, freed, fan);
 }
 
 }  // namespace spineloft::ribs

@@ -142,8 +142,8 @@ bool LiveTrace::changed(const Spine& spine) const {
          movedBy(learned_, spine, length) > kMoved;
 }
 
-Result<RibSet> LiveTrace::follow(const Spine& spine, const PictureEvidence& picture,
-                                 const RibParams& params) {
+Status LiveTrace::follow(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                         RibSet& set) {
   Search& s = now_.search();
   s.variant = {};
   RibParams fewer = params;
@@ -152,7 +152,7 @@ Result<RibSet> LiveTrace::follow(const Spine& spine, const PictureEvidence& pict
       std::max(std::ranges::max(learned_.left), std::ranges::max(learned_.right)));
   const double margin = kFarOutMargin * std::max(picture.edges.scaleX, picture.edges.scaleY);
   Status begun = beginSearch(spine, picture, fewer, kFarOut * farthest + margin, s);
-  if (!begun.ok()) return begun.failure();
+  if (!begun.ok()) return begun;
   sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
   findContours(s);
   recall(learned_, s.parts.all[0], s);
@@ -161,24 +161,31 @@ Result<RibSet> LiveTrace::follow(const Spine& spine, const PictureEvidence& pict
   assume(s.parts.all[0], s);
   thirdEvidence(s);
   findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, s.labels);
-  RibSet set = readRibs(false, s);
+  readRibs(false, s, set);
   stiffLengths(s);
   extend(s, longer_, learned_);
-  return set;
+  return Done{};
 }
 
 // The first two looks, in steps of about equal cost.
 Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture,
                         const RibParams& params) {
-  enum { kIdle, kCurves, kStrip, kContours, kEvidence, kParts, kFirstPart };
+  enum { kIdle, kCurves, kMoreCurves, kStrip, kMoreStrip, kContours, kEvidence, kParts, kFirstPart };
+  constexpr Bit kFirstHalf{0, 2}, kSecondHalf{1, 2};
   Search& s = looks_.search();
   if (step_ == kIdle && !changed(spine)) return Done{};
   switch (++step_) {
     case kCurves:
       s.variant = {};
-      return beginSearch(spine, picture, params, std::numeric_limits<double>::infinity(), s);
+      return beginSearch(spine, picture, params, std::numeric_limits<double>::infinity(), kFirstHalf, s);
+    case kMoreCurves:
+      traceMore(picture.size, kSecondHalf, s);
+      return Done{};
     case kStrip:
-      sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
+      sampleStrip(s.curves, picture.edges, picture.ignored, kFirstHalf, s.strip);
+      return Done{};
+    case kMoreStrip:
+      sampleStrip(s.curves, picture.edges, picture.ignored, kSecondHalf, s.strip);
       return Done{};
     case kContours:
       findContours(s);
@@ -205,18 +212,26 @@ Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture,
 
 Result<LiveTrace::Ribs> LiveTrace::move(const Spine& spine, const PictureEvidence& picture,
                                         const RibParams& params) {
+  Ribs found;
+  const Result<bool> exact = move(spine, picture, params, found.set);
+  if (!exact) return exact.failure();
+  found.exact = exact.value();
+  return found;
+}
+
+Result<bool> LiveTrace::move(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                             RibSet& set) {
   if (follows(spine, picture, params)) {
-    Result<RibSet> set = follow(spine, picture, params);
-    if (!set) return set.failure();
+    if (Status followed = follow(spine, picture, params, set); !followed.ok()) return followed.failure();
     if (Status studied = study(spine, picture, params); !studied.ok()) return studied.failure();
-    return Ribs{std::move(set).value(), false};
+    return false;
   }
   Search& s = now_.search();
   s.variant = {};
   step_ = 0;
   learned_.spine.points.clear();
-  Result<RibSet> set = searchRibs(spine, picture, params, Progress(), s);
-  if (!set) return set.failure();
+  const Status searched = searchRibs(spine, picture, params, unwatched_, s, set);
+  if (!searched.ok()) return searched.failure();
   if (usesColours(picture, params) && params.evidence.rimWeight > 0) {
     learn(s, learned_);
     params_ = params;
@@ -224,7 +239,7 @@ Result<LiveTrace::Ribs> LiveTrace::move(const Spine& spine, const PictureEvidenc
     edges_ = &picture.edges;
     ignored_ = picture.ignored;
   }
-  return Ribs{std::move(set).value(), true};
+  return true;
 }
 
 }  // namespace spineloft::ribs

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/base/progress.h"
 #include "engine/base/result.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
@@ -42,6 +43,9 @@ class LiveTrace {
     bool exact = false;
   };
   Result<Ribs> move(const Spine& spine, const PictureEvidence& picture, const RibParams& params);
+  /// The same in place of what `set` held, which is of no use after a failure; returns whether the ribs are
+  /// exact. A stroke like one that was followed before asks for no memory.
+  Result<bool> move(const Spine& spine, const PictureEvidence& picture, const RibParams& params, RibSet& set);
 
   /// From fewer points than this the search is quick enough.
   static constexpr std::size_t kShort = 60;
@@ -49,7 +53,7 @@ class LiveTrace {
  private:
   bool follows(const Spine& spine, const PictureEvidence& picture, const RibParams& params) const;
   bool changed(const Spine& spine) const;
-  Result<RibSet> follow(const Spine& spine, const PictureEvidence& picture, const RibParams& params);
+  Status follow(const Spine& spine, const PictureEvidence& picture, const RibParams& params, RibSet& set);
   Status study(const Spine& spine, const PictureEvidence& picture, const RibParams& params);
 
   Learned learned_, longer_;
@@ -58,6 +62,7 @@ class LiveTrace {
   const void *edges_ = nullptr, *ignored_ = nullptr;  // whose evidence; compared only
   int step_ = 0;               // of the looks being taken, 0: none
   RibWorkspace now_, looks_;
+  Progress unwatched_;
 };
 
 }  // namespace spineloft::ribs

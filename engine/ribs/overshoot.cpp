@@ -173,12 +173,13 @@ Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& p
   if (picture.edges.empty()) return SpineStretch{};
   Search& s = memory.search();
   s.variant = {};
-  const Result<RibSet> set = searchRibs(spine, picture, params, Progress(), s);
-  if (!set) return set.failure();
+  RibSet set;
+  const Status found = searchRibs(spine, picture, params, Progress(), s, set);
+  if (!found.ok()) return found.failure();
   constexpr int kFewest = 16;
   const int ribs = s.problem.ribs;
   if (ribs < kFewest) return SpineStretch{};
-  const double half = middleHalfWidth(set.value()), length = s.field.length();
+  const double half = middleHalfWidth(set), length = s.field.length();
   const double share = length / (ribs - 1) / half;
   const int most = static_cast<int>(std::min(kMostOfRibs * ribs, kFarthest / share + 2));
   const Along along = lookAlong(half, s);

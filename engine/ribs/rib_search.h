@@ -67,6 +67,10 @@ inline constexpr float kOnEdge = 0.5f;
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                    double farthest, Search& s);
+/// The same with the first bit of the curves, and the bits that then follow.
+Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                   double farthest, Bit first, Search& s);
+void traceMore(image::Size picture, Bit bit, Search& s);
 /// Whether colours are looked at a second time at all.
 bool usesColours(const PictureEvidence& picture, const RibParams& params);
 /// After the strip was sampled: all evidence but that of colours, and where ends stand on edges.
@@ -97,10 +101,10 @@ void stiffLengths(Search& s);
 /// Ends are held near to `s.known.inside`, but for dents and bulges, for colours that were learned from
 /// a wrong part can lead to a worse one.
 void thirdEvidence(Search& s);
-/// The ribs of `s.labels`; `withRivals`: with confidence and other places.
-RibSet readRibs(bool withRivals, Search& s);
+/// The ribs of `s.labels` in place of what `set` held; `withRivals`: with confidence and other places.
+void readRibs(bool withRivals, Search& s, RibSet& set);
 /// All of it, start to end: traceRibs.
-Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
-                          const RibParams& params, const Progress& progress, Search& s);
+Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                  const Progress& progress, Search& s, RibSet& set);
 
 }  // namespace spineloft::ribs

@@ -370,10 +370,9 @@ const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftS
 
 }  // namespace
 
-RibSet readRibs(bool withRivals, Search& s) {
+void readRibs(bool withRivals, Search& s, RibSet& set) {
   const LengthLabels& labels = s.labels;
-  RibSet set;
-  set.ribs.resize(index(s.problem.ribs));
+  set.ribs.assign(index(s.problem.ribs), Rib{});
   for (const bool leftSide : {true, false}) {
     const std::vector<int>& side = leftSide ? labels.left : labels.right;
     const std::vector<RibState>& states = endStates(side, leftSide, s);
@@ -391,8 +390,8 @@ RibSet readRibs(bool withRivals, Search& s) {
     readRivals(s, labels, true, set);
     readRivals(s, labels, false, set);
   }
-  set.startFan = findEnd(true, set, s);
-  set.endFan = findEnd(false, set, s);
+  findEnd(true, set, s);
+  findEnd(false, set, s);
   set.energy = energyOf(s.problem, labels);
   const double middle = 0.5 * (s.problem.levels - 1);
   for (const auto* side : {&labels.left, &labels.right}) {
@@ -400,11 +399,15 @@ RibSet readRibs(bool withRivals, Search& s) {
       set.energy.prior += s.params.priorWeight * std::abs(label - middle) / middle;
   }
   set.energy.distance -= set.energy.prior;
-  return set;
 }
 
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                    double farthest, Search& s) {
+  return beginSearch(spine, picture, params, farthest, Bit{}, s);
+}
+
+Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                   double farthest, Bit first, Search& s) {
   const image::EdgeMap& edges = picture.edges;
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
@@ -418,22 +421,24 @@ Status beginSearch(const Spine& spine, const PictureEvidence& picture, const Rib
   if (s.variant.euclidean) {
     traceStraightCurves(spine, s.levels, kFanCurves, picture.size, s.curves);
   } else {
-    traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
+    traceMore(picture.size, first, s);
   }
   return Done{};
+}
+
+void traceMore(image::Size picture, Bit bit, Search& s) {
+  traceCurves(s.spine, s.field, s.levels, kFanCurves, picture, bit, s.curves);
 }
 
 bool usesColours(const PictureEvidence& picture, const RibParams& params) {
   return !picture.edges.empty() && params.evidence.knownShare > 0;
 }
 
-Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
-                          const RibParams& params, const Progress& progress, Search& s) {
+Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                  const Progress& progress, Search& s, RibSet& set) {
   if (!progress.advance(0.05)) return Error::Cancelled;
   const double anywhere = std::numeric_limits<double>::infinity();
-  if (Status begun = beginSearch(spine, picture, params, anywhere, s); !begun.ok()) {
-    return begun.failure();
-  }
+  if (Status begun = beginSearch(spine, picture, params, anywhere, s); !begun.ok()) return begun;
   if (!progress.advance(0.4)) return Error::Cancelled;
   if (picture.edges.empty()) {
     defaultCosts(s);
@@ -454,9 +459,9 @@ Result<RibSet> searchRibs(const Spine& spine, const PictureEvidence& picture,
     findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, s.labels);
   }
   if (!progress.advance(0.9)) return Error::Cancelled;
-  RibSet set = readRibs(true, s);
+  readRibs(true, s, set);
   progress.advance(1);
-  return set;
+  return Done{};
 }
 
 std::string_view ribStateKey(RibState state) {
@@ -506,6 +511,19 @@ RibWorkspace::Search& RibWorkspace::search() {
   return *search_;
 }
 
+namespace {
+
+Result<RibSet> traced(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                      const Progress& progress, TraceVariant variant, RibWorkspace& memory) {
+  memory.search().variant = variant;
+  RibSet set;
+  const Status found = searchRibs(spine, picture, params, progress, memory.search(), set);
+  if (!found.ok()) return found.failure();
+  return set;
+}
+
+}  // namespace
+
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress) {
   RibWorkspace memory;
@@ -514,14 +532,12 @@ Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
 
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress, RibWorkspace& memory) {
-  memory.search().variant = {};
-  return searchRibs(spine, picture, params, progress, memory.search());
+  return traced(spine, picture, params, progress, {}, memory);
 }
 
 Result<RibSet> traceVariant(const Spine& spine, const PictureEvidence& picture,
                             const RibParams& params, TraceVariant variant, RibWorkspace& memory) {
-  memory.search().variant = variant;
-  return searchRibs(spine, picture, params, Progress(), memory.search());
+  return traced(spine, picture, params, Progress(), variant, memory);
 }
 
 }  // namespace spineloft::ribs

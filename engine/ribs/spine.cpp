@@ -1,6 +1,7 @@
 #include "engine/ribs/spine.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "engine/base/limits.h"
@@ -44,13 +45,15 @@ bool clip(PicturePoint a, PicturePoint b, image::Size picture, double& from, dou
   return from <= to;
 }
 
-// The longest run of the stroke inside the picture; empty when it never is.
-Points longestInside(const Points& stroke, image::Size picture) {
-  Points best, run;
+// Leaves the longest run of the stroke inside the picture; nothing when it never is.
+void keepLongestInside(Points& stroke, image::Size picture, SpineMemory& memory) {
+  Points &best = memory.line.spare, &run = memory.run;
+  best.clear();
+  run.clear();
   double bestLength = 0, length = 0;
   const auto finish = [&] {
     if (length > bestLength) {
-      best = run;
+      best.swap(run);
       bestLength = length;
     }
     run.clear();
@@ -71,65 +74,77 @@ Points longestInside(const Points& stroke, image::Size picture) {
     if (to < 1) finish();
   }
   finish();
-  return best;
+  stroke.swap(best);
 }
 
 // Cuts off short ends that cross the rest of the stroke; false when a real loop remains.
-bool removeHooks(Points& points) {
+bool removeHooks(Points& points, std::vector<double>& s) {
   for (int round = 0; round <= kMaxHooks; ++round) {
     const auto crossing = geometry::findCrossing(points);
     if (!crossing) return true;
-    const auto s = geometry::arcLengths(std::span<const PicturePoint>(points));
+    geometry::arcLengths(std::span<const PicturePoint>(points), s);
     const double head = s[crossing->second] + distance(points[crossing->second], crossing->at);
     const double tail =
         s.back() - s[crossing->first] - distance(points[crossing->first], crossing->at);
     if (std::min(head, tail) > kHookShare * s.back()) return false;
-    Points kept;
     if (head <= tail) {
-      kept.assign(points.begin() + static_cast<std::ptrdiff_t>(crossing->second) + 1, points.end());
+      points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(crossing->second) + 1);
     } else {
-      kept.assign(points.begin(),
-                  points.begin() + static_cast<std::ptrdiff_t>(crossing->first) + 1);
+      points.resize(crossing->first + 1);
     }
-    if (kept.size() < 2) return false;
-    points = std::move(kept);
+    if (points.size() < 2) return false;
   }
   return false;
 }
 
 }  // namespace
 
-Result<Spine> cleanSpine(std::span<const PicturePoint> stroke, image::Size picture,
-                         const SpineParams& params) {
+Status cleanSpine(std::span<const PicturePoint> stroke, image::Size picture, const SpineParams& params,
+                  SpineMemory& memory, Spine& spine) {
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (!std::ranges::all_of(stroke, [](PicturePoint p) { return isFinite(p); })) {
     return Error::StrokeNotFinite;
   }
   if (stroke.empty()) return Error::StrokeTooShort;
-  Points points(stroke.begin(), stroke.end());
+  Points& points = memory.points;
+  // They change places: what one has room for, all have.
+  const std::size_t room = std::bit_ceil(std::max(stroke.size(), geometry::kStrokePoints));
+  for (Points* line : {&points, &memory.run, &memory.line.spare}) line->reserve(room);
+  points.assign(stroke.begin(), stroke.end());
   const bool forwards = geometry::readsForwards(points);
   if (!forwards) std::ranges::reverse(points);
-  points = geometry::dropRepeats(std::span<const PicturePoint>(points), kSamePoint);
+  geometry::dropRepeats(points, kSamePoint);
   if (points.size() < 2) return Error::StrokeTooShort;
-  points = longestInside(points, picture);
+  keepLongestInside(points, picture, memory);
   if (points.size() < 2) return Error::StrokeOutsidePicture;
 
-  points = geometry::evenStroke(points);
-  if (!removeHooks(points)) return Error::StrokeLoops;
-  points = geometry::withoutWobble(geometry::evenStroke(points), params.smoothness);
-  if (!removeHooks(points)) return Error::StrokeLoops;
+  std::vector<double>& lengths = memory.line.lengths;
+  geometry::spreadEvenly(points, geometry::kStrokePoints, memory.line);
+  if (!removeHooks(points, lengths)) return Error::StrokeLoops;
+  geometry::spreadEvenly(points, geometry::kStrokePoints, memory.line);
+  geometry::smoothWobble(points, params.smoothness, memory.line);
+  if (!removeHooks(points, lengths)) return Error::StrokeLoops;
 
-  const double length = geometry::arcLengths(std::span<const PicturePoint>(points)).back();
+  const double length = geometry::lengthOf(points);
   if (!(length > kSamePoint)) return Error::StrokeTooShort;
   const double fitting = std::floor(length / params.minSpacing) + 1;
   const int count = std::max(2, static_cast<int>(std::min<double>(params.ribs, fitting)));
-  Spine spine{
-      geometry::resample(std::span<const PicturePoint>(points), static_cast<std::size_t>(count))};
+  geometry::resample(std::span<const PicturePoint>(points), static_cast<std::size_t>(count), lengths,
+                     spine.points);
   for (PicturePoint& p : spine.points) {
     p.x = std::clamp(p.x, -0.5, picture.width - 0.5);
     p.y = std::clamp(p.y, -0.5, picture.height - 0.5);
   }
   if (!forwards) std::ranges::reverse(spine.points);
+  return Done{};
+}
+
+Result<Spine> cleanSpine(std::span<const PicturePoint> stroke, image::Size picture,
+                         const SpineParams& params) {
+  SpineMemory memory;
+  Spine spine;
+  const Status cleaned = cleanSpine(stroke, picture, params, memory, spine);
+  if (!cleaned.ok()) return cleaned.failure();
   return spine;
 }
 

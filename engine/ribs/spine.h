@@ -7,6 +7,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
+#include "engine/geometry/stroke_line.h"
 #include "engine/image/image.h"
 
 namespace spineloft::ribs {
@@ -34,5 +35,15 @@ struct SpineParams {
 /// StrokeLoops, ValueOutOfRange.
 Result<Spine> cleanSpine(std::span<const PicturePoint> stroke, image::Size picture,
                          const SpineParams& params);
+
+/// What a stroke is cleaned in: reused from stroke to stroke, without a trace in any result.
+struct SpineMemory {
+  geometry::StrokeMemory line;
+  std::vector<PicturePoint> points, run;
+};
+/// The same into `spine`, in place of what it held, without asking for memory once both have seen strokes of as
+/// many points. After a failure `spine` is of no use.
+Status cleanSpine(std::span<const PicturePoint> stroke, image::Size picture, const SpineParams& params,
+                  SpineMemory& memory, Spine& spine);
 
 }  // namespace spineloft::ribs

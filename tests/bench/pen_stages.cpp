@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "engine/base/worker_pool.h"
@@ -61,6 +62,8 @@ struct Desk {
   document::Document model;
   pipeline::Cache cache;
   std::vector<PicturePoint> stroke;
+  document::Recipe recipe;
+  pipeline::PartShape shape;
   Desk(const image::Picture& picture, const image::EdgeMap& edges)
       : stroke(tubeStroke({picture.width, picture.height}, 200)) {
     model = must(document::update({}, document::AddPicture{"tube", std::make_shared<const image::Picture>(picture)}));
@@ -68,13 +71,13 @@ struct Desk {
   }
   // The stroke's beginning; `wobble` makes it another stroke, which no cache knows.
   void draw(double share, int ribs, int wobble) {
-    document::LoftRecipe recipe;
-    recipe.picture = PictureId{1};
-    recipe.spine.ribs = ribs;
+    document::LoftRecipe& loft = std::get<document::LoftRecipe>(recipe);
+    loft.picture = PictureId{1};
+    loft.spine.ribs = ribs;
     const auto count = static_cast<std::size_t>(std::max(2.0, share * static_cast<double>(stroke.size())));
-    recipe.stroke.assign(stroke.begin(), stroke.begin() + static_cast<std::ptrdiff_t>(count));
-    for (PicturePoint& p : recipe.stroke) p.y += 0.01 * wobble;
-    must(pipeline::liveShape(model, document::Recipe{recipe}, cache));
+    loft.stroke.assign(stroke.begin(), stroke.begin() + static_cast<std::ptrdiff_t>(count));
+    for (PicturePoint& p : loft.stroke) p.y += 0.01 * wobble;
+    must(pipeline::liveShape(model, recipe, cache, shape));
   }
   // The whole stroke becomes a part, shown before its texture is made.
   struct Lifted {

@@ -12,6 +12,7 @@
 #include "web/app/command_actions.h"
 #include "web/app/editing.h"
 #include "web/app/messages.h"
+#include "web/app/preview.h"
 #include "web/app/slice_editing.h"
 #include "web/app/solid_editing.h"
 #include "web/app/scene.h"
@@ -23,8 +24,6 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kPumpMs = 16;         // how often finished work is looked for
-constexpr double kRestMs = 120;        // a hand that has not moved for so long rests
-constexpr double kPreviewShare = 0.6;  // of the time may go into shapes under the pen
 constexpr double kTooltipMs = 650;
 constexpr double kLongestStepSeconds = 0.5;
 
@@ -153,7 +152,7 @@ void App::frame() {
   if (studio_.threads() > 0) studio_.pump();
   settle();
   growBoard(ui_, studio_.document());
-  growPreview();
+  growPreview(ui_, studio_, host_);
   growSolid();
   frameNewPart();
   fly();
@@ -172,26 +171,6 @@ void App::frame() {
   watchWork();
   announce();
   if (moving || framesWanted_ > 0) host_.requestFrame();
-}
-
-/// What the gesture in hand makes: a new shape as often as the time allows, so that the hand never
-/// waits; an exact one once it rests.
-void App::growPreview() {
-  if (!ui_.preview || ui_.preview->settled()) return;
-  Preview& preview = *ui_.preview;
-  const double now = host_.nowMs();
-  const bool rests = preview.fresh;
-  if (now < (rests ? *preview.exactMs : preview.nextMs)) return;
-  preview.fresh = true;
-  preview.exactMs.reset();
-  Result<pipeline::PartShape> shape =
-      rests ? studio_.preview(preview.recipe) : studio_.previewLive(preview.recipe);
-  preview.costMs = host_.nowMs() - now;
-  preview.nextMs = host_.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
-  if (!shape) return;  // the last good one stays
-  if (!shape.value().exact) preview.exactMs = host_.nowMs() + kRestMs;
-  preview.shape = std::move(shape).value();
-  preview.revision = ++ui_.previewShapes;
 }
 
 void App::frameNewPart() {

@@ -80,7 +80,6 @@ class App final : public platform::Page {
   void settleChosen();
   void showOtherModel();
   void layout();
-  void growPreview();
   void growSolid();
   void fly();
   void frameNewPart();

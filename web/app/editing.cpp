@@ -6,6 +6,7 @@
 
 #include "engine/geometry/along.h"
 #include "engine/geometry/polyline.h"
+#include "engine/geometry/stroke_line.h"
 #include "engine/ribs/places.h"
 #include "engine/ribs/spine_gestures.h"
 
@@ -151,28 +152,27 @@ geometry::AlongCurve raiseDepth(const geometry::AlongCurve& depth, double at, do
   return raised;
 }
 
-geometry::AlongCurve depthOfPressure(std::span<const PicturePoint> stroke,
-                                     std::span<const double> pressure) {
-  geometry::AlongCurve depth;
-  if (stroke.size() < 2 || pressure.size() != stroke.size()) return depth;
+void depthOfPressure(std::span<const PicturePoint> stroke, std::span<const double> pressure,
+                     geometry::AlongCurve& depth) {
+  depth.points.clear();
+  if (stroke.size() < 2 || pressure.size() != stroke.size()) return;
   const auto [low, high] = std::ranges::minmax(pressure);
-  if (!(high - low >= kSteadyPressure)) return depth;
-  const std::vector<double> s = geometry::arcLengths(stroke);
-  const double length = s.back();
-  if (!(length > 0)) return depth;
+  if (!(high - low >= kSteadyPressure)) return;
+  const double length = geometry::lengthOf(stroke);
+  if (!(length > 0)) return;
   // The hand trembles: each place takes the mean of what lies around it.
   const double window = 0.75 / (kPressurePlaces - 1);
   for (int i = 0; i < kPressurePlaces; ++i) {
     const double at = static_cast<double>(i) / (kPressurePlaces - 1);
-    double sum = 0, weight = 1e-9;
+    double sum = 0, weight = 1e-9, s = 0;
     for (std::size_t k = 0; k < stroke.size(); ++k) {
-      const double w = 1e-6 + ribs::bell((s[k] / length - at) / window);
+      if (k > 0) s += distance(stroke[k - 1], stroke[k]);
+      const double w = 1e-6 + ribs::bell((s / length - at) / window);
       sum += w * pressure[k];
       weight += w;
     }
     depth.points.push_back({at, (sum / weight - 0.5) * 2 * kPressureDepth * length});
   }
-  return depth;
 }
 
 std::vector<ModelPoint> depthHandles(const Subject& subject) {

@@ -54,10 +54,10 @@ geometry::AlongCurve raiseDepth(const geometry::AlongCurve& depth, double at, do
                                 double reach);
 /// Where the handles of the depth stand: places as those of the bone, on the posed spine.
 std::vector<ModelPoint> depthHandles(const Subject& subject);
-/// A depth from the pressure of a pen at the points of its stroke: half pressure is the picture's
-/// plane, more comes nearer. Empty when the pressure never changed.
-geometry::AlongCurve depthOfPressure(std::span<const PicturePoint> stroke,
-                                     std::span<const double> pressure);
+/// A depth from the pressure of a pen at the points of its stroke, in place of what `depth` held: half
+/// pressure is the picture's plane, more comes nearer. Empty when the pressure never changed.
+void depthOfPressure(std::span<const PicturePoint> stroke, std::span<const double> pressure,
+                     geometry::AlongCurve& depth);
 
 /// Scribbles that count for a part: its own first, then those of its picture.
 struct Marks {

@@ -45,10 +45,10 @@ std::vector<document::Action> standingActions(Env env, document::Action draw,
   std::vector<document::Action> actions{std::move(draw)};
   const document::Document& document = env.studio.document();
   if (document.parts.empty()) return actions;
-  const Result<pipeline::PartShape> shape = env.studio.preview(recipe);
-  if (!shape) return actions;  // the drawing itself says why
+  pipeline::PartShape shape;
+  if (!env.studio.preview(recipe, shape)) return actions;  // the drawing itself says why
   const document::Placement placement = pipeline::standBeside(
-      document, env.studio.derived(), document::pictureOf(recipe), shape.value().mesh);
+      document, env.studio.derived(), document::pictureOf(recipe), shape.mesh);
   if (placement.isRest()) return actions;
   const PartId next{document.lastPartId + 1};
   actions.push_back(document::PlaceParts{{{next, placement, {}}}});

@@ -3,10 +3,31 @@
 #include <algorithm>
 
 namespace spineloft::app {
+namespace {
+
+constexpr double kRestMs = 120;        // a hand that has not moved for so long rests
+constexpr double kPreviewShare = 0.6;  // of the time may go into shapes under the pen
+
+}  // namespace
+
+Preview& beginPreview(UiState& ui) {
+  static const document::LoftRecipe kNothingDrawn;
+  Preview& preview = ui.preview.renew();
+  preview.loft() = kNothingDrawn;
+  preview.part = {};
+  preview.look = {};
+  preview.fresh = false;
+  preview.shape.reset();
+  preview.revision = 0;
+  preview.costMs = preview.nextMs = 0;
+  preview.exactMs.reset();
+  preview.pressure.clear();
+  return preview;
+}
 
 Preview& previewPart(UiState& ui, const document::Part& part) {
   if (ui.preview && ui.preview->part == part.id) return *ui.preview;
-  Preview& preview = ui.preview.emplace();
+  Preview& preview = beginPreview(ui);
   preview.part = part.id;
   preview.recipe = part.recipe;
   preview.look = part.look;
@@ -14,7 +35,7 @@ Preview& previewPart(UiState& ui, const document::Part& part) {
 }
 
 Preview& previewNewPart(UiState& ui) {
-  Preview& preview = ui.preview.emplace();
+  Preview& preview = beginPreview(ui);
   preview.loft().picture = ui.picture;
   preview.loft().loft.sections.front().shape = ui.section;
   preview.loft().loft.startCap = ui.startCap;
@@ -37,6 +58,25 @@ document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line,
   }
   region.contours.push_back(std::move(line));
   return region;
+}
+
+void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
+  if (!ui.preview || ui.preview->settled()) return;
+  Preview& preview = *ui.preview;
+  const double now = host.nowMs();
+  const bool rests = preview.fresh;
+  if (now < (rests ? *preview.exactMs : preview.nextMs)) return;
+  preview.fresh = true;
+  preview.exactMs.reset();
+  pipeline::PartShape& shape = preview.shape.room();
+  const Status made =
+      rests ? studio.preview(preview.recipe, shape) : studio.previewLive(preview.recipe, shape);
+  preview.costMs = host.nowMs() - now;
+  preview.nextMs = host.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
+  if (!made) return;  // the last good one stays
+  if (!shape.exact) preview.exactMs = host.nowMs() + kRestMs;
+  preview.shape.renew();
+  preview.revision = ++ui.previewShapes;
 }
 
 const Preview* previewOf(const UiState& ui, PartId part) {

@@ -371,12 +371,12 @@ void Studio::report(const pipeline::Derived& derived) {
   }
 }
 
-Result<pipeline::PartShape> Studio::preview(const document::Recipe& recipe) {
-  return pipeline::previewShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
+Status Studio::preview(const document::Recipe& recipe, pipeline::PartShape& shape) {
+  return pipeline::previewShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); });
 }
 
-Result<pipeline::PartShape> Studio::previewLive(const document::Recipe& recipe) {
-  return pipeline::liveShape(document(), recipe, cache_, [this] { return host_.nowMs(); });
+Status Studio::previewLive(const document::Recipe& recipe, pipeline::PartShape& shape) {
+  return pipeline::liveShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); });
 }
 
 std::vector<PicturePoint> Studio::strokeOnThing(const document::LoftRecipe& recipe) {

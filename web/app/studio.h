@@ -56,9 +56,9 @@ class Studio {
   const pipeline::Derived& derived();
 
   /// What a recipe would become, with the edges known so far (pipeline::previewShape).
-  Result<pipeline::PartShape> preview(const document::Recipe& recipe);
+  Status preview(const document::Recipe& recipe, pipeline::PartShape& shape);
   /// The same while its stroke is being drawn (pipeline::liveShape).
-  Result<pipeline::PartShape> previewLive(const document::Recipe& recipe);
+  Status previewLive(const document::Recipe& recipe, pipeline::PartShape& shape);
 
   /// A stroke as far as it lies on the thing under it (pipeline::strokeOnThing).
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);

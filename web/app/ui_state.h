@@ -14,6 +14,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/ribs/edit_gestures.h"
 #include "web/app/cut_draft.h"
+#include "web/app/kept.h"
 #include "web/app/layout.h"
 #include "web/app/print_report.h"
 #include "web/app/sizing.h"
@@ -50,12 +51,13 @@ struct Preview {
   PartId part;         ///< the one that it replaces on the screen; none: a new part
   document::Look look;
   bool fresh = false;  ///< `shape` is of this very recipe
-  std::optional<pipeline::PartShape> shape;  ///< the last one that could be made
+  Kept<pipeline::PartShape> shape;           ///< the last one that could be made
   std::uint64_t revision = 0;                ///< of `shape`; none other had it
   double costMs = 0;                         ///< what the last shape took
   double nextMs = 0;                         ///< not before this time is the next one made
   /// From this time on, if the hand rests, the shape is made exactly; none: it is exact.
   std::optional<double> exactMs;
+  std::vector<double> pressure;  ///< of the pen, one a point of a stroke that is being drawn
   bool settled() const { return fresh && !exactMs; }
   /// The loft that `recipe` is; gestures of lofts make it one.
   document::LoftRecipe& loft() {
@@ -219,7 +221,7 @@ struct UiState {
   std::optional<ListRow> listDrag;       ///< the row of the part list that is dragged
   GizmoHandle held = GizmoHandle::None;  ///< by the gesture in hand
 
-  std::optional<Preview> preview;
+  Kept<Preview> preview;
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
   SliceUi slices;
   SolidUi solids;

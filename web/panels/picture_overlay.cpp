@@ -184,7 +184,7 @@ void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subj
     const ribs::EditScene scene{subject.shape->spine, seen, document::loftIn(*subject.part).edits};
     drawReach(list, ui, scene, *end);
   }
-  const bool dragging = ui.preview.has_value();
+  const bool dragging = static_cast<bool>(ui.preview);
   if (!dragging && known(ui.chosen.end)) drawOthers(list, ui, seen, *ui.chosen.end);
   if (!dragging && known(hover.end) && hover.end != ui.chosen.end) {
     drawOthers(list, ui, seen, *hover.end);

@@ -179,7 +179,7 @@ void pill(const PanelEnv& env, ImVec2 centre, const Pill& what) {
 void hints(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = layout.picture;
-  const bool drawing = env.ui().preview.has_value();
+  const bool drawing = static_cast<bool>(env.ui().preview);
   const float x = static_cast<float>(view.centre().x), y = static_cast<float>(view.y) + 26;
   if (env.ui().redraw && !drawing) {
     pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});

@@ -19,9 +19,10 @@ void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
   document::LoftRecipe& recipe = env.ui.preview->loft();
   if (!extend(env, recipe.stroke, event.at)) return;
   // A pen that leaves the glass weighs nothing: that is not how the line was meant to end.
-  pressure_.push_back(event.pressure > 0 ? event.pressure : pressure_.back());
+  std::vector<double>& pressure = env.ui.preview->pressure;
+  pressure.push_back(event.pressure > 0 ? event.pressure : pressure.back());
   env.ui.preview->fresh = false;
-  if (usesPressure(env, event)) recipe.pose.depth = app::depthOfPressure(recipe.stroke, pressure_);
+  if (usesPressure(env, event)) app::depthOfPressure(recipe.stroke, pressure, recipe.pose.depth);
 }
 
 bool DrawSpine::usesPressure(const ToolEnv& env, const ToolEvent& event) {
@@ -34,7 +35,7 @@ void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
   app::Preview& preview = part ? app::previewPart(env.ui, *part) : app::previewNewPart(env.ui);
   preview.loft().picture = env.ui.picture;
   preview.loft().stroke = {toPicture(env, watch_.start())};
-  pressure_ = {event.pressure};
+  preview.pressure = {event.pressure};
 }
 
 void DrawSpine::commit(const ToolEnv& env) {
@@ -45,13 +46,13 @@ void DrawSpine::commit(const ToolEnv& env) {
     env.sink.run("select-part", app::Json::Object{{"id", part.value}});
     return;
   }
-  const document::LoftRecipe recipe = std::move(env.ui.preview->loft());
+  const document::LoftRecipe& recipe = env.ui.preview->loft();
   const PartId redraw = env.ui.redraw;
-  env.ui.preview.reset();
   app::Json::Object args{{"stroke", strokeJson(recipe.stroke)}};
   if (redraw) args.emplace_back("part", redraw.value);
   if (!redraw) args.emplace_back("cut", true);
   if (!redraw && !recipe.pose.depth.empty()) args.emplace_back("depth", curveJson(recipe.pose.depth));
+  env.ui.preview.reset();
   env.sink.run(redraw ? "redraw-spine" : "draw-spine", std::move(args));
 }
 

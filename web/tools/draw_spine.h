@@ -16,7 +16,6 @@ class DrawSpine final : public Tool {
   void start(const ToolEnv& env, const ToolEvent& event);
   static bool usesPressure(const ToolEnv& env, const ToolEvent& event);
   DragWatch watch_;
-  std::vector<double> pressure_;  ///< one a point of the stroke
 };
 
 }  // namespace spineloft::tools

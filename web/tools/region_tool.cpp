@@ -71,7 +71,7 @@ void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
     if (redraw && document::regionOf(redraw->recipe)) {
       app::previewPart(env.ui, *redraw);
     } else {
-      app::Preview& preview = env.ui.preview.emplace();
+      app::Preview& preview = app::beginPreview(env.ui);
       preview.look = env.ui.look;
     }
   }

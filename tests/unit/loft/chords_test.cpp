@@ -126,7 +126,8 @@ TEST_CASE("spread chords are clearly ahead of each other on both sides") {
   Rng rng(2);
   for (int round = 0; round < 300; ++round) {
     const auto chords = orderChords(chordsOf(hostileRibs(rng)), kLimits);
-    const auto spread = spreadChords(chords, kLimits);
+    auto spread = chords;
+    spreadChords(spread, kLimits);
     REQUIRE_FALSE(spread.empty());
     for (std::size_t i = 1; i < spread.size(); ++i) {
       for (const PicturePoint across : {spread[i].across(), spread[i - 1].across()}) {

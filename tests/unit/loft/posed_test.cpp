@@ -58,6 +58,33 @@ TEST_CASE("a part at rest is the same with and without its spine") {
   }
 }
 
+TEST_CASE("a spine posed in memory that was used for others is the one from scratch") {
+  Rng rng(31);
+  PoseMemory memory;
+  PosedSpine spine;
+  for (int round = 0; round < 60; ++round) {
+    ribs::Spine rest;
+    const int points = 2 + static_cast<int>(rng.below(150));
+    for (int i = 0; i < points; ++i) rest.points.push_back({100 + 4.0 * i, 400 + 30 * std::sin(0.05 * i)});
+    Pose pose;
+    if (round % 2 == 0) pose.stroke = {{100, 300}, {300, rng.uniform(200, 500)}, {700, 400}};
+    if (round % 3 == 0) pose.depth.points = {{0, 0}, {1, rng.uniform(10, 90)}};
+    if (round % 5 == 0) pose.coilTurns = 2, pose.coilRadius = 20;
+    pose.closed = round % 7 == 0;
+    const auto fresh = poseSpine(rest, pose);
+    const Status status = poseSpine(rest, pose, memory, spine);
+    REQUIRE(status.ok() == fresh.ok());
+    if (!status.ok()) continue;
+    CHECK(spine.rest == fresh.value().rest);
+    CHECK(spine.posed == fresh.value().posed);
+    CHECK(spine.scale == fresh.value().scale);
+    CHECK(spine.moved == fresh.value().moved);
+    CHECK(spine.closed == fresh.value().closed);
+    // A failure in between leaves nothing behind.
+    if (round % 4 == 0) CHECK_FALSE(poseSpine({{{1, 1}}}, pose, memory, spine).ok());
+  }
+}
+
 TEST_CASE("a pose on the traced line itself moves nothing") {
   ribs::Spine spine;
   for (int i = 0; i < 101; ++i) spine.points.push_back({100 + 6.0 * i, 400 + 0.0 * i});

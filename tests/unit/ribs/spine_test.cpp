@@ -56,6 +56,26 @@ TEST_CASE("a stroke of 30 samples and one of 3000 give the same spine within a p
   CHECK(farthest(few.value().points, many.value().points) < 1);
 }
 
+TEST_CASE("a spine cleaned in memory that was used for others is the one from scratch") {
+  Rng rng(23);
+  SpineMemory memory;
+  Spine spine;
+  int cleaned = 0;
+  for (int round = 0; round < 80; ++round) {
+    const std::size_t points = round % 10 == 3 ? 1 : 2 + rng.below(round % 9 == 0 ? 900 : 60);
+    const Points stroke = fixtures::wander(rng, points, round % 4 == 0 ? 60 : 5);
+    const SpineParams params{.ribs = 2 + static_cast<int>(rng.below(200))};
+    const auto fresh = cleanSpine(stroke, kPicture, params);
+    const Status status = cleanSpine(stroke, kPicture, params, memory, spine);
+    REQUIRE(status.ok() == fresh.ok());
+    if (!status.ok()) CHECK(status.error() == fresh.error());
+    if (status.ok()) CHECK(spine == fresh.value());
+    cleaned += status.ok() ? 1 : 0;
+  }
+  CHECK(cleaned > 20);
+  CHECK(cleaned < 80);
+}
+
 TEST_CASE("drawn backwards, a stroke gives exactly the reversed spine") {
   Rng rng(21);
   for (int round = 0; round < 50; ++round) {
