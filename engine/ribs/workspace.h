@@ -5,9 +5,8 @@
 
 namespace spineloft::ribs {
 
-/// What traceRibs keeps besides its result: field, curves, picture along them, costs, tables of the
-/// search; the evidence and the leans still ask for tables of their own. A result never depends on
-/// what the memory was used for before. Belongs to one thread; may be moved.
+/// What traceRibs keeps besides its result: field, curves, picture along them, costs, and the tables of
+/// the evidence, the leans and the search. A result never depends on what the memory was used for before. Belongs to one thread; may be moved.
 class RibWorkspace {
  public:
   RibWorkspace();

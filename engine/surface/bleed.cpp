@@ -83,6 +83,11 @@ constexpr unsigned kFine = 8;
 
 double rimMargin(int longSide) { return std::clamp(longSide / 600.0, 2.0, 6.0); }
 
+image::Mask opposite(image::Mask mask) {
+  for (std::uint8_t& p : mask.pixels) p = static_cast<std::uint8_t>(255 - p);
+  return mask;
+}
+
 image::Mask inset(const image::Mask& mask, double margin) {
   image::Mask out = mask;
   const int wanted = unitsOf(margin);

@@ -21,6 +21,9 @@ double rimMargin(int longSide);
 /// off there.
 image::Mask inset(const image::Mask& mask, double margin);
 
+/// 255 where `mask` is 0, and the other way round.
+image::Mask opposite(image::Mask mask);
+
 /// The part of `covered` (255 inside) whose pixels are trusted: at least `margin` pixels (≥ 0, at
 /// most 64) from the nearest pixel outside, or half as far as the thing is wide there where it is
 /// too thin for that, so that no piece of it loses all of its colours. As inset otherwise.

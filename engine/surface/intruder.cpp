@@ -100,11 +100,6 @@ image::Mask joined(const image::Mask& free, const image::Mask& covered) {
   return found;
 }
 
-image::Mask opposite(image::Mask mask) {
-  for (std::uint8_t& p : mask.pixels) p = static_cast<std::uint8_t>(255 - p);
-  return mask;
-}
-
 /// With gaps and holes up to twice `radius` (px) wide closed.
 image::Mask closed(const image::Mask& mask, double radius) {
   return inset(opposite(inset(opposite(mask), radius)), radius);

@@ -142,11 +142,6 @@ image::Mask common(image::Mask a, const image::Mask& b) {
   return a;
 }
 
-image::Mask opposite(image::Mask mask) {
-  for (std::uint8_t& p : mask.pixels) p = static_cast<std::uint8_t>(255 - p);
-  return mask;
-}
-
 /// How a part lies on its picture.
 struct Lie {
   image::Mask covered, sure, hidden;
