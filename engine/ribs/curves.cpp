@@ -233,20 +233,12 @@ void makeLevels(int count, double step, double farthest, double length, Levels& 
 
 void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan,
                  image::Size picture, GradientCurves& curves) {
-  traceCurves(spine, field, levels, fan, picture, Bit{}, curves);
-}
-
-void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan,
-                 image::Size picture, Bit bit, GradientCurves& curves) {
-  if (bit.number == 0) {
-    allocate(spine, levels, fan, curves);
-    placeSeeds(spine, curves);
-    curves.steps = 0;
-  }
-  const int total = curves.layout.total();
-  const auto end = static_cast<std::size_t>((bit.number + 1) * total / bit.of);
+  allocate(spine, levels, fan, curves);
+  const std::size_t total = static_cast<std::size_t>(curves.layout.total());
+  placeSeeds(spine, curves);
+  curves.steps = 0;
   const Flow flow{field, {field.length()}};
-  for (auto c = static_cast<std::size_t>(bit.number * total / bit.of); c < end; ++c) {
+  for (std::size_t c = 0; c < total; ++c) {
     float* x = &curves.x[c * levels.size()];
     float* y = &curves.y[c * levels.size()];
     float* along = &curves.along[c * levels.size()];

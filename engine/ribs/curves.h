@@ -75,14 +75,6 @@ struct GradientCurves {
 void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan,
                  image::Size picture, GradientCurves& curves);
 
-/// One of so many stretches of a job that is done bit by bit, in order; it is done after the last.
-struct Bit {
-  int number = 0, of = 1;  ///< 0 ≤ number < of
-};
-/// A bit of it: the same curves after the last bit, with equal arguments for all.
-void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan,
-                 image::Size picture, Bit bit, GradientCurves& curves);
-
 /// The rival of d2 in the ablation (SpineLoft's figure 17): gradient curves of the Euclidean distance
 /// d∞, straight lines along the normals and around the ends, which stop where another part of the
 /// spine is nearer, for there d∞ has no gradient. Labels stand for distances `levels.radius`.

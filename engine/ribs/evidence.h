@@ -42,9 +42,6 @@ struct Strip {
 /// Replaces `strip`, reusing its memory.
 void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
                  const IgnoredEdges* ignored, Strip& strip);
-/// A bit of it: the same strip after the last bit, with equal arguments for all.
-void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
-                 const IgnoredEdges* ignored, Bit bit, Strip& strip);
 
 /// How strongly the colour changes *across* the level sets and *along with the neighbours*: the Lab
 /// difference over ± `reach` (picture pixels of arc length along the curve), averaged as a vector

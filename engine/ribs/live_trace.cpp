@@ -170,22 +170,15 @@ Status LiveTrace::follow(const Spine& spine, const PictureEvidence& picture, con
 // The first two looks, in steps of about equal cost.
 Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture,
                         const RibParams& params) {
-  enum { kIdle, kCurves, kMoreCurves, kStrip, kMoreStrip, kContours, kEvidence, kParts, kFirstPart };
-  constexpr Bit kFirstHalf{0, 2}, kSecondHalf{1, 2};
+  enum { kIdle, kCurves, kStrip, kContours, kEvidence, kParts, kFirstPart };
   Search& s = looks_.search();
   if (step_ == kIdle && !changed(spine)) return Done{};
   switch (++step_) {
     case kCurves:
       s.variant = {};
-      return beginSearch(spine, picture, params, std::numeric_limits<double>::infinity(), kFirstHalf, s);
-    case kMoreCurves:
-      traceMore(picture.size, kSecondHalf, s);
-      return Done{};
+      return beginSearch(spine, picture, params, std::numeric_limits<double>::infinity(), s);
     case kStrip:
-      sampleStrip(s.curves, picture.edges, picture.ignored, kFirstHalf, s.strip);
-      return Done{};
-    case kMoreStrip:
-      sampleStrip(s.curves, picture.edges, picture.ignored, kSecondHalf, s.strip);
+      sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
       return Done{};
     case kContours:
       findContours(s);

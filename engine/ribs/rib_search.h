@@ -67,10 +67,6 @@ inline constexpr float kOnEdge = 0.5f;
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                    double farthest, Search& s);
-/// The same with the first bit of the curves, and the bits that then follow.
-Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                   double farthest, Bit first, Search& s);
-void traceMore(image::Size picture, Bit bit, Search& s);
 /// Whether colours are looked at a second time at all.
 bool usesColours(const PictureEvidence& picture, const RibParams& params);
 /// After the strip was sampled: all evidence but that of colours, and where ends stand on edges.

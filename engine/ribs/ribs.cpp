@@ -403,11 +403,6 @@ void readRibs(bool withRivals, Search& s, RibSet& set) {
 
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                    double farthest, Search& s) {
-  return beginSearch(spine, picture, params, farthest, Bit{}, s);
-}
-
-Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                   double farthest, Bit first, Search& s) {
   const image::EdgeMap& edges = picture.edges;
   if (!inRange(params)) return Error::ValueOutOfRange;
   if (spine.points.size() < 2) return Error::StrokeTooShort;
@@ -421,13 +416,9 @@ Status beginSearch(const Spine& spine, const PictureEvidence& picture, const Rib
   if (s.variant.euclidean) {
     traceStraightCurves(spine, s.levels, kFanCurves, picture.size, s.curves);
   } else {
-    traceMore(picture.size, first, s);
+    traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
   }
   return Done{};
-}
-
-void traceMore(image::Size picture, Bit bit, Search& s) {
-  traceCurves(s.spine, s.field, s.levels, kFanCurves, picture, bit, s.curves);
 }
 
 bool usesColours(const PictureEvidence& picture, const RibParams& params) {

@@ -180,7 +180,11 @@ void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, Piec
   }
 }
 
-void prepareStrip(const GradientCurves& curves, const image::EdgeMap& edges, bool marked, Strip& strip) {
+}  // namespace
+
+void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
+                 const IgnoredEdges* ignored, Strip& strip) {
+  const bool marked = ignored != nullptr && !ignored->empty();
   strip.curves = curves.layout.total();
   strip.levels = curves.levels;
   strip.pixel = std::max(edges.scaleX, edges.scaleY);
@@ -188,52 +192,25 @@ void prepareStrip(const GradientCurves& curves, const image::EdgeMap& edges, boo
   strip.lab.resize(curves.x.size());
   strip.ignored.assign(marked ? curves.x.size() : 0, 0);
   placeBands(curves, edges, kBandStep * static_cast<float>(strip.pixel), strip.scratch);
-}
-
-// Bands of labels `from` … `to` − 1; `ignored`: null where nothing is.
-void sampleBands(const GradientCurves& curves, const image::EdgeMap& edges, const IgnoredEdges* ignored,
-                 int from, int to, Strip& strip) {
   Sampler sampler(edges);
-  for (int band = from; band < to; ++band) {
-    const int first = band * kBandOfLabels;
+  for (int first = 0; first < strip.levels; first += kBandOfLabels) {
     for (int c = 0; c < strip.curves; ++c) {
       const int reached = curves.reached[index(c)];
       if (reached <= first) continue;
       const Piece piece{c, first, std::min(first + kBandOfLabels, reached)};
-      if (ignored) {
+      if (marked) {
         sampleCurve<true>(curves, ignored, piece, sampler, strip);
       } else {
         sampleCurve<false>(curves, ignored, piece, sampler, strip);
       }
     }
   }
-}
-
-// Where curves have ended there is nothing.
-void clearBeyond(const GradientCurves& curves, Strip& strip) {
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t end = curves.at(c, curves.reached[index(c)]), row = curves.at(c, 0);
     const std::size_t next = row + index(curves.levels);
     std::fill(&strip.proximity[row] + (end - row), &strip.proximity[row] + (next - row), 0.f);
     std::fill(&strip.lab[row] + (end - row), &strip.lab[row] + (next - row), std::array<float, 4>{});
   }
-}
-
-}  // namespace
-
-void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
-                 const IgnoredEdges* ignored, Strip& strip) {
-  sampleStrip(curves, edges, ignored, Bit{}, strip);
-}
-
-void sampleStrip(const GradientCurves& curves, const image::EdgeMap& edges,
-                 const IgnoredEdges* ignored, Bit bit, Strip& strip) {
-  const bool marked = ignored != nullptr && !ignored->empty();
-  if (bit.number == 0) prepareStrip(curves, edges, marked, strip);
-  const int bands = (strip.levels + kBandOfLabels - 1) / kBandOfLabels;
-  sampleBands(curves, edges, marked ? ignored : nullptr, bit.number * bands / bit.of,
-              (bit.number + 1) * bands / bit.of, strip);
-  if (bit.number + 1 == bit.of) clearBeyond(curves, strip);
 }
 
 }  // namespace spineloft::ribs

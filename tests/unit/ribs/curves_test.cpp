@@ -84,29 +84,6 @@ TEST_CASE("every point of a curve lies on its level set of d2") {
   }
 }
 
-TEST_CASE("curves traced bit by bit are the curves traced in one go") {
-  Rng rng(42);
-  GradientCurves curves;
-  for (int round = 0; round < 8; ++round) {
-    const auto spine = cleanSpine(fixtures::wander(rng, 40, 8), kPicture, {});
-    if (!spine.ok()) continue;
-    const D2Field field(spine.value().points);
-    const Levels levels = makeLevels(64, 1, 200, field.length());
-    const GradientCurves whole = curvesOf(spine.value(), levels, 7);
-    const int bits = 1 + round % 4;
-    for (int bit = 0; bit < bits; ++bit)
-      traceCurves(spine.value(), field, levels, 7, kPicture, Bit{bit, bits}, curves);
-    CHECK(curves.reached == whole.reached);
-    CHECK(curves.steps == whole.steps);
-    for (int c = 0; c < whole.layout.total(); ++c) {
-      for (int k = 0; k < whole.reached[static_cast<std::size_t>(c)]; ++k) {
-        REQUIRE(curves.point(c, k) == whole.point(c, k));
-        REQUIRE(curves.along[curves.at(c, k)] == whole.along[whole.at(c, k)]);
-      }
-    }
-  }
-}
-
 TEST_CASE("curves end within a tenth of a pixel of where the flow of d2 goes") {
   Rng rng(43);
   int seen = 0;

@@ -136,23 +136,3 @@ TEST_CASE("the strip is the mean along the level set by its definition, up to ro
     }
   }
 }
-
-TEST_CASE("a strip sampled bit by bit is the strip sampled in one go") {
-  Rng rng(22);
-  const image::Size size{180, 105};
-  Strip whole, strip;
-  for (const int ribs : {40, 12, 25}) {
-    const GradientCurves curves = someCurves(size, ribs);
-    const image::EdgeMap map = randomMap(rng);
-    const IgnoredEdges ignored = ignoreEdges(map, std::vector<IgnoreMark>{{{{60, 20}, {120, 50}}, 9}}, {});
-    for (const IgnoredEdges* marks : {&ignored, static_cast<const IgnoredEdges*>(nullptr)}) {
-      sampleStrip(curves, map, marks, whole);
-      for (const int bits : {2, 3, 7}) {
-        for (int bit = 0; bit < bits; ++bit) sampleStrip(curves, map, marks, Bit{bit, bits}, strip);
-        CHECK(strip.lab == whole.lab);
-        CHECK(strip.proximity == whole.proximity);
-        CHECK(strip.ignored == whole.ignored);
-      }
-    }
-  }
-}
