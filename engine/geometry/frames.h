@@ -20,7 +20,7 @@ Frame between(const Frame& a, const Frame& b, double t);
 
 /// Unit tangents of a smooth line at its points, by the parabola through each point and its
 /// neighbours; ≥ 2 points, neighbours should be distinct. `closed`: the last point is the first again, and both
-/// get the same tangent.
+/// get the same tangent. Into `tangents`, whose memory is reused.
 void tangentsOf(std::span<const ModelPoint> line, bool closed, std::vector<ModelPoint>& tangents);
 
 /// Frames that turn about the tangent as little as a line allows (rotation-minimising frames by
