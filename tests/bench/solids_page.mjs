@@ -73,6 +73,69 @@ export async function freshTimes(folder, warm) {
   }
 }
 
+/** Runs in the page: from the button to the solid of ten parts that the pen made, ms; `ticked`: one by one before. */
+async function pressed(ticked) {
+  const { spineloft } = window, pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms)), canvas = new OffscreenCanvas(640, 480), pen = canvas.getContext('2d');
+  pen.fillStyle = '#fff';
+  pen.fillRect(0, 0, 640, 480);
+  pen.fillStyle = '#456';
+  pen.fillRect(60, 190, 520, 100);
+  await spineloft.openImage(await canvas.convertToBlob(), 'bar');
+  for (let i = 0; i < 10; i += 1) {
+    const [x, y] = [320 + 120 * Math.cos(2 * i), 240 + 20 * Math.sin(5 * i)];
+    const stroke = Array.from({ length: 30 }, (_, k) => [x + (k / 29 - 0.5) * 240, y + (k / 29 - 0.5) * 30 * Math.sin(i)]);
+    await spineloft.run('draw-spine', { stroke });
+    await spineloft.idle();
+  }
+  const parts = spineloft.state().parts.map(({ id }) => id);
+  await pause(3000);
+  if (ticked) {
+    const before = window.solids;
+    for (const part of parts) await spineloft.run('pick', { part, on: true });
+    for (let tries = 0; tries < 200 && !(window.solids > before && window.asked === 0); tries += 1) await pause(50);
+  }
+  const start = performance.now();
+  await spineloft.run('stick-together', ticked ? {} : { parts });
+  while (spineloft.state().steps[0].status === 'waiting') await new Promise((resolve) => { requestAnimationFrame(resolve); });
+  const ms = performance.now() - start, [{ status }] = spineloft.state().steps;
+  if (status !== 'ready') throw new Error(`The benchmark's solid is ${status}.`);
+  return ms;
+}
+
+/** Counts what workers are asked for, and the solids that come. */
+function countSolids() {
+  const Plain = window.Worker;
+  window.solids = window.asked = 0;
+  window.Worker = class extends Plain {
+    constructor(...given) {
+      super(...given);
+      this.addEventListener('message', ({ data }) => {
+        if (data?.type === 'solid') window.solids += 1;
+        if (data?.type === 'done') window.asked -= 1;
+      });
+    }
+    postMessage(message, ...more) {
+      if (message.nodes) window.asked += 1;
+      super.postMessage(message, ...more);
+    }
+  };
+}
+
+/** Times in a fresh browser of the site in `folder`, from the button to the solid. */
+async function pressTimes(folder, ticked) {
+  const site = await serveFolder(folder, { isolated: true }), browser = await startBrowser();
+  try {
+    const { page } = await openPage(browser, site.url);
+    await page.addInitScript(countSolids);
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    return await page.evaluate(pressed, ticked);
+  } finally {
+    await browser.close();
+    await site.close();
+  }
+}
+
 function summary(times) {
   const sorted = [...times].sort((a, b) => a - b);
   return { min_ms: sorted[0], median_ms: sorted[sorted.length >> 1], count: sorted.length };
@@ -80,8 +143,10 @@ function summary(times) {
 
 /** Times by name, {min_ms, median_ms, count}; dist/ must be built. */
 export async function solidPageTimes(folder = distDir) {
-  const cold = [], warm = [];
+  const cold = [], warm = [], plain = [], ticked = [];
   for (let i = 0; i < kPages; i += 1) {
+    plain.push(await pressTimes(folder, false));
+    ticked.push(await pressTimes(folder, true));
     cold.push(await freshTimes(folder, false));
     warm.push(await freshTimes(folder, true));
   }
@@ -91,6 +156,8 @@ export async function solidPageTimes(folder = distDir) {
     'stick others together later': summary([...cold, ...warm].flatMap(({ union }) => union.slice(1))),
     'the first rib of one of ten after it was chosen': summary([...cold, ...warm].map(({ edit }) => edit[0])),
     'ribs after that': summary([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
+    'from the button to the first solid, of ten parts that the pen made': summary(plain),
+    'the same, ticked one by one beforehand': summary(ticked),
   };
 }
 

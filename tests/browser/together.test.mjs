@@ -398,3 +398,37 @@ test('the solver is there and quick before it is asked, in a model of two parts 
     });
   }
 });
+
+test('parts that are ticked are put together while nobody waits: at the button the solid is there, as it would be without', async () => {
+  await onPage(kit, { isolated: true }, async (page) => {
+    await page.addInitScript(() => {
+      const Plain = window.Worker;
+      window.solids = 0;
+      window.Worker = class extends Plain {
+        constructor(...given) {
+          super(...given);
+          this.addEventListener('message', ({ data }) => { window.solids += data?.type === 'solid' ? 1 : 0; });
+        }
+      };
+    });
+    const good = await stuckAnew(page), found = await lawful(page);
+    await run(page, 'release');
+    await idle(page);
+    await page.waitForTimeout(1000);
+    // Once more from what is kept: nothing is known of the solid.
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    await page.waitForFunction(() => window.spineloft.state().parts.length === 2, undefined, { timeout: 20000 });
+    await idle(page);
+    assert.deepEqual(await steps(page), []);
+    const before = await page.evaluate(() => window.solids);
+    for (const part of [1, 2]) await run(page, 'pick', { part, on: true });
+    await page.waitForFunction((count) => window.solids > count, before, { timeout: 20000 });
+    assert.deepEqual(await steps(page), [], 'nothing shows before');
+    await run(page, 'stick-together');
+    const ahead = await root(page);
+    assert.deepEqual([ahead.status, ahead.triangles], ['ready', good.triangles]);
+    const again = await lawful(page);
+    assert.ok(Math.abs(again.volume - found.volume) <= 1e-6 * found.volume);
+  });
+});

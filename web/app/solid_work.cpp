@@ -131,7 +131,7 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
   derived.steps.clear();
   if (document.steps.empty()) {
     latest_.clear();
-    if (asked_) cancel();
+    if (busy()) cancel();
     return;
   }
   const publish::SolidPlan plan = publish::planSolids(document, derived);
@@ -168,8 +168,24 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
     derived.steps.push_back(std::move(result));
   }
   std::erase_if(latest_, [&](const auto& entry) { return findStep(document, entry.first) == nullptr; });
-  const bool asked = asked_ && !asked_->preview && asked_->keys == missing;
-  if (!missing.empty() && !asked) ask(plan, std::move(missing), false);
+  if (missing.empty()) return;
+  if (asked_ && asked_->purpose != Purpose::Preview && asked_->keys == missing) {
+    asked_->purpose = Purpose::Document;
+  } else {
+    ask(plan, std::move(missing), Purpose::Document);
+  }
+}
+
+void SolidWork::prepare(const document::Document& likely, const pipeline::Derived& derived) {
+  if (busy() || likely.steps.empty()) return;
+  const publish::SolidPlan plan = publish::planSolids(likely, derived);
+  const auto root = std::ranges::find_if(
+      plan.roots, [&](std::size_t node) { return plan.nodes[node].step == likely.steps.back()->id; });
+  if (root == plan.roots.end()) return;
+  const std::uint64_t key = plan.nodes[*root].key;
+  if (key == prepared_ || solids_.find(key) || troubleOf(key) != nullptr) return;
+  prepared_ = key;
+  ask(plan, {key}, Purpose::Ahead);
 }
 
 void SolidWork::preview(const document::Document& document, pipeline::Derived& derived,
@@ -191,20 +207,20 @@ void SolidWork::preview(const document::Document& document, pipeline::Derived& d
     }
     if (known && at != derived.steps.end()) at->solid = known;
   }
-  if (!missing.empty() && !asked_) ask(plan, std::move(missing), true);
+  if (!missing.empty() && !busy()) ask(plan, std::move(missing), Purpose::Preview);
 }
 
-void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, bool preview) {
+void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose) {
   JsonWriter json;
   json.beginObject().key("type").text("solve").key("id").number(static_cast<double>(++lastId_));
   json.key("meshes").beginArray();
   for (const publish::SolidPlan::Mesh& mesh : plan.meshes) writeMesh(json, mesh);
   json.endArray().key("nodes").beginArray();
-  for (const publish::SolidPlan::Node& node : plan.nodes) writeNode(json, plan, node, preview);
+  for (const publish::SolidPlan::Node& node : plan.nodes) writeNode(json, plan, node, purpose == Purpose::Preview);
   json.endArray().key("wanted").beginArray();
   for (const std::uint64_t key : keys) json.text(io::hashKey(key));
   json.endArray().endObject();
-  asked_ = Asked{static_cast<double>(lastId_), std::move(keys), preview, 0};
+  asked_ = Asked{static_cast<double>(lastId_), std::move(keys), purpose, 0};
   host_.send(json.json());
 }
 
@@ -225,7 +241,7 @@ void SolidWork::expect(PartId part) {
 void SolidWork::cancel() {
   if (!asked_) return;
   for (const std::uint64_t key : asked_->keys) {
-    if (!asked_->preview) keepTrouble({key, {Error::Cancelled, {}}, {}, {}});
+    if (asked_->purpose == Purpose::Document) keepTrouble({key, {Error::Cancelled, {}}, {}, {}});
   }
   asked_.reset();
   host_.send(R"({"type":"stopSolving"})");
@@ -235,6 +251,7 @@ void SolidWork::forget() {
   solids_ = pipeline::Shelf<pipeline::Solid>(kMostBytes);
   latest_.clear();
   failures_.clear();
+  prepared_ = 0;
 }
 
 const SolidWork::Trouble* SolidWork::troubleOf(std::uint64_t key) const {
@@ -249,19 +266,21 @@ void SolidWork::keepTrouble(Trouble trouble) {
 
 bool SolidWork::take(const Json& answer, std::span<const std::uint8_t> bytes) {
   const bool current = asked_ && answer.number("id") == asked_->id;
-  if (answer.text("key") != nullptr) return takeSolid(answer, bytes);
+  const bool shows = !current || busy();
+  if (answer.text("key") != nullptr) return takeSolid(answer, bytes) && shows;
   if (!current) return false;
   if (const auto done = answer.number("progress")) asked_->done = std::clamp(*done, 0.0, 1.0);
   if (answer.flag("lost").value_or(false)) {
+    const bool isWanted = asked_->purpose == Purpose::Document;
     for (const std::uint64_t key : asked_->keys) {
-      if (!asked_->preview && !solids_.find(key)) keepTrouble({key, {Error::SolverStopped, {}}, {}, {}});
+      if (isWanted && !solids_.find(key)) keepTrouble({key, {Error::SolverStopped, {}}, {}, {}});
     }
-    if (!asked_->preview) sendError(host_, errorSentence(Error::SolverStopped));
+    if (isWanted) sendError(host_, errorSentence(Error::SolverStopped));
     asked_.reset();
   } else if (answer.flag("done").value_or(false)) {
     asked_.reset();
   }
-  return true;
+  return shows;
 }
 
 bool SolidWork::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) {

@@ -32,6 +32,10 @@ class SolidWork {
   void preview(const document::Document& document, pipeline::Derived& derived,
                const publish::Substitute* instead);
 
+  /// Asks for the outermost solid that was made last in `likely`, a document as it may soon be, unless the solver is at
+  /// something that is waited for: when the document comes to be so, the solid is there. Nothing of it shows before.
+  void prepare(const document::Document& likely, const pipeline::Derived& derived);
+
   /// The part that is likely to be edited next, or none: told to the solver when it is another one than before, so
   /// that it makes ready while nothing else is asked for.
   void expect(PartId part);
@@ -41,8 +45,9 @@ class SolidWork {
   /// changed.
   bool take(const Json& answer, std::span<const std::uint8_t> bytes);
 
-  bool busy() const { return asked_.has_value(); }
-  double done() const { return asked_ ? asked_->done : 1; }
+  /// Whether something is asked for that is waited for.
+  bool busy() const { return asked_ && asked_->purpose != Purpose::Ahead; }
+  double done() const { return busy() ? asked_->done : 1; }
   /// Stops the solver; what it was at is not asked for again before it changes, or `again`.
   void cancel();
   /// Forgets failures, so that the next `update` asks once more.
@@ -51,10 +56,12 @@ class SolidWork {
   void forget();
 
  private:
+  /// For the document as it is, for a gesture, or for what may come.
+  enum class Purpose { Document, Preview, Ahead };
   struct Asked {
     double id = 0;
     std::vector<std::uint64_t> keys;
-    bool preview = false;
+    Purpose purpose = Purpose::Document;
     double done = 0;
   };
   struct Trouble {
@@ -63,7 +70,7 @@ class SolidWork {
     PartId faulty;
     std::optional<WorldPoint> at;
   };
-  void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, bool preview);
+  void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose);
   void keepTrouble(Trouble trouble);
   const Trouble* troubleOf(std::uint64_t key) const;
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
@@ -76,6 +83,7 @@ class SolidWork {
   std::optional<Asked> asked_;
   std::uint64_t lastId_ = 0;
   PartId expected_;  ///< as told
+  std::uint64_t prepared_ = 0;  ///< asked for ahead, once
 };
 
 }  // namespace spineloft::app

@@ -161,6 +161,7 @@ const pipeline::Derived& Studio::derived() {
 void Studio::updateSolids() {
   previewing_ = false;
   solids_.update(document(), derived_);
+  prepareUnion();
   reportSolids();
 }
 
@@ -223,6 +224,19 @@ void Studio::previewPlaced(const document::PlaceParts& places) {
 void Studio::expectEdit(PartId part) {
   const bool isInSolid = part && document::rootOf(document(), {part, {}}) != nullptr;
   solids_.expect(isInSolid ? part : PartId{});
+}
+
+void Studio::expectUnion(const std::vector<document::Operand>& picked) {
+  if (picked == picked_) return;
+  picked_ = picked;
+  if (!stale_ && !previewing_) prepareUnion();
+}
+
+void Studio::prepareUnion() {
+  if (picked_.size() < 2) return;
+  document::CombineParts action;
+  action.operands = picked_;
+  if (const Result<document::Document> likely = document::update(document(), action)) solids_.prepare(likely.value(), derived_);
 }
 
 void Studio::endPreview() {

@@ -88,6 +88,8 @@ class Studio {
 
   /// The chosen part, or none: what an edit of it needs of the solid that it is in is made ready.
   void expectEdit(PartId part);
+  /// What is ticked: several are likely to be stuck together, so that is made ready.
+  void expectUnion(const std::vector<document::Operand>& picked);
   /// What the solver of solids says (SolidWork::take).
   void takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
   /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.
@@ -116,6 +118,7 @@ class Studio {
   void findEdges(PictureId id);
   void keepShown(const pipeline::Derived& before);
   void updateSolids();
+  void prepareUnion();
   void reportSolids();
   /// Of the shape with that key.
   void takeTexture(std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture);
@@ -146,6 +149,7 @@ class Studio {
   std::vector<Search> searching_;  ///< whose edges a worker seeks
   std::vector<std::pair<PartId, Error>> reported_;
   std::vector<std::pair<StepId, Error>> reportedSteps_;
+  std::vector<document::Operand> picked_;
   SolidWork solids_;
   bool previewing_ = false;
   std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
