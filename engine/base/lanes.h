@@ -22,12 +22,21 @@ inline void store4(Float4 v, float* to) { __builtin_memcpy(to, &v, sizeof v); }
 inline Float4 all4(float v) { return Float4{v, v, v, v}; }
 inline Float4 least4(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 most4(Float4 a, Float4 b) { return a > b ? a : b; }
-inline Float4 magnitude4(Float4 v) { return v < all4(0) ? -v : v; }
-/// Whether any lane of a comparison holds.
-inline bool any4(Int4 held) {
-  const auto halves = std::bit_cast<Long2>(held);
-  return (halves[0] | halves[1]) != 0;
+inline Float4 magnitude4(Float4 v) {
+  return std::bit_cast<Float4>(std::bit_cast<Int4>(v) & Int4{0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF, 0x7FFFFFFF});
 }
+/// In which lanes a comparison holds: bit i for lane i.
+inline unsigned lanes4(Int4 held) {
+#if defined(__wasm_simd128__)
+  return static_cast<unsigned>(__builtin_wasm_bitmask_i32x4(held));
+#elif defined(__SSE__)
+  return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Float4>(held)));
+#else
+  return (held[0] & 1u) | (held[1] & 2u) | (held[2] & 4u) | (held[3] & 8u);
+#endif
+}
+/// Whether any lane of a comparison holds.
+inline bool any4(Int4 held) { return lanes4(held) != 0; }
 inline float sum4(Float4 v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 /// Where the lesser of single floats is a branch, that of lanes is one instruction.
 inline float lesser(float a, float b) { return a < b ? a : b; }

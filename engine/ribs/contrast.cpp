@@ -38,11 +38,12 @@ void differences(const GradientCurves& curves, const Strip& strip, float reach, 
   }
 }
 
-// The slants of the contour that are tried: half as many to either side, and none.
-constexpr std::size_t kSlants = 5, kUpright = kSlants / 2;
+// The slants of the contour that are tried: so many to either side, and none.
+constexpr std::size_t kSteep = 2, kSlanted = 2 * kSteep, kSlants = kSlanted + 1;
 
 // Which levels of a neighbouring curve lie on a contour of each slant through the levels of a curve;
-// where that one has none, an entry that is 0. [slant][level].
+// where that one has none, an entry that is 0. [slant][level]: one way and the other, the gentlest first. On
+// the contour without a slant it is the same level.
 struct Contours {
   const float *x, *y, *step;     // points of the curve, and the distance to the one before
   const float *otherX, *otherY;  // points of the neighbour
@@ -59,13 +60,10 @@ void follow(const Contours& c, std::vector<float>& rises, std::int32_t* out) {
     const float dx = c.otherX[k] - c.x[k], dy = c.otherY[k] - c.y[k];
     rise[k] = c.slant * std::sqrt(dx * dx + dy * dy) / c.step[k];
   }
-  std::int32_t* __restrict level = out + kUpright * levels;
-  for (int k = 0; k < both; ++k) level[k] = k;
-  for (int k = both; k < c.reached; ++k) level[k] = none;
-  for (std::size_t s = 1; s <= kUpright; ++s) {
-    std::int32_t* __restrict down = out + (kUpright - s) * levels;
-    std::int32_t* __restrict up = out + (kUpright + s) * levels;
-    const auto steps = static_cast<float>(s);
+  for (std::size_t s = 0; s < kSteep; ++s) {
+    std::int32_t* __restrict down = out + 2 * s * levels;
+    std::int32_t* __restrict up = down + levels;
+    const auto steps = static_cast<float>(s + 1);
     for (int k = 0; k < both; ++k) {
       const float moved = rise[k] * steps;
       const auto shift = static_cast<std::int32_t>(moved + (moved < 0 ? -0.5f : 0.5f));
@@ -112,7 +110,7 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
   // Neighbours on both sides; the curve itself needs no following.
   const int count = 2 * params.neighbours;
   scratch.rows.resize(index(count));
-  scratch.shifted.resize(index(count) * kSlants * levels);
+  scratch.shifted.resize(index(count) * kSlanted * levels);
   scratch.sums.resize(levels);
   const float share = 1 / static_cast<float>(count + 1);
   for (int c = 0; c < strip.curves; ++c) {
@@ -134,7 +132,7 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
       follow({&curves.x[row], &curves.y[row], steps, &curves.x[at], &curves.y[at], reached,
               curves.reached[index(other)], strip.levels,
               static_cast<float>(before ? -params.slant : params.slant)},
-             scratch.window, &scratch.shifted[index(j) * kSlants * levels]);
+             scratch.window, &scratch.shifted[index(j) * kSlanted * levels]);
     }
     for (std::size_t k = 1; k < index(reached); ++k) {
       if (strip.isIgnored(row + k)) continue;
@@ -142,8 +140,8 @@ void contourContrast(const GradientCurves& curves, const Strip& strip, const Con
       Float4 sums[kSlants] = {own, own, own, own, own};
       const std::int32_t* at = &scratch.shifted[k];
       for (const Lab* difference : scratch.rows) {
-        for (std::size_t s = 0; s < kSlants; ++s, at += levels)
-          sums[s] += load4(difference[*at].data());
+        for (std::size_t s = 0; s < kSlanted; ++s, at += levels) sums[s] += load4(difference[*at].data());
+        sums[kSlanted] += load4(difference[k].data());
       }
       contrast[row + k] = std::sqrt(mostSquared(sums)) * share;
     }

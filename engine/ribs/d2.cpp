@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -38,44 +39,9 @@ struct Sums {
   }
 };
 
-struct Segments {
-  const float *startX, *startY, *alongX, *alongY, *reach;
-};
-
-// Segments of one stretch, and how many of its own half extents away a stretch counts as far: the
-// remaining error of its share is at most the fourth power of the inverse.
-constexpr std::size_t kStretch = 4;
+// How many of its own half extents away a stretch counts as far: the remaining error of its share is at most
+// the fourth power of the inverse.
 constexpr double kNearShare = 4;
-
-// I and ∇I of four segments, as in segmentTerm.
-inline void addSegments(const Lanes& at, const Segments& s, Sums& sums) {
-  const Float4 ax = load4(s.startX) - at.x, ay = load4(s.startY) - at.y;
-  const Float4 ex = load4(s.alongX), ey = load4(s.alongY), reach = load4(s.reach);
-  const Float4 u1 = ax * ex + ay * ey, u2 = u1 + reach, v = ex * ay - ey * ax;
-  const Float4 v2 = v * v, near = u1 * u1 + v2, far = u2 * u2 + v2;
-  // One division for both; lengths whose fourth power is beyond single precision do not occur.
-  const Float4 both = 1 / (near * far), f1 = far * both, f2 = near * both;
-  const Float4 along = u1 * u2 + v2, size = magnitude4(v), across = reach * size;
-  const Float4 run = magnitude4(along);
-  const auto steep = across > run;
-  const Float4 longer = steep ? across : run, shorter = steep ? run : across;
-  const Float4 inverse = 1 / longer, away = 1 / v, z = shorter * inverse;
-  const Float4 slope = arctanOverArgument(z * z);
-  Float4 angle = z * slope;
-  angle = steep ? all4(std::numbers::pi_v<float> / 2) - angle : angle;
-  angle = along < all4(0) ? all4(std::numbers::pi_v<float>) - angle : angle;
-  // Seen under less than 45° from outside: θ/|v| without dividing by a v that may be 0.
-  const auto slim = (across <= along);
-  const Float4 term = slim ? reach * slope * inverse : angle * magnitude4(away);
-  const auto inLine = (v2 < all4(1e-4f) * (u1 * u2));
-  // There 1/u² is as good as 1/(u² + v²).
-  const Float4 series = all4(2.f / 3) * v * (u1 * f1 * f1 - u2 * f2 * f2);
-  const Float4 sideways = inLine ? series : (term + u2 * f2 - u1 * f1) * away;
-  const Float4 lengthwise = f1 - f2;
-  sums.value += term;
-  sums.gradientX += lengthwise * ex - sideways * ey;
-  sums.gradientY += lengthwise * ey + sideways * ex;
-}
 
 struct Term {
   double value = 0;
@@ -107,6 +73,94 @@ Term segmentTerm(PicturePoint x, PicturePoint p, PicturePoint e, double length) 
 
 }  // namespace
 
+// The sums over four lanes. Segments and runs stand in blocks of four, for a register has to hold one address.
+struct D2Field::Kernel {
+  static Float4 load(const Lane4& lanes) { return load4(lanes.data()); }
+
+  // I and ∇I of four segments, as in segmentTerm.
+  static void addSegments(const Lanes& at, const Segments& s, Sums& sums) {
+    const Float4 ax = load(s.startX) - at.x, ay = load(s.startY) - at.y;
+    const Float4 ex = load(s.alongX), ey = load(s.alongY), reach = load(s.reach);
+    const Float4 u1 = ax * ex + ay * ey, u2 = u1 + reach, v = ex * ay - ey * ax;
+    const Float4 v2 = v * v, near = u1 * u1 + v2, far = u2 * u2 + v2;
+    // One division for both; lengths whose fourth power is beyond single precision do not occur.
+    const Float4 both = 1 / (near * far), f1 = far * both, f2 = near * both;
+    const Float4 along = u1 * u2 + v2, across = reach * magnitude4(v), run = magnitude4(along);
+    const auto steep = across > run;
+    const Float4 longer = most4(across, run), shorter = least4(run, across);
+    const Float4 inverse = 1 / longer, away = 1 / v, z = shorter * inverse;
+    const Float4 slope = arctanOverArgument(z * z);
+    Float4 angle = z * slope;
+    angle = steep ? all4(std::numbers::pi_v<float> / 2) - angle : angle;
+    angle = along < all4(0) ? all4(std::numbers::pi_v<float>) - angle : angle;
+    // Seen under less than 45° from outside: θ/|v| without dividing by a v that may be 0.
+    const auto slim = (across <= along);
+    const Float4 term = slim ? reach * slope * inverse : angle * magnitude4(away);
+    Float4 sideways = (term + u2 * f2 - u1 * f1) * away;
+    const auto inLine = (v2 < all4(1e-4f) * (u1 * u2));
+    if (any4(inLine)) {
+      // There 1/u² is as good as 1/(u² + v²).
+      const Float4 series = all4(2.f / 3) * v * (u1 * f1 * f1 - u2 * f2 * f2);
+      sideways = inLine ? series : sideways;
+    }
+    const Float4 lengthwise = f1 - f2;
+    sums.value += term;
+    sums.gradientX += lengthwise * ex - sideways * ey;
+    sums.gradientY += lengthwise * ey + sideways * ex;
+  }
+
+  // I and ∇I of four runs that are far; calls `close` with the lane of each of the others.
+  template <class Close>
+  static void addRuns(const Lanes& at, const Runs& runs, Sums& sums, const Close& whenClose) {
+    const Float4 dx = at.x - load(runs.middleX), dy = at.y - load(runs.middleY);
+    const Float4 r2 = dx * dx + dy * dy, inverse = 1 / r2;
+    const auto close = r2 < load(runs.near);
+    // f(d) = |d|⁻² to second order about the centroid: I = T f + ½ M : ∇∇f. Moments are held eightfold: factors
+    // that are powers of two change no digit.
+    const Float4 xx = load(runs.momentXX), xy = load(runs.momentXY), yy = load(runs.momentYY);
+    const Float4 mx = xx * dx + xy * dy, my = xy * dx + yy * dy;
+    const Float4 q = mx * dx + my * dy, mass = load(runs.mass);
+    const Float4 i2 = inverse * inverse, i3 = i2 * inverse;
+    Float4 value = mass * inverse - load(runs.trace) * i2 + all4(0.5f) * q * i3;
+    const Float4 radial = load(runs.massTwice) * i2 - load(runs.traceFour) * i3 + all4(3) * q * i3 * inverse;
+    Float4 gradientX = mx * i3 - radial * dx, gradientY = my * i3 - radial * dy;
+    unsigned left = lanes4(close);
+    if (left != 0) {
+      value = close ? all4(0) : value;
+      gradientX = close ? all4(0) : gradientX;
+      gradientY = close ? all4(0) : gradientY;
+    }
+    sums.value += value;
+    sums.gradientX += gradientX;
+    sums.gradientY += gradientY;
+    for (; left != 0; left &= left - 1)
+      whenClose(static_cast<std::size_t>(std::countr_zero(left)));
+  }
+
+  // Runs of segments, four blocks of which `segments` begins with.
+  static void addStretches(const Lanes& at, const Runs& stretches, const Segments* segments, Sums& sums) {
+    addRuns(at, stretches, sums, [&](std::size_t lane) { addSegments(at, segments[lane], sums); });
+  }
+
+  // Apart, so that the short polylines' sum stays in registers.
+  [[gnu::noinline]] static Sums ofGroups(const Lanes& at, const D2Field& field) {
+    Sums sums;
+    for (std::size_t g = 0; g < field.groups_.size(); ++g) {
+      addRuns(at, field.groups_[g], sums, [&](std::size_t lane) {
+        const std::size_t group = g * kLanes + lane;
+        addStretches(at, field.stretches_[group], &field.segments_[group * kLanes], sums);
+      });
+    }
+    return sums;
+  }
+  static Sums ofStretches(const Lanes& at, const D2Field& field) {
+    Sums sums;
+    for (std::size_t g = 0; g < field.stretches_.size(); ++g)
+      addStretches(at, field.stretches_[g], &field.segments_[g * kLanes], sums);
+    return sums;
+  }
+};
+
 D2Field::D2Field(std::span<const PicturePoint> polyline) { assign(polyline); }
 
 void D2Field::assign(std::span<const PicturePoint> polyline) {
@@ -116,29 +170,28 @@ void D2Field::assign(std::span<const PicturePoint> polyline) {
       points_.push_back(p);
   }
   const std::size_t segments = points_.empty() ? 0 : points_.size() - 1;
-  const std::size_t padded = (segments + kLanes - 1) / kLanes * kLanes;
-  for (auto* plane : {&startX_, &startY_, &alongX_, &alongY_, &reach_}) plane->assign(padded, 0);
+  // Lanes beyond the last segment see nothing: a length of 0, far from everything.
+  constexpr Lane4 kFar{1e9f, 1e9f, 1e9f, 1e9f}, kNone{};
+  segments_.assign((segments + kLanes - 1) / kLanes, {kFar, kFar, {1, 1, 1, 1}, kNone, kNone});
   length_ = 0;
-  for (std::size_t i = 0; i < padded; ++i) {
-    // Lanes beyond the last segment see nothing: a length of 0, far from everything.
-    startX_[i] = startY_[i] = 1e9f;
-    alongX_[i] = 1;
-    if (i >= segments) continue;
+  for (std::size_t i = 0; i < segments; ++i) {
     const double length = spineloft::distance(points_[i], points_[i + 1]);
     const PicturePoint start = points_[i] - points_[0];
     const PicturePoint along = (points_[i + 1] - points_[i]) / length;
-    startX_[i] = static_cast<float>(start.x);
-    startY_[i] = static_cast<float>(start.y);
-    alongX_[i] = static_cast<float>(along.x);
-    alongY_[i] = static_cast<float>(along.y);
-    reach_[i] = static_cast<float>(length);
+    Segments& block = segments_[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    block.startX[lane] = static_cast<float>(start.x);
+    block.startY[lane] = static_cast<float>(start.y);
+    block.alongX[lane] = static_cast<float>(along.x);
+    block.alongY[lane] = static_cast<float>(along.y);
+    block.reach[lane] = static_cast<float>(length);
     length_ += length;
   }
-  gather(kStretch, stretches_);
+  gather(1, stretches_);
   if (segments >= kGrouped) {
-    gather(kStretch * kLanes, groups_);
+    gather(kLanes, groups_);
   } else {
-    groups_.mass.clear();
+    groups_.clear();
   }
 }
 
@@ -161,103 +214,66 @@ double D2Field::distance(PicturePoint x) const { return sample(x).d2; }
 D2Integral D2Field::integral(PicturePoint x) const {
   const Lanes at(x, points_[0]);
   Sums sums;
-  for (std::size_t i = 0; i < startX_.size(); i += kLanes) {
-    addSegments(at, {&startX_[i], &startY_[i], &alongX_[i], &alongY_[i], &reach_[i]}, sums);
-  }
+  for (const Segments& block : segments_) Kernel::addSegments(at, block, sums);
   return sums.total();
 }
 
-void D2Field::gather(std::size_t segments, Runs& runs) const {
-  const std::size_t count = (startX_.size() + segments - 1) / segments;
-  const std::size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-  for (auto* plane : {&runs.middleX, &runs.middleY, &runs.mass, &runs.momentXX, &runs.momentXY,
-                      &runs.momentYY, &runs.near}) {
-    plane->assign(padded, 0);
-  }
-  for (std::size_t g = 0; g < padded; ++g) {
-    runs.middleX[g] = runs.middleY[g] = 1e9f;  // a lane without segments: far from everything, no mass
-    const std::size_t first = g * segments, last = std::min(first + segments, startX_.size());
-    double mass = 0, cx = 0, cy = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const auto t = static_cast<double>(reach_[i]);
+void D2Field::gather(std::size_t blocks, std::vector<Runs>& runs) const {
+  const std::size_t count = (segments_.size() + blocks - 1) / blocks;
+  // A lane without segments: far from everything, no mass.
+  constexpr Lane4 kFar{1e9f, 1e9f, 1e9f, 1e9f}, kNone{};
+  runs.assign((count + kLanes - 1) / kLanes, {kFar, kFar, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone});
+  for (std::size_t g = 0; g < count; ++g) {
+    const std::size_t first = g * blocks, last = std::min(first + blocks, segments_.size());
+    const auto forEach = [&](auto&& what) {
+      for (std::size_t b = first; b < last; ++b) {
+        const Segments& s = segments_[b];
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          const auto t = static_cast<double>(s.reach[lane]);
+          if (!(t > 0)) continue;
+          const PicturePoint along{static_cast<double>(s.alongX[lane]), static_cast<double>(s.alongY[lane])};
+          const PicturePoint start{static_cast<double>(s.startX[lane]), static_cast<double>(s.startY[lane])};
+          what(t, along, start + along * (0.5 * t));
+        }
+      }
+    };
+    double mass = 0;
+    PicturePoint centre;
+    forEach([&](double t, PicturePoint, PicturePoint middle) {
       mass += t;
-      cx += t * (static_cast<double>(startX_[i]) + 0.5 * t * static_cast<double>(alongX_[i]));
-      cy += t * (static_cast<double>(startY_[i]) + 0.5 * t * static_cast<double>(alongY_[i]));
-    }
+      centre += middle * t;
+    });
     if (!(mass > 0)) continue;
-    cx /= mass;
-    cy /= mass;
+    centre = centre / mass;
     double xx = 0, xy = 0, yy = 0, extent = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const auto t = static_cast<double>(reach_[i]);
-      if (!(t > 0)) continue;
-      const auto ex = static_cast<double>(alongX_[i]), ey = static_cast<double>(alongY_[i]);
-      const double mx = static_cast<double>(startX_[i]) + 0.5 * t * ex - cx;
-      const double my = static_cast<double>(startY_[i]) + 0.5 * t * ey - cy;
+    forEach([&](double t, PicturePoint e, PicturePoint middle) {
+      const PicturePoint m = middle - centre;
       const double own = t * t * t / 12;
-      xx += t * mx * mx + own * ex * ex;
-      xy += t * mx * my + own * ex * ey;
-      yy += t * my * my + own * ey * ey;
-      extent = std::max(extent, std::hypot(mx, my) + 0.5 * t);
-    }
-    runs.middleX[g] = static_cast<float>(cx);
-    runs.middleY[g] = static_cast<float>(cy);
-    runs.mass[g] = static_cast<float>(mass);
-    runs.momentXX[g] = static_cast<float>(xx);
-    runs.momentXY[g] = static_cast<float>(xy);
-    runs.momentYY[g] = static_cast<float>(yy);
-    runs.near[g] = static_cast<float>(kNearShare * kNearShare * extent * extent);
+      xx += t * m.x * m.x + own * e.x * e.x;
+      xy += t * m.x * m.y + own * e.x * e.y;
+      yy += t * m.y * m.y + own * e.y * e.y;
+      extent = std::max(extent, std::hypot(m.x, m.y) + 0.5 * t);
+    });
+    Runs& block = runs[g / kLanes];
+    const std::size_t lane = g % kLanes;
+    block.middleX[lane] = static_cast<float>(centre.x);
+    block.middleY[lane] = static_cast<float>(centre.y);
+    block.mass[lane] = static_cast<float>(mass);
+    const auto ownXX = static_cast<float>(xx), ownXY = static_cast<float>(xy), ownYY = static_cast<float>(yy);
+    const float trace = ownXX + ownYY;
+    block.massTwice[lane] = 2 * block.mass[lane];
+    block.momentXX[lane] = 8 * ownXX;
+    block.momentXY[lane] = 8 * ownXY;
+    block.momentYY[lane] = 8 * ownYY;
+    block.trace[lane] = trace;
+    block.traceFour[lane] = 4 * trace;
+    block.near[lane] = static_cast<float>(kNearShare * kNearShare * extent * extent);
   }
-}
-
-// I and ∇I of four runs that are far; calls `close` with the number of each of the others.
-template <class Runs, class Close>
-inline void addRuns(const Lanes& at, const Runs& runs, std::size_t g, Sums& sums, const Close& whenClose) {
-  const Float4 dx = at.x - load4(&runs.middleX[g]), dy = at.y - load4(&runs.middleY[g]);
-  const Float4 r2 = dx * dx + dy * dy, inverse = 1 / r2;
-  const auto close = r2 < load4(&runs.near[g]);
-  // f(d) = |d|⁻² to second order about the centroid: I = T f + ½ M : ∇∇f.
-  const Float4 xx = load4(&runs.momentXX[g]), xy = load4(&runs.momentXY[g]), yy = load4(&runs.momentYY[g]);
-  const Float4 mx = xx * dx + xy * dy, my = xy * dx + yy * dy;
-  const Float4 q = mx * dx + my * dy, trace = xx + yy, mass = load4(&runs.mass[g]);
-  const Float4 i2 = inverse * inverse, i3 = i2 * inverse;
-  const Float4 value = mass * inverse - trace * i2 + 4 * q * i3;
-  const Float4 radial = -2 * mass * i2 + 4 * trace * i3 - 24 * q * i3 * inverse;
-  sums.value += close ? all4(0) : value;
-  sums.gradientX += close ? all4(0) : radial * dx + 8 * mx * i3;
-  sums.gradientY += close ? all4(0) : radial * dy + 8 * my * i3;
-  for (std::size_t lane = 0; lane < kLanes && any4(close); ++lane) {
-    if (close[lane]) whenClose(g + lane);
-  }
-}
-
-// Segments of a stretch: `planes` begin with the first one of all, of which there are `count`.
-inline void addStretch(const Lanes& at, const Segments& planes, std::size_t count, std::size_t stretch, Sums& sums) {
-  const std::size_t first = stretch * kStretch, last = std::min(first + kStretch, count);
-  for (std::size_t i = first; i < last; i += kLanes) {
-    addSegments(at, {planes.startX + i, planes.startY + i, planes.alongX + i, planes.alongY + i, planes.reach + i}, sums);
-  }
-}
-
-// Apart, so that the short polylines' sum stays in registers.
-template <class Runs>
-[[gnu::noinline]] Sums sumOfGroups(const Lanes& at, const Segments& planes, std::size_t count, const Runs& stretches,
-                                   const Runs& groups) {
-  Sums sums;
-  const auto near = [&](std::size_t stretch) { addStretch(at, planes, count, stretch, sums); };
-  const auto open = [&](std::size_t group) { addRuns(at, stretches, group * kLanes, sums, near); };
-  for (std::size_t g = 0; g < groups.size(); g += kLanes) addRuns(at, groups, g, sums, open);
-  return sums;
 }
 
 D2Integral D2Field::quickIntegral(PicturePoint x) const {
   const Lanes at(x, points_[0]);
-  const Segments planes{startX_.data(), startY_.data(), alongX_.data(), alongY_.data(), reach_.data()};
-  if (groups_.size() > 0) return sumOfGroups(at, planes, startX_.size(), stretches_, groups_).total();
-  Sums sums;
-  const auto near = [&](std::size_t stretch) { addStretch(at, planes, startX_.size(), stretch, sums); };
-  for (std::size_t g = 0; g < stretches_.size(); g += kLanes) addRuns(at, stretches_, g, sums, near);
-  return sums.total();
+  return (groups_.empty() ? Kernel::ofStretches(at, *this) : Kernel::ofGroups(at, *this)).total();
 }
 
 double d2OfRadius(double radius, double length) {

@@ -4,6 +4,7 @@
 // A the polyline's length. Far away d2 tends to the Euclidean distance; on the polyline it is 0.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -50,16 +51,20 @@ class D2Field {
   double length_ = 0;
   // The same segments for the vector kernel, relative to the first point so that single precision
   // is enough, padded to whole lanes with segments of no length: start, unit direction, length.
-  std::vector<float> startX_, startY_, alongX_, alongY_, reach_;
-  // Runs of segments, padded to whole lanes: centroid, length, second moments about the centroid, squared
-  // distance within which what they are made of is summed.
-  struct Runs {
-    std::vector<float> middleX, middleY, mass, momentXX, momentXY, momentYY, near;
-    std::size_t size() const { return mass.size(); }
+  using Lane4 = std::array<float, 4>;
+  struct Segments {
+    Lane4 startX, startY, alongX, alongY, reach;
   };
-  Runs stretches_;  // of kStretch segments
-  Runs groups_;     // of a lane's width of stretches each; none on short polylines
-  void gather(std::size_t segments, Runs& runs) const;
+  std::vector<Segments> segments_;
+  // Four runs of segments: centroid, length and twice it, second moments about the centroid (eightfold), their
+  // trace and four times it, squared distance within which what they are made of is summed. Padded to whole lanes with runs of no mass, far from everything.
+  struct Runs {
+    Lane4 middleX, middleY, mass, massTwice, momentXX, momentXY, momentYY, trace, traceFour, near;
+  };
+  std::vector<Runs> stretches_;  // of four segments
+  std::vector<Runs> groups_;     // of four stretches each; none on short polylines
+  void gather(std::size_t segments, std::vector<Runs>& runs) const;
+  struct Kernel;
 };
 
 /// The radius at which the perpendicular bisector of a *straight* spine of length `length` has the

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/sorted_window.h"
+
 namespace spineloft::ribs {
 namespace {
 
@@ -32,21 +34,21 @@ const std::vector<float>& edgeStrengths(const SideEnds& ends,
     const int curve = ends.left ? curves.layout.left(i) : curves.layout.right(i);
     const int label = ends.labels[index(i)];
     const int last = std::min(curves.reached[index(curve)] - 1, label + kReach);
+    float most = 0;
     for (int k = std::max(1, label - kReach); k <= last; ++k) {
       const auto& d = differences[index(curve) * stride + index(k)];
-      memory.raw[index(i)] =
-          std::max(memory.raw[index(i)], std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+      most = std::max(most, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     }
+    memory.raw[index(i)] = std::sqrt(most);
   }
   const int window = std::max(1, static_cast<int>(kNearby * ribs));
+  SortedWindow nearby(memory.nearby);
+  for (int i = 0; i < std::min(ribs, window); ++i) nearby.add(memory.raw[index(i)]);
   for (int i = 0; i < ribs; ++i) {
-    memory.nearby.assign(memory.raw.begin() + std::max(0, i - window),
-                         memory.raw.begin() + std::min(ribs, i + window + 1));
-    const auto last = static_cast<double>(memory.nearby.size() - 1);
-    const auto strong = memory.nearby.begin() + static_cast<std::ptrdiff_t>(kStrong * last);
-    std::nth_element(memory.nearby.begin(), strong, memory.nearby.end());
-    const float enough = std::max(kNothing, kEnough * *strong);
-    memory.relative[index(i)] = std::min(1.f, memory.raw[index(i)] / enough);
+    if (i + window < ribs) nearby.add(memory.raw[index(i + window)]);
+    if (i > window) nearby.remove(memory.raw[index(i - window - 1)]);
+    const float strong = nearby.at(static_cast<std::size_t>(kStrong * static_cast<double>(nearby.size() - 1)));
+    memory.relative[index(i)] = std::min(1.f, memory.raw[index(i)] / std::max(kNothing, kEnough * strong));
   }
   return memory.relative;
 }

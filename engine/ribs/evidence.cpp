@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/base/lanes.h"
+#include "engine/base/sorted_window.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -73,18 +74,24 @@ void normalise(const GradientCurves& curves, const Strip& strip, BoundaryTerms& 
   const float scale = std::max(kLeastContrast, kFullEdge * median(window));
   const int total = curves.layout.total();
   terms.localContrast.assign(terms.contrast.size(), 0.f);
+  // The curves are a ring around the spine.
+  const auto strongestOf = [&](int c) { return strongest[index((c % total + total) % total)]; };
+  SortedWindow nearby(window);
+  const auto come = [&](float contrast) {
+    if (contrast != kUnknown) nearby.add(contrast);
+  };
+  for (int j = -kNearby; j < kNearby; ++j) come(strongestOf(j));
   for (int c = 0; c < total; ++c) {
-    window.clear();
-    for (int j = -kNearby; j <= kNearby; ++j)
-      window.push_back(strongest[index(((c + j) % total + total) % total)]);
-    std::erase(window, kUnknown);
-    const float local = std::max(kLeastLocalContrast, kFullEdge * median(window));
+    come(strongestOf(c + kNearby));
+    const float middle = nearby.size() > 0 ? nearby.at((nearby.size() - 1) / 2) : 0.f;
+    const float local = std::max(kLeastLocalContrast, kFullEdge * middle);
+    if (const float first = strongestOf(c - kNearby); first != kUnknown) nearby.remove(first);
     const int reached = curves.reached[index(c)];
     float* contrast = &terms.contrast[curves.at(c, 0)];
-    float* nearby = &terms.localContrast[curves.at(c, 0)];
+    float* compared = &terms.localContrast[curves.at(c, 0)];
     for (int k = 1; k < reached; ++k) {
       const float own = contrast[k], there = own / local, all = own / scale;
-      nearby[k] = there < 1 ? there : 1.f;
+      compared[k] = there < 1 ? there : 1.f;
       contrast[k] = all < 1 ? all : 1.f;
     }
   }
