@@ -158,10 +158,13 @@ int main(int count, char** words) {
     const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
     bench::Report report;
     bench::reportPenStages(picture, edges, report);
+  } else if (count == 2 && std::string(words[1]) == "--workers") {
+    bench::Report report;
+    bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report);
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr << "spineloft_bench: no words, --pen, --photo, or --ribs and a case folder\n";
+    std::cerr << "spineloft_bench: no words, --pen, --photo, --workers, or --ribs and a case folder\n";
     return 2;
   }
   return 0;
