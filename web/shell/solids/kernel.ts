@@ -20,7 +20,7 @@ import type { MeshData, PartOperand, SharedUnion, ShareRequest, SolidFailure, So
 /** How many requests long a sub-result is kept that nobody asks for. */
 const kKept = 12;
 /** How often the way of an edit is gone before the first one, so that it runs at its quickest. */
-const kTries = 3;
+const kTries = 8;
 
 interface Kept {
   solid: Manifold | null;
