@@ -220,6 +220,8 @@ void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> k
   json.endArray().key("wanted").beginArray();
   for (const std::uint64_t key : keys) json.text(io::hashKey(key));
   json.endArray().endObject();
+  // What it was at for what may come is given up, and worth another try.
+  if (asked_ && asked_->purpose == Purpose::Ahead && purpose != Purpose::Ahead) prepared_ = 0;
   asked_ = Asked{static_cast<double>(lastId_), std::move(keys), purpose, 0};
   host_.send(json.json());
 }

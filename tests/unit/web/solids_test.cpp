@@ -430,3 +430,25 @@ TEST_CASE("what is made ahead never holds up what is wanted") {
   CHECK(rig.asked() == before + 2);
   CHECK_FALSE(rig.busy());
 }
+
+TEST_CASE("what is ahead and had to give way is taken up again") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  for (const char* stroke : {R"({"stroke": [[150, 50], [152, 100], [150, 150]]})", R"({"stroke": [[130, 50], [132, 100], [130, 150]]})"}) {
+    rig.run("draw-spine", stroke);
+    rig.settle();
+  }
+  rig.tick(3);
+  rig.tick(4);
+  const Json given = rig.lastAsked();
+  const std::size_t before = rig.asked();
+  rig.run("set-section", R"({"part": 1, "section": "square"})");
+  rig.state();
+  REQUIRE(rig.asked() == before + 1);
+  rig.done(given);
+  CHECK(rig.busy());
+  rig.answer(rig.lastAsked());
+  CHECK(rig.settle());
+  REQUIRE(rig.asked() == before + 2);
+  CHECK(*rig.lastAsked().find("wanted")->array()->front().text() == *given.find("wanted")->array()->front().text());
+}
