@@ -260,15 +260,6 @@ PicturePoint GradientCurves::pointAlong(int curve, double length) const {
   return pointAlong(curve, length, k);
 }
 
-PicturePoint GradientCurves::pointAlong(int curve, double length, int& k) const {
-  const int last = reached[static_cast<std::size_t>(curve)] - 1;
-  if (last < 1) return point(curve, 0);
-  const float *arcs = &along[at(curve, 0)], sought = static_cast<float>(length);
-  while (k + 1 < last && arcs[k + 1] <= sought) ++k;
-  const double from = arcs[k], run = std::max(1e-9, static_cast<double>(arcs[k + 1]) - from);
-  return lerp(point(curve, k), point(curve, k + 1), std::clamp((length - from) / run, 0.0, 1.0));
-}
-
 void traceStraightCurves(const Spine& spine, const Levels& levels, int fan, image::Size picture,
                          GradientCurves& curves) {
   allocate(spine, levels, fan, curves);

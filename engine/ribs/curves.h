@@ -1,6 +1,7 @@
 // Gradient curves of d2 from the hull of a spine (SpineLoft 3.3.1; method: "Gradient curves").
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <array>
 #include <vector>
@@ -65,6 +66,15 @@ struct GradientCurves {
   /// The same, looked for from label `from` ≥ 0 on, which is not beyond it and moves there.
   PicturePoint pointAlong(int curve, double length, int& from) const;
 };
+
+inline PicturePoint GradientCurves::pointAlong(int curve, double length, int& k) const {
+  const int last = reached[static_cast<std::size_t>(curve)] - 1;
+  if (last < 1) return point(curve, 0);
+  const float *arcs = &along[at(curve, 0)], sought = static_cast<float>(length);
+  while (k + 1 < last && arcs[k + 1] <= sought) ++k;
+  const double from = arcs[k], run = std::max(1e-9, static_cast<double>(arcs[k + 1]) - from);
+  return lerp(point(curve, k), point(curve, k + 1), std::clamp((length - from) / run, 0.0, 1.0));
+}
 
 /// Follows x' = ∇d2 / |∇d2|² (in the parameter ρ) from the hull: the spine's points offset by
 /// ε = half the smallest spacing along the normals, and `fan` seeds spread over the half circle

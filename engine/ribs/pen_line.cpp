@@ -20,9 +20,9 @@ constexpr int kMostReach = 48;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-float difference(Float4 a, Float4 b) {
-  const Float4 d = a - b;
-  return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+float squaredDifference(Float4 a, Float4 b) {
+  const Float4 d = a - b, squares = d * d;
+  return squares[0] + squares[1] + squares[2];
 }
 
 // Colour between the map's pixels, in the first three values.
@@ -73,10 +73,10 @@ Line lineAround(const Profile& profile, int middle, int breadth) {
   const Float4 outside = profile.colour[index(std::min(profile.high, middle + breadth))];
   const auto inkOf = [&](int i) {
     const Float4 here = profile.colour[index(i)];
-    return std::min(difference(here, inside), difference(here, outside));
+    return std::sqrt(std::min(squaredDifference(here, inside), squaredDifference(here, outside)));
   };
   const float ink = inkOf(middle);
-  if (ink < kLeastInk || difference(inside, outside) > kSamePaper * ink) return {};
+  if (ink < kLeastInk || std::sqrt(squaredDifference(inside, outside)) > kSamePaper * ink) return {};
   Line line{middle, middle, ink};
   while (line.first > profile.low && inkOf(line.first - 1) > ink / 2) --line.first;
   while (line.last < profile.high && inkOf(line.last + 1) > ink / 2) ++line.last;
