@@ -18,13 +18,27 @@ ChainStep stepOf(const LengthProblem& p, const SideCosts& side, StepWay way, int
   return way == StepWay::Forwards ? stepTo(p, side, rib) : stepFrom(p, side, rib);
 }
 
+// The first entry from `at` on for which `holds`, a comparison of lanes, does not. Most often it is one of the
+// next few: without a branch for each of them.
+template <class Holds>
+int firstWithout(const float* entries, int count, int at, const Holds& holds) {
+  constexpr int kStep = static_cast<int>(kLanes);
+  while (at + kStep <= count) {
+    const int held = std::countr_one(lanes4(holds(load4(entries + at))));
+    at += held;
+    if (held < kStep) return at;
+  }
+  while (at < count && lanes4(holds(all4(entries[at]))) != 0) ++at;
+  return at;
+}
+
 // The windows of one step; returns how often the widest of them doubles.
 std::uint8_t planStep(const ChainStep& t, int count, StepPlan::Window* windows) {
   int low = 0, high = 0, most = 0;
   for (int k = 0; k < count; ++k) {
     const float first = t.to[k] - t.free, last = t.to[k] + t.free;
-    while (low < count && t.from[low] < first) ++low;
-    while (high < count && t.from[high] <= last) ++high;
+    low = firstWithout(t.from, count, low, [first](Float4 from) { return from < all4(first); });
+    high = firstWithout(t.from, count, high, [last](Float4 from) { return from <= all4(last); });
     const int size = std::max(0, high - low);
     const int doubled = size < 2 ? 0 : std::bit_width(static_cast<unsigned>(size)) - 1;
     most = std::max(most, doubled);
