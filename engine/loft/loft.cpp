@@ -44,6 +44,7 @@ struct LoftWorkspace::Tables {
   bool ring = false;
   std::optional<SectionTrack> track;
   // One loft, step by step.
+  std::vector<double> places;  ///< of ribs, as shares of the spine
   Input input;
   Body body;
   CentreLine line;
@@ -259,8 +260,8 @@ struct Plan {
 
 /// Shares of the spine's length at which ribs stand: on the spine where it is known, else along the
 /// line of their centres.
-std::vector<double> placesOf(const ribs::RibSet& set, const PosedSpine* spine) {
-  std::vector<double> places;
+void findPlaces(const ribs::RibSet& set, const PosedSpine* spine, std::vector<double>& places) {
+  places.clear();
   double length = 0, last = 0;
   const ribs::Rib* before = nullptr;
   for (const ribs::Rib& rib : set.ribs) {
@@ -269,13 +270,12 @@ std::vector<double> placesOf(const ribs::RibSet& set, const PosedSpine* spine) {
     if (spine != nullptr && isFinite(rib.center)) last = std::max(last, shareAt(*spine, rib.center));
     places.push_back(spine != nullptr ? last : length);
   }
-  if (spine != nullptr) return places;
+  if (spine != nullptr) return;
   const double steps = static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
   for (std::size_t i = 0; i < places.size(); ++i) {
     places[i] = length > 0 && std::isfinite(length) ? places[i] / length
                                                     : static_cast<double>(i) / steps;
   }
-  return places;
 }
 
 /// The section on the points of `params`, which `tables` may know already.
@@ -298,8 +298,9 @@ Status loftPlan(const Plan& plan, LoftParams& params, LoftWorkspace::Tables& tab
   const ribs::Rib* first = plan.ribs.ribs.data();
   // Nothing looks at the places of ribs unless something changes along the spine.
   const StationMaker maker{plan.track, params, plan.spine};
-  std::vector<double> places;
-  if (maker.changes()) places = placesOf(plan.ribs, plan.spine);
+  std::vector<double>& places = tables.places;
+  places.clear();
+  if (maker.changes()) findPlaces(plan.ribs, plan.spine, places);
   const Input& input = tables.input;
   readRibs(plan.ribs, [&](const ribs::Rib& rib) {
     return places.empty() ? 0.0 : places[static_cast<std::size_t>(&rib - first)];

@@ -90,10 +90,10 @@ class Curves {
   bool ring_;
 };
 
-/// How much happens along the spine, summed up: one unit is one more section's worth.
+/// How much happens along the spine, summed up: one unit is one more section's worth. `sum` is memory.
 class Change {
  public:
-  explicit Change(const StationMaker& maker) {
+  Change(const StationMaker& maker, std::vector<double>& sum) : sum_(sum) {
     constexpr std::size_t kGrid = 1024;
     constexpr double kAngle = 8 * std::numbers::pi / 180, kShare = 0.08;
     const Curves curves(maker.params, maker.ring());
@@ -139,17 +139,17 @@ class Change {
   }
 
  private:
-  std::vector<double> sum_;
+  std::vector<double>& sum_;
 };
 
-/// More stations where much happens between two.
-std::vector<Flat> refined(const std::vector<Flat>& stations, const Change& change, std::size_t points) {
+/// `stations` with more of them where much happens between two.
+void refine(const std::vector<Flat>& stations, const Change& change, std::size_t points, std::vector<Flat>& out) {
   constexpr double kMostVertices = 400000;
   const double total = change.at(1);
   const double room = std::max(0.0, std::min(2000.0, kMostVertices / static_cast<double>(points)) -
                                         static_cast<double>(stations.size()));
   const double unit = total > room ? total / std::max(1.0, room) : 1;
-  std::vector<Flat> out;
+  out.clear();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (i > 0 && stations[i].chord.at > stations[i - 1].chord.at) {
       const Flat a = stations[i - 1], b = stations[i];
@@ -164,7 +164,6 @@ std::vector<Flat> refined(const std::vector<Flat>& stations, const Change& chang
     }
     out.push_back(stations[i]);
   }
-  return out;
 }
 
 /// Sizes near the seam of a ring meet halfway; the last station goes when it stands on the first.
@@ -291,7 +290,10 @@ void StationMaker::sweep(const Outline& outline, StationMemory& memory, Sweep& s
   const PosedSpine* carrier = moved() ? spine : nullptr;
   flatStations(outline, params.centring, memory);
   std::vector<Flat>& flat = memory.flat;
-  if (changes()) flat = refined(flat, Change(*this), track.count());
+  if (changes()) {
+    refine(flat, Change(*this, memory.changes), track.count(), memory.refined);
+    flat.swap(memory.refined);
+  }
   constexpr std::size_t kLeastRing = 3;
   if (ring() && flat.size() > kLeastRing) {
     joinSeam(flat, *spine);

@@ -36,8 +36,8 @@ struct CentreLine {
 /// What StationMaker asks for besides its result.
 struct StationMemory {
   CentreLine line;
-  std::vector<Flat> flat;
-  std::vector<double> depths, weights;
+  std::vector<Flat> flat, refined;
+  std::vector<double> depths, weights, changes;
 };
 
 /// A section is never flatter than this share of its width: a rib along the centre line would

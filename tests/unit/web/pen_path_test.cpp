@@ -76,9 +76,15 @@ constexpr double kFirst = 60, kLast = 360, kStep = 3;
 
 }  // namespace
 
-TEST_CASE("from pen move to mesh a stroke like the one before asks for no memory") {
+TEST_CASE("from pen move to mesh a stroke like the one before asks for no memory, whatever its ends and its slice, and with pressure") {
   Desk desk;
   std::size_t asked[3] = {};
+  SUBCASE("round ends, a circle") {}
+  SUBCASE("flat ends") { desk.ui.startCap = desk.ui.endCap = loft::CapStyle::Flat; }
+  SUBCASE("open ends") { desk.ui.startCap = desk.ui.endCap = loft::CapStyle::Open; }
+  SUBCASE("pointed ends") { desk.ui.startCap = desk.ui.endCap = loft::CapStyle::Pointed; }
+  SUBCASE("a star") { desk.ui.section = loft::SectionPreset::Star; }
+  SUBCASE("depth by pressure") { desk.ui.edit.depthByPressure = true; }
   for (std::size_t& bytes : asked) {
     desk.press();
     int live = 0;
@@ -94,6 +100,7 @@ TEST_CASE("from pen move to mesh a stroke like the one before asks for no memory
     CHECK(live > 50);
     CHECK(desk.ui.preview->shape->ribs.ribs.size() == 100);
     CHECK(desk.ui.preview->shape->mesh.triangles.size() > 1000);
+    CHECK(desk.ui.preview->loft().pose.depth.empty() != desk.ui.edit.depthByPressure);
     desk.lift();
   }
   CHECK(asked[0] > 100000);
