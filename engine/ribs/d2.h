@@ -57,7 +57,8 @@ class D2Field {
   };
   std::vector<Segments> segments_;
   // Four runs of segments: centroid, length and twice it, second moments about the centroid (eightfold), their
-  // trace and four times it, squared distance within which what they are made of is summed. Padded to whole lanes with runs of no mass, far from everything.
+  // trace and four times it, squared distance within which what they are made of is summed. Padded to whole
+  // lanes with runs of no mass, far from everything.
   struct Runs {
     Lane4 middleX, middleY, mass, massTwice, momentXX, momentXY, momentYY, trace, traceFour, near;
   };
