@@ -95,6 +95,7 @@ async function pressed(ticked) {
     const before = window.solids;
     for (const part of parts) await spineloft.run('pick', { part, on: true });
     for (let tries = 0; tries < 200 && !(window.solids > before && window.asked === 0); tries += 1) await pause(50);
+    if (window.solids === before || window.asked > 0) throw new Error('What is ticked was not put together.');
   }
   // Until the model has it, not until it is drawn, which without a graphics card takes longer.
   const start = performance.now(), drawn = spineloft.run('stick-together', ticked ? {} : { parts });

@@ -43,6 +43,14 @@ async function stuckAnew(page) {
   return good;
 }
 
+/** The page once more, with its two parts as they were kept. */
+async function reopened(page) {
+  await page.reload();
+  await page.evaluate(() => window.spineloft.ready);
+  await page.waitForFunction(() => window.spineloft.state().parts.length === 2, undefined, { timeout: 20000 });
+  await idle(page);
+}
+
 /** What is saved: a closed, outward STL and a GLB without a fault. */
 async function lawful(page) {
   const found = measureStl(await exported(page, 'stl'));
@@ -389,10 +397,7 @@ test('the solver is there and quick before it is asked, in a model of two parts 
       await idle(page);
       await page.waitForTimeout(400);
 
-      await page.reload();
-      await page.evaluate(() => window.spineloft.ready);
-      await page.waitForFunction(() => window.spineloft.state().parts.length === 2, undefined, { timeout: 20000 });
-      await idle(page);
+      await reopened(page);
       await page.waitForTimeout(500);
       assert.deepEqual(workers(), [], 'the model is only looked at');
     });
@@ -416,10 +421,7 @@ test('parts that are ticked are put together while nobody waits: at the button t
     await idle(page);
     await page.waitForTimeout(1000);
     // Once more from what is kept: nothing is known of the solid.
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    await page.waitForFunction(() => window.spineloft.state().parts.length === 2, undefined, { timeout: 20000 });
-    await idle(page);
+    await reopened(page);
     assert.deepEqual(await steps(page), []);
     const before = await page.evaluate(() => window.solids);
     for (const part of [1, 2]) await run(page, 'pick', { part, on: true });
