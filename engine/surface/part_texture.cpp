@@ -9,6 +9,7 @@
 #include "engine/surface/foreign.h"
 #include "engine/surface/intruder.h"
 #include "engine/surface/raster.h"
+#include "engine/surface/soft_rim.h"
 
 namespace spineloft::surface {
 namespace {
@@ -221,6 +222,7 @@ struct TextureSteps::State {
   void uncover();
   void judge();
   void settle();
+  void unmix();
   void cleanRim();
   void finish();
 };
@@ -274,7 +276,7 @@ void TextureSteps::State::uncover() {
 
 /// What is not sure, by its colours.
 void TextureSteps::State::judge() {
-  next = &State::cleanRim;
+  next = &State::unmix;
   if (in->empty()) {  // nothing is sure, or nothing but the rim seen
     kept.inner = inner;
     in.emplace(shown, kept.inner);
@@ -289,7 +291,14 @@ void TextureSteps::State::settle() {
   kept.rim = common(std::move(kept.rim), familiar);
   kept.inner = common(inner, inset(familiar, lie.margin));
   in.emplace(shown, kept.inner);
+  next = &State::unmix;
+}
+
+/// Where the rim is soft, what is behind goes out of it.
+void TextureSteps::State::unmix() {
   next = &State::cleanRim;
+  if (in->empty()) return;
+  if (unmixRim(shown, kept.rim, kept.inner, lie.margin, softReach(lie.margin, lie.clearance))) in.emplace(shown, kept.inner);
 }
 
 void TextureSteps::State::cleanRim() {

@@ -11,6 +11,7 @@
 #include "engine/document/update.h"
 #include "engine/io/picture_file.h"
 #include "engine/pipeline/derive.h"
+#include "engine/surface/bleed.h"
 #include "tests/support/front_view.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/test_files.h"
@@ -58,12 +59,12 @@ image::Image maskOf(const fs::path& file) {
   return mask.value();
 }
 
-/// The picture of a case, and the part that a stroke makes of it seen from the front; nothing without a texture.
-struct Look {
+/// The picture of a case, and the part that a stroke makes of it.
+struct Made {
   std::shared_ptr<const image::Picture> picture;
-  Seen seen;
+  std::shared_ptr<const pipeline::PartShape> shape;
 };
-Look lookOf(const fs::path& folder, const std::string& kind) {
+Made madeOf(const fs::path& folder, const std::string& kind) {
   const auto picture = io::decodePicture(testing::bytesOf(firstOf(folder, {"image.jpg", "image.png"})), {});
   REQUIRE(picture.ok());
   const auto text = testing::bytesOf(folder / "case.json");
@@ -77,12 +78,25 @@ Look lookOf(const fs::path& folder, const std::string& kind) {
   const auto shape = pipeline::deriveWithEdges(document, cache, {}).value().parts[0].shape;
   REQUIRE(shape);
   testing::requireLawful(shape->mesh);
+  return {shared, shape};
+}
+
+testing::ColourAt wearing(const surface::PartTexture& texture) {
+  return [&texture](double u, double v) {
+    const surface::UvArea& a = texture.area;
+    return testing::sampled(texture.pixels, (u - a.left) / (a.right - a.left), (v - a.top) / (a.bottom - a.top));
+  };
+}
+
+/// The same seen from the front; nothing without a texture.
+struct Look {
+  std::shared_ptr<const image::Picture> picture;
+  Seen seen;
+};
+Look lookOf(const fs::path& folder, const std::string& kind) {
+  const auto [shared, shape] = madeOf(folder, kind);
   if (!shape->texture || shared->working.width != shared->width) return {shared, {}};
-  const surface::PartTexture& texture = *shape->texture;
-  return {shared, testing::frontView(shape->mesh, {shared->width, shared->height}, [&](double u, double v) {
-            const surface::UvArea& a = texture.area;
-            return testing::sampled(texture.pixels, (u - a.left) / (a.right - a.left), (v - a.top) / (a.bottom - a.top));
-          })};
+  return {shared, testing::frontView(shape->mesh, {shared->width, shared->height}, wearing(*shape->texture))};
 }
 
 Front frontOf(const fs::path& folder) {
@@ -113,7 +127,82 @@ double shareWorn(const fs::path& folder, const std::string& kind) {
   return double(worn) / hidden;
 }
 
+/// What a picture shows well inside the true outline, and well outside.
+class Surroundings {
+ public:
+  Surroundings(const image::Image& shown, const image::Image& truth) : shown_(shown) {
+    image::Mask within{truth.width, truth.height, {}}, without = within;
+    for (std::size_t i = 0; i < truth.pixels.size(); i += 4) {
+      within.pixels.push_back(truth.pixels[i] >= 200 ? 255 : 0);
+      without.pixels.push_back(truth.pixels[i] == 0 ? 255 : 0);
+    }
+    within_ = surface::trusted(within, kAway), without_ = surface::inset(without, kAway);
+  }
+  /// Whether a colour that is worn from pixel (x, y) is unlike all of the thing there, and more like the ground.
+  bool isGround(const std::array<double, 3>& colour, int x, int y) const {
+    constexpr int kFar = 26, kStep = 2;
+    constexpr double kUnlike = 16;
+    double own = 1e9, ground = 1e9;
+    for (int py = std::max(0, y - kFar); py < std::min(shown_.height, y + kFar + 1); py += kStep) {
+      for (int px = std::max(0, x - kFar); px < std::min(shown_.width, x + kFar + 1); px += kStep) {
+        const std::size_t i = static_cast<std::size_t>(py) * static_cast<std::size_t>(shown_.width) + static_cast<std::size_t>(px);
+        double apart = 0;
+        for (std::size_t c = 0; c < 3; ++c) apart += std::pow(colour[c] - shown_.pixels[4 * i + c], 2);
+        if (within_.pixels[i] != 0) own = std::min(own, apart);
+        if (without_.pixels[i] != 0) ground = std::min(ground, apart);
+      }
+    }
+    return own < 1e9 && ground < own && own > kUnlike * kUnlike;
+  }
+
+ private:
+  static constexpr double kAway = 8;
+  const image::Image& shown_;
+  image::Mask within_, without_;
+};
+
+/// Of what of a part is turned away by more than 60° from the front, and by less from the back's middle, the share
+/// that wears colours of the ground.
+double shareOfGroundOnSides(const fs::path& folder, const std::string& kind) {
+  const auto [picture, shape] = madeOf(folder, kind);
+  REQUIRE(shape->texture);
+  const Surroundings around(picture->working, maskOf(folder / "mask.png"));
+  const auto colour = wearing(*shape->texture);
+  const mesh::TriMesh& mesh = shape->mesh;
+  double whole = 0, ground = 0;
+  for (const auto& t : mesh.triangles) {
+    const auto side = [&](std::size_t k) {
+      const auto &a = mesh.positions[t[0]], &b = mesh.positions[t[k]];
+      return Vec3<ModelSpace>{double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2]};
+    };
+    const auto across = cross(side(1), side(2));
+    const double size = norm(across);
+    if (!(size > 0) || std::abs(across.z) > 0.5 * size) continue;
+    for (const double share : {0.2, 0.4, 0.6}) {
+      const auto mixed = [&](std::size_t k) {
+        return share * mesh.uv[t[0]][k] + (0.8 - share) * mesh.uv[t[1]][k] + 0.2 * mesh.uv[t[2]][k];
+      };
+      const double u = mixed(0), v = mixed(1);
+      whole += size;
+      ground += around.isGround(colour(u, v), int(u * picture->width), int(v * picture->height)) ? size : 0;
+    }
+  }
+  REQUIRE(whole > 0);
+  return ground / whole;
+}
+
 }  // namespace
+
+TEST_CASE("the sides of a tail of fur do not wear the meadow behind it") {
+  const auto folder = testing::dataFolder();
+  if (!folder) return;
+  for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
+    CAPTURE(kind);
+    const double share = shareOfGroundOnSides(*folder / "photo_lemur_tail", kind);
+    MESSAGE(kind << ": " << 100 * share << " % of the sides look like the ground");
+    CHECK(share < 0.025);
+  }
+}
 
 TEST_CASE("of the parts of the public pictures all look as the pictures do wherever a pixel is wholly inside, to 30 dB, and most do on their rims too") {
   const auto folder = testing::dataFolder();

@@ -86,6 +86,29 @@ TEST_CASE("transparent pixels count as unknown, and with nothing known there is 
   CHECK(bleed({}, {}).empty());
 }
 
+TEST_CASE("what is inset is without all that is nearer to the outside, whatever the margin") {
+  Rng rng(12);
+  for (const double margin : {1.0, 4.0 / 3, 2.0, 3.4, 6.0, 7.0, 9.0}) {
+    CAPTURE(margin);
+    const int width = 12 + int(rng.below(30)), height = 5 + int(rng.below(30)), units = int(std::lround(3 * margin));
+    const image::Mask mask = maskOf(width, height, [&](int, int) { return rng.below(60) != 0; });
+    const image::Mask found = inset(mask, margin);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        int nearest = 1 << 20;  // units, straight steps 3 and slanted ones 4
+        for (int oy = 0; oy < height; ++oy) {
+          for (int ox = 0; ox < width; ++ox) {
+            if (mask.pixels[at(width, ox, oy)] != 0) continue;
+            const int dx = std::abs(ox - x), dy = std::abs(oy - y);
+            nearest = std::min(nearest, 3 * std::max(dx, dy) + std::min(dx, dy));
+          }
+        }
+        REQUIRE((found.pixels[at(width, x, y)] != 0) == (nearest > units));
+      }
+    }
+  }
+}
+
 TEST_CASE("trusted pixels keep their distance from the outline where the thing is wide enough") {
   const double radius = 20, margin = 3;
   const auto inside = [&](int x, int y) { return std::hypot(x - 32, y - 32) < radius; };

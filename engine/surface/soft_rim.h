@@ -1,0 +1,26 @@
+// Rims through which the ground shows: fur, hair, what is out of focus. Its share is found out and taken out.
+#pragma once
+
+#include "engine/image/image.h"
+
+namespace spineloft::surface {
+
+/// How deep a soft rim may be that is looked for, pixels: a share of half a part's width, and more than its
+/// crisp rim. `margin`, `clearance`: rimMargin and clearanceOf.
+double softReach(double margin, double clearance);
+
+/// Takes the ground out of the soft rim of a part. `region`: what is seen of the part; `inner`: what of that is
+/// trusted by its distance from the rim, `margin` px (255 inside; all of one size).
+///
+/// Colours of the part are learnt `reach` px within, those behind it as far outside, each from its own
+/// surroundings (mean and covariance). A pixel's colour is taken for a mixture p = (1 − a) F + a B of one of each;
+/// a is its place on the line between the means, seen in the direction that tells the two best apart (Fisher's
+/// discriminant), with what stretches of the rim have at the same depth in the mean, so that a grain or a stripe is
+/// not taken for ground. A stretch is soft where a sinks from the ground to nothing across the outline over
+/// more than `margin` px within; only there and only as deep, pixels with a larger than a little get the most
+/// likely F of the part's colours (Chuang and others, A Bayesian approach to digital matting, 2001, eq. 9), and
+/// are trusted in `inner` from then on unless they are mostly ground. All others stay as they are, to the bit.
+/// Returns whether anything was changed. Linear.
+bool unmixRim(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach);
+
+}  // namespace spineloft::surface
