@@ -260,6 +260,7 @@ void TextureSteps::State::trust() {
 
 /// What an intruder hides is neither seen nor sure; one stretch a step.
 void TextureSteps::State::uncover() {
+  constexpr double kSpread = 2;  // in rims: its edge is soft, and most files spread colours further than brightness
   const Crossing& crossing = surface.crossings[crossed++];
   next = crossed < surface.crossings.size() ? &State::uncover : &State::judge;
   const UvArea around = uvOf(wide, whole());
@@ -267,8 +268,8 @@ void TextureSteps::State::uncover() {
   const image::Mask threshold = filled(crossing.threshold, around, size()), reach = filled(crossing.reach, around, size());
   const image::Mask found = intruder({shown, lie.covered, inner, outside, threshold, reach});
   if (found.pixels.empty()) return;
-  const image::Mask seen = opposite(found);
-  inner = common(std::move(inner), inset(seen, lie.margin));
+  const image::Mask seen = inset(opposite(found), kSpread * lie.margin);
+  inner = common(std::move(inner), seen);
   kept.rim = common(std::move(kept.rim), seen);
   kept.inner = common(inner, lie.sure);
   in.emplace(shown, kept.inner);

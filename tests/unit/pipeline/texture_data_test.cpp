@@ -127,6 +127,40 @@ double shareWorn(const fs::path& folder, const std::string& kind) {
   return double(worn) / hidden;
 }
 
+/// Along the edge of what another thing hides of a part, the mean share of that thing in what the part wears.
+double shareAlongEdge(const fs::path& folder, const std::string& kind) {
+  constexpr double kBeside = 6, kAlike = 40;
+  const image::Image whole = maskOf(folder / "mask.png"), visible = maskOf(folder / "mask_visible.png");
+  const auto [picture, seen] = lookOf(folder, kind);
+  image::Mask hidden{whole.width, whole.height, {}}, own = hidden;
+  for (std::size_t i = 0; i < whole.pixels.size(); i += 4) {
+    own.pixels.push_back(visible.pixels[i] >= 200 ? 255 : 0);
+    hidden.pixels.push_back(whole.pixels[i] >= 200 && own.pixels.back() == 0 ? 255 : 0);
+  }
+  const image::Mask core = surface::inset(hidden, kBeside), beyond = surface::inset(surface::opposite(hidden), kBeside);
+  const image::Mask clear = surface::inset(surface::opposite(hidden), kBeside + 4);
+  own = surface::inset(own, 4);
+  for (std::size_t i = 0; i < own.pixels.size(); ++i) own.pixels[i] &= clear.pixels[i];
+  const surface::Carried of(picture->working, own), hiding(picture->working, core);
+  REQUIRE_FALSE((of.empty() || hiding.empty()));
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i] || whole.pixels[4 * i] < 200 || beyond.pixels[i] != 0 || core.pixels[i] != 0) continue;
+    const surface::Colour from = of.at(i), to = hiding.at(i);
+    double way = 0, gone = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double step = double(to[c]) - from[c];
+      way += step * step, gone += step * ((*seen[i])[c] - from[c]);
+    }
+    if (way < kAlike * kAlike) continue;
+    sum += std::clamp(gone / way, 0.0, 1.0);
+    ++count;
+  }
+  REQUIRE(count > 500);
+  return sum / count;
+}
+
 /// What a picture shows well inside the true outline, and well outside.
 class Surroundings {
  public:
@@ -234,5 +268,15 @@ TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn 
       MESSAGE(name << ", " << kind << ": " << 100 * share << " % of what is hidden is worn");
       CHECK(share < 0.05);
     }
+  }
+}
+
+TEST_CASE("where a thumb and a mug were no seam of their colour is left") {
+  const auto folder = testing::dataFolder();
+  if (!folder) return;
+  for (const std::string name : {"photo_zucchini_hand", "render_banana_occluded"}) {
+    const double share = shareAlongEdge(*folder / name, "careful");
+    MESSAGE(name << ": " << 100 * share << " % along the edge");
+    CHECK(share < 0.0075);
   }
 }
