@@ -9,33 +9,20 @@
 #include <utility>
 #include <vector>
 
+#include "engine/pipeline/crossings.h"
+
 namespace spineloft::pipeline {
 namespace {
-
-/// Share of the ribs at each end of a part that may reach beyond it.
-constexpr double kEndShare = 0.08;
-
-/// Ribs beside a bridged or guessed one that are not believed either: what hides an outline begins a
-/// little before it.
-constexpr std::size_t kBeside = 4;
-
-bool isSure(ribs::RibState state) {
-  return state != ribs::RibState::Bridged && state != ribs::RibState::Guessed;
-}
 
 /// One flag a rib.
 std::vector<bool> sureEnds(const ribs::RibSet& set, ribs::RibState ribs::Rib::* state) {
   const std::size_t count = set.ribs.size();
   std::vector<bool> sure(count, true);
   for (std::size_t i = 0; i < count; ++i) {
-    if (isSure(set.ribs[i].*state)) continue;
+    if (isSeen(set.ribs[i].*state)) continue;
     for (std::size_t k = i - std::min(i, kBeside); k < std::min(count, i + kBeside + 1); ++k) sure[k] = false;
   }
   return sure;
-}
-
-PicturePoint toUv(PicturePoint p, image::Size picture) {
-  return {(p.x + 0.5) / picture.width, (p.y + 0.5) / picture.height};
 }
 
 /// The halves between neighbouring ribs that end on an outline, or where a hand put them; not the ends of
@@ -45,7 +32,7 @@ std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image:
   const std::size_t count = set.ribs.size();
   const std::vector<bool> left = sureEnds(set, &ribs::Rib::leftState);
   const std::vector<bool> right = sureEnds(set, &ribs::Rib::rightState);
-  const auto ends = static_cast<std::size_t>(kEndShare * static_cast<double>(count)) + 1;
+  const std::size_t ends = doubtfulEnds(count);
   for (std::size_t i = ends; i + ends < count; ++i) {
     const ribs::Rib &a = set.ribs[i - 1], &b = set.ribs[i];
     const bool leftSure = left[i - 1] && left[i], rightSure = right[i - 1] && right[i];
@@ -57,60 +44,6 @@ std::vector<std::vector<PicturePoint>> sureParts(const ribs::RibSet& set, image:
     };
     if (leftSure) half(a.left, b.left);
     if (rightSure) half(a.right, b.right);
-  }
-  return out;
-}
-
-using Polygons = std::vector<std::vector<PicturePoint>>;
-
-/// Of the ribs `first` … `last`, which end at nothing seen on that side.
-surface::Crossing crossingAt(const ribs::RibSet& set, std::size_t first, std::size_t last, bool left, image::Size picture) {
-  // Of the way from the middle to the end.
-  constexpr double kOutside = 1.6, kThreshold = 0.85;
-  surface::Crossing out;
-  const auto band = [&](std::size_t i, double from, double to, Polygons& into) {
-    const auto at = [&](std::size_t k, double share) {
-      const ribs::Rib& rib = set.ribs[k];
-      return toUv(rib.center + ((left ? rib.left : rib.right) - rib.center) * share, picture);
-    };
-    into.push_back({at(i - 1, from), at(i - 1, to), at(i, to), at(i, from)});
-  };
-  for (std::size_t i = first + 1; i <= last; ++i) {
-    band(i, 1, kOutside, out.outside);
-    band(i, kThreshold, 1, out.threshold);
-  }
-  const std::size_t more = (last - first) / 2 + kBeside, count = set.ribs.size();
-  for (std::size_t i = first - std::min(first, more) + 1; i <= std::min(count - 1, last + more); ++i) {
-    const ribs::Rib &a = set.ribs[i - 1], &b = set.ribs[i];
-    out.reach.push_back({toUv(a.left, picture), toUv(b.left, picture), toUv(b.right, picture), toUv(a.right, picture)});
-  }
-  return out;
-}
-
-/// The longest stretches of ribs in a row, but for a few between them, that stand on no outline on one side;
-/// not at the ends of the part.
-std::vector<surface::Crossing> crossings(const ribs::RibSet& set, image::Size picture) {
-  constexpr std::size_t kLeast = 5, kGap = 2, kMost = 2;
-  struct Stretch {
-    std::size_t first, last;
-    bool left;
-  };
-  std::vector<Stretch> found;
-  const std::size_t count = set.ribs.size();
-  const auto ends = static_cast<std::size_t>(kEndShare * static_cast<double>(count)) + 1;
-  for (const bool left : {true, false}) {
-    const auto isSeen = [&](std::size_t i) { return isSure(left ? set.ribs[i].leftState : set.ribs[i].rightState); };
-    for (std::size_t i = ends; i + ends < count; ++i) {
-      if (isSeen(i)) continue;
-      if (found.empty() || found.back().left != left || i > found.back().last + kGap + 1) found.push_back({i, i, left});
-      found.back().last = i;
-    }
-  }
-  std::erase_if(found, [](const Stretch& s) { return s.last - s.first + 1 < kLeast; });
-  std::ranges::stable_sort(found, std::ranges::greater{}, [](const Stretch& s) { return s.last - s.first; });
-  std::vector<surface::Crossing> out;
-  for (std::size_t i = 0; i < std::min(found.size(), kMost); ++i) {
-    out.push_back(crossingAt(set, found[i].first, found[i].last, found[i].left, picture));
   }
   return out;
 }
@@ -159,7 +92,7 @@ std::shared_ptr<const surface::PartTexture> textureStage(
   try {
     const image::Size size{pixels.width, pixels.height};
     const auto sure = sureParts(shape.ribs, size), hidden = hiddenParts(marks, size);
-    const auto unseen = crossings(shape.ribs, size);
+    const auto unseen = crossings(shape.ribs, pixels);
     return shared(surface::partTexture(pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden, unseen}));
   } catch (const std::bad_alloc&) {
     return nullptr;
@@ -175,7 +108,7 @@ TextureMaking::TextureMaking(std::shared_ptr<const PartShape> shape,
   if (mesh.uv.size() != mesh.positions.size()) return;
   sure_ = sureParts(shape_->ribs, size);
   hidden_ = hiddenParts(marks, size);
-  crossings_ = crossings(shape_->ribs, size);
+  crossings_ = crossings(shape_->ribs, *pixels_);
   steps_.emplace(pixels_->working, surface::Wrapped{mesh.uv, mesh.triangles, sure_, hidden_, crossings_});
 }
 
