@@ -223,6 +223,7 @@ struct TextureSteps::State {
   void judge();
   void settle();
   void unmix();
+  void relearn();
   void cleanRim();
   void finish();
 };
@@ -299,7 +300,12 @@ void TextureSteps::State::settle() {
 void TextureSteps::State::unmix() {
   next = &State::cleanRim;
   if (in->empty()) return;
-  if (unmixRim(shown, kept.rim, kept.inner, lie.margin, softReach(lie.margin, lie.clearance))) in.emplace(shown, kept.inner);
+  if (unmixRim(shown, kept.rim, kept.inner, lie.margin, softReach(lie.margin, lie.clearance))) next = &State::relearn;
+}
+
+void TextureSteps::State::relearn() {
+  next = &State::cleanRim;
+  in.emplace(shown, kept.inner);
 }
 
 void TextureSteps::State::cleanRim() {

@@ -109,20 +109,52 @@ struct Tiles {
 /// Tiles that count as one stretch of the rim with the one in their middle, to either side.
 constexpr int kNear = 2;
 
-void addSteps(std::int8_t* depths, const std::uint8_t* in, const std::uint8_t* out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) depths[i] = static_cast<std::int8_t>(depths[i] + (in[i] & 1) - (out[i] & 1));
+/// Of each pixel the common part of what `join` makes of it with each of the four beside it, and `corner` with each
+/// of the four aslant; beyond the borders all is as at them.
+template <class Join, class Corner>
+void joinBeside(const image::Mask& from, std::vector<std::uint8_t>& to, const Join& join, const Corner& corner) {
+  const auto width = static_cast<std::size_t>(from.width), height = static_cast<std::size_t>(from.height);
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::uint8_t* row = from.pixels.data() + y * width;
+    const std::uint8_t* above = y > 0 ? row - width : row;
+    const std::uint8_t* below = y + 1 < height ? row + width : row;
+    std::uint8_t* out = to.data() + y * width;
+    const auto at = [&](std::size_t x, std::size_t before, std::size_t after) {
+      const int own = row[x];
+      const int straight = join(own, row[before]) & join(own, row[after]) & join(own, above[x]) & join(own, below[x]);
+      const int aslant = corner(own, above[before]) & corner(own, above[after]) & corner(own, below[before]) & corner(own, below[after]);
+      out[x] = static_cast<std::uint8_t>(straight & aslant);
+    };
+    at(0, 0, std::min<std::size_t>(1, width - 1));
+    for (std::size_t x = 1; x + 1 < width; ++x) at(x, x - 1, x + 1);
+    if (width > 1) at(width - 1, width - 2, width - 1);
+  }
 }
 
 /// How deep each pixel is inside the mask, whole px: 0 at the outline, at most `most`; outside −1 and less, as far.
 std::vector<std::int8_t> depthsOf(const image::Mask& mask, int most) {
   std::vector<std::int8_t> depths(mask.pixels.size());
-  image::Mask in = mask, out = opposite(mask);
-  for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = in.pixels[i] != 0 ? 0 : -1;
+  std::vector<std::uint8_t> to(mask.pixels.size());
+  if (to.empty()) return depths;
+  // Away from the outline, on both sides of it at once: from the second step on they are apart.
+  image::Mask away = mask;
+  const auto same = [](int a, int b) { return ~(a ^ b); };
+  const auto both = [](int a, int b) { return a & b; };
+  const auto all = [](int, int) { return 255; };
   for (int k = 0; k < most; ++k) {
-    // By turns the four and the eight pixels around it: about as far in all directions.
-    const double step = k % 2 == 0 ? 1 : 4.0 / 3;
-    in = inset(in, step), out = inset(out, step);
-    addSteps(depths.data(), in.pixels.data(), out.pixels.data(), depths.size());
+    // By turns the four and the eight pixels around: about as far in all directions.
+    if (k == 0) {
+      joinBeside(away, to, same, all);
+    } else if (k % 2 == 0) {
+      joinBeside(away, to, both, all);
+    } else {
+      joinBeside(away, to, both, both);
+    }
+    away.pixels.swap(to);
+    for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<std::int8_t>(depths[i] + (away.pixels[i] & 1));
+  }
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (mask.pixels[i] == 0) depths[i] = static_cast<std::int8_t>(-1 - depths[i]);
   }
   return depths;
 }
@@ -192,20 +224,21 @@ struct Stretch {
   std::array<float, 2 * kMost> share{}, weight{};  ///< of the ground at each depth, inside from kMost on
   float squares = 0, cubes = 0;                    ///< of how fast the share sinks, per px
 
+  static std::size_t index(int depth) { return static_cast<std::size_t>(depth + kMost); }
   void addShare(int depth, float what, float certainty) {
-    const auto k = static_cast<std::size_t>(depth + kMost);
+    const std::size_t k = index(depth);
     share[k] += what * certainty, weight[k] += certainty;
   }
   void addSlope(float slope, float certainty) {
     squares += certainty * slope * slope, cubes += certainty * slope * slope * slope;
   }
-  void add(const Stretch& other) {
-    for (std::size_t k = 0; k < share.size(); ++k) share[k] += other.share[k], weight[k] += other.weight[k];
+  void add(const Stretch& other, int reach) {
+    for (std::size_t k = index(-reach); k < index(reach); ++k) share[k] += other.share[k], weight[k] += other.weight[k];
     squares += other.squares, cubes += other.cubes;
   }
   /// Mean share of the ground; not a number where nothing tells.
   float at(int depth) const {
-    const auto k = static_cast<std::size_t>(depth + kMost);
+    const std::size_t k = index(depth);
     return weight[k] > 0 ? share[k] / weight[k] : std::numeric_limits<float>::quiet_NaN();
   }
   /// Over how many pixels the ground goes over into the part where it does so fastest, about. Shade and shine
@@ -242,7 +275,6 @@ class SoftRim {
   bool change(image::Image& shown, image::Mask& inner) {
     if (in_.empty() || out_.empty()) return false;
     learn();
-    stretches_.resize(tiles_.count());
     shares_.assign(depths_.size(), std::numeric_limits<float>::quiet_NaN());
     forRimTiles([&](std::size_t tile) { survey(shown, tile); });
     addSlopes();
@@ -266,9 +298,17 @@ class SoftRim {
   }
   /// The tiles of the rim, and all where its colours may be learnt.
   std::vector<bool> nearRim() {
+    slots_.resize(tiles_.count());
+    std::size_t pixels = 0;
     for (std::size_t t = 0; t < tiles_.count(); ++t) {
-      tiles_.forPixels(t, 1, [&](std::size_t i) { rimTiles_[t] = rimTiles_[t] || isRim(i); });
+      const std::size_t before = pixels;
+      tiles_.forPixels(t, 1, [&](std::size_t i) { pixels += isRim(i) ? 1 : 0; });
+      if (pixels == before) continue;
+      rimTiles_[t] = true;
+      slots_[t] = stretches_.size();
+      stretches_.emplace_back();
     }
+    rim_.reserve(pixels);
     std::vector<bool> near(tiles_.count());
     forRimTiles([&](std::size_t tile) { tiles_.forNear(tile, kNear + 1, [&](std::size_t other) { near[other] = true; }); });
     return near;
@@ -335,7 +375,7 @@ class SoftRim {
             const float upper = shareBy(*four[0]) * (1 - fx) + shareBy(*four[1]) * fx;
             const float under = shareBy(*four[2]) * (1 - fx) + shareBy(*four[3]) * fx;
             shares_[i] = p.share = std::clamp(upper * (1 - fy) + under * fy, -kOver, 1 + kOver);
-            stretches_[tile].addShare(p.depth, p.share, certainty);
+            stretches_[slots_[tile]].addShare(p.depth, p.share, certainty);
           }
           rim_.push_back(p);
         }
@@ -355,7 +395,7 @@ class SoftRim {
       const float gx = (s[1 - row] + 2 * s[1] + s[1 + row] - s[-1 - row] - 2 * s[-1] - s[-1 + row]) / 8;
       const float gy = (s[row - 1] + 2 * s[row] + s[row + 1] - s[-row - 1] - 2 * s[-row] - s[-row + 1]) / 8;
       const float slope = -(gx * nx + gy * ny) / std::sqrt(nx * nx + ny * ny);
-      if (slope > 0) stretches_[p.tile].addSlope(slope, p.certainty);  // not where it is no number
+      if (slope > 0) stretches_[slots_[p.tile]].addSlope(slope, p.certainty);  // not where it is no number
     }
   }
 
@@ -363,15 +403,15 @@ class SoftRim {
   bool gather() {
     // The least width of a soft rim in margins, and the most in reaches: beyond that it is no rim.
     constexpr float kSoft = 3, kNoRim = 1.5f;
-    around_.resize(tiles_.count());
+    around_.resize(stretches_.size());
     std::vector<float> found(tiles_.count(), kUnknown);
     for (const RimPixel& p : rim_) {
       if (p.depth == 0) found[p.tile] = 0;
     }
     forRimTiles([&](std::size_t tile) {
-      Stretch& around = around_[tile];
+      Stretch& around = around_[slots_[tile]];
       tiles_.forNear(tile, kNear, [&](std::size_t other) {
-        if (rimTiles_[other]) around.add(stretches_[other]);
+        if (rimTiles_[other]) around.add(stretches_[slots_[other]], reach_);
       });
       const float width = around.width();
       const bool soft = width >= kSoft * margin_ && width <= kNoRim * static_cast<float>(reach_);
@@ -401,7 +441,7 @@ class SoftRim {
   bool purify(const RimPixel& p, image::Image& shown, image::Mask& inner) {
     // Of the shares at one depth of a stretch, about; and from where on a pixel is better made up than unmixed.
     constexpr float kVariance = 0.04f, kMostly = 0.6f;
-    const float usual = around_[p.tile].at(p.depth);
+    const float usual = around_[slots_[p.tile]].at(p.depth);
     const float prior = std::isnan(usual) ? 0 : 1 / kVariance, known = prior + p.certainty;
     if (!(known > 0)) return false;
     const float share = std::clamp(((prior > 0 ? usual * prior : 0) + p.share * p.certainty) / known, 0.0f, 1.0f);
@@ -436,12 +476,13 @@ class SoftRim {
   int reach_;
   Tiles tiles_;
   std::vector<std::int8_t> depths_;
+  std::vector<Stretch> stretches_, around_;  ///< of the tiles of the rim alone, and with those near them
+  std::vector<std::size_t> slots_;           ///< of a tile of the rim among them
+  std::vector<RimPixel> rim_;                ///< and what is just outside
   std::vector<bool> rimTiles_, near_;
   Side in_, out_;
   std::vector<Telling> tellings_;
-  std::vector<Stretch> stretches_, around_;  ///< of the tiles alone, and with those near them
   std::vector<float> shares_, usual_;        ///< of pixels; of tiles
-  std::vector<RimPixel> rim_;                ///< and what is just outside
 };
 
 }  // namespace
