@@ -212,6 +212,7 @@ struct TextureSteps::State {
   Kept kept;
   std::size_t crossed = 0;    ///< of the crossings that were looked at
   std::optional<Carried> in;  ///< the part's colours, from what it keeps
+  std::optional<RimUnmixing> unmixing;
   std::optional<PartTexture> made;
 
   image::Size whole() const { return {picture.width, picture.height}; }
@@ -222,6 +223,7 @@ struct TextureSteps::State {
   void uncover();
   void judge();
   void settle();
+  void lookAtRim();
   void unmix();
   void relearn();
   void cleanRim();
@@ -278,7 +280,7 @@ void TextureSteps::State::uncover() {
 
 /// What is not sure, by its colours.
 void TextureSteps::State::judge() {
-  next = &State::unmix;
+  next = &State::lookAtRim;
   if (in->empty()) {  // nothing is sure, or nothing but the rim seen
     kept.inner = inner;
     in.emplace(shown, kept.inner);
@@ -293,14 +295,19 @@ void TextureSteps::State::settle() {
   kept.rim = common(std::move(kept.rim), familiar);
   kept.inner = common(inner, inset(familiar, lie.margin));
   in.emplace(shown, kept.inner);
-  next = &State::unmix;
+  next = &State::lookAtRim;
+}
+
+void TextureSteps::State::lookAtRim() {
+  next = in->empty() ? &State::cleanRim : &State::unmix;
+  if (!in->empty()) unmixing.emplace(shown, kept.rim, kept.inner, lie.margin, softReach(lie.margin, lie.clearance));
 }
 
 /// Where the rim is soft, what is behind goes out of it.
 void TextureSteps::State::unmix() {
   next = &State::cleanRim;
-  if (in->empty()) return;
-  if (unmixRim(shown, kept.rim, kept.inner, lie.margin, softReach(lie.margin, lie.clearance))) next = &State::relearn;
+  if (unmixing->change()) next = &State::relearn;
+  unmixing.reset();
 }
 
 void TextureSteps::State::relearn() {

@@ -270,11 +270,14 @@ class SoftRim {
       : margin_(static_cast<float>(margin)), reach_(std::min(static_cast<int>(reach), Stretch::kMost)), tiles_(region, margin),
         depths_(depthsOf(region, reach_)), rimTiles_(tiles_.count()), near_(nearRim()),
         in_(shown, tiles_, near_, inner, reach_, [&](std::size_t i) { return depths_[i]; }),
-        out_(shown, tiles_, near_, opposite(region), reach_, [&](std::size_t i) { return -1 - depths_[i]; }) {}
+        out_(shown, tiles_, near_, opposite(region), reach_, [&](std::size_t i) { return -1 - depths_[i]; }) {
+    if (!in_.empty() && !out_.empty()) learn();
+  }
+  SoftRim(const SoftRim&) = delete;  // its sides know its tiles
+  SoftRim& operator=(const SoftRim&) = delete;
 
   bool change(image::Image& shown, image::Mask& inner) {
     if (in_.empty() || out_.empty()) return false;
-    learn();
     shares_.assign(depths_.size(), std::numeric_limits<float>::quiet_NaN());
     forRimTiles([&](std::size_t tile) { survey(shown, tile); });
     addSlopes();
@@ -490,7 +493,19 @@ class SoftRim {
 double softReach(double margin, double clearance) { return std::clamp(0.5 * clearance, 4 * margin, 5 * margin); }
 
 bool unmixRim(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach) {
-  return SoftRim(shown, region, inner, margin, reach).change(shown, inner);
+  return RimUnmixing(shown, region, inner, margin, reach).change();
 }
+
+struct RimUnmixing::State {
+  image::Image& shown;
+  image::Mask& inner;
+  SoftRim rim;
+};
+
+RimUnmixing::RimUnmixing(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach)
+    : state_(new State{shown, inner, SoftRim(shown, region, inner, margin, reach)}) {}
+RimUnmixing::~RimUnmixing() = default;
+
+bool RimUnmixing::change() { return state_->rim.change(state_->shown, state_->inner); }
 
 }  // namespace spineloft::surface

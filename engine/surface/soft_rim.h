@@ -1,6 +1,8 @@
 // Rims through which the ground shows: fur, hair, what is out of focus. Its share is found out and taken out.
 #pragma once
 
+#include <memory>
+
 #include "engine/image/image.h"
 
 namespace spineloft::surface {
@@ -22,5 +24,20 @@ double softReach(double margin, double clearance);
 /// are trusted in `inner` from then on unless they are mostly ground. All others stay as they are, to the bit.
 /// Returns whether anything was changed. Linear.
 bool unmixRim(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach);
+
+/// The same in two steps: what is learnt, then what is changed. All must outlive it.
+class RimUnmixing {
+ public:
+  RimUnmixing(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach);
+  ~RimUnmixing();
+  RimUnmixing(const RimUnmixing&) = delete;
+  RimUnmixing& operator=(const RimUnmixing&) = delete;
+  /// What unmixRim does. Once.
+  bool change();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace spineloft::surface
