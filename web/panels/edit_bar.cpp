@@ -169,7 +169,9 @@ void drawEditBar(const PanelEnv& env) {
   const bool places = env.ui().tool == app::ToolKind::Place;  // which works in the solid view
   const app::Rect& view = places ? env.ui().layout.solid : env.ui().layout.picture;
   env.ui().barRoom.head = 0;
-  if (items.empty() || env.document().pictures.empty()) return;
+  // The board for a slice has the picture's place to itself.
+  const bool covered = !places && env.ui().slices.board;
+  if (items.empty() || covered || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
   // On a phone the view's name gives way.
   const double chip = env.ui().layout.stacked ? 0 : kChipRoom;

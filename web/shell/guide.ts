@@ -57,9 +57,10 @@ export class Guide {
 
   private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {
     const box = byId('canvas');
-    const { offsetWidth, offsetHeight } = this.hint;
     const compact = box.clientWidth < kCompactWidth;
     const left = compact ? kTitleRoom : kGap, right = box.clientWidth - kGap;
+    this.hint.style.maxWidth = `${right - left}px`;
+    const { offsetWidth, offsetHeight } = this.hint;
     const middle = (topLeft.x + bottomRight.x) / 2 - offsetWidth / 2;
     const x = Math.max(left, Math.min(middle, right - offsetWidth));
     // Under the picture where nothing else is, otherwise beside the view's title.

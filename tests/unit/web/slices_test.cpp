@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,10 @@ using platform::PointerKind;
 using spineloft::test::Rig;
 
 namespace {
+
+bool overlap(const app::Rect& a, const app::Rect& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
 
 /// A page with one part, selected.
 struct PartRig : Rig {
@@ -47,6 +52,22 @@ struct PartRig : Rig {
 };
 
 }  // namespace
+
+TEST_CASE("the board for a slice has its place to itself: no buttons of the tool in use lie on it") {
+  for (const platform::CanvasSize size : {platform::CanvasSize{1200, 700, 1}, platform::CanvasSize{390, 700, 1}}) {
+    PartRig rig(size);
+    for (const char* tool : {"ribs", "shape", "bone", "ignore-edges", "puff", "sheet", "draw"}) {
+      CAPTURE(tool);
+      REQUIRE(rig.ok(tool));
+      REQUIRE(rig.ok("edit-slice"));
+      const app::UiState& ui = rig.app->ui();
+      const auto onBoard = std::ranges::count_if(
+          ui.overlays, [&](const app::Rect& card) { return overlap(card, ui.layout.picture); });
+      CHECK(onBoard == 1);
+      REQUIRE(rig.ok("slice-cancel"));
+    }
+  }
+}
 
 TEST_CASE("a slice drawn on the board is one step of the document, with its hole") {
   for (const Device device : {Device::Mouse, Device::Touch, Device::Pen}) {
