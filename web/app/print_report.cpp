@@ -8,6 +8,9 @@
 namespace spineloft::app {
 namespace {
 
+/// Models up to here are measured in millimetres.
+constexpr double kSmallMm = 20;
+
 std::string number(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
@@ -21,7 +24,10 @@ std::string number(double value, int digits) {
 
 PrintLine sizeLine(const printing::PrintCheck& check) {
   const auto& [width, depth, height] = check.size;
-  std::string size = number(width / 10, 1) + " × " + number(depth / 10, 1) + " × " + number(height / 10, 1) + " cm";
+  const bool small = std::max({width, depth, height}) < kSmallMm;
+  const double unit = small ? 1 : 10;
+  const std::string size = number(width / unit, 1) + " × " + number(depth / unit, 1) + " × " +
+                           number(height / unit, 1) + (small ? " mm" : " cm");
   const auto printers = printing::printers();
   if (check.printer < printers.size()) {
     return {true, "It is " + size + " and fits " + std::string(printers[check.printer].name) + "."};
@@ -30,9 +36,10 @@ PrintLine sizeLine(const printing::PrintCheck& check) {
 }
 
 PrintLine wallLine(const printing::PrintCheck& check) {
-  const std::string thin = number(check.thinnest, 1) + " mm";
-  if (check.thick()) return {true, "Its thinnest place is " + thin + ", thick enough."};
-  return {false, "Its thinnest place is " + thin + "; below 0.8 mm it breaks or is left out. \"Make it thick enough\" makes it larger.", "thicken"};
+  if (check.thick()) return {true, "Its thinnest place is " + number(check.thinnest, 1) + " mm, thick enough."};
+  // Never rounded up to what would do.
+  const std::string thin = number(std::floor(check.thinnest * 100) / 100, 2);
+  return {false, "Its thinnest place is " + thin + " mm; below 0.8 mm it breaks or is left out. \"Make it thick enough\" makes it larger.", "thicken"};
 }
 
 PrintLine closedLine(const printing::PrintCheck& check) {

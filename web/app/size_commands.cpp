@@ -1,6 +1,5 @@
 // Commands about the size of the finished model, and about printing it.
 #include <algorithm>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -26,6 +25,9 @@ bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 /// What stands beside the solid stays in sight.
 Outcome makeTall(Env env, double mm) {
   const Status status = env.studio.act(document::SetHeight{Millimetres{mm}});
+  if (!status && status.error() == Error::ValueOutOfRange) {
+    return Refusal{"ValueOutOfRange", "A model can be from 1 mm to 10 m tall. Type a size such as 4 cm or 40 mm."};
+  }
   if (!status) return refuse(status.failure());
   if (env.ui.beside) flyTo(env, false);
   return {};

@@ -64,6 +64,32 @@ TEST_CASE("a thing stands beside the solid on its ground, in true proportion, fr
   }
 }
 
+TEST_CASE("a height that no model can have is refused with those that it can have") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  for (const char* bad : {R"({"typed":"0"})", R"({"typed":"-4 cm"})", R"({"typed":"0.5 mm"})", R"({"mm":11000})"}) {
+    const app::Json answer = rig.run("set-height", bad);
+    CHECK_MESSAGE(*answer.text("error") == "ValueOutOfRange", bad);
+    CHECK(answer.text("sentence")->find("from 1 mm to 10 m") != std::string::npos);
+  }
+}
+
+TEST_CASE("the check for printing says how small a small model is") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  rig.run("set-height", R"({"mm":1})");
+  rig.run("check-print");
+  const app::Json state = rig.state();
+  const auto& lines = *state.find("print")->find("lines")->array();
+  const std::string& size = *lines[1].text("text");
+  CHECK_MESSAGE(size.find("× 1 mm") != std::string::npos, size);
+  CHECK_MESSAGE(size.find(" 0 ") == std::string::npos, size);
+  const std::string& thin = *lines[2].text("text");
+  CHECK_MESSAGE(thin.find("0.8 mm;") == std::string::npos, thin);
+}
+
 TEST_CASE("a thing that is picked gives its height, stands beside the solid, and goes again") {
   Rig rig;
   rig.openBar();
