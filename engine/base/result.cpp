@@ -51,7 +51,7 @@ constexpr std::array kTexts = {
     ErrorText{Error::MeshInvalid, "MeshInvalid",
               "A part is not a closed solid, so it cannot be saved. Undo the last change."},
     ErrorText{Error::NothingToExport, "NothingToExport",
-              "There is no part to save yet. Draw a line through an object first."},
+              "There is no part to save. Draw a line through an object first, or show a part that is hidden."},
     ErrorText{Error::NoSuchPart, "NoSuchPart",
               "That part is not there any more. Choose another one from the list."},
     ErrorText{Error::NoSuchPicture, "NoSuchPicture",

@@ -94,7 +94,7 @@ bool allFinite(const std::vector<PicturePoint>& points) {
   return std::ranges::all_of(points, [](PicturePoint p) { return isFinite(p); });
 }
 
-/// Where the arguments say that the thing is. Errors: ValueOutOfRange.
+/// Where the arguments say that the thing is. Errors: ValueOutOfRange, RegionOutside and RegionEmpty for a box.
 Result<vision::CutHints> hintsFrom(const Json& args, image::Size size) {
   vision::CutHints hints;
   if (const auto at = pointOf(args, "at")) hints.inside.push_back(*at);
@@ -112,7 +112,8 @@ Result<vision::CutHints> hintsFrom(const Json& args, image::Size size) {
     hints.box = {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
     const auto& [low, high] = *hints.box;
     const bool beside = high.x < 0 || high.y < 0 || low.x > size.width - 1 || low.y > size.height - 1;
-    if (beside) return {Error::ValueOutOfRange, "box"};
+    if (beside) return Error::RegionOutside;
+    if (high.x - low.x < 1 || high.y - low.y < 1) return Error::RegionEmpty;
   }
   return hints;
 }
