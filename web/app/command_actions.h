@@ -80,6 +80,14 @@ const document::Part* loftPartOf(const CommandEnv& env, const Json& args);
 bool hasChosenRib(const CommandEnv& env);
 /// It stands in a pose.
 bool isPosed(const CommandEnv& env);
+/// It is a puff or a flat piece.
+bool hasRegion(const CommandEnv& env);
+/// More than one part is in hand; the selected part is in a group.
+bool severalSelected(const CommandEnv& env);
+bool groupSelected(const CommandEnv& env);
+/// A solid is chosen; there is something to scoop out.
+bool hasStep(const CommandEnv& env);
+bool canHollow(const CommandEnv& env);
 /// Saves the model in this form, as a download.
 Outcome saveAs(const CommandEnv& env, publish::Format format);
 /// Gives a new look to the part that is meant, or to the next part.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <initializer_list>
 #include <vector>
 
 #include "web/app/command_actions.h"
@@ -62,6 +63,20 @@ bool matches(std::string_view shortcuts, const platform::KeyEvent& event) {
   return false;
 }
 
+/// Commands about a part, a solid or a group may name one that is not selected.
+bool namesWhatItNeeds(const Command& command, const CommandEnv& env, const Json& args) {
+  const document::Document& document = env.studio.document();
+  const auto needs = [&](std::initializer_list<bool (*)(const CommandEnv&)> about) {
+    return std::ranges::count(about, command.enabled) > 0;
+  };
+  if (namesPart(args) && partOf(env, args) != nullptr) {
+    return needs({hasSelection, hasBone, hasChosenRib, isPosed, hasRegion, groupSelected, canHollow});
+  }
+  if (findStep(document, StepId{idFrom(args, "step").value}) != nullptr) return needs({hasStep, canHollow});
+  if (findGroup(document, GroupId{idFrom(args, "group").value}) != nullptr) return needs({groupSelected});
+  return args.find("parts") != nullptr && needs({severalSelected});
+}
+
 }  // namespace
 
 std::span<const Command> commandTable() {
@@ -84,15 +99,10 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
   if (command == nullptr) {
     return Refusal{"NoSuchCommand", "There is no command called " + std::string(id) + "."};
   }
-  if (!enabled(*command, env)) {
-    // Commands about a part may name one that is not selected.
-    const bool named = namesPart(args) && partOf(env, args) != nullptr;
-    const auto about = {hasSelection, hasBone, hasChosenRib, isPosed};
-    if (!named || std::ranges::count(about, command->enabled) == 0) {
-      const bool other = command->enabled == hasBone && hasSelection(env);
-      if (other) return refuse({Error::NotABone, {}});
-      return Refusal{"NotNow", std::string(command->label) + " is not possible right now."};
-    }
+  if (!enabled(*command, env) && !namesWhatItNeeds(*command, env, args)) {
+    const bool other = command->enabled == hasBone && hasSelection(env);
+    if (other) return refuse({Error::NotABone, {}});
+    return Refusal{"NotNow", std::string(command->label) + " is not possible right now."};
   }
   return command->run(env, args);
 }

@@ -119,6 +119,7 @@ Outcome drawSpine(Env env, const Json& args) {
   if (!status) return refuse(status.failure());
   if (shorter) sendInfo(env.host, kCutSentence);
   env.ui.selection = env.studio.document().parts.back()->id;
+  env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
   return {};

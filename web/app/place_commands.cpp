@@ -27,13 +27,6 @@ bool hasParts(Env env) { return !documentOf(env).parts.empty(); }
 bool placing(Env env) { return env.ui.tool == ToolKind::Place; }
 bool holdsParts(Env env) { return placing(env) && hasSelection(env); }
 bool snaps(Env env) { return env.ui.place.snap; }
-bool severalSelected(Env env) { return selectedParts(documentOf(env), env.ui).size() > 1; }
-bool groupSelected(Env env) {
-  const auto parts = selectedParts(documentOf(env), env.ui);
-  return std::ranges::any_of(parts, [&](PartId id) {
-    return static_cast<bool>(document::findPart(documentOf(env), id)->group);
-  });
-}
 bool symmetric(Env env) {
   const document::Part* part = partOf(env, {});
   return part != nullptr && part->mirror.has_value();
@@ -447,6 +440,14 @@ constexpr std::array kTable = {
 };
 
 }  // namespace
+
+bool severalSelected(const CommandEnv& env) { return selectedParts(documentOf(env), env.ui).size() > 1; }
+bool groupSelected(const CommandEnv& env) {
+  const auto parts = selectedParts(documentOf(env), env.ui);
+  return std::ranges::any_of(parts, [&](PartId id) {
+    return static_cast<bool>(document::findPart(documentOf(env), id)->group);
+  });
+}
 
 std::span<const Command> placeCommands() { return kTable; }
 

@@ -29,7 +29,6 @@ const document::Part* regionPart(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
 }
-bool hasRegion(Env env) { return regionPart(env, {}) != nullptr; }
 
 Outcome noRegion(Env env, const Json& args) {
   return refuse({partOf(env, args) ? Error::NotARegion : Error::NoSuchPart, {}});
@@ -120,6 +119,7 @@ Outcome addRegion(Env env, document::Region region, document::RegionSolid solid)
   if (!status) return refuse(status.failure());
   tellCut(env, draw.region);
   env.ui.selection = env.studio.document().parts.back()->id;
+  env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
   return {};
@@ -309,6 +309,8 @@ constexpr std::array kTable = {
 };
 
 }  // namespace
+
+bool hasRegion(const CommandEnv& env) { return regionPart(env, {}) != nullptr; }
 
 std::span<const Command> regionCommands() { return kTable; }
 

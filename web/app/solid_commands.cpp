@@ -65,13 +65,20 @@ std::optional<std::vector<Operand>> meant(Env env, const Json& args) {
 
 bool severalRoots(Env env) { return rootsOf(env.studio.document()).size() >= 2; }
 bool hasSteps(Env env) { return !env.studio.document().steps.empty(); }
-bool hasStep(Env env) { return chosenStep(env) != nullptr; }
 bool hasHollow(Env env) { return hasStep(env) && chosenStep(env)->kind == StepKind::Hollow; }
 bool isPointing(Env env) { return env.ui.solids.pointing; }
-bool canHollow(Env env) { return hasStep(env) || hasSelection(env); }
 bool hasTrouble(Env env) {
   return std::ranges::any_of(env.studio.derived().steps,
                              [](const auto& step) { return step.failure.has_value(); });
+}
+
+/// Chooses a solid. What it is made of is in hand with it: what is moved, copied or deleted next is the whole.
+void choose(Env env, const Step& step) {
+  env.ui.solids.step = step.id;
+  env.ui.alsoSelected = document::partsIn(env.studio.document(), {{}, step.id});
+  if (std::erase(env.ui.alsoSelected, env.ui.selection) > 0 || env.ui.alsoSelected.empty()) return;
+  env.ui.selection = env.ui.alsoSelected.front();
+  env.ui.alsoSelected.erase(env.ui.alsoSelected.begin());
 }
 
 /// Selects what was just made.
@@ -79,7 +86,7 @@ Outcome choose(Env env, const Status& status) {
   if (!status) return refuse(status.failure());
   const auto& steps = env.studio.document().steps;
   env.ui.solids.picked.clear();
-  env.ui.solids.step = steps.empty() ? StepId{} : steps.back()->id;
+  if (!steps.empty()) choose(env, *steps.back());
   return {};
 }
 
@@ -236,7 +243,7 @@ Outcome selectStep(Env env, const Json& args) {
   const Step* step = stepOf(env, args);
   if (step == nullptr) return noStep();
   if (env.ui.solids.step != step->id) env.ui.solids.pointing = false;
-  env.ui.solids.step = step->id;
+  choose(env, *step);
   return {};
 }
 
@@ -342,6 +349,9 @@ constexpr std::array kTable = {
 };
 
 }  // namespace
+
+bool hasStep(const CommandEnv& env) { return chosenStep(env) != nullptr; }
+bool canHollow(const CommandEnv& env) { return hasStep(env) || hasSelection(env); }
 
 std::span<const Command> solidCommands() { return kTable; }
 

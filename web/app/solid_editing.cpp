@@ -75,6 +75,9 @@ std::vector<Operand> rootsOf(const document::Document& document) {
 
 void settleSolids(const document::Document& document, UiState& ui) {
   const document::Step* chosen = findStep(document, ui.solids.step);
+  // Who takes a part of something else in hand has left the solid.
+  const auto holds = [&] { return std::ranges::count(partsIn(document, {{}, chosen->id}), ui.selection) > 0; };
+  if (chosen != nullptr && ui.selection && !holds()) chosen = nullptr;
   if (chosen == nullptr) ui.solids.step = {};
   if (chosen == nullptr || chosen->kind != document::StepKind::Hollow) ui.solids.pointing = false;
   std::erase_if(ui.solids.picked, [&](const Operand& o) { return !isRoot(document, o); });

@@ -144,8 +144,8 @@ TEST_CASE("what is about bones says so on a puff, and what is about regions on a
   Rig rig;
   rig.openBar();
   rig.drawBar();
-  CHECK(*rig.run("thicker", R"({"part":1})").text("error") == "NotNow");
-  CHECK(*rig.run("redraw-region", R"({"part":1,"line":[[1,1]]})").text("error") == "NotNow");
+  CHECK(*rig.run("thicker", R"({"part":1})").text("error") == "NotARegion");
+  CHECK(*rig.run("redraw-region", R"({"part":1,"line":[[1,1]]})").text("error") == "NotARegion");
   rig.run("draw-puff", kSquare);
   for (const std::string_view id : {"reset-ribs", "more-ribs", "coil", "join-ends", "side-view"}) {
     const app::Json answer = rig.run(id);

@@ -320,6 +320,73 @@ TEST_CASE("a tap on the solid says where it is open, once; a drag, a miss and Es
   CHECK_FALSE(rig.run("point-opening").flag("ok").value_or(true));
 }
 
+TEST_CASE("a chosen solid is in hand as a whole; who takes another part has left it") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  rig.run("draw-puff", R"({"line": [[20, 20], [60, 20], [60, 60], [20, 60], [20, 21]]})");
+  rig.settle();
+  const auto chosen = [&] { return rig.state().number("selectedStep"); };
+  const auto held = [&] {
+    std::vector<double> parts;
+    const Json now = rig.state();
+    for (const Json& part : *now.find("selected")->array()) parts.push_back(*part.number());
+    return parts;
+  };
+  CHECK_FALSE(chosen());
+  CHECK(held() == std::vector<double>{3});
+
+  // What is done next is done to the part in hand, not to the solid that was made before.
+  CHECK(rig.run("scoop-out").flag("ok") == true);
+  CHECK(*(*rig.step(1).find("operands")->array())[0].number("part") == 3);
+  rig.run("undo");
+
+  rig.run("select-step", R"({"id": 1})");
+  CHECK(chosen() == 1);
+  CHECK(held() == std::vector<double>{1, 2});
+  rig.run("move-parts", R"({"mm": [5, 0, 0]})");
+  rig.settle();
+  const Json state = rig.state();
+  const auto& parts = *state.find("parts")->array();
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(*(*parts[i].find("placement")->find("mm")->array())[0].number() == doctest::Approx(i < 2 ? 5 : 0));
+  }
+  rig.run("select-part", R"({"id": 2})");
+  rig.state();
+  CHECK(chosen() == 1);
+  CHECK(held() == std::vector<double>{2});
+  rig.run("select-part", R"({"id": 3})");
+  rig.state();
+  CHECK_FALSE(chosen());
+}
+
+TEST_CASE("commands about a part, a solid or parts may name what is not selected") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  const auto well = [&](const char* id, const char* args) {
+    rig.run("select-step", R"({"id": null})");
+    rig.run("select-part", R"({"id": null})");
+    rig.state();
+    const Json answer = rig.run(id, args);
+    CHECK_MESSAGE(answer.flag("ok") == true, id, args);
+    rig.state();
+  };
+  rig.run("draw-puff", R"({"line": [[20, 20], [60, 20], [60, 60], [20, 60], [20, 21]]})");
+  well("thicker", R"({"part": 3})");
+  well("move-outline-point", R"({"part": 3, "point": 0, "to": [22, 22]})");
+  well("make-sheet", R"({"part": 3})");
+  well("set-step", R"({"step": 1, "blend": 0.01})");
+  well("scoop-out", R"({"part": 3})");
+  well("scoop-out", R"({"step": 1})");
+  well("release", R"({"step": 3})");
+  well("release", R"({"step": 2})");
+  well("release", R"({"step": 1})");
+  well("group", R"({"parts": [1, 2]})");
+  well("rename-group", R"({"group": 1, "name": "Both"})");
+  well("ungroup", R"({"part": 1})");
+}
+
 TEST_CASE("the solver hears which part of a solid is chosen, once, and when none is") {
   Stuck rig;
   rig.answer(rig.lastAsked());
