@@ -9,6 +9,7 @@
 #include "web/app/command_actions.h"
 #include "web/app/command_args.h"
 #include "web/app/command_groups.h"
+#include "web/app/messages.h"
 
 namespace spineloft::app {
 namespace {
@@ -104,6 +105,9 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
     if (other) return refuse({Error::NotABone, {}});
     return Refusal{"NotNow", std::string(command->label) + " is not possible right now."};
   }
+  // What the tool before said is over; a command may say more.
+  const bool isTool = command->group == "tool" && command->toggled != nullptr;
+  if (isTool) sendStatus(env.host, std::string(command->hint) + ".");
   return command->run(env, args);
 }
 

@@ -36,11 +36,13 @@ Json contoursJson(const vision::CutContours& contours) {
 /// The draft becomes a part, or the region of one. It stays when it cannot.
 Outcome take(Env env) {
   const CutDraft& draft = *env.ui.cut;
+  const bool atOnce = draft.atOnce;
   Json::Object args{{"contours", contoursJson(draft.shape.contours)}};
   if (draft.part) args.emplace_back("part", draft.part.value);
   const std::string_view id = draft.part ? "redraw-region" : draft.flat ? "draw-sheet" : "draw-puff";
   if (Outcome refused = runCommand(env, id, args)) return refused;
   env.ui.cut.reset();
+  if (!atOnce) sendStatus(env.host, {});
   return {};
 }
 
@@ -239,6 +241,7 @@ void closeCut(const CommandEnv& env) {
   if (!env.ui.cut) return;
   env.studio.stopCutOut();
   env.ui.cut.reset();
+  sendStatus(env.host, {});
 }
 
 void settleCut(const CommandEnv& env) {

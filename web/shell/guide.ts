@@ -4,8 +4,8 @@ import { byId } from './dom.ts';
 import { ghostHand } from './ghost_hand.ts';
 import type { Sample } from './start_page.ts';
 
-/** CSS pixels: around the hint, beside the view's title, over the view's buttons. */
-const kGap = 12, kTitleRoom = 72, kToolsRoom = 56;
+/** CSS pixels: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
+const kGap = 12, kTitleRoom = 72, kToolsRoom = 56, kStripRoom = 60;
 /** Under this width there is a strip of tabs below the views. */
 const kCompactWidth = 1000;
 
@@ -50,12 +50,12 @@ export class Guide {
     const { width, height } = state.picture;
     const topLeft = toCanvas(-0.5, -0.5);
     const bottomRight = toCanvas(width - 0.5, height - 0.5);
-    this.placeHint(topLeft, bottomRight);
+    this.placeHint(topLeft, bottomRight, state.pictures > 1 ? kStripRoom : 0);
     const fits = this.sample?.width === width && this.sample.height === height;
     if (this.sample && fits) this.placeGhost(this.sample, topLeft, bottomRight);
   }
 
-  private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {
+  private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): void {
     const box = byId('canvas');
     const compact = box.clientWidth < kCompactWidth;
     const left = compact ? kTitleRoom : kGap, right = box.clientWidth - kGap;
@@ -66,7 +66,7 @@ export class Guide {
     // Under the picture where nothing else is, otherwise beside the view's title.
     const below = bottomRight.y + kGap;
     const fitsBelow = !compact && below + offsetHeight + kToolsRoom <= box.clientHeight;
-    const y = fitsBelow ? below : kGap;
+    const y = fitsBelow ? below : kGap + strip;
     this.hint.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 

@@ -165,6 +165,37 @@ TEST_CASE("by command a cut-out becomes a part at once, or the region of one; ba
   CHECK(*rig.run("cut-mark", R"({"line":[[50,50]],"radius":-3})").text("error") == "ValueOutOfRange");
 }
 
+TEST_CASE("the line at the foot tells of the tool in use, and no longer of a cut-out that is over") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const auto status = [&] {
+    std::string last;
+    for (const std::string& json : rig.host.sent) {
+      const app::Json message = *app::Json::parse(json);
+      if (*message.text("type") == "status") last = *message.text("text");
+    }
+    return last;
+  };
+  const std::string_view tools[] = {"puff", "draw", "ribs", "hand", "shape", "ignore-edges", "bone", "sheet", "move", "draw"};
+  std::string before;
+  for (const std::string_view tool : tools) {
+    REQUIRE(rig.run(tool).flag("ok") == true);
+    CHECK_MESSAGE(status() != before, tool);
+    CHECK(status().size() > 10);
+    before = status();
+  }
+  for (const char* way : {"cut-use", "cut-cancel", "undo", "draw"}) {
+    rig.run("select-part", R"({"id":null})");
+    rig.run("cut-start", R"({"at":[100,100]})");
+    rig.settle();
+    REQUIRE(status().find("Use this") != std::string::npos);
+    rig.run(way);
+    rig.settle();
+    CHECK_MESSAGE(status().find("Use this") == std::string::npos, way);
+  }
+}
+
 TEST_CASE("where nothing can be cut out a sentence says so, and nothing else happens") {
   Rig rig;
   image::Picture blank = test::barPicture();
