@@ -140,7 +140,7 @@ struct PlaceParts {
   std::vector<One> parts;
 };
 /// Copies that stand right behind their originals in the list, moved by `by`; with `over` mirrored
-/// copies. The copies of a whole group are a new group.
+/// copies. The copies of a whole group are a new group, those of all parts of a solid a solid like it.
 struct DuplicateParts {
   std::vector<PartId> parts;
   WorldPoint by = {};

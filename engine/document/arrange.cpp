@@ -1,8 +1,12 @@
 #include "engine/document/arrange.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/document/checks.h"
@@ -79,6 +83,46 @@ Part copyOf(const Part& part, PartId id, const DuplicateParts& how) {
   return copy;
 }
 
+using Copies = std::map<PartId, PartId>;  // by original
+
+/// The side that a plane across an axis of the world mirrors it to.
+OpeningSide mirroredSide(OpeningSide side, const MirrorPlane& over) {
+  using enum OpeningSide;
+  constexpr double kAcross = 0.999;
+  const std::array<std::tuple<double, OpeningSide, OpeningSide>, 3> axes = {
+      {{over.normal.x, Left, Right}, {over.normal.y, Up, Down}, {over.normal.z, Front, Back}}};
+  for (const auto& [share, one, other] : axes) {
+    if (std::abs(share) < kAcross) continue;
+    if (side == one) return other;
+    if (side == other) return one;
+  }
+  return side;
+}
+
+/// The copies of all that a solid is made of are such a solid again.
+Status copySteps(Document& document, const Copies& copies, const std::optional<MirrorPlane>& over) {
+  std::map<StepId, StepId> ids;
+  std::vector<Step> added;
+  for (const Step& step : document.steps) {
+    const bool whole = std::ranges::all_of(partsIn(document, {{}, step.id}),
+                                           [&](PartId id) { return copies.contains(id); });
+    if (!whole) continue;
+    ids[step.id] = StepId{++document.lastStepId};
+    added.push_back(step);
+  }
+  if (document.steps.size() + added.size() > kMostSteps) return {Error::ValueOutOfRange, "too many solids"};
+  for (Step& copy : added) {
+    copy.id = ids.at(copy.id);
+    copy.name = copyName(copy.name);
+    if (over) copy.opening.side = mirroredSide(copy.opening.side, *over);
+    for (Operand& operand : copy.operands) {
+      operand = operand.part ? Operand{copies.at(operand.part), {}} : Operand{{}, ids.at(operand.step)};
+    }
+    document.steps.push_back(std::move(copy));
+  }
+  return Done{};
+}
+
 /// A single part that was dropped: does it stand within a group, or away from its own?
 void settleGroup(Document& document, PartId id) {
   const auto at = placeOf(document.parts, id);
@@ -138,6 +182,7 @@ Status arrange(Document& document, const DuplicateParts& action) {
     if (whole) groups.emplace_back(group.id, addGroup(document, copyName(group.name)));
   }
   Parts parts;
+  Copies made;
   std::vector<std::pair<GroupId, Parts>> waiting;  // copies that follow when their group is through
   const auto flush = [&](GroupId current) {
     for (auto& [group, copies] : waiting) {
@@ -151,6 +196,7 @@ Status arrange(Document& document, const DuplicateParts& action) {
     parts.push_back(box);
     if (std::ranges::find(action.parts, box->id) == action.parts.end()) continue;
     Part copy = copyOf(*box, PartId{++document.lastPartId}, action);
+    made[box->id] = copy.id;
     if (!isValid(copy.placement) || (copy.mirror && !isValid(*copy.mirror))) {
       return {Error::ValueOutOfRange, "place"};
     }
@@ -165,8 +211,10 @@ Status arrange(Document& document, const DuplicateParts& action) {
     own->second.push_back(std::move(copy));
   }
   flush({});
+  // Solids are looked through before the copies stand between their parts.
+  const Status solids = copySteps(document, made, action.over);
   document.parts = std::move(parts);
-  return Done{};
+  return solids;
 }
 
 Status arrange(Document& document, const GroupParts& action) {

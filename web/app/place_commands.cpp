@@ -282,6 +282,9 @@ void selectNew(Env env, std::uint32_t last) {
       env.ui.selection = part.id;
     }
   }
+  // Of a whole solid they are a solid.
+  const document::Step* root = rootOf(documentOf(env), {env.ui.selection, {}});
+  if (root != nullptr) env.ui.solids.step = root->id;
 }
 
 Outcome duplicate(Env env, const Json& args) {

@@ -108,6 +108,28 @@ TEST_CASE("a copy stands behind its original, mirrored over a plane if asked for
   CHECK(copied.parts[0] == document.parts[0]);
 }
 
+TEST_CASE("the copies of all parts of a solid are a solid like it, with what is within; of some parts they are none") {
+  Document document = threeParts();
+  document = update(document, CombineParts{StepKind::Join, {{PartId{1}, {}}, {PartId{3}, {}}}, 0.02, {}}).value();
+  document = update(document, CombineParts{StepKind::Hollow, {{{}, StepId{1}}}, 0.03, {OpeningSide::Left, 0.1}}).value();
+  const MirrorPlane plane{{0.2, 0, 0}, {1, 0, 0}};
+  const Document copied = update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, plane}).value();
+  REQUIRE(copied.steps.size() == 4);
+  CHECK(isForest(copied));
+  const Step& join = copied.steps[2];
+  const Step& hollow = copied.steps[3];
+  CHECK(join.kind == StepKind::Join);
+  CHECK(join.operands == std::vector<Operand>{{PartId{4}, {}}, {PartId{5}, {}}});
+  CHECK(hollow.kind == StepKind::Hollow);
+  CHECK(hollow.operands == std::vector<Operand>{{{}, join.id}});
+  CHECK(hollow.wall == 0.03);
+  CHECK(hollow.opening == Opening{OpeningSide::Right, 0.1});
+  CHECK(copied.steps[0] == document.steps[0]);
+  CHECK(copied.steps[1] == document.steps[1]);
+  CHECK(update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, {}}).value().steps[3]->opening.side == OpeningSide::Left);
+  CHECK(update(document, DuplicateParts{{PartId{1}, PartId{2}}, {}, {}}).value().steps == document.steps);
+}
+
 TEST_CASE("a group is one piece of the list, its copy a group of its own, and the last part takes it along") {
   Document document = threeParts();
   document = update(document, GroupParts{{PartId{3}, PartId{1}}, "Ears"}).value();

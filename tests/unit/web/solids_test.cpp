@@ -351,6 +351,13 @@ TEST_CASE("a chosen solid is in hand as a whole; who takes another part has left
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(*(*parts[i].find("placement")->find("mm")->array())[0].number() == doctest::Approx(i < 2 ? 5 : 0));
   }
+  rig.run("duplicate");
+  rig.state();
+  CHECK(chosen() == 2);
+  CHECK(held() == std::vector<double>{4, 5});
+  rig.run("undo");
+  rig.run("select-part", R"({"id": 2})");
+  rig.run("select-step", R"({"id": 1})");
   rig.run("select-part", R"({"id": 2})");
   rig.state();
   CHECK(chosen() == 1);
