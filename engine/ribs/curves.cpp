@@ -25,9 +25,21 @@ struct RadiusLaw {
   struct At {
     double value, slope;
   };
+  // As near as the field's own sums: an exact arctangent takes longer than all else of a law.
   At at(double radius) const {
-    const double q = length / (2 * radius), angle = std::atan(q);
+    const double q = length / (2 * radius), angle = quickArctan(q);
     return {2 * angle / radius, -2 * (angle + q / (1 + q * q)) / (radius * radius)};
+  }
+  // The ρ of a level set. π/ρ − 4/A is below Σ I, which is convex: Newton's steps from there only go outwards.
+  double radiusOf(double value) const {
+    double radius = std::numbers::pi / (value + 4 / length);
+    for (int i = 0; i < 12; ++i) {
+      const At here = at(radius);
+      const double step = (value - here.value) / here.slope;
+      radius += step;
+      if (std::abs(step) < 1e-7 * radius) break;
+    }
+    return radius;
   }
 };
 
@@ -118,8 +130,7 @@ int traceOne(const Flow& flow, const Levels& levels, image::Size picture,
   put(0, base);
   int k = 1;
   const D2Integral start = flow.field.quickIntegral(seed);
-  const double startD2 = std::sqrt(flow.law.length / static_cast<double>(start.value));
-  double t = radiusOfD2(startD2, flow.law.length);
+  double t = flow.law.radiusOf(static_cast<double>(start.value));
   for (; k < count && levels.radius[static_cast<std::size_t>(k)] <= t; ++k) {
     const Point p = lerp(base, seed, levels.radius[static_cast<std::size_t>(k)] / t);
     if (!inFrame(p, picture)) return k;

@@ -15,15 +15,6 @@ namespace {
 
 constexpr std::size_t kLanes = 4;
 
-// atan(√w) / √w on [0, 1]: interpolated at Chebyshev nodes, relative error below 2e-7.
-Float4 arctanOverArgument(Float4 w) {
-  constexpr std::array<float, 8> c{0.999999882f,  -0.333318127f,  0.199669618f,  -0.140032902f,
-                                   0.0986886546f, -0.0588297531f, 0.0237805186f, -0.00455979199f};
-  Float4 sum = all4(c[7]);
-  for (std::size_t i = 7; i-- > 0;) sum = sum * w + all4(c[i]);
-  return sum;
-}
-
 // A point relative to the field's origin, in every lane.
 struct Lanes {
   Float4 x, y;

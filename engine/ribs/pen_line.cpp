@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/lanes.h"
+#include "engine/ribs/look_sampler.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -25,22 +26,6 @@ float squaredDifference(Float4 a, Float4 b) {
   return squares[0] + squares[1] + squares[2];
 }
 
-// Colour between the map's pixels, in the first three values.
-Float4 colourAt(const image::EdgeMap& map, PicturePoint p) {
-  const auto at = map.toMap(p);
-  const double x = std::clamp(at.x, 0.0, map.width - 1.0);
-  const double y = std::clamp(at.y, 0.0, map.height - 1.0);
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const int x1 = std::min(x0 + 1, map.width - 1), y1 = std::min(y0 + 1, map.height - 1);
-  const auto u = static_cast<float>(x - x0), v = static_cast<float>(y - y0);
-  const auto pixel = [&](int column, int row) {
-    return load4(map.look[index(row) * index(map.width) + index(column)].data());
-  };
-  const Float4 top = pixel(x0, y0) + (pixel(x1, y0) - pixel(x0, y0)) * u;
-  const Float4 bottom = pixel(x0, y1) + (pixel(x1, y1) - pixel(x0, y1)) * u;
-  return top + (bottom - top) * v;
-}
-
 // The colours along a curve, every map pixel from `reach` before a place to `reach` beyond it, as far
 // as the curve goes: colour[i] is i − reach map pixels from the place, for low ≤ i ≤ high.
 struct Profile {
@@ -50,14 +35,22 @@ struct Profile {
   Profile(const GradientCurves& curves, const image::EdgeMap& edges, int curve, double along,
           int wanted)
       : reach(wanted), low(0), high(-1) {
-    const double pixel = std::max(edges.scaleX, edges.scaleY);
-    const double longest = curves.along[curves.at(curve, curves.reached[index(curve)] - 1)];
+    const LookSampler picture(edges);
+    const std::size_t row = curves.at(curve, 0);
+    const float *x = &curves.x[row], *y = &curves.y[row], *arcs = &curves.along[row];
+    const int last = curves.reached[index(curve)] - 1;
+    const auto pixel = static_cast<float>(std::max(edges.scaleX, edges.scaleY));
+    const Float4 scale{static_cast<float>(1 / edges.scaleX), static_cast<float>(1 / edges.scaleY), 0, 0};
+    const auto pointOf = [&](int k) { return (Float4{x[k], y[k], 0, 0} + 0.5f) * scale - 0.5f; };
     int label = 0;
     for (int i = 0; i <= 2 * reach; ++i) {
-      const double at = along + (i - reach) * pixel;
+      const float at = static_cast<float>(along) + static_cast<float>(i - reach) * pixel;
       if (at < 0) low = i + 1;
-      if (at < 0 || at > longest) continue;
-      colour[index(i)] = colourAt(edges, curves.pointAlong(curve, at, label));
+      if (at < 0 || at > arcs[last]) continue;
+      while (label + 1 < last && arcs[label + 1] <= at) ++label;
+      const Float4 from = pointOf(label), to = pointOf(label + 1);
+      const float share = (at - arcs[label]) / std::max(1e-9f, arcs[label + 1] - arcs[label]);
+      colour[index(i)] = picture.lookAt(picture.locate(from + (to - from) * std::min(share, 1.f)));
       high = i;
     }
   }
@@ -66,20 +59,20 @@ struct Profile {
 // The first and last sample of the ink around `middle`, between paper `breadth` away on both sides.
 struct Line {
   int first = 0, last = -1;
-  float ink = 0;  // its difference from the paper; 0: no line
+  float ink = 0;  // its squared difference from the paper; 0: no line
 };
 Line lineAround(const Profile& profile, int middle, int breadth) {
   const Float4 inside = profile.colour[index(std::max(profile.low, middle - breadth))];
   const Float4 outside = profile.colour[index(std::min(profile.high, middle + breadth))];
   const auto inkOf = [&](int i) {
     const Float4 here = profile.colour[index(i)];
-    return std::sqrt(std::min(squaredDifference(here, inside), squaredDifference(here, outside)));
+    return lesser(squaredDifference(here, inside), squaredDifference(here, outside));
   };
   const float ink = inkOf(middle);
-  if (ink < kLeastInk || std::sqrt(squaredDifference(inside, outside)) > kSamePaper * ink) return {};
+  if (ink < kLeastInk * kLeastInk || squaredDifference(inside, outside) > kSamePaper * kSamePaper * ink) return {};
   Line line{middle, middle, ink};
-  while (line.first > profile.low && inkOf(line.first - 1) > ink / 2) --line.first;
-  while (line.last < profile.high && inkOf(line.last + 1) > ink / 2) ++line.last;
+  while (line.first > profile.low && inkOf(line.first - 1) > ink / 4) --line.first;
+  while (line.last < profile.high && inkOf(line.last + 1) > ink / 4) ++line.last;
   const bool open = line.first == profile.low || line.last == profile.high;
   if (open || line.last - line.first >= breadth) return {};
   return line;

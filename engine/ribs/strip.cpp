@@ -5,6 +5,7 @@
 
 #include "engine/base/lanes.h"
 #include "engine/ribs/evidence.h"
+#include "engine/ribs/look_sampler.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -28,71 +29,28 @@ constexpr Shares makeShares() {
 }
 constexpr Shares kShares = makeShares();
 
-// Sums of colour and nearness between the map's pixels (bilinear, clamped to the map).
+// Sums of colour and nearness.
 class Sampler {
  public:
-  explicit Sampler(const image::EdgeMap& map)
-      : look_(map.look.data()),
-        row_(index(map.width)),
-        right_(map.width > 1 ? 1 : 0),
-        below_(map.height > 1 ? row_ : 0),
-        most_{static_cast<float>(map.width - 1), static_cast<float>(map.height - 1), 0, 0},
-        mostStart_{static_cast<float>(std::max(0, map.width - 2)),
-                   static_cast<float>(std::max(0, map.height - 2)), 0, 0} {}
+  explicit Sampler(const image::EdgeMap& map) : picture(map) {}
 
   void clear() {
     sum_ = all4(0);
     count_ = 0;
   }
-
-  // The first of the four pixels around map coordinates (x, y, –, –), and where between them it is.
-  struct Place {
-    std::size_t first;
-    float u, v;
-  };
-  Place locate(Float4 at) const {
-    const Float4 held = least4(most4(at, all4(0)), most_);
-    const Int4 start = __builtin_convertvector(least4(held, mostStart_), Int4);
-    const Float4 share = held - __builtin_convertvector(start, Float4);
-    return {static_cast<std::size_t>(start[1]) * row_ + static_cast<std::size_t>(start[0]),
-            share[0], share[1]};
+  void add(Float4 look) {
+    sum_ += look;
+    ++count_;
   }
-  std::size_t nearest(const Place& p) const {
-    return p.first + (p.u < 0.5f ? 0 : right_) + (p.v < 0.5f ? 0 : below_);
-  }
-
-  void add(const Place& p) {
-    const auto* first = look_ + p.first;
-    const auto at = [](const std::array<float, 4>* look) { return load4(look->data()); };
-    add(at(first), at(first + right_), at(first + below_), at(first + below_ + right_), p);
-  }
-  // With another plane's nearness than the map's.
-  void add(const Place& p, const std::vector<float>& proximity) {
-    const auto at = [&](std::size_t pixel) {
-      Float4 look = load4(look_[pixel].data());
-      look[3] = proximity[pixel];
-      return look;
-    };
-    const std::size_t below = p.first + below_;
-    add(at(p.first), at(p.first + right_), at(below), at(below + right_), p);
-  }
-
   void read(std::array<float, 4>& lab, float& near) const {
     const Float4 mean = sum_ / count_;
     lab = {mean[0], mean[1], mean[2], 0};
     near = mean[3];
   }
 
- private:
-  void add(Float4 a, Float4 b, Float4 c, Float4 d, const Place& p) {
-    const Float4 top = a + (b - a) * p.u, bottom = c + (d - c) * p.u;
-    sum_ += top + (bottom - top) * p.v;
-    ++count_;
-  }
+  const LookSampler picture;
 
-  const std::array<float, 4>* look_;
-  std::size_t row_, right_, below_;
-  Float4 most_, mostStart_;
+ private:
   Float4 sum_ = all4(0);
   float count_ = 0;
 };
@@ -147,14 +105,12 @@ void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, Piec
   const std::size_t after = curves.at(c + 1 < total ? c + 1 : 0, 0);
   const StripScratch& s = strip.scratch;
   const auto sample = [&](Float4 at) {
-    const Sampler::Place place = sampler.locate(at);
+    const LookSampler::Place place = sampler.picture.locate(at);
     if constexpr (marked) {
-      if (ignored->mask[sampler.nearest(place)] != 0) return false;
-    }
-    if constexpr (marked) {
-      sampler.add(place, ignored->proximity);
+      if (ignored->mask[sampler.picture.nearest(place)] != 0) return false;
+      sampler.add(sampler.picture.lookAt(place, ignored->proximity));
     } else {
-      sampler.add(place);
+      sampler.add(sampler.picture.lookAt(place));
     }
     return true;
   };
@@ -163,7 +119,7 @@ void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, Piec
     sampler.clear();
     if (!sample(here)) {
       strip.ignored[row + k] = 1;
-      sampler.add(sampler.locate(here));
+      sampler.add(sampler.picture.lookAt(sampler.picture.locate(here)));
       sampler.read(strip.lab[row + k], strip.proximity[row + k]);
       strip.proximity[row + k] = 0;
       continue;

@@ -178,9 +178,14 @@ void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gr
   }
 }
 
-void interleave(const float* planes, std::size_t stride, std::span<std::array<float, 4>> out) {
+void interleave(const float* planes, std::size_t stride, std::span<image::PixelLook> out) {
   const float *l = planes, *a = planes + stride, *b = planes + 2 * stride;
-  for (std::size_t x = 0; x < out.size(); ++x) out[x] = {l[x], a[x], b[x], 0};
+  // No colour of a picture is beyond what a look holds.
+  const auto fixed = [](float value) {
+    const float units = value * image::PixelLook::kLab;
+    return static_cast<std::int16_t>(static_cast<std::int32_t>(units + (units < 0 ? -0.5f : 0.5f)));
+  };
+  for (std::size_t x = 0; x < out.size(); ++x) out[x].fixed = {fixed(l[x]), fixed(a[x]), fixed(b[x]), 0};
 }
 
 }  // namespace
@@ -196,7 +201,7 @@ void smoothColourAndGradient(image::ImageView copy, double sigma, image::EdgeMap
   map.look.clear();
   map.gradientX.clear();
   map.gradientY.clear();
-  std::vector<std::array<float, 4>> look(width);
+  std::vector<image::PixelLook> look(width);
   std::vector<float> gradientX(width), gradientY(width);
   SmoothRows smooth(copy, sigma);
   const std::size_t stride = smooth.stride();

@@ -51,8 +51,8 @@ void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, 
     for (int x = 0; x < map.width; ++x) {
       if (!where({static_cast<double>(x), static_cast<double>(y)})) continue;
       auto& lab = map.look[static_cast<std::size_t>(y * map.width + x)];
-      lab[0] = light;
-      lab[1] = a;
+      lab.set(0, light);
+      lab.set(1, a);
     }
   }
 }
@@ -172,7 +172,7 @@ TEST_CASE("a rib stands for the picture up to its neighbours: noise averages out
   image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
   Rng rng(5);
   for (auto& look : map.look) {
-    for (std::size_t c = 0; c < 3; ++c) look[c] += static_cast<float>(rng.uniform(-10, 10));
+    for (std::size_t c = 0; c < 3; ++c) look.set(c, look[c] + static_cast<float>(rng.uniform(-10, 10)));
   }
   const auto spread = [&](int ribs) {
     const Spine spine =

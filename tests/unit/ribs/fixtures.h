@@ -60,7 +60,7 @@ inline image::EdgeMap mapOf(image::Size size, const std::function<bool(PicturePo
       const std::size_t i = static_cast<std::size_t>(y) * w + static_cast<std::size_t>(x);
       map.gradientX[i] = (at(x + 1, y) - at(x - 1, y)) / 2;
       map.gradientY[i] = (at(x, y + 1) - at(x, y - 1)) / 2;
-      map.look[i][0] = at(x, y);
+      map.look[i].set(0, at(x, y));
       // An edge where the lightness passes the middle to the next pixel on the right or below.
       const bool here = at(x, y) < 60, right = at(x + 1, y) < 60, below = at(x, y + 1) < 60;
       if (here != right || here != below) map.edges[i] = 255;
@@ -75,8 +75,8 @@ inline image::EdgeMap mapOf(image::Size size, const std::function<bool(PicturePo
         for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - reach);
              u <= std::min<std::ptrdiff_t>(size.width - 1, x + reach); ++u) {
           const double away = std::hypot(static_cast<double>(u - x), static_cast<double>(v - y));
-          float& p = map.look[static_cast<std::size_t>(v) * w + static_cast<std::size_t>(u)][3];
-          p = std::max(p, static_cast<float>(1 - away / map.reach));
+          image::PixelLook& look = map.look[static_cast<std::size_t>(v) * w + static_cast<std::size_t>(u)];
+          look.set(3, std::max(look[3], static_cast<float>(1 - away / map.reach)));
         }
       }
     }

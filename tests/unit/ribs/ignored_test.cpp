@@ -97,7 +97,7 @@ TEST_CASE("under a mark are the pixels within its radius, and only edges outside
             nearest = std::max(nearest, static_cast<float>(1 - std::hypot(u - x, v - y) / map.reach));
           }
         }
-        CHECK(ignored.proximity[i] == doctest::Approx(nearest).epsilon(1e-5));
+        CHECK(ignored.proximity[i] == doctest::Approx(nearest).epsilon(0.5 / image::PixelLook::kNear + 1e-5));
       }
     }
   }

@@ -92,7 +92,8 @@ TEST_CASE("a piece of outline that is missing is bridged, and says so") {
       if (y > 150) continue;
       map.edges[i] = 0;
       map.gradientX[i] = map.gradientY[i] = 0;
-      map.look[i] = {60, 0, 0, 0};
+      map.look[i] = {};
+      map.look[i].set(0, 60);
     }
   }
   const RibSet set = trace({{75, 150}, {325, 150}}, map);
@@ -134,8 +135,8 @@ TEST_CASE("whatever the picture, ribs stay in the frame and those of one side ne
   for (int round = 0; round < 12; ++round) {
     image::EdgeMap map = barMap();
     for (std::size_t i = 0; i < map.look.size(); ++i) {
-      map.look[i][3] = static_cast<float>(std::pow(rng.uniform(), 8));
-      map.look[i][0] = static_cast<float>(rng.uniform(0, 100));
+      map.look[i].set(3, static_cast<float>(std::pow(rng.uniform(), 8)));
+      map.look[i].set(0, static_cast<float>(rng.uniform(0, 100)));
       map.gradientX[i] = static_cast<float>(rng.uniform(-20, 20));
       map.gradientY[i] = static_cast<float>(rng.uniform(-20, 20));
     }

@@ -24,8 +24,8 @@ image::EdgeMap randomMap(Rng& rng) {
   map.scaleY = 1.5;
   map.edges.assign(90 * 70, 0);
   for (int i = 0; i < 90 * 70; ++i) {
-    std::array<float, 4> look{};
-    for (float& value : look) value = static_cast<float>(rng.uniform(0, 1));
+    image::PixelLook look;
+    for (std::size_t c = 0; c < 4; ++c) look.set(c, static_cast<float>(rng.uniform(0, 1)));
     map.look.push_back(look);
   }
   return map;
