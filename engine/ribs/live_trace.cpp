@@ -8,10 +8,12 @@
 namespace spineloft::ribs {
 namespace {
 
-// A move's share of the labels, and how far out it looks: so many times as far as the farthest end, and
-// so many map pixels more. What is around an object is learned up to there.
-constexpr int kFewerLabels = 2, kFewestLabels = 16;
-constexpr double kFarOut = 3, kFarOutMargin = 16;
+// The shares of the labels with which a move finds its ribs, and with which the stroke is looked at anew.
+constexpr double kMoveLabels = 7. / 16, kLookLabels = 3. / 4;
+constexpr int kFewestLabels = 16;
+// How far out a move looks: so many times as far as the farthest end, and so many map pixels more. What is around
+// an object is learned up to there.
+constexpr double kFarOut = 2, kFarOutMargin = 16;
 // The stroke is looked at anew when it has grown by this share, or its line has moved by this share of
 // the width; it is another stroke when that is far more.
 constexpr double kGrown = 1.05, kGrownMuch = 1.6, kMoved = 0.04, kMovedMuch = 0.25;
@@ -19,6 +21,12 @@ constexpr double kGrown = 1.05, kGrownMuch = 1.6, kMoved = 0.04, kMovedMuch = 0.
 constexpr int kPlaces = 16;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+RibParams withShare(const RibParams& params, double share) {
+  RibParams fewer = params;
+  fewer.levels = std::max(std::min(params.levels, kFewestLabels), static_cast<int>(share * params.levels));
+  return fewer;
+}
 
 // Between which entries of an even table over `length` an arc length lies, and how far; held to the end.
 struct Place {
@@ -146,12 +154,10 @@ Status LiveTrace::follow(const Spine& spine, const PictureEvidence& picture, con
                          RibSet& set) {
   Search& s = now_.search();
   s.variant = {};
-  RibParams fewer = params;
-  fewer.levels = std::max(std::min(params.levels, kFewestLabels), params.levels / kFewerLabels);
   const double farthest = static_cast<double>(
       std::max(std::ranges::max(learned_.left), std::ranges::max(learned_.right)));
   const double margin = kFarOutMargin * std::max(picture.edges.scaleX, picture.edges.scaleY);
-  Status begun = beginSearch(spine, picture, fewer, kFarOut * farthest + margin, s);
+  Status begun = beginSearch(spine, picture, withShare(params, kMoveLabels), kFarOut * farthest + margin, s);
   if (!begun.ok()) return begun;
   sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
   findContours(s);
@@ -176,7 +182,7 @@ Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture,
   switch (++step_) {
     case kCurves:
       s.variant = {};
-      return beginSearch(spine, picture, params, std::numeric_limits<double>::infinity(), s);
+      return beginSearch(spine, picture, withShare(params, kLookLabels), std::numeric_limits<double>::infinity(), s);
     case kStrip:
       sampleStrip(s.curves, picture.edges, picture.ignored, s.strip);
       return Done{};
