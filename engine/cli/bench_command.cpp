@@ -382,6 +382,12 @@ Status ablate(const BenchArguments& arguments, const std::vector<fs::path>& fold
 Status runBench(const BenchArguments& arguments, std::ostream& out) {
   const std::vector<fs::path> folders = caseFolders(arguments.folder);
   if (folders.empty()) return {Error::FileUnreadable, "no case.json below " + arguments.folder};
+  // Before minutes of work, not after them.
+  for (const std::string& file : {arguments.json, arguments.ablation, arguments.leaveOneOut}) {
+    const fs::path parent = fs::path(file).parent_path();
+    std::error_code problem;
+    if (!parent.empty() && !fs::is_directory(parent, problem)) return {Error::FileUnwritable, file};
+  }
   if (!arguments.overlays.empty()) {
     std::error_code problem;
     fs::create_directories(arguments.overlays, problem);

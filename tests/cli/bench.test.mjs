@@ -57,6 +57,16 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
   }
 });
 
+test('where results cannot be written is said before anything is done', (t) => {
+  const folder = workFolder(t);
+  writeCase(folder, 'one');
+  for (const option of ['--json', '--ablation', '--leave-one-out']) {
+    const said = fails(3, 'bench', folder.folder, option, folder.path('no/such/file'), '--overlays', folder.path('seen'));
+    assert.match(said, /no\/such\/file/);
+    assert.ok(!existsSync(folder.path('seen')));
+  }
+});
+
 test('means are given for all cases that are hard in one way, and a case may be hard in several', (t) => {
   const folder = workFolder(t);
   writeCase(folder, 'clean', { difficulty: { missing_boundary_pct: 0 } });
