@@ -361,6 +361,12 @@ bool App::key(const platform::KeyEvent& event) {
   const CommandEnv now = env();
   const Command* command = commandForKey(event, &now);
   if (command == nullptr) return false;
+  // What is in hand is the last thing done, and all that is taken back.
+  if (inHand && std::string_view(command->id) == "undo") {
+    cancelGesture();
+    touch(2);
+    return true;
+  }
   if (!enabled(*command, env())) return (event.modifiers & ~platform::kShift) != 0;
   // Keys that mean something only now also say which one they are.
   sink_.run(command->id, command->when == nullptr

@@ -75,8 +75,9 @@ Outcome missingRegion() {
   return missing("a line: a list of [x, y] picture pixels round the thing (or contours, or lines)");
 }
 
-/// Says so when a part of what was drawn is cut off.
-void tellCut(Env env, const document::Region& region) {
+/// Says so when a part of what was drawn is cut off, or when a line went round more than it seems: `made` is what is
+/// left of it.
+void tellChanges(Env env, const document::Region& region, const geometry::Contours& made) {
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
   if (entry == nullptr) return;
   const double room = 1;  // pixels: less is a hand at the edge
@@ -90,21 +91,24 @@ void tellCut(Env env, const document::Region& region) {
       return;
     }
   }
+  // Open lines may cross; they are one ribbon there.
+  if (region.ribbon > 0 || made.size() <= region.contours.size()) return;
+  sendStatus(env.host,
+             "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
 }
 
-/// Whether a solid can be made of it at all; so that what cannot be shown is refused before it is kept.
-Status makesSolid(Env env, const document::Region& region) {
+/// The outlines of which a solid will be made; so that what cannot be shown is refused before it is kept.
+Result<geometry::Contours> outlinesOf(Env env, const document::Region& region) {
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
   if (entry == nullptr) return Error::NoSuchPicture;
-  if (Status drawn = document::checkRegion(env.studio.document(), region); !drawn) return drawn;
-  const auto clean = geometry::cleanRegion(
-      region.contours, region.ribbon,
-      {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
-  return clean ? Status(Done{}) : Status(clean.failure());
+  if (Status drawn = document::checkRegion(env.studio.document(), region); !drawn) return drawn.failure();
+  return geometry::cleanRegion(region.contours, region.ribbon,
+                               {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
 }
 
 Outcome addRegion(Env env, document::Region region, document::RegionSolid solid) {
-  if (const Status sound = makesSolid(env, region); !sound) return refuse(sound.failure());
+  const Result<geometry::Contours> made = outlinesOf(env, region);
+  if (!made) return refuse(made.failure());
   const document::DrawRegion draw{std::move(region), solid, env.ui.look};
   const document::Recipe recipe = std::visit(
       [&]<class Params>(const Params& params) -> document::Recipe {
@@ -117,7 +121,7 @@ Outcome addRegion(Env env, document::Region region, document::RegionSolid solid)
       solid);
   const Status status = env.studio.act(standingActions(env, draw, recipe));
   if (!status) return refuse(status.failure());
-  tellCut(env, draw.region);
+  tellChanges(env, draw.region, made.value());
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
@@ -158,8 +162,9 @@ Outcome drawSheet(Env env, const Json& args) {
 }
 
 Outcome redraw(Env env, PartId part, document::Region region) {
-  if (const Status sound = makesSolid(env, region); !sound) return refuse(sound.failure());
-  tellCut(env, region);
+  const Result<geometry::Contours> made = outlinesOf(env, region);
+  if (!made) return refuse(made.failure());
+  tellChanges(env, region, made.value());
   const Status status = env.studio.act(document::RedrawRegion{part, std::move(region)});
   if (!status) return refuse(status.failure());
   env.ui.selection = part;

@@ -64,12 +64,17 @@ TEST_CASE("ribs and solid grow while the pen moves") {
   CHECK(rig.state().number("undo") == 2);
 }
 
-TEST_CASE("Escape, the right button, a second finger and the system take the stroke back") {
+TEST_CASE("Escape, undo, the right button, a second finger and the system take the stroke back, and no step") {
   using Way = void (*)(Rig&);
   const Way ways[] = {
       [](Rig& rig) {
         rig.press(100, 40, 100, 120);
         CHECK(rig.key("Escape", "Escape"));
+        rig.lift();
+      },
+      [](Rig& rig) {
+        rig.press(100, 40, 100, 120);
+        CHECK(rig.key("KeyZ", "z", platform::kControl));
         rig.lift();
       },
       [](Rig& rig) {

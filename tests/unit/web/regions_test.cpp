@@ -170,3 +170,16 @@ TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
         true);
   CHECK(rig.host.said("cut off"));
 }
+
+TEST_CASE("a line that crosses itself is told to make more than one piece, and one that goes round once is not") {
+  const auto said = [](std::string_view args) {
+    Rig rig;
+    rig.openBar();
+    REQUIRE(rig.run("draw-sheet", args).flag("ok") == true);
+    return rig.host.said("crosses itself");
+  };
+  CHECK(said(R"({"contours":[[[40,40],[120,120],[120,40],[40,120]]]})"));
+  CHECK_FALSE(said(R"({"contours":[[[40,40],[120,40],[120,120],[40,120]]]})"));
+  CHECK_FALSE(said(R"({"contours":[[[40,40],[120,40],[120,120],[40,120]],[[60,60],[80,60],[80,80],[60,80]]]})"));
+  CHECK_FALSE(said(R"({"lines":[[[40,40],[120,120]],[[120,40],[40,120]]],"width":8})"));
+}
