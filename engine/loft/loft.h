@@ -75,7 +75,8 @@ Status checkParams(const LoftParams& params);
 /// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in
 /// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen
 /// from the front the outline passes through every rib end, but for those beyond a flat or open end. UV = picture coordinates
-/// ((x + ½) / width, (y + ½) / height), clamped. The colours there are for surface/part_texture.h, which
+/// ((x + ½) / width, (y + ½) / height), clamped; of the back those of a place up to a tenth of the half width further in,
+/// beside the outline. The colours there are for surface/part_texture.h, which
 /// keeps those of the background off the rim.
 ///
 /// Depth: a section reaches as far to the viewer as half the part's true width, measured square to

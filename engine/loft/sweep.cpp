@@ -74,6 +74,9 @@ void fillPath(Sweep& sweep, RingPath& path) {
   }
 }
 
+/// How fast the back's colours come from further in, a share of the half width for section y = 1, beside the outline.
+constexpr double kFurtherIn = 0.6;
+
 /// Puts vertices and triangles into a mesh.
 class Builder {
  public:
@@ -173,8 +176,15 @@ class Builder {
   void place(const Station& station, SectionPoint p, std::uint32_t at) {
     ModelPoint off = station.across * p.x + station.depth * p.y;
     if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
-    const double x = std::clamp(p.x, -1.0, 1.0);
-    vertex(station.centre + off, station.middle + station.half * x, at);
+    vertex(station.centre + off, station.middle + station.half * paintedAt(p), at);
+  }
+
+  /// Which point of its rib colours a point of a section, −1 … 1. The front wears the picture as it is seen. The back
+  /// does in its middle; nearer to the outline it takes what is further in, for else the sides would be drawn out of the
+  /// outline's own pixels, row by row.
+  static double paintedAt(SectionPoint p) {
+    const double x = std::clamp(p.x, -1.0, 1.0), back = std::clamp(-p.y, 0.0, 1.0);
+    return x * (1 - kFurtherIn * back * (1 - back) * (1 - back));
   }
 
   /// From a point at `off` to where it may stand: 1 is the centre of the bend.
