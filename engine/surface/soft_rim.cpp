@@ -492,10 +492,6 @@ class SoftRim {
 
 double softReach(double margin, double clearance) { return std::clamp(0.5 * clearance, 4 * margin, 5 * margin); }
 
-bool unmixRim(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach) {
-  return RimUnmixing(shown, region, inner, margin, reach).change();
-}
-
 struct RimUnmixing::State {
   image::Image& shown;
   image::Mask& inner;

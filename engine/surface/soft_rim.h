@@ -19,20 +19,17 @@ double softReach(double margin, double clearance);
 /// a is its place on the line between the means, seen in the direction that tells the two best apart (Fisher's
 /// discriminant), with what stretches of the rim have at the same depth in the mean, so that a grain or a stripe is
 /// not taken for ground. A stretch is soft where a sinks from the ground to nothing across the outline over
-/// more than `margin` px within; only there and only as deep, pixels with a larger than a little get the most
+/// three margins and more; only there and only as deep, pixels with a larger than a little get the most
 /// likely F of the part's colours (Chuang and others, A Bayesian approach to digital matting, 2001, eq. 9), and
 /// are trusted in `inner` from then on unless they are mostly ground. All others stay as they are, to the bit.
-/// Returns whether anything was changed. Linear.
-bool unmixRim(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach);
-
-/// The same in two steps: what is learnt, then what is changed. All must outlive it.
+/// In two steps, linear: what is learnt, then what is changed. All must outlive it.
 class RimUnmixing {
  public:
   RimUnmixing(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach);
   ~RimUnmixing();
   RimUnmixing(const RimUnmixing&) = delete;
   RimUnmixing& operator=(const RimUnmixing&) = delete;
-  /// What unmixRim does. Once.
+  /// Once. Whether anything was changed.
   bool change();
 
  private:

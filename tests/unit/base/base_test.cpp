@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/hash.h"
+#include "engine/base/lanes.h"
 #include "engine/base/progress.h"
 #include "engine/base/result.h"
 #include "engine/base/rng.h"
@@ -79,4 +80,14 @@ TEST_CASE("the generator repeats its numbers and fills its range") {
   CHECK(low < 0.01);
   CHECK(high < 1);
   CHECK(high > 0.99);
+}
+
+TEST_CASE("the quick arctangent is the exact one within a relative 2e-7, from next to nothing to next to a right angle") {
+  for (double q = 1e-6; q < 1e6; q *= 1.01) {
+    CAPTURE(q);
+    CHECK(std::abs(quickArctan(q) / std::atan(q) - 1) < 2e-7);
+    if (q > 1) continue;
+    const auto z = static_cast<float>(q);
+    CHECK(std::abs(static_cast<double>(z * arctanOverArgument(all4(z * z))[0]) / std::atan(q) - 1) < 5e-7);
+  }
 }

@@ -10,6 +10,7 @@
 
 #include "engine/base/limits.h"
 #include "engine/base/rng.h"
+#include "engine/image/edge_map.h"
 #include "engine/image/lab.h"
 
 using namespace spineloft;
@@ -221,4 +222,24 @@ TEST_CASE("a row of pixels has the Lab of each of its colours, half transparent 
     const auto wanted = labOf(onPaper(0), onPaper(1), onPaper(2));
     CHECK(std::array{l[i], a[i], b[i]} == wanted);
   }
+}
+
+TEST_CASE("a look gives back what was put in up to half a step, and holds what is beyond it") {
+  PixelLook look;
+  for (const float value : {-108.f, -0.001f, 0.f, 0.3f, 53.2f, 100.f}) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      look.set(c, value);
+      CHECK(std::abs(look[c] - value) <= 0.5f / PixelLook::kLab);
+    }
+  }
+  for (const float near : {0.f, 1.f / 3, 0.9999f, 1.f}) {
+    look.set(3, near);
+    CHECK(std::abs(look[3] - near) <= 0.5f / PixelLook::kNear);
+  }
+  look.set(0, 1e6f);
+  look.set(1, -1e6f);
+  look.set(3, 2);
+  CHECK(look[0] == 127);
+  CHECK(look[1] == -127);
+  CHECK(look[3] == 1);
 }

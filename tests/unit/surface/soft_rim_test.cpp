@@ -46,7 +46,7 @@ TEST_CASE("out of a soft rim the ground is taken, and its rings stay") {
   image::Image shown = before;
   const image::Mask region = kCanvas.mask(isThing);
   image::Mask inner = trusted(region, kMargin);
-  REQUIRE(unmixRim(shown, region, inner, kMargin, kReach));
+  REQUIRE(RimUnmixing(shown, region, inner, kMargin, kReach).change());
   int greenBefore = 0, greenAfter = 0, believed = 0;
   double off = 0;
   for (int x = 32; x < 128; ++x) {
@@ -77,7 +77,7 @@ TEST_CASE("a crisp rim stays as it is, to the bit, also where the thing is shade
     const image::Mask region = kCanvas.mask(isThing);
     image::Mask inner = trusted(region, kMargin);
     const image::Mask innerBefore = inner;
-    CHECK_FALSE(unmixRim(shown, region, inner, kMargin, kReach));
+    CHECK_FALSE(RimUnmixing(shown, region, inner, kMargin, kReach).change());
     CHECK(shown == before);
     CHECK(inner == innerBefore);
   }
@@ -88,7 +88,7 @@ TEST_CASE("where one side of a thing is soft the other keeps its pixels") {
   image::Image shown = before;
   const image::Mask region = kCanvas.mask(isThing);
   image::Mask inner = trusted(region, kMargin);
-  REQUIRE(unmixRim(shown, region, inner, kMargin, kReach));
+  REQUIRE(RimUnmixing(shown, region, inner, kMargin, kReach).change());
   const auto middle = std::ptrdiff_t(4 * kCanvas.at(0, 50));
   CHECK_FALSE(std::equal(shown.pixels.begin(), shown.pixels.begin() + middle, before.pixels.begin()));
   CHECK(std::equal(shown.pixels.begin() + middle, shown.pixels.end(), before.pixels.begin() + middle));
@@ -99,10 +99,10 @@ TEST_CASE("where the ground looks like the thing, or there is none, nothing is u
   const image::Image before = shown;
   const image::Mask region = kCanvas.mask(isThing), all = kCanvas.mask([](int, int) { return true; });
   image::Mask inner = trusted(region, kMargin);
-  CHECK_FALSE(unmixRim(shown, region, inner, kMargin, kReach));
+  CHECK_FALSE(RimUnmixing(shown, region, inner, kMargin, kReach).change());
   inner = all;
-  CHECK_FALSE(unmixRim(shown, all, inner, kMargin, kReach));
+  CHECK_FALSE(RimUnmixing(shown, all, inner, kMargin, kReach).change());
   image::Mask none = kCanvas.mask([](int, int) { return false; });
-  CHECK_FALSE(unmixRim(shown, none, none, kMargin, kReach));
+  CHECK_FALSE(RimUnmixing(shown, none, none, kMargin, kReach).change());
   CHECK(shown == before);
 }
