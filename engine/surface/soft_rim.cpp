@@ -256,6 +256,27 @@ struct Stretch {
     while (end + 1 < reach && at(end) > kShows && (end == middle || at(end) <= at(end - 1) + kRise)) ++end;
     return at(end) <= kLittle ? static_cast<float>(std::min(end, 2 * middle + out)) : 0;
   }
+  /// How deep a crisp rim is mixed, px: to where the share goes on as further in, for a thing may be shaded towards its
+  /// rim; and not deeper within the middle of the change than without, for what mixes reaches as far to both sides.
+  float crispDepth(int reach) const {
+    constexpr float kMostly = 0.85f, kHalf = 0.5f, kMore = 0.03f;
+    int out = 1;
+    while (out < reach && !(at(-out) >= kMostly)) ++out;
+    int middle = 1 - out;
+    while (middle < reach / 2 && !(at(middle) < kHalf)) ++middle;
+    if (out == reach || middle == reach / 2) return 0;
+    const int most = std::min(2 * middle + out, reach - 1);
+    int end = std::max(middle, 0);
+    while (end < most && at(end) - ownAt(end, reach) > kMore) ++end;
+    return static_cast<float>(end);
+  }
+  /// The share at a depth if it goes on to there as it does a little further in.
+  float ownAt(int depth, int reach) const {
+    constexpr int kPast = 2, kOver = 3;
+    const int first = std::min(depth + kPast, reach - 2), last = std::min(first + kOver, reach - 1);
+    const float slope = (at(first) - at(last)) / static_cast<float>(last - first);
+    return at(first) + std::max(0.0f, slope) * static_cast<float>(first - depth);
+  }
 };
 
 struct RimPixel {
@@ -281,10 +302,15 @@ class SoftRim {
     shares_.assign(depths_.size(), std::numeric_limits<float>::quiet_NaN());
     forRimTiles([&](std::size_t tile) { survey(shown, tile); });
     addSlopes();
-    if (!gather()) return false;
+    gather();
     bool any = false;
     for (const RimPixel& p : rim_) {
-      if (p.depth >= 0 && static_cast<float>(p.depth) < usual_[p.tile]) any = purify(p, shown, inner) || any;
+      if (p.depth < 0) continue;
+      if (static_cast<float>(p.depth) < soft_[p.tile]) {
+        any = purify(p, shown, inner) || any;
+      } else if (static_cast<float>(p.depth) < crisp_[p.tile] && inner.pixels[p.at] != 0) {
+        inner.pixels[p.at] = 0, any = true;
+      }
     }
     return any;
   }
@@ -402,14 +428,17 @@ class SoftRim {
     }
   }
 
-  /// What is known around each tile of the rim, and how deep its ground is mixed in there. False: nowhere.
-  bool gather() {
-    // The least width of a soft rim in margins, and the most in reaches: beyond that it is no rim.
-    constexpr float kSoft = 3, kNoRim = 1.5f;
+  /// What is known around each tile of the rim, and how deep its ground is mixed in there.
+  void gather() {
+    // The least width of a soft rim in margins, and the most in reaches: beyond that it is no rim. How deep a crisp one is
+    // at most, in margins, and of how deep the part is there.
+    constexpr float kSoft = 3, kNoRim = 1.5f, kCrisp = 2, kOfPart = 0.5f;
     around_.resize(stretches_.size());
-    std::vector<float> found(tiles_.count(), kUnknown);
+    deepest_.assign(tiles_.count(), 0);
+    std::vector<float> found(tiles_.count(), kUnknown), crisp = found;
     for (const RimPixel& p : rim_) {
-      if (p.depth == 0) found[p.tile] = 0;
+      deepest_[p.tile] = std::max(deepest_[p.tile], static_cast<float>(p.depth));
+      if (p.depth == 0) found[p.tile] = crisp[p.tile] = 0;
     }
     forRimTiles([&](std::size_t tile) {
       Stretch& around = around_[slots_[tile]];
@@ -419,14 +448,20 @@ class SoftRim {
       const float width = around.width();
       const bool soft = width >= kSoft * margin_ && width <= kNoRim * static_cast<float>(reach_);
       if (soft && found[tile] == 0) found[tile] = around.depth(reach_);
+      if (crisp[tile] == 0) crisp[tile] = std::min({around.crispDepth(reach_), kOfPart * deepestNear(tile), kCrisp * margin_});
     });
-    return takeUsual(found);
+    soft_ = usualNear(found, margin_);
+    crisp_ = usualNear(crisp, 0);
   }
-  /// The median of the tiles on the outline near by; 0 where that is a crisp rim's.
-  bool takeUsual(const std::vector<float>& found) {
-    usual_.assign(tiles_.count(), 0);
-    std::vector<float> some;
-    bool any = false;
+  /// How deep the part is near a tile, px, at most the reach.
+  float deepestNear(std::size_t tile) const {
+    float most = 0;
+    tiles_.forNear(tile, 1, [&](std::size_t other) { most = std::max(most, deepest_[other]); });
+    return most;
+  }
+  /// The median of the tiles on the outline near by; 0 where that is not more than `least`.
+  std::vector<float> usualNear(const std::vector<float>& found, float least) const {
+    std::vector<float> out(tiles_.count()), some;
     forRimTiles([&](std::size_t tile) {
       some.clear();
       tiles_.forNear(tile, kNear, [&](std::size_t other) {
@@ -435,9 +470,9 @@ class SoftRim {
       if (some.empty()) return;
       const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
       std::ranges::nth_element(some, middle);
-      if (*middle > margin_) usual_[tile] = *middle, any = true;
+      if (*middle > least) out[tile] = *middle;
     });
-    return any;
+    return out;
   }
 
   /// Whether anything was changed.
@@ -485,7 +520,8 @@ class SoftRim {
   std::vector<bool> rimTiles_, near_;
   Side in_, out_;
   std::vector<Telling> tellings_;
-  std::vector<float> shares_, usual_;        ///< of pixels; of tiles
+  std::vector<float> shares_;                ///< of pixels
+  std::vector<float> deepest_, soft_, crisp_; ///< of tiles: how deep the part is, and its soft and its crisp rim
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Rims through which the ground shows: fur, hair, what is out of focus. Its share is found out and taken out.
+// Rims into which the ground is mixed: soft ones, as of fur, hair and what is out of focus, out of which it is taken, and
+// crisp ones, as deep as a lens, a file or an outline a little off mixes it in.
 #pragma once
 
 #include <memory>
@@ -22,6 +23,9 @@ double softReach(double margin, double clearance);
 /// three margins and more; only there and only as deep, pixels with a larger than a little get the most
 /// likely F of the part's colours (Chuang and others, A Bayesian approach to digital matting, 2001, eq. 9), and
 /// are trusted in `inner` from then on unless they are mostly ground. All others stay as they are, to the bit.
+/// Where a stretch is not soft, `inner` loses the pixels that are less deep than its mixture is, two margins at most:
+/// to where a sinks on as further in (the part's own shade does), and not deeper within the middle of the change than it
+/// reaches without, for what mixes two colours spoils one as far as the other.
 /// In two steps, linear: what is learnt, then what is changed. All must outlive it.
 class RimUnmixing {
  public:

@@ -22,13 +22,13 @@ double halfAt(int x) { return 30 + 14 * std::cos(x / 45.0); }
 bool isThing(int x, int y) { return x >= 30 && x <= 290 && std::abs(y - middleAt(x)) <= halfAt(x); }
 
 /// A tapering, curved thing with soft stripes on a ground of one loud colour; its outline is mixed
-/// with the ground as a camera mixes it.
-image::Picture stripedPicture(std::array<double, 3> ground) {
+/// with the ground as a camera mixes it, over so many pixels.
+image::Picture stripedPicture(std::array<double, 3> ground, double mixed = 1) {
   image::Image out{kWidth, kHeight, {}};
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const double inside = std::clamp(halfAt(x) - std::abs(y - middleAt(x)) + 0.5, 0.0, 1.0) *
-                            std::clamp(std::min(x - 30.0, 290.0 - x) + 0.5, 0.0, 1.0);
+      const double inside = std::clamp((halfAt(x) - std::abs(y - middleAt(x))) / mixed + 0.5, 0.0, 1.0) *
+                            std::clamp(std::min(x - 30.0, 290.0 - x) / mixed + 0.5, 0.0, 1.0);
       const double stripe = 0.5 + 0.5 * std::sin(x / 9.0 + y / 17.0);
       const std::array<double, 3> thing = {40 + 60 * stripe, 120 + 80 * stripe, 40 + 20 * stripe};
       for (std::size_t c = 0; c < 3; ++c) {
@@ -135,6 +135,72 @@ TEST_CASE("a loud ground leaves no trace on the part, on its rim neither") {
     }
   }
   CHECK(soiled == 0);
+}
+
+namespace {
+
+/// The thing's outline, so many pixels outside it.
+Region outlineOf(double off) {
+  std::vector<PicturePoint> line;
+  for (int x = 30; x <= 290; x += 2) line.push_back({double(x), middleAt(x) - halfAt(x) - off});
+  for (int x = 290; x >= 30; x -= 2) line.push_back({double(x), middleAt(x) + halfAt(x) + off});
+  return {PictureId{1}, {line}, 0};
+}
+
+/// Of what of a part is turned away by more than 60 degrees from the front and the back, the share that is not green;
+/// its ends, where a stroke may reach over the thing's, apart.
+double shareSoiled(const pipeline::PartShape& shape) {
+  const auto colour = wearing(*shape.texture);
+  const mesh::TriMesh& mesh = shape.mesh;
+  double whole = 0, soiled = 0;
+  for (const auto& t : mesh.triangles) {
+    const auto side = [&](std::size_t k) {
+      const auto &a = mesh.positions[t[0]], &b = mesh.positions[t[k]];
+      return Vec3<ModelSpace>{double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2]};
+    };
+    const auto across = cross(side(1), side(2));
+    if (std::abs(across.z) > 0.5 * norm(across)) continue;
+    for (const double w : {0.2, 0.5, 0.8}) {
+      const auto mixed = [&](std::size_t k) {
+        return mesh.uv[t[0]][k] * w + mesh.uv[t[1]][k] * (1 - w) / 2 + mesh.uv[t[2]][k] * (1 - w) / 2;
+      };
+      if (mixed(0) * kWidth < 45 || mixed(0) * kWidth > 275) continue;
+      const auto [r, g, b] = colour(mixed(0), mixed(1));
+      whole += norm(across);
+      // Where no ground is mixed in, red is at most half the green.
+      soiled += r > 0.65 * g ? norm(across) : 0;
+    }
+  }
+  REQUIRE(whole > 0);
+  return soiled / whole;
+}
+
+}  // namespace
+
+TEST_CASE("the sides of a loft, a puff and a flat piece keep clean of a ground that is mixed in deeper than a rim, or outlined with them") {
+  const auto picture = std::make_shared<const image::Picture>(stripedPicture({255, 0, 255}, 4));
+  const Document document = update({}, AddPicture{"mixed", picture}).value();
+  struct Made {
+    std::string what;
+    double off;
+    Document with;
+  };
+  std::vector<Made> made = {{"loft", 0, update(document, DrawSpine{PictureId{1}, middleStroke()}).value()}};
+  for (const double off : {0.0, 1.0, 2.0}) {
+    made.push_back({"puff", off, update(document, DrawRegion{outlineOf(off), inflate::PuffParams{}}).value()});
+    made.push_back({"flat piece", off, update(document, DrawRegion{outlineOf(off), sheet::SheetParams{}}).value()});
+  }
+  for (const auto& [what, off, with] : made) {
+    CAPTURE(what);
+    CAPTURE(off);
+    const auto shape = shapeOf(with);
+    REQUIRE(shape);
+    REQUIRE(shape->texture);
+    requireLawful(shape->mesh);
+    const double share = shareSoiled(*shape);
+    MESSAGE(what << ", outlined " << off << " px outside: " << 100 * share << " % of the sides");
+    CHECK(share < 0.02);
+  }
 }
 
 TEST_CASE("what stands before a part does not colour it where its ends were bridged") {

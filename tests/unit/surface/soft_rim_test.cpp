@@ -83,6 +83,34 @@ TEST_CASE("a crisp rim stays as it is, to the bit, also where the thing is shade
   }
 }
 
+TEST_CASE("of a crisp rim hardly a pixel is trusted into which the ground is mixed, also where the outline is a little off, and all further in are") {
+  constexpr int kOff = 2, kDeepest = 2 * int(kMargin) + 1;
+  for (const bool rings : {true, false}) {
+    const std::function<Rgb(int, int)> plain = [](int, int) { return kLight; };
+    const image::Image before = thing(4, 4, rings ? std::function<Rgb(int, int)>(ringed) : plain);
+    image::Image shown = before;
+    const image::Mask region = kCanvas.mask([](int x, int y) { return x >= 20 && x < 140 && y >= 25 - kOff && y < 75 + kOff; });
+    image::Mask inner = trusted(region, kMargin);
+    const image::Mask innerBefore = inner;
+    REQUIRE(RimUnmixing(shown, region, inner, kMargin, kReach).change());
+    CHECK(shown == before);
+    int greenBefore = 0, greenAfter = 0, lost = 0;
+    for (int x = 32; x < 128; ++x) {
+      for (int y = 0; y < kCanvas.height; ++y) {
+        const std::size_t i = kCanvas.at(x, y);
+        if (x % 12 < 2 || x % 12 > 9) continue;  // between two rings
+        greenBefore += innerBefore.pixels[i] != 0 && green(before, i) > 16 ? 1 : 0;
+        greenAfter += inner.pixels[i] != 0 && green(before, i) > 16 ? 1 : 0;
+        const int depth = std::min(y - 25 + kOff, 74 + kOff - y);
+        lost += depth >= kDeepest && inner.pixels[i] == 0 ? 1 : 0;
+      }
+    }
+    CHECK(greenBefore > 100);
+    CHECK(greenAfter < greenBefore / 20);
+    CHECK(lost == 0);
+  }
+}
+
 TEST_CASE("where one side of a thing is soft the other keeps its pixels") {
   const image::Image before = thing(12, 1.5, ringed);
   image::Image shown = before;
