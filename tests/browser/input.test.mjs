@@ -42,6 +42,25 @@ test('a phone: the page fits its width and every command is within reach', () =>
   assert.ok(labels.some((label) => label.startsWith('Slice')), labels.join());
 }));
 
+test('the smallest phone: one column of tools beside the picture, and a tap on the dots brings the others by their names', () => withTube({ ...phone, viewport: { width: 320, height: 568 } }, async (page) => {
+  await drawWithTouch(page, tube.middle);
+  assert.equal((await state(page)).parts.length, 1);
+  const [first, last] = await toClient(page, [[0, 0], [tube.width - 1, tube.height - 1]]);
+  const canvas = await page.locator('#canvas').boundingBox();
+  const column = canvas.x + canvas.width - 10 - 52;  // of finger-sized buttons
+  assert.ok(first.x >= canvas.x && last.x <= column, 'the picture is clear of them');
+  assert.ok(last.y - first.y > 110 || last.x - first.x > 200, 'and large enough to draw on');
+  const views = canvas.height - Math.floor(0.3 * canvas.height);
+  const foot = canvas.y + Math.round((views - 8) / 2);
+  const closed = await pixels(page);
+  await page.touchscreen.tap(column + 26, foot - 10 - 26);
+  await idle(page);
+  assert.ok(difference(closed, await pixels(page)) > 0.05, 'the menu opens');
+  await page.touchscreen.tap(column - 60, canvas.y + 10 + 4 * 46 + 22);
+  await idle(page);
+  assert.equal((await state(page)).tool, 'hand');
+}));
+
 test('a pen draws, the solid grows with it, and its palm does not disturb', () => withTube(touchScreen, async (page) => {
   const before = await pixels(page);
   await drawWithPen(page, tube.middle, async () => {

@@ -70,7 +70,7 @@ void App::layout() {
   if (!ui_.slices.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
-    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barRoom);
+    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead);
   }
 }
 
@@ -345,6 +345,11 @@ bool App::key(const platform::KeyEvent& event) {
     return true;
   }
   if (!event.down) return false;
+  if (event.key == "Escape" && ui_.barMenu != BarMenu::None) {
+    ui_.barMenu = BarMenu::None;
+    touch(2);
+    return true;
+  }
   const bool inHand = gestures_.active() || ui_.slices.carried;
   if (event.key == "Escape" && inHand) {
     cancelGesture();

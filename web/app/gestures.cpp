@@ -117,6 +117,7 @@ void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
   contacts_.push_back({event.id, event.device, place, hover_});
   if (event.device == Device::Pen) env.ui.penSeen = true;
   if (place == Place::Panels) return;
+  env.ui.barMenu = BarMenu::None;
   if (event.device == Device::Touch && contacts_.size() >= 2) {
     startPinch(env);
     return;

@@ -247,12 +247,24 @@ void toolChoices(Env env, JsonWriter& json) {
   }
 }
 
+constexpr std::array kFolds = {1, 3, 4, 5, 6, 7, 8};
+
+/// Each press of the wheel takes the next number.
+int foldAfter(int fold) {
+  const auto now = std::ranges::find(kFolds, fold);
+  const bool last = now == kFolds.end() || now + 1 == kFolds.end();
+  return last ? kFolds.front() : *(now + 1);
+}
+bool likeAWheel(Env env) { return isOpen(env) && boardOf(env)->symmetry.fold > 1; }
+
 Outcome setSymmetry(Env env, const Json& args) {
   SliceBoard& board = *boardOf(env);
   loft::Symmetry next = board.symmetry;
   next.leftRight = args.flag("leftRight").value_or(next.leftRight);
   next.frontBack = args.flag("frontBack").value_or(next.frontBack);
-  const double fold = args.number("fold").value_or(next.fold);
+  const auto stated = args.number("fold");
+  const bool sides = args.flag("leftRight") || args.flag("frontBack");
+  const double fold = stated ? *stated : sides ? next.fold : foldAfter(next.fold);
   if (!(fold >= 1 && fold <= loft::kMostFold)) return refuse({Error::ValueOutOfRange, "fold"});
   next.fold = static_cast<int>(fold);
   board.symmetry = next;
@@ -267,7 +279,7 @@ Outcome toggleFrontBack(Env env, const Json&) {
   return setSymmetry(env, Json::Object{{"frontBack", !frontBack(env)}});
 }
 void foldChoices(Env env, JsonWriter& json) {
-  for (const int fold : {1, 3, 4, 5, 6, 7, 8}) {
+  for (const int fold : kFolds) {
     json.beginObject().key("value").number(fold).key("label");
     json.text(fold == 1 ? std::string("No wheel") : "Wheel of " + std::to_string(fold));
     json.key("toggled").flag(isOpen(env) && boardOf(env)->symmetry.fold == fold).endObject();
@@ -403,7 +415,7 @@ constexpr std::array kTable = {
             {"fold", foldChoices},
             "The drawing repeats itself round the middle",
             isOpen,
-            nullptr,
+            likeAWheel,
             setSymmetry},
     Command{"slice-flip",
             "Flip left and right",

@@ -41,6 +41,8 @@ enum class ToolKind : std::uint8_t {
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move".
 std::string_view toolKey(ToolKind tool);
 enum class Focus : std::uint8_t { Picture, Solid };
+/// The bar whose menu is open: see panels/bar_menu.h.
+enum class BarMenu : std::uint8_t { None, Picture, Solid, Edit, Board };
 enum class PanelTab : std::uint8_t { Parts, Slice, Along, Ends, Look, Size, Place };
 
 /// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
@@ -197,7 +199,8 @@ struct UiState {
   PictureView pictureView;
   std::vector<SeenPicture> seen;  ///< how the other pictures were last looked at
   bool legendOpen = false;        ///< on a phone, where it is folded at first
-  BarRoom barRoom;                ///< what bars take of the picture view on a phone
+  BarMenu barMenu = BarMenu::None;
+  double barHead = 0;             ///< CSS pixels that a bar takes at the head of the picture view on a phone
   Camera camera;
   std::optional<CameraFlight> flight;
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more

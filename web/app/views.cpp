@@ -6,7 +6,7 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kButtonRoom = 58;  // CSS pixels at the side or foot of the view that buttons take
+constexpr double kButtonRoom = 64;  // CSS pixels at the side or foot of the view that buttons take
 constexpr double kTopRoom = 54;     // CSS pixels at the head of a tall view that buttons take
 constexpr double kTallView = 440;   // CSS pixels
 constexpr double kLowView = 290;    // CSS pixels
@@ -32,14 +32,14 @@ bool buttonsAtSide(const Rect& view) {
   return view.height < kLowView && view.width > 1.1 * view.height;
 }
 
-PictureView fitPicture(image::Size picture, const Rect& view, const BarRoom& bars) {
+PictureView fitPicture(image::Size picture, const Rect& view, double head) {
   PictureView out;
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
   const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
   Rect inner = view.inset(margin);
   // The options of the tools stand at the head of a tall view.
-  double head = std::max(view.height >= kTallView ? kTopRoom - margin : 0.0, bars.head);
-  double foot = bars.foot;
+  head = std::max(view.height >= kTallView ? kTopRoom - margin : 0.0, head);
+  double foot = 0;
   if (buttonsAtSide(view)) {
     inner.width = std::max(0.0, inner.width - (kButtonRoom - margin));
   } else if (inner.height > 2 * kButtonRoom) {
@@ -150,6 +150,16 @@ std::optional<ClientPoint> pointOnCanvas(const Camera& camera, const Rect& view,
   if (away < 1e-6) return std::nullopt;
   const double scale = std::max(1.0, view.height) / (2 * kHalfHeight * away);
   return view.centre() + ClientPoint{dot(from, camera.right()), -dot(from, camera.up())} * scale;
+}
+
+bool isInSight(const Camera& camera, const Rect& view, const publish::WorldBounds& bounds) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const WorldPoint p{(corner & 1) != 0 ? bounds.high.x : bounds.low.x, (corner & 2) != 0 ? bounds.high.y : bounds.low.y,
+                       (corner & 4) != 0 ? bounds.high.z : bounds.low.z};
+    const std::optional<ClientPoint> at = pointOnCanvas(camera, view, p);
+    if (!at || !view.contains(*at)) return false;
+  }
+  return true;
 }
 
 WorldPoint rayThrough(const Camera& camera, const Rect& view, ClientPoint at) {

@@ -32,16 +32,9 @@ struct PictureView {
 /// row at its foot.
 bool buttonsAtSide(const Rect& view);
 
-/// CSS pixels of a picture view that bars take: at its head, and at its foot by more rows than the
-/// one of buttons that is always reckoned with.
-struct BarRoom {
-  double head = 0, foot = 0;
-  bool operator==(const BarRoom&) const = default;
-};
-
-/// The whole picture in the middle of the view with a small margin, clear of the buttons and bars
-/// (but never smaller than a third of the view for their sake).
-PictureView fitPicture(image::Size picture, const Rect& view, const BarRoom& bars = {});
+/// The whole picture in the middle of the view with a small margin, clear of the buttons and of a bar that
+/// takes `head` CSS pixels at the head (but never smaller than a third of the view for their sake).
+PictureView fitPicture(image::Size picture, const Rect& view, double head = 0);
 /// Where the picture's outer edge lies.
 Rect pictureRect(const PictureView& view, image::Size picture, const Rect& at);
 /// Scales by `factor` (clamped to sensible zooms) so that what lies under `anchor` stays there.
@@ -83,6 +76,8 @@ gl::Mat4 viewOf(const Camera& camera);
 gl::Mat4 projectionOf(const Camera& camera, const Rect& view);
 /// Where a point of the world is on the canvas; none behind the eye.
 std::optional<ClientPoint> pointOnCanvas(const Camera& camera, const Rect& view, WorldPoint p);
+/// Whether all of the box is within the view.
+bool isInSight(const Camera& camera, const Rect& view, const publish::WorldBounds& bounds);
 /// Unit direction from the eye through a point of the canvas.
 WorldPoint rayThrough(const Camera& camera, const Rect& view, ClientPoint at);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "web/app/preview.h"
+#include "web/panels/bar_menu.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kMargin = 8, kGap = 2, kPadding = 4;
 constexpr double kChipRoom = 84;  // of the view's name at its left
+constexpr double kColumnRoom = 58;  // of the buttons at the side of a low view
 constexpr float kMostTurns = 8;
 
 struct Item {
@@ -24,8 +26,9 @@ struct Item {
 };
 
 std::span<const Item> itemsOf(const app::UiState& ui) {
-  static constexpr Item kRibs[] = {{"reach-less"}, {"reach-more"}, {"add-rib", true},
-                                   {"delete-rib", true}, {"lock-rib", true}, {"reset-rib"},
+  // The most used first: the last ones wait in a menu where there is no room.
+  static constexpr Item kRibs[] = {{"add-rib", true}, {"delete-rib", true}, {"lock-rib", true},
+                                   {"reset-rib"}, {"reach-less"}, {"reach-more"},
                                    {"fewer-ribs"}, {"more-ribs"}};
   static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
   static constexpr Item kBone[] = {{"find-edges", true}, {"keep-ribs", true}, {"side-view", true},
@@ -33,11 +36,11 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
   static constexpr Item kIgnore[] = {{"brush-smaller"}, {"brush-larger"}, {"paint-over", true},
                                      {"ignore-whole-picture", true}, {"clear-ignored", true}};
   static constexpr Item kDraw[] = {{"depth-by-pressure", true}};
-  static constexpr Item kPlace[] = {{"snap-to-surface", true}, {"drop-on-floor", true},
-                                    {"face-front", true}, {"duplicate", true}, {"mirror-copy"},
+  static constexpr Item kPlace[] = {{"drop-on-floor", true}, {"duplicate", true}, {"snap-to-surface", true},
+                                    {"face-front", true}, {"mirror-copy"},
                                     {"symmetry", true}, {"group", true}, {"ungroup"}};
-  static constexpr Item kCut[] = {{"cut-use", true}, {"cut-add", true}, {"cut-remove", true}, {"brush-smaller"},
-                                  {"brush-larger"}, {"undo"}, {"cut-cancel", true}};
+  static constexpr Item kCut[] = {{"cut-use", true}, {"cut-add", true}, {"cut-remove", true}, {"cut-cancel", true},
+                                  {"undo"}, {"brush-smaller"}, {"brush-larger"}};
   static constexpr Item kPuff[] = {{"cut-by-box", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
   static constexpr Item kSheet[] = {{"cut-by-box", true}, {"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
   switch (ui.tool) {
@@ -90,7 +93,6 @@ std::vector<Cell> arrange(const PanelEnv& env, std::span<const Item> items, doub
   std::vector<Cell> cells;
   double width = 0;
   for (const Item& item : items) {
-    if (app::findCommand(item.id) == nullptr) continue;
     cells.push_back({item, side, 0});
     width += side + kGap;
   }
@@ -162,45 +164,77 @@ void coilCard(const PanelEnv& env, const app::Rect& above) {
   ImGui::PopStyleVar(2);
 }
 
+/// What stands in the bar, and what in its menu.
+struct Split {
+  std::vector<Item> shown;
+  BarSplit bar;
+  double more(float side) const { return bar.rest.empty() ? 0 : side + kGap; }
+};
+
+/// One row where the view is small, else as many as are needed.
+Split fold(const PanelEnv& env, std::span<const Item> items, bool small, double room, float side) {
+  std::vector<std::string_view> ids;
+  for (const Item& item : items) ids.push_back(item.id);
+  const double cells = small ? (room + kGap) / (side + kGap) : static_cast<double>(ids.size());
+  Split out;
+  out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](std::string_view id) { return isToolInUse(env, id); });
+  for (const std::string_view id : out.bar.shown) out.shown.push_back(*std::ranges::find(items, id, &Item::id));
+  return out;
+}
+
+void paintBar(const PanelEnv& env, const app::Rect& card, const std::vector<Cell>& cells, const Split& split,
+              ImU32 colour) {
+  const float side = buttonSide(env);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
+  beginFixed("edit bar", card);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0 && cells[i].row == cells[i - 1].row) ImGui::SameLine();
+    wordButton(env, {cells[i].item.id, static_cast<float>(cells[i].width), side, colour});
+  }
+  if (!split.bar.rest.empty()) {
+    if (!cells.empty()) ImGui::SameLine();
+    barMenuButton(env, app::BarMenu::Edit, side);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
 }  // namespace
 
 void drawEditBar(const PanelEnv& env) {
   const std::span<const Item> items = itemsOf(env.ui());
   const bool places = env.ui().tool == app::ToolKind::Place;  // which works in the solid view
-  const app::Rect& view = places ? env.ui().layout.solid : env.ui().layout.picture;
-  env.ui().barRoom.head = 0;
+  const app::Layout& layout = env.ui().layout;
+  const app::Rect& view = places ? layout.solid : layout.picture;
+  env.ui().barHead = 0;
   // The board for a slice has the picture's place to itself.
   const bool covered = !places && env.ui().slices.board;
   if (items.empty() || covered || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
-  // On a phone the view's name gives way.
-  const double chip = env.ui().layout.stacked ? 0 : kChipRoom;
-  const double room = view.width - chip - 2 * (kMargin + kPadding);
-  const std::vector<Cell> cells = arrange(env, items, room, side);
-  if (cells.empty() || room < side) return;
-  const int rows = cells.back().row + 1;
+  // On a phone the view's name gives way; a column of buttons does not.
+  const double chip = layout.stacked ? 0 : kChipRoom;
+  const double column = app::buttonsAtSide(view) ? kColumnRoom : 0;
+  const double room = view.width - chip - column - 2 * (kMargin + kPadding);
+  if (room < side) return;
+  const Split split = fold(env, items, layout.stacked || column > 0, room, side);
+  const std::vector<Cell> cells = arrange(env, split.shown, room - split.more(side), side);
+  const int rows = cells.empty() ? 1 : cells.back().row + 1;
   double widest = 0;
   for (int row = 0; row < rows; ++row) {
     double width = -kGap;
     for (const Cell& cell : cells) width += cell.row == row ? cell.width + kGap : 0;
     widest = std::max(widest, width);
   }
-  const double width = widest + 2 * kPadding;
+  const double width = widest + split.more(side) + 2 * kPadding;
   const double height = rows * (side + kGap) - kGap + 2 * kPadding;
-  const app::Rect card{view.right() - kMargin - width, view.y + kMargin, width, height};
+  const app::Rect card{view.right() - column - kMargin - width, view.y + kMargin, width, height};
   env.ui().overlays.push_back(card);
-  if (env.ui().layout.stacked && !places) env.ui().barRoom.head = height + kMargin;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
-  beginFixed("edit bar", card);
+  if (layout.stacked && !places) env.ui().barHead = height + kMargin;
   const ImU32 colour = toolColour(env.ui().tool);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0 && cells[i].row == cells[i - 1].row) ImGui::SameLine();
-    wordButton(env, {cells[i].item.id, static_cast<float>(cells[i].width), side, colour});
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(3);
+  paintBar(env, card, cells, split, colour);
+  barMenu(env, app::BarMenu::Edit, split.bar, card, colour);
   coilCard(env, card);
 }
 

@@ -37,6 +37,7 @@ void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, spli
 void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
 void drawInk(const PanelEnv& env);             ///< the stroke of pen or eraser in hand
 void drawSketchBar(const PanelEnv& env);       ///< pen, eraser, sizes, inks; on paper only
+app::Rect sketchBarRect(const PanelEnv& env);  ///< where; empty where there is none
 void drawActivity(const PanelEnv& env);        ///< progress of long work
 
 void drawSliceOverlay(const PanelEnv& env);    ///< slices on the bone, a slice on its way

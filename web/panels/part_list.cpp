@@ -53,8 +53,9 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const bool elsewhere = document::pictureOf(part) != env.ui().picture;
   const float height = buttonSide(env);
   const bool free = indent <= 0, ticks = free && canTick(env, {part.id, {}});
+  const bool bins = selected && !holdsWhole(env);
   const float buttons = height * (static_cast<float>(free) + static_cast<float>(ticks) +
-                                  static_cast<float>(selected));
+                                  static_cast<float>(bins));
   const float grips = 30;
   ImGui::PushID(static_cast<int>(part.id.value));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
@@ -74,14 +75,13 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
                        24);
   list.AddCircle(dot, 6.5f, part.look.textured ? kMuted : rgb(0x1f2430, 60), 24, 1.3f);
   const float textHeight = ImGui::GetTextLineHeight();
-  list.PushClipRect(at, {at.x + width - buttons, at.y + height}, true);
+  const std::string name = shortened(ImGui::GetFont(), part.name, width - buttons - grips - 4);
   list.AddText({at.x + 30, at.y + (height - textHeight) / 2},
                !part.visible ? rgb(0x5c6474, 150)
                : elsewhere   ? kMuted
                : inHand      ? kAccent
                              : kInk,
-               part.name.c_str());
-  list.PopClipRect();
+               name.c_str());
   if (elsewhere) {
     const document::PictureEntry* picture = findPicture(env.document(), document::pictureOf(part));
     if (picture != nullptr) tooltip("On " + picture->name);
@@ -106,7 +106,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
     ImGui::SameLine(0, 0);
     if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-part", which);
   }
-  if (selected) {
+  if (bins) {
     ImGui::SameLine(0, 0);
     if (iconButton(env, {"trash", "trash-2", "Delete  (Delete)", false, true, height})) {
       env.sink.run("delete-part", which);

@@ -24,6 +24,13 @@ float sideOf(const PanelEnv& env) { return env.ui().touch ? 44.f : 34.f; }
 
 bool erasing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Eraser; }
 
+bool drawing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Pen || erasing(env); }
+
+/// Whether the card has room for sizes and inks, which else are menus.
+bool showsAll(const PanelEnv& env) {
+  return env.ui().layout.picture.width >= kRoomForAll && !env.ui().touch;
+}
+
 /// A dot in a square that can be pressed.
 bool dotButton(const PanelEnv& env, const char* id, float radius, ImU32 colour, bool on) {
   const float side = sideOf(env);
@@ -70,6 +77,37 @@ void inks(const PanelEnv& env) {
 /// Width of `count` buttons in a row.
 float rowWidth(const PanelEnv& env, std::size_t count) {
   return static_cast<float>(count) * (sideOf(env) + 2) - 2;
+}
+
+/// Of the button of the next step, which says its words where the view has room for them.
+float boneWidth(const PanelEnv& env) {
+  if (env.ui().layout.picture.width < 460) return sideOf(env);
+  ImGui::PushFont(env.fonts.text);
+  const float words = ImGui::CalcTextSize(kBone).x + 46;
+  ImGui::PopFont();
+  return words;
+}
+
+/// Of the card with so many sizes and inks, or the buttons of their menus.
+float widthWith(const PanelEnv& env, std::size_t settings) {
+  const float lines = settings == 0 ? 0.f : showsAll(env) ? 18.f : 9.f;
+  return rowWidth(env, 2 + settings) + lines + 2 + boneWidth(env) + 9 + 8;
+}
+
+double leftOf(const PanelEnv& env) { return app::buttonsAtSide(env.ui().layout.picture) ? 4 : kMargin; }
+
+/// For the card: a column of buttons has its own.
+double roomIn(const PanelEnv& env) {
+  constexpr double kColumn = 62;
+  const app::Rect& view = env.ui().layout.picture;
+  return view.width - leftOf(env) - (app::buttonsAtSide(view) ? kColumn : kMargin);
+}
+
+/// How many sizes and inks the card has, or buttons of their menus; none where there is no room.
+std::size_t settingsShown(const PanelEnv& env) {
+  if (!drawing(env)) return 0;
+  const std::size_t wanted = showsAll(env) ? app::kPenSizes.size() + app::kInks.size() : 2;
+  return roomIn(env) < widthWith(env, wanted) ? 0 : wanted;
 }
 
 /// The next step: filled once there is something that a bone could go through.
@@ -182,37 +220,34 @@ void drawInk(const PanelEnv& env) {
   list.AddCircle(before, static_cast<float>(stroke.radius * zoom), kMuted, 0, 1.2f);
 }
 
+app::Rect sketchBarRect(const PanelEnv& env) {
+  if (app::shownSketch(env.document(), env.ui()) == nullptr || env.ui().slices.board) return {};
+  const app::Rect& view = env.ui().layout.picture;
+  const float side = sideOf(env), width = widthWith(env, settingsShown(env));
+  const app::Rect card{view.x + leftOf(env), view.bottom() - side - 8 - kMargin, width, side + 8.};
+  if (roomIn(env) < width || view.height < card.height + 2 * kMargin) return {};
+  return card;
+}
+
 void drawSketchBar(const PanelEnv& env) {
   const document::PictureEntry* sketch = app::shownSketch(env.document(), env.ui());
-  if (sketch == nullptr || env.ui().slices.board) return;
-  const app::Rect& view = env.ui().layout.picture;
+  const app::Rect card = sketchBarRect(env);
+  if (card.width <= 0) return;
   const float side = sideOf(env);
-  const bool drawing = env.ui().tool == app::ToolKind::Pen || erasing(env);
-  const bool wide = view.width >= kRoomForAll && !env.ui().touch;
-  const std::size_t settingsShown =
-      !drawing ? 0 : wide ? app::kPenSizes.size() + app::kInks.size() : 2;
-  const float lines = !drawing ? 0.f : wide ? 18.f : 9.f;
-  ImGui::PushFont(env.fonts.text);
-  const float words = ImGui::CalcTextSize(kBone).x + 46;
-  ImGui::PopFont();
-  const float bone = view.width >= 460 ? words : side;
-  const float width = rowWidth(env, 2 + settingsShown) + lines + 2 + bone + 9 + 8;
-  const app::Rect card{view.x + kMargin, view.bottom() - side - 8 - kMargin, width, side + 8.};
-  if (view.width < width + 2 * kMargin || view.height < card.height + 2 * kMargin) return;
   beginCard(env, "sketch bar", card);
   commandButton(env, "pen", side);
   ImGui::SameLine();
   commandButton(env, "eraser", side);
   ImGui::SameLine();
-  if (drawing) {
-    settings(env, wide);
+  if (settingsShown(env) > 0) {
+    settings(env, showsAll(env));
     ImGui::SameLine();
   }
   line(env);
   const bool hasParts = std::ranges::any_of(env.document().parts, [&](const document::Part& part) {
     return document::pictureOf(part) == sketch->id;
   });
-  boneButton(env, bone, drawing && !hasParts && app::looksFinished(*sketch));
+  boneButton(env, boneWidth(env), drawing(env) && !hasParts && app::looksFinished(*sketch));
   endCard();
   openMenu(env, card);
 }

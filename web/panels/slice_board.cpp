@@ -8,6 +8,7 @@
 #include <string>
 
 #include "web/app/slice_editing.h"
+#include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/slice_paint.h"
 #include "web/panels/theme.h"
@@ -57,17 +58,14 @@ void toolButtons(const PanelEnv& env, Flow& flow, float side) {
   }
 }
 
-/// The wheel's number; each press takes the next one.
+/// Each press takes the next number of the wheel.
 void foldButton(const PanelEnv& env, Flow& flow, float side) {
-  constexpr std::array kFolds = {1, 3, 4, 5, 6, 7, 8};
   const int fold = env.ui().slices.board->symmetry.fold;
   flow.next(side);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (iconButton(env,
                  {"fold", "flower", "Like a wheel: 3 to 8 times round", fold > 1, true, side})) {
-    const auto now = std::ranges::find(kFolds, fold);
-    const bool last = now == kFolds.end() || now + 1 == kFolds.end();
-    env.sink.run("slice-symmetry", app::Json::Object{{"fold", last ? kFolds[0] : *(now + 1)}});
+    env.sink.run("slice-symmetry");
   }
   if (fold <= 1) return;
   const char text[] = {static_cast<char>('0' + fold), '\0'};
@@ -84,7 +82,32 @@ void divider(Flow& flow, float side) {
   ImGui::Dummy({9, side});
 }
 
+/// On a phone: the tools in one row, all else in a menu. (Undo and redo are in the row above.)
+void smallToolbar(const PanelEnv& env, float width) {
+  constexpr std::string_view kMore[] = {"slice-corner", "slice-remove-point", "slice-left-right", "slice-front-back",
+                                        "slice-symmetry", "slice-flip", "slice-turn", "slice-traces", "slice-clear"};
+  const float side = buttonSide(env);
+  const bool points = env.ui().slices.board->tool == app::BoardTool::Points;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  Flow flow(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
+  toolButtons(env, flow, side);
+  const auto room = static_cast<std::size_t>(std::max(1.f, (width + 2) / (side + 2) - static_cast<float>(app::BoardTool::kCount)));
+  const BarSplit split = splitBar(std::span(kMore).subspan(points ? 0 : 2), room, [](std::string_view) { return false; });
+  for (const std::string_view id : split.shown) {
+    flow.next(side);
+    commandButton(env, id, side);
+  }
+  if (!split.rest.empty()) {
+    flow.next(side);
+    barMenuButton(env, app::BarMenu::Board, side);
+  }
+  ImGui::PopStyleVar();
+  barMenu(env, app::BarMenu::Board, split, {at.x, at.y, width, side}, kAccent);
+}
+
 void toolbar(const PanelEnv& env, float width) {
+  if (env.ui().layout.stacked) return smallToolbar(env, width);
   const float side = buttonSide(env) - (env.ui().touch ? 0.f : 2.f);
   Flow flow(width);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
@@ -279,6 +302,12 @@ void titleRow(const PanelEnv& env, float width) {
   const float height = buttonSide(env);
   ImGui::AlignTextToFramePadding();
   label(env.fonts.bold, kInk, "Your slice");
+  if (env.ui().layout.stacked) {
+    for (const std::string_view id : {"slice-undo", "slice-redo"}) {
+      ImGui::SameLine(0, 2);
+      commandButton(env, id, height);
+    }
+  }
   const float done = textButtonWidth(env, "Done") + 12, leave = textButtonWidth(env, "Cancel");
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - done - leave - 6);
   if (textButton(env, {"cancel", "Cancel", false, true, height, leave}))

@@ -89,6 +89,11 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
 
 }  // namespace
 
+bool holdsWhole(const PanelEnv& env) {
+  const document::Step* step = app::chosenStep(env.env);
+  return step != nullptr && env.ui().selection && partsIn(env.document(), {{}, step->id}).size() == env.ui().alsoSelected.size() + 1;
+}
+
 bool canTick(const PanelEnv& env, document::Operand operand) {
   return holderOf(env.document(), operand) == nullptr && app::rootsOf(env.document()).size() > 1;
 }
@@ -125,10 +130,9 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;
   list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2},
                trouble.empty() ? kAccent : kTrouble, iconText(iconOf(step.kind)));
-  list.PushClipRect(at, {at.x + row, at.y + height}, true);
+  const std::string name = shortened(ImGui::GetFont(), step.name, row - 34);
   list.AddText({at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2},
-               !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk, step.name.c_str());
-  list.PopClipRect();
+               !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk, name.c_str());
   if (pressed) {
     const bool twice = selected && ImGui::IsMouseDoubleClicked(0);
     env.sink.run(twice ? "rename-step" : "select-step", which(step));
@@ -195,6 +199,11 @@ void solidPanel(const PanelEnv& env, float width) {
       if (!several) ImGui::SameLine();
       commandTile(env, "release", "Break apart", {each, 52});
     }
+  }
+  // A bin beside one of its parts would take that part alone.
+  if (holdsWhole(env)) {
+    ImGui::SameLine();
+    commandTile(env, "delete-step", "Delete", {each, 52});
   }
   ImGui::PopStyleVar();
   if (step != nullptr) chosenSolid(env, *step, width);

@@ -13,6 +13,8 @@ void solidRows(const PanelEnv& env, const document::Step& step, float width, con
 bool solidRow(const PanelEnv& env, const document::Step& step, float indent, float width);
 /// The tick of a part or solid that stands alone; nothing for others.
 void tickButton(const PanelEnv& env, document::Operand operand, float size);
+/// Whether all of the chosen solid is in hand.
+bool holdsWhole(const PanelEnv& env);
 /// Whether there is more than one thing to put together.
 bool canTick(const PanelEnv& env, document::Operand operand);
 /// Below the list: what can be made of the ticked parts, and the measures of the chosen solid.

@@ -10,6 +10,7 @@
 
 #include "web/app/editing.h"
 #include "web/app/sizing.h"
+#include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
 #include "web/panels/theme.h"
@@ -22,32 +23,45 @@ constexpr double kMargin = 10;
 constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot of a sketch
 constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
 
-/// Buttons of one view in its lower right corner: a row, or a column where the view is low; more of
-/// them where they do not fit. Where they are; nowhere when there is no room at all.
-app::Rect buttons(const PanelEnv& env, const char* name, const app::Rect& view,
-             std::span<const std::string_view> ids, app::Focus focus) {
+/// Buttons of a view and the menu of those that have no room.
+struct Bar {
+  app::BarMenu menu;
+  const char* name;
+  app::Rect view;
+  std::span<const std::string_view> ids;  ///< the most used first
+  app::Focus focus;
+  double taken = 0;  ///< of the view's width, from the left
+};
+
+/// One row in the lower right corner, or a column where the view is low. Where it is; nowhere when there
+/// is no room at all.
+app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   const float side = env.ui().touch ? 44.f : 34.f;
   const double cell = side + 2., edge = 6;
+  const app::Rect& view = bar.view;
   const bool column = app::buttonsAtSide(view);
-  const double room = (column ? view.height : view.width) - 2 * 4 - edge;
-  const auto count = static_cast<int>(ids.size());
-  const int most = std::min(count, static_cast<int>(room / cell));
-  if (most < 1) return {};
-  const int lines = (count + most - 1) / most, each = (count + lines - 1) / lines;
-  const double length = each * cell + edge, breadth = lines * cell + edge;
+  const double room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
+  if (room < cell || bar.ids.empty()) return {};
+  const BarSplit split = splitBar(bar.ids, static_cast<std::size_t>(room / cell),
+                                  [&](std::string_view id) { return isToolInUse(env, id); });
+  const double length = static_cast<double>(split.cells()) * cell + edge, breadth = cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
   const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
   const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width,
                        height};
-  beginCard(env, name, card);
-  for (int i = 0; i < count; ++i) {
-    const bool sameRow = column ? i % lines != 0 : i % each != 0;
-    if (sameRow) ImGui::SameLine();
-    const bool emptyBefore = env.sink.empty();
-    commandButton(env, ids[static_cast<std::size_t>(i)], side);
-    if (emptyBefore && !env.sink.empty()) env.ui().focus = focus;
+  const bool emptyBefore = env.sink.empty();
+  beginCard(env, bar.name, card);
+  for (std::size_t i = 0; i < split.shown.size(); ++i) {
+    if (i > 0 && !column) ImGui::SameLine();
+    commandButton(env, split.shown[i], side);
+  }
+  if (!split.rest.empty()) {
+    if (!split.shown.empty() && !column) ImGui::SameLine();
+    barMenuButton(env, bar.menu, side);
   }
   endCard();
+  barMenu(env, bar.menu, split, card, toolColour(env.ui().tool));
+  if (emptyBefore && !env.sink.empty()) env.ui().focus = bar.focus;
   return card;
 }
 
@@ -112,7 +126,8 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   const bool stacked = env.ui().layout.stacked;
   const app::ToolKind tool = env.ui().tool;
   const bool barThere = tool != app::ToolKind::Draw && tool != app::ToolKind::Hand;
-  if (entries.empty() || view.width < 330 || view.height < 200 || (stacked && barThere)) return;
+  const bool taken = stacked && (barThere || app::buttonsAtSide(view));  // by other buttons
+  if (entries.empty() || view.width < 330 || view.height < 200 || taken) return;
   if (stacked && !legendButton(env, view)) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImFont* font = env.fonts.small;
@@ -224,36 +239,31 @@ void drawViewChrome(const PanelEnv& env) {
     chip(env, layout.solid, solid.c_str(), !onPicture);
   }
   hints(env);
-  // Fingers pinch: a phone needs no zoom buttons, and has no room for them.
+  // The most used first. Fingers pinch: a phone needs no zoom buttons.
   constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
-  constexpr std::string_view kPictureFew[] = {"draw",  "puff", "sheet", "hand",         "ribs",
-                                              "shape", "bone", "ignore-edges", "fit"};
-  constexpr std::string_view kOnPaper[] = {"puff", "sheet", "hand", "fit"};  // beside the card of the pen
-  constexpr std::string_view kPartOnPaper[] = {"puff", "sheet", "hand", "ribs", "shape", "bone", "ignore-edges", "fit"};
-  constexpr std::string_view kPictureAll[] = {"draw",  "puff", "sheet",        "hand",     "ribs",
-                                              "shape", "bone", "ignore-edges", "zoom-out", "zoom-in", "fit"};
+  constexpr std::string_view kPictureFew[] = {"draw", "puff", "ribs", "bone", "sheet",
+                                              "shape", "hand", "ignore-edges", "fit"};
+  constexpr std::string_view kPictureAll[] = {"draw",  "puff", "sheet",        "hand", "ribs",     "shape",
+                                              "bone", "ignore-edges", "fit",  "zoom-out", "zoom-in"};
   constexpr std::string_view kSolidFew[] = {"move", "home-view"};
   constexpr std::string_view kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const std::string_view>;
   const bool few =
       layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
-  const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   // Few buttons at first: what changes a part comes with the first part.
   const bool bare = env.document().parts.empty();
-  const app::Rect bar =
-      buttons(env, "picture buttons", layout.picture,
-          onPaper       ? (bare ? Ids(kOnPaper) : Ids(kPartOnPaper))
-          : few && bare ? Ids(kFirst)
-          : few         ? Ids(kPictureFew)
-                        : Ids(kPictureAll),
-          app::Focus::Picture);
-  const double row = env.ui().touch ? 44. + 2 : 34. + 2;
-  env.ui().barRoom.foot = layout.stacked && bar.height > 2 * row ? bar.height - row : 0;
+  const app::Rect paper = sketchBarRect(env);
+  const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
+  const Ids all = (few || onPaper) && bare ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
+  const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the bone
+  const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;
+  const app::Rect bar = buttons(env, {app::BarMenu::Picture, "picture buttons", layout.picture, ids,
+                                      app::Focus::Picture, taken});
   legend(env, layout.picture, bar);
   const bool fewSolid =
       layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
-  buttons(env, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
-          app::Focus::Solid);
+  buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid,
+                fewSolid ? Ids(kSolidFew) : Ids(kSolidAll), app::Focus::Solid});
 }
 
 void drawActivity(const PanelEnv& env) {

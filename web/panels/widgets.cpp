@@ -92,6 +92,22 @@ void label(ImFont* font, ImU32 colour, std::string_view text) {
   ImGui::PopFont();
 }
 
+std::string shortened(ImFont* font, std::string_view text, float width) {
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+  const auto widthOf = [&](const std::string& t) {
+    return font->CalcTextSizeA(size, FLT_MAX, 0, t.data(), t.data() + t.size()).x;
+  };
+  std::string out(text);
+  while (widthOf(out) > width && !text.empty()) {
+    std::size_t end = text.size() - 1;  // a letter may be several bytes: back to its first
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    text = text.substr(0, end);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    out = std::string(text) + "…";
+  }
+  return out;
+}
+
 void heading(const PanelEnv& env, std::string_view text) {
   ImGui::Dummy({0, 2});
   label(env.fonts.bold, kInk, text);

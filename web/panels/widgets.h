@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "web/panels/panels.h"
@@ -25,6 +26,8 @@ void tooltip(std::string_view tip);
 
 /// Text in a font of ours.
 void label(ImFont* font, ImU32 colour, std::string_view text);
+/// A name as far as the room goes, and three dots where it goes no further.
+std::string shortened(ImFont* font, std::string_view text, float width);
 /// A small bold heading.
 void heading(const PanelEnv& env, std::string_view text);
 

@@ -1,10 +1,13 @@
 // What the pointer shows while it rests, views that are remembered, and gestures out of a panel.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/unit/web/rig.h"
 #include "web/app/slice_editing.h"
+#include "web/panels/bar_menu.h"
 
 using namespace spineloft;
 using platform::Device;
@@ -22,6 +25,14 @@ struct PartRig : Rig {
     const bool done = run(id, args).flag("ok") == true;
     settle();
     return done;
+  }
+  void tapWith(Device device, app::ClientPoint at) {
+    using enum PointerKind;
+    pointer(Move, at.x, at.y, device);
+    pointer(Down, at.x, at.y, device);
+    settle();
+    pointer(Up, at.x, at.y, device);
+    settle();
   }
   /// The mouse comes to rest at a place of the picture.
   void rest(double x, double y) {
@@ -104,16 +115,75 @@ TEST_CASE("the eraser and the scribble show what they would cover, other tools d
   }
 }
 
-TEST_CASE("on a phone the picture lies below the bar of the tool, whole") {
-  PartRig rig({390, 844, 2});
-  for (const char* tool : {"ribs", "bone", "ignore-edges"}) {
-    REQUIRE(rig.ok(tool));
-    const app::UiState& ui = rig.app->ui();
-    CHECK(ui.barRoom.head > 40);
-    const auto top = rig.at(0, 0), bottom = rig.at(199, 199);
-    CHECK(top.y >= ui.layout.picture.y + ui.barRoom.head);
-    CHECK(bottom.y <= ui.layout.picture.bottom() - ui.barRoom.foot);
+TEST_CASE("on a phone no bar lies over the picture, and every bar is one row") {
+  for (const platform::CanvasSize size : {platform::CanvasSize{390, 755, 2}, {360, 551, 2}, {320, 480, 2}}) {
+    PartRig rig(size);
+    const app::Rect canvas{0, 0, size.width, size.height};
+    for (const char* tool : {"draw", "puff", "ribs", "shape", "bone", "ignore-edges", "hand"}) {
+      REQUIRE(rig.ok(tool));
+      rig.tapWith(Device::Touch, {size.width - 2, 2});
+      const app::UiState& ui = rig.app->ui();
+      const app::Rect shown = app::pictureRect(ui.pictureView, {200, 200}, ui.layout.picture);
+      CAPTURE(size.width);
+      CAPTURE(tool);
+      REQUIRE(ui.pictureView.fitted);
+      CHECK(shown.width * shown.height > 0.15 * ui.layout.picture.width * ui.layout.picture.height);
+      for (const app::Rect& bar : ui.overlays) {
+        CHECK(std::min(bar.width, bar.height) < 60);
+        const bool apart = bar.x >= shown.right() || bar.right() <= shown.x || bar.y >= shown.bottom() || bar.bottom() <= shown.y;
+        CHECK(apart);
+        CHECK((canvas.contains({bar.x, bar.y}) && bar.right() <= canvas.width && bar.bottom() <= canvas.height));
+      }
+    }
+    REQUIRE(rig.ok("draw"));
+    CHECK(rig.app->ui().barHead == 0);
   }
+}
+
+TEST_CASE("what has no room in a bar waits in its menu: in order, the tool in use in sight") {
+  constexpr std::string_view kIds[] = {"a", "b", "c", "d", "e", "f", "g"};
+  for (std::size_t room = 1; room < 10; ++room) {
+    for (const std::string_view used : {"", "a", "c", "g"}) {
+      const auto split = panels::splitBar(kIds, room, [&](std::string_view id) { return id == used; });
+      CHECK(split.cells() <= room);
+      CHECK(split.rest.empty() == (room >= 7));
+      std::vector<std::string_view> all = split.shown;
+      all.insert(all.end(), split.rest.begin(), split.rest.end());
+      CHECK(std::ranges::is_permutation(all, kIds));
+      if (room > 1 && !used.empty()) CHECK(std::ranges::count(split.shown, used) == 1);
+      // Only what is in use may stand before its turn.
+      std::erase(all, used);
+      CHECK(std::ranges::is_sorted(all));
+    }
+  }
+}
+
+TEST_CASE("the three dots open a menu: a tap on a word does it and closes, so do a tap elsewhere and Escape") {
+  PartRig rig({320, 480, 2});
+  const app::UiState& ui = rig.app->ui();
   REQUIRE(rig.ok("draw"));
-  CHECK(rig.app->ui().barRoom.head == 0);
+  rig.tapWith(Device::Touch, {318, 2});
+  const app::Rect bar = ui.overlays.front();  // a column: the dots are its last
+  const app::ClientPoint dots{bar.centre().x, bar.bottom() - 26};
+  const auto open = [&] { return ui.barMenu == app::BarMenu::Picture; };
+  const std::size_t before = ui.overlays.size();
+  rig.tapWith(Device::Touch, dots);
+  REQUIRE(open());
+  REQUIRE(ui.overlays.size() == before + 1);
+  const app::Rect menu = ui.overlays[1];
+  CHECK((menu.x >= 0 && menu.y >= 0 && menu.right() <= 320 && menu.bottom() <= 480));
+  CHECK(menu.right() <= bar.x);
+  rig.tapWith(Device::Touch, dots);
+  CHECK_FALSE(open());
+  rig.tapWith(Device::Touch, dots);
+  CHECK(rig.key("Escape", "Escape"));
+  CHECK_FALSE(open());
+  CHECK(ui.tool == app::ToolKind::Draw);
+  rig.tapWith(Device::Touch, dots);
+  rig.tapWith(Device::Touch, {menu.x / 2, ui.layout.solid.centre().y});
+  CHECK_FALSE(open());
+  rig.tapWith(Device::Touch, dots);
+  rig.tapWith(Device::Touch, {menu.x + 20, menu.bottom() - 26 - 2 * 46});  // before "ignore" and "fit"
+  CHECK_FALSE(open());
+  CHECK(ui.tool == app::ToolKind::Hand);
 }

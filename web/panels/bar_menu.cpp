@@ -1,0 +1,118 @@
+#include "web/panels/bar_menu.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr double kEdge = 6, kGap = 2, kPadding = 4;
+
+struct Grid {
+  std::size_t rows = 1, columns = 1;
+  double cell = 0;  ///< width
+  double width() const { return static_cast<double>(columns) * (cell + kGap) - kGap + 2 * kPadding; }
+  double height(double side) const { return static_cast<double>(rows) * (side + kGap) - kGap + 2 * kPadding; }
+};
+
+/// In as many columns as `room` for the height asks for.
+Grid gridFor(std::size_t count, double cell, double side, double room) {
+  Grid grid{count, 1, cell};
+  while (grid.rows > 1 && grid.height(side) > room) {
+    ++grid.columns;
+    grid.rows = (count + grid.columns - 1) / grid.columns;
+  }
+  return grid;
+}
+
+bool isColumn(const app::Rect& bar) { return bar.height > bar.width; }
+
+Grid gridFor(const PanelEnv& env, const BarSplit& split, const app::Rect& bar, double side) {
+  double cell = 0;
+  for (const std::string_view id : split.rest) {
+    const app::Command* command = app::findCommand(id);
+    if (command == nullptr) continue;
+    cell = std::max<double>(cell, wordButtonWidth(env, command->label, static_cast<float>(side)));
+  }
+  cell = std::ceil(cell);
+  const double canvas = env.ui().canvasHeight - 2 * kEdge;
+  const double beside = isColumn(bar) ? canvas : std::max(bar.y, env.ui().canvasHeight - bar.bottom()) - 2 * kEdge;
+  const Grid clear = gridFor(split.rest.size(), cell, side, beside);
+  // Rather over its bar than wider than the canvas.
+  return clear.width() <= env.ui().canvasWidth - 2 * kEdge ? clear : gridFor(split.rest.size(), cell, side, canvas);
+}
+
+/// Beside a column; above a row where it fits there, else below.
+app::Rect placeOf(const PanelEnv& env, const app::Rect& bar, double width, double height) {
+  const double right = env.ui().canvasWidth, foot = env.ui().canvasHeight;
+  const bool column = isColumn(bar);
+  double x = column ? bar.x - kEdge - width : bar.right() - width;
+  double y = bar.bottom() - height;
+  if (!column) y = bar.y >= height + 2 * kEdge ? bar.y - kEdge - height : bar.bottom() + kEdge;
+  x = std::clamp(x, kEdge, std::max(kEdge, right - kEdge - width));
+  y = std::clamp(y, kEdge, std::max(kEdge, foot - kEdge - height));
+  return {x, y, width, height};
+}
+
+}  // namespace
+
+BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
+                  const std::function<bool(std::string_view)>& inUse) {
+  BarSplit out;
+  const std::size_t most = ids.size() <= room ? ids.size() : std::max<std::size_t>(room, 1) - 1;
+  out.shown.assign(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(most));
+  out.rest.assign(ids.begin() + static_cast<std::ptrdiff_t>(most), ids.end());
+  const auto used = std::ranges::find_if(out.rest, inUse);
+  if (used != out.rest.end() && !out.shown.empty()) {
+    std::swap(out.shown.back(), *used);
+    // What gave way comes first in the menu, as it did in the bar.
+    std::rotate(out.rest.begin(), used, used + 1);
+  }
+  return out;
+}
+
+bool isToolInUse(const PanelEnv& env, std::string_view id) {
+  const app::Command* command = app::findCommand(id);
+  return command != nullptr && command->group == "tool" && command->toggled != nullptr &&
+         command->toggled(env.env);
+}
+
+void barMenuButton(const PanelEnv& env, app::BarMenu which, float side) {
+  app::BarMenu& open = env.ui().barMenu;
+  const bool on = open == which;
+  if (iconButton(env, {"more", "ellipsis", "More", on, true, side})) open = on ? app::BarMenu::None : which;
+}
+
+void barMenu(const PanelEnv& env, app::BarMenu which, const BarSplit& split, const app::Rect& bar, ImU32 colour) {
+  app::BarMenu& open = env.ui().barMenu;
+  if (open != which) return;
+  if (split.rest.empty()) {  // there is room for all now
+    open = app::BarMenu::None;
+    return;
+  }
+  const double side = std::max(44.f, buttonSide(env));
+  const Grid grid = gridFor(env, split, bar, side);
+  const app::Rect card = placeOf(env, bar, grid.width(), grid.height(side));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, kRadius);
+  beginCard(env, "bar menu", card);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  const bool emptyBefore = env.sink.empty();
+  for (std::size_t i = 0; i < split.rest.size(); ++i) {
+    if (i % grid.columns != 0) ImGui::SameLine();
+    wordButton(env, {split.rest[i], static_cast<float>(grid.cell), static_cast<float>(side), colour});
+  }
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const app::ClientPoint pointer{at.x, at.y};
+  const bool elsewhere = ImGui::IsMouseClicked(0) && !card.contains(pointer) && !bar.contains(pointer);
+  if (elsewhere || (emptyBefore && !env.sink.empty())) open = app::BarMenu::None;
+  endCard();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,36 @@
+// Bars of one row: what does not fit waits behind a button with three dots.
+#pragma once
+
+#include <imgui.h>
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "web/panels/panels.h"
+
+namespace spineloft::panels {
+
+/// The commands of a bar, in their order.
+struct BarSplit {
+  std::vector<std::string_view> shown;  ///< in the row
+  std::vector<std::string_view> rest;   ///< in the menu; where it is not empty its button is the row's last
+  std::size_t cells() const { return shown.size() + (rest.empty() ? 0 : 1); }
+};
+
+/// `ids`, the most used first, into a row of `room` cells, at least one: all where they fit, else the
+/// first ones and the menu's button. What `inUse` says of stays in the row, in the last one's place.
+BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
+                  const std::function<bool(std::string_view)>& inUse);
+
+/// Whether it is a tool, and the one in use.
+bool isToolInUse(const PanelEnv& env, std::string_view id);
+
+/// The button of the menu, in the row of its bar.
+void barMenuButton(const PanelEnv& env, app::BarMenu which, float side);
+/// The menu beside `bar`, while it is open: a column of words, or two where the canvas is low.
+/// `colour`: of what is switched on.
+void barMenu(const PanelEnv& env, app::BarMenu which, const BarSplit& split, const app::Rect& bar, ImU32 colour);
+
+}  // namespace spineloft::panels
