@@ -118,13 +118,15 @@ const DerivedStep* solidOf(const document::Document& document, const Derived& de
   return at == derived.steps.end() || !at->solid ? nullptr : &*at;
 }
 
+bool isVisible(const document::Document& document, const document::Part& part) {
+  const document::Step* root = document.steps.empty() ? nullptr : rootOf(document, {part.id, {}});
+  return root != nullptr ? root->visible : part.visible;
+}
+
 bool showsItself(const document::Document& document, const Derived& derived,
                  const document::Part& part) {
-  if (document.steps.empty()) return part.visible;
-  const document::Step* root = rootOf(document, {part.id, {}});
-  if (root == nullptr) return part.visible;
   // Until the solver has answered for the first time, the parts stand for their solid.
-  return root->visible && solidOf(document, derived, part.id) == nullptr;
+  return isVisible(document, part) && solidOf(document, derived, part.id) == nullptr;
 }
 
 const DerivedStep* shownSolid(const document::Document& document, const Derived& derived,

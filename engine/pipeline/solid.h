@@ -64,6 +64,8 @@ struct DerivedStep {
 
 /// The outermost step in whose solid a part shows; null: it shows itself.
 const DerivedStep* solidOf(const document::Document& document, const Derived& derived, PartId part);
+/// Whether a part is to be seen: in a solid it shows and hides as the whole does, whatever it was before.
+bool isVisible(const document::Document& document, const document::Part& part);
 /// Whether a part is to be drawn and exported on its own: visible, and in no solid.
 bool showsItself(const document::Document& document, const Derived& derived,
                  const document::Part& part);

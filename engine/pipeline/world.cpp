@@ -139,14 +139,14 @@ std::optional<WorldBounds> worldBounds(const document::Document& document,
 std::optional<WorldBounds> boundsOf(const document::Document& document, const Derived& derived,
                                     std::span<const PartId> parts) {
   return boundsIf(document, derived, [&](const document::Part& part) {
-    return part.visible && std::ranges::count(parts, part.id) > 0;
+    return isVisible(document, part) && std::ranges::count(parts, part.id) > 0;
   });
 }
 
 std::optional<WorldBounds> boundsWithout(const document::Document& document,
                                          const Derived& derived, std::span<const PartId> parts) {
   return boundsIf(document, derived, [&](const document::Part& part) {
-    return part.visible && std::ranges::count(parts, part.id) == 0;
+    return isVisible(document, part) && std::ranges::count(parts, part.id) == 0;
   });
 }
 

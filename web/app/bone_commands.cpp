@@ -53,7 +53,7 @@ Outcome useBone(Env env, const Json&) {
   if (hasBone(env)) return {};
   for (const document::Part& part : env.studio.document().parts) {
     const bool fits = document::pictureOf(part) == env.ui.picture && document::loftOf(part) != nullptr;
-    if (fits && part.visible) env.ui.selection = part.id;
+    if (fits && pipeline::isVisible(env.studio.document(), part)) env.ui.selection = part.id;
   }
   return {};
 }

@@ -265,7 +265,7 @@ constexpr std::array kTable = {
             "",
             "part",
             {},
-            "Show or hide the part",
+            "Show or hide the part, or the solid that it is in",
             hasSelection,
             nullptr,
             showPart},

@@ -63,7 +63,7 @@ PartId partAt(const document::Document& document, const pipeline::Derived& deriv
   for (std::size_t i = count; i-- > 0;) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
-    if (!shape || !part.visible || document::pictureOf(part) != picture) continue;
+    if (!shape || !pipeline::isVisible(document, part) || document::pictureOf(part) != picture) continue;
     if (holdsRegion(shape->contours, p)) return part.id;
     if (document::loftOf(part) == nullptr) continue;
     outlineOf(shape->shown, document::loftIn(part).loft, outline);

@@ -216,7 +216,12 @@ Outcome renamePart(Env env, const Json& args) {
 Outcome showPart(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  const bool visible = args.flag("visible").value_or(!part->visible);
+  const document::Document& document = env.studio.document();
+  const bool visible = args.flag("visible").value_or(!pipeline::isVisible(document, *part));
+  if (visible == pipeline::isVisible(document, *part)) return {};  // nothing that could be seen or undone
+  if (const document::Step* whole = rootOf(document, {part->id, {}})) {
+    return outcomeOf(env.studio.act(document::ShowStep{whole->id, visible}));
+  }
   return outcomeOf(env.studio.act(document::ShowPart{part->id, visible}));
 }
 

@@ -91,7 +91,7 @@ void use(Env env, ToolKind tool) {
   if (hasBone(env) || tool == ToolKind::Ignore) return;
   for (const document::Part& part : env.studio.document().parts) {
     const bool fits = document::pictureOf(part) == env.ui.picture && document::loftOf(part) != nullptr;
-    if (fits && part.visible) env.ui.selection = part.id;
+    if (fits && pipeline::isVisible(env.studio.document(), part)) env.ui.selection = part.id;
   }
 }
 

@@ -195,8 +195,8 @@ void writePlacing(JsonWriter& json, const CommandEnv& env) {
 }
 
 /// `mm`: as of mmPerUnit.
-void writePart(JsonWriter& json, const document::Part& part, const pipeline::DerivedPart& derived,
-               double mm) {
+void writePart(JsonWriter& json, const document::Document& document, const document::Part& part,
+               const pipeline::DerivedPart& derived, double mm) {
   static const ribs::RibSet kNoRibs;
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
   // What only lofts have is that of an empty one for other kinds.
@@ -208,7 +208,7 @@ void writePart(JsonWriter& json, const document::Part& part, const pipeline::Der
   json.key("caps").beginObject();
   json.key("start").text(loft::capKey(loft.loft.startCap));
   json.key("end").text(loft::capKey(loft.loft.endCap)).endObject();
-  json.key("visible").flag(part.visible).key("textured").flag(part.look.textured);
+  json.key("visible").flag(pipeline::isVisible(document, part)).key("textured").flag(part.look.textured);
   json.key("colour").text(colourText(part.look.colour));
   json.key("paint").text(surface::finishOf(part.look.paint).key);
   json.key("second").text(colourText(part.look.second)).key("faceted").flag(part.look.faceted);
@@ -346,7 +346,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   const double mm = mmPerUnit(document, derived);
   json.key("parts").beginArray();
   for (std::size_t i = 0; i < document.parts.size(); ++i) {
-    writePart(json, document.parts[i], derived.parts[i], mm);
+    writePart(json, document, document.parts[i], derived.parts[i], mm);
   }
   json.endArray();
   writeSolids(json, env);

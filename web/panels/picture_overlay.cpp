@@ -360,7 +360,7 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& shape = env.derived.parts[i].shape;
     const document::Part& part = parts[i];
-    if (document::pictureOf(part) != ui.picture || !part.visible) continue;
+    if (document::pictureOf(part) != ui.picture || !pipeline::isVisible(env.document(), part)) continue;
     if (const document::Region* region = document::regionOf(part.recipe)) {
       drawRegion(list, env, part, shape ? shape->contours : region->contours);
     } else if (!shape) {

@@ -367,6 +367,41 @@ TEST_CASE("a chosen solid is in hand as a whole; who takes another part has left
   CHECK_FALSE(chosen());
 }
 
+TEST_CASE("a part of a solid shows and hides with it, in one step that is seen; what changes nothing is no step") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  const auto steps = [&] { return *rig.state().number("undo"); };
+  const auto seen = [&](std::size_t i) { return *(*rig.state().find("parts")->array())[i].flag("visible"); };
+  const double before = steps();
+  for (const char* same : {R"({"part": 1, "visible": true})", R"({"part": 2, "visible": true})"}) {
+    rig.run("show-part", same);
+    CHECK(steps() == before);
+  }
+  rig.run("show-part", R"({"part": 1, "visible": false})");
+  CHECK(steps() == before + 1);
+  CHECK_FALSE(*rig.step().flag("visible"));
+  CHECK_FALSE(seen(0));
+  CHECK_FALSE(seen(1));
+  rig.run("show-part", R"({"part": 2})");
+  CHECK(*rig.step().flag("visible"));
+  CHECK(seen(0));
+  rig.run("undo");
+  rig.run("undo");
+
+  // What was hidden before it became part of the solid is there again in it, and can be taken by a tap.
+  rig.run("release", R"({"step": 1})");
+  rig.run("show-part", R"({"part": 2, "visible": false})");
+  CHECK_FALSE(seen(1));
+  rig.run("stick-together", R"({"parts": [1, 2]})");
+  rig.settle();
+  CHECK(seen(1));
+  rig.run("draw");
+  const auto p = rig.at(100, 100);
+  rig.click(p.x, p.y);
+  CHECK(*rig.state().number("selection") == 2);
+}
+
 TEST_CASE("commands about a part, a solid or parts may name what is not selected") {
   Stuck rig;
   rig.answer(rig.lastAsked());
