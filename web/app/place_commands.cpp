@@ -287,15 +287,40 @@ void selectNew(Env env, std::uint32_t last) {
   if (root != nullptr) env.ui.solids.step = root->id;
 }
 
-Outcome duplicate(Env env, const Json& args) {
+bool inSight(Env env, const pipeline::WorldBounds& bounds) {
+  return isInSight(env.ui.camera, env.ui.layout.solid, bounds);
+}
+
+pipeline::WorldBounds shifted(const pipeline::WorldBounds& bounds, WorldPoint by) {
+  return {bounds.low + by, bounds.high + by};
+}
+
+/// The copies are in hand, and in sight: what is made and not seen would be made once more.
+void takeCopies(Env env, std::uint32_t last) {
+  selectNew(env, last);
+  const auto bounds = pipeline::boundsOf(documentOf(env), env.studio.derived(), partsFrom(env, {}));
+  if (bounds && !inSight(env, *bounds)) flyTo(env, false);
+}
+
+/// Beside the original: to the right as it is seen, or to the left where only there it is in sight.
+WorldPoint besideOf(Env env, const std::optional<pipeline::WorldBounds>& own) {
   constexpr double kLeast = 0.04, kShare = 0.3;  // world units; of the width
+  const WorldPoint right = env.ui.camera.right();
+  const bool alongX = std::abs(right.x) >= std::abs(right.z);
+  const double width = !own ? 0 : alongX ? own->high.x - own->low.x : own->high.z - own->low.z;
+  const double by = std::copysign(std::max(kLeast, kShare * width), alongX ? right.x : right.z);
+  const WorldPoint there = alongX ? WorldPoint{by, 0, 0} : WorldPoint{0, 0, by};
+  const bool left = own && !inSight(env, shifted(*own, there)) && inSight(env, shifted(*own, there * -1.0));
+  return left ? there * -1.0 : there;
+}
+
+Outcome duplicate(Env env, const Json& args) {
   const Parts parts = partsFrom(env, args);
   const auto own = pipeline::boundsOf(documentOf(env), env.studio.derived(), parts);
   if (parts.empty()) return noPart();
-  const double by = own ? std::max(kLeast, kShare * (own->high.x - own->low.x)) : kLeast;
   const std::uint32_t last = documentOf(env).lastPartId;
-  const Status status = env.studio.act(document::DuplicateParts{parts, {by, 0, 0}, {}});
-  if (status) selectNew(env, last);
+  const Status status = env.studio.act(document::DuplicateParts{parts, besideOf(env, own), {}});
+  if (status) takeCopies(env, last);
   return outcomeOf(status);
 }
 
@@ -308,7 +333,7 @@ Outcome mirrorCopy(Env env, const Json& args) {
   const document::MirrorPlane plane =
       planeFor(documentOf(env), env.studio.derived(), parts, axis);
   const Status status = env.studio.act(document::DuplicateParts{parts, {}, plane});
-  if (status) selectNew(env, last);
+  if (status) takeCopies(env, last);
   return outcomeOf(status);
 }
 

@@ -199,6 +199,48 @@ TEST_CASE("a part that moves up keeps its size in millimetres: the model grows")
   CHECK(*page.state().number("heightMm") == doctest::Approx(before).epsilon(0.001));
 }
 
+TEST_CASE("a copy is in sight: to the right as it is seen, to the left where only there is room, else the view follows") {
+  for (double yaw = -3; yaw <= 3; yaw += 0.75) {
+    for (const double aside : {-1., 0., 1.}) {
+      for (const bool near : {false, true}) {
+        Placed page;
+        UiState& ui = const_cast<UiState&>(page.app->ui());
+        Camera& camera = ui.camera;
+        ui.cameraTouched = true;
+        camera.yaw = yaw;
+        camera.pitch = 0;
+        const std::vector<double> from = page.move(0);
+        // The bar at one edge of the view, or so near that it fills the view.
+        camera.distance = near ? 0.6 : 4;
+        camera.target = {};
+        const pipeline::WorldBounds box{{-0.12, -0.38, -0.12}, {0.12, 0.38, 0.12}};
+        Camera next = camera;
+        while (aside != 0 && isInSight(next, ui.layout.solid, box)) {
+          camera = next;
+          next.target = next.target - camera.right() * (0.005 * aside);
+        }
+        const Camera before = camera;
+        page.run("duplicate");
+        page.settle();
+        const std::vector<double> to = page.move(1);
+        const WorldPoint by{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+        const double right = dot(by, before.right());
+        CAPTURE(yaw);
+        CAPTURE(aside);
+        CHECK(std::abs(right) > 0.02);
+        if (!near) CHECK((right > 0) == (aside < 1));
+        if (!near) CHECK(camera == before);
+        const Json state = page.state();
+        for (const double side : {-0.5, 0.5}) {
+          const auto at = pointOnCanvas(camera, ui.layout.solid, by + WorldPoint{0, side * 0.6, 0});
+          REQUIRE(at);
+          CHECK(ui.layout.solid.contains(*at));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("copies, mirrored copies, symmetry and groups are commands of one step each") {
   Placed page;
   page.run("duplicate");
