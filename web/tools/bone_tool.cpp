@@ -43,7 +43,7 @@ void BoneTool::tap(const ToolEnv& env) const {
   if (under_.handle >= 0) {
     env.sink.run("choose-handle", app::Json::Object{{"handle", under_.handle}});
   } else if (!under_.bone) {
-    env.sink.run("select-part", app::Json::Object{{"id", under_.part.value}});
+    selectTapped(env, under_.part);
   }
 }
 

@@ -43,7 +43,7 @@ void DrawSpine::commit(const ToolEnv& env) {
     const PicturePoint p = toPicture(env, watch_.start());
     const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p,
                                     kClickReach / env.ui.pictureView.zoom);
-    env.sink.run("select-part", app::Json::Object{{"id", part.value}});
+    selectTapped(env, part);
     return;
   }
   const document::LoftRecipe& recipe = env.ui.preview->loft();

@@ -35,7 +35,7 @@ void IgnoreTool::commit(const ToolEnv& env) {
   } else if (under_.mark >= 0) {
     env.sink.run("remove-ignore", app::Json::Object{{"mark", under_.mark}});
   } else {
-    env.sink.run("select-part", app::Json::Object{{"id", under_.part.value}});
+    selectTapped(env, under_.part);
   }
 }
 

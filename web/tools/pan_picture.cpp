@@ -1,6 +1,7 @@
 #include "web/tools/pan_picture.h"
 
 #include "web/app/outline.h"
+#include "web/tools/pick.h"
 
 namespace spineloft::tools {
 
@@ -24,7 +25,7 @@ void PanPicture::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
   const PicturePoint p = env.ui.pictureView.toPicture(watch_.start(), env.ui.layout.picture);
   const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
-  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", adds_}});
+  selectTapped(env, part, adds_);
 }
 
 }  // namespace spineloft::tools

@@ -77,6 +77,11 @@ app::Subject editedPart(const ToolEnv& env) {
   return subject;
 }
 
+void selectTapped(const ToolEnv& env, PartId part, bool add) {
+  if (env.document.parts.empty()) return;  // nothing to take, nothing to let go of
+  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", add}});
+}
+
 PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at) {
   return env.ui.pictureView.toPicture(at, env.ui.layout.picture);
 }

@@ -19,6 +19,8 @@ const char* cursorFor(const app::UiState& ui, app::Focus view);
 
 /// The selected part when it lies on the picture in view and has a shape.
 app::Subject editedPart(const ToolEnv& env);
+/// A tap: takes the part in hand, or lets go of all where there is none; `add`: besides what is in hand.
+void selectTapped(const ToolEnv& env, PartId part, bool add = false);
 PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at);
 app::Json pointJson(PicturePoint p);
 app::Json strokeJson(const std::vector<PicturePoint>& stroke);

@@ -53,7 +53,7 @@ void RibTool::tap(const ToolEnv& env) const {
       env.sink.run("choose-rib",
                    endJson(part, {*rib, left ? ribs::Side::Left : ribs::Side::Right}));
     } else {
-      env.sink.run("select-part", app::Json::Object{{"id", under_.part.value}});
+      selectTapped(env, under_.part);
     }
   }
 }

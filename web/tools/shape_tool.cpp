@@ -32,7 +32,7 @@ void ShapeTool::commit(const ToolEnv& env) {
   if (!env.ui.preview) {
     const PicturePoint p = toPicture(env, watch_.start());
     const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
-    env.sink.run("select-part", app::Json::Object{{"id", part.value}});
+    selectTapped(env, part);
     return;
   }
   const PartId part = env.ui.preview->part;

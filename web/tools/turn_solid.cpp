@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "web/tools/pick.h"
+
 namespace spineloft::tools {
 namespace {
 
@@ -48,7 +50,7 @@ void TurnSolid::commit(const ToolEnv& env) {
     return;
   }
   const PartId part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
-  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", adds_}});
+  selectTapped(env, part, adds_);
 }
 
 }  // namespace spineloft::tools

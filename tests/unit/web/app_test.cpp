@@ -141,6 +141,23 @@ TEST_CASE("once a pen was seen a finger moves the picture instead of drawing") {
   CHECK(rig.at(100, 100).y != doctest::Approx(before.y));
 }
 
+TEST_CASE("a tap where there is nothing to take is no mistake: nothing is said") {
+  Rig rig;
+  rig.openBar();
+  for (const char* tool : {"draw", "hand", "ribs", "shape", "bone", "ignore-edges", "move"}) {
+    rig.run(tool);
+    for (const app::Rect& view : {rig.app->ui().layout.picture, rig.app->ui().layout.solid}) {
+      const auto at = view.centre();
+      for (const Device device : {Device::Mouse, Device::Touch}) {
+        rig.pointer(PointerKind::Down, at.x, at.y, device);
+        rig.pointer(PointerKind::Up, at.x, at.y, device);
+        rig.settle();
+      }
+    }
+  }
+  CHECK_FALSE(rig.host.said("not possible"));
+}
+
 TEST_CASE("a click on a part in either view selects it, a click beside it selects none") {
   Rig rig;
   rig.openBar();
