@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "engine/document/checks.h"
+#include "engine/geometry/polygon.h"
 #include "engine/geometry/region.h"
 #include "engine/io/json_fields.h"
 #include "web/app/command_actions.h"
@@ -75,6 +76,19 @@ Outcome missingRegion() {
   return missing("a line: a list of [x, y] picture pixels round the thing (or contours, or lines)");
 }
 
+/// Whether a line went round something twice, or round two things. Where it crosses itself pieces may still hang
+/// together by a thread, and a hole may be open by one, so that areas tell: those of a line that goes round once
+/// agree, but for the small loop where a hand closes it.
+bool crossesItself(const document::Region& region, const geometry::Contours& made) {
+  constexpr double kLoop = 0.05;  // of the area
+  if (region.ribbon > 0) return false;  // open lines may cross; they are one ribbon there
+  if (made.size() > region.contours.size()) return true;
+  if (region.contours.size() != 1) return false;
+  const double round = std::abs(geometry::signedArea(std::span<const PicturePoint>(region.contours.front())));
+  const double left = std::abs(geometry::areaOf(made));
+  return std::abs(round - left) > kLoop * left;
+}
+
 /// Says so when a part of what was drawn is cut off, or when a line went round more than it seems: `made` is what is
 /// left of it.
 void tellChanges(Env env, const document::Region& region, const geometry::Contours& made) {
@@ -91,10 +105,8 @@ void tellChanges(Env env, const document::Region& region, const geometry::Contou
       return;
     }
   }
-  // Open lines may cross; they are one ribbon there.
-  if (region.ribbon > 0 || made.size() <= region.contours.size()) return;
-  sendStatus(env.host,
-             "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
+  if (!crossesItself(region, made)) return;
+  sendInfo(env.host, "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
 }
 
 /// The outlines of which a solid will be made; so that what cannot be shown is refused before it is kept.

@@ -1,7 +1,10 @@
 // Puffs and flat pieces on the page: drawn, tapped, changed, by hand and by command.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "tests/unit/web/rig.h"
 
@@ -169,6 +172,30 @@ TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
   CHECK(rig.run("draw-puff", R"({"contours":[[[-90,-90],[290,-90],[290,290],[-90,290]]]})").flag("ok") ==
         true);
   CHECK(rig.host.said("cut off"));
+}
+
+TEST_CASE("a hand that draws an eight or goes round twice is told so, one that closes its line with a small loop is not") {
+  const auto said = [](auto&& at) {
+    Rig rig;
+    rig.openBar();
+    std::string line = R"({"line":[)";
+    for (int i = 0; i < 90; ++i) {
+      const auto [x, y] = at(i / 89.0 * 2 * std::numbers::pi);
+      line += (i > 0 ? ",[" : "[") + std::to_string(x) + "," + std::to_string(y) + "]";
+    }
+    REQUIRE(rig.run("draw-puff", line + "]}").flag("ok") == true);
+    return rig.host.said("crosses itself");
+  };
+  using Place = std::pair<double, double>;
+  const auto round = [](double r, double angle) {
+    return Place{100 + r * std::cos(angle), 100 + r * std::sin(angle)};
+  };
+  CHECK(said([](double t) { return Place{100 + 60 * std::sin(t), 100 + 40 * std::sin(2 * t)}; }));
+  CHECK(said([&](double t) { return round(50 + 20 * std::cos(t), 2 * t); }));
+  for (const double over : {0., 0.1, 0.3}) {
+    // It ends past its beginning, a little within it, with the tremor of a hand.
+    CHECK_FALSE(said([&](double t) { return round(60 - 2 * over * t + 0.5 * std::sin(40 * t), t * (1 + over / 6)); }));
+  }
 }
 
 TEST_CASE("a line that crosses itself is told to make more than one piece, and one that goes round once is not") {
