@@ -89,7 +89,7 @@ constexpr std::array kTexts = {
               "That model was made with a newer SpineLoft. Reload the page to get the newest one, "
               "then open it again."},
     ErrorText{Error::NoProjectInside, "NoProjectInside",
-              "That 3D file was not made with SpineLoft, so there is nothing to edit inside. Open a "
+              "There is no model of SpineLoft in that file, so there is nothing to edit inside. Open a "
               ".spineloft file or a GLB saved here."},
     ErrorText{Error::Cancelled, "Cancelled", "Cancelled; nothing was changed."},
     ErrorText{Error::OutOfMemory, "OutOfMemory",

@@ -152,6 +152,17 @@ std::optional<UsageProblem> readFormat(const std::string& out, publish::Format& 
   return std::nullopt;
 }
 
+/// A file that has one form only must not have the name of another.
+std::optional<UsageProblem> needsEnding(const std::string& out, std::string_view ending) {
+  if (out.empty() || lowerExtension(out) == ending) return std::nullopt;
+  return UsageProblem{"The output " + out + " must end in ." + std::string(ending) + "."};
+}
+
+/// The same for texts, whose names may also have no ending at all.
+std::optional<UsageProblem> needsEndingIfAny(const std::string& out, std::string_view ending) {
+  return lowerExtension(out).empty() ? std::nullopt : needsEnding(out, ending);
+}
+
 /// Fills in what is written, and in which form.
 std::optional<UsageProblem> readOutputs(const Words& words, LoftArguments& loft) {
   loft.out = words.option("--out");
@@ -159,6 +170,10 @@ std::optional<UsageProblem> readOutputs(const Words& words, LoftArguments& loft)
   loft.ribs = words.option("--ribs");
   loft.report = words.option("--report");
   if (const auto problem = readFormat(loft.out, loft.format)) return problem;
+  if (const auto problem = needsEnding(loft.mask, "png")) return problem;
+  for (const std::string& text : {loft.ribs, loft.report}) {
+    if (const auto problem = needsEndingIfAny(text, "json")) return problem;
+  }
   if (words.has("--obj-space")) {
     const std::string space = words.option("--obj-space");
     if (space != "image" && space != "world") {
@@ -213,8 +228,7 @@ Arguments parseEdges(std::span<const std::string_view> rest) {
   if (words.files.size() != 1) return oneFile(words, "the picture whose edges are wanted");
   if (!words.has("--out")) return UsageProblem{"Name the output with --out FILE.png."};
   EdgesArguments edges{words.files[0], words.option("--out")};
-  if (lowerExtension(edges.out) != "png")
-    return UsageProblem{"The output " + edges.out + " must end in .png."};
+  if (const auto problem = needsEnding(edges.out, "png")) return *problem;
   if (const auto problem = clash(std::array{edges.image}, std::array{edges.out})) return *problem;
   return edges;
 }
@@ -230,6 +244,9 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
   open.document = words.option("--document");
   open.report = words.option("--report");
   if (const auto problem = readFormat(open.out, open.format)) return *problem;
+  for (const std::string& text : {open.document, open.report}) {
+    if (const auto problem = needsEndingIfAny(text, "json")) return *problem;
+  }
   const std::array outputs{open.out, open.document, open.report};
   if (const auto problem = clash(std::array{open.file}, outputs)) return *problem;
   return open;
@@ -261,6 +278,10 @@ Arguments parseBench(std::span<const std::string_view> rest) {
   bench.ablation = words.option("--ablation");
   bench.leaveOneOut = words.option("--leave-one-out");
   if (words.has("--variation")) bench.variation = words.option("--variation");
+  if (const auto problem = needsEndingIfAny(bench.json, "json")) return *problem;
+  for (const std::string& text : {bench.ablation, bench.leaveOneOut}) {
+    if (const auto problem = needsEndingIfAny(text, "md")) return *problem;
+  }
   if (variationFromKey(bench.variation) == nullptr) {
     return UsageProblem{"There is no variation " + bench.variation + "; there are " +
                         keysOf(variations()) + "."};

@@ -90,6 +90,7 @@ Result<Bytes> readFile(const std::string& path) {
       if (bytes.size() > kLargestFile) return {Error::FileUnreadable, path + " is too large"};
     }
     if (file.bad()) return {Error::FileUnreadable, path};
+    if (bytes.empty()) return {Error::FileUnreadable, path + " is empty"};
     return bytes;
   } catch (const std::bad_alloc&) {
     return {Error::OutOfMemory, path};

@@ -11,8 +11,8 @@ namespace spineloft::cli {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The whole file. Error: FileUnreadable (missing, a folder, no permission, over 1 GiB),
-/// OutOfMemory.
+/// The whole file, at least one byte. Error: FileUnreadable (missing, a folder, no permission, empty, over
+/// 1 GiB), OutOfMemory.
 Result<Bytes> readFile(const std::string& path);
 Result<std::string> readText(const std::string& path);
 

@@ -60,6 +60,11 @@ std::optional<GlbChunks> readGlbChunks(std::span<const std::uint8_t> glb) {
   return chunks;
 }
 
+bool isCutOff(std::span<const std::uint8_t> glb) {
+  if (glb.size() < 4 || wordAt(glb, 0) != kMagic) return false;
+  return glb.size() < kHeader || wordAt(glb, 8) > glb.size();
+}
+
 std::string_view jsonOfGlb(std::span<const std::uint8_t> glb) {
   constexpr std::size_t kFront = kHeader + kChunkHeader;
   if (glb.size() < kFront || wordAt(glb, 0) != kMagic || wordAt(glb, kHeader + 4) != kJsonChunk) {

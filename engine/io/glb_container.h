@@ -21,6 +21,9 @@ struct GlbChunks {
 /// None for anything but a whole GLB of version 2; what follows its declared end is not looked at.
 std::optional<GlbChunks> readGlbChunks(std::span<const std::uint8_t> glb);
 
+/// Whether the file begins as a GLB and ends before the length that it states.
+bool isCutOff(std::span<const std::uint8_t> glb);
+
 /// What there is of the JSON chunk, also when the file is cut off or its sizes are wrong; empty for what
 /// does not begin as a GLB.
 std::string_view jsonOfGlb(std::span<const std::uint8_t> glb);

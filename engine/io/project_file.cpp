@@ -251,6 +251,8 @@ bool holdsProject(std::span<const std::uint8_t> glb) {
 }
 
 Result<Document> readProject(std::span<const std::uint8_t> glb, ReadNotes* notes) {
+  // A file that ends early may end before it says whose it is.
+  if (isCutOff(glb)) return {Error::ProjectInvalid, "cut off"};
   if (!holdsProject(glb)) return Error::NoProjectInside;
   const std::optional<GlbChunks> chunks = readGlbChunks(glb);
   if (!chunks) return {Error::ProjectInvalid, "cut off"};

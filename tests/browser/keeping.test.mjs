@@ -352,7 +352,7 @@ test('a GLB that was saved here goes on; one of another program or a damaged fil
   const head = Buffer.alloc(20);
   for (const [i, value] of [0x46546c67, 2, 20 + json.length, json.length, 0x4e4f534a].entries()) head.writeUInt32LE(value, 4 * i);
   for (const [name, bytes, says] of [
-    ['foreign.glb', Buffer.concat([head, json]), /not made with SpineLoft/],
+    ['foreign.glb', Buffer.concat([head, json]), /no model of SpineLoft/],
     ['cut.spineloft', glb.subarray(0, glb.length >> 1), /damaged/i],
     ['text.spineloft', Buffer.from('hello'), /./],
   ]) {

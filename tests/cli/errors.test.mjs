@@ -29,12 +29,21 @@ test('wrong usage ends with 2 and says what is wrong', (t) => {
     [['loft', picture, ...stroke, '--out', folder.path('glb')], /\.glb, \.obj, \.zip, \.stl, \.3mf or \.spineloft/],
     [['loft', picture, ...stroke, '--out', folder.path('a.obj'), '--obj-space', 'moon'], /image or world/],
     [['loft', picture, ...stroke, '--out', folder.path('a.stl'), '--obj-space', 'image'], /\.obj/],
-    [['loft', picture, ...stroke, '--mask', folder.path('x.png'), '--ribs', folder.path('x.png')], /same name/],
+    [['loft', picture, ...stroke, '--report', folder.path('x.json'), '--ribs', folder.path('x.json')], /same name/],
     [['loft', picture, ...stroke, '--mask', folder.path('../' + folder.folder.split('/').at(-1) + '/bar.png')], /replace an input/],
     ...['0', '-5', '10001', 'tall', '1e9', 'nan', '10mm', ''].map((height) => [['loft', picture, ...stroke, '--height-mm', height], /height/]),
     [['edges', picture], /--out/],
     [['edges', '--out', folder.path('e.png')], /picture/],
     [['edges', picture, '--out', folder.path('e.jpg')], /\.png/],
+    [['loft', picture, ...stroke, '--mask', folder.path('m.jpg')], /m\.jpg must end in \.png/],
+    [['loft', picture, ...stroke, '--mask', folder.path('m')], /must end in \.png/],
+    [['loft', picture, ...stroke, '--ribs', folder.path('ribs.csv')], /ribs\.csv must end in \.json/],
+    [['loft', picture, ...stroke, '--report', folder.path('r.txt')], /\.json/],
+    [['open', folder.path('bar.glb'), '--document', folder.path('d.png')], /\.json/],
+    [['open', folder.path('bar.glb'), '--report', folder.path('d.png')], /\.json/],
+    [['bench', folder.folder, '--json', folder.path('b.md')], /\.json/],
+    [['bench', folder.folder, '--ablation', folder.path('b.json')], /\.md/],
+    [['bench', folder.folder, '--leave-one-out', folder.path('b.html')], /\.md/],
     [['bench'], /folder/],
     ...['0', '1.5', '65', 'x'].map((jobs) => [['bench', folder.folder, '--jobs', jobs], /jobs/]),
   ];
@@ -78,7 +87,7 @@ test('bad strokes end with 3 and say which way they are bad', (t) => {
   const folder = barFolder(t);
   const loop = Array.from({ length: 80 }, (_, i) => [120 + 60 * Math.sin(i / 8), 160 + 60 * Math.sin(i / 16)]);
   const bad = [
-    ['', /JSON/],
+    ['', /empty/],
     ['{', /JSON/],
     ['"line"', /JSON/],
     ['[1, 2, 3]', /JSON.*point 1/],
@@ -123,13 +132,13 @@ test('when one output cannot be written none is, and what was there before is un
   const folder = barFolder(t);
   writeFileSync(folder.path('a.stl'), 'old model');
   writeFileSync(folder.path('a.json'), 'old ribs');
-  mkdirSync(folder.path('taken'));
+  for (const name of ['taken', 'taken.png']) mkdirSync(folder.path(name));
   const before = folder.list();
-  for (const unwritable of [folder.path('no/such/folder/m.png'), folder.path('taken')]) {
-    for (const order of [['--mask', unwritable, '--report'], ['--report', unwritable, '--mask']]) {
+  for (const unwritable of [folder.path('no/such/folder/m'), folder.path('taken')]) {
+    for (const order of [['--mask', `${unwritable}.png`, '--report', folder.path('new')], ['--report', unwritable, '--mask', folder.path('new.png')]]) {
       const sentence = fails(
         kInput, 'loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'),
-        '--out', folder.path('a.stl'), '--ribs', folder.path('a.json'), ...order, folder.path('new'),
+        '--out', folder.path('a.stl'), '--ribs', folder.path('a.json'), ...order,
       );
       assert.match(sentence, /cannot be written/);
       assert.ok(sentence.includes(unwritable));

@@ -79,8 +79,20 @@ test('what is no project, is cut off or too new is said in one sentence', (t) =>
   writeFileSync(folder.path('other.glb'), withJson(bar, (json) => { delete json.extensions; delete json.extensionsUsed; }));
   assert.match(fails(3, 'open', folder.path('cut.spineloft')), /damaged/);
   assert.match(fails(3, 'open', folder.path('new.spineloft')), /newer/);
-  assert.match(fails(3, 'open', folder.path('other.glb')), /not made with SpineLoft/);
-  assert.match(fails(3, 'open', folder.path('bar.png')), /not made with SpineLoft/);
+  assert.match(fails(3, 'open', folder.path('other.glb')), /no model of SpineLoft/);
+  assert.match(fails(3, 'open', folder.path('bar.png')), /no model of SpineLoft/);
+  for (const name of ['none.spineloft', 'none.glb', 'none.stl', 'none.zip', 'none.png']) {
+    writeFileSync(folder.path(name), '');
+    assert.match(fails(3, 'open', folder.path(name)), new RegExp(`${name} is empty`));
+  }
+  // Cut so early that only its first word says what it is.
+  writeFileSync(folder.path('stub.glb'), bar.subarray(0, 10));
+  assert.match(fails(3, 'open', folder.path('stub.glb')), /damaged/);
+  // A model that was saved here, in a form that cannot be edited, is not called a stranger.
+  for (const name of ['bar.stl', 'bar.zip', 'bar.3mf']) {
+    works('open', folder.path('bar.spineloft'), '--out', folder.path(name));
+    assert.match(fails(3, 'open', folder.path(name)), /no model of SpineLoft in that file/);
+  }
   assert.match(fails(2, 'open', folder.path('bar.spineloft'), '--out', folder.path('bar.spineloft')), /replace/);
   assert.match(fails(2, 'open', folder.path('bar.spineloft'), '--out', folder.path('x.fbx')), /\.spineloft/);
 });

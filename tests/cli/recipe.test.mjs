@@ -107,7 +107,7 @@ test('a bad recipe ends with 3, says where it is bad, and leaves nothing behind'
   const folder = barFolder(t);
   const stroke = barStroke.flat();
   const bad = [
-    ['', /not JSON/],
+    ['', /empty/],
     ['{', /not JSON/],
     ['[]', /no object/],
     ['['.repeat(100000), /too deep/],

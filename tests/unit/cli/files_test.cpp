@@ -47,13 +47,16 @@ std::string textOf(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("what is written reads back, empty and large") {
+TEST_CASE("what is written reads back, and an empty file is told apart from one that cannot be read") {
   const Folder folder;
   Bytes large(300000);
   for (std::size_t i = 0; i < large.size(); ++i) large[i] = static_cast<std::uint8_t>(i * 7);
   REQUIRE(writeAll({{folder("empty"), {}}, {folder("large"), large}}).ok());
   CHECK(readFile(folder("large")).value() == large);
-  CHECK(readFile(folder("empty")).value().empty());
+  CHECK(fs::file_size(folder("empty")) == 0);
+  CHECK(readFile(folder("empty")).failure().detail == folder("empty") + " is empty");
+  CHECK(readText(folder("empty")).failure().detail == folder("empty") + " is empty");
+  CHECK(readFile(folder("none")).failure().detail == folder("none"));
   CHECK(folder.count() == 2);
   REQUIRE(writeAll({}).ok());
 }
