@@ -196,8 +196,8 @@ float oppositeCost(const LengthProblem& p, int rib, std::size_t l, std::size_t r
   const std::size_t n = index(p.levels), row = index(rib) * n;
   float cost = p.opposite.empty() ? 0.f : p.opposite[l * n + r];
   if (!p.leanScale.empty()) {
-    cost += p.leanScale[index(rib)] *
-            std::abs((1 - p.lean) * p.left.place[row + l] - (1 + p.lean) * p.right.place[row + r]);
+    const float apart = (1 - p.lean) * p.left.place[row + l] - (1 + p.lean) * p.right.place[row + r];
+    cost += lesser(p.leanScale[index(rib)] * std::abs(apart), p.leanCap);
   }
   return cost;
 }
@@ -215,7 +215,8 @@ void addOpposite(const LengthProblem& p, int rib, bool ofLeft, std::size_t other
   const float* own = &(ofLeft ? p.left : p.right).place[row];
   const float far = ofLeft ? (1 + p.lean) * p.right.place[row + other]
                            : (1 - p.lean) * p.left.place[row + other];
-  for (std::size_t k = 0; k < n; ++k) costs[k] += scale * std::abs(ownShare * own[k] - far);
+  for (std::size_t k = 0; k < n; ++k)
+    costs[k] += lesser(scale * std::abs(ownShare * own[k] - far), p.leanCap);
 }
 
 void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, CostLine line,
@@ -231,7 +232,7 @@ void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, CostLine line,
     }
     return;
   }
-  // scale · |own − far|: a running minimum from either side.
+  // scale · |own − far|: a running minimum from either side, and from all where it costs its most.
   const float scale = p.leanScale[index(rib)];
   const float* own = &(ofLeft ? p.left : p.right).place[index(rib) * n];
   const float* far = &(ofLeft ? p.right : p.left).place[index(rib) * n];
@@ -240,11 +241,12 @@ void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, CostLine line,
   scratch.running.resize(2 * (n + 1));
   float *below = scratch.running.data(), *above = below + n + 1;
   runningMinima({line.in, far, farScale}, n, below, above);
+  const float capped = leastOf(line.in, n) + p.leanCap;
   std::size_t q = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const float at = ownScale * own[k];
     while (q < n && farScale * far[q] <= at) ++q;
-    line.out[k] = lesser(below[q] + at, above[q] - at);
+    line.out[k] = lesser(lesser(below[q] + at, above[q] - at), capped);
   }
 }
 

@@ -116,7 +116,8 @@ class PairSearch {
       const float own = rowSide.unary[at + index(i)],
                   place = rowScale * rowSide.place[at + index(i)];
       for (std::size_t j = 0; j < width; ++j) {
-        row[j] += own + unary[j] + std::abs(place - columnScale * places[j]);
+        const float apart = std::abs(place - columnScale * places[j]);
+        row[j] += own + unary[j] + (apart < p_.leanCap ? apart : p_.leanCap);
       }
       if (p_.opposite.empty()) continue;
       for (std::size_t j = 0; j < width; ++j) {

@@ -39,10 +39,11 @@ struct LengthProblem {
   /// levels × levels costs, row = left label; empty where opposite sides are independent.
   std::vector<float> opposite;
   /// Opposite ends compared by place instead, for a stroke whose lean is known (see lean.h): a cost
-  /// of leanScale_i · |(1 − lean) left − (1 + lean) right| per rib, on top of the table. −1 < lean
-  /// < 1. leanScale is empty, or has `ribs` entries.
+  /// of min(leanCap, leanScale_i · |(1 − lean) left − (1 + lean) right|) per rib, on top of the table.
+  /// −1 < lean < 1. leanScale is empty, or has `ribs` entries.
   float lean = 0;
   std::vector<float> leanScale;
+  float leanCap = std::numeric_limits<float>::infinity();
   bool paired() const { return !opposite.empty() || !leanScale.empty(); }
 };
 

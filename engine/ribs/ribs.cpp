@@ -38,6 +38,9 @@ constexpr double kPriceOfChange = 3;
 // everywhere.
 constexpr double kStiffer = 40;
 constexpr float kOppositeShare = 0.7f;
+// Most that one rib's unequal sides cost: where a stroke wanders, or the even part was found too narrow, what the
+// picture shows on both sides counts for more than that they should be alike.
+constexpr double kMostUnequal = 0.55;
 // What the evidence of a curve counts for in the third look whose end so far stands on nothing, against
 // one that stands on as strong an edge as its neighbours.
 constexpr float kLeastSay = 0.3f;
@@ -186,6 +189,7 @@ void assume(const EvenPart& even, Search& s) {
   spread(even, false, s);
   const double pixel = s.levels.radius[1];
   s.problem.lean = static_cast<float>(even.lean);
+  s.problem.leanCap = static_cast<float>(kMostUnequal * shareOfRib(s));
   s.problem.leanScale.clear();
   for (float width : even.width) {
     const double scale =

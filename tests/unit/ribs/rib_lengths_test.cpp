@@ -49,6 +49,7 @@ LengthProblem randomProblem(int ribs, int levels, bool opposite, Rng& rng) {
     if (p.opposite.empty() || rng.uniform() < 0.5) {
       p.lean = static_cast<float>(rng.uniform(-0.6, 0.6));
       for (int i = 0; i < ribs; ++i) p.leanScale.push_back(static_cast<float>(rng.uniform(0, 1)));
+      if (rng.uniform() < 0.5) p.leanCap = static_cast<float>(rng.uniform(0.1, 3));
     }
   }
   return p;

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -69,6 +70,30 @@ TEST_CASE(
     good += std::abs(rib.left.y - 90) < 3 && std::abs(rib.right.y - 210) < 3 ? 1 : 0;
   }
   CHECK(good >= 48);  // of 52
+}
+
+TEST_CASE("a bottle has both its sides under a stroke that crosses its middle aslant") {
+  for (const double neck : {14., 20.}) {
+    const auto half = [&](double x) { return neck + (60 - neck) * std::clamp((x - 140) / 25, 0., 1.); };
+    const image::EdgeMap map = fixtures::mapOf(kPicture, [&](PicturePoint p) {
+      return p.x > 40 && p.x < 340 && std::abs(p.y - 150) < half(p.x);
+    });
+    for (const double from : {-0.5, 0.5}) {  // half widths: a quarter of the width
+      CAPTURE(neck);
+      CAPTURE(from);
+      Points stroke;
+      for (double x = 60; x <= 310; x += 5)
+        stroke.push_back({x, 150 + from * (1 - (x - 60) / 125) * half(x)});
+      int good = 0, all = 0;
+      for (const Rib& rib : inner(trace(stroke, map))) {
+        if (std::abs(rib.center.x - 155) < 40) continue;  // the shoulder
+        const double out = half(rib.center.x);
+        good += std::abs(rib.left.y - (150 - out)) < 6 && std::abs(rib.right.y - (150 + out)) < 6 ? 1 : 0;
+        ++all;
+      }
+      CHECK(good >= 0.9 * all);
+    }
+  }
 }
 
 TEST_CASE("drawn backwards, left and right are swapped and the order is reversed") {
