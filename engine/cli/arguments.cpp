@@ -264,10 +264,27 @@ std::optional<UsageProblem> readShare(const Words& words, std::string_view optio
   return std::nullopt;
 }
 
+struct Range {
+  int least, most;
+};
+
+/// A whole number in a range, where the option is given.
+std::optional<UsageProblem> readWhole(const Words& words, std::string_view option, std::string_view what,
+                                      Range range, int& number) {
+  if (!words.has(option)) return std::nullopt;
+  const auto value = numberOf(words.option(option));
+  if (!value || !(*value >= range.least && *value <= range.most) || *value != std::floor(*value)) {
+    return UsageProblem{std::string(what) + " must be a whole number from " + std::to_string(range.least) + " to " +
+                        std::to_string(range.most) + "."};
+  }
+  number = static_cast<int>(*value);
+  return std::nullopt;
+}
+
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 9> kKnown{
+  static constexpr std::array<std::string_view, 10> kKnown{
       "--json",          "--jobs",  "--overlays",  "--ablation", "--variation",
-      "--leave-one-out", "--erase", "--overshoot", "--live"};
+      "--leave-one-out", "--erase", "--overshoot", "--redraw",     "--live"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -287,20 +304,9 @@ Arguments parseBench(std::span<const std::string_view> rest) {
                         keysOf(variations()) + "."};
   }
   if (const auto problem = clash({}, std::array{bench.json, bench.ablation, bench.leaveOneOut})) return *problem;
-  if (words.has("--jobs")) {
-    const auto jobs = numberOf(words.option("--jobs"));
-    if (!jobs || *jobs < 1 || *jobs > 64 || *jobs != std::floor(*jobs)) {
-      return UsageProblem{"The number of jobs must be a whole number from 1 to 64."};
-    }
-    bench.jobs = static_cast<int>(*jobs);
-  }
-  if (words.has("--live")) {
-    const auto moves = numberOf(words.option("--live"));
-    if (!moves || *moves < 10 || *moves > 1000 || *moves != std::floor(*moves)) {
-      return UsageProblem{"The number of moves of a live stroke must be a whole number from 10 to 1000."};
-    }
-    bench.live = static_cast<int>(*moves);
-  }
+  if (const auto problem = readWhole(words, "--jobs", "The number of jobs", {1, 64}, bench.jobs)) return *problem;
+  if (const auto problem = readWhole(words, "--live", "The number of moves of a live stroke", {10, 1000}, bench.live)) return *problem;
+  if (const auto problem = readWhole(words, "--redraw", "The seed of strokes drawn anew", {1, 1000000}, bench.redraw)) return *problem;
   if (const auto problem = readShare(words, "--erase", "The share to erase", 1, bench.erase)) return *problem;
   if (const auto problem = readShare(words, "--overshoot", "The overshoot", 3, bench.overshoot)) return *problem;
   return bench;
@@ -358,7 +364,7 @@ std::string usageText() {
           "  the edges that were found, as large as the picture\n\n"
           "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
           "                [--ablation FILE.md] [--leave-one-out FILE.md] [--erase SHARE]\n"
-          "                [--overshoot HALF_WIDTHS] [--live MOVES]\n"
+          "                [--overshoot HALF_WIDTHS] [--redraw SEED] [--live MOVES]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

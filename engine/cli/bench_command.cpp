@@ -19,6 +19,7 @@
 #include "engine/cli/bench_cases.h"
 #include "engine/cli/erased_outline.h"
 #include "engine/cli/overshot_stroke.h"
+#include "engine/cli/redrawn_strokes.h"
 #include "engine/cli/files.h"
 #include "engine/cli/leave_one_out.h"
 #include "engine/cli/live_score.h"
@@ -82,6 +83,7 @@ class Bench {
     Result<LoadedCase> loaded = loadCase(folder);
     if (!loaded.ok()) return loaded.failure();
     LoadedCase& one = loaded.value();
+    if (arguments_.redraw > 0) redrawStrokes(one.text, static_cast<std::uint64_t>(arguments_.redraw));
     const Truth truth({one.mask, one.text.axis, one.text.boundaryTolerance});
     const bool sketch = one.text.category == "sketch";
     if (const Status done = eraseOutline(truth, arguments_.erase, sketch, one.picture.working); !done.ok()) return done.failure();

@@ -22,7 +22,7 @@ function maskBounds({ width, height, data }) {
 
 test('help names every option, version the version, both on standard output', () => {
   const help = works('--help').stdout;
-  for (const word of ['--stroke', '--stroke-name', '--stroke-ends', '--recipe', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays', '--overshoot']) {
+  for (const word of ['--stroke', '--stroke-name', '--stroke-ends', '--recipe', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays', '--overshoot', '--redraw']) {
     assert.ok(help.includes(word), word);
   }
   assert.equal(works('loft', '--help').stdout, help);
