@@ -1,11 +1,12 @@
 // npm test: set-up, then every check and test program of the project. The last line is the sum of all runners.
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { houseErrors, houseFiles } from './arrows.mjs';
 import { buildSite } from './build.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
-import { doctestCounts, nodeTestCounts } from './lib/counts.mjs';
+import { doctestCounts, doctestTotal, nodeTestCounts, stretchCounts, sumCounts, testStretches } from './lib/counts.mjs';
 import { buildDir, dataFolder, root } from './lib/paths.mjs';
 import { duration, mainProgram, output, run, say, Stop } from './lib/run.mjs';
 import { setup } from './setup.mjs';
@@ -24,12 +25,31 @@ async function types() {
   return { passed: done.problem ? 0 : 1, failed: done.problem ? 1 : 0, note: '' };
 }
 
+/**
+ * Runs a doctest program over its test cases in stretches, as many side by side as there are processors. A stretch
+ * that breaks off is a failure by itself.
+ */
 async function doctest(preset, command, args, env = {}) {
-  const options = { cwd: root, env: { ...(dataFolder ? { SPINELOFT_DATA: dataFolder } : {}), ...env }, show: true, allowFailure: true, log: `${preset}-tests`, timeout: 20 * kMinutes };
-  const done = await run(`the tests of ${preset}`, command, [...args, '--no-colors', '--no-version'], options);
-  const counts = doctestCounts(done);
-  if (done.status === null) counts.note = `the test program was ${done.problem}`;
-  return counts;
+  const options = {
+    cwd: root, env: { ...(dataFolder ? { SPINELOFT_DATA: dataFolder } : {}), ...env }, allowFailure: true, log: `${preset}-tests`, timeout: 20 * kMinutes,
+  };
+  const listed = await run(`the list of tests of ${preset}`, command, [...args, '--count', '--no-colors', '--no-version'], options);
+  const total = doctestTotal(listed.text);
+  if (!total) return doctestCounts(listed);
+  const stretches = testStretches(total, 3 * availableParallelism());
+  const results = [];
+  const work = async () => {
+    for (let next = stretches.shift(); next; next = stretches.shift()) {
+      const { first, last } = next;
+      const label = `the tests ${first} to ${last} of ${preset}`;
+      const done = await run(label, command, [...args, `--first=${first}`, `--last=${last}`, '--no-colors', '--no-version'], { ...options, show: true });
+      const counts = stretchCounts(done, last - first + 1);
+      if (done.status === null) counts.note = `${label} were ${done.problem}`;
+      results.push(counts);
+    }
+  };
+  await Promise.all(Array.from({ length: availableParallelism() }, work));
+  return sumCounts(results);
 }
 
 async function native() {
@@ -139,8 +159,8 @@ await mainProgram(async () => {
   for (const { name, passed, failed, note, time } of results) {
     say(`${name.padEnd(9)} ${String(passed).padStart(5)} passed ${String(failed).padStart(4)} failed  ${time}${note ? `  ${note}` : ''}`);
   }
-  const sum = (key) => results.reduce((total, result) => total + result[key], 0);
+  const all = sumCounts(results);
   say(`All stages took ${duration(Date.now() - started)}; their logs are in ${join(buildDir, 'logs')}.`);
-  say(`${sum('passed')} passed, ${sum('failed')} failed`);
-  return sum('failed') ? 1 : 0;
+  say(`${all.passed} passed, ${all.failed} failed`);
+  return all.failed ? 1 : 0;
 });

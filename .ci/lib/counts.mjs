@@ -9,11 +9,40 @@ function outcome(passed, failed, status, what) {
   return { passed, failed, note: '' };
 }
 
+/** How many test cases doctest's `--count` announces; 0 if it says nothing. */
+export function doctestTotal(text) {
+  return Number(text.match(/unskipped test cases passing the current filters: (\d+)/)?.[1] ?? 0);
+}
+
+/** `total` test cases, numbered from 1, in at most `count` stretches of nearly the same length. */
+export function testStretches(total, count) {
+  const parts = Math.max(1, Math.min(total, count));
+  const upTo = (k) => Math.round((total * k) / parts);
+  return Array.from({ length: parts }, (_, k) => ({ first: upTo(k) + 1, last: upTo(k + 1) }));
+}
+
 /** doctest's summary: `[doctest] test cases: 6 | 6 passed | 0 failed | 0 skipped`. */
 export function doctestCounts({ text, status }) {
+  const { passed, failed } = doctestSummary(text);
+  return outcome(passed, failed, status, 'the test program');
+}
+
+/** The same for a run over a stretch of `length` test cases: doctest counts all those outside it as passed. */
+export function stretchCounts({ text, status }, length) {
+  const { passed, failed } = doctestSummary(text);
+  return outcome(passed + failed ? length - failed : 0, failed, status, 'the test program');
+}
+
+function doctestSummary(text) {
   const plain = text.replace(/\x1b\[[0-9;]*m/g, '');
   const hit = plain.match(/\[doctest\] test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) failed/);
-  return outcome(hit ? Number(hit[1]) : 0, hit ? Number(hit[2]) : 0, status, 'the test program');
+  return { passed: hit ? Number(hit[1]) : 0, failed: hit ? Number(hit[2]) : 0 };
+}
+
+export function sumCounts(results) {
+  const sum = (key) => results.reduce((total, counts) => total + counts[key], 0);
+  const notes = results.map((counts) => counts.note).filter(Boolean);
+  return { passed: sum('passed'), failed: sum('failed'), note: notes.join('; ') };
 }
 
 /** node:test's TAP summary: `# pass 9`, `# fail 0`, `# cancelled 0`. */

@@ -4,7 +4,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { doctestCounts, nodeTestCounts } from '../lib/counts.mjs';
+import { doctestCounts, doctestTotal, nodeTestCounts, stretchCounts, sumCounts, testStretches } from '../lib/counts.mjs';
 import { ownDebianSource } from '../lib/debian.mjs';
 import { lock, root } from '../lib/paths.mjs';
 
@@ -31,6 +31,24 @@ test('a test program that crashed, or ran nothing, counts as a failure', () => {
   assert.equal(doctestCounts({ text: '[doctest] test cases: 0 | 0 passed | 0 failed | 0 skipped', status: 0 }).failed, 1);
   assert.equal(doctestCounts({ text: '[doctest] test cases: 5 | 5 passed | 0 failed | 0 skipped', status: 134 }).failed, 1);
   assert.equal(nodeTestCounts({ text: '', status: 1 }).failed, 1);
+});
+
+test('stretches of a test program hold every test case once, whatever the numbers', () => {
+  for (const [total, count] of [[773, 6], [5, 6], [1, 1], [12, 12]]) {
+    const numbers = testStretches(total, count).flatMap(({ first, last }) => Array.from({ length: last - first + 1 }, (_, k) => first + k));
+    assert.deepEqual(numbers, Array.from({ length: total }, (_, k) => k + 1));
+  }
+});
+
+test('what ran outside a stretch is not counted in it, and a stretch that broke off has failed', () => {
+  assert.equal(doctestTotal('[doctest] unskipped test cases passing the current filters: 773\n'), 773);
+  const ofAll = '[doctest] test cases: 773 | 772 passed | 1 failed | 0 skipped';
+  assert.deepEqual(stretchCounts({ text: ofAll, status: 1 }, 100), { passed: 99, failed: 1, note: '' });
+  const brokenOff = stretchCounts({ text: 'Segmentation fault', status: null }, 100);
+  assert.equal(brokenOff.failed, 1);
+  const sum = sumCounts([stretchCounts({ text: ofAll, status: 1 }, 100), brokenOff]);
+  assert.deepEqual({ passed: sum.passed, failed: sum.failed }, { passed: 99, failed: 2 });
+  assert.match(sum.note, /before its summary/);
 });
 
 test('node:test summaries are counted; a cancelled test has failed', () => {
