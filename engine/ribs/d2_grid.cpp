@@ -27,8 +27,8 @@ struct Segment {
   float x, y, alongX, alongY, reach;
 };
 
-// A run of segments: centroid, length, second moments about it, half extent, first child (the
-// second follows) or −1.
+// A run of segments: centroid, length T, second moments M about it as 4 M − 1 tr M (xy twice), half extent, first
+// child (the second follows) or −1.
 struct Group {
   float x, y, mass, xx, xy, yy, extent;
   int child, first, count;
@@ -64,15 +64,16 @@ Float4 segmentSum(const Segment& s, Float4 x, Float4 y) {
   return (slim ? s.reach * slope : angle) / (slim ? longer : size);
 }
 
-// Sums at a row of kBlock points, which lie one after the other.
-constexpr std::size_t kBlock = 16, kVectors = kBlock / kLanes;
-using Block = std::array<Float4, kVectors>;
+// Sums at a row of points, four by four: on a grid, and on the smallest tile.
+template <std::size_t kVectors>
+using Row = std::array<Float4, kVectors>;
+constexpr std::size_t kBlock = 16;
 
 // A segment from far enough away that `terms` hold for the angle under which it is seen: one division, and no
 // choice. u and v step from vector to vector.
-template <std::size_t kTerms>
+template <std::size_t kTerms, std::size_t kVectors>
 inline void addFarSegment(const std::array<float, kTerms>& terms, const Segment& s, Float4 ax, float ay, float step,
-                          Block& sums) {
+                          Row<kVectors>& sums) {
   Float4 u = ax * s.alongX + ay * s.alongY, v = ay * s.alongX - ax * s.alongY;
   const Float4 du = all4(kLanes * step * s.alongX), dv = all4(kLanes * step * s.alongY);
   for (Float4& sum : sums) {
@@ -84,12 +85,13 @@ inline void addFarSegment(const std::array<float, kTerms>& terms, const Segment&
 }
 
 // All segments' sums. At a distance r from where a segment of length T begins, tan θ ≤ T / (r − T).
-Block blockSums(std::span<const Segment> segments, float firstX, float rowY, float step) {
+template <std::size_t kVectors>
+inline void addSegments(std::span<const Segment> segments, float firstX, float rowY, float step,
+                        Row<kVectors>& sums) {
   constexpr float kFar = 9, kMid = 3;  // distances in lengths of the segment: tan θ ≤ 1/8, 1/2
-  constexpr float kHalf = 0.5f * (kBlock - 1);
+  constexpr float kHalf = 0.5f * (kVectors * kLanes - 1);
   const Float4 x = firstX + step * Float4{0, 1, 2, 3};
   const float half = kHalf * step, middle = firstX + half;
-  Block sums{};
   for (const Segment& s : segments) {
     const Float4 ax = s.x - x;
     const float ay = s.y - rowY, off = s.x - middle, away = off * off + ay * ay;
@@ -103,15 +105,26 @@ Block blockSums(std::span<const Segment> segments, float firstX, float rowY, flo
         sums[i] += segmentSum(s, x + step * static_cast<float>(i * kLanes), all4(rowY));
     }
   }
-  return sums;
 }
 
-// The same of a group, to second order about its centroid.
-Float4 groupSum(const Group& g, Float4 x, Float4 y) {
-  const Float4 dx = x - g.x, dy = y - g.y;
-  const Float4 inverse = 1 / (dx * dx + dy * dy);
-  const Float4 q = dx * (g.xx * dx + 2 * g.xy * dy) + g.yy * dy * dy;
-  return inverse * (g.mass + inverse * (4 * q * inverse - (g.xx + g.yy)));
+// A group at rows of points, to second order about its centroid: with d from there to the point and ρ = 1/|d|²,
+// ρ T + ρ³ dᵀ(4 M − 1 tr M) d.
+template <std::size_t kVectors, std::size_t kRows>
+inline void addGroup(const Group& g, const Row<kVectors>& x, const std::array<float, kRows>& y,
+                     std::array<Float4, kVectors * kRows>& sums) {
+  Row<kVectors> dx, dx2, xx;
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    dx[i] = x[i] - g.x;
+    dx2[i] = dx[i] * dx[i];
+    xx[i] = g.xx * dx2[i];
+  }
+  for (std::size_t r = 0; r < kRows; ++r) {
+    const float dy = y[r] - g.y, dy2 = dy * dy, xy = g.xy * dy, yy = g.yy * dy2;
+    for (std::size_t i = 0; i < kVectors; ++i) {
+      const Float4 near = 1 / (dx2[i] + dy2);
+      sums[r * kVectors + i] += near * (g.mass + near * near * (xx[i] + xy * dx[i] + yy));
+    }
+  }
 }
 
 std::vector<Segment> segmentsOf(std::span<const PicturePoint> polyline, const GridPlan& plan,
@@ -154,10 +167,11 @@ Group groupOf(std::span<const Segment> segments, int first, int count) {
     xx += t * mx * mx + own * ex * ex;
     xy += t * mx * my + own * ex * ey;
     yy += t * my * my + own * ey * ey;
-    extent = std::max(extent, std::hypot(mx, my) + 0.5 * t);
+    extent = std::max(extent, std::sqrt(mx * mx + my * my) + 0.5 * t);
   }
   const auto f = [](double v) { return static_cast<float>(v); };
-  return {f(cx), f(cy), f(mass), f(xx), f(xy), f(yy), f(extent), -1, first, count};
+  const double trace = xx + yy;
+  return {f(cx), f(cy), f(mass), f(4 * xx - trace), f(8 * xy), f(4 * yy - trace), f(extent), -1, first, count};
 }
 
 // Parents before children, the two children of a group side by side.
@@ -277,11 +291,14 @@ class QuickGrid {
   }
 
   void addFar(const Group& g, float x, float y, float half, Nodes& field) {
-    Float4 nodesX = all4(x);
-    for (std::size_t i = 0; i < kNodes; ++i)
-      nodesX[i] += half * static_cast<float>(chebyshev_.at[i]);
-    for (std::size_t i = 0; i < kNodes; ++i)
-      field[i] += groupSum(g, nodesX, all4(y + half * static_cast<float>(chebyshev_.at[i])));
+    Row<1> nodesX{all4(x)};
+    std::array<float, kNodes> nodesY;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      const float off = half * static_cast<float>(chebyshev_.at[i]);
+      nodesX[0][i] += off;
+      nodesY[i] = y + off;
+    }
+    addGroup(g, nodesX, nodesY, field);
     work_.groups += kNodes * kNodes;
   }
 
@@ -315,44 +332,52 @@ class QuickGrid {
     }
   }
 
+  // Groups at the points of a smallest tile: at once where all of them are far, else four by four.
   void addNear(const Tile& tile, std::span<const int> groups) {
+    constexpr std::size_t kVectors = kSmallest / kLanes;
     const auto step = static_cast<float>(plan_.step);
-    const int columns = std::min(tile.size, plan_.columns - tile.column);
-    const int rows = std::min(tile.size, plan_.rows - tile.row);
-    for (int r = 0; r < rows; ++r) {
-      const Float4 y = all4(step * static_cast<float>(tile.row + r));
-      float* out = rowOf(tile, r);
-      for (int c = 0; c < columns; c += kLanes) {
-        const auto at = static_cast<float>(tile.column + c);
-        const Float4 x = step * Float4{at, at + 1, at + 2, at + 3};
-        const Float4 sum = nearSum(groups, x, y);
-        if (c + kLanes <= columns) {
-          store4(load4(out + c) + sum, out + c);
-        } else {
-          for (int lane = 0; c + lane < columns; ++lane) out[c + lane] += sum[lane];
-        }
+    const float left = step * static_cast<float>(tile.column), top = step * static_cast<float>(tile.row);
+    Row<kVectors> x;
+    std::array<float, kSmallest> y;
+    for (std::size_t i = 0; i < kVectors; ++i)
+      x[i] = left + step * (Float4{0, 1, 2, 3} + static_cast<float>(i * kLanes));
+    for (std::size_t r = 0; r < kSmallest; ++r) y[r] = top + step * static_cast<float>(r);
+    std::array<Float4, kVectors * kSmallest> sums{};
+    const float half = 0.5f * step * (kSmallest - 1), middle = left + half;
+    for (const int at : groups) {
+      const Group& g = tree_[index(at)];
+      const float reach = kGroupReach * g.extent;
+      const float dx = std::max(0.f, std::abs(g.x - middle) - half);
+      const float dy = std::max(0.f, std::abs(g.y - top - half) - half);
+      if (dx * dx + dy * dy > reach * reach) {
+        addGroup(g, x, y, sums);
+        work_.groups += kSmallest * kSmallest;
+        continue;
       }
+      for (std::size_t i = 0; i < sums.size(); ++i) addNearest(g, x[i % kVectors], y[i / kVectors], sums[i]);
+    }
+    const int columns = std::min(kSmallest, plan_.columns - tile.column);
+    const int rows = std::min(kSmallest, plan_.rows - tile.row);
+    for (int r = 0; r < rows; ++r) {
+      float* out = rowOf(tile, r);
+      for (int c = 0; c < columns; ++c) out[c] += sums[index(r) * kVectors + index(c / kLanes)][c % kLanes];
     }
   }
 
   // A group by its moments where all four points are far from it, else segment by segment.
-  Float4 nearSum(std::span<const int> groups, Float4 x, Float4 y) {
-    Float4 sum = all4(0);
+  void addNearest(const Group& g, Float4 x, float y, Float4& sum) {
     const auto step = static_cast<float>(plan_.step);
-    for (const int at : groups) {
-      const Group& g = tree_[index(at)];
-      const float dx = std::max(0.f, std::abs(g.x - 0.5f * (x[0] + x[3])) - 1.5f * step);
-      const float dy = g.y - y[0], reach = kGroupReach * g.extent;
-      if (dx * dx + dy * dy > reach * reach) {
-        sum += groupSum(g, x, y);
-        work_.groups += kLanes;
-        continue;
-      }
-      for (const Segment& s : segments_.subspan(index(g.first), index(g.count)))
-        sum += segmentSum(s, x, y);
+    const float dx = std::max(0.f, std::abs(g.x - 0.5f * (x[0] + x[3])) - 1.5f * step);
+    const float dy = g.y - y, reach = kGroupReach * g.extent;
+    std::array<Float4, 1> four{sum};
+    if (dx * dx + dy * dy > reach * reach) {
+      addGroup<1, 1>(g, {x}, {y}, four);
+      work_.groups += kLanes;
+    } else {
+      addSegments(segments_.subspan(index(g.first), index(g.count)), x[0], y, step, four);
       work_.segments += kLanes * static_cast<std::uint64_t>(g.count);
     }
-    return sum;
+    sum = four[0];
   }
 
   float* rowOf(const Tile& tile, int r) {
@@ -389,7 +414,8 @@ GridWork d2OnGrid(std::span<const PicturePoint> polyline, const GridPlan& plan,
   for (int r = 0; r < plan.rows; ++r) {
     float* out = &d2[index(r) * index(plan.columns)];
     for (int c = 0; c < plan.columns; c += kBlock) {
-      const Block sums = blockSums(segments, step * static_cast<float>(c), step * static_cast<float>(r), step);
+      Row<kBlock / kLanes> sums{};
+      addSegments(segments, step * static_cast<float>(c), step * static_cast<float>(r), step, sums);
       const int count = std::min<int>(kBlock, plan.columns - c);
       std::memcpy(out + c, sums.data(), index(count) * sizeof(float));
     }
