@@ -96,8 +96,9 @@ double WallTally::volumeError() const {
 }
 
 void makeWalls(const Band& band, std::span<const std::size_t> sizes, std::array<std::uint32_t, 3>* out,
-               WallTally& tally) {
+               WallTally& sum) {
   constexpr float kTie = 1 + 1e-5f;
+  WallTally tally = sum;  // in registers: `out` might otherwise lie in it
   std::size_t at = 0;
   std::uint32_t first = 0;
   for (const std::size_t size : sizes) {
@@ -123,6 +124,7 @@ void makeWalls(const Band& band, std::span<const std::size_t> sizes, std::array<
     at = at - (count + kLanes - 1) / kLanes * kLanes + size + 1;
     first += count;
   }
+  sum = tally;
 }
 
 }  // namespace spineloft::loft

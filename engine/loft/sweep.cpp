@@ -99,11 +99,10 @@ class Builder {
   /// The vertices of the ring at `index`. Returns the first of them.
   std::uint32_t ring(const Ring& ring, std::size_t index) {
     const auto first = static_cast<std::uint32_t>(index * count_);
-    const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
-    for (std::uint32_t k = 0; k < count_; ++k) {
-      const SectionPoint p = ring.scale == 1 ? shape[k] : lerp(shape[count_], shape[k], ring.scale);
-      place(ring.station, p, first + k);
-    }
+    const Station station = ring.station;  // a copy: what is written does not lie in it
+    if (!alike_ || shape_ != station.shape || scale_ != ring.scale) readShape(ring);
+    const PaintedPoint* from = memory_.points.data();
+    for (std::uint32_t k = 0; k < count_; ++k) place(station, from[k], first + k);
     return first;
   }
 
@@ -141,7 +140,7 @@ class Builder {
     constexpr double kMargin = 0.02;  // section units: thinner lid triangles would be slivers
     if (sweep_.sizes.size() == 1 && geometry::seesAllEdges(shape.first(count_), shape[count_], kMargin)) {
       const std::uint32_t hub = another();
-      place(ring.station, shape[count_], hub);
+      place(ring.station, {shape[count_], paintedAt(shape[count_])}, hub);
       fan(first, hub, !before);
       return true;
     }
@@ -173,10 +172,23 @@ class Builder {
     makeWalls(band, sweep_.sizes, mesh_.triangles.data() + 2 * count_ * a, tally);
   }
 
-  void place(const Station& station, SectionPoint p, std::uint32_t at) {
-    ModelPoint off = station.across * p.x + station.depth * p.y;
+  // Most rings are of the shape of the one before.
+  void readShape(const Ring& ring) {
+    const std::span<const SectionPoint> shape = sweep_.shape(ring.station.shape);
+    memory_.points.resize(count_);
+    for (std::uint32_t k = 0; k < count_; ++k) {
+      const SectionPoint p = ring.scale == 1 ? shape[k] : lerp(shape[count_], shape[k], ring.scale);
+      memory_.points[k] = {p, paintedAt(p)};
+    }
+    shape_ = ring.station.shape;
+    scale_ = ring.scale;
+    alike_ = true;
+  }
+
+  void place(const Station& station, const PaintedPoint& p, std::uint32_t at) {
+    ModelPoint off = station.across * p.at.x + station.depth * p.at.y;
     if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
-    vertex(station.centre + off, station.middle + station.half * paintedAt(p), at);
+    vertex(station.centre + off, station.middle + station.half * p.paint, at);
   }
 
   /// Which point of its rib colours a point of a section, −1 … 1. The front wears the picture as it is seen. The back
@@ -220,6 +232,10 @@ class Builder {
   double uPerPixel_, vPerPixel_;
   SweepMemory& memory_;
   mesh::TriMesh& mesh_;
+  // Of which ring the memory's points are, once there are any.
+  std::size_t shape_ = 0;
+  double scale_ = 1;
+  bool alike_ = false;
 };
 
 using Triangles = std::span<const std::array<std::uint32_t, 3>>;

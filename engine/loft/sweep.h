@@ -56,10 +56,17 @@ struct RingPath {
   bool joined = false;
 };
 
+/// A point of a section, and which point of its rib colours it, −1 … 1.
+struct PaintedPoint {
+  SectionPoint at;
+  double paint = 0;
+};
+
 /// What sweepMesh asks for besides its result.
 struct SweepMemory {
   RingPath path;
   std::array<RingPlanes, 2> planes;
+  std::vector<PaintedPoint> points;  ///< of one ring, for those after it that are alike
 };
 
 /// The closed mesh in ModelSpace, with UV, in place of what `mesh` held. False when a lid cannot be filled or a triangle
