@@ -66,8 +66,7 @@ BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
                   const std::function<bool(std::string_view)>& inUse) {
   BarSplit out;
   const std::size_t most = ids.size() <= room ? ids.size() : std::max<std::size_t>(room, 1) - 1;
-  out.shown.assign(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(most));
-  out.rest.assign(ids.begin() + static_cast<std::ptrdiff_t>(most), ids.end());
+  for (std::size_t i = 0; i < ids.size(); ++i) (i < most ? out.shown : out.rest).push_back(ids[i]);
   const auto used = std::ranges::find_if(out.rest, inUse);
   if (used != out.rest.end() && !out.shown.empty()) {
     std::swap(out.shown.back(), *used);

@@ -6,16 +6,16 @@
 #include <functional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "web/panels/panels.h"
+#include "web/panels/short_list.h"
 
 namespace spineloft::panels {
 
 /// The commands of a bar, in their order.
 struct BarSplit {
-  std::vector<std::string_view> shown;  ///< in the row
-  std::vector<std::string_view> rest;   ///< in the menu; where it is not empty its button is the row's last
+  ShortList<std::string_view> shown;  ///< in the row
+  ShortList<std::string_view> rest;   ///< in the menu; where it is not empty its button is the row's last
   std::size_t cells() const { return shown.size() + (rest.empty() ? 0 : 1); }
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "web/app/preview.h"
 #include "web/panels/bar_menu.h"
@@ -71,9 +70,10 @@ struct Cell {
   double width = 0;
   int row = 0;
 };
+using Cells = ShortList<Cell>;
 
 /// Puts cells into as few rows as `room` allows; how many those are.
-int breakRows(std::vector<Cell>& cells, double room) {
+int breakRows(Cells& cells, double room) {
   double x = 0;
   int row = 0;
   for (Cell& cell : cells) {
@@ -88,9 +88,8 @@ int breakRows(std::vector<Cell>& cells, double room) {
 }
 
 /// Cells in rows of about the same width, none wider than `room`; the first ones get their words as far as one row allows.
-std::vector<Cell> arrange(const PanelEnv& env, std::span<const Item> items, double room,
-                          float side) {
-  std::vector<Cell> cells;
+Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, float side) {
+  Cells cells;
   double width = 0;
   for (const Item& item : items) {
     cells.push_back({item, side, 0});
@@ -166,14 +165,14 @@ void coilCard(const PanelEnv& env, const app::Rect& above) {
 
 /// What stands in the bar, and what in its menu.
 struct Split {
-  std::vector<Item> shown;
+  ShortList<Item> shown;
   BarSplit bar;
   double more(float side) const { return bar.rest.empty() ? 0 : side + kGap; }
 };
 
 /// One row where the view is small, else as many as are needed.
 Split fold(const PanelEnv& env, std::span<const Item> items, bool small, double room, float side) {
-  std::vector<std::string_view> ids;
+  ShortList<std::string_view> ids;
   for (const Item& item : items) ids.push_back(item.id);
   const double cells = small ? (room + kGap) / (side + kGap) : static_cast<double>(ids.size());
   Split out;
@@ -182,7 +181,7 @@ Split fold(const PanelEnv& env, std::span<const Item> items, bool small, double 
   return out;
 }
 
-void paintBar(const PanelEnv& env, const app::Rect& card, const std::vector<Cell>& cells, const Split& split,
+void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, const Split& split,
               ImU32 colour) {
   const float side = buttonSide(env);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
@@ -219,7 +218,7 @@ void drawEditBar(const PanelEnv& env) {
   const double room = view.width - chip - column - 2 * (kMargin + kPadding);
   if (room < side) return;
   const Split split = fold(env, items, layout.stacked || column > 0, room, side);
-  const std::vector<Cell> cells = arrange(env, split.shown, room - split.more(side), side);
+  const Cells cells = arrange(env, split.shown, room - split.more(side), side);
   const int rows = cells.empty() ? 1 : cells.back().row + 1;
   double widest = 0;
   for (int row = 0; row < rows; ++row) {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
+#include "web/panels/short_list.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -55,8 +55,8 @@ const char* titleOf(const document::Part& region) {
 }
 
 /// A part without a bone has nothing along it and no ends.
-std::vector<Tab> tabsFor(const document::Part* region) {
-  std::vector<Tab> shown;
+ShortList<Tab> tabsFor(const document::Part* region) {
+  ShortList<Tab> shown;
   for (Tab tab : kTabs) {
     if (region && (tab.tab == app::PanelTab::Along || tab.tab == app::PanelTab::Ends)) continue;
     if (region && tab.tab == app::PanelTab::Slice) tab.label = titleOf(*region);
@@ -90,7 +90,7 @@ void column(const PanelEnv& env) {
 
 void tabs(const PanelEnv& env, float width) {
   const float height = env.ui().touch ? 44.f : 38.f;
-  const std::vector<Tab> shown = tabsFor(selectedRegion(env));
+  const ShortList<Tab> shown = tabsFor(selectedRegion(env));
   const float each = std::min(width / static_cast<float>(shown.size()), 140.f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

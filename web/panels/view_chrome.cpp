@@ -6,7 +6,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "web/app/editing.h"
 #include "web/app/sizing.h"
@@ -88,7 +87,7 @@ constexpr LegendEntry kLegend[] = {{ribs::RibState::Edge, "on an edge"},
                                    {ribs::RibState::Locked, "locked"}};
 
 /// The states that the ribs in view have, in the order of the legend.
-std::vector<LegendEntry> statesInView(const PanelEnv& env) {
+ShortList<LegendEntry> statesInView(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   const ribs::RibSet* set = nullptr;
   if (ui.preview && ui.preview->shape) {
@@ -96,7 +95,7 @@ std::vector<LegendEntry> statesInView(const PanelEnv& env) {
   } else if (const auto subject = app::subjectOf(env.document(), env.derived, ui.selection)) {
     set = &subject.shape->ribs;
   }
-  std::vector<LegendEntry> found;
+  ShortList<LegendEntry> found;
   for (const LegendEntry& entry : kLegend) {
     const bool occurs = set && std::ranges::any_of(set->ribs, [&](const ribs::Rib& rib) {
       return rib.leftState == entry.state || rib.rightState == entry.state;
@@ -121,7 +120,7 @@ bool legendButton(const PanelEnv& env, const app::Rect& view) {
 /// Colour and line style of the rib ends, in the lower left corner of the picture view, above `bar`
 /// where they would meet; on a phone below its button, while nothing else is there.
 void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
-  const std::vector<LegendEntry> entries = statesInView(env);
+  const ShortList<LegendEntry> entries = statesInView(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const bool stacked = env.ui().layout.stacked;
   const app::ToolKind tool = env.ui().tool;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/scarce_memory.h"
 #include "tests/unit/web/rig.h"
 #include "web/app/slice_editing.h"
 #include "web/panels/bar_menu.h"
@@ -144,10 +145,12 @@ TEST_CASE("what has no room in a bar waits in its menu: in order, the tool in us
   constexpr std::string_view kIds[] = {"a", "b", "c", "d", "e", "f", "g"};
   for (std::size_t room = 1; room < 10; ++room) {
     for (const std::string_view used : {"", "a", "c", "g"}) {
+      const std::size_t had = testing::allocatedBytes();
       const auto split = panels::splitBar(kIds, room, [&](std::string_view id) { return id == used; });
+      CHECK(testing::allocatedBytes() == had);  // bars are split in every frame
       CHECK(split.cells() <= room);
       CHECK(split.rest.empty() == (room >= 7));
-      std::vector<std::string_view> all = split.shown;
+      std::vector<std::string_view> all(split.shown.begin(), split.shown.end());
       all.insert(all.end(), split.rest.begin(), split.rest.end());
       CHECK(std::ranges::is_permutation(all, kIds));
       if (room > 1 && !used.empty()) CHECK(std::ranges::count(split.shown, used) == 1);
