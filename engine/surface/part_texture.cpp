@@ -143,6 +143,11 @@ image::Mask common(image::Mask a, const image::Mask& b) {
   return a;
 }
 
+/// `a`, and what `b` and `c` have in common.
+void addCommon(image::Mask& a, const image::Mask& b, const image::Mask& c) {
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) a.pixels[i] = static_cast<std::uint8_t>(a.pixels[i] | (b.pixels[i] & c.pixels[i]));
+}
+
 /// How a part lies on its picture.
 struct Lie {
   image::Mask covered, sure, hidden;
@@ -210,6 +215,7 @@ struct TextureSteps::State {
   image::Mask inner;     ///< what can be kept where the part is sure
   image::Mask familiar;  ///< what is not foreign
   Kept kept;
+  Untold untold;
   std::size_t crossed = 0;    ///< of the crossings that were looked at
   std::optional<Carried> in;  ///< the part's colours, from what it keeps
   std::optional<RimUnmixing> unmixing;
@@ -307,6 +313,7 @@ void TextureSteps::State::lookAtRim() {
 void TextureSteps::State::unmix() {
   next = &State::cleanRim;
   if (unmixing->change()) next = &State::relearn;
+  untold = unmixing->untold();
   unmixing.reset();
 }
 
@@ -323,7 +330,11 @@ void TextureSteps::State::cleanRim() {
   }
   const image::Mask beyond = inset(opposite(kept.rim), lie.margin);
   const Carried out(shown, beyond);
-  kept.rim = out.empty() ? emptyMask(size()) : withCleanRim(shown, kept.inner, kept.rim, *in, out);
+  const image::Mask rim = std::move(kept.rim);
+  kept.rim = out.empty() ? emptyMask(size()) : withCleanRim(shown, kept.inner, rim, *in, out);
+  if (untold.alike.pixels.empty()) return;
+  addCommon(kept.rim, untold.alike, rim);
+  addCommon(kept.inner, untold.drawn, rim);
 }
 
 void TextureSteps::State::finish() {

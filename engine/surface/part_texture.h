@@ -52,9 +52,10 @@ struct Wrapped {
 
 /// Cuts out what the triangles cover of the picture's working copy. What the picture shows of the part stays
 /// as it is, pixel for pixel; over the rest colours are bled (bleed.h): over the rim where and as deep as what is
-/// behind is mixed into it (soft_rim.h), over transparent pixels, beyond the outline, over what is hidden, over what comes in at a
-/// crossing (intruder.h), and where the part is not sure over what is foreign there (foreign.h); out of a soft rim
-/// what is behind is taken (soft_rim.h), so that no colour from around the part is on it.
+/// behind is mixed into it, but never where that looks as the part does (soft_rim.h), over transparent pixels, beyond the
+/// outline, over what is hidden, over what comes in at a crossing (intruder.h), and where the part is not sure over what is
+/// foreign there (foreign.h); out of a soft rim what is behind is taken (soft_rim.h), so that no colour from around the part
+/// is on it.
 /// When nothing would be left, the rim is believed after all, and what is hidden too. None when no pixel that is covered can be seen, or
 /// nothing is covered. Linear in the pixels of the cut-out and the rows of the triangles.
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);

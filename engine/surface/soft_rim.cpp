@@ -13,8 +13,8 @@
 namespace spineloft::surface {
 namespace {
 
-/// A share of the ground that shows.
-constexpr float kShows = 0.07f;
+/// A share of the ground that shows; and how far apart two colours are, of 255 a channel, that one is told from the other by.
+constexpr float kShows = 0.07f, kAlike = 40;
 
 using Triple = std::array<float, 3>;
 /// Symmetric: xx, xy, xz, yy, yz, zz.
@@ -314,6 +314,24 @@ class SoftRim {
     }
     return any;
   }
+  Untold untold(const image::Image& shown) const {
+    const auto areAlike = [](const Triple& a, const Triple& b) {
+      const Triple step = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+      return along(step, step) < kAlike * kAlike;
+    };
+    Untold out{{tiles_.width, tiles_.height, std::vector<std::uint8_t>(depths_.size())}, {}};
+    out.drawn = out.alike;
+    for (const RimPixel& p : rim_) {
+      if (p.depth < 0) continue;
+      const Triple own = meanAt(in_, p);
+      if (!areAlike(own, meanAt(out_, p))) continue;
+      const std::uint8_t* pixel = &shown.pixels[4 * p.at];
+      const Triple colour = {static_cast<float>(pixel[0]), static_cast<float>(pixel[1]), static_cast<float>(pixel[2])};
+      out.alike.pixels[p.at] = 255;
+      out.drawn.pixels[p.at] = areAlike(own, colour) ? 0 : 255;
+    }
+    return out;
+  }
 
  private:
   static constexpr float kUnknown = -1;
@@ -345,7 +363,7 @@ class SoftRim {
 
   /// How the tiles of the rim, and those beside them, tell the part from the ground.
   void learn() {
-    constexpr float kLeast = 4, kMost = 100, kAlike = 40;
+    constexpr float kLeast = 4, kMost = 100;
     tellings_.resize(tiles_.count());
     std::vector<bool> wanted(tiles_.count());
     forRimTiles([&](std::size_t tile) { tiles_.forNear(tile, 1, [&](std::size_t other) { wanted[other] = true; }); });
@@ -539,5 +557,6 @@ RimUnmixing::RimUnmixing(image::Image& shown, const image::Mask& region, image::
 RimUnmixing::~RimUnmixing() = default;
 
 bool RimUnmixing::change() { return state_->rim.change(state_->shown, state_->inner); }
+Untold RimUnmixing::untold() const { return state_->rim.untold(state_->shown); }
 
 }  // namespace spineloft::surface

@@ -12,6 +12,13 @@ namespace spineloft::surface {
 /// crisp rim. `margin`, `clearance`: rimMargin and clearanceOf.
 double softReach(double margin, double clearance);
 
+/// Of the pixels of a region near its outline those where the colours further in and further out are alike (255): nothing
+/// tells which is ground, so none is. Masks of the region's size.
+struct Untold {
+  image::Mask alike;
+  image::Mask drawn;  ///< what of these is unlike both: the line of a drawing that the outline follows
+};
+
 /// Takes the ground out of the soft rim of a part. `region`: what is seen of the part; `inner`: what of that is
 /// trusted by its distance from the rim, `margin` px (255 inside; all of one size).
 ///
@@ -35,6 +42,8 @@ class RimUnmixing {
   RimUnmixing& operator=(const RimUnmixing&) = delete;
   /// Once. Whether anything was changed.
   bool change();
+  /// After `change`.
+  Untold untold() const;
 
  private:
   struct State;

@@ -2,9 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,35 +62,61 @@ image::Image maskOf(const fs::path& file) {
   return mask.value();
 }
 
-/// The true outline of a thing that stands: the longest run of its pixels in every row.
-std::vector<PicturePoint> trueOutline(const image::Image& mask) {
-  std::vector<PicturePoint> left, right;
-  for (int y = 0; y < mask.height; ++y) {
-    int best = 0, from = 0, run = 0;
-    for (int x = 0; x < mask.width; ++x) {
-      run = mask.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x))] >= 200 ? run + 1 : 0;
-      if (run > best) best = run, from = x - run + 1;
-    }
-    if (best < 4) continue;
-    left.push_back({double(from), double(y)});
-    right.push_back({double(from + best - 1), double(y)});
+/// What can be seen of the thing of a case, without so many pixels along its outline.
+image::Image seenOf(const fs::path& folder, double without) {
+  image::Image out = maskOf(firstOf(folder, {"mask_visible.png", "mask.png"}));
+  image::Mask mask{out.width, out.height, {}};
+  for (std::size_t i = 0; i < out.pixels.size(); i += 4) mask.pixels.push_back(out.pixels[i] >= 200 ? 255 : 0);
+  const image::Mask left = surface::inset(mask, without);
+  for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
+    if (mask.pixels[i] != left.pixels[i]) out.pixels[4 * i] = 128;  // neither thing nor ground
   }
-  left.insert(left.end(), right.rbegin(), right.rend());
-  return left;
+  return out;
 }
 
-/// The picture of a case, and what a stroke makes of it, or a puff or a flat piece of the true outline.
+/// The longest outline of a mask: the middles of its outermost pixels, in turn.
+std::vector<PicturePoint> trueOutline(const image::Image& mask) {
+  const auto inside = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= mask.width || y >= mask.height) return false;
+    return mask.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x))] >= 200;
+  };
+  constexpr std::array<std::array<int, 2>, 8> kAround = {{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  std::set<std::array<int, 2>> seen;
+  std::vector<PicturePoint> longest;
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) {
+      if (!inside(x, y) || inside(x - 1, y) || seen.contains({x, y})) continue;
+      std::vector<PicturePoint> outline;
+      std::array<int, 2> at = {x, y};
+      std::size_t from = 4;  // what is left of it is outside
+      do {
+        outline.push_back({double(at[0]), double(at[1])});
+        seen.insert(at);
+        std::size_t turn = 1;
+        while (turn <= 8 && !inside(at[0] + kAround[(from + turn) % 8][0], at[1] + kAround[(from + turn) % 8][1])) ++turn;
+        if (turn > 8) break;
+        const std::size_t to = (from + turn) % 8;
+        at = {at[0] + kAround[to][0], at[1] + kAround[to][1]};
+        from = (to + (to % 2 == 0 ? 6 : 5)) % 8;
+      } while (at != std::array<int, 2>{x, y} && outline.size() < mask.pixels.size());
+      if (outline.size() > longest.size()) longest = outline;
+    }
+  }
+  return longest;
+}
+
+/// The picture of a case, and what a stroke makes of it, or a puff or a flat piece of the true outline, so many pixels further in.
 struct Made {
   std::shared_ptr<const image::Picture> picture;
   std::shared_ptr<const pipeline::PartShape> shape;
 };
-Made madeOf(const fs::path& folder, const std::string& kind) {
+Made madeOf(const fs::path& folder, const std::string& kind, double without = 0) {
   const auto picture = io::decodePicture(testing::bytesOf(firstOf(folder, {"image.jpg", "image.png"})), {});
   REQUIRE(picture.ok());
   const auto shared = std::make_shared<const image::Picture>(picture.value());
   Document document = update({}, AddPicture{"photo", shared}).value();
   if (kind == "puff" || kind == "flat") {
-    const Region region{PictureId{1}, {trueOutline(maskOf(firstOf(folder, {"mask_visible.png", "mask.png"})))}, 0};
+    const Region region{PictureId{1}, {trueOutline(seenOf(folder, without))}, 0};
     const RegionSolid solid = kind == "puff" ? RegionSolid{inflate::PuffParams{}} : RegionSolid{sheet::SheetParams{}};
     document = update(document, DrawRegion{region, solid}).value();
   } else {
@@ -117,8 +145,8 @@ struct Look {
   std::shared_ptr<const image::Picture> picture;
   Seen seen;
 };
-Look lookOf(const fs::path& folder, const std::string& kind) {
-  const auto [shared, shape] = madeOf(folder, kind);
+Look lookOf(const fs::path& folder, const std::string& kind, double without = 0) {
+  const auto [shared, shape] = madeOf(folder, kind, without);
   if (!shape->texture || shared->working.width != shared->width) return {shared, {}};
   return {shared, testing::frontView(shape->mesh, {shared->width, shared->height}, wearing(*shape->texture))};
 }
@@ -188,9 +216,9 @@ class Surroundings {
   image::Mask within_, without_;
 };
 
-Front frontOf(const fs::path& folder) {
-  const image::Image mask = maskOf(firstOf(folder, {"mask_visible.png", "mask.png"}));
-  auto [picture, seen] = lookOf(folder, "careful");
+Front frontOf(const fs::path& folder, const std::string& kind, double without = 0) {
+  const image::Image mask = seenOf(folder, without);
+  auto [picture, seen] = lookOf(folder, kind, without);
   if (seen.empty()) return {};
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (mask.pixels[4 * i] < 200) seen[i].reset();
@@ -296,7 +324,7 @@ TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into i
     std::string name, kind;
     double most;
   };
-  for (const auto& [name, kind, most] : {Case{"photo_zucchini_hand", "careful", 0.04}, Case{"render_palm_noise", "puff", 0.03},
+  for (const auto& [name, kind, most] : {Case{"photo_zucchini_hand", "careful", 0.04}, Case{"render_palm_noise", "puff", 0.035},
                                          Case{"render_palm_noise", "flat", 0.03}}) {
     CAPTURE(name);
     const double share = shareOfGroundOnSides(*folder / name, kind);
@@ -312,7 +340,7 @@ TEST_CASE("of the parts of the public pictures all look as the pictures do where
   for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_") && !name.starts_with("render_")) continue;
-    const Front front = frontOf(entry.path());
+    const Front front = frontOf(entry.path(), "careful");
     if (front.whole < 0) continue;
     MESSAGE(name << ": " << front.whole << " dB, wholly inside " << front.within << " dB, each pixel by its share "
                  << front.counted << " dB");
@@ -326,6 +354,30 @@ TEST_CASE("of the parts of the public pictures all look as the pictures do where
   CHECK(within == looked);
   CHECK(counted == looked);
   CHECK(whole >= looked - 2);
+}
+
+TEST_CASE("puffs and flat pieces of the public photos, renderings and sketches look as the pictures do to 30 dB wholly inside, and with their rims as far as those are theirs") {
+  const auto folder = testing::dataFolder();
+  if (!folder) return;
+  // The true outlines of a blurred palm and of a dinosaur beside its ink take in up to three pixels of ground, which come off.
+  constexpr double kTakenIn = 2;
+  int looked = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("photo_") && !name.starts_with("render_") && !name.starts_with("sketch_")) continue;
+    const bool takesInGround = name == "render_palm_noise" || name == "sketch_dino_tail";
+    for (const std::string kind : {"puff", "flat"}) {
+      const Front front = frontOf(entry.path(), kind), further = frontOf(entry.path(), kind, kTakenIn);
+      if (front.whole < 0) continue;
+      ++looked;
+      MESSAGE(name << ", " << kind << ": " << front.whole << " dB, wholly inside " << front.within << " dB, each pixel by its share "
+                   << front.counted << " dB, wholly inside an outline further in " << further.within << " dB");
+      CHECK(front.within >= (takesInGround ? 24 : 30));
+      CHECK(front.counted >= (takesInGround ? 24 : 30));
+      CHECK(further.within >= 30);
+    }
+  }
+  CHECK(looked >= 36);
 }
 
 TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn by it") {

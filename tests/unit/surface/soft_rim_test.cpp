@@ -134,3 +134,30 @@ TEST_CASE("where the ground looks like the thing, or there is none, nothing is u
   CHECK_FALSE(RimUnmixing(shown, none, none, kMargin, kReach).change());
   CHECK(shown == before);
 }
+
+TEST_CASE("a line that the outline follows between two like colours is the part's, and nothing there is ground") {
+  constexpr Rgb kPaper{250, 250, 250}, kInk{30, 30, 30}, kSky{120, 170, 250};
+  const image::Mask region = kCanvas.mask(isThing);
+  // Drawn on paper, six pixels wide with the outline in its middle; to the right the paper ends.
+  const auto isLine = [](int x, int y) {
+    const int out = std::max({20 - x, x - 139, 25 - y, y - 74});
+    return out >= -2 && out <= 3;
+  };
+  for (const bool whole : {true, false}) {
+    CAPTURE(whole);
+    image::Image shown = kCanvas.picture([&](int x, int y) { return isLine(x, y) ? kInk : whole || x < 80 || isThing(x, y) ? kPaper : kSky; });
+    image::Mask inner = trusted(region, kMargin);
+    RimUnmixing unmixing(shown, region, inner, kMargin, kReach);
+    unmixing.change();
+    const Untold untold = unmixing.untold();
+    for (int y = 25; y < 75; ++y) {
+      for (int x = 20; x < 140; ++x) {
+        const std::size_t i = kCanvas.at(x, y);
+        if (!whole && x > 50 && x < 110) continue;  // one goes over into the other
+        const bool onPaper = whole || x <= 50, rim = isLine(x, y);
+        if (rim) CHECK((untold.alike.pixels[i] != 0) == onPaper);
+        CHECK((untold.drawn.pixels[i] != 0) == (rim && onPaper));
+      }
+    }
+  }
+}
