@@ -70,7 +70,7 @@ void App::layout() {
   if (!ui_.slices.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
-    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead);
+    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead, ui_.barLeft);
   }
 }
 

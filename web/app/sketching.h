@@ -27,8 +27,8 @@ inline constexpr std::array kInks = {
     Ink{"#2457d6", "Blue", {36, 87, 214}},
 };
 
-/// Of the card of pen sizes or colours that is open where there is no room for both.
-enum class PenMenu : std::uint8_t { None, Size, Colour };
+/// The card of pen sizes, of colours or of both that is open where there is no room for them beside the pen.
+enum class PenMenu : std::uint8_t { None, Size, Colour, Both };
 
 struct Sketching {
   std::size_t penSize = 1, eraserSize = 1;           ///< of kPenSizes

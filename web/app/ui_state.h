@@ -201,6 +201,7 @@ struct UiState {
   bool legendOpen = false;        ///< on a phone, where it is folded at first
   BarMenu barMenu = BarMenu::None;
   double barHead = 0;             ///< CSS pixels that a bar takes at the head of the picture view on a phone
+  double barLeft = 0;             ///< CSS pixels that a column takes at the left of a low picture view
   Camera camera;
   std::optional<CameraFlight> flight;
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more

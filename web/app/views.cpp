@@ -32,7 +32,7 @@ bool buttonsAtSide(const Rect& view) {
   return view.height < kLowView && view.width > 1.1 * view.height;
 }
 
-PictureView fitPicture(image::Size picture, const Rect& view, double head) {
+PictureView fitPicture(image::Size picture, const Rect& view, double head, double left) {
   PictureView out;
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
   const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
@@ -41,7 +41,9 @@ PictureView fitPicture(image::Size picture, const Rect& view, double head) {
   head = std::max(view.height >= kTallView ? kTopRoom - margin : 0.0, head);
   double foot = 0;
   if (buttonsAtSide(view)) {
-    inner.width = std::max(0.0, inner.width - (kButtonRoom - margin));
+    left = std::clamp(left - margin, 0.0, inner.width / 3);
+    inner.x += left;
+    inner.width = std::max(0.0, inner.width - left - (kButtonRoom - margin));
   } else if (inner.height > 2 * kButtonRoom) {
     foot += kButtonRoom - margin;
   }

@@ -39,10 +39,10 @@ void frame(ImDrawList& list, const app::Rect& at, bool shown, bool hovered) {
   }
 }
 
-void thumbnail(const PanelEnv& env, const document::PictureEntry& entry) {
+void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool column) {
   app::UiState& ui = env.ui();
   const double aspect = static_cast<double>(entry.size.width) / std::max(1, entry.size.height);
-  const ImVec2 room{std::clamp(static_cast<float>(kSide * aspect), kSide, kWidest), kSide};
+  const ImVec2 room{std::clamp(static_cast<float>(kSide * aspect), kSide, column ? kSide : kWidest), kSide};
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(entry.id.value));
   const bool shown = entry.id == ui.picture;
@@ -118,7 +118,7 @@ void drawPictureStrip(const PanelEnv& env) {
   // The pictures themselves are drawn below the window, by the renderer.
   beginFixed("pictures", strip, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
   for (const document::PictureEntry& entry : env.document().pictures) {
-    thumbnail(env, entry);
+    thumbnail(env, entry, column);
     if (!column) ImGui::SameLine();
   }
   commandButton(env, "open-picture", kSide);

@@ -26,9 +26,12 @@ bool erasing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Erase
 
 bool drawing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Pen || erasing(env); }
 
+/// Whether the card is a column at the left side, as the other buttons are one at the right: a low view has no room at its foot.
+bool isColumn(const PanelEnv& env) { return app::buttonsAtSide(env.ui().layout.picture); }
+
 /// Whether the card has room for sizes and inks, which else are menus.
 bool showsAll(const PanelEnv& env) {
-  return env.ui().layout.picture.width >= kRoomForAll && !env.ui().touch;
+  return !isColumn(env) && env.ui().layout.picture.width >= kRoomForAll && !env.ui().touch;
 }
 
 /// A dot in a square that can be pressed.
@@ -61,11 +64,11 @@ void sizes(const PanelEnv& env) {
   }
 }
 
-void inks(const PanelEnv& env) {
-  bool first = true;
+/// `columns`: so many in a row.
+void inks(const PanelEnv& env, std::size_t columns = app::kInks.size()) {
+  std::size_t at = 0;
   for (const app::Ink& ink : app::kInks) {
-    if (!first) ImGui::SameLine();
-    first = false;
+    if (at++ % columns != 0) ImGui::SameLine();
     const bool on = !erasing(env) && env.ui().sketching.colour == ink.colour;
     if (dotButton(env, ink.value.data(), 8, colourOf(ink.colour), on)) {
       env.sink.run("pen-colour", app::Json::Object{{"colour", ink.value}});
@@ -94,20 +97,41 @@ float widthWith(const PanelEnv& env, std::size_t settings) {
   return rowWidth(env, 2 + settings) + lines + 2 + boneWidth(env) + 9 + 8;
 }
 
-double leftOf(const PanelEnv& env) { return app::buttonsAtSide(env.ui().layout.picture) ? 4 : kMargin; }
-
-/// For the card: a column of buttons has its own.
-double roomIn(const PanelEnv& env) {
-  constexpr double kColumn = 62;
-  const app::Rect& view = env.ui().layout.picture;
-  return view.width - leftOf(env) - (app::buttonsAtSide(view) ? kColumn : kMargin);
-}
+double roomIn(const PanelEnv& env) { return env.ui().layout.picture.width - 2 * kMargin; }
 
 /// How many sizes and inks the card has, or buttons of their menus; none where there is no room.
 std::size_t settingsShown(const PanelEnv& env) {
   if (!drawing(env)) return 0;
   const std::size_t wanted = showsAll(env) ? app::kPenSizes.size() + app::kInks.size() : 2;
   return roomIn(env) < widthWith(env, wanted) ? 0 : wanted;
+}
+
+/// What a column has besides pen and eraser. The top bar has the bone too.
+struct Column {
+  bool settings = false, bone = false;
+  int cells() const { return 2 + (settings ? 1 : 0) + (bone ? 1 : 0); }
+};
+Column columnIn(const PanelEnv& env, int most) {
+  Column out;
+  out.settings = drawing(env) && most >= 3;
+  out.bone = out.cells() < most;
+  return out;
+}
+constexpr float kColumnEdge = 4;
+
+/// Cells of which there is room one below the other.
+int cellsIn(const PanelEnv& env) {
+  const double room = env.ui().layout.picture.height - 2 * kColumnEdge - 8 + 2;
+  return static_cast<int>(room / (sideOf(env) + 2));
+}
+
+app::Rect columnRect(const PanelEnv& env) {
+  const int most = cellsIn(env);
+  if (most < 2) return {};
+  const app::Rect& view = env.ui().layout.picture;
+  const double side = sideOf(env), height = columnIn(env, most).cells() * (side + 2) - 2 + 8;
+  const double foot = std::min<double>(kMargin, (view.height - height) / 2);
+  return {view.x + kColumnEdge, view.bottom() - foot - height, side + 8, height};
 }
 
 /// The next step: filled once there is something that a bone could go through.
@@ -143,16 +167,37 @@ void line(const PanelEnv& env) {
   ImGui::SameLine();
 }
 
+/// Sizes and below them inks beside a column, three in a row.
+void menuBeside(const PanelEnv& env, const app::Rect& card) {
+  const double cell = sideOf(env) + 2., inkRows = std::ceil(app::kInks.size() / 3.);
+  const double width = 3 * cell - 2 + 8, height = (1 + inkRows) * cell - 2 + 8;
+  const double highest = env.ui().layout.picture.y + kColumnEdge;
+  beginCard(env, "pen menu", {card.right() + 6, std::max(highest, card.bottom() - height), width, height});
+  sizes(env);
+  inks(env, 3);
+  endCard();
+}
+
 /// The sizes or the inks above the card, where that has no room for them.
 void openMenu(const PanelEnv& env, const app::Rect& card) {
   const app::PenMenu menu = env.ui().sketching.menu;
   if (menu == app::PenMenu::None) return;
+  if (isColumn(env)) return menuBeside(env, card);
   const bool size = menu == app::PenMenu::Size;
   const double width = rowWidth(env, size ? app::kPenSizes.size() : app::kInks.size()) + 8.;
   const double height = sideOf(env) + 8.;
   beginCard(env, "pen menu", {card.x, card.y - height - 6, width, height});
   size ? sizes(env) : inks(env);
   endCard();
+}
+
+/// The ink as wide as the pen, for the menu of both.
+void settingsCell(const PanelEnv& env) {
+  app::PenMenu& open = env.ui().sketching.menu;
+  const ImU32 ink = erasing(env) ? kMuted : colourOf(env.ui().sketching.colour);
+  const bool pressed = dotButton(env, "settings", kDotRadii[app::sizeInHand(env.ui())] + 2, ink, open != app::PenMenu::None);
+  tooltip("Size and ink");
+  if (pressed) open = open == app::PenMenu::None ? app::PenMenu::Both : app::PenMenu::None;
 }
 
 void settings(const PanelEnv& env, bool all) {
@@ -223,8 +268,9 @@ void drawInk(const PanelEnv& env) {
 app::Rect sketchBarRect(const PanelEnv& env) {
   if (app::shownSketch(env.document(), env.ui()) == nullptr || env.ui().slices.board) return {};
   const app::Rect& view = env.ui().layout.picture;
+  if (isColumn(env)) return columnRect(env);
   const float side = sideOf(env), width = widthWith(env, settingsShown(env));
-  const app::Rect card{view.x + leftOf(env), view.bottom() - side - 8 - kMargin, width, side + 8.};
+  const app::Rect card{view.x + kMargin, view.bottom() - side - 8 - kMargin, width, side + 8.};
   if (roomIn(env) < width || view.height < card.height + 2 * kMargin) return {};
   return card;
 }
@@ -232,22 +278,31 @@ app::Rect sketchBarRect(const PanelEnv& env) {
 void drawSketchBar(const PanelEnv& env) {
   const document::PictureEntry* sketch = app::shownSketch(env.document(), env.ui());
   const app::Rect card = sketchBarRect(env);
+  const bool column = isColumn(env);
+  env.ui().barLeft = column && card.width > 0 ? card.right() + kColumnEdge - env.ui().layout.picture.x : 0;
   if (card.width <= 0) return;
   const float side = sideOf(env);
-  beginCard(env, "sketch bar", card);
-  commandButton(env, "pen", side);
-  ImGui::SameLine();
-  commandButton(env, "eraser", side);
-  ImGui::SameLine();
-  if (settingsShown(env) > 0) {
-    settings(env, showsAll(env));
-    ImGui::SameLine();
-  }
-  line(env);
   const bool hasParts = std::ranges::any_of(env.document().parts, [&](const document::Part& part) {
     return document::pictureOf(part) == sketch->id;
   });
-  boneButton(env, boneWidth(env), drawing(env) && !hasParts && app::looksFinished(*sketch));
+  const bool next = drawing(env) && !hasParts && app::looksFinished(*sketch);
+  beginCard(env, "sketch bar", card);
+  commandButton(env, "pen", side);
+  if (!column) ImGui::SameLine();
+  commandButton(env, "eraser", side);
+  if (column) {
+    const Column has = columnIn(env, cellsIn(env));
+    if (has.settings) settingsCell(env);
+    if (has.bone) boneButton(env, side, next);
+  } else {
+    ImGui::SameLine();
+    if (settingsShown(env) > 0) {
+      settings(env, showsAll(env));
+      ImGui::SameLine();
+    }
+    line(env);
+    boneButton(env, boneWidth(env), next);
+  }
   endCard();
   openMenu(env, card);
 }

@@ -140,11 +140,11 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
     width += widthOf(entry.text);
     widest = std::max(widest, widthOf(entry.text));
   }
-  const bool column = stacked || width > view.width - 2 * kMargin;
-  const float height = column ? line * static_cast<float>(entries.size()) + 8 : line + 8;
-  if (column) width = widest + 12;
-  const double left = view.x + kMargin;
-  double foot = view.bottom() - kMargin - (onPaper ? kPenRoom : 0);
+  const bool tall = stacked || width > view.width - 2 * kMargin;
+  const float height = tall ? line * static_cast<float>(entries.size()) + 8 : line + 8;
+  if (tall) width = widest + 12;
+  const double column = env.ui().barLeft, left = view.x + kMargin + column;
+  double foot = view.bottom() - kMargin - (onPaper && column == 0 ? kPenRoom : 0);
   if (left + width + 6 > bar.x && bar.width > 0) foot = std::min(foot, bar.y - 6);
   const ImVec2 at = stacked ? ImVec2(static_cast<float>(view.right() - kMargin) - width,
                                      static_cast<float>(view.y + kMargin) + buttonSide(env) + 14)
@@ -157,7 +157,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
     look.width += 0.8f;
     styledLine(list, pen, {pen.x + sample, pen.y}, look);
     list.AddText(font, size, {pen.x + sample + 6, pen.y - size / 2}, kMuted, entry.text);
-    (column ? pen.y : pen.x) += column ? line : widthOf(entry.text);
+    (tall ? pen.y : pen.x) += tall ? line : widthOf(entry.text);
   }
 }
 
@@ -231,7 +231,9 @@ void drawViewChrome(const PanelEnv& env) {
   const app::ToolKind tool = env.ui().tool;
   const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand ||
                      tool == app::ToolKind::Place;
-  if (plain || !layout.stacked) chip(env, layout.picture, "Picture", onPicture);
+  const double shift = env.ui().barLeft;
+  const app::Rect beside{layout.picture.x + shift, layout.picture.y, layout.picture.width - shift, layout.picture.height};
+  if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) {
     const std::string size = app::spokenLength(env.document().height.value);
     const std::string solid = env.document().parts.empty() ? "Solid" : "Solid, " + size + " tall";

@@ -6,6 +6,7 @@
 
 #include "tests/unit/web/rig.h"
 #include "web/app/thumbnails.h"
+#include "web/app/views.h"
 
 using namespace spineloft;
 using platform::Device;
@@ -383,4 +384,41 @@ TEST_CASE("a finger that rests on a picture opens its menu") {
   rig.settle();
   CHECK(rig.app->ui().pictureMenu == PictureId{1});
   CHECK(picture(rig.state()).number("id") == 2);
+}
+
+TEST_CASE("on a small screen the card of the pen stands beside the sheet, with size and ink, also beside a second picture") {
+  for (const platform::CanvasSize size : {platform::CanvasSize{390, 755, 2}, {360, 551, 2}, {320, 480, 2}, {844, 310, 2}}) {
+    Rig rig(size);
+    for (const int pictures : {1, 2}) {
+      REQUIRE(rig.run("new-sketch", R"({"width":400,"height":300})").flag("ok") == true);
+      rig.settle();
+      for (const PointerKind kind : {PointerKind::Move, PointerKind::Down, PointerKind::Up}) {
+        rig.pointer(kind, size.width - 2, 2, Device::Touch);
+        rig.settle();
+      }
+      const app::UiState& ui = rig.app->ui();
+      const app::Rect sheet = app::pictureRect(ui.pictureView, {400, 300}, ui.layout.picture);
+      CAPTURE(size.width);
+      CAPTURE(pictures);
+      REQUIRE(ui.pictureView.fitted);
+      CHECK(sheet.width * sheet.height > 0.22 * ui.layout.picture.width * ui.layout.picture.height);
+      for (const app::Rect& bar : ui.overlays) {
+        const bool apart = bar.x >= sheet.right() || bar.right() <= sheet.x || bar.y >= sheet.bottom() || bar.bottom() <= sheet.y;
+        CHECK(apart);
+      }
+      if (!app::buttonsAtSide(ui.layout.picture)) continue;
+      // The third cell is of size and ink; a tap on it shows both.
+      const double cell = 46, left = ui.layout.picture.x + 4 + cell / 2;
+      const auto column = std::ranges::find_if(ui.overlays, [&](const app::Rect& at) { return at.contains({left, at.y + 1}) && at.height > 2.5 * cell; });
+      REQUIRE(column != ui.overlays.end());
+      const app::ClientPoint third{left, column->y + 4 + 2.5 * cell};
+      for (const PointerKind kind : {PointerKind::Move, PointerKind::Down, PointerKind::Up}) {
+        rig.pointer(kind, third.x, third.y, Device::Touch);
+        rig.settle();
+      }
+      CHECK(ui.sketching.menu == app::PenMenu::Both);
+      CHECK(rig.key("Escape", "Escape"));
+      CHECK(ui.sketching.menu == app::PenMenu::None);
+    }
+  }
 }
