@@ -29,6 +29,9 @@ void sendError(platform::Host& host, std::string_view sentence) {
 void sendInfo(platform::Host& host, std::string_view sentence) {
   sendToast(host, "info", sentence);
 }
+void sendHint(platform::Host& host, std::string_view sentence) {
+  sendToast(host, "hint", sentence);
+}
 void sendWarning(platform::Host& host, std::string_view sentence) {
   sendToast(host, "warning", sentence);
 }

@@ -14,6 +14,8 @@ namespace spineloft::app {
 void sendChanged(platform::Host& host);
 void sendError(platform::Host& host, std::string_view sentence);
 void sendInfo(platform::Host& host, std::string_view sentence);
+/// Nothing failed, and what was done may not be what was meant.
+void sendHint(platform::Host& host, std::string_view sentence);
 /// Nothing failed, but what was found wants a look.
 void sendWarning(platform::Host& host, std::string_view sentence);
 void sendPickPicture(platform::Host& host);

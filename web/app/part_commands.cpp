@@ -117,7 +117,7 @@ Outcome drawSpine(Env env, const Json& args) {
   recipe.pose.depth = draw.depth;
   const Status status = env.studio.act(standingActions(env, std::move(draw), recipe));
   if (!status) return refuse(status.failure());
-  if (shorter) sendInfo(env.host, kCutSentence);
+  if (shorter) sendHint(env.host, kCutSentence);
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};

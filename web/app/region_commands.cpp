@@ -106,7 +106,7 @@ void tellChanges(Env env, const document::Region& region, const geometry::Contou
     }
   }
   if (!crossesItself(region, made)) return;
-  sendInfo(env.host, "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
+  sendHint(env.host, "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
 }
 
 /// The outlines of which a solid will be made; so that what cannot be shown is refused before it is kept.

@@ -88,7 +88,7 @@ Outcome done(Env env, const Json&) {
   env.ui.section = shape;
   closeBoard(env.ui);
   sendStatus(env.host, "The slice is done, and on your shelf.");
-  if (Outcome full = keepOnShelf(env, shape, nullptr)) sendInfo(env.host, full->sentence);
+  if (Outcome full = keepOnShelf(env, shape, nullptr)) sendHint(env.host, full->sentence);
   return {};
 }
 

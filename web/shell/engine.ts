@@ -14,7 +14,7 @@ import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 /** What the engine tells the shell; see `Host`. */
 export type EngineEvent =
   | { type: 'changed' }
-  | { type: 'toast'; level: 'info' | 'warning' | 'error'; text: string }
+  | { type: 'toast'; level: 'info' | 'hint' | 'warning' | 'error'; text: string }
   | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
   | { type: 'pickPicture' }
   | { type: 'ask'; id: string; title: string; text: string; value?: string }

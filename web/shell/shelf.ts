@@ -32,7 +32,7 @@ export function keepShelf(slices: unknown[]): void {
   try {
     localStorage.setItem(kKey, JSON.stringify(slices));
   } catch {
-    if (!warned) toast('This browser does not let the page keep your slices: they stay until you close it.');
+    if (!warned) toast('This browser does not let the page keep your slices: they stay until you close it.', 'hint');
     warned = true;
   }
 }

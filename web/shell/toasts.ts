@@ -2,10 +2,10 @@
 import { byId, make } from './dom.ts';
 import { icon } from './icons.ts';
 
-export type ToastLevel = 'info' | 'warning' | 'error';
+export type ToastLevel = 'info' | 'hint' | 'warning' | 'error';
 
-const kMs: Record<ToastLevel, number> = { info: 4500, warning: 9000, error: 9000 };
-const kIcon: Record<ToastLevel, string> = { info: 'circle-check', warning: 'triangle-alert', error: 'circle-alert' };
+const kMs: Record<ToastLevel, number> = { info: 4500, hint: 6000, warning: 9000, error: 9000 };
+const kIcon: Record<ToastLevel, string> = { info: 'circle-check', hint: 'lightbulb', warning: 'triangle-alert', error: 'circle-alert' };
 /** Who is to press a button needs longer. */
 const kActionMs = 9000;
 /** A slow reader's pace, and the moment before the eye is there. */
@@ -27,7 +27,7 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   while (stack.children.length >= kMost) stack.firstElementChild?.remove();
   const close = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Dismiss' });
   close.append(icon('x'));
-  const element = make('div', { class: `toast toast-${level}`, role: level === 'info' ? 'status' : 'alert' },
+  const element = make('div', { class: `toast toast-${level}`, role: level === 'info' || level === 'hint' ? 'status' : 'alert' },
     icon(kIcon[level]), make('p', {}, text));
   if (action) {
     const button = make('button', { type: 'button', class: 'button toast-action' }, action.label);

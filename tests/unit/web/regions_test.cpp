@@ -184,7 +184,7 @@ TEST_CASE("a hand that draws an eight or goes round twice is told so, one that c
       line += (i > 0 ? ",[" : "[") + std::to_string(x) + "," + std::to_string(y) + "]";
     }
     REQUIRE(rig.run("draw-puff", line + "]}").flag("ok") == true);
-    return rig.host.said("crosses itself");
+    return rig.host.said(R"("level":"hint","text":"Your line crosses itself)");
   };
   using Place = std::pair<double, double>;
   const auto round = [](double r, double angle) {
