@@ -173,7 +173,7 @@ await mainProgram(async () => {
   printTable('Solids: what the worker takes from a request to the mesh', Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
     { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'least of the processor': 'min_cpu_ms', 'the first of its kind': 'first_ms' });
   printTable('Solids in the worker of a fresh page in Chromium', Object.entries(result.solidsOnPage).map(([name, times]) => ({ name, ...times })),
-    { 'from the request to the mesh, ms': 'name', min: 'min_ms', median: 'median_ms' });
+    { 'from the request to the mesh, ms': 'name', min: 'min_ms', median: 'median_ms', 'of the processor, the busiest worker': 'cpu_ms' });
   if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? dataFolder;
   if (folder && existsSync(folder)) {

@@ -5,13 +5,14 @@ import { openPage, startBrowser } from '../../.ci/lib/browser.mjs';
 import { distDir } from '../../.ci/lib/paths.mjs';
 import { serveFolder } from '../../.ci/lib/server.mjs';
 import { loft, seeded, turned } from '../browser/support/lofts.mjs';
+import { busiest, workerTimes } from './worker_cpu.mjs';
 
 const kPages = 5;
 const kPresses = 3;
 const kEdits = 8;
 const kLater = 4;
 
-/** Runs in the page: one worker's first large unions and edits, ms from the request to the mesh. */
+/** Runs in the page: one worker's first large unions and edits: ms from the request to the mesh, and what the busiest worker used meanwhile. */
 async function timesOf({ address, warm, edits, later, functions }) {
   const { loft, seeded, turned } = new Function(`${functions.join('\n')}; return { loft, seeded, turned };`)();
   const fine = { rings: 64, around: 64, length: 1, radius: 0.12 };
@@ -22,7 +23,7 @@ async function timesOf({ address, warm, edits, later, functions }) {
   });
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
   let id = 0, bytes = 0;
-  const ask = (of, given) => new Promise((resolve, reject) => {
+  const answer = (of, given) => new Promise((resolve, reject) => {
     const start = performance.now(), key = `node ${(id += 1)}`;
     worker.onerror = (event) => reject(new Error(event.message));
     let ms = 0;
@@ -34,6 +35,11 @@ async function timesOf({ address, warm, edits, later, functions }) {
     };
     worker.postMessage({ id, nodes: [{ key, step: 1, kind: 'join', operands: of, blend: 0, wall: 0.02, opening: null, cut: 0, coarse: false }], wanted: [key], meshes: given });
   });
+  const ask = async (of, given) => {
+    await window.look();
+    const ms = await answer(of, given);
+    return { ms, cpu: await window.look() };
+  };
   if (warm) {
     worker.postMessage({ warm: { large: true } });
     await new Promise((resolve) => { worker.onmessage = ({ data }) => { if (data.type === 'warm') resolve(); }; });
@@ -61,11 +67,18 @@ async function timesOf({ address, warm, edits, later, functions }) {
   return { union, edit, bytes: known };
 }
 
-/** Times in a fresh browser of the site in `folder`; `warm`: of a worker that was told beforehand. */
+/** Times in a fresh browser of the site in `folder`, once the page has started; `warm`: of a worker that was told beforehand. */
 export async function freshTimes(folder, warm) {
   const site = await serveFolder(folder, { isolated: true }), browser = await startBrowser();
   try {
     const { page } = await openPage(browser, site.url);
+    let seen = {};
+    await page.exposeFunction('look', () => {
+      const before = seen;
+      return busiest(before, (seen = workerTimes()));
+    });
+    // Nobody has ten parts while the page itself still starts and makes its own stages quick, which keeps its messages waiting.
+    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, { timeout: 60000 });
     const file = readdirSync(join(folder, 'assets')).find((name) => /^solids\.worker-.*\.js$/.test(name));
     return await page.evaluate(timesOf, { address: `assets/${file}`, warm, edits: kEdits, later: kLater, functions: [loft, seeded, turned].map(String) });
   } finally {
@@ -145,7 +158,13 @@ function summary(times) {
   return { min_ms: sorted[0], median_ms: sorted[sorted.length >> 1], count: sorted.length };
 }
 
-/** Times by name, {min_ms, median_ms, count}; dist/ must be built. */
+/** The same with the median of what the busiest worker used of the processor, where that is known. */
+function withProcessor(found) {
+  const known = found.map(({ cpu }) => cpu).filter((cpu) => cpu !== null);
+  return { ...summary(found.map(({ ms }) => ms)), ...(known.length > 0 ? { cpu_ms: summary(known).median_ms } : {}) };
+}
+
+/** Times by name, {min_ms, median_ms, count}, some with cpu_ms; dist/ must be built. */
 export async function solidPageTimes(folder = distDir) {
   const cold = [], warm = [], plain = [], ticked = [];
   for (let i = 0; i < kPages; i += 1) {
@@ -157,11 +176,11 @@ export async function solidPageTimes(folder = distDir) {
     ticked.push(await pressTimes(folder, true));
   }
   return {
-    'stick ten lofts of 8,192 triangles together, a fresh worker': summary(cold.map(({ union }) => union[0])),
-    'the same, made ready beforehand': summary(warm.map(({ union }) => union[0])),
-    'stick others together later': summary([...cold, ...warm].flatMap(({ union }) => union.slice(1))),
-    'the first rib of one of ten after it was chosen': summary([...cold, ...warm].map(({ edit }) => edit[0])),
-    'ribs after that': summary([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
+    'stick ten lofts of 8,192 triangles together, a fresh worker': withProcessor(cold.map(({ union }) => union[0])),
+    'the same, made ready beforehand': withProcessor(warm.map(({ union }) => union[0])),
+    'stick others together later': withProcessor([...cold, ...warm].flatMap(({ union }) => union.slice(1))),
+    'the first rib of one of ten after it was chosen': withProcessor([...cold, ...warm].map(({ edit }) => edit[0])),
+    'ribs after that': withProcessor([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
     'from the button to the first solid, of a lattice of ten parts that the pen made': summary(plain),
     'the same, ticked one by one beforehand': summary(ticked),
   };
