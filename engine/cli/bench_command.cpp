@@ -32,6 +32,7 @@
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
+#include "engine/ribs/consensus.h"
 #include "engine/ribs/overshoot.h"
 #include "engine/vision/edges.h"
 
@@ -160,8 +161,8 @@ class Bench {
     Result<ribs::Spine> spine = ribs::cleanSpine(stroke, size, recipe.spine);
     if (!spine.ok()) return spine.failure();
     ribs::RibWorkspace memory;
-    Result<ribs::RibSet> found = ribs::traceVariant(spine.value(), {edges, size}, recipe.ribs,
-                                                    variation_.variant, memory);
+    Result<ribs::RibSet> found = ribs::agreedRibs(spine.value(), {edges, size}, recipe.ribs, Progress(),
+                                                  variation_.variant, memory);
     if (!found.ok()) return found.failure();
     pipeline::ShapeMemory shapeMemory;
     return pipeline::shapeStage(recipe, {std::move(spine).value(), std::move(found).value()}, size, shapeMemory,

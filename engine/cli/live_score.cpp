@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/ribs/consensus.h"
 #include "engine/ribs/live_trace.h"
 
 namespace spineloft::cli {
@@ -37,7 +38,7 @@ LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& 
     ++made;
     score.followed += found.value().exact ? 0 : 1;
     if (move * kMoments / moves == (move - 1) * kMoments / moves) continue;
-    const auto whole = ribs::traceRibs(spine.value(), {edges, size}, params, Progress(), memory);
+    const auto whole = ribs::agreedRibs(spine.value(), {edges, size}, params, Progress(), memory);
     if (!whole) continue;
     ++looked;
     score.upPct = apartPct(whole.value(), found.value().set);

@@ -51,7 +51,8 @@ std::vector<Variation> listed() {
       without(&EvidenceParams::outsideWeight, "no-outside", "without colours outside"),
       without(&EvidenceParams::knownShare, "no-second-look", "without a second look at the colours"),
       without(&EvidenceParams::rimWeight, "no-third-look", "without a third look at the colours"),
-      {"no-farther", "without a look beyond the part", {}, {.nearest = true}}};
+      {"no-farther", "without a look beyond the part", {}, {.nearest = true}},
+      {"alone", "without asking other hands", {}, {.alone = true}}};
   Variation shape{"no-neighbours", "without the neighbour term", {}, {}};
   shape.params.neighbourWeight = 0;
   all.push_back(shape);

@@ -22,10 +22,6 @@ void Cache::keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEd
 std::shared_ptr<const TracedRibs> Cache::traced(std::uint64_t key, bool preview) {
   if (auto known = traced_.find(key)) return known;
   auto known = previews_.find(key);
-  if (!known && key == live_.key) {
-    known = std::make_shared<const TracedRibs>(live_.pen.traced);
-    if (preview) keepTraced(key, known, true);
-  }
   if (known && !preview) traced_.keep(key, known, bytesOf(*known));
   return known;
 }

@@ -80,14 +80,10 @@ class Cache {
   /// earlier states of it as far as they fit into kSketchBytes; only strokes that are new are drawn.
   /// Errors: those of image::drawSketch.
   Result<std::shared_ptr<const image::Picture>> pixels(const document::PictureEntry& entry);
-  /// For traceStage: a stroke under the pen asks for the same tables every frame.
+  /// For traceStage.
   ribs::RibWorkspace& ribMemory() { return ribMemory_; }
-  /// For liveStage. `traced` finds the ribs of its last move by `key`; 0: they are near ones only, or of no use.
-  struct LiveRibs {
-    LivePen pen;
-    std::uint64_t key = 0;
-  };
-  LiveRibs& live() { return live_; }
+  /// For liveStage.
+  LivePen& live() { return live_; }
   void clear() { *this = {}; }
 
   /// What is kept apart from edges and pictures, in bytes.
@@ -125,7 +121,7 @@ class Cache {
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;
-  LiveRibs live_;
+  LivePen live_;
   std::uint64_t round_ = 0;
   ShapeMemory shapeMemory_;
 };

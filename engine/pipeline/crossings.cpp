@@ -136,14 +136,14 @@ struct Stretch {
   bool left;
 };
 
-/// The stretches of one side at which `isSeen` is false, but for a few ribs between them.
+/// The stretches of one side at which `isSeen` is false; ribs between two of them that are too near to be believed belong to
+/// one.
 template <class IsSeen>
 void addStretches(std::size_t count, bool left, const IsSeen& isSeen, std::vector<Stretch>& found) {
-  constexpr std::size_t kGap = 2;
   const std::size_t ends = doubtfulEnds(count), before = found.size();
   for (std::size_t i = ends; i + ends < count; ++i) {
     if (isSeen(i)) continue;
-    if (found.size() == before || i > found.back().last + kGap + 1) found.push_back({i, i, left});
+    if (found.size() == before || i > found.back().last + kBeside + 1) found.push_back({i, i, left});
     found.back().last = i;
   }
 }

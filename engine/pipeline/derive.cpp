@@ -34,15 +34,6 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
 // What a shape is made for: a part, one in the making, or one whose stroke is being drawn.
 enum class Purpose : std::uint8_t { Part, Preview, Live };
 
-// The ribs of a stroke under the pen, in `pen`, where no cache knows them.
-Status traceLive(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture, std::uint64_t key,
-                 Cache::LiveRibs& live) {
-  live.key = 0;
-  Status made = liveStage(recipe, picture, live.pen);
-  if (made.ok() && live.pen.traced.exact && !picture.edges.empty()) live.key = key;
-  return made;
-}
-
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
 Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache,
                  Purpose purpose, PartShape& shape, const Clock& clock) {
@@ -52,9 +43,8 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
   const std::uint64_t key = traceKey(recipe, entry);
   const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry.contentHash);
   // Without edges the ribs are guessed: that is no result to keep.
-  const bool underPen = live && edges && cache.live().key == key;
-  std::shared_ptr<const TracedRibs> traced = edges && !underPen ? cache.traced(key, preview) : nullptr;
-  if (!traced && !underPen) {
+  std::shared_ptr<const TracedRibs> traced = edges ? cache.traced(key, preview) : nullptr;
+  if (!traced) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
     if (edges) {
       Result<std::shared_ptr<const ribs::IgnoredEdges>> found =
@@ -64,7 +54,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
     }
     const ribs::PictureEvidence evidence{edges ? *edges : kNoEdges, entry.size, ignored.get()};
     if (live) {
-      if (Status made = traceLive(recipe, evidence, key, cache.live()); !made.ok()) return made;
+      if (Status made = liveStage(recipe, evidence, cache.live()); !made.ok()) return made;
     } else {
       Result<TracedRibs> made = traceStage(recipe, evidence, Progress{}, cache.ribMemory());
       if (!made) return made.failure();
@@ -73,7 +63,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
     }
   }
   const double took = nowMs(clock) - started;
-  const TracedRibs& ribs = traced ? *traced : cache.live().pen.traced;
+  const TracedRibs& ribs = traced ? *traced : cache.live().traced;
   Status made = shapeStage(recipe, ribs, entry.size, cache.shapeMemory(), shape, clock);
   if (made.ok()) shape.ms.ribs += took;
   return made;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/loft/loft.h"
+#include "engine/ribs/consensus.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -89,7 +90,7 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
     Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
     if (!spine) return spine.failure();
     Result<ribs::RibSet> found =
-        ribs::traceRibs(spine.value(), picture, recipe.ribs, progress, memory);
+        ribs::agreedRibs(spine.value(), picture, recipe.ribs, progress, memory);
     if (!found) return found.failure();
     return TracedRibs{std::move(spine).value(), std::move(found).value()};
   } catch (const std::bad_alloc&) {
@@ -104,7 +105,8 @@ Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence
     if (!cleaned.ok()) return cleaned;
     const Result<bool> exact = pen.trace.move(traced.spine, picture, recipe.ribs, traced.generated);
     if (!exact) return exact.failure();
-    traced.exact = exact.value();
+    // A part's ribs are those on which other hands agree; without a picture there is nothing to agree on.
+    traced.exact = exact.value() && picture.edges.empty();
     return Done{};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;

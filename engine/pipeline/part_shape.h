@@ -73,7 +73,7 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
                                         std::span<const ribs::IgnoreMark> ofPicture,
                                         std::span<const ribs::IgnoreMark> ofPart);
 
-/// First stage: cleanSpine → traceRibs, for everything in a recipe that traceKey covers. The edges may
+/// First stage: cleanSpine → agreedRibs, for everything in a recipe that traceKey covers. The edges may
 /// be empty (no evidence yet: guessed ribs); those to ignore are part of
 /// the evidence, the marks in the recipe are not looked at. `memory` is reused and never shows in the
 /// result. Errors: those of the two, OutOfMemory.

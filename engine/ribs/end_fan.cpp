@@ -133,13 +133,11 @@ void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess
   }
 }
 
-// The outline with the two corners of a flat end, each after the points on its side that lie clearly
+// The outline with the two corners of a flat end that goes as far as `tip`, each after the points on its side that lie clearly
 // before the end's level.
-void withCorners(const EndSite& site, double extent, std::span<const PicturePoint> outline,
+void withCorners(const EndSite& site, const EndFrame& frame, double tip, std::span<const PicturePoint> outline,
                  std::vector<PicturePoint>& out) {
   constexpr double kBefore = 0.85;
-  const EndFrame frame(site);
-  const double tip = frame.tip(extent);
   if (!(tip > 0)) {
     out.assign(outline.begin(), outline.end());
     return;
@@ -215,10 +213,20 @@ void fanOf(const EndSite& site, const EndOutline& outline, EndFan& fan) {
   const std::span points = std::span(outline.points)
                             .subspan(index(site.freeLeft), index(site.curves.layout.fan));
   if (outline.guess.shape == EndShape::Flat) {
-    withCorners(site, outline.guess.extent, points, fan.points);
+    const EndFrame frame(site);
+    withCorners(site, frame, frame.tip(outline.guess.extent), points, fan.points);
   } else {
     fan.points.assign(points.begin(), points.end());
   }
+}
+
+void fanThrough(const EndSite& site, EndShape shape, std::span<const PicturePoint> points, EndFan& fan) {
+  if (shape != EndShape::Flat || points.empty()) {
+    fan.points.assign(points.begin(), points.end());
+    return;
+  }
+  const EndFrame frame(site);
+  withCorners(site, frame, frame.t(points[points.size() / 2]), points, fan.points);
 }
 
 }  // namespace spineloft::ribs

@@ -86,7 +86,7 @@ struct End {
 
 }  // namespace
 
-void findEnd(bool atStart, RibSet& set, Search& s) {
+EndShape findEnd(bool atStart, RibSet& set, Search& s) {
   EndFan& fan = atStart ? set.startFan : set.endFan;
   const End end{atStart, set, s};
   const int left = end.reachingBeyond(&Rib::left), right = end.reachingBeyond(&Rib::right);
@@ -96,7 +96,7 @@ void findEnd(bool atStart, RibSet& set, Search& s) {
   followEnd(last, s.workspace, held);
   if (std::max(end.beyond(last.left), end.beyond(last.right)) < kBent * half) {
     fanOf(last, held, fan);
-    return;
+    return held.guess.shape;
   }
   const EndSite before = end.site(left, right, half);
   followEnd(before, s.workspace, freed);
@@ -105,11 +105,25 @@ void findEnd(bool atStart, RibSet& set, Search& s) {
       {end.farthest(held), end.farthest(left, &Rib::left), end.farthest(right, &Rib::right)});
   if (freed.cost > cost || end.farthest(freed) > far) {
     fanOf(last, held, fan);
-    return;
+    return held.guess.shape;
   }
   for (int i = 0; i < left; ++i) end.move(left - 1 - i, true, freed, i);
   for (int i = 0; i < right; ++i) end.move(i, false, freed, left + s.curves.layout.fan + i);
   fanOf(before, freed, fan);
+  return freed.guess.shape;
+}
+
+void placeEnd(bool atStart, const std::vector<float>& lengths, RibSet& set, Search& s) {
+  const End end{atStart, set, s};
+  EndOutline& outline = s.ends[0];
+  outline.points.clear();
+  for (int i = 0; i < s.curves.layout.fan; ++i) {
+    const int curve = atStart ? s.curves.layout.startFan(i) : s.curves.layout.endFan(i);
+    if (lengths[index(curve)] < 1) continue;
+    outline.points.push_back(s.curves.pointAlong(curve, static_cast<double>(lengths[index(curve)])));
+  }
+  const double half = std::max(1.0, distance(end.rib(0).left, end.rib(0).right) / 2);
+  fanThrough(end.site(0, 0, half), s.shapes[atStart ? 0 : 1], outline.points, atStart ? set.startFan : set.endFan);
 }
 
 }  // namespace spineloft::ribs

@@ -10,7 +10,12 @@ namespace spineloft::ribs {
 /// last ribs run round it, and neighbours and the width so far may have held them beyond it. So the end
 /// is looked for twice, from the last ribs as they are, and with all ribs that reach beyond the stroke
 /// free to find it too; where that explains the picture better and the part goes no farther, these ribs
-/// of `set` are moved to it. The fan is that of `set`. O((ribs moved + fan) · levels).
-void findEnd(bool atStart, RibSet& set, Search& s);
+/// of `set` are moved to it. The fan is that of `set`; what it was taken for is returned. O((ribs moved + fan) ·
+/// levels).
+EndShape findEnd(bool atStart, RibSet& set, Search& s);
+
+/// The fan of that end where its curves are to end at these lengths (of every curve, picture pixels), shaped as `s.shapes`
+/// says; without curves that go nowhere.
+void placeEnd(bool atStart, const std::vector<float>& lengths, RibSet& set, Search& s);
 
 }  // namespace spineloft::ribs

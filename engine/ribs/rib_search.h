@@ -2,6 +2,7 @@
 // to ribs/.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -48,6 +49,7 @@ struct RibWorkspace::Search {
   std::vector<float> say;  // what the evidence of a curve counts for in the third look
   FairingMemory fairing;
   std::vector<RibState> states;
+  std::array<EndShape, 2> shapes{};  // of the start and the end
   const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
   double farthest = 0;                    // levels go no farther, picture pixels
   /// Which even part explains the picture best: each is given its turn.
@@ -97,8 +99,16 @@ void stiffLengths(Search& s);
 /// Ends are held near to `s.known.inside`, but for dents and bulges, for colours that were learned from
 /// a wrong part can lead to a worse one.
 void thirdEvidence(Search& s);
-/// The ribs of `s.labels` in place of what `set` held; `withRivals`: with confidence and other places.
+/// How strong the edges under the ends of one side are, against others near by (edge_strength.h).
+const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s);
+/// The ribs of `s.labels` in place of what `set` held, and `s.shapes`; `withRivals`: with confidence and other places.
 void readRibs(bool withRivals, Search& s, RibSet& set);
+/// The ribs whose ends, and those of the fans, stand at other lengths along their curves (picture pixels, of every curve)
+/// than those of `s.labels`, which become the nearest ones; with ends of these shapes, confidence and other places.
+void readRibsAt(const std::vector<float>& lengths, std::array<EndShape, 2> shapes, Search& s, RibSet& set);
+/// All of it but reading the ribs: `s.labels`.
+Status searchLabels(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                    const Progress& progress, Search& s);
 /// All of it, start to end: traceRibs.
 Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                   const Progress& progress, Search& s, RibSet& set);

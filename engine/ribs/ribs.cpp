@@ -8,11 +8,7 @@
 #include "engine/base/lanes.h"
 #include "engine/ribs/algorithm_one.h"
 #include "engine/ribs/edge_strength.h"
-#include "engine/ribs/end_search.h"
-#include "engine/ribs/pen_line.h"
 #include "engine/ribs/rib_search.h"
-#include "engine/ribs/rivals.h"
-#include "engine/ribs/trace_variant.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -238,13 +234,13 @@ void bestLabels(bool withColours, Search& s) {
   if (s.contest.last != s.contest.chosen) suppose(s.contest.chosen, withColours, s);
 }
 
+}  // namespace
+
 const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s) {
   const auto& differences = s.terms.scratch.differences;
   return edgeStrengths({s.curves, labels, leftSide},
                        s.edges ? std::span(differences) : std::span(differences).first(0), s.strengths);
 }
-
-}  // namespace
 
 void stiffLengths(Search& s) {
   const LengthLabels& labels = s.labels;
@@ -311,100 +307,6 @@ void thirdEvidence(Search& s) {
   for (float& scale : s.problem.leanScale) scale *= kOppositeShare;
 }
 
-namespace {
-
-// Edge where the end stands on one; Bridged between two of those; else Guessed.
-const std::vector<RibState>& endStates(const std::vector<int>& labels, bool leftSide, Search& s) {
-  const int ribs = s.problem.ribs;
-  std::vector<RibState>& states = s.states;
-  states.assign(index(ribs), RibState::Guessed);
-  int last = -1;
-  for (int i = 0; i < ribs; ++i) {
-    const int curve = s.curves.layout.sideOf(i, leftSide);
-    if (s.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
-    states[index(i)] = RibState::Edge;
-    if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
-    last = i;
-  }
-  return states;
-}
-
-// Confidence and other places of the ends of one side, from its min-marginals.
-void readRivals(Search& s, const LengthLabels& labels, bool leftSide, RibSet& set) {
-  std::vector<float>& marginals = s.marginals;
-  sideMarginals(s.problem, labels, leftSide, s.workspace, marginals);
-  for (int i = 0; i < s.problem.ribs; ++i) {
-    const int curve = s.curves.layout.sideOf(i, leftSide);
-    const std::size_t reached = index(s.curves.reached[index(curve)]);
-    const auto row = [&](const std::vector<float>& values, std::size_t first) {
-      return std::span<const float>(&values[first], reached);
-    };
-    const std::size_t first = s.curves.at(curve, 0);
-    const RivalRow rivals{row(marginals, index(i) * index(s.problem.levels)),
-                          row(s.curves.along, first), row(s.support, first),
-                          (leftSide ? labels.left : labels.right)[index(i)],
-                          static_cast<float>(shareOfRib(s))};
-    Rib& rib = set.ribs[index(i)];
-    (leftSide ? rib.leftConfidence : rib.rightConfidence) = confidenceOf(rivals);
-    OtherPlaces& others = leftSide ? rib.leftOthers : rib.rightOthers;
-    for (const Rival& rival : findRivals(rivals, s.rivals)) {
-      others.at[index(others.count++)] = s.curves.point(curve, rival.label);
-    }
-  }
-}
-
-// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair. An end on a
-// fainter edge than others near by is led by these.
-const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftSide, Search& s) {
-  const std::vector<float>& strengths = strengthsOf(labels, leftSide, s);
-  SideLengths& side = s.lengths;
-  side.length.clear();
-  side.trust.clear();
-  for (int i = 0; i < s.problem.ribs; ++i) {
-    const int curve = s.curves.layout.sideOf(i, leftSide);
-    const std::size_t at = s.curves.at(curve, labels[index(i)]);
-    const auto strength = static_cast<double>(strengths[index(i)]);
-    const double support = static_cast<double>(s.support[at]) * strength * strength;
-    const double length = s.curves.along[at];
-    side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
-    side.trust.push_back(support * support);
-  }
-  return fairLengths(side, s.params.fairing, s.fairing);
-}
-
-}  // namespace
-
-void readRibs(bool withRivals, Search& s, RibSet& set) {
-  const LengthLabels& labels = s.labels;
-  set.ribs.assign(index(s.problem.ribs), Rib{});
-  for (const bool leftSide : {true, false}) {
-    const std::vector<int>& side = leftSide ? labels.left : labels.right;
-    const std::vector<RibState>& states = endStates(side, leftSide, s);
-    const std::vector<double>& lengths = endLengths(side, leftSide, s);
-    for (int i = 0; i < s.problem.ribs; ++i) {
-      Rib& rib = set.ribs[index(i)];
-      const int curve = s.curves.layout.sideOf(i, leftSide);
-      rib.center = s.spine.points[index(i)];
-      (leftSide ? rib.left : rib.right) = s.curves.pointAlong(curve, lengths[index(i)]);
-      (leftSide ? rib.leftState : rib.rightState) = states[index(i)];
-      (leftSide ? rib.leftLevel : rib.rightLevel) = s.levels.d2[index(side[index(i)])];
-    }
-  }
-  if (withRivals) {
-    readRivals(s, labels, true, set);
-    readRivals(s, labels, false, set);
-  }
-  findEnd(true, set, s);
-  findEnd(false, set, s);
-  set.energy = energyOf(s.problem, labels);
-  const double middle = 0.5 * (s.problem.levels - 1);
-  for (const auto* side : {&labels.left, &labels.right}) {
-    for (int label : *side)
-      set.energy.prior += s.params.priorWeight * std::abs(label - middle) / middle;
-  }
-  set.energy.distance -= set.energy.prior;
-}
-
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                    double farthest, Search& s) {
   const image::EdgeMap& edges = picture.edges;
@@ -429,8 +331,8 @@ bool usesColours(const PictureEvidence& picture, const RibParams& params) {
   return !picture.edges.empty() && params.evidence.knownShare > 0;
 }
 
-Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                  const Progress& progress, Search& s, RibSet& set) {
+Status searchLabels(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                    const Progress& progress, Search& s) {
   if (!progress.advance(0.05)) return Error::Cancelled;
   const double anywhere = std::numeric_limits<double>::infinity();
   if (Status begun = beginSearch(spine, picture, params, anywhere, s); !begun.ok()) return begun;
@@ -454,6 +356,13 @@ Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibP
     findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, s.labels);
   }
   if (!progress.advance(0.9)) return Error::Cancelled;
+  return Done{};
+}
+
+Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
+                  const Progress& progress, Search& s, RibSet& set) {
+  const Status found = searchLabels(spine, picture, params, progress, s);
+  if (!found.ok()) return found;
   readRibs(true, s, set);
   progress.advance(1);
   return Done{};
@@ -506,18 +415,10 @@ RibWorkspace::Search& RibWorkspace::search() {
   return *search_;
 }
 
-namespace {
-
-Result<RibSet> traced(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                      const Progress& progress, TraceVariant variant, RibWorkspace& memory) {
-  memory.search().variant = variant;
-  RibSet set;
-  const Status found = searchRibs(spine, picture, params, progress, memory.search(), set);
-  if (!found.ok()) return found.failure();
-  return set;
+RibWorkspace::Search& RibWorkspace::other() {
+  if (!other_) other_ = std::make_unique<Search>();
+  return *other_;
 }
-
-}  // namespace
 
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress) {
@@ -527,12 +428,11 @@ Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
 
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture,
                          const RibParams& params, const Progress& progress, RibWorkspace& memory) {
-  return traced(spine, picture, params, progress, {}, memory);
-}
-
-Result<RibSet> traceVariant(const Spine& spine, const PictureEvidence& picture,
-                            const RibParams& params, TraceVariant variant, RibWorkspace& memory) {
-  return traced(spine, picture, params, Progress(), variant, memory);
+  memory.search().variant = {};
+  RibSet set;
+  const Status found = searchRibs(spine, picture, params, progress, memory.search(), set);
+  if (!found.ok()) return found.failure();
+  return set;
 }
 
 }  // namespace spineloft::ribs

@@ -17,9 +17,11 @@ class RibWorkspace {
   struct Search;
   /// Made when first asked for.
   Search& search();
+  /// A second one, for what other hands would have found (consensus.h).
+  Search& other();
 
  private:
-  std::unique_ptr<Search> search_;
+  std::unique_ptr<Search> search_, other_;
 };
 
 }  // namespace spineloft::ribs

@@ -353,7 +353,8 @@ TEST_CASE("of the parts of the public pictures all look as the pictures do where
   CHECK(looked >= 13);
   CHECK(within == looked);
   CHECK(counted == looked);
-  CHECK(whole >= looked - 2);
+  // Of the outermost pixels of the palm, the dutar and the bottle a good part is ground.
+  CHECK(whole >= looked - 3);
 }
 
 TEST_CASE("puffs and flat pieces of the public photos, renderings and sketches look as the pictures do to 30 dB wholly inside, and with their rims as far as those are theirs") {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/ribs/ribs.h"
-#include "engine/ribs/trace_variant.h"
+#include "engine/ribs/consensus.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -104,9 +104,9 @@ TEST_CASE("a variant with nothing exchanged is the product") {
   RibWorkspace memory;
   const PictureEvidence picture{map, kPicture};
   const RibSet product = traceRibs(spine, picture, {}, Progress(), memory).value();
-  const RibSet straight = traceVariant(spine, picture, {}, {.euclidean = true}, memory).value();
-  const RibSet sampled = traceVariant(spine, picture, {}, {.sampled = true}, memory).value();
-  CHECK(traceVariant(spine, picture, {}, {}, memory).value() == product);
+  const RibSet straight = agreedRibs(spine, picture, {}, Progress(), {.euclidean = true, .alone = true}, memory).value();
+  const RibSet sampled = agreedRibs(spine, picture, {}, Progress(), {.sampled = true, .alone = true}, memory).value();
+  CHECK(agreedRibs(spine, picture, {}, Progress(), {.alone = true}, memory).value() == product);
   CHECK(traceRibs(spine, picture, {}, Progress(), memory).value() == product);
   CHECK(straight.ribs.size() == product.ribs.size());
   CHECK(sampled.energy.total() >= product.energy.total() - 1e-3);

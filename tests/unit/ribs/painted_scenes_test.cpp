@@ -10,7 +10,7 @@
 #include "engine/base/rng.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
-#include "engine/ribs/trace_variant.h"
+#include "engine/ribs/consensus.h"
 #include "engine/vision/edges.h"
 
 using namespace spineloft;
@@ -170,7 +170,7 @@ TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half o
     // Without a look beyond the part it is what lies between the stripes.
     const auto spine = cleanSpine(stroke(120), kSize, {.ribs = 60});
     RibWorkspace memory;
-    const auto narrow = traceVariant(spine.value(), {map, kSize}, {}, {.nearest = true}, memory);
+    const auto narrow = agreedRibs(spine.value(), {map, kSize}, {}, Progress(), {.nearest = true, .alone = true}, memory);
     CHECK(missed(narrow.value()) > 0.5);
   }
 }
