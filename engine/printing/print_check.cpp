@@ -119,6 +119,19 @@ bool fits(const std::array<double, 3>& size, const std::array<double, 3>& volume
   return size[2] <= volume[2] && (straight || turned);
 }
 
+/// The first printer that it fits into; their number when there is none.
+std::size_t printerFor(const std::array<double, 3>& size) {
+  const auto fitting = std::ranges::find_if(kPrinters, [&](const Printer& printer) { return fits(size, printer.volume); });
+  return static_cast<std::size_t>(fitting - kPrinters.begin());
+}
+
+bool fitsEnlarged(const PrintCheck& check) {
+  if (check.thick() || !(check.thinnest > 0)) return false;
+  std::array<double, 3> size = check.size;
+  for (double& length : size) length *= kMoreThanNeeded * kLeastWall / check.thinnest;
+  return printerFor(size) < kPrinters.size();
+}
+
 }  // namespace
 
 std::span<const Printer> printers() { return kPrinters; }
@@ -141,8 +154,9 @@ PrintCheck checkPrint(std::span<const mesh::TriMesh> parts) {
     any = true;
   }
   check.size = {high[0] - low[0], high[2] - low[2], high[1] - low[1]};
-  while (check.printer < kPrinters.size() && !fits(check.size, kPrinters[check.printer].volume)) ++check.printer;
+  check.printer = printerFor(check.size);
   findThinnest(parts, check);
+  check.enlargingHelps = fitsEnlarged(check);
   findStand(parts, low[1], check);
   check.pieces = countPieces(parts);
   check.footHelps = !check.stands() && flatFoot(parts).has_value();

@@ -20,6 +20,8 @@ std::span<const Printer> printers();
 
 /// Thinner walls break, or do not come out at all: two lines of the usual 0.4 mm nozzle.
 inline constexpr double kLeastWall = 0.8;
+/// By how much more than that needs a model is made larger, for sizes are whole millimetres.
+inline constexpr double kMoreThanNeeded = 1.01;
 /// How far a model should lean before it falls, radians (3°): a floor and a table are never quite level.
 inline constexpr double kLeastLean = 0.0524;
 /// What lies this near to the ground is stood on, millimetres: a first layer and a half.
@@ -43,6 +45,8 @@ struct PrintCheck {
   /// What does not stand would on a flat foot (see flatFoot).
   bool footHelps = false;
   bool thick() const { return thinnest >= kLeastWall; }
+  /// What is not thick would be when all of it is made larger, and would still fit one of the printers.
+  bool enlargingHelps = false;
   /// Index of the first printer that it fits into, turned by 90° about the height where that helps; the
   /// number of printers when it fits into none.
   std::size_t printer = 0;

@@ -86,6 +86,18 @@ document::Look currentLook(const CommandEnv& env) {
 constexpr std::string_view kCutSentence =
     "Your line went past the end, so it stops where the thing does. Pull the end of the bone to go on.";
 
+constexpr std::string_view kNothingFound =
+    "Nothing was found beside your line, so its width is a guess. Draw through a thing, or pull the ends of the ribs.";
+
+/// Whether every rib of the newest part is a guess although its picture has been looked at.
+bool foundNothing(Env env) {
+  const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
+  if (newest.waiting || !newest.shape) return false;
+  return std::ranges::all_of(newest.shape->generated.ribs, [](const ribs::Rib& rib) {
+    return rib.leftState == ribs::RibState::Guessed && rib.rightState == ribs::RibState::Guessed;
+  });
+}
+
 Outcome drawSpine(Env env, const Json& args) {
   std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
@@ -117,7 +129,11 @@ Outcome drawSpine(Env env, const Json& args) {
   recipe.pose.depth = draw.depth;
   const Status status = env.studio.act(standingActions(env, std::move(draw), recipe));
   if (!status) return refuse(status.failure());
-  if (shorter) sendHint(env.host, kCutSentence);
+  if (shorter) {
+    sendHint(env.host, kCutSentence);
+  } else if (foundNothing(env)) {
+    sendHint(env.host, kNothingFound);
+  }
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};

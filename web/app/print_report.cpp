@@ -39,7 +39,9 @@ PrintLine wallLine(const printing::PrintCheck& check) {
   if (check.thick()) return {true, "Its thinnest place is " + number(check.thinnest, 1) + " mm, thick enough."};
   // Never rounded up to what would do.
   const std::string thin = number(std::floor(check.thinnest * 100) / 100, 2);
-  return {false, "Its thinnest place is " + thin + " mm; below 0.8 mm it breaks or is left out. \"Make it thick enough\" makes it larger.", "thicken"};
+  const std::string why = "Its thinnest place is " + thin + " mm; below 0.8 mm it breaks or is left out. ";
+  if (check.enlargingHelps) return {false, why + "\"Make it thick enough\" makes it larger.", "thicken"};
+  return {false, why + std::string(kThickenByHand)};
 }
 
 PrintLine closedLine(const printing::PrintCheck& check) {

@@ -16,6 +16,10 @@ struct PrintReport {
   document::Document of;
 };
 
+/// What to do where no printer takes what is made larger until its thinnest place is thick enough.
+inline constexpr std::string_view kThickenByHand =
+    "Made larger until it does not, it fits no common printer: pull the ends of the ribs apart there, or give it more thickness.";
+
 struct PrintLine {
   bool good = false;
   std::string text;           ///< a sentence

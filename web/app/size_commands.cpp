@@ -100,7 +100,8 @@ Outcome thicken(Env env, const Json& args) {
   const double thinnest = env.ui.print->check.thinnest;
   if (!(thinnest > 0)) return refuse({Error::NothingToExport, {}});
   if (env.ui.print->check.thick()) return {};
-  const double mm = env.studio.document().height.value * 1.01 * printing::kLeastWall / thinnest;
+  if (!env.ui.print->check.enlargingHelps) return Refusal{"NotNow", std::string(kThickenByHand)};
+  const double mm = env.studio.document().height.value * printing::kMoreThanNeeded * printing::kLeastWall / thinnest;
   if (const Status status = env.studio.act(document::SetHeight{Millimetres{std::ceil(mm)}}); !status) {
     return refuse(status.failure());
   }

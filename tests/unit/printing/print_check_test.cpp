@@ -77,6 +77,23 @@ TEST_CASE("twice the size is twice the thickness, and the thin part is named") {
   CHECK(checkPrint(twice).thick());
 }
 
+TEST_CASE("enlarging is offered where what it makes still fits a printer, and then it is thick enough") {
+  for (const float thickness : {0.9f, 0.5f, 0.2f, 0.05f}) {
+    const std::array<float, 3> size{60, 40, thickness};
+    mesh::TriMesh plate = movedBox(size, {0, 0, 0});
+    const PrintCheck check = checkPrint({&plate, 1});
+    // 350 mm is the largest printer's room.
+    const double times = kMoreThanNeeded * kLeastWall / static_cast<double>(thickness);
+    CHECK(check.enlargingHelps == (thickness < 0.8f && 60 * times <= 350));
+    if (!check.enlargingHelps) continue;
+    for (auto& p : plate.positions) {
+      for (float& x : p) x *= static_cast<float>(times);
+    }
+    CHECK(checkPrint({&plate, 1}).thick());
+    CHECK(checkPrint({&plate, 1}).printer < printers().size());
+  }
+}
+
 TEST_CASE("a box leans until its centre is over its edge") {
   // 10 wide, 40 high, 20 deep: it falls over its narrow side at atan(5 / 20).
   const mesh::TriMesh box = movedBox({10, 40, 20}, {100, 3, -50});

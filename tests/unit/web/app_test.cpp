@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "engine/base/rng.h"
 #include "tests/unit/web/rig.h"
 
@@ -139,6 +141,21 @@ TEST_CASE("once a pen was seen a finger moves the picture instead of drawing") {
   rig.settle();
   CHECK(rig.parts() == 1);
   CHECK(rig.at(100, 100).y != doctest::Approx(before.y));
+}
+
+TEST_CASE("a line where the picture shows nothing makes a part, and it is said that its width is a guess; through a thing it is no news") {
+  Rig rig;
+  rig.openBar();
+  rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
+  rig.settle();
+  CHECK_FALSE(rig.host.said("Nothing was found"));
+  image::Picture blank = test::barPicture();
+  std::ranges::fill(blank.working.pixels, std::uint8_t{250});
+  rig.app->addPicture(std::move(blank), "blank.png");
+  rig.settle();
+  CHECK(rig.run("draw-spine", R"({"stroke":[[60,40],[90,160]]})").flag("ok") == true);
+  CHECK(rig.parts() == 2);
+  CHECK(rig.host.said(R"("level":"hint","text":"Nothing was found beside your line)"));
 }
 
 TEST_CASE("a tap where there is nothing to take is no mistake: nothing is said") {

@@ -90,6 +90,21 @@ TEST_CASE("the check for printing says how small a small model is") {
   CHECK_MESSAGE(thin.find("0.8 mm;") == std::string::npos, thin);
 }
 
+TEST_CASE("what no printer would take when it is made thick enough is not made larger, and it is said what to do") {
+  Rig rig;
+  rig.openBar();
+  rig.run("draw-sheet", R"({"contours":[[[4,4],[196,4],[196,196],[4,196]]]})");
+  rig.run("set-parameter", R"({"part":1,"key":"thickness","value":0.002})");
+  rig.settle();
+  rig.run("check-print");
+  const app::Json before = rig.state();
+  const app::Json& line = (*before.find("print")->find("lines")->array())[2];
+  CHECK(line.flag("good") == false);
+  CHECK_MESSAGE(line.text("text")->find("fits no common printer") != std::string::npos, *line.text("text"));
+  CHECK(*rig.run("thicken").text("error") == "NotNow");
+  CHECK(rig.state().number("heightMm") == before.number("heightMm"));
+}
+
 TEST_CASE("a thing that is picked gives its height, stands beside the solid, and goes again") {
   Rig rig;
   rig.openBar();
