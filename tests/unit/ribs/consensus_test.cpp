@@ -199,7 +199,7 @@ TEST_CASE("without a picture, or with three ribs, the stroke decides alone; bad 
   CHECK(agreedRibs(spine, {thing(), kPicture}, {}, progress, memory).error() == Error::Cancelled);
 }
 
-TEST_CASE("agreed ribs of random strokes, over a thing or beside it, are finite and in the picture, and sides do not cross") {
+TEST_CASE("agreed ribs of random strokes, over a thing or beside it, are finite and in the picture") {
   Rng rng(31);
   RibWorkspace memory;
   for (int round = 0; round < 12; ++round) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ribs/ribs.h"
 #include "engine/ribs/consensus.h"
+#include "engine/ribs/ribs.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;

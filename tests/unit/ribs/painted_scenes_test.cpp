@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/base/rng.h"
+#include "engine/ribs/consensus.h"
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/spine.h"
-#include "engine/ribs/consensus.h"
 #include "engine/vision/edges.h"
 
 using namespace spineloft;
