@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fresh, library, loft, near, node, rod, seeded, shell, solve, turned } from './support/solids.mjs';
 
-const { Helper, SolidKernel, Solver, rehearse, solidWorkersFor, wasWorkedAt } = shell;
+const { Helper, SolidKernel, SolidWarmUp, Solver, rehearse, solidWorkersFor, wasWorkedAt } = shell;
 
 /** Goes through it as a worker does: whatever came in between is let in. */
 async function run(work, steps = Infinity) {
@@ -148,6 +148,39 @@ test('workers are started for a model that is worked at: one for two parts, two 
   assert.ok(!wasWorkedAt(seen(2, 4), seen(2, 4)) && !wasWorkedAt(seen(2, 4), seen(2, 3)), 'nothing was done, or undone');
 });
 
+test('what is likely is made once the hand rests, in a page that is seen; not for one part, nor where one only looks', (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  let asked = 0, isIdle = true;
+  globalThis.document = { visibilityState: 'visible' };
+  t.after(() => { delete globalThis.document; });
+  const engine = { isIdle: () => isIdle, prepareSolids: () => { asked += 1; }, solver: null }, seen = (count, undo) => ({ parts: Array.from({ length: count }, () => ({ triangles: 8000 })), picked: [], undo });
+  // Longer than any rest, in steps, for the one begins where the other ended.
+  const rest = (ms = 5000) => { for (let i = 0; i < ms; i += 100) t.mock.timers.tick(100); };
+  const looking = new SolidWarmUp(engine);
+  for (const state of [seen(0, 0), seen(5, 1), seen(5, 1)]) looking.see(state);
+  rest();
+  const working = new SolidWarmUp(engine);
+  working.see(seen(0, 0));
+  working.see(seen(1, 1));
+  rest();
+  assert.equal(asked, 0);
+  for (let undo = 2; undo < 30; undo += 1) {
+    working.see(seen(2, undo));
+    rest(500);
+  }
+  assert.equal(asked, 0, 'the hand does not rest');
+  isIdle = false;
+  rest();
+  assert.equal(asked, 0, 'the engine is at something');
+  isIdle = true;
+  rest();
+  assert.equal(asked, 1, 'later, once');
+  document.visibilityState = 'hidden';
+  working.see(seen(3, 31));
+  rest();
+  assert.equal(asked, 1, 'nobody sees the page');
+});
+
 test('a second worker is warmed once, and again after it was let go', () => {
   const workers = [], helper = new Helper(() => {
     workers.push({ told: [], postMessage(message) { this.told.push(message); }, terminate() {} });
@@ -161,4 +194,97 @@ test('a second worker is warmed once, and again after it was let go', () => {
   helper.warm();
   assert.deepEqual(workers.map(warmings), [[false], [false]]);
   helper.stop();
+});
+
+/** What is living of the library's solids, and of what they are made, while `work` runs. */
+async function counted(work) {
+  const living = new Set(), made = { parts: 0, unions: 0 }, { Manifold } = library, { ofMesh, union } = Manifold, kind = Object.getPrototypeOf(Manifold.cube()), { delete: end, add } = kind;
+  Manifold.ofMesh = (mesh) => {
+    const solid = ofMesh(mesh);
+    made.parts += 1;
+    living.add(solid);
+    return solid;
+  };
+  Manifold.union = (solids) => {
+    made.unions += solids.length > 1 ? 1 : 0;
+    return union(solids);
+  };
+  kind.add = function adding(other) {
+    made.unions += 1;
+    return add.call(this, other);
+  };
+  kind.delete = function ending() {
+    living.delete(this);
+    end.call(this);
+  };
+  try {
+    await work(living, made);
+  } finally {
+    Object.assign(Manifold, { ofMesh, union });
+    Object.assign(kind, { add, delete: end });
+  }
+}
+
+const likely = (kernel, operands, meshes) => run(kernel.likely({ nodes: [node(operands)], meshes }));
+
+test('what is likely to be stuck together is made beforehand: at the button nothing is, in any order, and the solid is the same', async () => {
+  for (let seed = 1; seed <= 4; seed += 1) {
+    const { meshes, operands } = model(seed), kernel = fresh();
+    await likely(kernel, operands, meshes);
+    await counted(async (living, made) => {
+      const asked = [node(seed % 2 ? operands : operands.toReversed())], { mesh } = solve(kernel, asked);
+      assert.deepEqual(made, { parts: 0, unions: 0 }, `seed ${seed}`);
+      const anew = solve(fresh(), asked, meshes).mesh;
+      near(mesh.volume, anew.volume, 1e-6, 'volume');
+      assert.deepEqual([mesh.genus, mesh.runs.map(({ part }) => part).sort()], [anew.genus, anew.runs.map(({ part }) => part).sort()]);
+      // Its mesh went to the page, which may write on it: whoever asks again gets another one.
+      mesh.positions.fill(0);
+      near(solve(kernel, [node(operands)]).mesh.volume, anew.volume, 1e-6, 'asked again');
+      assert.ok(solve(kernel, [{ ...asked[0], key: 'again' }]).mesh.positions.some((x) => x !== 0));
+    });
+  }
+});
+
+test('of what is likely some alone, others too, cut or rounded are what they are anew', async () => {
+  const { meshes, operands } = model(7), other = rod(6, turned(2, 0.1), 'other'), all = { ...meshes, other: loft({ rings: 16, around: 12, radius: 0.1 }) };
+  for (const [of, more] of [[operands.slice(0, 2), {}], [operands.slice(1), {}], [[...operands, other], {}], [operands, { kind: 'cut' }], [operands, { kind: 'common' }], [operands.slice(0, 3), { blend: 0.02 }], [operands, { coarse: true }]]) {
+    const kernel = fresh(), asked = [node(of, more)];
+    await likely(kernel, operands, meshes);
+    const made = solve(kernel, asked, { other: all.other }), anew = solve(fresh(), asked, all);
+    assert.deepEqual(made.failure, anew.failure);
+    if (anew.mesh) near(made.mesh.volume, anew.mesh.volume, 1e-6, JSON.stringify(more));
+  }
+});
+
+test('one more part, or an edit of the same part, is one union ahead; of what was likely before nothing is left', async () => {
+  await counted(async (living, made) => {
+    const { meshes, operands } = model(5), kernel = fresh(), sizes = [];
+    for (let count = 2; count <= operands.length; count += 1) {
+      made.unions = made.parts = 0;
+      await likely(kernel, operands.slice(0, count), count === 2 ? meshes : {});
+      assert.deepEqual(made, { parts: count === 2 ? 2 : 1, unions: 1 }, `${count} parts`);
+    }
+    for (let i = 0; i < 30; i += 1) {
+      made.unions = made.parts = 0;
+      await likely(kernel, operands.map((each, k) => (k === 1 ? { ...each, mesh: `edit ${i}` } : each)), { [`edit ${i}`]: loft({ rings: 20, around: 12, radius: 0.05 + 0.001 * i }) });
+      if (i > 0) assert.deepEqual(made, { parts: 1, unions: 1 }, `edit ${i}`);
+      sizes.push([living.size, kernel.solids.size, kernel.parts.size, kernel.sources.size].join());
+    }
+    assert.deepEqual(new Set(sizes.slice(1)).size, 1, sizes.join(' '));
+    assert.ok(kernel.meshes.size < 24, 'meshes of old edits go, too');
+  });
+});
+
+test('what is likely, given up at any moment, leaves the solver as sound as a fresh one; so does a part at fault', async () => {
+  const { meshes, operands } = model(9), anew = solve(fresh(), [node(operands)], meshes).mesh;
+  for (let steps = 0; steps < 16; steps += 1) {
+    const kernel = fresh();
+    await run(kernel.likely({ nodes: [node(operands)], meshes }), steps);
+    kernel.keepMeshes(meshes);
+    near(solve(kernel, [node(operands)]).mesh.volume, anew.volume, 1e-6, `after ${steps} pieces`);
+  }
+  const kernel = fresh(), broken = { ...meshes.m1, triangles: meshes.m1.triangles.slice(3) };
+  await likely(kernel, operands.map((each, i) => (i === 1 ? { ...each, mesh: 'broken' } : each)), { ...meshes, broken });
+  assert.equal(solve(kernel, [node([operands[0], { ...operands[1], mesh: 'broken' }])]).failure.part, 2);
+  near(solve(kernel, [node(operands)]).mesh.volume, anew.volume, 1e-6, 'without it');
 });

@@ -403,6 +403,43 @@ test('the solver is there and quick before it is asked, in a model of two parts 
   }
 });
 
+test('parts are put together before anything is ticked, while the page stands still; the solid at the button is that one', async () => {
+  await onPage(kit, { isolated: true }, async (page) => {
+    await page.addInitScript(() => {
+      const Plain = window.Worker;
+      window.asked = [];
+      window.Worker = class extends Plain {
+        constructor(...given) {
+          super(...given);
+          this.addEventListener('message', ({ data }) => {
+            if (data?.type === 'solid') window.asked.push('solid');
+            if (data?.type === 'done') window.asked.push('done');
+          });
+        }
+        postMessage(message, ...more) {
+          if (message.nodes) window.asked.push(message.wanted.length, Object.keys(message.meshes).length);
+          super.postMessage(message, ...more);
+        }
+      };
+    });
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    await drawTwo(page);
+    await idle(page);
+    await page.waitForFunction(() => window.asked.at(-1) === 'done', null, { timeout: 20000 });
+    assert.deepEqual(await page.evaluate(() => window.asked), [0, 2, 'done'], 'both meshes go there, and nothing comes back');
+    assert.deepEqual(await steps(page), [], 'nothing shows');
+    const { frames } = await state(page);
+    await page.waitForTimeout(3000);
+    assert.equal((await state(page)).frames, frames, 'nothing is drawn');
+    assert.equal(await page.evaluate(() => window.asked.length), 3, 'it is made once');
+    await run(page, 'stick-together');
+    await idle(page);
+    assert.deepEqual(await page.evaluate(() => window.asked.slice(3)), [1, 0, 'solid', 'done'], 'no mesh is sent again');
+    await lawful(page);
+  });
+});
+
 test('parts that are ticked are put together while nobody waits: at the button the solid is there, as it would be without', async () => {
   await onPage(kit, { isolated: true }, async (page) => {
     await page.addInitScript(() => {

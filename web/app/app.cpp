@@ -24,6 +24,7 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kPumpMs = 16;         // how often finished work is looked for
+constexpr double kWaitMs = 150;        // how often a frame says that the solver is still at it
 constexpr double kTooltipMs = 650;
 constexpr double kLongestStepSeconds = 0.5;
 
@@ -162,11 +163,11 @@ void App::frame() {
   ImGui::Render();
   const bool acted = !sink_.empty();
   runCalls();
-  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.busy();
+  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works();
   if (acted) framesWanted_ = std::max(framesWanted_, 2);
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
-  scene_.still = !moving && !gestures_.active() && framesWanted_ == 0;
+  scene_.still = !moving && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
   renderer_->draw(scene_);
   ++frames_;
   watchWork();
@@ -206,7 +207,7 @@ void App::beginUi() {
 void App::watchWork() {
   if (!studio_.busy() || wakePending_) return;
   wakePending_ = true;
-  host_.wakeAfter(kPumpMs);
+  host_.wakeAfter(studio_.works() ? kPumpMs : kWaitMs);
 }
 
 void App::wake() {
@@ -222,7 +223,7 @@ void App::wake() {
   }
   watchWork();
   announce();
-  touch(2);
+  touch(studio_.busy() && !studio_.works() ? 1 : 2);
 }
 
 /// Tells the shell when something it shows has changed; cheap to compare, at most once a frame.
@@ -555,7 +556,7 @@ void App::cancelWork() {
 void App::solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) {
   const std::optional<Json> answer = Json::parse(answerJson);
   if (!answer) return;
-  studio_.takeSolid(*answer, bytes);
+  if (!studio_.takeSolid(*answer, bytes)) return;
   announce();
   touch(2);
 }

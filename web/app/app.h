@@ -55,6 +55,7 @@ class App final : public platform::Page {
   bool idle() override;
   void cancelWork() override;
   void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
+  void prepareSolids() override { studio_.prepareParts(); }
   void markSaved() override;
   const std::string& history() override;
   const std::string& photos() override;

@@ -10,6 +10,8 @@ namespace spineloft::app {
 namespace {
 
 constexpr std::size_t kMostTroubles = 256;
+/// What the solver makes for itself: no more than this many parts, of no more triangles.
+constexpr std::size_t kMostLikelyParts = 16, kMostLikelyTriangles = 160000;
 
 Error errorNamed(std::string_view name) {
   for (int i = 0; i < static_cast<int>(Error::kCount); ++i) {
@@ -188,6 +190,19 @@ void SolidWork::prepare(const document::Document& likely, const pipeline::Derive
   ask(plan, {key}, Purpose::Ahead);
 }
 
+void SolidWork::prepareParts(const document::Document& likely, const pipeline::Derived& derived) {
+  if (asked_) return;
+  const publish::SolidPlan plan = publish::planSolids(likely, derived);
+  if (plan.nodes.empty()) return;
+  const publish::SolidPlan::Node& node = plan.nodes.back();
+  std::size_t triangles = 0;
+  for (const publish::SolidPlan::Operand& each : node.operands) triangles += plan.meshes[each.mesh].mesh->triangles.size();
+  const bool isLittle = node.operands.size() <= kMostLikelyParts && triangles <= kMostLikelyTriangles;
+  if (!isLittle || node.key == likely_ || solids_.find(node.key)) return;
+  likely_ = node.key;
+  ask(plan, {}, Purpose::Ahead);
+}
+
 void SolidWork::preview(const document::Document& document, pipeline::Derived& derived,
                         const publish::Substitute* instead) {
   const publish::SolidPlan plan = publish::planSolids(document, derived, instead);
@@ -221,7 +236,7 @@ void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> k
   for (const std::uint64_t key : keys) json.text(io::hashKey(key));
   json.endArray().endObject();
   // What it was at for what may come is given up, and worth another try.
-  if (asked_ && asked_->purpose == Purpose::Ahead && purpose != Purpose::Ahead) prepared_ = 0;
+  if (asked_ && asked_->purpose == Purpose::Ahead && purpose != Purpose::Ahead) prepared_ = likely_ = 0;
   asked_ = Asked{static_cast<double>(lastId_), std::move(keys), purpose, 0};
   host_.send(json.json());
 }
@@ -253,7 +268,7 @@ void SolidWork::forget() {
   solids_ = pipeline::Shelf<pipeline::Solid>(kMostBytes);
   latest_.clear();
   failures_.clear();
-  prepared_ = 0;
+  prepared_ = likely_ = 0;
 }
 
 const SolidWork::Trouble* SolidWork::troubleOf(std::uint64_t key) const {

@@ -36,6 +36,10 @@ class SolidWork {
   /// something that is waited for: when the document comes to be so, the solid is there. Nothing of it shows before.
   void prepare(const document::Document& likely, const pipeline::Derived& derived);
 
+  /// Has the solver make what is newest in `likely` for itself, unless it is at something: nothing of it comes back, but
+  /// whatever is asked for next finds the parts and their union there. Not where that is more than a little.
+  void prepareParts(const document::Document& likely, const pipeline::Derived& derived);
+
   /// The part that is likely to be edited next, or none: told to the solver when it is another one than before, so
   /// that it makes ready while nothing else is asked for.
   void expect(PartId part);
@@ -84,6 +88,7 @@ class SolidWork {
   std::uint64_t lastId_ = 0;
   PartId expected_;  ///< as told
   std::uint64_t prepared_ = 0;  ///< asked for ahead, once
+  std::uint64_t likely_ = 0;    ///< made by the solver for itself, once
 };
 
 }  // namespace spineloft::app

@@ -184,12 +184,13 @@ void Studio::reportSolids() {
   }
 }
 
-void Studio::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) {
-  if (!solids_.take(answer, bytes)) return;
+bool Studio::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) {
+  if (!solids_.take(answer, bytes)) return false;
   ++revision_;
-  if (answer.find("progress") != nullptr) return;
+  if (answer.find("progress") != nullptr) return true;
   if (!stale_ && !previewing_) updateSolids();
   saveWaiting();
+  return true;
 }
 
 void Studio::takeTexture(std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture) {
@@ -237,6 +238,15 @@ void Studio::prepareUnion() {
   document::CombineParts action;
   action.operands = picked_;
   if (const Result<document::Document> likely = document::update(document(), action)) solids_.prepare(likely.value(), derived_);
+}
+
+void Studio::prepareParts() {
+  if (stale_ || previewing_ || !document().steps.empty() || picked_.size() >= 2) return;
+  document::CombineParts action;
+  for (const document::Part& part : document().parts) {
+    if (part.visible) action.operands.push_back({part.id, {}});
+  }
+  if (const Result<document::Document> likely = document::update(document(), action)) solids_.prepareParts(likely.value(), derived_);
 }
 
 void Studio::endPreview() {

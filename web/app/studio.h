@@ -76,7 +76,9 @@ class Studio {
 
   /// Takes in what the workers finished. True when something changed.
   bool pump();
-  bool busy() const { return !pool_.idle() || solids_.busy(); }
+  bool busy() const { return works() || solids_.busy(); }
+  /// Threads of its own are at something; the solver of solids speaks up by itself.
+  bool works() const { return !pool_.idle(); }
   int threads() const { return pool_.threads(); }
   /// What is going on, for a progress bar; not what takes a moment only.
   struct Activity {
@@ -90,8 +92,10 @@ class Studio {
   void expectEdit(PartId part);
   /// What is ticked: several are likely to be stuck together, so that is made ready.
   void expectUnion(const std::vector<document::Operand>& picked);
-  /// What the solver of solids says (SolidWork::take).
-  void takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
+  /// Parts of a model without solids are likely to be stuck together: the solver does that for itself.
+  void prepareParts();
+  /// What the solver of solids says (SolidWork::take). True when something changed.
+  bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
   /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.
   void previewSolid(const publish::Substitute& instead);
   /// The same while parts are being placed.

@@ -83,6 +83,8 @@ class Page {
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
   /// web/app/solid_work.h).
   virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;
+  /// Nobody waits for anything: the solver may get ready what is likely to be stuck together.
+  virtual void prepareSolids() = 0;
 
   // Keeping models on the device; see web/app/keeping.h.
   /// The whole history as a base of the journal.

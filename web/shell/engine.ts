@@ -82,6 +82,7 @@ interface Module {
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
   _spl_warmUp(): number;
+  _spl_prepareSolids(): void;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
   _spl_solved(answer: number, bytes: number, length: number): void;
@@ -286,6 +287,11 @@ export class Engine {
   /** One round of the stages of a stroke on a tiny picture; false when there was no memory for it. */
   warmUp(): boolean {
     return this.module._spl_warmUp() === 1;
+  }
+
+  /** Has the solver of solids put together what is likely to be asked for, where that is little. */
+  prepareSolids(): void {
+    this.module._spl_prepareSolids();
   }
 
   cancelWork(): void {

@@ -70,8 +70,11 @@ async function solve(request: SolveRequest): Promise<void> {
     const transfer = mesh ? [mesh.positions, mesh.uv, mesh.triangles, mesh.mergeFrom, mesh.mergeTo].map((array) => array.buffer as ArrayBuffer) : [];
     scope.postMessage({ type: 'solid', id: request.id, step: node.step, key: node.key, coarse: node.coarse, ms, ...(mesh ? { mesh } : {}), ...(failure ? { failure } : {}) }, transfer);
   });
+  let told = -1;
   for (let step = work.next(); !step.done; step = work.next()) {
-    scope.postMessage({ type: 'progress', id: request.id, done: step.value.done }, []);
+    const { done } = step.value;
+    if (done > told) scope.postMessage({ type: 'progress', id: request.id, done }, []);
+    told = Math.max(told, done);
     await breathe();
     if (request.id === newest && step.value.wait) await Promise.race([step.value.wait, new Promise<void>((resolve) => { interrupt = resolve; })]);
     if (request.id !== newest) {
@@ -79,6 +82,16 @@ async function solve(request: SolveRequest): Promise<void> {
       break;
     }
   }
+  scope.postMessage({ type: 'done', id: request.id, bytes: memory?.buffer.byteLength ?? 0 }, []);
+}
+
+/** For whoever may ask for it, until somebody asks for something. */
+async function makeLikely(request: SolveRequest): Promise<void> {
+  const kernel = await starting;
+  kernel.keepMeshes(request.meshes);
+  const work = kernel.likely(request);
+  while (request.id === newest && !work.next().done) await breathe();
+  work.return();
   scope.postMessage({ type: 'done', id: request.id, bytes: memory?.buffer.byteLength ?? 0 }, []);
 }
 
@@ -135,11 +148,12 @@ scope.onmessage = ({ data }) => {
     if (data.expect === expected) return;
     expected = data.expect;
   } else {
+    const isWanted = data.wanted.length > 0;
     newest = data.id;
-    isNeeded = true;
+    isNeeded ||= isWanted;
     interrupt();
-    if (isLarge(data)) helper?.wake();
-    queue = queue.then(() => solve(data));
+    if (isWanted && isLarge(data)) helper?.wake();
+    queue = queue.then(() => (isWanted ? solve(data) : makeLikely(data)));
   }
   // What is thrown here ends the worker for the page, which starts another one.
   queue = queue.then(workAhead).catch(rethrow);

@@ -9,6 +9,8 @@ const kRounds = 12;
 /** A round is begun only in idle time of at least this many milliseconds; without such a measure, this long after the last one. */
 const kSlice = 10;
 const kPause = 120;
+/** After so long without a change, ms, what is likely to be stuck together is put together. */
+const kRest = 1000;
 /** What `performance` holds when all rounds have run. */
 export const kWarmMark = 'spineloft-warm';
 
@@ -54,17 +56,29 @@ export class SolidWarmUp {
   private workers = 0;
   private before: Seen | null = null;
   private isWorkedAt = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly engine: Engine) {}
+  constructor(private readonly engine: Pick<Engine, 'isIdle' | 'prepareSolids' | 'solver'>) {}
 
   see(state: State): void {
     this.isWorkedAt ||= this.before !== null && wasWorkedAt(this.before, state);
     this.before = state;
     const before = this.workers, workers = (this.workers = solidWorkersFor(state, this.isWorkedAt));
+    if (this.isWorkedAt && workers > 0) this.prepare();
     if (workers <= before) return;
     whenIdle(() => {
       if (this.engine.isIdle()) this.engine.solver?.warm(workers > 1);
       else this.workers = before;
     });
+  }
+
+  /** Once the hand rests, and the page is seen: a page in the background does nothing unasked. */
+  private prepare(): void {
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => whenIdle(() => {
+      if (document.visibilityState !== 'visible') return;
+      if (this.engine.isIdle()) this.engine.prepareSolids();
+      else this.prepare();
+    }), kRest);
   }
 }

@@ -17,7 +17,7 @@ export const shell = await loadShell(`
   export { Solver } from './solids/solver.ts';
   export { countOf } from './solids/topology.ts';
   export { rehearse } from './solids/rehearsal.ts';
-  export { solidWorkersFor, wasWorkedAt } from './warm_up.ts';
+  export { SolidWarmUp, solidWorkersFor, wasWorkedAt } from './warm_up.ts';
 `);
 export const library = await create();
 library.setup();

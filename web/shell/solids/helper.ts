@@ -1,4 +1,5 @@
 // A second worker for the worker of solids: large unions are halved in space, and each makes one half.
+import { inWorld } from './rooms.ts';
 import type { MeshData, PartOperand, ShareAnswer, SharedUnion, ShareRequest, WarmRequest } from './protocol.ts';
 
 /** Fewer triangles are united sooner by one. */
@@ -110,9 +111,8 @@ export function halvesOf(operands: PartOperand[], meshOf: (operand: PartOperand)
 }
 
 /** The middle of all vertices, world. */
-function middleOf({ matrix: m }: PartOperand, { positions }: MeshData): number[] {
+function middleOf({ matrix }: PartOperand, { positions }: MeshData): number[] {
   const sum = [0, 0, 0];
   for (let i = 0; i < positions.length; i += 1) sum[i % 3]! += positions[i]!;
-  const [x, y, z] = sum.map((each) => (3 * each) / positions.length) as [number, number, number];
-  return [0, 1, 2].map((k) => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!);
+  return inWorld(matrix, sum.map((each) => (3 * each) / positions.length) as [number, number, number]);
 }

@@ -5,7 +5,8 @@ import { hollowOf, seamOf } from './fields.ts';
 import { withoutFlaps } from './flaps.ts';
 import type { Faces } from './flaps.ts';
 import { halvesOf, kWorthSharing } from './helper.ts';
-import { isPart, isWorthKeeping, joinKey, keysOf, partKey, restKey } from './names.ts';
+import type { Bench, Kept, Keyed, Made } from './kept.ts';
+import { isPart, isPlain, isWorthKeeping, joinKey, keysOf, partKey, restKey } from './names.ts';
 import { Near } from './near.ts';
 import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
@@ -13,55 +14,15 @@ import { sizeOf } from './sizes.ts';
 import { carried, runsOf } from './sources.ts';
 import type { Source } from './sources.ts';
 import { countOf } from './topology.ts';
+import { inWorld } from './rooms.ts';
 import type { Shape } from './rooms.ts';
-import { Unsolvable } from './unsolvable.ts';
+import { Unsolvable, failureOf } from './unsolvable.ts';
 import type { MeshData, PartOperand, SharedUnion, ShareRequest, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
 /** How many requests long a sub-result is kept that nobody asks for. */
 const kKept = 12;
 /** How often the way of an edit is gone before the first one, so that it runs at its quickest. */
 const kTries = 8;
-
-interface Kept {
-  solid: Manifold | null;
-  /** In its stead, for a solid that no other is made of. */
-  faces?: Faces;
-  /** What is near the parts with which it is to be joined. */
-  near?: Near | null;
-  /** What was scooped out of it. */
-  cavity?: Manifold;
-  /** That, and what was scooped out of what it is joined from: it stays free. */
-  free?: Manifold[];
-  failure?: SolidFailure;
-  round: number;
-  /** What it was made from, which is kept as long: its faces are asked for. */
-  from?: Kept[];
-  /** Original ids of its own. */
-  ids?: number[];
-  /** The part for whose edit it was made, before one needed it. */
-  ahead?: number | false;
-  /** Of a union, the keys of what it was made of. */
-  joined?: string[];
-  /** Of a part that was looked over elsewhere: what it is made from when it is needed, and the original id of its faces. */
-  waiting?: { mesh: MeshData; id: number };
-}
-
-/** What is made on the way to a solid. */
-interface Bench {
-  /** Deleted when the step is done. */
-  own: Manifold[];
-  ids: number[];
-  from: Kept[];
-}
-
-/** An operand in its place. */
-interface Keyed {
-  operand: SolidOperand;
-  key: string;
-  /** Made when it is first needed. */
-  solid(): Manifold;
-  from: Kept;
-}
 
 /** A second worker; see helper.ts. */
 export interface Sharer {
@@ -82,9 +43,6 @@ export interface Solved {
   failure?: SolidFailure;
 }
 
-/** What was made of a step's operands: a solid, or its faces alone. */
-type Made = { solid: Manifold } | { faces: Faces };
-
 function drain(work: Generator<void, void>): void {
   while (!work.next().done);
 }
@@ -101,6 +59,9 @@ export class SolidKernel {
   private nodes: SolidNode[] = [];
   private round = 0;
   private tries = 0;
+  /** What is likely to be asked for next: what it is made of, and its mesh, once. */
+  private likelyOf: string[] = [];
+  private likelyMesh: { name: string; mesh: SolidMesh } | null = null;
 
   constructor(private readonly library: ManifoldToplevel, private readonly sharer: Sharer | null = null, private readonly now: () => number = () => performance.now()) {}
 
@@ -125,6 +86,7 @@ export class SolidKernel {
       if (request.wanted.includes(node.key)) done(this.finish(node, kept, started));
       yield { done: (index + 1) / request.nodes.length };
     }
+    this.likelyOf = [];
     this.forget();
   }
 
@@ -144,8 +106,12 @@ export class SolidKernel {
 
   private finish(node: SolidNode, kept: Kept, started: number): Solved {
     if (!kept.solid && !kept.faces) return { node, ms: this.now() - started, ...(kept.failure ? { failure: kept.failure } : {}) };
+    const likely = this.likelyMesh;
+    // It goes to whoever asked, and is not here any more.
+    this.likelyMesh = null;
+    if (likely && likely.name === kept.name) return { node, mesh: likely.mesh, ms: this.now() - started };
     try {
-      const mesh = kept.faces ? this.meshOf(kept.faces, sizeOf(kept.faces)) : this.meshOf(kept.solid!.getMesh(), { volume: kept.solid!.volume(), area: kept.solid!.surfaceArea() });
+      const mesh = kept.faces ? this.meshOf(kept.faces, sizeOf(kept.faces)) : this.meshOfSolid(kept.solid!);
       return { node, mesh, ms: this.now() - started };
     } catch (thrown) {
       return { node, ms: this.now() - started, failure: failureOf(thrown) };
@@ -162,7 +128,13 @@ export class SolidKernel {
     let union = null as SharedUnion | null;
     const wait = this.sharer.unite(given, Object.fromEntries(given.map((operand) => [operand.mesh, meshOf(operand)]))).then((made) => { union = made; });
     try {
-      this.union(own.map((operand) => this.operand(operand, false, bench)));
+      const half: Keyed[] = [];
+      for (const operand of own) {
+        half.push(this.operand(operand, false, bench));
+        // A worker that has yet to start waits until this one lets it.
+        yield { done };
+      }
+      this.union(half);
       yield { done, wait };
       if (union) this.takeShare(union, given);
     } catch (thrown) {
@@ -216,7 +188,7 @@ export class SolidKernel {
     const bench: Bench = { own: [], ids: [], from: [] }, { own, ids, from } = bench;
     const round = this.round;
     try {
-      const made = this.combine(node, this.operandsOf(node, bench), bench, isOperand);
+      const all = this.operandsOf(node, bench), made = this.combine(node, all, bench, isOperand), name = isPlain(node) ? { name: joinKey(all) } : {};
       if ('faces' in made) return { solid: null, faces: made.faces, round, ids, from };
       const { solid, cavity, free } = made;
       const error = solid.status() !== 'NoError' ? 'SolidFailed' : solid.isEmpty() ? 'SolidEmpty' : null;
@@ -224,7 +196,7 @@ export class SolidKernel {
         own.push(solid, ...(cavity ? [cavity] : []));
         throw new Unsolvable({ error });
       }
-      return { solid, round, ids, from, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
+      return { solid, round, ids, from, ...name, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
     } catch (thrown) {
       return { solid: null, failure: failureOf(thrown), round, ids };
     } finally {
@@ -480,6 +452,45 @@ export class SolidKernel {
     }
   }
 
+  /**
+   * Makes the parts that the last node sticks together, their union and its mesh, a piece at a time: whoever asks for it,
+   * or for more than that, finds it. What was made so before, and is of no use any more, is let go.
+   */
+  *likely({ nodes, meshes }: Pick<SolveRequest, 'nodes' | 'meshes'>): Generator<void, void> {
+    const node = nodes.at(-1), before = new Set(this.kept()), bench: Bench = { own: [], ids: [], from: [] }, all: Keyed[] = [];
+    this.round += 1;
+    this.keepMeshes(meshes);
+    if (!node || !isPlain(node) || !node.operands.every(isPart)) return;
+    try {
+      for (const operand of node.operands) {
+        this.touch(operand.mesh);
+        all.push(this.operand(operand, false, bench));
+        yield;
+      }
+      // What stays as it was comes first: an edit of the same part then has one union to make.
+      const others = all.filter(({ key }) => this.likelyOf.includes(key)), name = joinKey(all);
+      this.likelyOf = keysOf(all);
+      for (const of of [others, all].filter(({ length }) => length > 1)) {
+        yield* this.rest('join', of, []);
+        this.use(this.solids.get(joinKey(of))!);
+        yield;
+      }
+      const whole = this.solids.get(name)!.solid!;
+      if (this.likelyMesh?.name !== name && whole.status() === 'NoError' && !whole.isEmpty()) this.likelyMesh = { name, mesh: this.meshOfSolid(whole) };
+    } catch (thrown) {
+      // Whoever asks for it is told.
+      failureOf(thrown);
+    } finally {
+      for (const solid of bench.own) solid.delete();
+      for (const kept of this.kept()) if (!before.has(kept)) kept.likely = true;
+      this.forget((kept) => kept.likely === true && kept.round !== this.round);
+    }
+  }
+
+  private kept(): Kept[] {
+    return [...this.parts.values(), ...this.solids.values()];
+  }
+
   /** Makes what is near these ready, where it is not. */
   private *comeNear(kept: Kept, shapes: Shape[]): Generator<void, void> {
     if (!kept.solid || kept.near === null || kept.near?.holds(shapes)) return;
@@ -550,16 +561,20 @@ export class SolidKernel {
     return kept.solid!;
   }
 
+  private meshOfSolid(solid: Manifold): SolidMesh {
+    return this.meshOf(solid.getMesh(), { volume: solid.volume(), area: solid.surfaceArea() });
+  }
+
   private meshOf(whole: Faces, size: { volume: number; area: number }): SolidMesh {
     const mesh = withoutFlaps(whole), genus = countOf(whole.vertProperties.length / 3, whole.triVerts).handles;
     return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), ...size, genus };
   }
 
-  /** Lets go of what was not asked for in a while. */
-  private forget(): void {
+  /** Lets go of what was not asked for in a while, and of what is of no use. */
+  private forget(isUseless: (kept: Kept) => boolean = () => false): void {
     for (const map of [this.parts, this.solids]) {
       for (const [key, kept] of map) {
-        if (kept.round + kKept > this.round) continue;
+        if (kept.round + kKept > this.round && !isUseless(kept)) continue;
         map.delete(key);
         this.letGo(kept);
       }
@@ -570,6 +585,7 @@ export class SolidKernel {
   /** Lets go of all that was kept. */
   forgetAll(): void {
     this.round += kKept;
+    this.likelyMesh = null;
     this.forget();
   }
 
@@ -577,20 +593,4 @@ export class SolidKernel {
     for (const solid of [kept.solid, kept.cavity, kept.near?.solid]) solid?.delete();
     for (const id of kept.ids ?? []) this.sources.delete(id);
   }
-
-  /** Keys of the meshes that are here. */
-  knownMeshes(): string[] {
-    return [...this.meshes.keys()];
-  }
-}
-
-function inWorld(m: number[], [x, y, z]: [number, number, number]): [number, number, number] {
-  return [0, 1, 2].map((k) => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!) as [number, number, number];
-}
-
-function failureOf(thrown: unknown): SolidFailure {
-  // The library's memory is not to be trusted after that: its worker has to end.
-  if (thrown instanceof WebAssembly.RuntimeError) throw thrown;
-  if (thrown instanceof Unsolvable) return thrown.failure;
-  return { error: thrown instanceof RangeError ? 'OutOfMemory' : 'SolidFailed' };
 }

@@ -24,3 +24,8 @@ export function isWorthKeeping(kind: SolidNode['kind'], changed: boolean[]): boo
   const count = changed.filter(Boolean).length;
   return kind !== 'hollow' && count > 0 && changed.length - count >= 2 && !(kind === 'cut' && changed[0] && count > 1);
 }
+
+/** Only stuck together, with sharp seams. */
+export function isPlain({ kind, blend }: SolidNode): boolean {
+  return kind === 'join' && blend <= 0;
+}

@@ -43,7 +43,7 @@ export interface SolveRequest {
   id: number;
   /** In an order in which operands come first. */
   nodes: SolidNode[];
-  /** Keys of the nodes whose meshes are wanted. */
+  /** Keys of the nodes whose meshes are wanted. None: the last one is likely to be, and made ready. */
   wanted: string[];
   /** Meshes that this worker has not been given yet, by key. */
   meshes: Record<string, MeshData>;

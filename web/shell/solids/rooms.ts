@@ -23,6 +23,11 @@ function times(a: readonly number[], b: readonly number[]): number[] {
   return Array.from({ length: 16 }, (_, i) => [0, 1, 2, 3].reduce((sum, k) => sum + a[(i & 3) + 4 * k]! * b[k + (i & 12)]!, 0));
 }
 
+/** A place as a matrix, 4 × 4 in columns, takes it. */
+export function inWorld(m: readonly number[], [x, y, z]: readonly [number, number, number]): [number, number, number] {
+  return [0, 1, 2].map((k) => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!) as [number, number, number];
+}
+
 /** Three rows of four that undo a matrix; null where it is flat. */
 function undone(m: readonly number[]): Float64Array | null {
   const [a, b, c, , d, e, f, , g, h, i, , x, y, z] = m as [number, number, number, number, number, number, number, number, number, number, number, number, number, number, number];
