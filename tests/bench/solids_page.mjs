@@ -67,8 +67,50 @@ async function timesOf({ address, warm, edits, later, functions }) {
   return { union, edit, bytes: known };
 }
 
+/** Runs in the page: edits of one of nine limbs in a body, all rounded or scooped out, after it was chosen; previews as the hand moves, too. */
+async function deepTimesOf({ address, kind, edits, functions }) {
+  const { loft, turned } = new Function(`${functions.join('\n')}; return { loft, turned };`)();
+  const fine = { rings: 64, around: 64, length: 1 }, worker = new Worker(address, { type: 'module' }), found = { preview: [], edit: [] };
+  const meshes = { body: loft({ ...fine, radius: 0.12 }), limb: loft({ ...fine, radius: 0.04, bend: 0.1 }) };
+  const operands = Array.from({ length: 10 }, (_, i) => ({ mesh: i ? 'limb' : 'body', part: i + 1, matrix: i ? turned(Math.PI / 2, 0.1 * i) : turned(0) }));
+  let id = 0;
+  const ask = async (of, given, coarse) => {
+    await window.look();
+    const join = { key: `join ${(id += 1)}`, step: 1, kind: 'join', operands: of, blend: kind === 'round' ? 0.02 : 0, wall: 0.03, opening: null, cut: 0, coarse };
+    const nodes = kind === 'round' ? [join] : [join, { ...join, key: `shell ${id}`, step: 2, kind: 'hollow', operands: [{ node: join.key }], opening: [1, 0, 0] }], start = performance.now();
+    worker.postMessage({ id, nodes, wanted: [nodes.at(-1).key], meshes: given });
+    const ms = await new Promise((resolve, reject) => {
+      let at = 0;
+      worker.onmessage = ({ data }) => {
+        if (data.type === 'solid' && !data.mesh) reject(new Error(data.failure.error));
+        if (data.type === 'solid') at = performance.now() - start;
+        if (data.type === 'done') resolve(at);
+      };
+    });
+    return { ms, cpu: await window.look() };
+  };
+  await ask(operands, meshes, false);
+  worker.postMessage({ expect: 3 });
+  await new Promise((resolve) => setTimeout(resolve, 8000));
+  for (let i = 0; i < 2 * edits; i += 1) {
+    const mesh = `edit ${i}`, coarse = i % 2 === 0;
+    found[coarse ? 'preview' : 'edit'].push(await ask(operands.map((each, k) => (k === 2 ? { ...each, mesh } : each)), { [mesh]: loft({ ...fine, radius: 0.04, bend: 0.1, wave: 0.01 * (i + 1) }) }, coarse));
+  }
+  worker.terminate();
+  return found;
+}
+
 /** Times in a fresh browser of the site in `folder`, once the page has started; `warm`: of a worker that was told beforehand. */
-export async function freshTimes(folder, warm) {
+export function freshTimes(folder, warm) {
+  return timesIn(folder, timesOf, { warm, edits: kEdits, later: kLater });
+}
+
+/** The same of edits below a step that is no plain union: 'round' or 'scoop'. */
+export function deepTimes(folder, kind) {
+  return timesIn(folder, deepTimesOf, { kind, edits: kEdits });
+}
+
+async function timesIn(folder, work, given) {
   const site = await serveFolder(folder, { isolated: true }), browser = await startBrowser();
   try {
     const { page } = await openPage(browser, site.url);
@@ -80,7 +122,7 @@ export async function freshTimes(folder, warm) {
     // Nobody has ten parts while the page itself still starts and makes its own stages quick, which keeps its messages waiting.
     await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, { timeout: 60000 });
     const file = readdirSync(join(folder, 'assets')).find((name) => /^solids\.worker-.*\.js$/.test(name));
-    return await page.evaluate(timesOf, { address: `assets/${file}`, warm, edits: kEdits, later: kLater, functions: [loft, seeded, turned].map(String) });
+    return await page.evaluate(work, { ...given, address: `assets/${file}`, functions: [loft, seeded, turned].map(String) });
   } finally {
     await browser.close();
     await site.close();
@@ -166,12 +208,14 @@ function withProcessor(found) {
 
 /** Times by name, {min_ms, median_ms, count}, some with cpu_ms; dist/ must be built. */
 export async function solidPageTimes(folder = distDir) {
-  const cold = [], warm = [], plain = [], ticked = [];
+  const cold = [], warm = [], plain = [], ticked = [], round = [], scoop = [];
   for (let i = 0; i < kPages; i += 1) {
     cold.push(await freshTimes(folder, false));
     warm.push(await freshTimes(folder, true));
   }
   for (let i = 0; i < kPresses; i += 1) {
+    round.push(await deepTimes(folder, 'round'));
+    scoop.push(await deepTimes(folder, 'scoop'));
     plain.push(await pressTimes(folder, false));
     ticked.push(await pressTimes(folder, true));
   }
@@ -181,6 +225,12 @@ export async function solidPageTimes(folder = distDir) {
     'stick others together later': withProcessor([...cold, ...warm].flatMap(({ union }) => union.slice(1))),
     'the first rib of one of ten after it was chosen': withProcessor([...cold, ...warm].map(({ edit }) => edit[0])),
     'ribs after that': withProcessor([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
+    'the first rib of one of ten with rounded seams': withProcessor(round.map(({ edit }) => edit[0])),
+    'ribs of it after that': withProcessor(round.flatMap(({ edit }) => edit.slice(1))),
+    'a preview of it': withProcessor(round.flatMap(({ preview }) => preview)),
+    'the first rib of one of ten that are scooped out': withProcessor(scoop.map(({ edit }) => edit[0])),
+    'ribs of those after that': withProcessor(scoop.flatMap(({ edit }) => edit.slice(1))),
+    'a preview of those': withProcessor(scoop.flatMap(({ preview }) => preview)),
     'from the button to the first solid, of a lattice of ten parts that the pen made': summary(plain),
     'the same, ticked one by one beforehand': summary(ticked),
   };

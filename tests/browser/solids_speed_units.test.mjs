@@ -120,6 +120,18 @@ test('a union of which a second worker makes one half is the one that one worker
   }
 });
 
+test('the first worker pauses after each part of its half, so that a second one that has yet to start can', () => {
+  const { meshes, operands } = large(seeded(3)), given = [];
+  const kernel = new SolidKernel(library, { isFree: true, unite: (share) => { given.push(...share); return Promise.resolve(null); } });
+  let pauses = 0;
+  for (const work = kernel.solve({ id: 1, nodes: [node(operands)], wanted: [], meshes }, () => {}); ; pauses += 1) {
+    const { done, value } = work.next();
+    if (done || value.wait) break;
+  }
+  assert.ok(given.length > 1);
+  assert.equal(pauses, operands.length - given.length);
+});
+
 test('the uv of what the second worker made are those of its parts', async () => {
   const { helper } = standIn(), meshes = { rod: loft({ rings: 44, around: 44 }) };
   const operands = [0, 0.4, 0.8, 1.2, 1.6].map((x, i) => rod(i + 1, shifted(x, 0.01 * i)));
@@ -209,6 +221,68 @@ test('what is stuck to hollow things is cut by their insides alone, and that is 
       const { vertProperties, triVerts } = whole.getMesh();
       assert.equal(made.mesh.genus, countOf(vertProperties.length / 3, triVerts).handles, `${what}: handles`);
       for (const work = kernel.ahead(3); !work.next().done;);
+    }
+  }
+});
+
+/** A body and limbs that stand in it side by side, away from one another. */
+function limbs(kind, blend) {
+  const meshes = { body: loft({ rings: 24, around: 20, radius: 0.14 }), limb: loft({ rings: 20, around: 16, radius: 0.05 }) };
+  const operands = [rod(1, shifted(0), 'body'), ...[0.15, 0.4, 0.65, 0.9].map((x, i) => rod(i + 2, turned(1.6, x), 'limb'))];
+  const edit = (i, k) => ({ meshes: { [`edit ${i}`]: loft({ rings: 20, around: 16, radius: 0.05 + 0.002 * (i % 7), bend: 0.1 }) }, operands: operands.map((each, n) => (n === k ? { ...each, mesh: `edit ${i}` } : each)) });
+  return { meshes, operands, edit, plan: (of, more = {}) => [node(of, { kind, blend, ...more })] };
+}
+
+/** How many seams are rounded while `work` runs. */
+function roundedIn(work) {
+  const { rounding } = SolidKernel.prototype;
+  let count = 0;
+  SolidKernel.prototype.rounding = function counting(...of) {
+    count += 1;
+    return rounding.apply(this, of);
+  };
+  try {
+    work();
+  } finally {
+    SolidKernel.prototype.rounding = rounding;
+  }
+  return count;
+}
+
+test('an edit of a part with rounded seams rounds its own seams alone, also in a preview; the solid is the one that all of it anew is', () => {
+  for (const kind of ['join', 'cut']) {
+    const { meshes, operands, edit, plan } = limbs(kind, 0.02), kernel = fresh(), all = kind === 'join' ? 10 : 4, own = kind === 'join' ? 4 : 1, sizes = [];
+    assert.equal(roundedIn(() => solve(kernel, plan(operands), meshes)), all, `${kind}: of any two, or of the first one and any other`);
+    assert.equal(roundedIn(() => { for (const work = kernel.ahead(3); !work.next().done;); }), 0, `${kind}: they are there`);
+    for (let i = 0; i < 30; i += 1) {
+      const what = `${kind}, edit ${i}`, edited = edit(i, 2), coarse = i % 3 === 1, asked = plan(edited.operands, { coarse });
+      let made = null;
+      assert.equal(roundedIn(() => { made = solve(kernel, asked, edited.meshes); }), own, what);
+      if (i < 4) {
+        const anew = solve(fresh(), plan(edited.operands, { coarse: false }), { ...meshes, ...edited.meshes }).mesh, found = lawful(made, what);
+        near(found.volume, anew.volume, coarse ? 1e-3 : 1e-5, `${what}: volume`);
+        assert.equal(made.mesh.genus, anew.genus, `${what}: handles`);
+        assert.deepEqual([...new Set(made.mesh.runs.map(({ part }) => part))].sort(), [...new Set(anew.runs.map(({ part }) => part))].sort(), `${what}: parts that show`);
+      }
+      sizes.push(kernel.solids.size + kernel.sources.size);
+    }
+    // What is kept for undo fills in the first ones.
+    assert.ok(sizes.at(-1) <= Math.max(...sizes.slice(0, 15)), `${kind}: ${sizes.join(' ')}`);
+    // Of the first one every seam is its own; where nothing is known all is made.
+    const wide = loft({ rings: 24, around: 20, radius: 0.15 }), others = operands.map((each, i) => (i === 0 ? { ...each, mesh: 'wider' } : each));
+    const wider = solve(kernel, plan(others), { ...meshes, wider: wide }).mesh;
+    near(wider.volume, solve(fresh(), plan(others), { ...meshes, wider: wide }).mesh.volume, 1e-5, `${kind}: the first one`);
+  }
+});
+
+test('a part that comes to a join or leaves it is what all of it anew is, sharp or rounded, in any order', () => {
+  for (const blend of [0, 0.02]) {
+    const { meshes, operands, plan } = limbs('join', blend), kernel = fresh(), random = seeded(5);
+    for (let i = 0; i < 12; i += 1) {
+      const some = operands.filter(() => random() < 0.7).toSorted(() => random() - 0.5);
+      if (some.length < 2) continue;
+      const asked = plan(some), made = lawful(solve(kernel, asked, meshes), `${i}`);
+      near(made.volume, solve(fresh(), asked, meshes).mesh.volume, 1e-5, `blend ${blend}, ${i}`);
     }
   }
 });

@@ -196,8 +196,8 @@ function smoothMin(a: number, b: number, radius: number): number {
 }
 
 export interface Seam {
-  plain: Manifold;
-  operands: Manifold[];
+  one: Manifold;
+  other: Manifold;
   node: SolidNode;
   /** Original id for new faces that look as most of an operand does. */
   idOf(operand: Manifold): number;
@@ -247,37 +247,25 @@ function meetingAt(place: Manifold, [a, b]: readonly [Surface, Surface], radius:
 }
 
 /**
- * Rounds the seams of a join or a cut: round every place where two operands meet, what lies within the smooth minimum
- * of both distances is added (join) or what lies within that of the inverse is taken away (cut). Each face of the
- * rounding looks as the operand that it is nearer to.
+ * What rounds the seam of two operands of a join or a cut: round every place where they meet, what lies within the
+ * smooth minimum of both distances is to be added (join), or what lies within that of the inverse is to be taken away
+ * (cut). Each face looks as the operand that it is nearer to. Null where they do not meet.
  */
-export function seamOf(library: ManifoldToplevel, { plain, operands, node, idOf }: Seam, own: Manifold[]): Manifold {
-  const radius = node.blend, cut = node.kind === 'cut', cells = node.coarse ? kSeamCells / 2 : kSeamCells;
-  const known = new Map<number, { surface: Surface; id: number }>();
-  const sideOf = (index: number) => {
-    const side = known.get(index) ?? { surface: surfaceOf(operands[index]!), id: idOf(operands[index]!) };
-    known.set(index, side);
-    return side;
-  };
-  const roundings: Manifold[] = [];
-  for (let i = 0; i < (cut ? 1 : operands.length); i += 1) {
-    for (let j = i + 1; j < operands.length; j += 1) {
-      const shared = operands[i]!.intersect(operands[j]!);
-      own.push(shared);
-      if (shared.isEmpty()) continue;
-      const one = sideOf(i), other = sideOf(j);
-      for (const place of shared.decompose()) {
-        own.push(place);
-        const { grid, first, second, near } = meetingAt(place, [one.surface, other.surface], radius, cells);
-        // A little within, so that only the rounding itself looks out of what is there already.
-        const rounding = surfaceWhere(grid, first.map((d, n) => (near(n) ? -smoothMin(cut ? -d : d, second[n]!, radius) - 0.06 * grid.step : -grid.step)));
-        if (rounding.triangles.length === 0) continue;
-        const side = (x: number, y: number, z: number) => Math.abs(at(grid, first, x, y, z)) - Math.abs(at(grid, second, x, y, z));
-        const solid = solidOf(library, cutAlong(rounding, side), [one.id, other.id], (x, y, z) => (side(x, y, z) > 0 ? 1 : 0));
-        own.push(solid);
-        roundings.push(solid);
-      }
-    }
+export function seamOf(library: ManifoldToplevel, { one, other, node, idOf }: Seam, own: Manifold[]): Manifold | null {
+  const radius = node.blend, cut = node.kind === 'cut', cells = node.coarse ? kSeamCells / 2 : kSeamCells, shared = one.intersect(other);
+  own.push(shared);
+  if (shared.isEmpty()) return null;
+  const surfaces = [surfaceOf(one), surfaceOf(other)] as const, ids = [idOf(one), idOf(other)], roundings: Manifold[] = [];
+  for (const place of shared.decompose()) {
+    own.push(place);
+    const { grid, first, second, near } = meetingAt(place, surfaces, radius, cells);
+    // A little within, so that only the rounding itself looks out of what is there already.
+    const rounding = surfaceWhere(grid, first.map((d, n) => (near(n) ? -smoothMin(cut ? -d : d, second[n]!, radius) - 0.06 * grid.step : -grid.step)));
+    if (rounding.triangles.length === 0) continue;
+    const side = (x: number, y: number, z: number) => Math.abs(at(grid, first, x, y, z)) - Math.abs(at(grid, second, x, y, z));
+    roundings.push(solidOf(library, cutAlong(rounding, side), ids, (x, y, z) => (side(x, y, z) > 0 ? 1 : 0)));
   }
-  return cut ? library.Manifold.difference([plain, ...roundings]) : library.Manifold.union([plain, ...roundings]);
+  if (roundings.length < 2) return roundings[0] ?? null;
+  own.push(...roundings);
+  return library.Manifold.union(roundings);
 }

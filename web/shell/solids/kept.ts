@@ -1,6 +1,7 @@
 // What the solver of solids keeps, and what it has in hand while it makes something.
 import type { Manifold } from 'manifold-3d';
 import type { Faces } from './flaps.ts';
+import { keysOf } from './names.ts';
 import type { Near } from './near.ts';
 import type { MeshData, SolidFailure, SolidOperand } from './protocol.ts';
 
@@ -48,7 +49,23 @@ export interface Keyed {
   /** Made when it is first needed. */
   solid(): Manifold;
   from: Kept;
+  /** Of a rounding, whose seam it is. */
+  of?: Keyed[];
 }
 
 /** What was made of a step's operands: a solid, or its faces alone. */
 export type Made = { solid: Manifold } | { faces: Faces };
+
+/** Unions of some of these that are there, and what is left. */
+export function madeOf(kept: Iterable<Kept>, all: Keyed[]): { made: Keyed[][]; left: Keyed[] } {
+  const made: Keyed[][] = [], unions = [...kept].flatMap(({ joined }) => (joined ? [joined] : []));
+  for (let left = all; ;) {
+    const keys = new Set(keysOf(left));
+    let most: string[] = [];
+    for (const joined of unions) if (joined.length > Math.max(1, most.length) && joined.every((key) => keys.has(key))) most = joined;
+    if (most.length === 0) return { made, left };
+    const taken = new Set(most);
+    made.push(left.filter(({ key }) => taken.has(key)));
+    left = left.filter(({ key }) => !taken.has(key));
+  }
+}

@@ -5,8 +5,9 @@ import { hollowOf, seamOf } from './fields.ts';
 import { withoutFlaps } from './flaps.ts';
 import type { Faces } from './flaps.ts';
 import { halvesOf, kWorthSharing } from './helper.ts';
+import { madeOf } from './kept.ts';
 import type { Bench, Kept, Keyed, Made } from './kept.ts';
-import { isPart, isPlain, isWorthKeeping, joinKey, keysOf, partKey, restKey } from './names.ts';
+import { isPart, isPlain, isRound, isWorthKeeping, joinKey, keysOf, pairsOf, partKey, restKey, seamKey } from './names.ts';
 import { Near } from './near.ts';
 import { fitPaint } from './paint.ts';
 import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
@@ -54,7 +55,7 @@ export class SolidKernel {
   /** What faces were, by original ids of manifold-3d. */
   private readonly sources = new Map<number, Source>();
   /** What each step was made of last. */
-  private readonly lastOperands = new Map<number, { keys: string[]; changed: boolean[] }>();
+  private readonly lastOperands = new Map<number, { keys: Set<string>; rest: string }>();
   /** What was solved last. */
   private nodes: SolidNode[] = [];
   private round = 0;
@@ -298,25 +299,39 @@ export class SolidKernel {
       const { shell, cavity } = hollowOf(this.library, body, node, { ...this.likeness(body, bench), own });
       return { solid: shell, cavity, free: [cavity] };
     }
-    const isSharp = node.blend <= 0 || node.kind === 'common', free = node.kind === 'join' ? node.operands.flatMap((operand) => this.freeIn(operand, node)) : [];
-    const made = this.together(node, operands, bench, isOperand || !isSharp);
+    const free = node.kind === 'join' ? node.operands.flatMap((operand) => this.freeIn(operand, node)) : [], isRounded = isRound(node);
+    const made = this.together(node, [...operands, ...this.roundings(node, operands, bench)], bench, isOperand || (isRounded && free.length > 0));
     if ('faces' in made) return made;
-    const plain = made.solid, solid = isSharp || plain.isEmpty() ? plain : this.rounded(node, plain, operands.map((each) => each.solid()), bench);
-    if (isSharp || free.length === 0) return { solid, free };
-    own.push(solid);
-    return { solid: this.library.Manifold.difference([solid, ...free]), free };
+    if (!isRounded || free.length === 0) return { ...made, free };
+    own.push(made.solid);
+    return { solid: this.library.Manifold.difference([made.solid, ...free]), free };
   }
 
   /** For new faces that look as a solid does: the part that most of it is from, and its picture as it lies on it. */
-  private likeness(solid: Manifold, { ids }: Bench): { id: number; part: number } {
-    const mesh = solid.getMesh(), { positions, uv } = carried(mesh, this.sources);
-    const { part } = runsOf(mesh, this.sources).reduce((most, run) => (run.count > most.count ? run : most), { part: 0, count: -1 });
+  private likeness(solid: Manifold, { ids }: Pick<Bench, 'ids'>): { id: number; part: number } {
+    const mesh = solid.getMesh(), { positions, uv } = carried(mesh, this.sources), { part } = runsOf(mesh, this.sources).reduce((most, run) => (run.count > most.count ? run : most), { part: 0, count: -1 });
     return { id: this.register({ part, paint: fitPaint(positions, uv) }, ids), part };
   }
 
-  private rounded(node: SolidNode, plain: Manifold, operands: Manifold[], bench: Bench): Manifold {
-    bench.own.push(plain);
-    return seamOf(this.library, { plain, operands, node, idOf: (operand) => this.likeness(operand, bench).id }, bench.own);
+  /** What rounds the seams of a step: one for every two operands that meet. What was made for as much as these two is made no more. */
+  private roundings(node: SolidNode, operands: Keyed[], { from }: Bench): Keyed[] {
+    return !isRound(node) ? [] : pairsOf(node.kind, operands).flatMap(([one, other]) => {
+      // Where it is there a preview has the fine one, too.
+      const fine = seamKey({ ...node, coarse: false }, one, other), key = this.solids.has(fine) ? fine : seamKey(node, one, other);
+      const kept = this.solids.get(key) ?? { ...this.rounding(node, one.solid(), other.solid()), round: this.round };
+      this.solids.set(key, kept);
+      from.push(this.use(kept));
+      return kept.solid ? [{ operand: { node: key }, key, solid: () => kept.solid!, from: kept, of: [one, other] }] : [];
+    });
+  }
+
+  private rounding(node: SolidNode, one: Manifold, other: Manifold): Pick<Kept, 'solid' | 'ids'> {
+    const ids: number[] = [], own: Manifold[] = [];
+    try {
+      return { solid: seamOf(this.library, { one, other, node, idOf: (operand) => this.likeness(operand, { ids }).id }, own), ids };
+    } finally {
+      for (const solid of own) solid.delete();
+    }
   }
 
   /** The insides of a hollow operand: the end of a handle does not stand into its mug. */
@@ -330,13 +345,11 @@ export class SolidKernel {
    */
   private together(node: SolidNode, all: Keyed[], { own }: Bench, asSolid: boolean): Made {
     const { kind } = node;
-    const before = this.lastOperands.get(node.step);
-    const changed = all.map(({ key }, i) => before?.keys[i] !== key), others = all.filter((_, i) => !changed[i]);
-    const again = before?.changed.join() === changed.join();
-    this.lastOperands.set(node.step, { keys: all.map(({ key }) => key), changed });
+    const before = this.lastOperands.get(node.step), changed = all.map(({ key }) => !before?.keys.has(key));
+    const key = restKey(kind, all.filter((_, i) => !changed[i]), changed), again = before?.rest === key;
+    this.lastOperands.set(node.step, { keys: new Set(keysOf(all)), rest: key });
     const anew = () => ({ solid: this.whole(kind, all) });
-    if (before?.keys.length !== all.length || !isWorthKeeping(kind, changed)) return anew();
-    const key = restKey(kind, others, changed);
+    if (!isWorthKeeping(kind, changed)) return anew();
     if (again && !this.solids.has(key)) drain(this.rest(kind, all, changed));
     const kept = this.solids.get(key);
     if (!kept) return anew();
@@ -366,7 +379,7 @@ export class SolidKernel {
     const { Manifold } = this.library, solids = all.filter((_, i) => changed[i]).map(({ solid }) => solid());
     if (kind === 'common') return Manifold.intersection([rest, ...solids]);
     if (kind === 'join') return Manifold.union([rest, ...solids]);
-    return changed[0] ? solids[0]!.subtract(rest) : Manifold.difference([rest, ...solids]);
+    return Manifold.difference(changed[0] ? [solids[0]!, rest, ...solids.slice(1)] : [rest, ...solids]);
   }
 
   /** The same by what is near alone; null where what changed goes beyond that. */
@@ -402,7 +415,7 @@ export class SolidKernel {
       return;
     }
     const isCutFrom = kind === 'cut' && !changed[0], added = isCutFrom ? others.slice(1) : others;
-    const { made, left } = this.madeOf(added);
+    const { made, left } = madeOf(this.solids.values(), added);
     let row = [...made, ...left.map((each) => [each])];
     while (row.length > 1) {
       const next: Keyed[][] = [];
@@ -440,11 +453,16 @@ export class SolidKernel {
       if (!isWorthKeeping(node.kind, changed) || !node.operands.every((operand) => this.isHere(operand))) continue;
       const bench: Bench = { own: [], ids: [], from: [] }, known = new Set(this.solids.keys());
       try {
-        const all = this.operandsOf({ ...node, coarse: false }, bench), key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
+        const operands = this.operandsOf({ ...node, coarse: false }, bench), all = [...operands, ...this.roundings({ ...node, coarse: false }, operands, bench)];
+        for (const { of } of all.slice(operands.length)) changed.push(operands.some((each, i) => changed[i] && of?.includes(each)));
+        const key = restKey(node.kind, all.filter((_, i) => !changed[i]), changed);
         if (!this.solids.has(key)) yield* this.rest(node.kind, all, changed);
         const kept = this.solids.get(key)!;
         yield* this.comeNear(kept, this.shapes(all, changed));
         if (kept.solid) yield* this.tryOut(kept, node.kind, all, changed);
+      } catch (thrown) {
+        // The edit says so itself.
+        failureOf(thrown);
       } finally {
         for (const [key, kept] of this.solids) if (!known.has(key)) kept.ahead = part!;
         for (const solid of bench.own) solid.delete();
@@ -526,23 +544,9 @@ export class SolidKernel {
     return !!(kept?.solid || kept?.waiting);
   }
 
-  /** Unions of some of these that are there, and what is left. */
-  private madeOf(all: Keyed[]): { made: Keyed[][]; left: Keyed[] } {
-    const made: Keyed[][] = [];
-    for (let left = all; ;) {
-      const keys = new Set(keysOf(left));
-      let most: string[] = [];
-      for (const { joined } of this.solids.values()) if (joined && joined.length > Math.max(1, most.length) && joined.every((key) => keys.has(key))) most = joined;
-      if (most.length === 0) return { made, left };
-      const taken = new Set(most);
-      made.push(left.filter(({ key }) => taken.has(key)));
-      left = left.filter(({ key }) => !taken.has(key));
-    }
-  }
-
   /** Many in a few groups: what is there, and others which stay as they are when one of another group changes. */
   private groups(all: Keyed[]): Keyed[][] {
-    const { made, left } = this.madeOf(all), count = left.length < 6 ? left.length : Math.round(Math.sqrt(left.length));
+    const { made, left } = madeOf(this.solids.values(), all), count = left.length < 6 ? left.length : Math.round(Math.sqrt(left.length));
     return [...made, ...Array.from({ length: count }, (_, i) => left.slice(Math.floor((i * left.length) / count), Math.floor(((i + 1) * left.length) / count)))];
   }
 

@@ -22,7 +22,22 @@ export function restKey(kind: SolidNode['kind'], others: Named[], changed: boole
 /** Whether it pays to keep what the operands make that do not change; two or more of them. */
 export function isWorthKeeping(kind: SolidNode['kind'], changed: boolean[]): boolean {
   const count = changed.filter(Boolean).length;
-  return kind !== 'hollow' && count > 0 && changed.length - count >= 2 && !(kind === 'cut' && changed[0] && count > 1);
+  return kind !== 'hollow' && count > 0 && changed.length - count >= 2;
+}
+
+/** Names what rounds the seam of two operands. */
+export function seamKey({ kind, blend, coarse }: SolidNode, one: Named, other: Named): string {
+  return `seam ${kind} ${blend}${coarse ? '~' : ''}: ${one.key} | ${other.key}`;
+}
+
+/** Whose seams are rounded: of a join any two, of a cut the first one and any other. */
+export function pairsOf<Each>(kind: SolidNode['kind'], all: Each[]): [Each, Each][] {
+  return all.slice(0, kind === 'cut' ? 1 : all.length).flatMap((one, i) => all.slice(i + 1).map((other) => [one, other] as [Each, Each]));
+}
+
+/** Its seams are rounded. */
+export function isRound({ kind, blend }: SolidNode): boolean {
+  return blend > 0 && (kind === 'join' || kind === 'cut');
 }
 
 /** Only stuck together, with sharp seams. */

@@ -87,6 +87,8 @@ function awayOf({ vertProperties, triVerts, runIndex, faceID }: Pick<Mesh, 'vert
   return corner.size === onRim.size ? { positions, corners, faces, rim, corner } : null;
 }
 
+const isAnywhereIn = (rooms: Room[], shape: Shape) => rooms.some((room) => isWithin(room, shape));
+
 /** The rooms as one solid; what is made on the way, and it, go into `own`. */
 function cutter(library: ManifoldToplevel, rooms: Room[], own: Manifold[]): Manifold {
   const made = (solid: Manifold) => {
@@ -114,8 +116,13 @@ export class Near {
 
   /** What is near these shapes, a piece at a time; null where that is not worth it or cannot be had. */
   static *of(library: ManifoldToplevel, rest: Manifold, shapes: Shape[]): Generator<void, Near | null> {
-    const rooms = shapes.flatMap((shape) => roomOf(shape) ?? []);
-    if (rooms.length === 0 || rooms.length < shapes.length) return null;
+    const rooms: Room[] = [];
+    for (const shape of shapes) {
+      const room = isAnywhereIn(rooms, shape) ? null : roomOf(shape);
+      if (room) rooms.push(room);
+      else if (!isAnywhereIn(rooms, shape)) return null;
+    }
+    if (rooms.length === 0) return null;
     const { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID } = rest.getMesh(), isNear = new Uint8Array(faceID.length);
     const boxes = rooms.map((room) => takeNear(vertProperties, triVerts, room, isNear)), count = isNear.reduce((sum, each) => sum + each, 0);
     const away = count > kWorthwhile * isNear.length ? null : awayOf({ vertProperties, triVerts, runIndex, faceID }, isNear);
@@ -143,7 +150,7 @@ export class Near {
 
   /** Whether these shapes, as they are now, touch nothing that is away. */
   holds(shapes: Shape[]): boolean {
-    return shapes.length === this.rooms.length && this.rooms.every((room, i) => isWithin(room, shapes[i]!));
+    return shapes.every((shape) => isAnywhereIn(this.rooms, shape));
   }
 
   /** What shapes in their rooms have made of what is near, with all that is away. Null where these do not fit together. */
