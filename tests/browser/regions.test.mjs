@@ -32,7 +32,6 @@ for (const [name, options, draw] of [['the mouse', {}, drawWithMouse], ['a finge
       assert.equal(parts[index].kind, tool);
       assert.ok(parts[index].triangles > 300);
       assert.equal(undo, before + index + 1);
-      await run(page, 'select-part', { id: null });
     }
     assert.ok((await exported(page, 'glb')).length > 10000);
     await run(page, 'undo');
@@ -52,6 +51,7 @@ test('a tap cuts the thing out, used it is a part, its points are dragged, and i
   await run(page, 'make-sheet');
   [part] = (await state(page)).parts;
   assert.equal(part.kind, 'sheet');
+  await page.mouse.click(at.x, at.y);
   const [x, y] = part.contours[0][0];
   await drawWithMouse(page, [[x, y], [x - 10, y - 6], [x - 20, y - 12]]);
   await idle(page);

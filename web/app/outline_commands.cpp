@@ -30,6 +30,7 @@ bool pointByKeys(Env env) {
 
 Outcome step(Env env, int by) {
   const document::Region& region = *document::regionOf(shownRegion(env)->recipe);
+  takePoints(env.ui, *shownRegion(env));
   env.ui.chosen = {std::nullopt, -1, neighbourHandle(region, env.ui.chosen.outline, by)};
   if (!env.ui.chosen.outline) return {};
   const std::vector<OutlinePoint> handles = outlineHandles(region);

@@ -10,6 +10,7 @@
 #include "web/app/editing.h"
 #include "web/app/messages.h"
 #include "web/app/placing.h"
+#include "web/app/region_editing.h"
 
 namespace spineloft::app {
 namespace {
@@ -20,6 +21,7 @@ using Env = const CommandEnv&;
 void select(Env env, const document::Part& part) {
   env.ui.selection = part.id;
   env.ui.alsoSelected.clear();
+  takePoints(env.ui, part);
   lookAt(env.ui, document::pictureOf(part));
   env.ui.redraw = {};
   if (const document::LoftRecipe* loft = document::loftOf(part)) {
@@ -167,6 +169,7 @@ Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
+  env.ui.pointsOf = {};
   if (!env.ui.redraw) return {};
   env.ui.tool = document::puffOf(*part)    ? ToolKind::Puff
                 : document::sheetOf(*part) ? ToolKind::Sheet

@@ -16,6 +16,19 @@ double lengthOf(const std::vector<PicturePoint>& contour) {
 
 }  // namespace
 
+void takePoints(UiState& ui, const document::Part& part) {
+  ui.pointsOf = part.id;
+  ui.pointsKnown = ui.pointsKnown || document::regionOf(part.recipe) != nullptr;
+}
+
+const document::Part* partWithPoints(const document::Document& document, const UiState& ui) {
+  const bool tool = ui.tool == ToolKind::Puff || ui.tool == ToolKind::Sheet;
+  if (!tool || ui.cut || ui.redraw || !ui.pointsOf || ui.pointsOf != ui.selection) return nullptr;
+  const document::Part* part = document::findPart(document, ui.pointsOf);
+  const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
+  return region != nullptr && region->picture == ui.picture ? part : nullptr;
+}
+
 std::vector<OutlinePoint> outlineHandles(const document::Region& region) {
   std::vector<OutlinePoint> handles;
   for (std::size_t c = 0; c < region.contours.size(); ++c) {

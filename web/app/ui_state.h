@@ -193,6 +193,10 @@ struct UiState {
   PictureId picture;          ///< the one in the picture view (see lookAt)
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
   PartId redraw;              ///< the next stroke is for this part
+  /// The puff or flat piece whose outline points are in hand: it was tapped or chosen since a drawing tool was
+  /// taken; what is only just drawn has none, so that the next line may begin on it.
+  PartId pointsOf;
+  bool pointsKnown = false;   ///< some were in hand: nobody has to be told how
   PictureId pictureMenu;      ///< whose small menu is open
   Sketching sketching;        ///< pen and eraser
 

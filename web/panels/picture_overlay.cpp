@@ -121,10 +121,9 @@ void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& par
   const app::Preview* preview = app::previewOf(ui, part.id);
   const auto& shown = preview ? preview->shape->contours : contours;
   for (const auto& contour : shown) outlineStroke(list, ui, contour, selected, lit);
-  const bool drags = ui.tool == app::ToolKind::Puff || ui.tool == app::ToolKind::Sheet;
   const document::Region* region =
       document::regionOf(preview ? preview->recipe : part.recipe);
-  if (!selected || !drags || region == nullptr) return;
+  if (app::partWithPoints(env.document(), ui) != &part || region == nullptr) return;
   for (const app::OutlinePoint at : app::outlineHandles(*region)) {
     const bool hot = ui.hover.outline == at;
     const ImVec2 c = onCanvas(ui, app::pointOf(*region, at));

@@ -205,6 +205,11 @@ void hints(const PanelEnv& env) {
   }
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
+  const bool regionTool = (tool == app::ToolKind::Puff || tool == app::ToolKind::Sheet) && !env.ui().cut;
+  const bool told = env.ui().pointsKnown || env.ui().redraw || drawing || view.height < 200;
+  if (regionTool && !told && part && document::regionOf(part->recipe)) {
+    pill(env, {x, static_cast<float>(view.bottom()) - 84}, {"Tap the part to change its outline", rgb(0xffffff, 235), kMuted});
+  }
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
   if (rib && part && !document::loftIn(*part).pose.isRest() && view.height > 300) {
     pill(env, {x, static_cast<float>(view.bottom()) - 84},

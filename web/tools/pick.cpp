@@ -121,11 +121,8 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
   } else if (ui.tool == ToolKind::Puff || ui.tool == ToolKind::Sheet) {
-    const document::Part* part = document::findPart(env.document, ui.selection);
-    const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
-    if (region != nullptr && region->picture == ui.picture && !ui.cut) {
-      hover.outline = app::handleAt(*region, p, reach);
-    }
+    const document::Part* part = app::partWithPoints(env.document, ui);
+    if (part != nullptr) hover.outline = app::handleAt(*document::regionOf(part->recipe), p, reach);
   } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
     pickRib(subject, ui, p, reach, hover);
   } else if (subject && ui.tool == ToolKind::Bone) {

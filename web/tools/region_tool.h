@@ -1,5 +1,5 @@
 // Puffs and flat pieces: a line round a thing becomes a part, a tap or a box cuts the thing out; points
-// of an outline that is selected are dragged. While a thing is being cut out, strokes correct it.
+// of an outline are dragged once the part was tapped. While a thing is being cut out, strokes correct it.
 #pragma once
 
 #include "web/tools/pick.h"

@@ -46,7 +46,6 @@ TEST_CASE("a line drawn round a thing becomes a puff, or a flat piece with that 
     CHECK(*part.number("triangles") > 300);
     CHECK(part.find("failure")->isNull());
     CHECK(rig.state().number("selection") == part.number("id"));
-    rig.run("select-part", R"({"id":null})");  // its points would be dragged
   }
   CHECK(rig.parts() == 2);
   rig.run("undo");
@@ -108,6 +107,8 @@ TEST_CASE("a point of the outline is dragged, and the solid follows") {
   rig.run("draw-sheet", kSquare);
   rig.run("sheet");
   rig.settle();
+  const auto middle = rig.at(100, 100);
+  rig.click(middle.x, middle.y);
   rig.press(60, 60, 40, 30);
   CHECK(!rig.state().find("preview")->isNull());
   rig.lift();
@@ -117,6 +118,66 @@ TEST_CASE("a point of the outline is dragged, and the solid follows") {
   CHECK(*(*corner.array())[0].number() == doctest::Approx(40).epsilon(0.05));
   CHECK(*(*corner.array())[1].number() == doctest::Approx(30).epsilon(0.05));
   CHECK(rig.parts() == 1);
+}
+
+TEST_CASE("a drawing tool draws, on an outline as anywhere, until a tap takes the part's points in hand") {
+  for (const auto device : {platform::Device::Mouse, platform::Device::Touch}) {
+    for (const std::string_view tool : {"puff", "sheet"}) {
+      CAPTURE(tool);
+      Rig rig;
+      rig.openBar();
+      rig.run("puff");
+      rig.run("draw-puff", kSquare);
+      rig.settle();
+      const auto corner = [&] {
+        const app::Json first = rig.state().find("parts")->array()->front();
+        const app::Json point = first.find("contours")->array()->front().array()->front();
+        return std::pair{*(*point.array())[0].number(), *(*point.array())[1].number()};
+      };
+      const auto kCorner = corner();
+      const auto drag = [&] {
+        rig.press(60, 60, 40, 30, device);
+        rig.lift(device);
+        rig.settle();
+      };
+      const auto tap = [&](double x, double y) {
+        const auto p = rig.at(x, y);
+        rig.pointer(platform::PointerKind::Down, p.x, p.y, device);
+        rig.pointer(platform::PointerKind::Up, p.x, p.y, device);
+        rig.settle();
+      };
+      // Just made, with its own tool still in hand; and with a tool that was taken after a tap.
+      drag();
+      CHECK(rig.parts() == 2);
+      CHECK(corner() == kCorner);
+      tap(120, 120);
+      CHECK(rig.state().number("selection") == 1);
+      rig.run(tool);
+      drag();
+      CHECK(rig.parts() == 3);
+      CHECK(corner() == kCorner);
+      CHECK(*lastPart(rig).text("kind") == tool);
+      tap(120, 120);
+      drag();
+      CHECK(rig.parts() == 3);
+      CHECK(corner().first == doctest::Approx(40).epsilon(0.05));
+      CHECK(corner().second == doctest::Approx(30).epsilon(0.05));
+      // Away from its points a line draws as before.
+      rig.press(100, 90, 115, 110, device);
+      rig.lift(device);
+      rig.settle();
+      CHECK(rig.parts() == 4);
+      // A new line for the part may begin on a point of the old one.
+      rig.run("select-part", R"({"id":1})");
+      rig.run("redraw");
+      rig.press(40, 30, 150, 150, device);
+      rig.lift(device);
+      rig.settle();
+      CHECK(rig.parts() == 4);
+      const app::Json first = rig.state().find("parts")->array()->front();
+      CHECK(*first.number("ribbon") > 0);
+    }
+  }
 }
 
 TEST_CASE("commands change a region part, and turn one kind into the other and back") {
