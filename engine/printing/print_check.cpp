@@ -22,7 +22,6 @@ constexpr std::array kPrinters = {
     Printer{"a very large printer (350 mm)", {350, 350, 350}},
 };
 constexpr double kRays = 2000;
-constexpr double kThinShare = 0.02;
 
 double areaOf(const Corners& t) { return norm(cross(t[1] - t[0], t[2] - t[0])) / 2; }
 
@@ -48,7 +47,11 @@ struct Probe {
   double thickness, area;
   Point at;
   std::size_t part;
+  bool wall;  ///< the other side is nearly parallel
 };
+
+/// Out of the solid, of length 1.
+Point outwards(const Corners& t) { return normalized(cross(t[1] - t[0], t[2] - t[0])); }
 
 /// Points evenly over a part: one wherever the area run through passes the next multiple of `share`.
 void probe(const mesh::TriMesh& mesh, std::size_t part, double share, std::vector<Probe>& out) {
@@ -63,10 +66,17 @@ void probe(const mesh::TriMesh& mesh, std::size_t part, double share, std::vecto
     const double covered = std::floor(passed / share) * share;
     passed -= covered;
     const Point middle = (t[0] + t[1] + t[2]) / 3.0;
-    const Point inwards = normalized(cross(t[2] - t[0], t[1] - t[0]));
+    const Point inwards = -outwards(t);
     double way = std::numeric_limits<double>::infinity();
-    for (const Corners& other : triangles) way = std::min(way, hit(other, middle, inwards));
-    if (std::isfinite(way)) out.push_back({way, covered, middle, part});
+    const Corners* exit = nullptr;
+    for (const Corners& other : triangles) {
+      const double there = hit(other, middle, inwards);
+      if (!(there < way)) continue;
+      way = there;
+      exit = &other;
+    }
+    if (exit == nullptr) continue;
+    out.push_back({way, covered, middle, part, dot(outwards(*exit), inwards) >= std::cos(kWallSlant)});
   }
 }
 
@@ -82,8 +92,9 @@ void findThinnest(std::span<const mesh::TriMesh> parts, PrintCheck& check) {
   double sum = 0, all = 0;
   for (const Probe& p : probes) all += p.area;
   for (const Probe& p : probes) {
-    sum += p.area;
-    if (sum < kThinShare * all) continue;
+    if (p.wall) sum += p.area;
+    const bool last = &p == &probes.back();
+    if (!last && (!p.wall || sum < kThinShare * all)) continue;
     check.thinnest = p.thickness;
     check.thinAt = {p.at.x, p.at.y, p.at.z};
     check.thinPart = p.part;

@@ -22,6 +22,10 @@ std::span<const Printer> printers();
 inline constexpr double kLeastWall = 0.8;
 /// By how much more than that needs a model is made larger, for sizes are whole millimetres.
 inline constexpr double kMoreThanNeeded = 1.01;
+/// Sides of a wall are parallel up to this, radians (20°).
+inline constexpr double kWallSlant = 0.349;
+/// So much of the surface may be on thinner walls: what is less is a speck.
+inline constexpr double kThinShare = 0.01;
 /// How far a model should lean before it falls, radians (3°): a floor and a table are never quite level.
 inline constexpr double kLeastLean = 0.0524;
 /// What lies this near to the ground is stood on, millimetres: a first layer and a half.
@@ -33,8 +37,10 @@ struct PrintCheck {
   /// Width (x), depth (z of the meshes), height (y), millimetres.
   std::array<double, 3> size{};
   double volume = 0;  ///< cubic millimetres; where parts overlap it counts twice
-  /// Thickness below which only 2 % of the surface are, millimetres: tips and sharp edges end in
-  /// nothing and are left out that way. 0 without triangles.
+  /// Thickness of the walls below which only kThinShare of the surface are, millimetres. A wall has two sides that
+  /// look away from each other within kWallSlant; where they run together in an edge or a tip, as parts that are
+  /// stuck together do at their seams, it ends in nothing and is none. Without walls, the thickest place. 0 without
+  /// triangles.
   double thinnest = 0;
   std::array<double, 3> thinAt{};  ///< a place that thin, in the meshes' space
   std::size_t thinPart = 0;        ///< and the part that it is on
@@ -54,7 +60,8 @@ struct PrintCheck {
 
 /// Looks at parts in millimetres, y up. Thickness: from points spread evenly over the surface (at most
 /// 2,000 in all) a ray goes inwards against the normal; its way to where it comes out of the same part
-/// is the thickness there (the shape diameter function of Shapira and others, 2008, with one ray).
+/// is the thickness there (the shape diameter function of Shapira and others, 2008, with one ray, and without the
+/// rays that come out aslant).
 /// Standing: all material weighs the same; the centre of mass over the convex hull of what is within
 /// kFootReach of the ground. The ground is the lowest point. Cost: 2,000 rays times the triangles of a part.
 PrintCheck checkPrint(std::span<const mesh::TriMesh> parts);

@@ -77,6 +77,94 @@ TEST_CASE("twice the size is twice the thickness, and the thin part is named") {
   CHECK(checkPrint(twice).thick());
 }
 
+namespace {
+
+/// A prism over a convex or concave outline that is seen whole from the origin, in slices so that rays start all along it.
+mesh::TriMesh prism(const std::vector<std::array<double, 2>>& outline, double height, int slices) {
+  mesh::TriMesh mesh;
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  const auto add = [&](double x, double y, double z) {
+    mesh.positions.push_back({static_cast<float>(x), static_cast<float>(z), static_cast<float>(-y)});
+  };
+  for (int k = 0; k <= slices; ++k) {
+    for (const auto& [x, y] : outline) add(x, y, height * k / slices);
+  }
+  add(0, 0, 0);
+  add(0, 0, height);
+  const auto below = static_cast<std::uint32_t>(mesh.positions.size()) - 2;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n, top = static_cast<std::uint32_t>(slices) * n;
+    for (std::uint32_t k = 0; k < top; k += n) {
+      mesh.triangles.push_back({k + i, k + j, k + n + j});
+      mesh.triangles.push_back({k + i, k + n + j, k + n + i});
+    }
+    mesh.triangles.push_back({below, j, i});
+    mesh.triangles.push_back({below + 1, top + i, top + j});
+  }
+  requireLawful(mesh);
+  return mesh;
+}
+
+/// The outline of circles of radius r about (-d, 0) and (d, 0): of both together (d < r), or of what they share.
+std::vector<std::array<double, 2>> twoCircles(double r, double d, bool shared) {
+  const double turn = std::acos(d / r);  // of a meeting point, from the middle between the centres
+  const double half = shared ? turn : std::numbers::pi - turn;
+  constexpr int kSteps = 60;
+  std::vector<std::array<double, 2>> outline;
+  for (const double side : {1., -1.}) {
+    const double centre = shared ? -side * d : side * d, middle = side > 0 ? 0 : std::numbers::pi;
+    for (int i = 0; i < kSteps; ++i) {
+      const double a = middle - half + 2 * half * i / kSteps;
+      outline.push_back({centre + r * std::cos(a), r * std::sin(a)});
+    }
+  }
+  return outline;
+}
+
+double thinnestOf(const mesh::TriMesh& mesh) { return checkPrint({&mesh, 1}).thinnest; }
+
+}  // namespace
+
+TEST_CASE("where two sides run together in an edge there is no thin wall: a wedge, two cylinders together, what they share") {
+  for (const double degrees : {25., 40., 60.}) {
+    // A wedge, its edge along the height; wherever it is looked at it is as thick as it is far from there.
+    const double far = 30, high = far * std::tan(degrees / 360 * std::numbers::pi);
+    std::vector<std::array<double, 2>> outline;
+    const std::array<std::array<double, 2>, 3> corners = {{{-20, 0}, {10, -high}, {10, high}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (int k = 0; k < 60; ++k) {
+        const auto &a = corners[i], &b = corners[(i + 1) % 3];
+        outline.push_back({a[0] + (b[0] - a[0]) * k / 60, a[1] + (b[1] - a[1]) * k / 60});
+      }
+    }
+    CHECK_MESSAGE(thinnestOf(prism(outline, 20, 20)) > 5, degrees);
+  }
+  for (const double d : {3., 7., 9.5}) {
+    CHECK_MESSAGE(thinnestOf(prism(twoCircles(10, d, false), 20, 20)) == doctest::Approx(20).epsilon(0.01), d);
+  }
+  // What two cylinders share has two edges; it is as thick as a lens is in its middle.
+  for (const double d : {3., 7.}) CHECK_MESSAGE(thinnestOf(prism(twoCircles(10, d, true), 20, 20)) > 1.8 * (10 - d), d);
+}
+
+TEST_CASE("a fin on a thick body is found, as thin as it is, and so is a plate of any thickness") {
+  for (const double fin : {0.3, 0.5, 0.7}) {
+    // A disc of radius 10, and a fin of 6 that stands out of it.
+    std::vector<std::array<double, 2>> outline;
+    const double root = std::asin(fin / 2 / 10);
+    for (int i = 0; i <= 120; ++i) {
+      const double a = root + (2 * std::numbers::pi - 2 * root) * i / 120;
+      outline.push_back({10 * std::cos(a), 10 * std::sin(a)});
+    }
+    for (int i = 1; i <= 12; ++i) outline.push_back({10 + i / 2., -fin / 2});
+    for (int i = 12; i >= 1; --i) outline.push_back({10 + i / 2., fin / 2});
+    CHECK_MESSAGE(thinnestOf(prism(outline, 20, 20)) == doctest::Approx(fin).epsilon(0.01), fin);
+  }
+  for (const double t : {0.2, 0.8, 3., 9.}) {
+    const mesh::TriMesh plate = finer(finer(movedBox({40, static_cast<float>(t), 30}, {})));
+    CHECK(thinnestOf(plate) == doctest::Approx(t).epsilon(0.01));
+  }
+}
+
 TEST_CASE("enlarging is offered where what it makes still fits a printer, and then it is thick enough") {
   for (const float thickness : {0.9f, 0.5f, 0.2f, 0.05f}) {
     const std::array<float, 3> size{60, 40, thickness};
