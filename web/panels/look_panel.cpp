@@ -136,8 +136,12 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
     if (const auto pressed = pill(env, choices, width)) second = *pressed == 1;
   }
   const std::array<std::uint8_t, 3>& chosen = second ? look.second : look.colour;
-  const int columns = env.ui().layout.strip ? 10 : 5;
-  const float gap = 6;
+  // On a strip one row, or as many of one length as a finger needs.
+  const float gap = 6, least = env.ui().touch ? 40.f : 28.f;
+  const int count = static_cast<int>(app::kSwatches.size());
+  const int fitting = std::max(1, static_cast<int>((width + gap) / (least + gap)));
+  const int rows = (count + fitting - 1) / fitting;
+  const int columns = env.ui().layout.strip ? (count + rows - 1) / rows : 5;
   const float most = env.ui().touch ? 44.f : 40.f;
   const float side = std::floor(std::min(
       (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), most));
