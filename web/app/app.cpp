@@ -234,7 +234,7 @@ void App::announce() {
   json_.number(ui_.selection.value).number(ui_.redraw.value).number(ui_.picture.value);
   json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
   json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
-  json_.text(colourText(ui_.sketching.colour));
+  json_.text(colourText(ui_.sketching.colour)).flag(ui_.sketching.menu != PenMenu::None);
   json_.number(ui_.chosen.end ? static_cast<double>(ui_.chosen.end->rib) : -1);
   json_.number(ui_.chosen.outline ? static_cast<double>(ui_.chosen.outline->point) : -1);
   json_.number(ui_.chosen.handle).number(ui_.edit.ribReach).number(ui_.edit.boneReach);

@@ -286,6 +286,7 @@ void writePen(JsonWriter& json, const Sketching& pen) {
   json.key("eraser").text(kPenSizes[pen.eraserSize]).key("colour").text(colourText(pen.colour));
   json.key("points");
   pen.stroke ? json.number(static_cast<double>(pen.stroke->points.size())) : json.null();
+  json.key("menu").flag(pen.menu != PenMenu::None);
   json.endObject();
 }
 

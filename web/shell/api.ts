@@ -190,8 +190,8 @@ export interface State {
   pictures: number;
   /** All of them, in the order of the picture strip. */
   pictureList: PictureInfo[];
-  /** What pen and eraser are set to, and how many points the stroke in hand has. */
-  pen: { size: PenSize; eraser: PenSize; colour: string; points: number | null };
+  /** What pen and eraser are set to, how many points the stroke in hand has, and whether a menu of theirs is open. */
+  pen: { size: PenSize; eraser: PenSize; colour: string; points: number | null; menu: boolean };
   parts: Part[];
   /** Ids of all parts in hand: the selected ones with the rest of their groups. */
   selected: number[];

@@ -10,8 +10,8 @@ const kGap = 12, kTitleRoom = 72, kToolsRoom = 56, kStripRoom = 60;
 const kCompactWidth = 1000;
 
 /** One line about what to do next; '' where none is needed. */
-function adviceFor({ picture, parts, tool }: State): string {
-  if (!picture || parts.length > 0) return '';
+function adviceFor({ picture, parts, tool, pen }: State): string {
+  if (!picture || parts.length > 0 || pen.menu) return '';  // a menu needs the room
   if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
   if (picture.sketch && tool !== 'draw') return picture.finished ? 'Now draw a bone through it' : '';
   if (tool === 'puff' || tool === 'sheet') return '';  // the bar of the tool is there

@@ -25,6 +25,8 @@ export class Page {
   private keeper: Keeper | null = null;
   private solids: SolidWarmUp | null = null;
   private readOnly = false;
+  /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
+  private passing: string | null = null;
   private turning = false;
   private readonly opening = new Set<AbortController>();
   private readonly canvas = byId<HTMLCanvasElement>('canvas');
@@ -157,6 +159,13 @@ export class Page {
 
   say(text: string): void {
     byId('status').textContent = text;
+    this.passing = null;
+  }
+
+  /** Something that is said until the next thing is done. */
+  private sayUntilNext(text: string): void {
+    this.say(text);
+    if (this.engine) this.passing = placeOf(this.engine.state());
   }
 
   /** Decodes and opens one picture; rejects when it cannot be opened, and then nothing has changed. */
@@ -171,7 +180,7 @@ export class Page {
       const picture = await decodePicture(blob, (code) => engine.sentence(code));
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
-      this.say(`${name} is open: ${picture.originalWidth} by ${picture.originalHeight} pixels.`);
+      this.sayUntilNext(`${name} is open: ${picture.originalWidth} by ${picture.originalHeight} pixels.`);
     } finally {
       this.opening.delete(aborter);
       this.refresh();
@@ -187,7 +196,7 @@ export class Page {
     });
     await keeper.openProject(new Uint8Array(bytes));
     this.guide.offer(null);
-    this.say(`${engine.about().name} is open.`);
+    this.sayUntilNext(`${engine.about().name} is open.`);
     this.refresh();
   }
 
@@ -271,6 +280,7 @@ export class Page {
     if (!this.engine) return;
     this.state = this.engine.state();
     const { state } = this;
+    if (this.passing !== null && this.passing !== placeOf(state)) this.say('');
     const hasPicture = state.picture !== null;
     document.body.dataset.stage = hasPicture ? 'work' : 'start';
     byId('start').hidden = hasPicture;
@@ -290,6 +300,11 @@ export class Page {
   get hasUnsavedWork(): boolean {
     return this.engine !== null && this.keeper?.isSafe !== true && this.engine.state().unsaved;
   }
+}
+
+/** Changes with whatever the visitor does to the model, or takes in hand. */
+function placeOf({ undo, redo, selection, tool }: State): string {
+  return [undo, redo, selection, tool].join();
 }
 
 function summary(state: State): string {

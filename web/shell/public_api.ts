@@ -29,7 +29,7 @@ export interface ApiPage {
 
 const kBeforeReady: State = {
   version: SPINELOFT_SITE.version, picture: null, pictures: 0, pictureList: [],
-  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null }, parts: [], steps: [], picked: [], selectedStep: null, selected: [], groups: [], snap: false, gizmo: null,
+  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null, menu: false }, parts: [], steps: [], picked: [], selectedStep: null, selected: [], groups: [], snap: false, gizmo: null,
   hover: { part: null, end: null, other: -1, handle: -1, bone: false, depth: -1, mark: -1 },
   chosen: { end: null, handle: -1, outline: null }, touched: [],
   options: { ribReach: 0.06, boneReach: 0.25, bothSides: false, keepRibs: false, wholePicture: false, paintOver: false, depthByPressure: false, brush: 14 },
