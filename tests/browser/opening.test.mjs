@@ -13,6 +13,8 @@ test('a picture dropped from the system opens', () => onPage(kit, {}, async (pag
   assert.deepEqual(await pictureSize(page), { width: tube.width, height: tube.height });
   assert.equal(await page.locator('#start').isVisible(), false);
   assert.match(await page.locator('#status').innerText(), /480 by 360/);
+  await drawWithMouse(page, tube.middle);
+  assert.equal(await page.locator('#status').innerText(), '', 'what was said of the opening is over with the first step');
 }));
 
 test('a picture chosen in the file dialog opens', () => onPage(kit, {}, async (page) => {
