@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { openPage, startBrowser, startSite } from './browser.mjs';
 import { root } from './paths.mjs';
 
-const kParts = 8, kRibs = 60, kMoves = 60;
+const kParts = 8, kRibs = 60, kMoves = 60, kPhotos = 5;
 
 function summary(times) {
   const sorted = [...times].sort((a, b) => a - b);
@@ -83,6 +83,52 @@ async function hoverTimes([view, moves]) {
   return times;
 }
 
+/** A photo of 12 megapixels with a pale bar on a patterned ground, and its bar drawn at once: ms until there is a solid, and until its ribs, its texture and all else are settled. Runs in the page. */
+async function firstSolidTimes([width, height]) {
+  const api = window.spineloft, canvas = new OffscreenCanvas(width, height), pen = canvas.getContext('2d');
+  await api.ready;
+  await api.idle();
+  for (let y = 0; y < height; y += 50) {
+    for (let x = 0; x < width; x += 50) {
+      pen.fillStyle = `hsl(${(x * 7 + y * 3) % 60 + 90} 30% ${25 + ((x * 13 + y * 29) % 97) / 8}%)`;
+      pen.fillRect(x, y, 50, 50);
+    }
+  }
+  pen.lineWidth = height / 6;
+  pen.lineCap = 'round';
+  pen.strokeStyle = '#e8d8b0';
+  pen.beginPath();
+  pen.moveTo(0.2 * width, 0.6 * height);
+  pen.bezierCurveTo(0.4 * width, 0.3 * height, 0.6 * width, 0.3 * height, 0.8 * width, 0.6 * height);
+  pen.stroke();
+  const photo = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
+  const stroke = Array.from({ length: 60 }, (_, i) => {
+    const t = i / 59, u = 1 - t;
+    return [width * (0.2 * u ** 3 + 1.2 * u * u * t + 1.8 * u * t * t + 0.8 * t ** 3), height * (0.6 * u ** 3 + 0.9 * u * u * t + 0.9 * u * t * t + 0.6 * t ** 3)];
+  });
+  const start = performance.now();
+  await api.openImage(photo, 'photo');
+  const drawn = api.run('draw-spine', { stroke });
+  while (!(api.state().parts[0]?.triangles > 0)) await new Promise((resolve) => setTimeout(resolve, 1));
+  const solid = performance.now() - start;
+  await drawn;
+  await api.idle();
+  return { solid, settled: performance.now() - start };
+}
+
+/** Each in a fresh page. */
+async function firstSolids(browser, site) {
+  const found = [];
+  for (let i = 0; i < kPhotos; ++i) {
+    const { page } = await openPage(browser, site.url, { viewport: { width: 1440, height: 900 } });
+    // As whoever looks for a photo has it: the page has made itself ready.
+    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, { timeout: 60000 });
+    found.push(await page.evaluate(firstSolidTimes, [4000, 3000]));
+    await page.context().close();
+  }
+  return { 'a photo of 12 megapixels to the first solid': summary(found.map(({ solid }) => solid)), 'the same, until all is settled': summary(found.map(({ settled }) => settled)) };
+}
+
 /** Median and 95th percentile of each kind of gesture; dist/ must be built. */
 export async function editingTimes() {
   const site = await startSite({ isolated: true });
@@ -98,7 +144,8 @@ export async function editingTimes() {
     result['bend the bone, edges found again'] = summary(await page.evaluate(dragTimes, ['bone', kMoves]));
     result['hover over the picture'] = summary(await page.evaluate(hoverTimes, ['picture', kMoves]));
     result['hover over the solid'] = summary(await page.evaluate(hoverTimes, ['solid', kMoves]));
-    return result;
+    await page.close();
+    return { ...result, ...(await firstSolids(browser, site)) };
   } finally {
     await browser.close();
     await site.close();

@@ -61,11 +61,12 @@ class Cache {
   /// By ignoredKey. Null when not (or no longer) known.
   std::shared_ptr<const ribs::IgnoredEdges> ignored(std::uint64_t key) { return ignored_.find(key); }
   void keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
-  /// By traceKey. Null when not (or no longer) known. Those of previews are kept apart, so that a
-  /// stroke being drawn does not push out the parts of the document; found for a part of the
-  /// document, one moves over.
-  std::shared_ptr<const TracedRibs> traced(std::uint64_t key, bool preview);
-  void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool preview);
+  /// By traceKey: those on which hands agreed. Null when not (or no longer) known.
+  std::shared_ptr<const TracedRibs> traced(std::uint64_t key) { return traced_.find(key); }
+  /// The same, or else those of the stroke by itself, which are kept apart: a stroke being drawn does not push out
+  /// the parts of the document.
+  std::shared_ptr<const TracedRibs> tracedSoFar(std::uint64_t key);
+  void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(std::uint64_t key);
   void keepShape(std::shared_ptr<const PartShape> shape);
@@ -93,9 +94,9 @@ class Cache {
   ShapeMemory& shapeMemory() { return shapeMemory_; }
 
   static constexpr std::uint64_t kKeptRounds = 32;
-  /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those shown; the marks
+  /// About 400 parts of 100 ribs; 25 strokes by themselves; 60 parts of usual size with their textures besides those shown; the marks
   /// of 4 pictures.
-  static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20,
+  static constexpr std::size_t kTraceBytes = 16u << 20, kStrokeBytes = 1u << 20,
                                kShapeBytes = 64u << 20, kIgnoredBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
@@ -117,7 +118,7 @@ class Cache {
   };
   std::vector<EdgeSlot> edges_;
   Shelf<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
-  Shelf<TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
+  Shelf<TracedRibs> traced_{kTraceBytes}, byStroke_{kStrokeBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

@@ -31,19 +31,21 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
   return known;
 }
 
-// What a shape is made for: a part, one in the making, or one whose stroke is being drawn.
-enum class Purpose : std::uint8_t { Part, Preview, Live };
+// What a shape is made for: a part, once and for all; one that is seen at once, by its stroke alone where others were
+// not asked yet; or one whose stroke is being drawn.
+enum class Purpose : std::uint8_t { Part, Seen, Live };
 
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
 Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache,
                  Purpose purpose, PartShape& shape, const Clock& clock) {
   static const image::EdgeMap kNoEdges;
   const double started = nowMs(clock);
-  const bool preview = purpose != Purpose::Part, live = purpose == Purpose::Live;
+  const bool live = purpose == Purpose::Live;
   const std::uint64_t key = traceKey(recipe, entry);
   const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry.contentHash);
   // Without edges the ribs are guessed: that is no result to keep.
-  std::shared_ptr<const TracedRibs> traced = edges ? cache.traced(key, preview) : nullptr;
+  std::shared_ptr<const TracedRibs> traced;
+  if (edges) traced = purpose == Purpose::Part ? cache.traced(key) : cache.tracedSoFar(key);
   if (!traced) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
     if (edges) {
@@ -56,10 +58,12 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
     if (live) {
       if (Status made = liveStage(recipe, evidence, cache.live()); !made.ok()) return made;
     } else {
-      Result<TracedRibs> made = traceStage(recipe, evidence, Progress{}, cache.ribMemory());
+      Result<TracedRibs> made = purpose == Purpose::Part
+                                    ? traceStage(recipe, evidence, Progress{}, cache.ribMemory())
+                                    : strokeStage(recipe, evidence, cache.ribMemory());
       if (!made) return made.failure();
       traced = std::make_shared<const TracedRibs>(std::move(made).value());
-      if (edges) cache.keepTraced(key, traced, preview);
+      if (edges) cache.keepTraced(key, traced);
     }
   }
   const double took = nowMs(clock) - started;
@@ -107,17 +111,21 @@ std::array<std::span<const ribs::IgnoreMark>, 2> marksOver(const document::Part&
   return {entry.ignored, loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
 }
 
+// Whether an earlier part has the same shape.
+bool standsBefore(const Derived& derived, std::size_t number) {
+  const std::uint64_t key = derived.parts[number].shape->key;
+  return std::any_of(derived.parts.begin(), derived.parts.begin() + static_cast<std::ptrdiff_t>(number),
+                     [&](const DerivedPart& other) { return other.shape && other.shape->key == key; });
+}
+
 // Makes the texture of one part that wants one, or puts it down as wanting one.
-void dress(const document::Document& document, std::size_t number, Cache& cache, Textures textures,
+void dress(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
            Derived& derived) {
   const std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
-  if (!shape || isDressed(*shape)) return;
+  if (!shape || isDressed(*shape) || shape->decided != Decided::ByHands) return;
   const document::Part& part = document.parts[number];
-  if (textures == Textures::Later) {
-    const bool known = std::any_of(
-        derived.parts.begin(), derived.parts.begin() + static_cast<std::ptrdiff_t>(number),
-        [&](const DerivedPart& other) { return other.shape && other.shape->key == shape->key; });
-    if (!known) derived.wantedTextures.push_back(part.id);
+  if (finish == Finish::Later) {
+    if (!standsBefore(derived, number)) derived.wantedTextures.push_back(part.id);
     return;
   }
   const document::PictureEntry* entry = findPicture(document, pictureOf(part));
@@ -147,8 +155,39 @@ std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, c
   return nullptr;
 }
 
-Derived derive(const document::Document& document, Cache& cache, const Clock& clock,
-               Textures textures) {
+namespace {
+
+// Shapes that their stroke alone decided on are kept under keys of their own.
+std::uint64_t keyBefore(std::uint64_t key) { return key ^ 0x3c6ef372fe94f82bu; }
+
+DerivedPart derivePart(const document::Part& part, const document::PictureEntry& entry, Cache& cache,
+                       const Clock& clock, Finish finish) {
+  DerivedPart result{part.id, nullptr, std::nullopt, false};
+  const std::uint64_t key = shapeKey(part.recipe, entry);
+  const auto* loft = document::loftOf(part);
+  const bool known = !needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr;
+  result.shape = cache.shape(key);
+  const bool seen = finish == Finish::Later && loft && !cache.traced(traceKey(*loft, entry));
+  if (!result.shape && seen) result.shape = cache.shape(keyBefore(key));
+  if (!result.shape && !known) result.waiting = true;
+  if (!result.shape && known) {
+    PartShape shape;
+    const Status made = shapeOf(part.recipe, entry, cache, seen ? Purpose::Seen : Purpose::Part, shape, clock);
+    if (made.ok()) {
+      shape.key = shape.decided == Decided::ByHands ? key : keyBefore(key);
+      result.shape = std::make_shared<const PartShape>(std::move(shape));
+      cache.keepShape(result.shape);
+    } else {
+      result.failure = made.failure();
+    }
+  }
+  if (result.shape && result.shape->decided != Decided::ByHands) result.waiting = true;
+  return result;
+}
+
+}  // namespace
+
+Derived derive(const document::Document& document, Cache& cache, const Clock& clock, Finish finish) {
   Derived derived;
   std::vector<std::uint64_t> usedEdges;
   for (const document::PictureEntry& entry : document.pictures) {
@@ -158,33 +197,44 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     derived.pictures.push_back(pixels ? pixels.value() : nullptr);
   }
   for (const document::Part& part : document.parts) {
-    DerivedPart result{part.id, nullptr, std::nullopt, false};
     const document::PictureEntry* entry = findPicture(document, pictureOf(part));
-    if (entry == nullptr) {
-      result.failure = Failure{Error::NoSuchPicture, part.name};
-      derived.parts.push_back(std::move(result));
-      continue;
-    }
-    const std::uint64_t key = shapeKey(part.recipe, *entry);
-    result.shape = cache.shape(key);
-    const bool known = !needsEdges(part.recipe) || cache.edges(entry->contentHash) != nullptr;
-    if (!result.shape && !known) result.waiting = true;
-    if (!result.shape && known) {
-      PartShape shape;
-      const Status made = shapeOf(part.recipe, *entry, cache, Purpose::Part, shape, clock);
-      if (made.ok()) {
-        shape.key = key;
-        result.shape = std::make_shared<const PartShape>(std::move(shape));
-        cache.keepShape(result.shape);
-      } else {
-        result.failure = made.failure();
-      }
-    }
-    derived.parts.push_back(std::move(result));
-    dress(document, derived.parts.size() - 1, cache, textures, derived);
+    derived.parts.push_back(entry ? derivePart(part, *entry, cache, clock, finish)
+                                  : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false});
+    const std::size_t number = derived.parts.size() - 1;
+    const DerivedPart& made = derived.parts.back();
+    if (made.shape && made.waiting && !standsBefore(derived, number)) derived.wantedRibs.push_back(part.id);
+    dress(document, number, cache, finish, derived);
   }
   cache.endRound(usedEdges);
   return derived;
+}
+
+std::shared_ptr<TraceMaking> makeTrace(const document::Document& document, PartId id, Cache& cache) {
+  const document::Part* part = document::findPart(document, id);
+  const auto* loft = part ? document::loftOf(*part) : nullptr;
+  const document::PictureEntry* entry = loft ? findPicture(document, loft->picture) : nullptr;
+  const auto edges = entry ? cache.edges(entry->contentHash) : nullptr;
+  if (!edges) return nullptr;
+  const auto ignored = ignoredEdgesOf(*loft, *entry, *edges, cache);
+  if (!ignored) return nullptr;
+  try {
+    return std::make_shared<TraceMaking>(traceKey(*loft, *entry), *loft, edges, ignored.value(), entry->size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void takeTrace(const TraceMaking& making, Cache& cache) {
+  std::shared_ptr<const TracedRibs> traced = making.traced();
+  if (!traced) {
+    // Better those of the stroke by itself than none, and than asking for ever.
+    const auto before = cache.tracedSoFar(making.key());
+    if (!before) return;
+    TracedRibs settled = *before;
+    settled.decided = Decided::ByHands;
+    traced = std::make_shared<const TracedRibs>(std::move(settled));
+  }
+  cache.keepTraced(making.key(), traced);
 }
 
 namespace {
@@ -200,7 +250,7 @@ Status shapeFor(Purpose purpose, const document::Document& document, const docum
 
 Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
                     PartShape& shape, const Clock& clock) {
-  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock);
+  return shapeFor(Purpose::Seen, document, recipe, cache, shape, clock);
 }
 
 Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,

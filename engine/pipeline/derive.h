@@ -16,6 +16,7 @@
 #include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/part_texture.h"
 #include "engine/pipeline/solid.h"
+#include "engine/pipeline/trace_making.h"
 #include "engine/vision/edges.h"
 
 namespace spineloft::pipeline {
@@ -25,7 +26,8 @@ struct DerivedPart {
   PartId id;
   std::shared_ptr<const PartShape> shape;  ///< null while `waiting` and after a failure
   std::optional<Failure> failure;
-  bool waiting = false;  ///< the edges of its picture are not in the cache yet
+  /// The edges of its picture are not in the cache yet; or, with a shape, its ribs are those of its stroke alone yet.
+  bool waiting = false;
 };
 
 struct Derived {
@@ -36,6 +38,9 @@ struct Derived {
   /// Pictures whose edges are not in the cache, each once: let a worker find them (detectEdges),
   /// keep them in the cache, derive again.
   std::vector<PictureId> wantedEdges;
+  /// Parts whose other hands were not asked yet, one of each shape: let a worker do so (makeTrace), take what it
+  /// finds (takeTrace), derive again.
+  std::vector<PartId> wantedRibs;
   /// Parts whose texture is not made yet, one of each shape: let a worker make it (makeTexture), dress
   /// the shape in the cache with it, derive again.
   std::vector<PartId> wantedTextures;
@@ -48,13 +53,19 @@ struct Derived {
 const image::Picture* pixelsOf(const document::Document& document, const Derived& derived,
                                PictureId id);
 
-/// Whether the parts get their textures at once, or a page shows them before.
-enum class Textures : std::uint8_t { Now, Later };
+/// Whether what takes long (asking other hands, textures) is done at once, or a page shows the parts before.
+enum class Finish : std::uint8_t { Now, Later };
 
 /// Derives every part; a cached shape costs one hash of its recipe, and where only what comes after
 /// the ribs changed, the ribs are not traced again. Never looks for edges itself.
 Derived derive(const document::Document& document, Cache& cache, const Clock& clock = {},
-               Textures textures = Textures::Now);
+               Finish finish = Finish::Now);
+
+/// What asks the other hands for one of the wanted. Null when there is no such loft, its edges are not known, or no
+/// memory.
+std::shared_ptr<TraceMaking> makeTrace(const document::Document& document, PartId part, Cache& cache);
+/// Keeps what they agreed on; if that failed, what the stroke found by itself.
+void takeTrace(const TraceMaking& making, Cache& cache);
 
 /// What makes the texture of one of the wanted. Null when there is no such part with a shape, or no
 /// memory.
@@ -62,8 +73,8 @@ std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, c
                                            PartId part);
 
 /// What a recipe would become with the edges known so far (guessed ribs where there are none yet),
-/// for a part that is not in the document or differs from it. Ribs that were traced are used again:
-/// while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture, those
+/// for a part that is not in the document or differs from it: by its stroke alone, unless others were asked before.
+/// Ribs that were traced are used again: while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture, those
 /// of the stages.
 Result<PartShape> previewShape(const document::Document& document,
                                const document::Recipe& recipe, Cache& cache,
@@ -73,7 +84,7 @@ Status previewShape(const document::Document& document, const document::Recipe& 
                     PartShape& shape, const Clock& clock = {});
 
 /// The same for a stroke that is being drawn: ribs that are not known yet are those of a live trace, near
-/// to what they will be, unless the result is `exact`. When the pen rests, let previewShape follow.
+/// to what they will be, where the result says so (Decided::ByPen). When the pen rests, let previewShape follow.
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
                             Cache& cache, const Clock& clock = {});
 /// The same in place of what `shape` held, which a failure leaves as it was. A stroke like an earlier one asks for

@@ -46,7 +46,7 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   shape.mesh = memory.mesh;
   shape.texture.reset();
   shape.textureKey = shape.key = 0;
-  shape.exact = traced.exact;
+  shape.decided = traced.decided;
   shape.ms = {};
   shape.ms.loft = lofted - ready;
   shape.ms.ribs = nowMs(clock) - started - shape.ms.loft;
@@ -98,6 +98,20 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
   }
 }
 
+Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
+                               ribs::RibWorkspace& memory) {
+  try {
+    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
+    if (!spine) return spine.failure();
+    Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), picture, recipe.ribs, Progress(), memory);
+    if (!found) return found.failure();
+    const Decided decided = picture.edges.empty() ? Decided::ByHands : Decided::ByStroke;
+    return TracedRibs{std::move(spine).value(), std::move(found).value(), decided};
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
 Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture, LivePen& pen) {
   try {
     TracedRibs& traced = pen.traced;
@@ -105,8 +119,8 @@ Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence
     if (!cleaned.ok()) return cleaned;
     const Result<bool> exact = pen.trace.move(traced.spine, picture, recipe.ribs, traced.generated);
     if (!exact) return exact.failure();
-    // A part's ribs are those on which other hands agree; without a picture there is nothing to agree on.
-    traced.exact = exact.value() && picture.edges.empty();
+    const Decided rested = picture.edges.empty() ? Decided::ByHands : Decided::ByStroke;
+    traced.decided = exact.value() ? rested : Decided::ByPen;
     return Done{};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;

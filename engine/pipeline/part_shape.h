@@ -33,11 +33,15 @@ struct StageMs {
   bool operator==(const StageMs&) const = default;
 };
 
+/// Who decided on ribs: a stroke under the pen (live_trace.h), near to what it finds once it rests; the stroke by
+/// itself; or other hands as well (consensus.h), which is what counts.
+enum class Decided : std::uint8_t { ByPen, ByStroke, ByHands };
+
 /// What a stroke finds in its picture, before anything is done to it by hand.
 struct TracedRibs {
   ribs::Spine spine;
   ribs::RibSet generated;
-  bool exact = true;  ///< false: of a stroke under the pen (live_trace.h), near to what it will be
+  Decided decided = Decided::ByHands;
 };
 
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
@@ -55,7 +59,7 @@ struct PartShape {
   /// `key` once its texture was looked for. Before that 0, or that of the earlier shape of the part whose
   /// texture it wears meanwhile.
   std::uint64_t textureKey = 0;
-  bool exact = true;      ///< false: made from ribs of a stroke under the pen; only previews are
+  Decided decided = Decided::ByHands;  ///< of its ribs; what has none is as final
   std::uint64_t key = 0;  ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;             ///< times of its ribs and loft stages; what was known already took none
 };
@@ -80,6 +84,11 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
 Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
                               const ribs::PictureEvidence& picture, const Progress& progress,
                               ribs::RibWorkspace& memory);
+
+/// The same by the stroke itself, in a seventh of the time: cleanSpine → traceRibs. Without edges there is nothing to
+/// ask others about, and the result is what traceStage gives.
+Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
+                               ribs::RibWorkspace& memory);
 
 /// What a stroke under the pen is traced in, from move to move.
 struct LivePen {

@@ -54,7 +54,7 @@ class Planner {
   }
 
  private:
-  /// The step's node; none while something in it has no shape.
+  /// The step's node; none while something in it has no shape, or one that other hands are yet to be asked about.
   std::optional<std::size_t> add(const Step& step, std::size_t depth) {
     if (depth > document_.steps.size()) return std::nullopt;
     SolidPlan::Node node;
@@ -120,7 +120,8 @@ class Planner {
 
   const pipeline::PartShape* shapeOf(PartId id) const {
     const auto at = std::ranges::find(derived_.parts, id, &pipeline::DerivedPart::id);
-    return at == derived_.parts.end() ? nullptr : at->shape.get();
+    const bool known = at != derived_.parts.end() && at->shape && at->shape->decided == pipeline::Decided::ByHands;
+    return known ? at->shape.get() : nullptr;
   }
 
   /// The part in its place, and its twin where it has live symmetry; none while it has no shape.

@@ -80,49 +80,93 @@ EndShape shapeOfMost(const std::vector<Opinion>& opinions, bool atStart) {
   return static_cast<EndShape>(most - weights.begin());
 }
 
-// What the other hands find, in the memory of `other`; those whose stroke makes no spine are left out.
-Status askOthers(const PictureEvidence& picture, const RibSet& own, const Search& s, const Progress& progress,
-                 Search& other, std::vector<Opinion>& opinions) {
+}  // namespace
+
+struct RibAgreement::State {
+  Spine spine;
+  RibParams params;
+  TraceVariant variant;
+  RibSet own, found;
+  std::vector<Opinion> opinions;
+  std::size_t asked = 0;  // other hands
+  bool begun = false, done = false;
+};
+
+RibAgreement::RibAgreement(Spine spine, const RibParams& params, TraceVariant variant)
+    : state_(std::make_unique<State>()) {
+  state_->spine = std::move(spine);
+  state_->params = params;
+  state_->variant = variant;
+}
+RibAgreement::~RibAgreement() = default;
+RibAgreement::RibAgreement(RibAgreement&&) noexcept = default;
+RibAgreement& RibAgreement::operator=(RibAgreement&&) noexcept = default;
+
+double RibAgreement::progress() const {
+  return state_->done ? 1 : (state_->begun ? 1.0 + static_cast<double>(state_->asked) : 0) / (kOtherHands.size() + 1);
+}
+
+const RibSet& RibAgreement::ribs() const { return state_->own; }
+
+Status RibAgreement::begin(const PictureEvidence& picture, RibWorkspace& memory) {
+  State& a = *state_;
+  Search& s = memory.search();
+  s.variant = a.variant;
+  a.begun = true;
+  if (picture.edges.empty() || a.variant.alone || a.spine.points.size() < kFewestRibs) {
+    a.done = true;
+    return searchRibs(a.spine, picture, a.params, Progress(), s, a.own);
+  }
+  Status found = searchLabels(a.spine, picture, a.params, Progress(), s);
+  if (!found.ok()) return found;
+  readRibs(false, s, a.own);
+  a.opinions.push_back(opinionOf(a.own, s, s));
+  return Done{};
+}
+
+// A hand whose stroke makes no spine has no opinion.
+void RibAgreement::ask(const PictureEvidence& picture, RibWorkspace& memory) {
+  State& a = *state_;
+  Search &s = memory.search(), &other = memory.other();
   SpineParams even;
   even.ribs = std::min(s.problem.ribs, kMostRibs);
   even.minSpacing = 0.1;
   even.smoothness = 0;
-  RibSet found;
-  double done = 1;
-  for (const OtherHand& hand : kOtherHands) {
-    if (!progress.advance(done++ / (kOtherHands.size() + 1))) return Error::Cancelled;
-    const Result<Spine> spine = cleanSpine(strokeOf(hand, own), picture.size, even);
-    if (!spine) continue;
-    other.variant = s.variant;
-    if (!searchLabels(spine.value(), picture, s.params, Progress(), other).ok()) continue;
-    readRibs(false, other, found);
-    opinions.push_back(opinionOf(found, other, s));
-  }
-  return Done{};
+  const Result<Spine> spine = cleanSpine(strokeOf(kOtherHands[a.asked++], a.own), picture.size, even);
+  if (!spine) return;
+  other.variant = a.variant;
+  if (!searchLabels(spine.value(), picture, a.params, Progress(), other).ok()) return;
+  readRibs(false, other, a.found);
+  a.opinions.push_back(opinionOf(a.found, other, s));
 }
 
-}  // namespace
+Result<bool> RibAgreement::step(const PictureEvidence& picture, RibWorkspace& memory) {
+  State& a = *state_;
+  if (!a.begun) {
+    const Status begun = begin(picture, memory);
+    a.done = a.done || !begun.ok();
+    if (!begun.ok()) return begun.failure();
+    return !a.done;
+  }
+  if (a.done) return false;
+  if (a.asked < kOtherHands.size()) ask(picture, memory);
+  if (a.asked < kOtherHands.size()) return true;
+  weigh(a.opinions);
+  readRibsAt(medianLengths(a.opinions), {shapeOfMost(a.opinions, true), shapeOfMost(a.opinions, false)},
+             memory.search(), a.own);
+  a.done = true;
+  return false;
+}
 
 Result<RibSet> agreedRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                           const Progress& progress, TraceVariant variant, RibWorkspace& memory) {
-  Search& s = memory.search();
-  s.variant = variant;
-  RibSet set;
-  if (picture.edges.empty() || variant.alone || spine.points.size() < kFewestRibs) {
-    const Status found = searchRibs(spine, picture, params, progress, s, set);
-    if (!found.ok()) return found.failure();
-    return set;
+  RibAgreement agreement(spine, params, variant);
+  while (true) {
+    const Result<bool> more = agreement.step(picture, memory);
+    if (!more) return more.failure();
+    if (!progress.advance(agreement.progress())) return Error::Cancelled;
+    if (!more.value()) return agreement.ribs();
   }
-  const Status found = searchLabels(spine, picture, params, Progress(), s);
-  if (!found.ok()) return found.failure();
-  readRibs(false, s, set);
-  std::vector<Opinion> opinions{opinionOf(set, s, s)};
-  const Status asked = askOthers(picture, set, s, progress, memory.other(), opinions);
-  if (!asked.ok()) return asked.failure();
-  weigh(opinions);
-  readRibsAt(medianLengths(opinions), {shapeOfMost(opinions, true), shapeOfMost(opinions, false)}, s, set);
-  if (!progress.advance(1)) return Error::Cancelled;
-  return set;
 }
 
 Result<RibSet> agreedRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,

@@ -2,6 +2,8 @@
 // for the thing: what slightly different strokes through the same thing find tells which of the ends are the thing's.
 #pragma once
 
+#include <memory>
+
 #include "engine/ribs/ribs.h"
 #include "engine/ribs/trace_variant.h"
 
@@ -18,5 +20,29 @@ Result<RibSet> agreedRibs(const Spine& spine, const PictureEvidence& picture, co
 /// The same with parts of every search exchanged (trace_variant.h).
 Result<RibSet> agreedRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                           const Progress& progress, TraceVariant variant, RibWorkspace& memory);
+
+/// agreedRibs in steps of one search each, so that a page is drawn in between. Any thread may take the next step.
+class RibAgreement {
+ public:
+  RibAgreement(Spine spine, const RibParams& params, TraceVariant variant = {});
+  ~RibAgreement();
+  RibAgreement(RibAgreement&&) noexcept;
+  RibAgreement& operator=(RibAgreement&&) noexcept;
+
+  /// The next one, with the same picture and memory every time, which is used for nothing else meanwhile. False:
+  /// it was the last. Errors: those of traceRibs; the first step ends with them, later ones never fail.
+  Result<bool> step(const PictureEvidence& picture, RibWorkspace& memory);
+  /// Share of the steps taken, 0…1.
+  double progress() const;
+  /// What agreedRibs gives, after the last step; after the first one what the stroke finds by itself, without
+  /// confidence.
+  const RibSet& ribs() const;
+
+ private:
+  struct State;
+  Status begin(const PictureEvidence& picture, RibWorkspace& memory);
+  void ask(const PictureEvidence& picture, RibWorkspace& memory);
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace spineloft::ribs

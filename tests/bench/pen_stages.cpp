@@ -90,14 +90,17 @@ struct Desk {
     for (PicturePoint& p : line) p.y += 0.01 * wobble;
     document::Document drawn = must(document::update(model, document::DrawSpine{PictureId{1}, std::move(line)}));
     drawn = must(document::update(drawn, document::SetParameter{PartId{1}, "ribs", static_cast<double>(ribs)}));
-    pipeline::Derived derived = pipeline::derive(drawn, cache, {}, pipeline::Textures::Later);
+    pipeline::Derived derived = pipeline::derive(drawn, cache, {}, pipeline::Finish::Later);
     if (!derived.parts[0].shape) std::exit(1);
     return {std::move(drawn), std::move(derived)};
   }
-  // The steps in which it gets its texture.
+  // The steps in which it asks other hands, and those in which it gets its texture after that.
+  std::shared_ptr<pipeline::TraceMaking> ask(int ribs, int wobble) {
+    return pipeline::makeTrace(lift(ribs, wobble).model, PartId{1}, cache);
+  }
   std::shared_ptr<pipeline::TextureMaking> dress(int wobble) {
     const Lifted lifted = lift(100, wobble);
-    return pipeline::makeTexture(lifted.model, lifted.derived, PartId{1});
+    return pipeline::makeTexture(lifted.model, pipeline::derive(lifted.model, cache), PartId{1});
   }
 };
 
@@ -157,6 +160,13 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
     for (int i = 0; i < kMoves; i += 10) move(i);
     report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves, move);
     report.stage(ribs == 100 ? "pen up to mesh" : "pen up to mesh, 200 ribs", 21, [&](int) { desk.lift(ribs, ++wobble); });
+    std::vector<std::shared_ptr<pipeline::TraceMaking>> asked;
+    for (int i = 0; i < 13; ++i) asked.push_back(desk.ask(ribs, ++wobble));
+    std::size_t next = 0;
+    report.stage(ribs == 100 ? "other hands, after that" : "other hands, after that, 200 ribs", 11, [&](int) {
+      for (const auto making = asked[next++]; making->step();) {
+      }
+    });
   }
   // How long a page without workers stands still for a texture, and how long the whole takes.
   int steps = 0;

@@ -94,7 +94,7 @@ constexpr std::string_view kNothingFound =
 /// Whether every rib of the newest part is a guess although its picture has been looked at.
 bool foundNothing(Env env) {
   const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
-  if (newest.waiting || !newest.shape) return false;
+  if (!newest.shape) return false;
   return std::ranges::all_of(newest.shape->generated.ribs, [](const ribs::Rib& rib) {
     return rib.leftState == ribs::RibState::Guessed && rib.rightState == ribs::RibState::Guessed;
   });

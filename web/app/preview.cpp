@@ -74,7 +74,7 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   preview.costMs = host.nowMs() - now;
   preview.nextMs = host.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
   if (!made) return;  // the last good one stays
-  if (!shape.exact) preview.exactMs = host.nowMs() + kRestMs;
+  if (shape.decided == pipeline::Decided::ByPen) preview.exactMs = host.nowMs() + kRestMs;
   preview.shape.renew();
   preview.revision = ++ui.previewShapes;
 }

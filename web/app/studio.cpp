@@ -38,9 +38,8 @@ struct EdgeSearch {
 Studio::Studio(platform::Host& host, int threads)
     : host_(host),
       solids_(host),
-      textures_(pool_, [this](std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture) {
-        takeTexture(key, std::move(texture));
-      }),
+      traces_(pool_, [this](const pipeline::TraceMaking& making) { takeTrace(making); }),
+      textures_(pool_, [this](const pipeline::TextureMaking& making) { takeTexture(making); }),
       pool_(threads) {}
 
 Status Studio::act(std::span<const document::Action> actions, std::string_view burst) {
@@ -140,22 +139,32 @@ const pipeline::Derived& Studio::derived() {
   stale_ = false;
   const auto clock = [this] { return host_.nowMs(); };
   const pipeline::Derived before = std::exchange(
-      derived_, pipeline::derive(document(), cache_, clock, pipeline::Textures::Later));
+      derived_, pipeline::derive(document(), cache_, clock, pipeline::Finish::Later));
   for (const PictureId id : derived_.wantedEdges) findEdges(id);
   keepShown(before);
   wearEarlier(before, derived_);
-  textures_.update(document(), derived_);
+  traces_.update(wantedTraces(document(), derived_, cache_));
+  textures_.update(wantedTextures(document(), derived_));
+  noteTimes(before);
+  report(derived_);
+  updateSolids();
+  saveWaiting();
+  return derived_;
+}
+
+// What a person waited for: where other hands were asked meanwhile, the time of the stroke stays.
+void Studio::noteTimes(const pipeline::Derived& before) {
   for (const pipeline::DerivedPart& part : derived_.parts) {
     const bool known = std::ranges::any_of(before.parts, [&](const pipeline::DerivedPart& other) {
-      return part.shape && other.shape && part.shape->key == other.shape->key;
+      if (!part.shape || !other.shape) return false;
+      const bool asked = other.id == part.id && other.shape->decided != part.shape->decided &&
+                         part.shape->decided == pipeline::Decided::ByHands;
+      return asked || part.shape->key == other.shape->key;
     });
     if (!part.shape || known) continue;
     lastMs_.ribs = part.shape->ms.ribs;
     lastMs_.loft = part.shape->ms.loft;
   }
-  report(derived_);
-  updateSolids();
-  return derived_;
 }
 
 void Studio::updateSolids() {
@@ -193,17 +202,23 @@ bool Studio::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) 
   return true;
 }
 
-void Studio::takeTexture(std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture) {
-  const std::shared_ptr<const pipeline::PartShape> dressed = cache_.dress(key, std::move(texture));
+void Studio::takeTrace(const pipeline::TraceMaking& making) {
+  pipeline::takeTrace(making, cache_);
+  changed();
+  if (saveWaiting_) derived();
+}
+
+void Studio::takeTexture(const pipeline::TextureMaking& making) {
+  const std::shared_ptr<const pipeline::PartShape> dressed = cache_.dress(making.key(), making.texture());
   for (pipeline::DerivedPart& part : derived_.parts) {
-    if (dressed && part.shape && part.shape->key == key) part.shape = dressed;
+    if (dressed && part.shape && part.shape->key == making.key()) part.shape = dressed;
   }
   ++revision_;
   saveWaiting();
 }
 
 void Studio::saveWaiting() {
-  if (!saveWaiting_ || solids_.busy() || textures_.busy()) return;
+  if (!saveWaiting_ || !allMade()) return;
   const publish::Format format = *std::exchange(saveWaiting_, std::nullopt);
   if (const Status status = saveNow(format); !status) sendError(host_, failureSentence(status.failure()));
 }
@@ -409,7 +424,7 @@ std::vector<PicturePoint> Studio::strokeOnThing(const document::LoftRecipe& reci
 
 Status Studio::save(publish::Format format) {
   derived();
-  if (!solids_.busy() && !textures_.busy()) return saveNow(format);
+  if (allMade()) return saveNow(format);
   saveWaiting_ = format;
   return Done{};
 }
@@ -441,7 +456,9 @@ void Studio::finishSave(Result<publish::Bytes> bytes, publish::Format format,
 
 Result<publish::Bytes> Studio::publishNow(publish::Format format) {
   derived();
-  textures_.finish(document(), derived_);
+  traces_.finish(wantedTraces(document(), derived_, cache_));
+  derived();
+  textures_.finish(wantedTextures(document(), derived_));
   return publish::publish(document(), derived_, format, Progress{});
 }
 

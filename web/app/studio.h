@@ -20,7 +20,7 @@
 #include "engine/publish/publish.h"
 #include "web/app/cut_draft.h"
 #include "web/app/solid_work.h"
-#include "web/app/texture_work.h"
+#include "web/app/wanted_work.h"
 #include "web/platform/host.h"
 
 namespace spineloft::app {
@@ -121,11 +121,16 @@ class Studio {
   void tellRecord(std::string record, const document::Document& before);
   void findEdges(PictureId id);
   void keepShown(const pipeline::Derived& before);
+  void noteTimes(const pipeline::Derived& before);
   void updateSolids();
   void prepareUnion();
   void reportSolids();
-  /// Of the shape with that key.
-  void takeTexture(std::uint64_t key, std::shared_ptr<const surface::PartTexture> texture);
+  void takeTrace(const pipeline::TraceMaking& making);
+  void takeTexture(const pipeline::TextureMaking& making);
+  /// Nothing that a file is to hold is still being made.
+  bool allMade() const {
+    return !stale_ && searching_.empty() && !traces_.busy() && !textures_.busy() && !solids_.busy();
+  }
   /// Saves what waited for it, when all is there.
   void saveWaiting();
   Status saveNow(publish::Format format);
@@ -157,8 +162,9 @@ class Studio {
   SolidWork solids_;
   bool previewing_ = false;
   std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
-  /// Waits for the solids and textures it is to hold.
+  /// Waits for the ribs, solids and textures it is to hold.
   std::optional<publish::Format> saveWaiting_;
+  TraceWork traces_;
   TextureWork textures_;
   WorkerPool pool_;  ///< last: its jobs end before the rest goes
 };

@@ -5,6 +5,7 @@
 #include "engine/document/update.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
+#include "engine/vision/edges.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
 
@@ -129,6 +130,13 @@ void forgetEdges(Cache& cache, const Document& document) {
     cache.keepEdges(entry.contentHash, std::make_shared<const image::EdgeMap>());
 }
 
+void findEdges(Cache& cache, const Document& document) {
+  for (const PictureEntry& entry : document.pictures) {
+    cache.keepEdges(entry.contentHash, std::make_shared<const image::EdgeMap>(
+                                           vision::detectEdges(*entry.picture, {}, Progress()).value()));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke and marks do not") {
@@ -173,7 +181,7 @@ TEST_CASE("marks of the picture and of the part reach the ribs alike, and are ke
     recipe.ignored = {{{{20.0, 10.0 + 0.1 * i}}, 5}};
     REQUIRE(previewShape(document, recipe, cache).ok());
   }
-  CHECK(cache.bytes() <= before + Cache::kPreviewBytes + Cache::kIgnoredBytes);
+  CHECK(cache.bytes() <= before + Cache::kStrokeBytes + Cache::kIgnoredBytes);
 }
 
 TEST_CASE("edited ribs lie over the generated ones, and both are there to be seen") {
@@ -188,7 +196,7 @@ TEST_CASE("edited ribs lie over the generated ones, and both are there to be see
   testing::requireLawful(shape->mesh);
 }
 
-TEST_CASE("a preview is what the part becomes, and is traced only once") {
+TEST_CASE("a preview is what the part shows at once, and is traced only once; then other hands are asked") {
   const Document document = ellipseDocument();
   Cache cache;
   deriveWithEdges(document, cache, {}).value();
@@ -197,11 +205,56 @@ TEST_CASE("a preview is what the part becomes, and is traced only once") {
   const LoftRecipe& recipe = *document::loftOf(*next.parts[1]);
   const auto preview = previewShape(document, recipe, cache);
   REQUIRE(preview.ok());
+  CHECK(preview.value().decided == Decided::ByStroke);
+  const auto making = makeTrace(next, PartId{2}, cache);
+  REQUIRE(making);
   forgetEdges(cache, document);
-  const auto shape = derive(next, cache).parts.at(1).shape;
-  CHECK(shape->ribs == preview.value().ribs);
-  CHECK(shape->mesh == preview.value().mesh);
-  testing::requireLawful(shape->mesh);
+  const Derived first = derive(next, cache, {}, Finish::Later);
+  CHECK(first.parts[1].shape->ribs == preview.value().ribs);
+  CHECK(first.parts[1].shape->mesh == preview.value().mesh);
+  CHECK(first.parts[1].waiting);
+  CHECK(first.wantedRibs == std::vector{PartId{2}});
+  testing::requireLawful(first.parts[1].shape->mesh);
+  int steps = 1;
+  for (; making->step(); ++steps) CHECK(making->traced() == nullptr);
+  CHECK(steps == 7);
+  takeTrace(*making, cache);
+  const Derived settled = derive(next, cache, {}, Finish::Later);
+  CHECK_FALSE(settled.parts[1].waiting);
+  CHECK(settled.wantedRibs.empty());
+  CHECK(settled.parts[1].shape->decided == Decided::ByHands);
+  CHECK(settled.parts[1].shape->key != first.parts[1].shape->key);
+  testing::requireLawful(settled.parts[1].shape->mesh);
+  Cache anew;
+  const auto whole = deriveWithEdges(next, anew, {}).value().parts[1].shape;
+  CHECK(settled.parts[1].shape->ribs == whole->ribs);
+  CHECK(settled.parts[1].shape->mesh == whole->mesh);
+  CHECK(settled.parts[1].shape->key == whole->key);
+  CHECK_FALSE(whole->ribs == preview.value().ribs);
+  CHECK(previewShape(document, recipe, cache).value().ribs == whole->ribs);
+}
+
+TEST_CASE("where hands can't be asked, the stroke decides, and nobody asks again") {
+  const Document document = ellipseDocument();
+  Cache cache;
+  CHECK(makeTrace(document, PartId{1}, cache) == nullptr);
+  CHECK(derive(document, cache, {}, Finish::Later).wantedRibs.empty());
+  findEdges(cache, document);
+  const auto making = makeTrace(document, PartId{1}, cache);
+  REQUIRE(making);
+  const auto shown = derive(document, cache, {}, Finish::Later).parts[0].shape;
+  REQUIRE(shown);
+  // Not a step was taken, as when there is no memory for one.
+  takeTrace(*making, cache);
+  const Derived settled = derive(document, cache, {}, Finish::Later);
+  CHECK(settled.wantedRibs.empty());
+  CHECK(settled.parts[0].shape->ribs == shown->ribs);
+  CHECK(makeTrace(document, PartId{9}, cache) == nullptr);
+  LoftRecipe brief = *document::loftOf(*document.parts[0]);
+  brief.stroke = {{60, 72}};
+  TraceMaking none(7, brief, std::make_shared<const image::EdgeMap>(), nullptr, {192, 144});
+  CHECK_FALSE(none.step());
+  CHECK(none.traced() == nullptr);
 }
 
 TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
@@ -218,16 +271,16 @@ TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
     const auto live = liveShape(document, recipe, cache);
     REQUIRE(live.ok());
     testing::requireLawful(live.value().mesh);
-    near = near || !live.value().exact;
+    near = near || live.value().decided == Decided::ByPen;
   }
   CHECK(near);
   const auto whole = previewShape(document, recipe, other);
-  CHECK(whole.value().exact);
+  CHECK(whole.value().decided == Decided::ByStroke);
   CHECK(previewShape(document, recipe, cache).value().generated == whole.value().generated);
   // Ribs that are known are used, whatever is done to the shape.
   recipe.loft.sectionPoints = 32;
   const auto coarser = liveShape(document, recipe, cache);
-  CHECK(coarser.value().exact);
+  CHECK(coarser.value().decided == Decided::ByStroke);
   CHECK(coarser.value().generated == whole.value().generated);
 }
 
@@ -257,7 +310,7 @@ TEST_CASE("a thousand previews leave the cache small and the document's ribs in 
     recipe.stroke[1].y = 72 + 0.01 * i;
     REQUIRE(previewShape(document, recipe, cache).ok());
   }
-  CHECK(cache.bytes() <= before + Cache::kPreviewBytes);
+  CHECK(cache.bytes() <= before + Cache::kStrokeBytes);
   forgetEdges(cache, document);
   const Document changed =
       update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();

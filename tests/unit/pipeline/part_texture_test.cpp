@@ -338,7 +338,15 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     const auto whole = shapeOf(document);
     pipeline::Cache later;
     later.keepEdges(document.pictures[0]->contentHash, cache.edges(document.pictures[0]->contentHash));
-    const pipeline::Derived derived = pipeline::derive(document, later, {}, pipeline::Textures::Later);
+    const pipeline::Derived before = pipeline::derive(document, later, {}, pipeline::Finish::Later);
+    // Not worth one before it is known where the ribs end.
+    CHECK(before.wantedTextures.empty());
+    const auto trace = pipeline::makeTrace(document, PartId{1}, later);
+    REQUIRE(trace);
+    while (trace->step()) {
+    }
+    pipeline::takeTrace(*trace, later);
+    const pipeline::Derived derived = pipeline::derive(document, later, {}, pipeline::Finish::Later);
     REQUIRE(derived.wantedTextures == std::vector{PartId{1}});
     CHECK(derived.parts[0].shape->texture == nullptr);
     const auto making = pipeline::makeTexture(document, derived, PartId{1});
@@ -353,7 +361,7 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     const auto dressed = later.dress(making->key(), making->texture());
     REQUIRE(dressed);
     CHECK(isDressed(*dressed));
-    const pipeline::Derived again = pipeline::derive(document, later, {}, pipeline::Textures::Later);
+    const pipeline::Derived again = pipeline::derive(document, later, {}, pipeline::Finish::Later);
     CHECK(again.wantedTextures.empty());
     CHECK(again.parts[0].shape == dressed);
     CHECK(later.dress(12345, nullptr) == nullptr);

@@ -95,7 +95,7 @@ TEST_CASE("from pen move to mesh a stroke like the one before asks for no memory
       bytes += testing::allocatedBytes() - had;
       CHECK(desk.ui.previewShapes == before + 1);
       REQUIRE(desk.ui.preview->shape);
-      live += desk.ui.preview->shape->exact ? 0 : 1;
+      live += desk.ui.preview->shape->decided == pipeline::Decided::ByPen ? 1 : 0;
     }
     CHECK(live > 50);
     CHECK(desk.ui.preview->shape->ribs.ribs.size() == 100);
@@ -126,7 +126,7 @@ TEST_CASE("a stroke in memory that earlier ones were drawn in has the shapes of 
     REQUIRE(fresh.ui.preview->shape);
     REQUIRE(used.ui.preview->shape);
     const pipeline::PartShape &a = *fresh.ui.preview->shape, &b = *used.ui.preview->shape;
-    CHECK(a.exact == b.exact);
+    CHECK(a.decided == b.decided);
     CHECK(a.spine == b.spine);
     CHECK(a.generated == b.generated);
     CHECK(a.ribs == b.ribs);
