@@ -59,6 +59,7 @@ struct DerivedStep {
   std::optional<Failure> failure;      ///< why there is none of the present state
   PartId faulty;                       ///< the part at fault, where one is
   std::optional<WorldPoint> at;        ///< where it shows
+  std::optional<double> thickest;      ///< the thickest wall that fits, WorldSpace, where one was too thick; 0: none
   bool waiting = false;                ///< the solver is at it
 };
 

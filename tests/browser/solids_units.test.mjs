@@ -215,6 +215,12 @@ test('a hollow is as thick as its wall, open where it should be', () => {
   const thick = solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.3 })], meshes).failure;
   assert.deepEqual([thick.error, thick.part], ['WallTooThick', 1]);
   assert.ok(Math.hypot(thick.at[1], thick.at[2]) < 0.05, 'it is shown on the middle line, where the most room is');
+  for (const opening of [null, [1, 0, 0], [0, 1, 0]]) {
+    const hollow = (wall) => solve(kernel, [node([rod(1)], { kind: 'hollow', wall, opening })], meshes);
+    const { thickest } = hollow(0.3).failure;
+    assert.ok(thickest > 0.2 && thickest < 0.25, `${thickest} of a rod whose radius is 0.25`);
+    lawful(hollow(thickest), 'with the wall that is said to fit');
+  }
 });
 
 test('a flat lid that leans a little opens as a whole, a dome as far as it was asked to', () => {

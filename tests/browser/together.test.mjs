@@ -172,7 +172,7 @@ test('a scooped out part is as thin as its wall, open at its end, and says when 
   const thick = await root(page);
   assert.deepEqual([thick.status, thick.failure, thick.faulty], ['failed', 'WallTooThick', 1]);
   assert.equal(thick.at.length, 3);
-  assert.match(await toastText(page), /wall is too thick/);
+  assert.match(await toastText(page), /wall is too thick.*The thickest that fits is [\d.]+ [cm]m\./);
   assert.equal(thick.triangles, hollow.triangles, 'the last good one stays');
   await run(page, 'show-trouble');
   await idle(page);

@@ -125,6 +125,11 @@ std::optional<OpeningSide> sideFrom(const std::string& name) {
 /// `wall`, `opening` and `depth` as args say, over what is there. Why not, when they cannot be read.
 Outcome readHollow(Env env, const Json& args, double& wall, document::Opening& opening) {
   wall = lengthOf(env, args, "wall").value_or(wall);
+  const double scale = millimetresPerUnit(env);
+  if (scale > 0 && !(wall >= document::kLeastWall && wall <= document::kMostWall)) {
+    return Refusal{"ValueOutOfRange", "A wall can be " + spokenWall(document::kLeastWall * scale + 0.01) + " to " +
+                                          spokenWall(document::kMostWall * scale) + " thick at this size."};
+  }
   opening.depth = args.number("depth").value_or(opening.depth);
   if (const std::string* name = args.text("opening")) {
     const auto side = sideFrom(*name);

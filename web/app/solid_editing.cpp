@@ -1,9 +1,11 @@
 #include "web/app/solid_editing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/publish/publish.h"
 #include "web/app/colour_text.h"
+#include "web/app/sizing.h"
 
 namespace spineloft::app {
 namespace {
@@ -20,6 +22,13 @@ const pipeline::DerivedStep* derivedOf(const CommandEnv& env, StepId id) {
   const auto& steps = env.studio.derived().steps;
   const auto at = std::ranges::find(steps, id, &pipeline::DerivedStep::id);
   return at == steps.end() ? nullptr : &*at;
+}
+
+/// Millimetres of the finished model a unit of the world; 0 without anything to see.
+double scaleOf(const document::Document& document, const pipeline::Derived& derived) {
+  const auto bounds = publish::worldBounds(document, derived);
+  const double height = bounds ? bounds->high.y - bounds->low.y : 0;
+  return height > 0 ? document.height.value / height : 0;
 }
 
 void writeOperands(JsonWriter& json, std::span<const Operand> operands) {
@@ -89,9 +98,23 @@ bool isPicked(const UiState& ui, Operand operand) {
 }
 
 double millimetresPerUnit(const CommandEnv& env) {
-  const auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
-  const double height = bounds ? bounds->high.y - bounds->low.y : 0;
-  return height > 0 ? env.studio.document().height.value / height : 0;
+  return scaleOf(env.studio.document(), env.studio.derived());
+}
+
+std::string spokenWall(double mm) {
+  // What is thinner than a millimetre is told to a hundredth.
+  const double notch = mm < 1 ? 0.01 : 0.1;
+  return spokenLength(std::floor(mm / notch + 1e-6) * notch);
+}
+
+std::string troubleSentence(const document::Document& document, const pipeline::Derived& derived,
+                            const pipeline::DerivedStep& step) {
+  const document::Part* part = findPart(document, step.faulty);
+  std::string sentence = failureSentence({step.failure->error, part ? part->name : std::string()});
+  const double scale = scaleOf(document, derived);
+  if (!step.thickest || !(scale > 0)) return sentence;
+  const bool some = *step.thickest >= document::kLeastWall;
+  return sentence + (some ? " The thickest that fits is " + spokenWall(*step.thickest * scale) + "." : " No wall fits with this opening.");
 }
 
 const document::Step* chosenStep(const CommandEnv& env) {
@@ -102,8 +125,7 @@ std::string troubleOf(const CommandEnv& env, const document::Step& step) {
   const pipeline::DerivedStep* derived = derivedOf(env, step.id);
   if (derived == nullptr || !derived->failure) return {};
   if (derived->failure->error == Error::Cancelled) return "Stopped. Press \"Try again\" to go on.";
-  const document::Part* part = findPart(env.studio.document(), derived->faulty);
-  return failureSentence({derived->failure->error, part ? part->name : std::string()});
+  return troubleSentence(env.studio.document(), env.studio.derived(), *derived);
 }
 
 bool hasPlace(const CommandEnv& env, const document::Step& step) {

@@ -19,6 +19,11 @@ std::vector<document::Operand> rootsOf(const document::Document& document);
 bool isPicked(const UiState& ui, document::Operand operand);
 /// Millimetres of the finished model a unit of the world; 0 without anything to see.
 double millimetresPerUnit(const CommandEnv& env);
+/// A wall in words, rounded down to what still fits: "3.2 mm".
+std::string spokenWall(double mm);
+/// What the matter is with a solid that has a failure, with the part and the wall that would do.
+std::string troubleSentence(const document::Document& document, const pipeline::Derived& derived,
+                            const pipeline::DerivedStep& step);
 /// "Waiting …", "The wall is too thick …", or empty when all is well.
 std::string troubleOf(const CommandEnv& env, const document::Step& step);
 /// Whether something can be shown of what is the matter: a place, or the part at fault.

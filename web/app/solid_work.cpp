@@ -158,6 +158,7 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
       } else if (trouble != nullptr) {
         result.failure = trouble->failure;
         result.faulty = trouble->faulty;
+        result.thickest = trouble->thickest;
         result.at = trouble->at;
       } else {
         result.waiting = true;
@@ -312,6 +313,7 @@ bool SolidWork::takeSolid(const Json& answer, std::span<const std::uint8_t> byte
     const std::string* name = failure->text("error");
     Trouble trouble{key, {name ? errorNamed(*name) : Error::SolidFailed, {}}, {}, {}};
     trouble.faulty = PartId{static_cast<std::uint32_t>(countOf(*failure, "part"))};
+    trouble.thickest = failure->number("thickest");
     const Json* at = failure->find("at");
     if (at != nullptr && at->array() != nullptr && at->array()->size() == 3) {
       const Json::Array& xyz = *at->array();

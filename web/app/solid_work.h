@@ -73,6 +73,7 @@ class SolidWork {
     Failure failure;
     PartId faulty;
     std::optional<WorldPoint> at;
+    std::optional<double> thickest = {};
   };
   void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose);
   void keepTrouble(Trouble trouble);

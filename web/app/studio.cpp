@@ -6,6 +6,7 @@
 #include "engine/io/journal.h"
 #include "engine/vision/edges.h"
 #include "web/app/messages.h"
+#include "web/app/solid_editing.h"
 
 namespace spineloft::app {
 namespace {
@@ -184,12 +185,11 @@ void Studio::reportSolids() {
     reportedSteps_.push_back(entry);
     const Error error = step.failure->error;
     if (error == Error::Cancelled || error == Error::SolverStopped) continue;  // told already
-    const document::Part* part = document::findPart(document(), step.faulty);
     const bool toldOfPart = std::ranges::any_of(derived_.parts, [&](const pipeline::DerivedPart& derived) {
       return derived.id == step.faulty && derived.failure && derived.failure->error == error;
     });
     if (toldOfPart) continue;
-    sendError(host_, failureSentence({error, part == nullptr ? std::string() : part->name}));
+    sendError(host_, troubleSentence(document(), derived_, step));
   }
 }
 

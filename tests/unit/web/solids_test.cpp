@@ -233,6 +233,37 @@ TEST_CASE("a failure names the part and the place, and every kind of it has a se
   }
 }
 
+TEST_CASE("a wall that is too thick is told the thickest that fits, in millimetres of the model as it is sized") {
+  const auto sentence = [](double thickest, double height) {
+    Stuck rig;
+    rig.run("set-height", R"({"mm": )" + std::to_string(height) + "}");
+    rig.fail(rig.lastAsked(), Json::Object{{"error", "WallTooThick"}, {"part", 1}, {"thickest", thickest}});
+    CHECK(rig.settle());
+    return *rig.step().text("sentence");
+  };
+  const auto told = [](const std::string& text) {
+    const std::size_t at = text.find("that fits is ");
+    return at == std::string::npos ? -1 : std::stod(text.substr(at + 13));
+  };
+  const double small = told(sentence(0.05, 9)), large = told(sentence(0.05, 90));
+  CHECK(small > 0);
+  // Rounded down, never to more than fits.
+  CHECK(large <= 10 * (small + 0.01));
+  CHECK(large > 10 * small - 0.11);
+  CHECK(sentence(0, 90).find("No wall fits") != std::string::npos);
+}
+
+TEST_CASE("a wall beyond all limits is refused with both of them") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  for (const char* wall : {R"({"wallMm": 5000})", R"({"wallMm": 0.0001})"}) {
+    const Json answer = rig.run("set-step", wall);
+    CHECK(*answer.text("error") == "ValueOutOfRange");
+    CHECK(answer.text("sentence")->find("thick at this size") != std::string::npos);
+  }
+}
+
 TEST_CASE("while a part that is only stuck together is in hand, it shows itself: the hand waits for no solver") {
   Stuck rig;
   rig.answer(rig.lastAsked());

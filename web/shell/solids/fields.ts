@@ -144,6 +144,17 @@ function withoutPassages(grid: Grid, all: Surface, roomOf: () => Float32Array, s
   return all;
 }
 
+/** The thickest wall that fits, a little less than what just does; 0: none that is worth it. */
+function thickestThat(fits: (thick: number) => boolean, tooThick: number): number {
+  let low = 0, high = tooThick;
+  for (let halved = 0; halved < 8; halved += 1) {
+    const middle = (low + high) / 2;
+    if (fits(middle)) low = middle;
+    else high = middle;
+  }
+  return 0.95 * low;
+}
+
 /** What is left of a body, and what was taken out of it. Both are the caller's. */
 export interface Hollow {
   shell: Manifold;
@@ -171,15 +182,23 @@ export function hollowOf(library: ManifoldToplevel, body: Manifold, node: SolidN
     high = Math.max(high, s);
   }
   const rim = opening ? high - node.cut * (high - low) : Infinity;
-  const throat = opening ? Math.min(rim, high - wall - step) : Infinity;
   // What does not reach the opening, such as the inside of a handle, would be a void that nothing runs out of.
-  const scooped = (room: Float32Array) => (opening ? reaching(surfaceWhere(grid, sample(grid, (x, y, z, i) => {
-    const beyond = along(x, y, z) - throat;
-    return beyond > 0 ? at(grid, room, x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : room[i]!;
-  })), along, rim) : surfaceWhere(grid, room));
-  const roomIn = ({ values }: DistanceField) => values.map((value) => -value - wall), all = scooped(roomIn(field));
+  const scoopedBehind = (thick: number, room: Float32Array) => {
+    if (!opening) return surfaceWhere(grid, room);
+    const throat = Math.min(rim, high - thick - step);
+    return reaching(surfaceWhere(grid, sample(grid, (x, y, z, i) => {
+      const beyond = along(x, y, z) - throat;
+      return beyond > 0 ? at(grid, room, x - beyond * opening[0], y - beyond * opening[1], z - beyond * opening[2]) : room[i]!;
+    })), along, rim);
+  };
+  const scooped = (room: Float32Array) => scoopedBehind(wall, room);
+  const roomBehind = (thick: number, { values }: DistanceField) => values.map((value) => -value - thick);
+  const roomIn = (distances: DistanceField) => roomBehind(wall, distances), all = scooped(roomIn(field));
   const inside = opening ? withoutPassages(grid, all, () => roomIn(new DistanceField(surface.positions, surface.triangles, grid, longest, 'inside')), scooped) : all;
-  if (inside.triangles.length === 0) throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values) });
+  if (inside.triangles.length === 0) {
+    const fits = (thick: number) => scoopedBehind(thick, roomBehind(thick, field)).triangles.length > 0;
+    throw new Unsolvable({ error: 'WallTooThick', part, at: lowestOf(grid, field.values), thickest: thickestThat(fits, wall) });
+  }
   const cavity = solidOf(library, inside, [id]);
   let outside = body;
   if (opening && node.cut > 0) {

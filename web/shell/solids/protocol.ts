@@ -104,6 +104,8 @@ export interface SolidFailure {
   part?: number;
   /** Where it shows, world. */
   at?: [number, number, number];
+  /** Of a wall that is too thick: the thickest that fits, world; 0: none does. */
+  thickest?: number;
 }
 
 export type WorkerMessage =
