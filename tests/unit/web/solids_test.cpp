@@ -2,103 +2,17 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstring>
-#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "tests/unit/web/rig.h"
+#include "tests/unit/web/two_bars.h"
 
 using namespace spineloft;
-using spineloft::app::Json;
-using spineloft::test::Rig;
-
-namespace {
-
-/// Two bars side by side, and a solver that answers when it is told to.
-struct TwoBars : Rig {
-  TwoBars() {
-    openBar();
-    drawBar();
-    run("draw-spine", R"({"stroke": [[110, 50], [112, 100], [110, 150]]})");
-    settle();
-  }
-
-  /// How often the solver was asked, and what for last.
-  std::size_t asked() const {
-    std::size_t count = 0;
-    for (const std::string& json : host.sent) count += json.find(R"("type":"solve")") != std::string::npos;
-    return count;
-  }
-  Json lastAsked() const {
-    for (std::size_t i = host.sent.size(); i > 0; --i) {
-      if (host.sent[i - 1].find(R"("type":"solve")") != std::string::npos) return *Json::parse(host.sent[i - 1]);
-    }
-    FAIL("nothing was asked");
-    return {};
-  }
-  Json step(std::size_t i = 0) { return (*state().find("steps")->array())[i]; }
-  std::string status(std::size_t i = 0) { return *step(i).text("status"); }
-
-  /// An answer to the request, with what else it says.
-  static Json answerTo(const Json& request, Json::Object more) {
-    more.emplace_back("id", *request.number("id"));
-    return more;
-  }
-  static Json ofSolid(const Json& request, const char* what, Json value) {
-    return answerTo(request, {{"step", 1},
-                              {"key", *request.find("wanted")->array()->front().text()},
-                              {"coarse", request.find("nodes")->array()->back().flag("coarse").value_or(false)},
-                              {"ms", 3},
-                              {what, std::move(value)}});
-  }
-  void say(const Json& answer, std::span<const std::uint8_t> bytes = {}) {
-    app::JsonWriter json;
-    json.value(answer);
-    app->solved(json.json(), bytes);
-  }
-  /// A tetrahedron, whatever was asked for; half of it from each part.
-  void answer(const Json& request, float size = 1) {
-    const std::array<float, 12> positions{0, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size};
-    const std::array<float, 8> uv{};
-    const std::array<std::uint32_t, 12> corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
-    std::vector<std::uint8_t> bytes(sizeof positions + sizeof uv + sizeof corners);
-    std::memcpy(bytes.data(), positions.data(), sizeof positions);
-    std::memcpy(bytes.data() + sizeof positions, uv.data(), sizeof uv);
-    std::memcpy(bytes.data() + sizeof positions + sizeof uv, corners.data(), sizeof corners);
-    const Json mesh = *Json::parse(R"({"vertices":4,"triangles":4,"merges":0,"volume":0.1,"area":2,"genus":0,)"
-                                   R"("runs":[{"part":1,"first":0,"count":2},{"part":2,"first":2,"count":2}]})");
-    say(ofSolid(request, "mesh", mesh), bytes);
-    done(request);
-  }
-  void fail(const Json& request, Json failure) {
-    say(ofSolid(request, "failure", std::move(failure)));
-    done(request);
-  }
-  void done(const Json& request) { say(answerTo(request, {{"done", true}})); }
-  void lost(const Json& request) { say(answerTo(request, {{"lost", true}})); }
-
-  void tick(int part, bool on = true) {
-    run("pick", R"({"part": )" + std::to_string(part) + R"(, "on": )" + (on ? "true}" : "false}"));
-    state();
-  }
-  void stick(const char* args = "{}") {
-    CHECK(run("stick-together", args).flag("ok").value_or(false));
-    state();
-  }
-  bool busy() { return *state().flag("busy"); }
-};
-
-/// The same, stuck together; nothing is answered yet.
-struct Stuck : TwoBars {
-  Stuck() { stick(R"({"parts": [1, 2]})"); }
-};
-
-}  // namespace
+using app::Json;
+using test::Stuck;
+using test::TwoBars;
 
 TEST_CASE("what is stuck together is asked for once, and the answer becomes the solid") {
   Stuck rig;
@@ -497,119 +411,4 @@ TEST_CASE("the solver hears which part of a solid is chosen, once, and when none
   rig.run("release");
   rig.state();
   CHECK(told("null") >= 1);
-}
-
-TEST_CASE("what is ticked is made while nobody waits for it: stuck together, it is there at once") {
-  TwoBars rig;
-  rig.tick(1);
-  CHECK(rig.asked() == 0);
-  rig.tick(2);
-  REQUIRE(rig.asked() == 1);
-  CHECK_FALSE(rig.busy());
-  const Json request = rig.lastAsked();
-  rig.say(TwoBars::answerTo(request, {{"progress", 0.5}}));
-  rig.answer(request);
-  CHECK(rig.state().find("steps")->array()->empty());
-  CHECK(rig.settle());
-  rig.stick();
-  CHECK(rig.status() == "ready");
-  CHECK(rig.step().number("triangles") == 4);
-  CHECK(rig.asked() == 1);
-  CHECK_FALSE(rig.busy());
-}
-
-TEST_CASE("what is on its way when it is stuck together is waited for, and not asked for again") {
-  TwoBars rig;
-  rig.tick(1);
-  rig.tick(2);
-  rig.stick();
-  CHECK(rig.asked() == 1);
-  CHECK(rig.status() == "waiting");
-  CHECK(rig.busy());
-  rig.answer(rig.lastAsked());
-  CHECK(rig.settle());
-  CHECK(rig.status() == "ready");
-}
-
-TEST_CASE("what was made ahead in vain is no trouble: other ticks, other parts, a failure, a solver that dies") {
-  TwoBars rig;
-  rig.tick(1);
-  rig.tick(2);
-  // In the other order it is another solid: the first one says what the whole looks like.
-  rig.tick(1, false);
-  rig.tick(1);
-  CHECK(rig.asked() == 2);
-  // Once only, however often the page looks.
-  rig.lost(rig.lastAsked());
-  rig.state();
-  CHECK(rig.asked() == 2);
-  CHECK_FALSE(rig.host.said("was interrupted"));
-  // The part changes under the ticks.
-  rig.run("set-section", R"({"part": 1, "section": "square"})");
-  rig.state();
-  REQUIRE(rig.asked() == 3);
-  rig.fail(rig.lastAsked(), *Json::parse(R"({"error": "SolidEmpty"})"));
-  CHECK(rig.state().find("steps")->array()->empty());
-  CHECK(rig.settle());
-  const auto said = rig.host.sent.size();
-  rig.stick();
-  CHECK(rig.asked() == 3);
-  CHECK(rig.status() == "failed");
-  CHECK(rig.host.sent.size() > said);
-}
-
-TEST_CASE("a solver that dies ahead of time is asked again when the solid is wanted") {
-  TwoBars rig;
-  rig.tick(1);
-  rig.tick(2);
-  rig.lost(rig.lastAsked());
-  rig.stick();
-  REQUIRE(rig.asked() == 2);
-  rig.answer(rig.lastAsked());
-  CHECK(rig.settle());
-  CHECK(rig.status() == "ready");
-}
-
-TEST_CASE("what is made ahead never holds up what is wanted") {
-  Stuck rig;
-  rig.answer(rig.lastAsked());
-  rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
-  rig.settle();
-  rig.run("pick", R"({"step": 1})");
-  rig.tick(3);
-  const std::size_t before = rig.asked();
-  REQUIRE(before == 2);
-  // An edit of the solid that is there comes first, its union with the third one when it is done.
-  rig.run("set-section", R"({"part": 1, "section": "square"})");
-  rig.state();
-  REQUIRE(rig.asked() == before + 1);
-  CHECK(rig.status() == "waiting");
-  CHECK(rig.busy());
-  rig.answer(rig.lastAsked(), 2);
-  CHECK(rig.settle());
-  CHECK(rig.status() == "ready");
-  CHECK(rig.asked() == before + 2);
-  CHECK_FALSE(rig.busy());
-}
-
-TEST_CASE("what is ahead and had to give way is taken up again") {
-  Stuck rig;
-  rig.answer(rig.lastAsked());
-  for (const char* stroke : {R"({"stroke": [[150, 50], [152, 100], [150, 150]]})", R"({"stroke": [[130, 50], [132, 100], [130, 150]]})"}) {
-    rig.run("draw-spine", stroke);
-    rig.settle();
-  }
-  rig.tick(3);
-  rig.tick(4);
-  const Json given = rig.lastAsked();
-  const std::size_t before = rig.asked();
-  rig.run("set-section", R"({"part": 1, "section": "square"})");
-  rig.state();
-  REQUIRE(rig.asked() == before + 1);
-  rig.done(given);
-  CHECK(rig.busy());
-  rig.answer(rig.lastAsked());
-  CHECK(rig.settle());
-  REQUIRE(rig.asked() == before + 2);
-  CHECK(*rig.lastAsked().find("wanted")->array()->front().text() == *given.find("wanted")->array()->front().text());
 }
