@@ -189,6 +189,9 @@ void pill(const PanelEnv& env, ImVec2 centre, const Pill& what) {
   ImGui::PopFont();
 }
 
+/// In a lower view a pill would cover what it is about; the status line says it, too.
+constexpr double kPillRoom = 200;
+
 /// What is to come, while there is nothing to see yet. (What to do first, the shell says.)
 void hints(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
@@ -198,7 +201,7 @@ void hints(const PanelEnv& env) {
   if (env.ui().redraw && !drawing) {
     pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});
   }
-  if (env.ui().cut && !env.ui().cut->shape.contours.empty()) {
+  if (env.ui().cut && !env.ui().cut->shape.contours.empty() && view.height >= kPillRoom) {
     const bool adds = env.ui().cut->adding;
     pill(env, {x, static_cast<float>(view.bottom()) - 84},
          {adds ? "Draw over what is missing" : "Draw over what is too much", rgb(0xffffff, 235), kMuted});
@@ -206,7 +209,7 @@ void hints(const PanelEnv& env) {
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
   const bool regionTool = (tool == app::ToolKind::Puff || tool == app::ToolKind::Sheet) && !env.ui().cut;
-  const bool told = env.ui().pointsKnown || env.ui().redraw || drawing || view.height < 200;
+  const bool told = env.ui().pointsKnown || env.ui().redraw || drawing || view.height < kPillRoom;
   if (regionTool && !told && part && document::regionOf(part->recipe)) {
     pill(env, {x, static_cast<float>(view.bottom()) - 84}, {"Tap the part to change its outline", rgb(0xffffff, 235), kMuted});
   }

@@ -115,7 +115,7 @@ export interface Part {
   mirror: [number, number, number, number, number, number] | null;
   /** Id of its group. */
   group: number | null;
-  /** True while its shape waits for the edges of its picture. */
+  /** On the screen with what its stroke found by itself, or not yet; it settles in a moment (`idle`). */
   waiting: boolean;
   /** Name of the error that left it without a shape. */
   failure: string | null;

@@ -10,7 +10,7 @@ import {
   Brush, Cloud, Lightbulb, Footprints, Puzzle, Lasso, SquareDashed,
   SquaresUnite, SquaresSubtract, SquaresIntersect, CupSoda, Unlink,
   Copy, EllipsisVertical, FilePlus, FolderOpen, LayoutGrid, Save, SaveAll, TriangleAlert,
-  ArrowDownToLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup, PaintRoller,
+  ArrowDownFromLine, ArrowDownToLine, ArrowUpFromLine, ChevronUp, Group, Magnet, ScanFace, SquareStack, Ungroup, PaintRoller,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -34,7 +34,7 @@ const kIcons: Record<string, string> = {
   'squares-unite': SquaresUnite, 'squares-subtract': SquaresSubtract, 'squares-intersect': SquaresIntersect, 'cup-soda': CupSoda, unlink: Unlink,
   copy: Copy, 'ellipsis-vertical': EllipsisVertical, 'file-plus': FilePlus, 'folder-open': FolderOpen, 'layout-grid': LayoutGrid, save: Save,
   'save-all': SaveAll, 'triangle-alert': TriangleAlert,
-  'arrow-down-to-line': ArrowDownToLine, 'chevron-up': ChevronUp, group: Group, magnet: Magnet, 'scan-face': ScanFace,
+  'arrow-down-from-line': ArrowDownFromLine, 'arrow-down-to-line': ArrowDownToLine, 'arrow-up-from-line': ArrowUpFromLine, 'chevron-up': ChevronUp, group: Group, magnet: Magnet, 'scan-face': ScanFace,
   'square-stack': SquareStack, ungroup: Ungroup, 'paint-roller': PaintRoller,
 };
 
