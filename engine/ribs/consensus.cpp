@@ -152,7 +152,7 @@ Result<bool> RibAgreement::step(const PictureEvidence& picture, RibWorkspace& me
   if (a.asked < kOtherHands.size()) ask(picture, memory);
   if (a.asked < kOtherHands.size()) return true;
   weigh(a.opinions);
-  readRibsAt(medianLengths(a.opinions), {shapeOfMost(a.opinions, true), shapeOfMost(a.opinions, false)},
+  readRibsAt(withoutSpikes(medianLengths(a.opinions), memory.search().curves.layout), {shapeOfMost(a.opinions, true), shapeOfMost(a.opinions, false)},
              memory.search(), a.own);
   a.done = true;
   return false;

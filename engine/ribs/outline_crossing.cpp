@@ -1,6 +1,7 @@
 #include "engine/ribs/outline_crossing.h"
 
 #include <algorithm>
+#include <array>
 
 namespace spineloft::ribs {
 namespace {
@@ -97,6 +98,21 @@ std::vector<float> lengthsWithin(const std::vector<PicturePoint>& outline, const
     lengths[index(c)] = leaving.at();
   }
   return lengths;
+}
+
+std::vector<float> withoutSpikes(const std::vector<float>& lengths, const CurveLayout& layout) {
+  constexpr int kReach = 2;
+  const int total = layout.total();
+  std::vector<float> calm = lengths;
+  std::array<float, 2 * kReach + 1> near{};
+  for (const int first : {layout.endFan(0), layout.startFan(layout.fan - 1)}) {
+    for (int c = first; c < first + layout.fan; ++c) {
+      for (int k = -kReach; k <= kReach; ++k) near[index(k + kReach)] = lengths[index((c + k + total) % total)];
+      std::ranges::nth_element(near, near.begin() + kReach);
+      calm[index(c)] = near[kReach];
+    }
+  }
+  return calm;
 }
 
 }  // namespace spineloft::ribs

@@ -182,6 +182,26 @@ TEST_CASE("memory that has seen other strokes changes no agreed rib, and other h
   CHECK(agreedRibs(spine, picture, {}, Progress(), {.alone = true}, used).value() == own);
 }
 
+TEST_CASE("a curve or two of a fan that are decided otherwise than those beside them are no spikes; a step stays, and so do ribs") {
+  const CurveLayout layout{5, 9};
+  const auto curve = [](int c) { return static_cast<std::size_t>(c); };
+  const std::vector<float> even(curve(layout.total()), 20.f);
+  for (const int wide : {1, 2}) {
+    for (int first = 0; first + wide <= layout.fan; ++first) {
+      std::vector<float> atStart = even, atEnd = even;
+      for (int i = first; i < first + wide; ++i) atStart[curve(layout.startFan(i))] = atEnd[curve(layout.endFan(i))] = 90;
+      CHECK(withoutSpikes(atStart, layout) == even);
+      CHECK(withoutSpikes(atEnd, layout) == even);
+    }
+  }
+  std::vector<float> stepped = even, rib = even;
+  for (int i = 4; i < layout.fan; ++i) stepped[curve(layout.endFan(i))] = 30;
+  for (int i = 0; i < layout.ribs; ++i) stepped[curve(layout.right(i))] = 30;
+  CHECK(withoutSpikes(stepped, layout) == stepped);
+  rib[curve(layout.left(2))] = rib[curve(layout.right(2))] = 70;
+  CHECK(withoutSpikes(rib, layout) == rib);
+}
+
 TEST_CASE("without a picture, or with three ribs, the stroke decides alone; bad input is refused as by itself") {
   RibWorkspace memory;
   const Spine spine = spineAside(0), brief{{{100, 150}, {150, 150}, {200, 150}}};
