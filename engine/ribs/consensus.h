@@ -12,8 +12,8 @@ namespace spineloft::ribs {
 /// traceRibs, and again for six other hands: beside the stroke by an eighth and a quarter of the width, and from
 /// further in or out at the ends. Every end, those of the fans too, comes to stand where half of the outlines have
 /// been left on its gradient curve; each counts for as much as it agrees with the others (mean ratio of lengths, to
-/// the third power). Confidence is that of the stroke's own search. As long as seven searches of at most 100
-/// ribs. Where nothing is known of the picture, and for fewer than four ribs, it is traceRibs. Its laws and errors.
+/// the third power); a fan's ends are medians of five neighbours. Confidence is that of the stroke's own search. As
+/// long as seven searches of at most 100 ribs. Where nothing is known of the picture, and for fewer than four ribs, it is traceRibs. Its laws and errors.
 Result<RibSet> agreedRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                           const Progress& progress, RibWorkspace& memory);
 
