@@ -68,7 +68,7 @@ test('the check for printing says its four lines, and a picture and a turntable 
   assert.match(await toast.getAttribute('class'), bad.length > 0 ? /toast-warning/ : /toast-info/);
   assert.equal(await toast.getAttribute('role'), bad.length > 0 ? 'alert' : 'status');
   for (const { text, good } of print.lines) assert.equal((await toast.innerText()).includes(text), bad.length === 0 || !good, text);
-  await run(page, 'set-height', { mm: 2 });
+  await run(page, 'set-height', { mm: 1 });
   await run(page, 'check-print');
   const thin = page.locator('#toasts .toast').last();
   assert.match(await thin.getAttribute('class'), /toast-warning/);
