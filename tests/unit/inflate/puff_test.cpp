@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/support/mesh_laws.h"
 #include "tests/support/outlines.h"
@@ -48,6 +51,49 @@ double worstAngle(const mesh::TriMesh& mesh) {
   return worst;
 }
 
+/// The least distance from a point to a triangle: inside of it along its normal, else to one of its edges.
+double distanceTo(const ModelPoint& p, const std::array<ModelPoint, 3>& corners) {
+  const ModelPoint normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  bool over = true;
+  double least = 1e300;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ModelPoint edge = corners[(k + 1) % 3] - corners[k], off = p - corners[k];
+    over = over && dot(cross(edge, off), normal) >= 0;
+    const double along = std::clamp(dot(off, edge) / dot(edge, edge), 0.0, 1.0);
+    least = std::min(least, norm(off - edge * along));
+  }
+  return over ? std::min(least, std::abs(dot(p - corners[0], normal)) / norm(normal)) : least;
+}
+
+/// The greatest distance from a corner of one surface to the other surface; `kCell` where it is more than that.
+double farthest(const mesh::TriMesh& from, const mesh::TriMesh& to) {
+  constexpr double kCell = 8;
+  constexpr int kColumns = 80, kRows = 70;
+  const auto cellOf = [](double x, int cells) { return std::clamp(static_cast<int>(x / kCell) + 4, 1, cells - 2); };
+  const auto pointOf = [](const auto& p) { return ModelPoint{p[0], p[1], p[2]}; };
+  std::vector<std::vector<std::array<ModelPoint, 3>>> cells(kColumns * kRows);
+  for (const auto& t : to.triangles) {
+    const std::array corners{pointOf(to.positions[t[0]]), pointOf(to.positions[t[1]]), pointOf(to.positions[t[2]])};
+    const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+    const auto [low, high] = std::minmax({-corners[0].y, -corners[1].y, -corners[2].y});
+    for (int row = cellOf(low, kRows) - 1; row <= cellOf(high, kRows) + 1; ++row) {
+      for (int column = cellOf(left, kColumns) - 1; column <= cellOf(right, kColumns) + 1; ++column) {
+        cells[static_cast<std::size_t>(row * kColumns + column)].push_back(corners);
+      }
+    }
+  }
+  double most = 0;
+  for (const auto& position : from.positions) {
+    const ModelPoint p = pointOf(position);
+    double least = kCell;
+    for (const auto& corners : cells[static_cast<std::size_t>(cellOf(-p.y, kRows) * kColumns + cellOf(p.x, kColumns))]) {
+      least = std::min(least, distanceTo(p, corners));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
 }  // namespace
 
 TEST_CASE("a circle becomes a ball to 1 % in height, volume and area, better with more points") {
@@ -84,18 +130,30 @@ TEST_CASE("an ellipse becomes an ellipsoid") {
 }
 
 TEST_CASE("sampling the same outline differently changes the solid by less than 1 %") {
-  double worst = 180;
-  for (int round = 0; round < 12; ++round) {
-    const std::uint64_t seed = 100 + static_cast<std::uint64_t>(round);
-    Rng once(seed), again(seed);
-    const mesh::TriMesh dense = puffed({blob(once, {250, 200}, 110, 900)});
-    const mesh::TriMesh sparse = puffed({blob(again, {250, 200}, 110, 131)});
-    CHECK(mesh::inspect(dense).volume ==
-          doctest::Approx(mesh::inspect(sparse).volume).epsilon(0.01));
-    CHECK(highest(dense) == doctest::Approx(highest(sparse)).epsilon(0.01));
-    worst = std::min({worst, worstAngle(dense), worstAngle(sparse)});
+  constexpr double kRadius = 110;
+  double worst = 180, farthestOff = 0;
+  for (std::uint64_t seed = 100; seed < 112; ++seed) {
+    const auto sampled = [&](int points) {
+      Rng rng(seed);
+      return blob(rng, {250, 200}, kRadius, points);
+    };
+    // A hand that is quick on one side and slow on the other.
+    Outline uneven;
+    const Outline fine = sampled(1800);
+    for (std::size_t i = 0; i < fine.size(); i += i < fine.size() / 2 ? 15 : 2) uneven.push_back(fine[i]);
+    const mesh::TriMesh dense = puffed({sampled(900)});
+    worst = std::min(worst, worstAngle(dense));
+    for (const Outline& other : {sampled(131), sampled(317), uneven}) {
+      const mesh::TriMesh solid = puffed({other});
+      CHECK(mesh::inspect(dense).volume == doctest::Approx(mesh::inspect(solid).volume).epsilon(0.01));
+      CHECK(highest(dense) == doctest::Approx(highest(solid)).epsilon(0.01));
+      const double off = std::max(farthest(dense, solid), farthest(solid, dense)) / (2 * kRadius);
+      CHECK(off < 0.01);
+      farthestOff = std::max(farthestOff, off);
+      worst = std::min(worst, worstAngle(solid));
+    }
   }
-  MESSAGE("worst angle of 24 blobs: " << worst << " degrees");
+  MESSAGE("48 blobs: worst angle " << worst << " degrees, at most " << 100 * farthestOff << " % of the size off");
   CHECK(worst > 20);
 }
 
