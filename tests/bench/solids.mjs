@@ -103,10 +103,17 @@ function hollowEdit(more) {
   return (_, run) => ({ meshes: { [`rod${run}`]: loft({ ...kFine, radius: 0.25, wave: 0.01 * (run + 1) }) }, nodes: [node([{ mesh: `rod${run}`, part: 1, matrix: shifted(0) }], { kind: 'hollow', wall: 0.03, opening: [1, 0, 0], ...more })] });
 }
 
-/** Stage times by name, {first_ms, min_ms, median_ms, min_cpu_ms, count}. */
+const kPreviewOf = [
+  ['preview: a rib of one of ten', 'again after a rib of one of ten'],
+  ['preview: scoop out', 'scoop out a loft of 8,192 triangles'],
+  ['preview: round the seam of two', 'round the seam of two lofts'],
+  ['preview: cut', 'cut one loft out of another'],
+];
+
+/** Stage times by name, {first_ms, min_ms, median_ms, min_cpu_ms, count}, of previews share_of_full, too. */
 export async function solidTimes() {
   const coarse = { coarse: true };
-  return {
+  const found = {
     'stick two lofts of 8,192 triangles together': anew(joined(2)),
     'stick ten lofts of 8,192 triangles together': anew(joined(10)),
     'stick ten lofts of 8,192 triangles together, in two workers': await anewInTwo(joined(10)),
@@ -126,6 +133,9 @@ export async function solidTimes() {
     'preview: round the seam of two': edited(joined(2, { ...coarse, blend: 0.03 }), (model, run) => otherMesh(model, run, { ...coarse, blend: 0.03 })),
     'preview: cut': edited(joined(2, { ...coarse, kind: 'cut' }), (model, run) => otherMesh(model, run, { ...coarse, kind: 'cut' })),
   };
+  // What a preview under the hand takes of the solid that follows it.
+  for (const [preview, whole] of kPreviewOf) found[preview].share_of_full = found[preview].median_ms / found[whole].median_ms;
+  return found;
 }
 
 if (import.meta.filename === process.argv[1]) process.stdout.write(`${JSON.stringify(await solidTimes(), null, 2)}\n`);

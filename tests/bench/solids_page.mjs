@@ -206,7 +206,14 @@ function withProcessor(found) {
   return { ...summary(found.map(({ ms }) => ms)), ...(known.length > 0 ? { cpu_ms: summary(known).median_ms } : {}) };
 }
 
-/** Times by name, {min_ms, median_ms, count}, some with cpu_ms; dist/ must be built. */
+/** Previews as the hand moves, and what they take of the solid that follows. */
+function previewTimes(found) {
+  const previews = withProcessor(found.flatMap(({ preview }) => preview));
+  const full = summary(found.flatMap(({ edit }) => edit.slice(1)).map(({ ms }) => ms));
+  return { ...previews, share_of_full: previews.median_ms / full.median_ms };
+}
+
+/** Times by name, {min_ms, median_ms, count}, some with cpu_ms, previews with share_of_full; dist/ must be built. */
 export async function solidPageTimes(folder = distDir) {
   const cold = [], warm = [], plain = [], ticked = [], round = [], scoop = [];
   for (let i = 0; i < kPages; i += 1) {
@@ -227,10 +234,10 @@ export async function solidPageTimes(folder = distDir) {
     'ribs after that': withProcessor([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
     'the first rib of one of ten with rounded seams': withProcessor(round.map(({ edit }) => edit[0])),
     'ribs of it after that': withProcessor(round.flatMap(({ edit }) => edit.slice(1))),
-    'a preview of it': withProcessor(round.flatMap(({ preview }) => preview)),
+    'a preview of it': previewTimes(round),
     'the first rib of one of ten that are scooped out': withProcessor(scoop.map(({ edit }) => edit[0])),
     'ribs of those after that': withProcessor(scoop.flatMap(({ edit }) => edit.slice(1))),
-    'a preview of those': withProcessor(scoop.flatMap(({ preview }) => preview)),
+    'a preview of those': previewTimes(scoop),
     'from the button to the first solid, of a lattice of ten parts that the pen made': summary(plain),
     'the same, ticked one by one beforehand': summary(ticked),
   };

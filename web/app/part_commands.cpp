@@ -140,6 +140,7 @@ Outcome drawSpine(Env env, const Json& args) {
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
+  sendStatus(env.host, {});  // what it asked for is done
   return {};
 }
 
@@ -154,6 +155,7 @@ Outcome redrawSpine(Env env, const Json& args) {
   env.ui.selection = id;
   env.ui.redraw = {};
   env.ui.framePending = true;
+  sendStatus(env.host, {});
   return {};
 }
 
@@ -179,6 +181,21 @@ Outcome redrawMode(Env env, const Json& args) {
   return {};
 }
 
+/// What becomes of the solids that the deleted parts were in: nothing, where all of a solid was deleted.
+void tellOfSolids(Env env, const document::Document& before) {
+  const document::Document& now = env.studio.document();
+  const auto gone = [&](PartId id) { return findPart(now, id) == nullptr; };
+  std::string text;
+  for (const document::Step& step : before.steps) {
+    if (holderOf(before, {{}, step.id}) != nullptr) continue;
+    const std::vector<PartId> parts = partsIn(before, {{}, step.id});
+    if (std::ranges::none_of(parts, gone) || std::ranges::all_of(parts, gone)) continue;
+    const bool still = findStep(now, step.id) != nullptr;
+    text += (text.empty() ? "" : " ") + step.name + (still ? " is made of the rest now." : " needed it: what is left of it stands by itself.");
+  }
+  if (!text.empty()) sendInfo(env.host, text + " Undo brings it back.");
+}
+
 Outcome deletePart(Env env, const Json& args) {
   if (partOf(env, args) == nullptr) return noPart();
   std::vector<document::Action> actions;
@@ -189,7 +206,10 @@ Outcome deletePart(Env env, const Json& args) {
       actions.push_back(document::DeletePart{id});
     }
   }
-  return outcomeOf(env.studio.act(actions));
+  const document::Document before = env.studio.document();
+  if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  tellOfSolids(env, before);
+  return {};
 }
 
 Outcome selectPart(Env env, const Json& args) {

@@ -35,11 +35,14 @@ PrintLine sizeLine(const printing::PrintCheck& check) {
   return {false, "It is " + size + ", too large for common printers. Make it less tall."};
 }
 
-PrintLine wallLine(const printing::PrintCheck& check) {
+PrintLine wallLine(const printing::PrintCheck& check, const std::vector<Thickening>& set) {
   if (check.thick()) return {true, "Its thinnest place is " + number(check.thinnest, 1) + " mm, thick enough."};
   // Never rounded up to what would do.
   const std::string thin = number(std::floor(check.thinnest * 100) / 100, 2);
   const std::string why = "Its thinnest place is " + thin + " mm; below 0.8 mm it breaks or is left out. ";
+  if (!set.empty()) {
+    return {false, why + "\"Make it thick enough\" gives " + number(kThickened, 1) + " mm to " + spokenList(set) + ".", "thicken"};
+  }
   if (check.enlargingHelps) return {false, why + "\"Make it thick enough\" makes it larger.", "thicken"};
   return {false, why + std::string(kThickenByHand)};
 }
@@ -63,7 +66,9 @@ PrintLine standLine(const printing::PrintCheck& check) {
 
 std::vector<PrintLine> printLines(const PrintReport& report) {
   const printing::PrintCheck& check = report.check;
-  std::vector<PrintLine> lines{closedLine(check), sizeLine(check), wallLine(check)};
+  std::vector<PrintLine> lines;
+  if (!report.faults.empty()) lines.push_back({false, report.faults});
+  lines.insert(lines.end(), {closedLine(check), sizeLine(check), wallLine(check, report.thin)});
   // How a heap of loose pieces stands is nobody's question.
   if (check.pieces < 2) lines.push_back(standLine(check));
   return lines;

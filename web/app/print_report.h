@@ -7,6 +7,7 @@
 
 #include "engine/document/document.h"
 #include "engine/printing/print_check.h"
+#include "web/app/thickening.h"
 
 namespace spineloft::app {
 
@@ -14,6 +15,8 @@ namespace spineloft::app {
 struct PrintReport {
   printing::PrintCheck check;
   document::Document of;
+  std::vector<Thickening> thin = {};  ///< what could be set thicker where it is too thin
+  std::string faults = {};            ///< what of the model is not as it should be (see faultsOf)
 };
 
 /// What to do where no printer takes what is made larger until its thinnest place is thick enough.
@@ -25,7 +28,7 @@ struct PrintLine {
   std::string text;           ///< a sentence
   std::string_view fix = {};  ///< the command that mends it, if one does
 };
-/// Closed and in how many pieces, size, thickness, and how a single piece stands: a line each.
+/// What is at fault, closed and in how many pieces, size, thickness, and how a single piece stands: a line each.
 std::vector<PrintLine> printLines(const PrintReport& report);
 
 struct PrintMessage {

@@ -14,6 +14,7 @@
 #include "web/app/messages.h"
 #include "web/app/print_report.h"
 #include "web/app/sizing.h"
+#include "web/app/solid_editing.h"
 
 namespace spineloft::app {
 namespace {
@@ -83,13 +84,25 @@ Outcome checkPrint(Env env, const Json&) {
   }
   Result<printing::PrintCheck> check = publish::checkPrint(env.studio.document(), env.studio.derived());
   if (!check) return refuse(check.failure());
-  env.ui.print = PrintReport{check.value(), env.studio.document()};
+  const document::Document& document = env.studio.document();
+  env.ui.print = PrintReport{check.value(), document, {}, faultsOf(document, env.studio.derived())};
+  if (!check.value().thick()) env.ui.print->thin = thickenings(document, millimetresPerUnit(env));
   const PrintMessage message = printMessage(*env.ui.print);
   if (message.good) {
     sendInfo(env.host, message.text);
   } else {
     sendWarning(env.host, message.text);
   }
+  return {};
+}
+
+/// What was set too thin is set thicker; solids that are made anew are checked when they are there.
+Outcome setThicker(Env env, const std::vector<Thickening>& thin) {
+  std::vector<document::Action> actions;
+  for (const Thickening& each : thin) actions.push_back(each.action);
+  const std::string what = spokenList(thin);
+  if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  sendInfo(env.host, spokenLength(kThickened) + " thick now: " + what + ".");
   return {};
 }
 
@@ -100,6 +113,7 @@ Outcome thicken(Env env, const Json& args) {
   const double thinnest = env.ui.print->check.thinnest;
   if (!(thinnest > 0)) return refuse({Error::NothingToExport, {}});
   if (env.ui.print->check.thick()) return {};
+  if (const std::vector<Thickening> thin = env.ui.print->thin; !thin.empty()) return setThicker(env, thin);
   if (!env.ui.print->check.enlargingHelps) return Refusal{"NotNow", std::string(kThickenByHand)};
   const double mm = env.studio.document().height.value * printing::kMoreThanNeeded * printing::kLeastWall / thinnest;
   if (const Status status = env.studio.act(document::SetHeight{Millimetres{std::ceil(mm)}}); !status) {
@@ -218,7 +232,7 @@ constexpr std::array kTable = {
     Command{"check-print", "Check for printing", "scan-search", "", "file", kNone,
             "Closed, size, thinnest wall, and whether it stands", hasParts, nullptr, checkPrint},
     Command{"thicken", "Make it thick enough", "maximize", "", "file", kNone,
-            "Larger, so that its thinnest place can be printed", hasParts, nullptr, thicken},
+            "Thicker walls and flat pieces, or all of it larger, until its thinnest place can be printed", hasParts, nullptr, thicken},
     Command{"flat-foot", "Flat foot", "footprints", "", "file", kNone,
             "Cut flat below, as much as it needs to stand", hasParts, nullptr, flatFoot},
 };

@@ -117,6 +117,27 @@ std::string troubleSentence(const document::Document& document, const pipeline::
   return sentence + (some ? " The thickest that fits is " + spokenWall(*step.thickest * scale) + "." : " No wall fits with this opening.");
 }
 
+static std::string spokenTrouble(const document::Document& document, const pipeline::Derived& derived,
+                                 const pipeline::DerivedStep& step) {
+  if (step.failure->error == Error::Cancelled) return "Stopped. Press \"Try again\" to go on.";
+  return troubleSentence(document, derived, step);
+}
+
+std::string faultsOf(const document::Document& document, const pipeline::Derived& derived) {
+  std::string text;
+  std::vector<StepId> told;
+  for (const pipeline::DerivedStep& step : derived.steps) {
+    const document::Step* root = step.failure ? findStep(document, step.id) : nullptr;
+    if (root != nullptr && holderOf(document, {{}, root->id}) != nullptr) root = rootOf(document, {{}, root->id});
+    if (root == nullptr || !root->visible || std::ranges::count(told, root->id) > 0) continue;
+    told.push_back(root->id);
+    const bool kept = pipeline::shownSolid(document, derived, *root) != nullptr;
+    text += (text.empty() ? "" : " ") + root->name + (kept ? " is as it was before: " : " is there as its parts alone: ");
+    text += spokenTrouble(document, derived, step);
+  }
+  return text;
+}
+
 const document::Step* chosenStep(const CommandEnv& env) {
   return findStep(env.studio.document(), env.ui.solids.step);
 }
@@ -124,8 +145,7 @@ const document::Step* chosenStep(const CommandEnv& env) {
 std::string troubleOf(const CommandEnv& env, const document::Step& step) {
   const pipeline::DerivedStep* derived = derivedOf(env, step.id);
   if (derived == nullptr || !derived->failure) return {};
-  if (derived->failure->error == Error::Cancelled) return "Stopped. Press \"Try again\" to go on.";
-  return troubleSentence(env.studio.document(), env.studio.derived(), *derived);
+  return spokenTrouble(env.studio.document(), env.studio.derived(), *derived);
 }
 
 bool hasPlace(const CommandEnv& env, const document::Step& step) {

@@ -24,6 +24,9 @@ std::string spokenWall(double mm);
 /// What the matter is with a solid that has a failure, with the part and the wall that would do.
 std::string troubleSentence(const document::Document& document, const pipeline::Derived& derived,
                             const pipeline::DerivedStep& step);
+/// What a file of the model holds where solids could not be made as they should be, a sentence or two each; empty when
+/// all is well.
+std::string faultsOf(const document::Document& document, const pipeline::Derived& derived);
 /// "Waiting …", "The wall is too thick …", or empty when all is well.
 std::string troubleOf(const CommandEnv& env, const document::Step& step);
 /// Whether something can be shown of what is the matter: a place, or the part at fault.

@@ -431,6 +431,7 @@ Status Studio::save(publish::Format format) {
 
 Status Studio::saveNow(publish::Format format) {
   if (document().parts.empty() && format != publish::Format::Project) return Error::NothingToExport;
+  tellFaults(format);
   const document::Document written = document();
   pool_.submit(
       "Saving the model",
@@ -459,7 +460,14 @@ Result<publish::Bytes> Studio::publishNow(publish::Format format) {
   traces_.finish(wantedTraces(document(), derived_, cache_));
   derived();
   textures_.finish(wantedTextures(document(), derived_));
+  tellFaults(format);
   return publish::publish(document(), derived_, format, Progress{});
+}
+
+void Studio::tellFaults(publish::Format format) {
+  // A model file holds what it is made of, whatever became of it here.
+  const std::string faults = format == publish::Format::Project ? "" : faultsOf(document(), derived_);
+  if (!faults.empty()) sendWarning(host_, "In the file, " + faults);
 }
 
 bool Studio::pump() { return pool_.pump() > 0; }

@@ -134,6 +134,8 @@ class Studio {
   /// Saves what waited for it, when all is there.
   void saveWaiting();
   Status saveNow(publish::Format format);
+  /// Says what of the model a file in this format does not hold as it should be.
+  void tellFaults(publish::Format format);
   void report(const pipeline::Derived& derived);
   void finishSave(Result<publish::Bytes> bytes, publish::Format format,
                   const document::Document& written);

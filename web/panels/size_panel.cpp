@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/publish/publish.h"
 #include "web/app/print_report.h"
@@ -89,13 +90,18 @@ void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
 void printing(const PanelEnv& env, float width) {
   const bool can = !env.document().parts.empty();
   const std::optional<app::PrintReport>& report = env.ui().print;
-  if (!report || !(report->of == env.document())) {
+  const bool fresh = report && report->of == env.document();
+  bool& seen = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("seen"));
+  const bool news = !std::exchange(seen, fresh) && fresh;
+  if (!fresh) {
     if (textButton(env, {"check", "Check for printing", false, can, buttonSide(env), width})) {
       env.sink.run("check-print");
     }
     return;
   }
   for (const app::PrintLine& line : app::printLines(*report)) reportLine(env, line, width);
+  // What mends it stands below, where a panel often ends.
+  if (news) ImGui::SetScrollHereY(1);
 }
 
 struct Words {

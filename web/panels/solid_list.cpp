@@ -182,29 +182,18 @@ void solidPanel(const PanelEnv& env, float width) {
       {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}}};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
   const float each = std::min(74.f, (width - 12) / 4);
-  bool first = true;
+  int tiles = 0;
+  const auto tile = [&](const char* id, const char* text) {
+    if (tiles++ % 4 != 0) ImGui::SameLine();
+    commandTile(env, id, text, {each, 52});
+  };
   if (several) {
-    for (const auto& [id, text] : kMakers) {
-      if (!first) ImGui::SameLine();
-      first = false;
-      commandTile(env, id, text, {each, 52});
-    }
+    for (const auto& [id, text] : kMakers) tile(id, text);
   }
-  if (!first) ImGui::SameLine();
-  if (step != nullptr && step->kind == StepKind::Hollow) {
-    commandTile(env, "release", "Break apart", {each, 52});
-  } else {
-    commandTile(env, "scoop-out", "Scoop out", {each, 52});
-    if (step != nullptr) {
-      if (!several) ImGui::SameLine();
-      commandTile(env, "release", "Break apart", {each, 52});
-    }
-  }
+  if (step == nullptr || step->kind != StepKind::Hollow) tile("scoop-out", "Scoop out");
+  if (step != nullptr) tile("release", "Break apart");
   // A bin beside one of its parts would take that part alone.
-  if (holdsWhole(env)) {
-    ImGui::SameLine();
-    commandTile(env, "delete-step", "Delete", {each, 52});
-  }
+  if (holdsWhole(env)) tile("delete-step", "Delete");
   ImGui::PopStyleVar();
   if (step != nullptr) chosenSolid(env, *step, width);
 }

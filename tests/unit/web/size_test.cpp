@@ -2,9 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/unit/web/rig.h"
+#include "web/app/print_report.h"
 #include "web/app/sizing.h"
+#include "web/app/thickening.h"
 
 using namespace spineloft;
 using spineloft::test::Rig;
@@ -90,7 +93,7 @@ TEST_CASE("the check for printing says how small a small model is") {
   CHECK_MESSAGE(thin.find("0.8 mm;") == std::string::npos, thin);
 }
 
-TEST_CASE("what no printer would take when it is made thick enough is not made larger, and it is said what to do") {
+TEST_CASE("a flat piece that is too thin is set thicker and the model as tall as it was; then it can be printed") {
   Rig rig;
   rig.openBar();
   rig.run("draw-sheet", R"({"contours":[[[4,4],[196,4],[196,196],[4,196]]]})");
@@ -100,9 +103,56 @@ TEST_CASE("what no printer would take when it is made thick enough is not made l
   const app::Json before = rig.state();
   const app::Json& line = (*before.find("print")->find("lines")->array())[2];
   CHECK(line.flag("good") == false);
-  CHECK_MESSAGE(line.text("text")->find("fits no common printer") != std::string::npos, *line.text("text"));
-  CHECK(*rig.run("thicken").text("error") == "NotNow");
+  CHECK_MESSAGE(line.text("text")->find("gives 1 mm to Part 1.") != std::string::npos, *line.text("text"));
+  CHECK(rig.run("thicken").flag("ok") == true);
+  rig.settle();
   CHECK(rig.state().number("heightMm") == before.number("heightMm"));
+  rig.run("check-print");
+  // Thicknesses have whole steps: the next one above a millimetre.
+  const double thinnest = rig.state().find("print")->number("thinnest").value_or(0);
+  CHECK(thinnest > 0.999);
+  CHECK(thinnest < 1.25);
+  CHECK((*rig.state().find("print")->find("lines")->array())[2].flag("good") == true);
+  rig.run("undo");
+  CHECK(rig.state().number("heightMm") == before.number("heightMm"));
+}
+
+TEST_CASE("a flat piece that cuts a slit is as thin as the slit and stays so; hidden ones are nobody's matter") {
+  document::Document document;
+  document::Part part;
+  document::SheetRecipe recipe;
+  recipe.sheet.thickness = 0.004;
+  part.recipe = recipe;
+  for (const std::uint32_t id : {1u, 2u}) {
+    part.id = PartId{id};
+    part.name = "Part " + std::to_string(id);
+    document.parts.push_back(part);
+  }
+  const auto thin = [&] { return app::spokenList(app::thickenings(document, 100)); };
+  CHECK(thin() == "Part 1 and Part 2");
+  CHECK(app::thickenings(document, 1000).empty());
+  part.visible = false;
+  document.parts[1] = part;
+  CHECK(thin() == "Part 1");
+  document::Step step;
+  step.id = StepId{1};
+  step.kind = document::StepKind::Cut;
+  step.operands = {{PartId{2}, {}}, {PartId{1}, {}}};
+  document.steps.push_back(step);
+  CHECK(thin() == "Part 2");  // in a solid it shows as the whole does
+  step.visible = false;
+  document.steps[0] = step;
+  CHECK(thin().empty());
+}
+
+TEST_CASE("what no printer would take when it is made thick enough is not made larger, and it is said what to do") {
+  printing::PrintCheck check;
+  check.thinnest = 0.1;
+  const auto wall = [&] { return app::printLines({check, {}})[2]; };
+  CHECK(wall().fix.empty());
+  CHECK_MESSAGE(wall().text.find("fits no common printer") != std::string::npos, wall().text);
+  check.enlargingHelps = true;
+  CHECK(wall().fix == "thicken");
 }
 
 TEST_CASE("a thing that is picked gives its height, stands beside the solid, and goes again") {

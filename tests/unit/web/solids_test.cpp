@@ -90,10 +90,80 @@ TEST_CASE("a part that is deleted while it is put together leaves the other one,
   CHECK(rig.settle());
   CHECK(rig.parts() == 1);
   CHECK_FALSE(rig.state().flag("busy").value_or(true));
+  CHECK(rig.host.said("Solid 1 needed it: what is left of it stands by itself. Undo brings it back."));
   rig.run("undo");
   rig.settle();
   CHECK(rig.parts() == 2);
   CHECK(rig.state().find("steps")->array()->size() == 1);
+}
+
+TEST_CASE("of a deleted part it is said what becomes of its solid, unless all of the solid goes") {
+  TwoBars rig;
+  rig.run("draw-spine", R"({"stroke": [[60, 50], [62, 100], [60, 150]]})");
+  rig.run("delete-part");
+  CHECK_FALSE(rig.host.said("Undo brings it back."));
+  rig.run("undo");
+  rig.stick(R"({"parts": [1, 2, 3]})");
+  rig.run("delete-part", R"({"id": 3})");
+  CHECK(rig.host.said("Solid 1 is made of the rest now. Undo brings it back."));
+  rig.host.sent.clear();
+  rig.run("select-step", R"({"step": 1})");
+  rig.run("delete-step");
+  CHECK_FALSE(rig.host.said("Undo brings it back."));
+}
+
+TEST_CASE("a file in which a solid is not as it should be is saved with a word about it; a model file needs none") {
+  Stuck rig;
+  const auto told = [&](const char* format) {
+    rig.host.sent.clear();
+    CHECK(rig.app->exportModel(format).size() > 0);
+    return rig.host.said(R"("level":"warning","text":"In the file, Solid 1 )");
+  };
+  rig.fail(rig.lastAsked(), *Json::parse(R"({"error":"PartCrossesItself","part":2})"));
+  rig.settle();
+  REQUIRE(rig.status() == "failed");
+  CHECK(told("stl"));
+  CHECK(rig.host.said("is there as its parts alone: "));
+  CHECK(rig.host.said("Part 2"));
+  CHECK_FALSE(told("spineloft"));
+  rig.run("check-print");
+  CHECK(rig.host.said("Solid 1 is there as its parts alone: "));
+  CHECK_FALSE((*rig.state().find("print")->find("lines")->array())[0].flag("good").value_or(true));
+  rig.run("solve-again");
+  rig.state();
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  CHECK_FALSE(told("stl"));
+  rig.run("set-section", R"({"part": 1, "section": "square"})");
+  rig.state();
+  rig.lost(rig.lastAsked());
+  rig.settle();
+  CHECK(told("glb"));
+  CHECK(rig.host.said("Solid 1 is as it was before: "));
+}
+
+TEST_CASE("a wall that was set too thin is set thicker, as tall as the model was, in one step of undo") {
+  Stuck rig;
+  rig.answer(rig.lastAsked());
+  rig.settle();
+  rig.run("scoop-out", R"({"step": 1})");
+  rig.state();
+  const auto wall = [&] { return *rig.step(1).number("wall"); };
+  rig.run("set-step", R"({"step": 2, "wall": 0.002})");
+  rig.state();
+  REQUIRE(wall() == doctest::Approx(0.002));
+  rig.answer(rig.lastAsked(), 0.004f);
+  rig.settle();
+  rig.run("set-height", R"({"mm": 1})");
+  rig.settle();
+  rig.run("check-print");
+  const Json before = rig.state();
+  CHECK(rig.host.said("gives 1 mm to the wall of Solid 2."));
+  CHECK(rig.run("thicken").flag("ok") == true);
+  CHECK(wall() > 0.002);
+  CHECK(rig.state().number("heightMm") == before.number("heightMm"));
+  rig.run("undo");
+  CHECK(wall() == doctest::Approx(0.002));
 }
 
 TEST_CASE("when the solver dies it is said, the last good solid stays, and one can try again") {
