@@ -350,7 +350,11 @@ Outcome symmetry(Env env, const Json& args) {
   for (document::PlaceParts::One& one : ones) {
     one.mirror = off ? std::nullopt : std::optional(plane);
   }
-  return outcomeOf(env.studio.act(placeActions(documentOf(env), derived, std::move(ones))));
+  const Status status = env.studio.act(placeActions(documentOf(env), derived, std::move(ones)));
+  if (status && !off && name == nullptr) {
+    sendStatus(env.host, "Left and right are alike now. Under \"Place\" it can be front and back.");
+  }
+  return outcomeOf(status);
 }
 
 Outcome group(Env env, const Json& args) {

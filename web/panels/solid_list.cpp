@@ -56,24 +56,15 @@ void openingChooser(const PanelEnv& env, const document::Step& step, float width
       {"up", "Top"}, {"down", "Bottom"}, {"start", "Line's start"}, {"end", "Line's end"},
       {"front", "Front"}, {"back", "Back"}, {"left", "Left"}, {"right", "Right"}, {"none", "Closed"}}};
   label(env.fonts.small, kMuted, "Open at");
-  const float side = buttonSide(env), gap = 4;
-  float x = 0;
+  WordButtons row(env, width);
   for (const auto& [key, text] : kChoices) {
-    const float need = textButtonWidth(env, text);
-    if (x > 0 && x + gap + need <= width) {
-      ImGui::SameLine(0, gap);
-      x += gap + need;
-    } else {
-      x = need;
-    }
-    const bool on = document::openingKey(step.opening.side) == key;
-    if (textButton(env, {key, text, on, true, side, need})) {
+    if (row.button(key, text, document::openingKey(step.opening.side) == key)) {
       env.sink.run("set-step", app::Json::Object{{"step", step.id.value}, {"opening", key}});
     }
   }
   const bool pointing = env.ui().solids.pointing;
   const char* text = pointing ? "Now tap the solid there" : "Tap the place on the solid";
-  if (textButton(env, {"point", text, pointing, true, side, width})) env.sink.run("point-opening", {});
+  if (textButton(env, {"point", text, pointing, true, buttonSide(env), width})) env.sink.run("point-opening", {});
 }
 
 void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {

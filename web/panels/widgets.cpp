@@ -221,6 +221,15 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   return pressed && button.enabled;
 }
 
+bool WordButtons::button(const char* id, std::string_view text, bool on) {
+  constexpr float kGap = 4;
+  const float need = textButtonWidth(env_, text);
+  const bool fits = used_ > 0 && used_ + kGap + need <= width_;
+  if (fits) ImGui::SameLine(0, kGap);
+  used_ = fits ? used_ + kGap + need : need;
+  return textButton(env_, {id, text, on, true, buttonSide(env_), need});
+}
+
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);

@@ -56,6 +56,17 @@ bool textButton(const PanelEnv& env, const TextButton& button);
 /// How wide such a button becomes by itself.
 float textButtonWidth(const PanelEnv& env, std::string_view text);
 
+/// Such buttons side by side, in as many rows as they need.
+class WordButtons {
+ public:
+  WordButtons(const PanelEnv& env, float width) : env_(env), width_(width) {}
+  bool button(const char* id, std::string_view text, bool on);
+
+ private:
+  const PanelEnv& env_;
+  float width_, used_ = 0;
+};
+
 /// A button of a command that says its word beside the icon when it is wider than high; what is
 /// switched on has `colour`.
 struct WordButton {
