@@ -5,19 +5,33 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { measure, parse3mf, parseStl, validated } from './support/model_files.mjs';
-import { drawWithMouse, exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { chooseFromMore, drawWithMouse, exported, idle, onPage, openPicture, pressBar, run, state, toClient, useSite } from './support/page.mjs';
 import { dataCases } from './support/pictures.mjs';
+import { isImported, isSliced, isWholeToAdmesh, missing } from '../support/readers.mjs';
 
 const kit = useSite();
 const kept = process.env.SPINELOFT_PICTURES;
 const model = (title, name, work) => {
   const [found] = dataCases([name]);
   const options = { skip: found ? false : `there is no case ${name} in the data folder` };
-  test(title, options, () => onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
+  test(title, options, (t) => onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
     await openPicture(page, found.bytes, name);
-    await work(page);
+    const { millimetres } = await work(page);
+    await isRead(t, page, name, millimetres);
   }));
 };
+
+/** What is saved is sound to the programs that people take it to. */
+async function isRead(t, page, name, millimetres) {
+  const files = {};
+  for (const format of ['glb', 'stl', '3mf']) files[format] = kit.file(`${name}.${format}`, await exported(page, format));
+  await t.test('admesh has nothing to mend', { skip: missing('admesh') }, () => isWholeToAdmesh(files.stl, millimetres));
+  // What is in the STL is in the 3MF; one of the models is sliced from both.
+  for (const format of name === 'render_faucet_spout' ? ['stl', '3mf'] : ['3mf']) {
+    await t.test(`PrusaSlicer slices the ${format.toUpperCase()}`, { skip: missing('prusa-slicer') }, () => isSliced(files[format], millimetres, kit.file(`${name}.gcode`, '')));
+  }
+  await t.test('Blender imports the GLB, closed', { skip: missing('blender') }, () => isImported(files.glb, millimetres));
+}
 
 async function command(page, id, args) {
   await run(page, id, args);
@@ -64,20 +78,33 @@ async function isWhole(page, { millimetres, genus }) {
   assert.deepEqual(objects.map((object) => [object.open, object.pieces]), [[0, 1]], 'one closed object in the 3MF');
   await command(page, 'check-print');
   assert.ok((await state(page)).print.closed);
+  return { millimetres };
 }
 
-model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
-  await loft(page, [[300, 200], [310, 300], [318, 600], [318, 800]], { start: 'flat', end: 'flat' });
-  await loft(page, [[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]], { start: 'round', end: 'round' });
+model('a mug with its handle, scooped out, by the page\'s own buttons, menus and questions', 'sketch_mug', async (page) => {
+  await drawWithMouse(page, dense([[300, 200], [310, 300], [318, 600], [318, 800]]));
+  await pressBar(page, 'set-caps', 'Flat');
+  await pressBar(page, 'new-part');
+  await drawWithMouse(page, dense([[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]]));
+  await pressBar(page, 'set-caps', 'Round');
+  assert.deepEqual((await state(page)).parts.map(({ caps }) => caps), [{ start: 'flat', end: 'flat' }, { start: 'round', end: 'round' }]);
   const full = measure(parseStl(await exported(page, 'stl'))).volume;
-  await command(page, 'select-part', { id: 1 });
-  await command(page, 'scoop-out', { opening: 'start' });
-  await command(page, 'stick-together');
+  const [body] = await toClient(page, [[400, 500]]);
+  await page.mouse.click(body.x, body.y);
+  await idle(page);
+  assert.equal((await state(page)).selection, 1, 'a tap takes the body');
+  await chooseFromMore(page, 'Scoop out', 'Where the line begins');
+  await chooseFromMore(page, 'Stick together');
   assert.ok(measure(parseStl(await exported(page, 'stl'))).volume < 0.5 * full, 'most of the body is air');
-  await isWhole(page, { millimetres: 95, genus: 1 });
+  await chooseFromMore(page, 'How tall?');
+  await page.getByRole('textbox').fill('9.5 cm');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => window.spineloft.state().heightMm === 95);
+  const made = await isWhole(page, { millimetres: 95, genus: 1 });
   await command(page, 'focus-solid');
   for (const turn of ['turn-down', 'turn-down', 'turn-down', 'turn-left']) await command(page, turn);
   await keep(page, 'mug');
+  return made;
 });
 
 model('a tap of three pipes', 'render_faucet_spout', async (page) => {
@@ -85,10 +112,11 @@ model('a tap of three pipes', 'render_faucet_spout', async (page) => {
   await loft(page, [[464, 417], [457, 344], [449, 261], [443, 188], [437, 72]]);
   await loft(page, [[296, 83], [365, 77], [438, 69], [511, 63], [582, 56]]);
   await command(page, 'stick-together', { parts: [1, 2, 3] });
-  await isWhole(page, { millimetres: 80, genus: 0 });
+  const made = await isWhole(page, { millimetres: 80, genus: 0 });
   await command(page, 'focus-solid');
   for (const turn of ['turn-left', 'turn-left']) await command(page, turn);
   await keep(page, 'tap');
+  return made;
 });
 
 model('a swan of lofts, puffs and wings', 'photo_swan_neck', async (page) => {
@@ -106,9 +134,10 @@ model('a swan of lofts, puffs and wings', 'photo_swan_neck', async (page) => {
   const { parts } = await state(page);
   assert.deepEqual(parts.map((part) => part.kind), ['loft', 'loft', 'puff', 'puff', 'sheet']);
   await command(page, 'stick-together', { parts: [3, 1, 2, 4, 5] });
-  await isWhole(page, { millimetres: 120, genus: 0 });
+  const made = await isWhole(page, { millimetres: 120, genus: 0 });
   await command(page, 'draw');
   await command(page, 'focus-solid');
   for (const turn of ['turn-left', 'turn-left', 'turn-up']) await command(page, turn);
   await keep(page, 'swan');
+  return made;
 });

@@ -184,3 +184,25 @@ export async function exported(page, format) {
   }, format);
   return Buffer.from(text, 'base64');
 }
+
+/** Goes through the bar's More menu by its words, one list after the other, as a hand does. */
+export async function chooseFromMore(page, ...words) {
+  await page.locator('#bar-more').click();
+  for (const word of words) await page.getByRole('menu').locator('[role^=menuitem]').filter({ has: page.locator('.menu-label').getByText(word, { exact: true }) }).click();
+  await idle(page);
+}
+
+/** Presses a button of the bar, and what comes up then by its words. */
+export async function pressBar(page, id, word) {
+  await page.locator(`#bar-items [data-command=${id}]`).click();
+  if (word) await page.getByRole('menu').locator('[role^=menuitem]').filter({ hasText: word }).click();
+  await idle(page);
+}
+
+/** The file that comes when this is done: its name and bytes. */
+export async function downloaded(page, work) {
+  const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), work()]);
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
+}

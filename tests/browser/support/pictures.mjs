@@ -84,13 +84,53 @@ export function greyPng(width, height, rows = height) {
   return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header), chunk('IDAT', data), chunk('IEND', Buffer.alloc(0))]);
 }
 
-/** A JPEG with an EXIF orientation put in after its start marker. */
-export function withExifOrientation(jpeg, orientation) {
-  const tiff = Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0]);
+/** A JPEG with an EXIF block, a TIFF file of its own, put in after its start marker. */
+function withExif(jpeg, tiff) {
   const body = Buffer.concat([Buffer.from('Exif\0\0', 'latin1'), tiff]);
   const segment = Buffer.concat([Buffer.from([0xff, 0xe1, 0, 0]), body]);
   segment.writeUInt16BE(body.length + 2, 2);
   return Buffer.concat([jpeg.subarray(0, 2), segment, jpeg.subarray(2)]);
+}
+
+export function withExifOrientation(jpeg, orientation) {
+  return withExif(jpeg, Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0]));
+}
+
+/** Degrees, minutes and seconds as EXIF has them: three fractions. */
+function fractions(values) {
+  const bytes = Buffer.alloc(24);
+  values.forEach(([over, under], i) => {
+    bytes.writeUInt32BE(over, 8 * i);
+    bytes.writeUInt32BE(under, 8 * i + 4);
+  });
+  return bytes;
+}
+
+/**
+ * A JPEG as a telephone writes it, with where it was taken: an EXIF block whose first directory names the maker and
+ * leads to a GPS directory. `places` is what of it must never be found anywhere else.
+ */
+export function withGps(jpeg) {
+  const maker = Buffer.from('Telephone GPS Test\0\0', 'latin1'), latitude = fractions([[52, 1], [30, 1], [587654321, 10000019]]), longitude = fractions([[13, 1], [22, 1], [398765413, 10000079]]);
+  const entry = (tag, type, count, value) => {
+    const bytes = Buffer.alloc(12);
+    bytes.writeUInt16BE(tag, 0);
+    bytes.writeUInt16BE(type, 2);
+    bytes.writeUInt32BE(count, 4);
+    if (typeof value === 'number') bytes.writeUInt32BE(value, 8);
+    else bytes.write(value, 8, 'latin1');
+    return bytes;
+  };
+  const directory = (entries) => Buffer.concat([Buffer.from([0, entries.length]), ...entries, Buffer.alloc(4)]);
+  const gpsAt = 8 + 2 + 2 * 12 + 4, makerAt = gpsAt + 2 + 4 * 12 + 4, latitudeAt = makerAt + maker.length, longitudeAt = latitudeAt + 24;
+  const tiff = Buffer.concat([
+    Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8]),
+    directory([entry(0x010f, 2, maker.length, makerAt), entry(0x8825, 4, 1, gpsAt)]),
+    directory([entry(1, 2, 2, 'N\0'), entry(2, 5, 3, latitudeAt), entry(3, 2, 2, 'E\0'), entry(4, 5, 3, longitudeAt)]),
+    maker, latitude, longitude,
+  ]);
+  const places = { 'the EXIF block': Buffer.from('Exif\0\0', 'latin1'), 'its maker': maker.subarray(0, 18), 'the latitude': latitude.subarray(16), 'the longitude': longitude.subarray(16), 'the latitude as a whole': latitude };
+  return { jpeg: withExif(jpeg, tiff), places };
 }
 
 /** The six samples of the start page, each with its file's bytes. */
