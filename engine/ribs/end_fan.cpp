@@ -133,16 +133,17 @@ void fillChain(const EndSite& site, const EndFrame& frame, const EndGuess& guess
   }
 }
 
-// The outline with the two corners of a flat end that goes as far as `tip`, each after the points on its side that lie clearly
-// before the end's level.
-void withCorners(const EndSite& site, const EndFrame& frame, double tip, std::span<const PicturePoint> outline,
+// The outline, which comes from `from` and goes on to `to`, with the two corners of a flat end that goes as far as `tip`: each
+// after the points on its side that lie clearly before the end's level, straight ahead of the last of them, for a corner
+// farther out than the side would be the brim of a hat.
+void withCorners(const EndFrame& frame, double tip, PicturePoint from, std::span<const PicturePoint> outline, PicturePoint to,
                  std::vector<PicturePoint>& out) {
   constexpr double kBefore = 0.85;
   if (!(tip > 0)) {
     out.assign(outline.begin(), outline.end());
     return;
   }
-  const PicturePoint on = frame.forward * (tip * frame.half);
+  const auto ahead = [&](PicturePoint p) { return p + frame.forward * ((tip - frame.t(p)) * frame.half); };
   const auto before = [&](PicturePoint p) { return frame.t(p) < kBefore * tip; };
   const auto middle = outline.begin() + static_cast<std::ptrdiff_t>(outline.size() / 2);
   const auto left = std::find_if_not(outline.begin(), middle, before);
@@ -150,9 +151,9 @@ void withCorners(const EndSite& site, const EndFrame& frame, double tip, std::sp
       std::find_if_not(outline.rbegin(), std::make_reverse_iterator(middle), before).base();
   out.reserve(outline.size() + 2);
   out.assign(outline.begin(), left);
-  out.push_back(site.left + on);
+  out.push_back(ahead(left == outline.begin() ? from : *(left - 1)));
   out.insert(out.end(), left, right);
-  out.push_back(site.right + on);
+  out.push_back(ahead(right == outline.end() ? to : *right));
   out.insert(out.end(), right, outline.end());
 }
 
@@ -210,11 +211,13 @@ void followEnd(const EndSite& site, LengthWorkspace& workspace, EndOutline& outl
 }
 
 void fanOf(const EndSite& site, const EndOutline& outline, EndFan& fan) {
-  const std::span points = std::span(outline.points)
-                            .subspan(index(site.freeLeft), index(site.curves.layout.fan));
+  const std::span all(outline.points);
+  const std::size_t first = index(site.freeLeft), count = index(site.curves.layout.fan);
+  const std::span points = all.subspan(first, count);
   if (outline.guess.shape == EndShape::Flat) {
     const EndFrame frame(site);
-    withCorners(site, frame, frame.tip(outline.guess.extent), points, fan.points);
+    const PicturePoint from = first == 0 ? site.left : all[first - 1], to = site.freeRight == 0 ? site.right : all[first + count];
+    withCorners(frame, frame.tip(outline.guess.extent), from, points, to, fan.points);
   } else {
     fan.points.assign(points.begin(), points.end());
   }
@@ -226,7 +229,7 @@ void fanThrough(const EndSite& site, EndShape shape, std::span<const PicturePoin
     return;
   }
   const EndFrame frame(site);
-  withCorners(site, frame, frame.t(points[points.size() / 2]), points, fan.points);
+  withCorners(frame, frame.t(points[points.size() / 2]), site.left, points, site.right, fan.points);
 }
 
 }  // namespace spineloft::ribs
