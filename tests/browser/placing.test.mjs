@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
-import { samples } from './support/pictures.mjs';
+import { samples, tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const [lemur] = samples();
@@ -146,4 +146,69 @@ test('the first part of a further picture stands beside the others, in the step 
   assert.ok(now.parts[1].placement.move[0] > 0.05, `${now.parts[1].placement.move}`);
   await run(page, 'undo');
   assert.equal((await state(page)).parts.length, 1);
+}));
+
+/** Corners of every part in its place, by an OBJ: millimetres, y up, z to the front. */
+async function corners(page) {
+  const parts = (await exported(page, 'obj')).toString('utf8').split(/^o .*$/m).slice(1);
+  return parts.map((text) => [...text.matchAll(/^v (\S+) (\S+) (\S+)/gm)].map(([, ...at]) => at.map(Number)));
+}
+
+const extent = (points, k) => {
+  const along = points.map((p) => p[k]);
+  return [Math.min(...along), Math.max(...along)];
+};
+
+test('with Snap on, a part that is dragged over another one comes to lie on its surface; without, it goes into it', () => onPage(kit, {}, async (page) => {
+  const tube = tubePicture();
+  await openPicture(page, tube.png, 'tube.png');
+  await run(page, 'draw-spine', { stroke: tube.middle.slice(14, 41) });
+  await run(page, 'duplicate');
+  await run(page, 'move');
+  await idle(page);
+  const { placement: { move: away } } = await part(page, 1);
+  await run(page, 'select-part', { id: 1 });
+  await idle(page);
+  const target = await knob(page, 'plane');
+  for (const snap of [false, true]) {
+    await run(page, 'select-part', { id: 2 });
+    await idle(page);
+    if (snap) await page.keyboard.press('Shift+S');
+    assert.equal((await state(page)).snap, snap);
+    const from = await knob(page, 'plane');
+    await dragMouse(page, from, target.x - from.x, target.y - from.y);
+    assert.ok(length((await part(page, 1)).placement.move.map((x, k) => x - away[k])) > 0.02, 'it was dragged');
+    const [still, dragged] = await corners(page);
+    const [low, high] = extent(still, 2), [back, front] = extent(dragged, 2), thick = high - low, gap = Math.max(back - high, low - front);
+    await run(page, 'keep-common', { parts: [1, 2] });
+    await idle(page);
+    const { status, failure, volume } = (await state(page)).steps[0];
+    await run(page, 'undo');
+    if (snap) {
+      assert.ok(Math.abs(gap) < 0.05 * thick, `${gap} mm between parts of ${thick}`);
+      assert.ok(failure === 'SolidEmpty' || volume < 1e-7, `${status}: they have ${volume} in common`);
+    } else {
+      assert.ok(gap < -0.2 * thick, `${gap} mm between parts of ${thick}`);
+      assert.ok(status === 'ready' && volume > 1e-4, `${status}: ${volume}`);
+    }
+    await run(page, 'undo');
+    await idle(page);
+  }
+}));
+
+test('Face front turns a part back as it was drawn, from wherever it is seen and however it is turned', () => withPart(async (page) => {
+  const [drawn] = await corners(page);
+  for (const [i, angles] of [{ turn: 90 }, { tip: -35, turn: 120 }, { tip: 20, turn: -75, lean: 160 }].entries()) {
+    await run(page, 'set-place', { part: 1, ...angles });
+    for (let k = 0; k < i; k += 1) await run(page, k % 2 ? 'turn-up' : 'turn-left');
+    await idle(page);
+    const [turned] = await corners(page);
+    assert.ok([0, 1, 2].some((k) => Math.abs((extent(turned, k)[1] - extent(turned, k)[0]) / (extent(drawn, k)[1] - extent(drawn, k)[0]) - 1) > 0.05), 'it is turned');
+    await page.keyboard.press('Shift+H');
+    await idle(page);
+    const { placement } = await part(page);
+    assert.ok(placement.degrees.every((angle) => Math.abs(angle) < 1e-3), `${placement.degrees}`);
+    const [again] = await corners(page);
+    for (const k of [0, 1, 2]) assert.ok(Math.abs((extent(again, k)[1] - extent(again, k)[0]) - (extent(drawn, k)[1] - extent(drawn, k)[0])) < 0.02, `axis ${k}`);
+  }
 }));
