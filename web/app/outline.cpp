@@ -60,16 +60,21 @@ PartId partAt(const document::Document& document, const pipeline::Derived& deriv
               PictureId picture, PicturePoint p, double reach) {
   std::vector<PicturePoint> outline;
   const std::size_t count = std::min(document.parts.size(), derived.parts.size());
+  const document::Part* found = nullptr;
   for (std::size_t i = count; i-- > 0;) {
     const document::Part& part = document.parts[i];
     const auto& shape = derived.parts[i].shape;
     if (!shape || !pipeline::isVisible(document, part) || document::pictureOf(part) != picture) continue;
-    if (holdsRegion(shape->contours, p)) return part.id;
+    if (found != nullptr && part.placement.move.z <= found->placement.move.z) continue;
+    if (holdsRegion(shape->contours, p)) {
+      found = &part;
+      continue;
+    }
     if (document::loftOf(part) == nullptr) continue;
     outlineOf(shape->shown, document::loftIn(part).loft, outline);
-    if (geometry::holds(std::span<const PicturePoint>(outline), p) || nearSpine(*shape, p, reach)) return part.id;
+    if (geometry::holds(std::span<const PicturePoint>(outline), p) || nearSpine(*shape, p, reach)) found = &part;
   }
-  return {};
+  return found ? found->id : PartId{};
 }
 
 }  // namespace spineloft::app

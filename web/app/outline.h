@@ -15,7 +15,8 @@ namespace spineloft::app {
 void outlineOf(const ribs::RibSet& set, const loft::LoftParams& params,
                std::vector<PicturePoint>& out);
 
-/// The visible part of `picture` under the point, the last one drawn first; none elsewhere. A spine
+/// The visible part of `picture` under the point: the one that was moved farthest to the front, of several the last
+/// one of the list; none elsewhere. A spine
 /// nearer than `reach` picture pixels counts as well.
 PartId partAt(const document::Document& document, const pipeline::Derived& derived,
               PictureId picture, PicturePoint p, double reach);

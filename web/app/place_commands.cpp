@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <numbers>
 
+#include "engine/document/update.h"
 #include "web/app/command_actions.h"
 #include "web/app/command_args.h"
 #include "web/app/command_groups.h"
+#include "web/app/depth_order.h"
 #include "web/app/gizmo.h"
 #include "web/app/messages.h"
 #include "web/app/placing.h"
@@ -399,10 +401,31 @@ Outcome selectAll(Env env, const Json&) {
   return {};
 }
 
+/// The list is an order in depth: what goes past others goes before or behind them, in the same step.
+Outcome moveTo(Env env, const Parts& parts, PartId before, bool inDepth = true) {
+  const document::Document was = documentOf(env);
+  std::vector<document::Action> actions{document::MoveInList{parts, before}};
+  const Result<document::Document> is = document::update(was, actions.front());
+  if (!is) return refuse(is.failure());
+  const pipeline::Derived& derived = env.studio.derived();
+  const auto depth = inDepth ? depthMove(was, is.value(), derived, parts) : std::nullopt;
+  if (depth) {
+    document::Motion motion;
+    motion.move = {0, 0, depth->by};
+    const auto places = placeActions(was, derived, movedParts(was, derived, parts, motion));
+    actions.insert(actions.end(), places.begin(), places.end());
+  }
+  const Status status = env.studio.act(actions);
+  if (status && depth) {
+    sendStatus(env.host, std::string(depth->by > 0 ? "In front of " : "Behind ") + depth->beyond + " now.");
+  }
+  return outcomeOf(status);
+}
+
 Outcome moveInList(Env env, const Json& args) {
   const Parts parts = partsFrom(env, args);
   if (parts.empty()) return noPart();
-  return outcomeOf(env.studio.act(document::MoveInList{parts, idFrom(args, "before")}));
+  return moveTo(env, parts, idFrom(args, "before"), args.flag("depth").value_or(true));
 }
 
 Outcome shiftInList(Env env, const Json& args, int by) {
@@ -416,7 +439,7 @@ Outcome shiftInList(Env env, const Json& args, int by) {
   if (by > 0 && index + 1 == parts.size()) return Refusal{"NotNow", "It is the last of the list already."};
   const std::size_t before = by < 0 ? index - 1 : index + 2;
   const PartId next = before < parts.size() ? parts[before]->id : PartId{};
-  return outcomeOf(env.studio.act(document::MoveInList{{moving.front()}, next}));
+  return moveTo(env, {moving.front()}, next);
 }
 Outcome listUp(Env env, const Json& args) { return shiftInList(env, args, -1); }
 Outcome listDown(Env env, const Json& args) { return shiftInList(env, args, 1); }
@@ -464,11 +487,11 @@ constexpr std::array kTable = {
     Command{"move-parts", "Move parts by numbers", "move", "", "place", kMotion,
             "Millimetres, degrees and a factor", hasParts, nullptr, moveParts},
     Command{"list-up", "Up in the list", "chevron-up", "Shift+PageUp", "part", kNone,
-            "Before the part above it", hasSelection, nullptr, listUp},
+            "Before the part above it, and in front of it", hasSelection, nullptr, listUp},
     Command{"list-down", "Down in the list", "chevron-down", "Shift+PageDown", "part", kNone,
-            "Behind the part below it", hasSelection, nullptr, listDown},
+            "After the part below it, and behind it", hasSelection, nullptr, listDown},
     Command{"move-in-list", "Move in the list by number", "list", "", "part", kParts,
-            "Parts, and the one before which they go", hasParts, nullptr, moveInList},
+            "Parts, and the one before which they go: in front of what they pass upwards", hasParts, nullptr, moveInList},
 };
 
 }  // namespace

@@ -149,10 +149,11 @@ struct PlaceOptions {
   bool operator==(const PlaceOptions&) const = default;
 };
 
-/// A row of the part list: a part, or the group whose first part it is.
+/// A row of the part list: a part, the group whose first part it is, or a solid (and no part).
 struct ListRow {
   PartId part;
   GroupId group;
+  StepId step = {};
   bool operator==(const ListRow&) const = default;
 };
 

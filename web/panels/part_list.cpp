@@ -27,15 +27,14 @@ struct Place {
   float top = 0, bottom = 0;
 };
 
-/// The drawing at the left of a row is what it is dragged by. `parts` go along.
-void grip(const PanelEnv& env, const Place& place, float width) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("grip", {width, place.bottom - place.top});
-  if (ImGui::IsItemActivated()) env.ui().listDrag = place.row;
-  if (!ImGui::IsItemHovered() || env.ui().touch) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float x = at.x + 3, y = (place.top + place.bottom) / 2;
-  for (const float dy : {-5.f, 0.f, 5.f}) list.AddCircleFilled({x, y + dy}, 1.4f, kMuted, 8);
+/// All that a solid is made of, in the order of the list.
+std::vector<PartId> partsOf(const PanelEnv& env, const document::Step& root) {
+  const std::vector<PartId> within = partsIn(env.document(), {{}, root.id});
+  std::vector<PartId> out;
+  for (const document::Part& part : env.document().parts) {
+    if (std::ranges::count(within, part.id) > 0) out.push_back(part.id);
+  }
+  return out;
 }
 
 bool draggedFar() { return ImGui::GetIO().MouseDragMaxDistanceSqr[0] >= kDragSlop * kDragSlop; }
@@ -63,7 +62,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (inHand) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
-  grip(env, {{part.id, {}}, {part.id}, at.y, at.y + height}, grips);
+  grip(env, {part.id, {}}, {grips, height});
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height});
   if (!inHand && ImGui::IsItemHovered()) {
@@ -121,7 +120,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   ImGui::PushID(static_cast<int>(group.id.value));
   ImGui::PushID("group");
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  grip(env, place, 24);
+  grip(env, place.row, {24, height});
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height});
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -165,6 +164,7 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
   if (ImGui::IsMouseDown(0)) return;
   env.ui().listDrag.reset();
   if (!draggedFar()) {
+    if (dragged->step) return env.sink.run("select-step", app::Json::Object{{"step", dragged->step.value}});
     env.sink.run("select-part",
                  app::Json::Object{{"id", dragged->part.value}, {"add", takesMore(env)}});
     return;
@@ -198,9 +198,11 @@ void partList(const PanelEnv& env) {
     if (root != nullptr) {
       above = {};
       if (!drawn.insert(root->id).second) continue;
+      const float y = ImGui::GetCursorScreenPos().y;
       solidRows(env, *root, width, [&](const document::Part& inner, float indent) {
         row(env, inner, indent, width);
       });
+      places.push_back({{{}, {}, root->id}, partsOf(env, *root), y, ImGui::GetCursorScreenPos().y});
       continue;
     }
     const document::Group* group = document::findGroup(env.document(), part.group);

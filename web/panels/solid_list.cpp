@@ -80,6 +80,15 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
 
 }  // namespace
 
+void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("grip", size);
+  if (ImGui::IsItemActivated()) env.ui().listDrag = row;
+  if (!ImGui::IsItemHovered() || env.ui().touch) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const float dy : {-5.f, 0.f, 5.f}) list.AddCircleFilled({at.x + 3, at.y + size.y / 2 + dy}, 1.4f, kMuted, 8);
+}
+
 bool holdsWhole(const PanelEnv& env) {
   const document::Step* step = app::chosenStep(env.env);
   return step != nullptr && env.ui().selection && partsIn(env.document(), {{}, step->id}).size() == env.ui().alsoSelected.size() + 1;
@@ -112,7 +121,12 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float row = std::max(40.f, width - indent - buttons);
-  const bool pressed = ImGui::InvisibleButton("row", {row, height});
+  const float grips = root ? 26 : 0;  // solids within solids stay where they are
+  if (root) {
+    grip(env, {{}, {}, step.id}, {grips, height});
+    ImGui::SameLine(0, 0);
+  }
+  const bool pressed = ImGui::InvisibleButton("row", {row - grips, height});
   if (selected || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
   }

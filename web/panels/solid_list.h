@@ -1,9 +1,14 @@
 // Rows of the part list that are about solids made of parts.
 #pragma once
 
+#include <imgui.h>
+
 #include "web/panels/panels.h"
 
 namespace spineloft::panels {
+
+/// The drawing at the left of a row is what it is dragged by.
+void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size);
 
 /// A solid that stands alone, with what it is made of below it; `partRow(part, indent)` draws a part's row.
 template <class PartRow>
