@@ -59,6 +59,30 @@ for (const [name, options, draw] of [['the mouse', {}, drawWithMouse], ['a finge
   }));
 }
 
+for (const [name, options, draw] of [['the mouse', {}, drawWithMouse], ['a finger on a phone', phone, drawWithTouch]]) {
+  test(`a scribble over a thing of two colours cuts out both, a tap one of them, with ${name}`, () => onPage(kit, options, async (page) => {
+    const within = (x, y) => x >= 120 && x < 320 && y >= 90 && y < 210;
+    await openPicture(page, paintedPng(440, 300, (x, y) => (!within(x, y) ? [244, 242, 238] : x < 220 ? [40, 60, 140] : [200, 70, 40])), 'two.png');
+    await run(page, 'puff');
+    await run(page, 'cut-start', { at: [170, 150] });
+    await idle(page);
+    const tapped = areaOf((await state(page)).cut.contours);
+    await run(page, 'cut-cancel');
+    await run(page, 'cut-by-scribble');
+    await idle(page);
+    await draw(page, [[150, 130], [200, 170], [250, 130], [295, 165]]);
+    await idle(page);
+    const { cut, parts, cutByScribble } = await state(page);
+    assert.deepEqual([parts.length, cutByScribble], [0, true]);
+    const scribbled = areaOf(cut.contours);
+    assert.ok(Math.abs(scribbled - 200 * 120) < 0.06 * 200 * 120, `${scribbled} of ${200 * 120}`);
+    assert.ok(tapped < 0.7 * scribbled, `${tapped} by a tap, ${scribbled} by a scribble`);
+    await run(page, 'cut-use');
+    await idle(page);
+    assert.equal((await state(page)).parts.length, 1);
+  }));
+}
+
 test('Escape leaves a cut-out, and everything is as before', () => withPicture({}, async (page) => {
   const [at] = await toClient(page, [tube.middle[30]]);
   await page.mouse.click(at.x, at.y);

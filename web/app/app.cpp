@@ -247,7 +247,7 @@ void App::announce() {
   json_.number(static_cast<int>(ui_.look.paint)).flag(ui_.look.faceted).text(colourText(ui_.look.second));
   json_.number(static_cast<double>(ui_.slices.stop)).flag(ui_.slices.board.has_value());
   if (ui_.slices.board) json_.number(static_cast<double>(ui_.slices.board->past.size()));
-  json_.flag(ui_.cutByBox).flag(ui_.cut.has_value());
+  json_.number(static_cast<double>(ui_.cutBy)).flag(ui_.cut.has_value());
   if (ui_.cut) json_.flag(ui_.cut->searching).flag(ui_.cut->adding).number(static_cast<double>(ui_.cut->hints.marks.size()));
   json_.flag(ui_.slices.placing).number(static_cast<double>(ui_.slices.shelf.size()));
   const std::optional<Studio::Activity> activity = studio_.activity();

@@ -21,7 +21,8 @@ bool hasDraft(Env env) { return env.ui.cut.has_value(); }
 bool hasShape(Env env) { return hasDraft(env) && !env.ui.cut->shape.contours.empty() && !env.ui.cut->searching; }
 bool adds(Env env) { return hasDraft(env) && env.ui.cut->adding; }
 bool removes(Env env) { return hasDraft(env) && !env.ui.cut->adding; }
-bool byBox(Env env) { return env.ui.cutByBox; }
+template <CutBy kWay>
+bool cutsBy(Env env) { return env.ui.cutBy == kWay; }
 
 Json contoursJson(const vision::CutContours& contours) {
   Json::Array list;
@@ -188,12 +189,14 @@ Outcome cutCancel(Env env, const Json&) {
   return {};
 }
 
-Outcome cutByBox(Env env, const Json& args) {
-  env.ui.cutByBox = args.flag("on").value_or(!env.ui.cutByBox);
+template <CutBy kWay>
+Outcome cutBy(Env env, const Json& args) {
+  env.ui.cutBy = args.flag("on").value_or(env.ui.cutBy != kWay) ? kWay : CutBy::Outline;
   if (env.ui.tool != ToolKind::Puff && env.ui.tool != ToolKind::Sheet) env.ui.tool = ToolKind::Puff;
   env.ui.redraw = {};
   env.ui.focus = Focus::Picture;
-  if (env.ui.cutByBox) sendStatus(env.host, "Drag a box round the thing: it is cut out.");
+  if (env.ui.cutBy == CutBy::Box) sendStatus(env.host, "Drag a box round the thing: it is cut out.");
+  if (env.ui.cutBy == CutBy::Scribble) sendStatus(env.host, "Scribble over the thing, over all its colours: it is cut out.");
   return {};
 }
 
@@ -201,7 +204,11 @@ constexpr Argument kNone{}, kAt{"at"}, kLine{"line"};
 
 constexpr std::array kTable = {
     Command{"cut-by-box", "Box", "square-dashed", "", "tool", kNone,
-            "Drag a box round a thing: it is cut out of the picture", hasPicture, byBox, cutByBox},
+            "Drag a box round a thing: it is cut out of the picture", hasPicture, cutsBy<CutBy::Box>,
+            cutBy<CutBy::Box>},
+    Command{"cut-by-scribble", "Scribble", "highlighter", "", "tool", kNone,
+            "Scribble over a thing: it is cut out of the picture", hasPicture, cutsBy<CutBy::Scribble>,
+            cutBy<CutBy::Scribble>},
     Command{"cut-add", "Add", "brush", "", "part", kNone,
             "Draw over what belongs to the thing", hasDraft, adds, setBrush<true>},
     Command{"cut-remove", "Take away", "eraser", "", "part", kNone,

@@ -41,6 +41,7 @@ inline constexpr std::array kIcons = {
     Icon{"triangle-alert", 57747},
     Icon{"brush", 57811},
     Icon{"square-dashed", 57803},
+    Icon{"highlighter", 57588},
     Icon{"footprints", 58297},
     Icon{"palette", 57821},
     Icon{"image", 57590},

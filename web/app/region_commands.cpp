@@ -38,7 +38,7 @@ Outcome noRegion(Env env, const Json& args) {
 Outcome use(Env env, ToolKind tool, std::string_view hint) {
   env.ui.tool = tool;
   env.ui.redraw = env.ui.pointsOf = {};
-  env.ui.cutByBox = false;
+  env.ui.cutBy = CutBy::Outline;
   env.ui.focus = Focus::Picture;
   sendStatus(env.host, hint);
   return {};

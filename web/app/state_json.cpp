@@ -303,7 +303,8 @@ void writeActivity(JsonWriter& json, const Studio& studio) {
 
 /// What is being cut out; null: nothing is.
 void writeCut(JsonWriter& json, const UiState& ui) {
-  json.key("cutByBox").flag(ui.cutByBox).key("cut");
+  json.key("cutByBox").flag(ui.cutBy == CutBy::Box);
+  json.key("cutByScribble").flag(ui.cutBy == CutBy::Scribble).key("cut");
   if (!ui.cut) {
     json.null();
     return;

@@ -149,6 +149,9 @@ struct PlaceOptions {
   bool operator==(const PlaceOptions&) const = default;
 };
 
+/// What a drag of puff and flat piece is: the thing's outline, a box round it, or a scribble over it.
+enum class CutBy : std::uint8_t { Outline, Box, Scribble };
+
 /// A row of the part list: a part, the group whose first part it is, or a solid (and no part).
 struct ListRow {
   PartId part;
@@ -218,7 +221,7 @@ struct UiState {
   inflate::PuffParams puff;
   sheet::SheetParams sheet;
   std::optional<CutDraft> cut;  ///< what is being cut out of the picture
-  bool cutByBox = false;        ///< puff and flat piece: a drag is a box round the thing, not its outline
+  CutBy cutBy = CutBy::Outline;
   std::optional<PrintReport> print;  ///< the last check for printing
   std::optional<std::size_t> beside;  ///< of things(): what stands beside the solid, to compare
   bool secondColour = false;  ///< the colours of the panel are for what is below

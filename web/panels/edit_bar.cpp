@@ -40,8 +40,8 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
                                     {"symmetry", true}, {"group", true}, {"ungroup"}};
   static constexpr Item kCut[] = {{"cut-use", true}, {"cut-add", true}, {"cut-remove", true}, {"cut-cancel", true},
                                   {"undo"}, {"brush-smaller"}, {"brush-larger"}};
-  static constexpr Item kPuff[] = {{"cut-by-box", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
-  static constexpr Item kSheet[] = {{"cut-by-box", true}, {"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
+  static constexpr Item kPuff[] = {{"cut-by-box", true}, {"cut-by-scribble", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
+  static constexpr Item kSheet[] = {{"cut-by-box", true}, {"cut-by-scribble", true}, {"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
   switch (ui.tool) {
     case app::ToolKind::Puff:
       return ui.cut ? std::span<const Item>(kCut) : kPuff;

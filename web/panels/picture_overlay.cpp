@@ -317,8 +317,8 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
     list.AddRectFilled(low, high, rgb(0xffffff, 50));
     list.AddRect(low, high, rgb(0xffffff, 220), 2, 0, 4.5f);
     list.AddRect(low, high, toolColour(ui.tool), 2, 0, 2.2f);
-  } else if (ui.cut) {
-    drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(ui.cut->adding, 130));
+  } else if (ui.cut || (hand.radius > 0 && (ui.tool == app::ToolKind::Puff || ui.tool == app::ToolKind::Sheet))) {
+    drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(!ui.cut || ui.cut->adding, 130));
   } else if (hand.radius > 0) {
     drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
   } else if (ui.tool == app::ToolKind::Shape) {

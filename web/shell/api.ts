@@ -257,6 +257,8 @@ export interface State {
   heightMm: number;
   /** A drag of "Puff" and "Flat piece" is a box round the thing. */
   cutByBox: boolean;
+  /** A drag of theirs is a scribble over the thing. */
+  cutByScribble: boolean;
   /** What is being cut out of the picture: its outlines so far, and how many marks correct it. */
   cut: { searching: boolean; adding: boolean; marks: number; undone: number; contours: [number, number][][] } | null;
   /** What stands beside the solid, as large as it is: coin, cupcake, hand. */

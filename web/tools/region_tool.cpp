@@ -9,7 +9,16 @@
 namespace spineloft::tools {
 namespace {
 
-constexpr int kPreviewPoints = 900;  // of a puff under the pen
+constexpr int kPreviewPoints = 900;     // of a puff under the pen
+constexpr std::size_t kHintPoints = 48;  // of a scribble: each is looked round for its colour
+
+/// As many points of a stroke, evenly, with both its ends.
+std::vector<PicturePoint> thinned(const std::vector<PicturePoint>& stroke) {
+  if (stroke.size() <= kHintPoints) return stroke;
+  std::vector<PicturePoint> out;
+  for (std::size_t i = 0; i < kHintPoints; ++i) out.push_back(stroke[i * (stroke.size() - 1) / (kHintPoints - 1)]);
+  return out;
+}
 
 document::Recipe previewRecipe(const app::UiState& ui, document::Region region) {
   if (ui.tool == app::ToolKind::Sheet) return document::SheetRecipe{std::move(region), ui.sheet};
@@ -20,15 +29,17 @@ document::Recipe previewRecipe(const app::UiState& ui, document::Region region) 
 
 }  // namespace
 
+RegionTool::Way RegionTool::wayOf(app::CutBy by) {
+  if (by == app::CutBy::Box) return Way::Box;
+  return by == app::CutBy::Scribble ? Way::Scribble : Way::Outline;
+}
+
 void RegionTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
   const app::Hover under = pickInPicture(env, event);
   grabbed_ = under.outline;
   part_ = env.ui.selection;
-  way_ = env.ui.cut        ? Way::Mark
-         : grabbed_        ? Way::Point
-         : env.ui.cutByBox ? Way::Box
-                           : Way::Outline;
+  way_ = env.ui.cut ? Way::Mark : grabbed_ ? Way::Point : wayOf(env.ui.cutBy);
   if (way_ == Way::Mark) mark(env, event);
 }
 
@@ -38,12 +49,19 @@ void RegionTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved()) return;
   if (way_ == Way::Point) drag(env, event);
   if (way_ == Way::Box) span(env, event);
+  if (way_ == Way::Scribble) scribble(env, event);
   if (way_ == Way::Outline) draw(env, event);
 }
 
 void RegionTool::mark(const ToolEnv& env, const ToolEvent& event) const {
   env.ui.inHand.radius = env.ui.edit.brush / env.ui.pictureView.zoom;
   extend(env, env.ui.inHand.stroke, event.at);
+}
+
+void RegionTool::scribble(const ToolEnv& env, const ToolEvent& event) const {
+  std::vector<PicturePoint>& stroke = env.ui.inHand.stroke;
+  if (stroke.empty()) stroke.push_back(toPicture(env, watch_.start()));
+  mark(env, event);
 }
 
 void RegionTool::span(const ToolEnv& env, const ToolEvent& event) const {
@@ -100,8 +118,9 @@ void RegionTool::commit(const ToolEnv& env) {
   env.ui.preview.reset();
   if (way_ == Way::Mark) {
     env.sink.run("cut-mark", app::Json::Object{{"line", strokeJson(hand.stroke)}, {"radius", hand.radius}});
-  } else if (way_ == Way::Box && hand.box) {
-    app::Json::Object args{{"box", strokeJson(hand.stroke)}};
+  } else if ((way_ == Way::Box && hand.box) || (way_ == Way::Scribble && !hand.stroke.empty())) {
+    app::Json::Object args;
+    args.emplace_back(hand.box ? "box" : "inside", strokeJson(hand.box ? hand.stroke : thinned(hand.stroke)));
     if (redraw) args.emplace_back("part", redraw.value);
     env.sink.run("cut-start", std::move(args));
   } else if (dragged) {

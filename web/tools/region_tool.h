@@ -1,4 +1,4 @@
-// Puffs and flat pieces: a line round a thing becomes a part, a tap or a box cuts the thing out; points
+// Puffs and flat pieces: a line round a thing becomes a part, a tap, a box or a scribble cuts the thing out; points
 // of an outline are dragged once the part was tapped. While a thing is being cut out, strokes correct it.
 #pragma once
 
@@ -14,12 +14,14 @@ class RegionTool final : public Tool {
   void cancel(const ToolEnv& env) override;
 
  private:
+  enum class Way { Outline, Point, Box, Scribble, Mark };
+  static Way wayOf(app::CutBy by);
   void tap(const ToolEnv& env) const;
   void drag(const ToolEnv& env, const ToolEvent& event);
   void draw(const ToolEnv& env, const ToolEvent& event);
   void mark(const ToolEnv& env, const ToolEvent& event) const;
+  void scribble(const ToolEnv& env, const ToolEvent& event) const;
   void span(const ToolEnv& env, const ToolEvent& event) const;
-  enum class Way { Outline, Point, Box, Mark };
   DragWatch watch_;
   std::optional<app::OutlinePoint> grabbed_;
   Way way_ = Way::Outline;

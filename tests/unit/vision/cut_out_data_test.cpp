@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/geometry/polygon.h"
+#include "engine/io/json_values.h"
 #include "engine/io/picture_file.h"
 #include "engine/vision/cut_out.h"
 #include "tests/support/test_files.h"
@@ -51,13 +52,18 @@ double overlapOf(const Truth& truth, const CutContours& contours) {
   return either > 0 ? both / either : 0;
 }
 
-}  // namespace
+struct Photo {
+  std::string name;
+  image::Picture picture;
+  Truth truth;
+  std::vector<PicturePoint> stroke;  ///< a careful one along the thing
+};
 
-TEST_CASE("a box round the thing cuts it out of the public photos, most of it in most of them") {
+/// The public photos; none where there is no data folder.
+std::vector<Photo> photos() {
+  std::vector<Photo> out;
   const auto folder = testing::dataFolder();
-  if (!folder) return;
-  std::vector<double> overlaps;
-  std::string said;
+  if (!folder) return out;
   for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_")) continue;
@@ -65,11 +71,39 @@ TEST_CASE("a box round the thing cuts it out of the public photos, most of it in
     if (!fs::exists(image)) image = entry.path() / "image.png";
     fs::path mask = entry.path() / "mask_visible.png";
     if (!fs::exists(mask)) mask = entry.path() / "mask.png";
-    const auto picture = io::decodePicture(testing::bytesOf(image), {});
-    const auto shown = io::decodeImage(testing::bytesOf(mask), 1 << 26);
+    auto picture = io::decodePicture(testing::bytesOf(image), {});
+    auto shown = io::decodeImage(testing::bytesOf(mask), 1 << 26);
+    const auto text = testing::bytesOf(entry.path() / "case.json");
+    const auto read = io::readBenchCase({reinterpret_cast<const char*>(text.data()), text.size()});
     REQUIRE(picture.ok());
     REQUIRE(shown.ok());
-    const Truth truth{shown.value()};
+    REQUIRE(read.ok());
+    const auto& strokes = read.value().strokes;
+    auto stroke = std::ranges::find(strokes, "careful", [](const auto& one) { return one.first; });
+    if (stroke == strokes.end()) stroke = strokes.begin();
+    out.push_back({name, std::move(picture).value(), {std::move(shown).value()}, stroke->second});
+  }
+  REQUIRE(out.size() >= 5);
+  return out;
+}
+
+double overlapOf(const Photo& photo, const CutHints& hints) {
+  const auto found = cutOut(photo.picture, hints);
+  return found.ok() ? overlapOf(photo.truth, found.value()) : 0;
+}
+
+double medianOf(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
+TEST_CASE("a box round the thing cuts it out of the public photos, most of it in most of them") {
+  std::vector<double> overlaps;
+  std::string said;
+  for (const Photo& photo : photos()) {
+    const Truth& truth = photo.truth;
     CutHints hints;
     hints.box = {{1e9, 1e9}, {-1e9, -1e9}};
     for (int y = 0; y < truth.mask.height; ++y) {
@@ -84,13 +118,28 @@ TEST_CASE("a box round the thing cuts it out of the public photos, most of it in
     const double room = 0.02 * std::max(truth.mask.width, truth.mask.height);
     hints.box->low = hints.box->low - PicturePoint{room, room};
     hints.box->high = hints.box->high + PicturePoint{room, room};
-    const auto found = cutOut(picture.value(), hints);
-    overlaps.push_back(found.ok() ? overlapOf(truth, found.value()) : 0);
-    said += name + " " + std::to_string(overlaps.back()).substr(0, 5) + "  ";
+    overlaps.push_back(overlapOf(photo, hints));
+    said += photo.name + " " + std::to_string(overlaps.back()).substr(0, 5) + "  ";
   }
-  REQUIRE(overlaps.size() >= 5);
-  std::ranges::sort(overlaps);
-  const double median = overlaps[overlaps.size() / 2];
+  if (overlaps.empty()) return;
+  const double median = medianOf(overlaps);
   MESSAGE("overlap of a box cut-out, median " << median << " of " << overlaps.size() << " photos: " << said);
   CHECK(median > 0.7);
+}
+
+TEST_CASE("a scribble along the thing cuts more of it out of the public photos than a tap on its middle") {
+  std::vector<double> taps, scribbles;
+  std::string said;
+  for (const Photo& photo : photos()) {
+    CutHints tap, scribble;
+    scribble.inside = photo.stroke;
+    tap.inside = {photo.stroke[photo.stroke.size() / 2]};
+    taps.push_back(overlapOf(photo, tap));
+    scribbles.push_back(overlapOf(photo, scribble));
+    said += photo.name + " " + std::to_string(taps.back()).substr(0, 5) + " → " +
+            std::to_string(scribbles.back()).substr(0, 5) + "  ";
+  }
+  if (taps.empty()) return;
+  MESSAGE("overlap of a tap and of a scribble: " << said);
+  CHECK(medianOf(scribbles) > medianOf(taps));
 }

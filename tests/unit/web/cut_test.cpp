@@ -61,6 +61,44 @@ TEST_CASE("a box round the thing cuts it out, with threads and without; used, it
   }
 }
 
+TEST_CASE("a scribble over both colours of a thing cuts out both, a tap on one of them that one alone") {
+  Rig rig;
+  image::Picture two = test::barPicture();  // dark above, red below, on white
+  for (int y = 100; y < 171; ++y) {
+    for (int x = 80; x < 121; ++x) {
+      std::uint8_t* rgba = &two.working.pixels[4 * static_cast<std::size_t>(y * 200 + x)];
+      rgba[0] = 220;
+      rgba[1] = 60;
+    }
+  }
+  rig.app->addPicture(std::move(two), "two.png");
+  rig.settle();
+  rig.run("puff");
+  const auto p = rig.at(100, 60);
+  rig.click(p.x, p.y);
+  const double tapped = shownArea(rig);
+  rig.run("cut-cancel");
+  CHECK(rig.run("cut-by-scribble").flag("ok") == true);
+  CHECK(rig.state().flag("cutByScribble") == true);
+  rig.press(100, 45, 102, 155);
+  CHECK(rig.parts() == 0);
+  rig.lift();
+  rig.settle();
+  const double scribbled = shownArea(rig);
+  CHECK(scribbled == doctest::Approx(kBar).epsilon(0.05));
+  CHECK(tapped < 0.7 * scribbled);
+  CHECK(rig.run("cut-use").flag("ok") == true);
+  rig.settle();
+  CHECK(rig.parts() == 1);
+  // The box takes the scribble's place, the scribble the box's, and a second tap on its button the line's.
+  CHECK(rig.run("cut-by-box").flag("ok") == true);
+  CHECK(rig.state().flag("cutByScribble") == false);
+  rig.run("cut-by-scribble");
+  CHECK(rig.state().flag("cutByBox") == false);
+  rig.run("cut-by-scribble");
+  CHECK(rig.state().flag("cutByScribble") == false);
+}
+
 TEST_CASE("strokes add and take away, undo takes them back one by one, then leaves the cut-out") {
   Rig rig;
   rig.openBar();
