@@ -146,6 +146,41 @@ cv::Mat markedAs(const Copy& copy, const CutHints& hints, bool inside) {
   return marked;
 }
 
+/// What has the colour under a hint and hangs together with it.
+struct Flood {
+  cv::Point at;
+  cv::Mat mask;
+  int area = 0;
+};
+
+/// Those of the hints on the picture. A scribble may slip off a thin thing: of many hints those count as slips whose flood
+/// is far larger than that of most, and no small share of the picture.
+std::vector<Flood> floodsOf(const Copy& copy, const CutHints& hints) {
+  constexpr std::size_t kMany = 5;
+  constexpr int kFar = 4, kNoSmallShare = 30;  // times the median; one of so many pixels of the picture
+  cv::Mat lab, calm;
+  cv::GaussianBlur(copy.bgr, calm, {}, 1.2);
+  cv::cvtColor(calm, lab, cv::COLOR_BGR2Lab);
+  std::vector<Flood> floods;
+  for (const PicturePoint hint : hints.inside) {
+    const cv::Point at = copy.at(hint);
+    if (!copy.holds(at)) continue;
+    cv::Mat flooded = cv::Mat::zeros(lab.rows + 2, lab.cols + 2, CV_8UC1);
+    const cv::Scalar range(kNearColour, kNearColour, kNearColour);
+    const int area = cv::floodFill(lab, flooded, at, {}, nullptr, range, range,
+                                   4 | cv::FLOODFILL_MASK_ONLY | cv::FLOODFILL_FIXED_RANGE | (255 << 8));
+    floods.push_back({at, flooded(cv::Rect(1, 1, lab.cols, lab.rows)), area});
+  }
+  if (floods.size() < kMany) return floods;
+  std::vector<int> areas;
+  for (const Flood& flood : floods) areas.push_back(flood.area);
+  const auto half = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::ranges::nth_element(areas, half);
+  const int most = std::max(kFar * *half, lab.rows * lab.cols / kNoSmallShare);
+  std::erase_if(floods, [&](const Flood& flood) { return flood.area > most; });
+  return floods;
+}
+
 /// What is likely before any cut: within the box, or what has the colour under a hint and hangs
 /// together with it.
 cv::Mat firstGuess(const Copy& copy, const CutHints& hints, bool coreOnly) {
@@ -164,24 +199,15 @@ cv::Mat firstGuess(const Copy& copy, const CutHints& hints, bool coreOnly) {
       cv::ellipse(mask, middle, axes, 0, 0, 360, cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
     }
   }
-  cv::Mat lab, calm;
-  cv::GaussianBlur(copy.bgr, calm, {}, 1.2);
-  cv::cvtColor(calm, lab, cv::COLOR_BGR2Lab);
-  for (const PicturePoint hint : hints.inside) {
-    const cv::Point at = copy.at(hint);
-    if (!copy.holds(at) || hints.box) continue;
-    cv::Mat flooded = cv::Mat::zeros(lab.rows + 2, lab.cols + 2, CV_8UC1);
-    const cv::Scalar range(kNearColour, kNearColour, kNearColour);
-    cv::floodFill(lab, flooded, at, {}, nullptr, range, range,
-                  4 | cv::FLOODFILL_MASK_ONLY | cv::FLOODFILL_FIXED_RANGE | (255 << 8));
-    mask.setTo(cv::Scalar(cv::GC_PR_FGD), flooded(cv::Rect(1, 1, lab.cols, lab.rows)));
-    cv::circle(mask, at, std::max(2, static_cast<int>(kLikelyRadius * side)),
+  const std::vector<Flood> floods = floodsOf(copy, hints);
+  for (const Flood& flood : floods) {
+    if (hints.box) break;
+    mask.setTo(cv::Scalar(cv::GC_PR_FGD), flood.mask);
+    cv::circle(mask, flood.at, std::max(2, static_cast<int>(kLikelyRadius * side)),
                cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
   }
   const int dot = std::max(1, static_cast<int>(kHintRadius * side));
-  for (const PicturePoint hint : hints.inside) {
-    if (copy.holds(copy.at(hint))) cv::circle(mask, copy.at(hint), dot, cv::Scalar(cv::GC_FGD), cv::FILLED);
-  }
+  for (const Flood& flood : floods) cv::circle(mask, flood.at, dot, cv::Scalar(cv::GC_FGD), cv::FILLED);
   for (const PicturePoint hint : hints.outside) {
     if (copy.holds(copy.at(hint))) cv::circle(mask, copy.at(hint), dot, cv::Scalar(cv::GC_BGD), cv::FILLED);
   }
