@@ -222,7 +222,10 @@ Status runLoft(const LoftArguments& arguments, Console console) {
   model.milliseconds.emplace_back("write", nowMs() - started);
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(model))});
   if (Status status = writeAll(files); !status.ok()) return status;
-  if (!arguments.out.empty()) tellSeparateParts(model.document, console.err);
+  if (!arguments.out.empty()) {
+    tellSeparateParts(model.document, console.err);
+    tellCrossingParts(model.document, model.derived, console.err);
+  }
 
   std::ostream& out = console.out;
   std::size_t ribs = 0, triangles = 0;

@@ -86,7 +86,10 @@ Status runOpen(const OpenArguments& arguments, Console console) {
   }
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(opened))});
   if (Status status = writeAll(files); !status.ok()) return status;
-  if (!arguments.out.empty()) tellSeparateParts(opened.document, console.err);
+  if (!arguments.out.empty()) {
+    tellSeparateParts(opened.document, console.err);
+    tellCrossingParts(opened.document, opened.derived, console.err);
+  }
 
   std::ostream& out = console.out;
   out << opened.document.name << ": " << opened.document.pictures.size() << " pictures, "

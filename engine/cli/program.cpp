@@ -5,8 +5,19 @@
 #include <ostream>
 #include <variant>
 
+#include "engine/mesh/self_crossing.h"
+#include "engine/pipeline/solid.h"
+
 namespace spineloft::cli {
 namespace {
+
+/// To a list that is one line.
+void addName(std::string name, std::string& names) {
+  for (char& c : name) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  names += (names.empty() ? "" : ", ") + name;
+}
 
 int finish(const Status& status, std::ostream& err) {
   if (status.ok()) return kExitSuccess;
@@ -70,15 +81,23 @@ std::string sentenceOf(const Failure& failure) {
 void tellSeparateParts(const document::Document& document, std::ostream& err) {
   std::string names;
   for (const document::Step& step : document.steps) {
-    if (holderOf(document, {{}, step.id}) != nullptr || !step.visible) continue;
-    names += (names.empty() ? "" : ", ") + step.name;
+    if (holderOf(document, {{}, step.id}) == nullptr && step.visible) addName(step.name, names);
   }
   if (names.empty()) return;
-  for (char& c : names) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
   err << "spineloft: This program does not put parts together, so these solids are written as the separate parts "
          "that they are made of ("
+      << names << ").\n";
+}
+
+void tellCrossingParts(const document::Document& document, const pipeline::Derived& derived, std::ostream& err) {
+  std::string names;
+  for (const pipeline::DerivedPart& made : derived.parts) {
+    const document::Part* part = document::findPart(document, made.id);
+    if (part == nullptr || !made.shape || !showsItself(document, derived, *part)) continue;
+    if (mesh::selfCrossing(made.shape->mesh)) addName(part->name, names);
+  }
+  if (names.empty()) return;
+  err << "spineloft: These parts go through themselves and are written as they are; the page mends most such parts when it saves ("
       << names << ").\n";
 }
 

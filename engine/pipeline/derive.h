@@ -28,6 +28,11 @@ struct DerivedPart {
   std::optional<Failure> failure;
   /// The edges of its picture are not in the cache yet; or, with a shape, its ribs are those of its stroke alone yet.
   bool waiting = false;
+  /// Of a part in no step that goes through itself: its mesh without that (ModelSpace, with UV), which goes into files
+  /// in its stead. Filled by whoever has a solver, when a file is wanted.
+  std::shared_ptr<const Solid> mended = nullptr;
+  /// Where the part goes through itself, if that was looked for and could not be mended.
+  std::optional<ModelPoint> crossesAt = std::nullopt;
 };
 
 struct Derived {

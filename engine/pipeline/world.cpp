@@ -103,6 +103,13 @@ Copies copiesInWorld(const document::Part& part, image::Size picture) {
   return copiesInWorld(part.placement, part.mirror, picture);
 }
 
+std::optional<WorldPoint> crossingInWorld(const document::Document& document, const DerivedPart& part) {
+  const document::Part* of = document::findPart(document, part.id);
+  const document::PictureEntry* entry = of ? document::findPicture(document, document::pictureOf(*of)) : nullptr;
+  if (!part.crossesAt || entry == nullptr) return std::nullopt;
+  return (*copiesInWorld(*of, entry->size).begin())(*part.crossesAt);
+}
+
 mesh::TriMesh worldMesh(const mesh::TriMesh& mesh, const ToWorld& toWorld) {
   mesh::TriMesh out = mesh;
   for (auto& p : out.positions) {

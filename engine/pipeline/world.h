@@ -62,6 +62,9 @@ Copies copiesInWorld(const document::Placement& placement,
                      const std::optional<document::MirrorPlane>& mirror, image::Size picture);
 Copies copiesInWorld(const document::Part& part, image::Size picture);
 
+/// Where a part goes through itself that could not be mended (DerivedPart::crossesAt), on its first copy.
+std::optional<WorldPoint> crossingInWorld(const document::Document& document, const DerivedPart& part);
+
 /// The mesh (ModelSpace) in WorldSpace, outward again where the copy flips.
 mesh::TriMesh worldMesh(const mesh::TriMesh& mesh, const ToWorld& toWorld);
 

@@ -35,11 +35,7 @@ struct Cloth {
 
 /// The mesh by whose height two colours lie: the part's own, before it was turned. Faces of a solid have none
 /// but themselves.
-const mesh::TriMesh& uprightOf(const Bare& bare) {
-  const bool copy = bare.shape != nullptr &&
-                    bare.shape->mesh.positions.size() == bare.mesh->positions.size();
-  return copy ? bare.shape->mesh : *bare.mesh;
-}
+const mesh::TriMesh& uprightOf(const Bare& bare) { return bare.upright != nullptr ? *bare.upright : *bare.mesh; }
 
 std::array<double, 2> placeOf(const Bare& bare, const Cloth& cloth, std::size_t vertex,
                               const mesh::Bounds& bounds) {

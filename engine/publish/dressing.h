@@ -21,6 +21,7 @@ struct Bare {
   const mesh::TriMesh* mesh = nullptr;        ///< to be written
   const pipeline::PartShape* shape = nullptr;  ///< of which `mesh` is a copy, turned or not; of faces of a solid their part; or null
   io::ExportPart* part = nullptr;             ///< gets material, mesh and picture
+  const mesh::TriMesh* upright = nullptr;     ///< of a part, what `mesh` was before it was turned
 };
 
 /// Meshes and pixels that the dressed parts point to; must outlive them.

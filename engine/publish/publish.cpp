@@ -103,6 +103,14 @@ void gatherSolid(const Model& model, const document::Step& step, const Export& t
   }
 }
 
+/// What is written of a part that shows itself; with UV where the format shows pictures.
+const mesh::TriMesh& meshOf(const pipeline::DerivedPart& part, Format format) {
+  if (!part.mended) return part.shape->mesh;
+  if (!showsPictures(format)) return part.mended->mesh;
+  // All of its faces are of this part.
+  return part.mended->pieces.size() == 1 ? part.mended->pieces.front().mesh : part.shape->mesh;
+}
+
 Status gather(const Model& model, const Export& target, Format format, Shelf& shelf) {
   std::vector<Bare> bare;
   for (const pipeline::DerivedPart& shown : model.derived.parts) {
@@ -111,14 +119,16 @@ Status gather(const Model& model, const Export& target, Format format, Shelf& sh
     const document::PictureEntry* entry = document::findPicture(model.document, document::pictureOf(*part));
     if (entry == nullptr) continue;
     bool first = true;
+    const mesh::TriMesh& mesh = meshOf(shown, format);
     for (const pipeline::ToWorld& toWorld : pipeline::copiesInWorld(*part, entry->size)) {
       const bool turned = !toWorld.isStraight();
-      if (turned) shelf.turned.push_back(turnedMesh(shown.shape->mesh, toWorld));
+      if (turned) shelf.turned.push_back(turnedMesh(mesh, toWorld));
       io::ExportPart out;
       out.name = first ? part->name : part->name + " mirrored";
       out.placement = placementOf(toWorld, turned, target);
+      out.ofSolid = &mesh != &shown.shape->mesh;
       shelf.parts.push_back(std::move(out));
-      bare.push_back({&part->look, turned ? &shelf.turned.back() : &shown.shape->mesh, shown.shape.get(), nullptr});
+      bare.push_back({&part->look, turned ? &shelf.turned.back() : &mesh, shown.shape.get(), nullptr, &mesh});
       first = false;
     }
   }

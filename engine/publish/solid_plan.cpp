@@ -203,6 +203,23 @@ SolidPlan planSolids(const Document& document, const pipeline::Derived& derived,
   return Planner(document, derived, instead).plan();
 }
 
+std::uint64_t aloneKey(PartId part, const pipeline::PartShape& shape) {
+  return Hasher().text("alone").number(shape.key).number(part.value).value();
+}
+
+void planAlone(SolidPlan& plan, PartId part, const pipeline::PartShape& shape) {
+  const auto known = std::ranges::find(plan.meshes, shape.key, &SolidPlan::Mesh::key);
+  SolidPlan::Operand operand;
+  operand.mesh = static_cast<std::size_t>(known - plan.meshes.begin());
+  if (known == plan.meshes.end()) plan.meshes.push_back({shape.key, &shape.mesh});
+  operand.part = part;
+  for (std::size_t i = 0; i < 4; ++i) operand.toWorld[5 * i] = 1;
+  SolidPlan::Node node;
+  node.key = aloneKey(part, shape);
+  node.operands.push_back(operand);
+  plan.nodes.push_back(std::move(node));
+}
+
 document::OpeningSide sideFacing(const document::Document& document, const pipeline::Derived& derived,
                                  const document::Step& step, const WorldPoint& direction) {
   return Planner(document, derived, nullptr).facing(step, direction);

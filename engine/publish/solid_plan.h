@@ -52,6 +52,11 @@ struct Substitute {
 SolidPlan planSolids(const document::Document& document, const pipeline::Derived& derived,
                      const Substitute* instead = nullptr);
 
+/// Of a part in no step: a node that unites it with itself, in its own space (ModelSpace). Adds it to the plan; its key
+/// is that of `aloneKey`.
+std::uint64_t aloneKey(PartId part, const pipeline::PartShape& shape);
+void planAlone(SolidPlan& plan, PartId part, const pipeline::PartShape& shape);
+
 /// The side of a hollow step that faces a direction most (WorldSpace, any length): an end of its bone before a side of
 /// the world that faces it hardly more. Up for a direction without length.
 document::OpeningSide sideFacing(const document::Document& document, const pipeline::Derived& derived,

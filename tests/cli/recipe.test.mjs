@@ -1,11 +1,11 @@
 // spineloft loft --recipe: what a person authored, as JSON, becomes the model that the page would make.
 import assert from 'node:assert/strict';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import validator from 'gltf-validator';
-import { barFolder, barStroke, fails, glbJson, readJson, readObj, works, workFolder } from '../support/cli.mjs';
+import { barFolder, barStroke, fails, glbJson, readJson, readObj, run, works, workFolder } from '../support/cli.mjs';
 
 const recipes = fileURLToPath(new URL('../../assets/docs/recipes/', import.meta.url));
 const recipe = (name) => join(recipes, `${name}.json`);
@@ -57,6 +57,22 @@ test('the helix winds three times round its line and its bar stays as thick', (t
   const longer = (turns) => Math.hypot(2 * Math.PI * 110 * turns, 512) / 512;
   const times = mesh.volume / straight.mesh.volume;
   assert.ok(times > longer(2) && times < longer(3), `${times}`);
+});
+
+test('a coil so tight that it goes through itself is written, and one sentence names the part; one that does not, none', (t) => {
+  const folder = workFolder(t), json = readJson(recipe('helix'));
+  const write20 = (more) => {
+    Object.assign(json.parts[0], more);
+    json.parts[0].recipe.pose.coilTurns = 20;
+    return run('loft', '--recipe', write(folder, 'tight.json', json), '--out', folder.path('tight.glb'));
+  };
+  const tight = write20({});
+  assert.deepEqual([tight.status, /^spineloft: [^\n]*go through themselves[^\n]*\(Spring\)\.\n$/.test(tight.stderr)], [0, true], tight.stderr);
+  assert.ok(existsSync(folder.path('tight.glb')));
+  // What is not seen is not written.
+  json.parts.push({ ...readJson(recipe('helix')).parts[0], id: 2, name: 'Wide' });
+  json.lastPartId = 2;
+  assert.deepEqual([write20({ visible: false }).status, write20({ visible: false }).stderr], [0, '']);
 });
 
 test('a twist turns the pasta and leaves its volume', (t) => {

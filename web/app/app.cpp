@@ -550,6 +550,7 @@ bool App::idle() {
 
 void App::cancelWork() {
   studio_.cancelWork();
+  ui_.printWaits = false;
   touch();
 }
 
@@ -557,6 +558,10 @@ void App::solved(std::string_view answerJson, std::span<const std::uint8_t> byte
   const std::optional<Json> answer = Json::parse(answerJson);
   if (!answer) return;
   if (!studio_.takeSolid(*answer, bytes)) return;
+  if (ui_.printWaits && !studio_.solving()) {
+    ui_.printWaits = false;
+    if (Outcome outcome = tellPrint(env())) refused(*outcome);
+  }
   announce();
   touch(2);
 }

@@ -56,6 +56,7 @@ class App final : public platform::Page {
   void cancelWork() override;
   void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
   void prepareSolids() override { studio_.prepareParts(); }
+  void finishParts() override { studio_.finishParts(); }
   void markSaved() override;
   const std::string& history() override;
   const std::string& photos() override;

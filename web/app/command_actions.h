@@ -11,6 +11,10 @@ Outcome clearBoard(const CommandEnv& env, const Json& args);
 Outcome saveGlb(const CommandEnv& env, const Json& args);
 Outcome saveStl(const CommandEnv& env, const Json& args);
 
+// Printing.
+/// Checks the model as it is, and says what it found; when the solver had to be waited for.
+Outcome tellPrint(const CommandEnv& env);
+
 // Parts.
 Outcome drawSpine(const CommandEnv& env, const Json& args);
 Outcome redrawSpine(const CommandEnv& env, const Json& args);

@@ -68,7 +68,9 @@ std::vector<PrintLine> printLines(const PrintReport& report) {
   const printing::PrintCheck& check = report.check;
   std::vector<PrintLine> lines;
   if (!report.faults.empty()) lines.push_back({false, report.faults});
-  lines.insert(lines.end(), {closedLine(check), sizeLine(check), wallLine(check, report.thin)});
+  lines.push_back(closedLine(check));
+  for (const std::string& part : report.crossing) lines.push_back({false, failureSentence({Error::PartCrossesItself, part})});
+  lines.insert(lines.end(), {sizeLine(check), wallLine(check, report.thin)});
   // How a heap of loose pieces stands is nobody's question.
   if (check.pieces < 2) lines.push_back(standLine(check));
   return lines;

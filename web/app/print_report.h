@@ -17,6 +17,7 @@ struct PrintReport {
   document::Document of;
   std::vector<Thickening> thin = {};  ///< what could be set thicker where it is too thin
   std::string faults = {};            ///< what of the model is not as it should be (see faultsOf)
+  std::vector<std::string> crossing = {};  ///< names of parts that go through themselves
 };
 
 /// What to do where no printer takes what is made larger until its thinnest place is thick enough.
@@ -28,7 +29,8 @@ struct PrintLine {
   std::string text;           ///< a sentence
   std::string_view fix = {};  ///< the command that mends it, if one does
 };
-/// What is at fault, closed and in how many pieces, size, thickness, and how a single piece stands: a line each.
+/// What is at fault, closed and in how many pieces, what goes through itself, size, thickness, and how a single piece
+/// stands: a line each.
 std::vector<PrintLine> printLines(const PrintReport& report);
 
 struct PrintMessage {

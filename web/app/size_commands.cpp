@@ -77,23 +77,15 @@ void besideChoices(Env env, JsonWriter& json) {
   writeChoice(json, "none", "Nothing", !env.ui.beside);
 }
 
+bool isPutTogether(Env env) { return !std::ranges::any_of(env.studio.derived().steps, &pipeline::DerivedStep::waiting); }
+
+Outcome notYet() { return Refusal{"NotReady", "The parts are still being put together. Ask again in a moment."}; }
+
 Outcome checkPrint(Env env, const Json&) {
-  const auto& steps = env.studio.derived().steps;
-  if (std::ranges::any_of(steps, &pipeline::DerivedStep::waiting)) {
-    return Refusal{"NotReady", "The parts are still being put together. Ask again in a moment."};
-  }
-  Result<printing::PrintCheck> check = publish::checkPrint(env.studio.document(), env.studio.derived());
-  if (!check) return refuse(check.failure());
-  const document::Document& document = env.studio.document();
-  env.ui.print = PrintReport{check.value(), document, {}, faultsOf(document, env.studio.derived())};
-  if (!check.value().thick()) env.ui.print->thin = thickenings(document, millimetresPerUnit(env));
-  const PrintMessage message = printMessage(*env.ui.print);
-  if (message.good) {
-    sendInfo(env.host, message.text);
-  } else {
-    sendWarning(env.host, message.text);
-  }
-  return {};
+  if (!isPutTogether(env)) return notYet();
+  env.ui.printWaits = !env.studio.finishParts();
+  if (env.ui.printWaits) return {};
+  return tellPrint(env);
 }
 
 /// What was set too thin is set thicker; solids that are made anew are checked when they are there.
@@ -106,9 +98,10 @@ Outcome setThicker(Env env, const std::vector<Thickening>& thin) {
   return {};
 }
 
-Outcome thicken(Env env, const Json& args) {
+Outcome thicken(Env env, const Json&) {
+  if (!isPutTogether(env) || !env.studio.finishParts()) return notYet();
   if (!env.ui.print || !(env.ui.print->of == env.studio.document())) {
-    if (const Outcome refused = checkPrint(env, args)) return refused;
+    if (const Outcome refused = tellPrint(env)) return refused;
   }
   const double thinnest = env.ui.print->check.thinnest;
   if (!(thinnest > 0)) return refuse({Error::NothingToExport, {}});
@@ -119,7 +112,7 @@ Outcome thicken(Env env, const Json& args) {
   if (const Status status = env.studio.act(document::SetHeight{Millimetres{std::ceil(mm)}}); !status) {
     return refuse(status.failure());
   }
-  return checkPrint(env, args);
+  return tellPrint(env);
 }
 
 /// What stands on its own: a part, or an outermost solid.
@@ -238,6 +231,25 @@ constexpr std::array kTable = {
 };
 
 }  // namespace
+
+Outcome tellPrint(const CommandEnv& env) {
+  Result<printing::PrintCheck> check = publish::checkPrint(env.studio.document(), env.studio.derived());
+  if (!check) return refuse(check.failure());
+  const document::Document& document = env.studio.document();
+  PrintReport report{check.value(), document, {}, faultsOf(document, env.studio.derived())};
+  if (!check.value().thick()) report.thin = thickenings(document, millimetresPerUnit(env));
+  for (const PartId id : env.studio.crossingParts()) {
+    if (const document::Part* part = document::findPart(report.of, id)) report.crossing.push_back(part->name);
+  }
+  env.ui.print = std::move(report);
+  const PrintMessage message = printMessage(*env.ui.print);
+  if (message.good) {
+    sendInfo(env.host, message.text);
+  } else {
+    sendWarning(env.host, message.text);
+  }
+  return {};
+}
 
 std::span<const Command> sizeCommands() { return kTable; }
 

@@ -4,12 +4,13 @@
 #include <cstring>
 
 #include "engine/io/json_fields.h"
+#include "engine/mesh/self_crossing.h"
 #include "web/app/messages.h"
 
 namespace spineloft::app {
 namespace {
 
-constexpr std::size_t kMostTroubles = 256;
+constexpr std::size_t kMostTroubles = 256, kMostLooked = 256;
 /// What the solver makes for itself: no more than this many parts, of no more triangles.
 constexpr std::size_t kMostLikelyParts = 16, kMostLikelyTriangles = 160000;
 
@@ -129,15 +130,30 @@ std::vector<pipeline::SolidArrays::Run> runsOf(const Json& mesh) {
 
 }  // namespace
 
-void SolidWork::update(const document::Document& document, pipeline::Derived& derived) {
+void SolidWork::update(const document::Document& document, pipeline::Derived& derived, Alone alone) {
   derived.steps.clear();
+  publish::SolidPlan plan;
+  std::vector<std::uint64_t> missing;
   if (document.steps.empty()) {
     latest_.clear();
-    if (busy()) cancel();
+  } else {
+    plan = publish::planSolids(document, derived);
+    updateSteps(document, derived, plan, missing);
+  }
+  updateAlone(document, derived, alone, plan, missing);
+  if (missing.empty()) {
+    if (document.steps.empty() && busy()) cancel();
     return;
   }
-  const publish::SolidPlan plan = publish::planSolids(document, derived);
-  std::vector<std::uint64_t> missing;
+  if (asked_ && asked_->purpose != Purpose::Preview && asked_->keys == missing) {
+    asked_->purpose = Purpose::Document;
+  } else {
+    ask(plan, std::move(missing), Purpose::Document);
+  }
+}
+
+void SolidWork::updateSteps(const document::Document& document, pipeline::Derived& derived,
+                            const publish::SolidPlan& plan, std::vector<std::uint64_t>& missing) {
   for (const document::Step& step : document.steps) {
     pipeline::DerivedStep result;
     result.id = step.id;
@@ -171,11 +187,51 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
     derived.steps.push_back(std::move(result));
   }
   std::erase_if(latest_, [&](const auto& entry) { return findStep(document, entry.first) == nullptr; });
-  if (missing.empty()) return;
-  if (asked_ && asked_->purpose != Purpose::Preview && asked_->keys == missing) {
-    asked_->purpose = Purpose::Document;
-  } else {
-    ask(plan, std::move(missing), Purpose::Document);
+}
+
+void SolidWork::updateAlone(const document::Document& document, pipeline::Derived& derived, Alone alone,
+                            publish::SolidPlan& plan, std::vector<std::uint64_t>& missing) {
+  for (pipeline::DerivedPart& part : derived.parts) {
+    part.mended.reset();
+    part.crossesAt.reset();
+    const document::Part* known = document::findPart(document, part.id);
+    const bool isFinal = part.shape && part.shape->decided == pipeline::Decided::ByHands;
+    if (known == nullptr || !known->visible || !isFinal || rootOf(document, {part.id, {}}) != nullptr) continue;
+    const Looked* looked = lookOver(*part.shape, alone);
+    if (looked == nullptr || !looked->crosses) continue;
+    const std::uint64_t key = publish::aloneKey(part.id, *part.shape);
+    const Trouble* trouble = troubleOf(key);
+    part.mended = solids_.find(key);
+    if (part.mended) continue;
+    if (trouble == nullptr && alone == Alone::All) {
+      publish::planAlone(plan, part.id, *part.shape);
+      missing.push_back(key);
+    } else if (trouble != nullptr && trouble->failure.error != Error::Cancelled) {
+      part.crossesAt = looked->crosses;
+      if (trouble->at) part.crossesAt = ModelPoint{trouble->at->x, trouble->at->y, trouble->at->z};
+    }
+  }
+}
+
+/// What is known of a shape; null where it was not looked at, and need not be.
+const SolidWork::Looked* SolidWork::lookOver(const pipeline::PartShape& shape, Alone alone) {
+  const auto at = std::ranges::find(looked_, shape.key, &Looked::key);
+  if (at != looked_.end()) return &*at;
+  if (alone == Alone::AsKnown) return nullptr;
+  if (looked_.size() >= kMostLooked) looked_.erase(looked_.begin());
+  Looked looked{shape.key, {}};
+  if (const auto found = mesh::selfCrossing(shape.mesh)) looked.crosses = ModelPoint{(*found)[0], (*found)[1], (*found)[2]};
+  looked_.push_back(looked);
+  return &looked_.back();
+}
+
+void SolidWork::lookAgain(const pipeline::Derived& derived) {
+  for (const pipeline::DerivedPart& part : derived.parts) {
+    if (!part.shape) continue;
+    std::erase_if(failures_, [key = publish::aloneKey(part.id, *part.shape)](const Trouble& trouble) {
+      const Error error = trouble.failure.error;
+      return trouble.key == key && (error == Error::Cancelled || error == Error::SolverStopped);
+    });
   }
 }
 

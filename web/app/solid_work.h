@@ -23,9 +23,15 @@ class SolidWork {
  public:
   explicit SolidWork(platform::Host& host) : host_(host) {}
 
-  /// Sets `derived.steps`, and asks the solver for what is not known yet; a newer request replaces the one it is
-  /// at.
-  void update(const document::Document& document, pipeline::Derived& derived);
+  /// What is to be known of parts in no step: what is known, or, for a file, all.
+  enum class Alone { AsKnown, All };
+
+  /// Sets `derived.steps`, and what is known of parts that go through themselves; asks the solver for what is not known
+  /// yet. A newer request replaces the one it is at.
+  void update(const document::Document& document, pipeline::Derived& derived, Alone alone = Alone::AsKnown);
+  /// Forgets which parts in no step were not mended because the solver was stopped or died: the next `update` for all
+  /// asks once more.
+  void lookAgain(const pipeline::Derived& derived);
   /// The same for a document as a gesture would make it, with another mesh for a part that is being edited, unless
   /// the solver is at something: the hand never waits. What comes shows until the next `update`. Parts that are only
   /// joined show themselves meanwhile: that looks the same, and costs nothing.
@@ -75,6 +81,16 @@ class SolidWork {
     std::optional<WorldPoint> at;
     std::optional<double> thickest = {};
   };
+  /// A shape that was looked over for places where it goes through itself.
+  struct Looked {
+    std::uint64_t key = 0;
+    std::optional<ModelPoint> crosses;
+  };
+  void updateSteps(const document::Document& document, pipeline::Derived& derived, const publish::SolidPlan& plan,
+                   std::vector<std::uint64_t>& missing);
+  void updateAlone(const document::Document& document, pipeline::Derived& derived, Alone alone,
+                   publish::SolidPlan& plan, std::vector<std::uint64_t>& missing);
+  const Looked* lookOver(const pipeline::PartShape& shape, Alone alone);
   void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose);
   void keepTrouble(Trouble trouble);
   const Trouble* troubleOf(std::uint64_t key) const;
@@ -85,6 +101,7 @@ class SolidWork {
   pipeline::Shelf<pipeline::Solid> solids_{kMostBytes};
   std::vector<std::pair<StepId, std::shared_ptr<const pipeline::Solid>>> latest_;  ///< last good ones
   std::vector<Trouble> failures_;
+  std::vector<Looked> looked_;
   std::optional<Asked> asked_;
   std::uint64_t lastId_ = 0;
   PartId expected_;  ///< as told

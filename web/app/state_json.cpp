@@ -217,6 +217,12 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   writePlacement(json, part, mm);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
+  json.key("mended").flag(derived.mended != nullptr);
+  if (const auto at = crossingInWorld(document, derived)) {
+    writeNumbers(json, "crossesAt", {at->x, at->y, at->z});
+  } else {
+    json.key("crossesAt").null();
+  }
   writeRibs(json, derived.shape ? derived.shape->ribs : kNoRibs);
   const ribs::RibEdits& edits = loft.edits;
   json.key("edits").beginObject().key("ends").number(static_cast<double>(edits.ends.size()));

@@ -170,7 +170,7 @@ void Studio::noteTimes(const pipeline::Derived& before) {
 
 void Studio::updateSolids() {
   previewing_ = false;
-  solids_.update(document(), derived_);
+  solids_.update(document(), derived_, finishing_ ? SolidWork::Alone::All : SolidWork::Alone::AsKnown);
   prepareUnion();
   reportSolids();
 }
@@ -218,7 +218,12 @@ void Studio::takeTexture(const pipeline::TextureMaking& making) {
 }
 
 void Studio::saveWaiting() {
-  if (!saveWaiting_ || !allMade()) return;
+  if (!allMade()) return;
+  // A preview shows what a file does not hold.
+  if (finishing_ && previewing_) updateSolids();
+  if (!allMade()) return;
+  finishing_ = false;
+  if (!saveWaiting_) return;
   const publish::Format format = *std::exchange(saveWaiting_, std::nullopt);
   if (const Status status = saveNow(format); !status) sendError(host_, failureSentence(status.failure()));
 }
@@ -423,15 +428,41 @@ std::vector<PicturePoint> Studio::strokeOnThing(const document::LoftRecipe& reci
 }
 
 Status Studio::save(publish::Format format) {
-  derived();
+  // Work in progress is kept at once, and needs no solid.
+  if (format == publish::Format::Project) {
+    derived();
+  } else {
+    finishParts();
+  }
   if (allMade()) return saveNow(format);
   saveWaiting_ = format;
   return Done{};
 }
 
+bool Studio::finishParts() {
+  derived();
+  if (!finishing_) solids_.lookAgain(derived_);
+  finishing_ = true;
+  updateSolids();
+  finishing_ = !allMade();
+  return !solids_.busy();
+}
+
+std::vector<PartId> Studio::crossingParts() {
+  std::vector<PartId> parts;
+  for (const pipeline::DerivedPart& part : derived().parts) {
+    if (part.crossesAt) parts.push_back(part.id);
+  }
+  return parts;
+}
+
 Status Studio::saveNow(publish::Format format) {
   if (document().parts.empty() && format != publish::Format::Project) return Error::NothingToExport;
   tellFaults(format);
+  for (const PartId id : format == publish::Format::Project ? std::vector<PartId>() : crossingParts()) {
+    const document::Part* part = document::findPart(document(), id);
+    sendWarning(host_, failureSentence({Error::PartCrossesItself, part ? part->name : std::string()}));
+  }
   const document::Document written = document();
   pool_.submit(
       "Saving the model",
@@ -475,6 +506,7 @@ bool Studio::pump() { return pool_.pump() > 0; }
 void Studio::cancelWork() {
   pool_.cancelAll();
   saveWaiting_.reset();
+  finishing_ = false;
   if (!solids_.busy()) return;
   solids_.cancel();
   if (!stale_) updateSolids();

@@ -63,6 +63,13 @@ class Studio {
   /// A stroke as far as it lies on the thing under it (pipeline::strokeOnThing).
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
 
+  /// A file or a check is wanted: parts in no step that go through themselves are mended by the solver, as far as they
+  /// can be (DerivedPart::mended). False: it is at it, and `solving` until it is done.
+  bool finishParts();
+  bool solving() const { return solids_.busy(); }
+  /// What goes through itself and could not be mended.
+  std::vector<PartId> crossingParts();
+
   /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
   Status save(publish::Format format);
   /// The file, now and here.
@@ -163,6 +170,7 @@ class Studio {
   std::vector<document::Operand> picked_;
   SolidWork solids_;
   bool previewing_ = false;
+  bool finishing_ = false;  ///< of parts in no step all is to be known
   std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
   /// Waits for the ribs, solids and textures it is to hold.
   std::optional<publish::Format> saveWaiting_;

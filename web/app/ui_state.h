@@ -223,6 +223,7 @@ struct UiState {
   std::optional<CutDraft> cut;  ///< what is being cut out of the picture
   CutBy cutBy = CutBy::Outline;
   std::optional<PrintReport> print;  ///< the last check for printing
+  bool printWaits = false;           ///< one was asked for, and waits for the solver
   std::optional<std::size_t> beside;  ///< of things(): what stands beside the solid, to compare
   bool secondColour = false;  ///< the colours of the panel are for what is below
 

@@ -42,6 +42,11 @@ void drawTroubleInSolid(const PanelEnv& env) {
       const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid, *step.at);
       if (at) mark(list, {static_cast<float>(at->x), static_cast<float>(at->y)});
     }
+    for (const pipeline::DerivedPart& part : env.derived.parts) {
+      const auto where = pipeline::crossingInWorld(env.document(), part);
+      const auto at = where ? app::pointOnCanvas(ui.camera, ui.layout.solid, *where) : std::nullopt;
+      if (at) mark(list, {static_cast<float>(at->x), static_cast<float>(at->y)});
+    }
   });
 }
 
@@ -55,6 +60,11 @@ void drawTroubleInPicture(const PanelEnv& env) {
       if (entry == nullptr) continue;
       const ModelPoint at = app::shownCopies(ui, *part, entry->size).begin()->toModel(*step.at);
       mark(list, onCanvas(ui, {at.x, -at.y}));
+    }
+    for (const pipeline::DerivedPart& each : env.derived.parts) {
+      const document::Part* part = document::findPart(env.document(), each.id);
+      if (!each.crossesAt || part == nullptr || document::pictureOf(*part) != ui.picture) continue;
+      mark(list, onCanvas(ui, {each.crossesAt->x, -each.crossesAt->y}));
     }
   });
 }

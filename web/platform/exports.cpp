@@ -153,6 +153,9 @@ EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* byt
 EMSCRIPTEN_KEEPALIVE void spl_prepareSolids() {
   if (page() != nullptr) page()->prepareSolids();
 }
+EMSCRIPTEN_KEEPALIVE void spl_finishParts() {
+  if (page() != nullptr) page()->finishParts();
+}
 EMSCRIPTEN_KEEPALIVE void spl_markSaved() {
   if (page() != nullptr) page()->markSaved();
 }

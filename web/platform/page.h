@@ -85,6 +85,8 @@ class Page {
   virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;
   /// Nobody waits for anything: the solver may get ready what is likely to be stuck together.
   virtual void prepareSolids() = 0;
+  /// A file is wanted: the solver mends what goes through itself; `idle` when it has.
+  virtual void finishParts() = 0;
 
   // Keeping models on the device; see web/app/keeping.h.
   /// The whole history as a base of the journal.

@@ -119,6 +119,10 @@ export interface Part {
   waiting: boolean;
   /** Name of the error that left it without a shape. */
   failure: string | null;
+  /** It goes through itself, and the files since the last save or check hold it without that. */
+  mended: boolean;
+  /** Where it goes through itself, world, if the last save or check found that it does and it could not be mended. */
+  crossesAt: [number, number, number] | null;
 }
 
 export interface PictureInfo {

@@ -83,6 +83,7 @@ interface Module {
   _spl_idle(): number;
   _spl_warmUp(): number;
   _spl_prepareSolids(): void;
+  _spl_finishParts(): void;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
   _spl_solved(answer: number, bytes: number, length: number): void;
@@ -292,6 +293,11 @@ export class Engine {
   /** Has the solver of solids put together what is likely to be asked for, where that is little. */
   prepareSolids(): void {
     this.module._spl_prepareSolids();
+  }
+
+  /** A file is wanted: the solver of solids mends the parts that go through themselves; idle when it has. */
+  finishParts(): void {
+    this.module._spl_finishParts();
   }
 
   cancelWork(): void {

@@ -107,7 +107,9 @@ export function installApi(api: ApiPage): void {
       if (!kFormats.includes(format)) {
         throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj, zip, stl, 3mf or spineloft.`);
       }
-      // A file holds finished solids.
+      // A file holds finished solids, and parts that do not go through themselves.
+      await installed.idle();
+      if (format !== 'spineloft') engine.finishParts();
       await installed.idle();
       return engine.exportModel(format);
     },

@@ -58,8 +58,8 @@ struct TwoBars : Rig {
     json.value(answer);
     app->solved(json.json(), bytes);
   }
-  /// A tetrahedron, whatever was asked for; half of it from each part.
-  void answer(const app::Json& request, float size = 1) {
+  /// A tetrahedron, whatever was asked for; half of it from each part, or all from the first.
+  void answer(const app::Json& request, float size = 1, bool isOfOne = false) {
     const std::array<float, 12> positions{0, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size};
     const std::array<float, 8> uv{};
     const std::array<std::uint32_t, 12> corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
@@ -67,8 +67,10 @@ struct TwoBars : Rig {
     std::memcpy(bytes.data(), positions.data(), sizeof positions);
     std::memcpy(bytes.data() + sizeof positions, uv.data(), sizeof uv);
     std::memcpy(bytes.data() + sizeof positions + sizeof uv, corners.data(), sizeof corners);
+    const std::string runs = isOfOne ? R"({"part":1,"first":0,"count":4})"
+                                     : R"({"part":1,"first":0,"count":2},{"part":2,"first":2,"count":2})";
     const app::Json mesh = *app::Json::parse(R"({"vertices":4,"triangles":4,"merges":0,"volume":0.1,"area":2,"genus":0,)"
-                                   R"("runs":[{"part":1,"first":0,"count":2},{"part":2,"first":2,"count":2}]})");
+                                             R"("runs":[)" + runs + "]}");
     say(ofSolid(request, "mesh", mesh), bytes);
     done(request);
   }

@@ -1,0 +1,41 @@
+// A part in no solid that goes through itself: what is saved does not, by the real solver in its worker.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { parseStl } from './support/model_files.mjs';
+import { exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { samples } from './support/pictures.mjs';
+import { deepest, diagonal, measure } from './support/solids.mjs';
+
+const kit = useSite();
+const [lemur] = samples();
+
+/** Corners of one place are one vertex. */
+function welded(corners) {
+  const places = new Map(), positions = [];
+  const triangles = Uint32Array.from(corners, ([x, y, z]) => {
+    const key = `${x} ${y} ${z}`;
+    if (!places.has(key)) {
+      places.set(key, positions.length / 3);
+      positions.push(x, y, z);
+    }
+    return places.get(key);
+  });
+  return { positions: Float32Array.from(positions), triangles };
+}
+
+test('a lone part that is coiled through itself is saved as a solid that does not, and looks as it did', async () => {
+  await onPage(kit, { isolated: false }, async (page) => {
+    await openPicture(page, lemur.bytes, 'lemur');
+    await run(page, 'draw-spine', { stroke: lemur.spine });
+    await idle(page);
+    assert.equal((await state(page)).parts[0].mended, false);
+    await run(page, 'coil', { turns: 20, radius: 110 });
+    await idle(page);
+    const [before] = (await state(page)).parts;
+    const mesh = welded(parseStl(await exported(page, 'stl')).flat());
+    const [part] = (await state(page)).parts;
+    assert.deepEqual([part.mended, part.crossesAt, part.triangles], [true, null, before.triangles]);
+    assert.ok(deepest(mesh.positions, mesh.triangles) <= 1.01e-6 * diagonal(mesh.positions));
+    assert.ok(measure({ ...mesh, mergeFrom: [], mergeTo: [] }).volume > 0);
+  });
+});

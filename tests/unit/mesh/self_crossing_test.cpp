@@ -1,0 +1,118 @@
+#include "engine/mesh/self_crossing.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/base/rng.h"
+
+using namespace spineloft;
+using mesh::TriMesh;
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// A cube of side 1 with its low corner there.
+void addCube(TriMesh& mesh, const std::array<float, 3>& low) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    mesh.positions.push_back({low[0] + static_cast<float>(v & 1), low[1] + static_cast<float>((v >> 1) & 1),
+                              low[2] + static_cast<float>(v >> 2)});
+  }
+  for (const auto& [a, b, c, d] : {std::array{0u, 2u, 3u, 1u}, {4u, 5u, 7u, 6u}, {0u, 1u, 5u, 4u},
+                                   {2u, 6u, 7u, 3u}, {0u, 4u, 6u, 2u}, {1u, 3u, 7u, 5u}}) {
+    mesh.triangles.push_back({first + a, first + b, first + c});
+    mesh.triangles.push_back({first + a, first + c, first + d});
+  }
+}
+
+double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto from = [&](const Point& p) { return Point{p[0] - a[0], p[1] - a[1], p[2] - a[2]}; };
+  const Point u = from(b), v = from(c), w = from(d);
+  return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+/// Whether the line from d to e goes through the triangle: by the signs of volumes.
+bool pierces(const std::array<Point, 3>& t, const Point& d, const Point& e) {
+  if (volume(t[0], t[1], t[2], d) * volume(t[0], t[1], t[2], e) > 0) return false;
+  const double x = volume(d, e, t[0], t[1]), y = volume(d, e, t[1], t[2]), z = volume(d, e, t[2], t[0]);
+  return (x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0);
+}
+
+std::array<Point, 3> corners(const TriMesh& mesh, std::size_t t) {
+  std::array<Point, 3> out;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& p = mesh.positions[mesh.triangles[t][c]];
+    out[c] = {p[0], p[1], p[2]};
+  }
+  return out;
+}
+
+/// Any two triangles, of which none share a corner, by trying every edge against every triangle.
+bool crossesByTrying(const TriMesh& mesh) {
+  for (std::size_t s = 0; s < mesh.triangles.size(); ++s) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (s == t) continue;
+      const auto one = corners(mesh, s), other = corners(mesh, t);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (pierces(one, other[k], other[(k + 1) % 3])) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a body alone, and two that are apart or only touch, do not cross; two that reach into one another do, there") {
+  TriMesh one;
+  addCube(one, {0, 0, 0});
+  CHECK_FALSE(mesh::selfCrossing(one));
+  CHECK_FALSE(mesh::selfCrossing({}));
+  const auto with = [&](float x) {
+    TriMesh two = one;
+    addCube(two, {x, 0.3f, 0.4f});
+    return mesh::selfCrossing(two);
+  };
+  CHECK_FALSE(with(1.5f));
+  CHECK_FALSE(with(1));
+  // The diagonal is about 3: what is less deep than three millionths is rounding, what is clearly deeper is not.
+  CHECK_FALSE(with(1 - 1e-6f));
+  CHECK(with(1 - 1e-5f));
+  const auto at = with(0.5f);
+  REQUIRE(at);
+  for (const double x : *at) {
+    CHECK(x > 0);
+    CHECK(x < 1.5);
+  }
+}
+
+TEST_CASE("triangles anywhere cross exactly when an edge of one goes through another") {
+  Rng rng(7);
+  int crossing = 0;
+  constexpr int kRounds = 400;
+  for (int round = 0; round < kRounds; ++round) {
+    TriMesh soup;
+    const std::uint32_t count = round % 2 == 0 ? 2 : 24;
+    const double size = count == 2 ? 1 : 0.12;
+    for (std::uint32_t t = 0; t < count; ++t) {
+      const Point centre{rng.uniform(), rng.uniform(), rng.uniform()};
+      for (int c = 0; c < 3; ++c) {
+        soup.positions.push_back({static_cast<float>(centre[0] + size * rng.uniform()), static_cast<float>(centre[1] + size * rng.uniform()),
+                                  static_cast<float>(centre[2] + size * rng.uniform())});
+      }
+      soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const bool crosses = crossesByTrying(soup);
+    crossing += crosses ? 1 : 0;
+    CAPTURE(round);
+    CHECK(mesh::selfCrossing(soup).has_value() == crosses);
+  }
+  // Both happen often.
+  CHECK(crossing > kRounds / 20);
+  CHECK(crossing < kRounds * 19 / 20);
+}

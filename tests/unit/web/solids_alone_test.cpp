@@ -1,0 +1,196 @@
+// Parts in no step that go through themselves: what the solver is asked when a file or a check is wanted, and what
+// becomes of its answers.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <string_view>
+
+#include "tests/unit/web/two_bars.h"
+
+using namespace spineloft;
+using app::Json;
+using test::TwoBars;
+
+namespace {
+
+constexpr std::size_t kFourTriangles = 84 + 4 * 50;
+
+/// The first bar is coiled so that it goes through itself; the second is as it was.
+struct Coiled : TwoBars {
+  Coiled() {
+    run("coil", R"({"part": 1, "turns": 6, "radius": 12})");
+    settle();
+  }
+  Json part(std::size_t i = 0) { return (*state().find("parts")->array())[i]; }
+  bool isMended() { return *part().flag("mended"); }
+  bool isMarked() { return part().find("crossesAt")->array() != nullptr; }
+  std::size_t stl() { return app->exportModel("stl").size(); }
+};
+
+}  // namespace
+
+TEST_CASE("while nobody wants a file the solver is not asked about parts in no step") {
+  Coiled rig;
+  rig.app->prepareSolids();  // shares nothing of it: what it makes is for itself
+  const std::size_t before = rig.asked();
+  for (int i = 0; i < 10; ++i) rig.app->frame();
+  CHECK(rig.settle());
+  CHECK(rig.asked() == before);
+}
+
+TEST_CASE("parts that do not go through themselves are saved and checked at once, without a solver") {
+  TwoBars straight;
+  const std::size_t size = straight.app->exportModel("stl").size();
+  straight.run("save-stl");
+  CHECK(straight.settle());
+  CHECK(straight.asked() == 0);
+  REQUIRE(straight.host.files.size() == 1);
+  CHECK(straight.host.files[0].second == size);
+  straight.run("check-print");
+  CHECK(straight.asked() == 0);
+  CHECK_FALSE(straight.state().find("print")->isNull());
+}
+
+TEST_CASE("a file waits for the one part that goes through itself, and holds what it was united to; once for each shape") {
+  Coiled rig;
+  const std::size_t whole = rig.stl(), before = rig.asked();
+  rig.run("save-stl");
+  REQUIRE(rig.asked() == before + 1);
+  CHECK(rig.busy());
+  CHECK(rig.host.files.empty());
+  const Json request = rig.lastAsked();
+  REQUIRE(request.find("nodes")->array()->size() == 1);
+  const Json node = request.find("nodes")->array()->front();
+  CHECK(*node.text("kind") == "join");
+  REQUIRE(node.find("operands")->array()->size() == 1);
+  CHECK(node.find("operands")->array()->front().number("part") == 1);
+  rig.answer(request, 1, true);
+  CHECK(rig.settle());
+  CHECK(rig.isMended());
+  CHECK_FALSE(rig.isMarked());
+  CHECK_FALSE(*rig.part(1).flag("mended"));
+  REQUIRE(rig.host.files.size() == 1);
+  CHECK(rig.host.files[0].second < whole);
+  CHECK(rig.host.files[0].second > kFourTriangles);
+  CHECK_FALSE(rig.host.said("goes through itself"));
+  // It lies where the part does, whatever is done to the part: it is known.
+  rig.run("show-part", R"({"part": 2, "visible": false})");
+  CHECK(rig.stl() == kFourTriangles);
+  rig.run("select-part", R"({"id": 1})");
+  rig.run("set-place", R"({"lean": 30})");
+  for (const char* format : {"save-stl", "save-glb"}) rig.run(format);
+  CHECK(rig.settle());
+  CHECK(rig.host.files.size() == 3);
+  CHECK(rig.asked() == before + 1);
+  // Nothing of it is shown: the part looks the same as it is, and is edited so.
+  CHECK(*rig.part().number("triangles") > 100);
+  // Another shape is another question.
+  rig.run("coil", R"({"part": 1, "turns": 7, "radius": 12})");
+  rig.settle();
+  CHECK_FALSE(rig.isMended());
+  rig.run("save-stl");
+  CHECK(rig.asked() == before + 2);
+}
+
+TEST_CASE("a part that cannot be mended is named and marked, and saved all the same; the mark goes with the shape") {
+  Coiled rig;
+  const std::size_t whole = rig.stl();
+  rig.run("rename-part", R"({"part": 1, "name": "Tail"})");
+  rig.run("save-stl");
+  rig.fail(rig.lastAsked(), Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
+  CHECK(rig.settle());
+  CHECK(rig.host.said("goes through itself"));
+  CHECK(rig.host.said("(Tail)"));
+  CHECK_FALSE(rig.isMended());
+  REQUIRE(rig.isMarked());
+  // It was told in the part's own space, where the picture's middle is the world's.
+  const Json::Array& at = *rig.part().find("crossesAt")->array();
+  CHECK(*at[0].number() == doctest::Approx(0).epsilon(0.01));
+  CHECK(*at[1].number() == doctest::Approx(0.2).epsilon(0.02));
+  REQUIRE(rig.host.files.size() == 1);
+  CHECK(rig.host.files[0].second == whole);
+  rig.run("undo");
+  rig.run("undo");
+  rig.settle();
+  CHECK_FALSE(rig.isMarked());
+}
+
+TEST_CASE("a solver that dies keeps no file back, and is asked again for the next one") {
+  Coiled rig;
+  rig.run("save-stl");
+  const std::size_t before = rig.asked();
+  rig.lost(rig.lastAsked());
+  CHECK(rig.settle());
+  CHECK(rig.asked() == before);
+  CHECK(rig.host.files.size() == 1);
+  CHECK(rig.host.said("goes through itself"));
+  rig.run("save-stl");
+  REQUIRE(rig.asked() == before + 1);
+  rig.answer(rig.lastAsked(), 1, true);
+  CHECK(rig.settle());
+  CHECK(rig.isMended());
+  CHECK(rig.host.files.size() == 2);
+}
+
+TEST_CASE("who cancels gets no file, no mark and no further question") {
+  Coiled rig;
+  rig.run("save-stl");
+  const std::size_t before = rig.asked();
+  rig.app->cancelWork();
+  CHECK(rig.settle());
+  CHECK(rig.host.files.empty());
+  CHECK_FALSE(rig.isMarked());
+  CHECK(rig.asked() == before);
+}
+
+TEST_CASE("work in progress is kept at once") {
+  Coiled rig;
+  const std::size_t before = rig.asked();
+  rig.run("save-project");
+  CHECK(rig.settle());
+  CHECK(rig.host.files.size() == 1);
+  CHECK(rig.asked() == before);
+}
+
+TEST_CASE("the check for printing waits for parts that go through themselves, and tells which it still does") {
+  Coiled rig;
+  CHECK(*rig.run("check-print").flag("ok"));
+  CHECK(rig.state().find("print")->isNull());
+  CHECK(*rig.run("thicken").text("error") == "NotReady");
+  rig.fail(rig.lastAsked(), Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
+  CHECK(rig.settle());
+  const Json state = rig.state();
+  REQUIRE_FALSE(state.find("print")->isNull());
+  bool isTold = false;
+  for (const Json& line : *state.find("print")->find("lines")->array()) {
+    isTold = isTold || line.text("text")->find("goes through itself") != std::string::npos;
+  }
+  CHECK(isTold);
+}
+
+TEST_CASE("the check for printing is of what was mended, once it is") {
+  Coiled mended;
+  mended.run("check-print");
+  mended.answer(mended.lastAsked(), 1, true);
+  CHECK(mended.settle());
+  REQUIRE_FALSE(mended.state().find("print")->isNull());
+  CHECK_FALSE(mended.host.said("goes through itself"));
+}
+
+TEST_CASE("solids of steps and parts in none are asked for together, and a file waits for both") {
+  Coiled rig;
+  rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
+  rig.settle();
+  rig.stick(R"({"parts": [2, 3]})");
+  rig.run("save-stl");
+  const Json request = rig.lastAsked();
+  CHECK(request.find("wanted")->array()->size() == 2);
+  rig.answer(request);
+  CHECK(rig.host.files.empty());
+  const Json rest = rig.lastAsked();
+  REQUIRE(rest.find("wanted")->array()->size() == 1);
+  rig.answer(rest, 1, true);
+  CHECK(rig.settle());
+  CHECK(rig.isMended());
+  CHECK(rig.host.files.size() == 1);
+}
