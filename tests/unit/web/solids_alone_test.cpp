@@ -104,7 +104,8 @@ TEST_CASE("a part that cannot be mended is named and marked, and saved all the s
   CHECK_FALSE(rig.isMended());
   REQUIRE(rig.isMarked());
   // It was told in the part's own space, where the picture's middle is the world's.
-  const Json::Array& at = *rig.part().find("crossesAt")->array();
+  const Json part = rig.part();
+  const Json::Array& at = *part.find("crossesAt")->array();
   CHECK(*at[0].number() == doctest::Approx(0).epsilon(0.01));
   CHECK(*at[1].number() == doctest::Approx(0.2).epsilon(0.02));
   REQUIRE(rig.host.files.size() == 1);
