@@ -264,7 +264,7 @@ test('an edit of a part with rounded seams rounds its own seams alone, also in a
         assert.equal(made.mesh.genus, anew.genus, `${what}: handles`);
         assert.deepEqual([...new Set(made.mesh.runs.map(({ part }) => part))].sort(), [...new Set(anew.runs.map(({ part }) => part))].sort(), `${what}: parts that show`);
       }
-      sizes.push(kernel.solids.size + kernel.sources.size);
+      sizes.push(kernel.solids.size + kernel.parts.sources.size);
     }
     // What is kept for undo fills in the first ones.
     assert.ok(sizes.at(-1) <= Math.max(...sizes.slice(0, 15)), `${kind}: ${sizes.join(' ')}`);

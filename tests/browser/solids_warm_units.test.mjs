@@ -64,12 +64,12 @@ test('a rehearsal, also one given up at any moment, leaves no solid behind', asy
     }
     const { meshes, operands } = model(3), kernel = fresh();
     solve(kernel, [node(operands)], meshes);
-    const before = living.size, sources = kernel.sources.size;
+    const before = living.size, sources = kernel.parts.sources.size;
     assert.ok(before >= operands.length, 'solids are counted');
     for (let steps = 1; steps < 16; steps += 1) {
       kernel.tries = 0;
       await run(kernel.ahead(2), steps);
-      assert.deepEqual([living.size, kernel.sources.size], [before, sources], `an edit tried out for ${steps} pieces`);
+      assert.deepEqual([living.size, kernel.parts.sources.size], [before, sources], `an edit tried out for ${steps} pieces`);
     }
   } finally {
     library.Manifold.ofMesh = ofMesh;
@@ -268,10 +268,10 @@ test('one more part, or an edit of the same part, is one union ahead; of what wa
       made.unions = made.parts = 0;
       await likely(kernel, operands.map((each, k) => (k === 1 ? { ...each, mesh: `edit ${i}` } : each)), { [`edit ${i}`]: loft({ rings: 20, around: 12, radius: 0.05 + 0.001 * i }) });
       if (i > 0) assert.deepEqual(made, { parts: 1, unions: 1 }, `edit ${i}`);
-      sizes.push([living.size, kernel.solids.size, kernel.parts.size, kernel.sources.size].join());
+      sizes.push([living.size, kernel.solids.size, kernel.parts.counts.parts, kernel.parts.sources.size].join());
     }
     assert.deepEqual(new Set(sizes.slice(1)).size, 1, sizes.join(' '));
-    assert.ok(kernel.meshes.size < 24, 'meshes of old edits go, too');
+    assert.ok(kernel.parts.counts.meshes < 24, 'meshes of old edits go, too');
   });
 });
 

@@ -3,6 +3,11 @@
 import { at, isWithin } from './grid.ts';
 import type { Grid } from './grid.ts';
 
+/** A share of a length; of a side without any, where corners are at one place, the start. */
+function share(part: number, whole: number): number {
+  return whole > 0 ? part / whole : 0;
+}
+
 /** Square of the distance from a point to the triangle abc (Ericson, Real-Time Collision Detection 5.1.5). */
 function squaredDistance(p: Float32Array, a: number, b: number, c: number, x: number, y: number, z: number): number {
   const abx = p[b]! - p[a]!, aby = p[b + 1]! - p[a + 1]!, abz = p[b + 2]! - p[a + 2]!;
@@ -15,19 +20,26 @@ function squaredDistance(p: Float32Array, a: number, b: number, c: number, x: nu
   const va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   if (d1 <= 0 && d2 <= 0) v = w = 0;
   else if (d3 >= 0 && d4 <= d3) v = 1;
-  else if (vc <= 0 && d1 >= 0 && d3 <= 0) v = d1 / (d1 - d3);
+  else if (vc <= 0 && d1 >= 0 && d3 <= 0) v = share(d1, d1 - d3);
   else if (d6 >= 0 && d5 <= d6) w = 1;
-  else if (vb <= 0 && d2 >= 0 && d6 <= 0) w = d2 / (d2 - d6);
+  else if (vb <= 0 && d2 >= 0 && d6 <= 0) w = share(d2, d2 - d6);
   else if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    w = (d4 - d3) / (d4 - d3 + (d5 - d6));
+    w = share(d4 - d3, d4 - d3 + (d5 - d6));
     v = 1 - w;
   } else {
     const sum = va + vb + vc;
-    v = sum > 0 ? vb / sum : 0;
-    w = sum > 0 ? vc / sum : 0;
+    v = share(vb, sum);
+    w = share(vc, sum);
   }
   const dx = apx - v * abx - w * acx, dy = apy - v * aby - w * acy, dz = apz - v * abz - w * acz;
   return dx * dx + dy * dy + dz * dz;
+}
+
+/** Above 0 where a point lies to the left of an edge, given from that point; never 0, and the opposite for the edge the other way. */
+function sideOf(fromY: number, fromZ: number, toY: number, toZ: number): number {
+  const turn = fromY * toZ - toY * fromZ;
+  if (turn !== 0) return turn;
+  return fromY < toY || (fromY === toY && fromZ < toZ) ? Number.MIN_VALUE : -Number.MIN_VALUE;
 }
 
 export class DistanceField {
@@ -133,17 +145,18 @@ export class DistanceField {
     for (let t = 0; t < triangles.length; t += 3) {
       const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
       const ay = p[a + 1]!, az = p[a + 2]!, by = p[b + 1]!, bz = p[b + 2]!, cy = p[c + 1]!, cz = p[c + 2]!;
-      const area = (by - ay) * (cz - az) - (cy - ay) * (bz - az);
-      if (area === 0) continue;
       const y1 = Math.min(ny - 1, Math.floor((Math.max(ay, by, cy) - offY) / step)), z1 = Math.min(nz - 1, Math.floor((Math.max(az, bz, cz) - offZ) / step));
       for (let z = Math.max(0, Math.ceil((Math.min(az, bz, cz) - offZ) / step)); z <= z1; z += 1) {
         for (let y = Math.max(0, Math.ceil((Math.min(ay, by, cy) - offY) / step)); y <= y1; y += 1) {
           const py = offY + y * step, pz = offZ + z * step;
-          const u = ((by - py) * (cz - pz) - (cy - py) * (bz - pz)) / area, v = ((cy - py) * (az - pz) - (ay - py) * (cz - pz)) / area, w = 1 - u - v;
-          if (u < 0 || v < 0 || w < 0) continue;
-          // An outward face with area > 0 looks towards +x: there the line leaves.
-          const x = Math.max(0, Math.ceil((u * p[a]! + v * p[b]! + w * p[c]! - min[0]) / step));
-          if (isWithin(size, x, y, z)) turns[x + nx * (y + ny * z)]! += area > 0 ? -1 : 1;
+          // Which side of each edge the line passes. Of the two faces at an edge both compute the same number but for its
+          // sign, so that a line passes through just one of them however thin they are.
+          const u = sideOf(by - py, bz - pz, cy - py, cz - pz), v = sideOf(cy - py, cz - pz, ay - py, az - pz), w = sideOf(ay - py, az - pz, by - py, bz - pz);
+          const leaves = u > 0;
+          if (v > 0 !== leaves || w > 0 !== leaves) continue;
+          const x = Math.max(0, Math.ceil(((u * p[a]! + v * p[b]! + w * p[c]!) / (u + v + w) - min[0]) / step));
+          // An outward face that turns to the left looks towards +x: there the line leaves.
+          if (isWithin(size, x, y, z)) turns[x + nx * (y + ny * z)]! += leaves ? -1 : 1;
         }
       }
     }

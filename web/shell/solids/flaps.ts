@@ -55,26 +55,28 @@ function flapsOf(triangles: Uint32Array, places: Uint32Array): Set<number> {
   return found;
 }
 
-/** The same solid without such walls where it hangs together as before; vertices whose triangles went are one where they were two at one place. */
-export function withoutFlaps<M extends Faces>(mesh: M): M | Faces {
-  const places = placesOf(mesh.vertProperties), { triVerts, runIndex, faceID, runOriginalID, runTransform, vertProperties } = mesh;
-  const flaps = places ? flapsOf(triVerts, places) : new Set<number>();
-  if (!places || flaps.size === 0) return mesh;
-  const joined = Uint32Array.from({ length: places.length }, (_, v) => v);
-  for (const t of flaps) for (const v of triVerts.subarray(3 * t, 3 * t + 3)) joined[v] = places[v]!;
-  const kept = faceID.length - flaps.size, faces = new Uint32Array(3 * kept), ids = new Uint32Array(kept), index = new Uint32Array(runIndex.length);
-  let at = 0;
+/** Some of the faces, each of the run that it was of; `corner` may put another vertex in the place of one. */
+export function facesWhere({ vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }: Faces, isKept: (face: number) => boolean, corner: (vertex: number) => number = (v) => v): Faces {
+  const index = new Uint32Array(runIndex.length), corners: number[] = [], ids: number[] = [];
   for (let run = 0; run < runOriginalID.length; run += 1) {
-    index[run] = 3 * at;
+    index[run] = corners.length;
     for (let t = runIndex[run]! / 3; t < runIndex[run + 1]! / 3; t += 1) {
-      if (flaps.has(t)) continue;
-      for (let k = 0; k < 3; k += 1) faces[3 * at + k] = joined[triVerts[3 * t + k]!]!;
-      ids[at] = faceID[t]!;
-      at += 1;
+      if (!isKept(t)) continue;
+      for (let k = 0; k < 3; k += 1) corners.push(corner(triVerts[3 * t + k]!));
+      ids.push(faceID[t]!);
     }
   }
-  index[runOriginalID.length] = 3 * at;
-  const before = countOf(places.length, triVerts), after = countOf(places.length, faces);
-  if (before.pieces !== after.pieces || before.handles !== after.handles) return mesh;
-  return { vertProperties, triVerts: faces, runIndex: index, runOriginalID, runTransform, faceID: ids };
+  index[runOriginalID.length] = corners.length;
+  return { vertProperties, triVerts: Uint32Array.from(corners), runIndex: index, runOriginalID, runTransform, faceID: Uint32Array.from(ids) };
+}
+
+/** The same solid without such walls where it hangs together as before; vertices whose triangles went are one where they were two at one place. */
+export function withoutFlaps(mesh: Faces): Faces {
+  const places = placesOf(mesh.vertProperties), flaps = places ? flapsOf(mesh.triVerts, places) : new Set<number>();
+  if (!places || flaps.size === 0) return mesh;
+  const joined = Uint32Array.from({ length: places.length }, (_, v) => v);
+  for (const t of flaps) for (const v of mesh.triVerts.subarray(3 * t, 3 * t + 3)) joined[v] = places[v]!;
+  const some = facesWhere(mesh, (t) => !flaps.has(t), (v) => joined[v]!);
+  const before = countOf(places.length, mesh.triVerts), after = countOf(places.length, some.triVerts);
+  return before.pieces === after.pieces && before.handles === after.handles ? some : mesh;
 }

@@ -65,6 +65,13 @@ function makeCells(): number[][] {
   };
   // Corners of each face, counter-clockwise as seen from outside of the cell.
   const faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7], ends = corners.flatMap((c) => corners.filter((d) => d > c && [1, 2, 4].includes(d ^ c)).map((d) => ({ edge: edgeOf(c, d), c, d })));
+  /** The faces that an edge is of, a bit each. */
+  const facesOf = (edge: number) => {
+    const { c, d } = ends.find((each) => each.edge === edge)!;
+    return faces.reduce((bits, face, i) => bits | (face.includes(c) && face.includes(d) ? 1 << i : 0), 0);
+  };
+  const isAcross = (i: number, k: number, n: number) => i !== k && (i + 1) % n !== k && (k + 1) % n !== i;
   return Array.from({ length: 256 }, (_, mask) => {
     const isIn = (corner: number) => (mask >> corner) & 1;
     const next = new Map<number, number>();
@@ -85,7 +92,10 @@ function makeCells(): number[][] {
         next.delete(edge);
         edge = to;
       }
-      for (let i = 1; i + 1 < loop.length; i += 1) triangles.push(loop[0]!, loop[i]!, loop[i + 1]!);
+      // From a corner whose lines to the others go through the cell: one that lay in a face could cross the neighbour's.
+      const first = loop.findIndex((from, i) => !loop.some((to, k) => isAcross(i, k, loop.length) && facesOf(from) & facesOf(to)));
+      const turned = [...loop.slice(first), ...loop.slice(0, first)];
+      for (let i = 1; i + 1 < turned.length; i += 1) triangles.push(turned[0]!, turned[i]!, turned[i + 1]!);
     }
     return triangles;
   });

@@ -4,14 +4,17 @@ import type { Manifold, ManifoldToplevel } from 'manifold-3d';
 import { hollowOf, seamOf } from './fields.ts';
 import { withoutFlaps } from './flaps.ts';
 import type { Faces } from './flaps.ts';
+import { blamed } from './blame.ts';
 import { halvesOf, kWorthSharing } from './helper.ts';
 import { madeOf } from './kept.ts';
 import type { Bench, Kept, Keyed, Made } from './kept.ts';
-import { isPart, isPlain, isRound, isWorthKeeping, joinKey, keysOf, pairsOf, partKey, restKey, seamKey } from './names.ts';
+import { isPart, isPlain, isRound, isWorthKeeping, joinKey, keysOf, pairsOf, restKey, seamKey } from './names.ts';
 import { Near } from './near.ts';
 import { fitPaint } from './paint.ts';
-import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
+import { PartStore } from './part_store.ts';
+import { crossesItself, fromMesh } from './parts.ts';
 import { sizeOf } from './sizes.ts';
+import { isSpeck, withoutSpecks } from './specks.ts';
 import { carried, runsOf } from './sources.ts';
 import type { Source } from './sources.ts';
 import { countOf } from './topology.ts';
@@ -20,8 +23,6 @@ import type { Shape } from './rooms.ts';
 import { Unsolvable, failureOf } from './unsolvable.ts';
 import type { MeshData, PartOperand, SharedUnion, ShareRequest, SolidFailure, SolidMesh, SolidNode, SolidOperand, SolveRequest } from './protocol.ts';
 
-/** How many requests long a sub-result is kept that nobody asks for. */
-const kKept = 12;
 /** How often the way of an edit is gone before the first one, so that it runs at its quickest. */
 const kTries = 8;
 
@@ -49,33 +50,32 @@ function drain(work: Generator<void, void>): void {
 }
 
 export class SolidKernel {
-  private readonly meshes = new Map<string, { data: MeshData; round: number }>();
-  private readonly parts = new Map<string, Kept>();
   private readonly solids = new Map<string, Kept>();
-  /** What faces were, by original ids of manifold-3d. */
-  private readonly sources = new Map<number, Source>();
   /** What each step was made of last. */
   private readonly lastOperands = new Map<number, { keys: Set<string>; rest: string }>();
   /** What was solved last. */
   private nodes: SolidNode[] = [];
-  private round = 0;
   private tries = 0;
   /** What is likely to be asked for next: what it is made of, and its mesh, once. */
   private likelyOf: string[] = [];
   private likelyMesh: { name: string; mesh: SolidMesh } | null = null;
 
-  constructor(private readonly library: ManifoldToplevel, private readonly sharer: Sharer | null = null, private readonly now: () => number = () => performance.now()) {}
+  private readonly parts: PartStore;
+
+  constructor(private readonly library: ManifoldToplevel, private readonly sharer: Sharer | null = null, private readonly now: () => number = () => performance.now()) {
+    this.parts = new PartStore(library);
+  }
 
   keepMeshes(meshes: SolveRequest['meshes']): void {
-    for (const [key, data] of Object.entries(meshes)) this.meshes.set(key, { data, round: this.round });
+    this.parts.keepMeshes(meshes);
   }
 
   /** Solves what is wanted, one node after the other, and hands out each as it is done; between two it can be given up. */
   *solve(request: SolveRequest, done: (solved: Solved) => void): Generator<Pause, void> {
-    this.round += 1;
+    this.parts.round += 1;
     this.nodes = request.nodes;
     this.keepMeshes(request.meshes);
-    for (const node of request.nodes) for (const operand of node.operands) if (isPart(operand)) this.touch(operand.mesh);
+    for (const node of request.nodes) for (const operand of node.operands) if (isPart(operand)) this.parts.touch(operand.mesh);
     for (const [index, node] of request.nodes.entries()) {
       const started = this.now();
       const key = node.coarse ? `${node.key}~` : node.key;
@@ -91,15 +91,11 @@ export class SolidKernel {
     this.forget();
   }
 
-  private touch(key: string): void {
-    const mesh = this.meshes.get(key);
-    if (mesh) mesh.round = this.round;
-  }
-
   /** Keeps what is asked for, and what it was made from. */
   private use(kept: Kept): Kept {
-    if (kept.round !== this.round) {
-      kept.round = this.round;
+    const { round } = this.parts;
+    if (kept.round !== round) {
+      kept.round = round;
       kept.from?.forEach((each) => this.use(each));
     }
     return kept;
@@ -121,8 +117,8 @@ export class SolidKernel {
 
   /** Has a second worker make one half of a large union of parts that are new while this one makes the other. */
   private *share(node: SolidNode, done: number): Generator<Pause, void> {
-    const fresh = node.operands.filter((operand) => isPart(operand) && !this.parts.has(partKey(operand)) && this.meshes.has(operand.mesh)) as PartOperand[];
-    const meshOf = (operand: PartOperand) => this.meshes.get(operand.mesh)!.data, count = fresh.reduce((sum, operand) => sum + meshOf(operand).triangles.length / 3, 0);
+    const fresh = node.operands.filter((operand) => isPart(operand) && !this.parts.known(operand) && this.parts.meshOf(operand.mesh)) as PartOperand[];
+    const meshOf = (operand: PartOperand) => this.parts.meshOf(operand.mesh)!, count = fresh.reduce((sum, operand) => sum + meshOf(operand).triangles.length / 3, 0);
     if (!this.sharer?.isFree || node.kind !== 'join' || node.coarse || node.blend > 0 || fresh.length < 4 || count < kWorthSharing) return;
     const [own, given] = halvesOf(fresh, meshOf), bench: Bench = { own: [], ids: [], from: [] };
     if (Math.min(own.length, given.length) < 2) return;
@@ -147,15 +143,7 @@ export class SolidKernel {
   }
 
   private takeShare({ faces, sources }: SharedUnion, given: PartOperand[]): void {
-    const ids = new Map<number, number>(), bench: Bench = { own: [], ids: [], from: [] };
-    for (const { id, operand, mesh } of sources) {
-      const key = partKey(operand), data = mesh ?? this.meshes.get(operand.mesh)!.data, kept: Kept = this.parts.get(key) ?? { solid: null, round: this.round };
-      kept.ids ??= [];
-      const own = this.register({ part: operand.part, mesh: data }, kept.ids);
-      if (!this.parts.has(key)) kept.waiting = { mesh: data, id: own };
-      this.parts.set(key, kept);
-      ids.set(id, own);
-    }
+    const bench: Bench = { own: [], ids: [], from: [] }, ids = new Map(sources.map(({ id, operand, mesh }) => [id, this.parts.adopt(operand, mesh)]));
     const solid = this.library.Manifold.ofMesh(new this.library.Mesh({ numProp: 3, ...faces, runOriginalID: faces.runOriginalID.map((id) => ids.get(id)!) }));
     if (solid.status() !== 'NoError') {
       solid.delete();
@@ -172,7 +160,7 @@ export class SolidKernel {
     try {
       const union = this.union(operands.map((operand) => this.operand(operand, false, bench))), { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID } = union.getMesh();
       const sources = [...new Set(runOriginalID)].map((id) => {
-        const source = this.sources.get(id) as Source & { mesh: MeshData }, operand = operands.find((each) => this.parts.get(partKey(each))!.ids!.includes(id))!;
+        const source = this.parts.sources.get(id) as Source & { mesh: MeshData }, operand = operands.find((each) => this.parts.known(each)!.ids!.includes(id))!;
         return { id, operand, mesh: source.mesh === meshes[operand.mesh] ? null : source.mesh };
       });
       return union.status() === 'NoError' ? { faces: { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }, sources } : null;
@@ -187,22 +175,32 @@ export class SolidKernel {
 
   private make(node: SolidNode, isOperand: boolean): Kept {
     const bench: Bench = { own: [], ids: [], from: [] }, { own, ids, from } = bench;
-    const round = this.round;
+    const { round } = this.parts;
+    let all: Keyed[] = [];
     try {
-      const all = this.operandsOf(node, bench), made = this.combine(node, all, bench, isOperand), name = isPlain(node) ? { name: joinKey(all) } : {};
+      all = this.operandsOf(node, bench);
+      const made = this.combine(node, all, bench, isOperand), name = isPlain(node) ? { name: joinKey(all) } : {};
       if ('faces' in made) return { solid: null, faces: made.faces, round, ids, from };
       const { solid, cavity, free } = made;
-      const error = solid.status() !== 'NoError' ? 'SolidFailed' : solid.isEmpty() ? 'SolidEmpty' : null;
+      const error = solid.status() !== 'NoError' ? 'SolidFailed' : this.isNothing(solid, node, all) ? 'SolidEmpty' : null;
       if (error) {
         own.push(solid, ...(cavity ? [cavity] : []));
         throw new Unsolvable({ error });
       }
       return { solid, round, ids, from, ...name, ...(cavity ? { cavity } : {}), ...(free.length > 0 ? { free } : {}) };
     } catch (thrown) {
-      return { solid: null, failure: failureOf(thrown), round, ids };
+      const failure = blamed(this.library, failureOf(thrown), node.kind, all, (solid) => this.likeness(solid, { ids }).part);
+      return { solid: null, failure, round, ids };
     } finally {
       for (const solid of own) solid.delete();
     }
+  }
+
+  /** Whether nothing is left of the operands, or what is as thin as rounding. */
+  private isNothing(solid: Manifold, { kind }: SolidNode, [first]: Keyed[]): boolean {
+    if (solid.isEmpty() || kind === 'join') return solid.isEmpty();
+    const { min, max } = first!.solid().boundingBox();
+    return isSpeck({ volume: solid.volume(), area: solid.surfaceArea() }, Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
   }
 
   /**
@@ -233,61 +231,16 @@ export class SolidKernel {
       from.push(this.use(kept));
       return { operand, key, solid: () => solid, from: kept };
     }
-    const kept = this.part(operand, partKey(operand), coarse);
+    const kept = this.parts.of(operand, coarse);
     from.push(this.use(kept));
     if (!kept.solid && !kept.waiting) throw new Unsolvable({ ...kept.failure!, ...(kept.failure!.at ? { at: inWorld(operand.matrix, kept.failure!.at) } : {}) });
     let placed: Manifold | null = null;
     const place = () => {
-      placed = this.solidOf(kept).transform(operand.matrix as Parameters<Manifold['transform']>[0]);
+      placed = this.parts.solidOf(kept).transform(operand.matrix as Parameters<Manifold['transform']>[0]);
       own.push(placed);
       return placed;
     };
-    return { operand, key: this.nameOf(operand), solid: () => placed ?? place(), from: kept };
-  }
-
-  private solidOf(kept: Kept): Manifold {
-    const { waiting } = kept;
-    if (!waiting) return kept.solid!;
-    kept.solid = fromMesh(this.library, waiting.mesh, () => waiting.id);
-    delete kept.waiting;
-    return kept.solid;
-  }
-
-  /** What the hand is at is not looked over for places where it crosses itself. */
-  private part(operand: PartOperand, key: string, coarse: boolean): Kept {
-    const known = this.parts.get(key), loose = this.parts.get(`${key}~`);
-    if (known) return known;
-    const mesh = this.meshes.get(operand.mesh)?.data;
-    if (loose && (coarse || (mesh && !crossesItself(mesh)))) {
-      if (coarse) return loose;
-      // Now it has been looked over.
-      this.parts.delete(`${key}~`);
-      this.parts.set(key, loose);
-      return loose;
-    }
-    const kept = this.importPart(operand, coarse);
-    this.parts.set(coarse ? `${key}~` : key, kept);
-    return kept;
-  }
-
-  private importPart({ mesh: key, part }: PartOperand, unchecked: boolean): Kept {
-    const mesh = this.meshes.get(key), { round } = this, ids: number[] = [];
-    if (!mesh) return { solid: null, failure: { error: 'SolidFailed', part }, round };
-    const register = (piece: MeshData) => this.register({ part, mesh: piece }, ids);
-    try {
-      return { solid: unchecked ? fromMesh(this.library, mesh.data, register) : importPart(this.library, mesh.data, register), round, ids };
-    } catch (thrown) {
-      const failure = thrown instanceof FaultyPart ? { error: 'PartCrossesItself' as const, at: thrown.at } : failureOf(thrown);
-      return { solid: null, failure: { ...failure, part }, round, ids };
-    }
-  }
-
-  /** An original id for faces from this source. */
-  private register(source: Source, ids: number[]): number {
-    const id = this.library.Manifold.reserveIDs(1);
-    this.sources.set(id, source);
-    ids.push(id);
-    return id;
+    return { operand, key: this.parts.nameOf(operand), solid: () => placed ?? place(), from: kept };
   }
 
   private combine(node: SolidNode, operands: Keyed[], bench: Bench, isOperand: boolean): { solid: Manifold; cavity?: Manifold; free: Manifold[] } | { faces: Faces } {
@@ -309,8 +262,8 @@ export class SolidKernel {
 
   /** For new faces that look as a solid does: the part that most of it is from, and its picture as it lies on it. */
   private likeness(solid: Manifold, { ids }: Pick<Bench, 'ids'>): { id: number; part: number } {
-    const mesh = solid.getMesh(), { positions, uv } = carried(mesh, this.sources), { part } = runsOf(mesh, this.sources).reduce((most, run) => (run.count > most.count ? run : most), { part: 0, count: -1 });
-    return { id: this.register({ part, paint: fitPaint(positions, uv) }, ids), part };
+    const mesh = solid.getMesh(), { positions, uv } = carried(mesh, this.parts.sources), { part } = runsOf(mesh, this.parts.sources).reduce((most, run) => (run.count > most.count ? run : most), { part: 0, count: -1 });
+    return { id: this.parts.register({ part, paint: fitPaint(positions, uv) }, ids), part };
   }
 
   /** What rounds the seams of a step: one for every two operands that meet. What was made for as much as these two is made no more. */
@@ -318,7 +271,7 @@ export class SolidKernel {
     return !isRound(node) ? [] : pairsOf(node.kind, operands).flatMap(([one, other]) => {
       // Where it is there a preview has the fine one, too.
       const fine = seamKey({ ...node, coarse: false }, one, other), key = this.solids.has(fine) ? fine : seamKey(node, one, other);
-      const kept = this.solids.get(key) ?? { ...this.rounding(node, one.solid(), other.solid()), round: this.round };
+      const kept = this.solids.get(key) ?? { ...this.rounding(node, one.solid(), other.solid()), round: this.parts.round };
       this.solids.set(key, kept);
       from.push(this.use(kept));
       return kept.solid ? [{ operand: { node: key }, key, solid: () => kept.solid!, from: kept, of: [one, other] }] : [];
@@ -362,11 +315,6 @@ export class SolidKernel {
     return anew();
   }
 
-  /** Equal names, equal operands. What was not looked over is another thing than what was. */
-  private nameOf(operand: PartOperand): string {
-    return `${partKey(operand)}${this.parts.has(partKey(operand)) ? '' : '~'}@${operand.matrix.join()}`;
-  }
-
   private whole(kind: SolidNode['kind'], all: Keyed[]): Manifold {
     const { Manifold } = this.library, [first, ...others] = all;
     if (kind === 'common') return Manifold.intersection(all.map(({ solid }) => solid()));
@@ -397,7 +345,7 @@ export class SolidKernel {
   /** Where those are that changed. */
   private shapes(all: Keyed[], changed: boolean[]): Shape[] {
     return all.filter((_, i) => changed[i]).map(({ operand, solid }) => {
-      const mesh = isPart(operand) ? this.meshes.get(operand.mesh)?.data : undefined;
+      const mesh = isPart(operand) ? this.parts.meshOf(operand.mesh) : undefined;
       if (mesh) return { positions: mesh.positions, matrix: (operand as PartOperand).matrix };
       const { min, max } = solid().boundingBox();
       return { positions: Float32Array.of(...min, ...max), matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
@@ -476,12 +424,12 @@ export class SolidKernel {
    */
   *likely({ nodes, meshes }: Pick<SolveRequest, 'nodes' | 'meshes'>): Generator<void, void> {
     const node = nodes.at(-1), before = new Set(this.kept()), bench: Bench = { own: [], ids: [], from: [] }, all: Keyed[] = [];
-    this.round += 1;
+    this.parts.round += 1;
     this.keepMeshes(meshes);
     if (!node || !isPlain(node) || !node.operands.every(isPart)) return;
     try {
       for (const operand of node.operands) {
-        this.touch(operand.mesh);
+        this.parts.touch(operand.mesh);
         all.push(this.operand(operand, false, bench));
         yield;
       }
@@ -501,7 +449,7 @@ export class SolidKernel {
     } finally {
       for (const solid of bench.own) solid.delete();
       for (const kept of this.kept()) if (!before.has(kept)) kept.likely = true;
-      this.forget((kept) => kept.likely === true && kept.round !== this.round);
+      this.forget((kept) => kept.likely === true && kept.round !== this.parts.round);
     }
   }
 
@@ -522,7 +470,7 @@ export class SolidKernel {
     for (const own: Manifold[] = []; this.tries < kTries; this.tries += 1) {
       try {
         for (const operand of all.filter((_, i) => changed[i]).map((each) => each.operand).filter(isPart)) {
-          const mesh = this.meshes.get(operand.mesh)?.data;
+          const mesh = this.parts.meshOf(operand.mesh);
           if (mesh && !crossesItself(mesh)) own.push(fromMesh(this.library, mesh, () => this.library.Manifold.reserveIDs(1)));
           yield;
         }
@@ -540,7 +488,7 @@ export class SolidKernel {
 
   /** Whether the solid of an operand was made before and is still there. */
   private isHere(operand: SolidOperand): boolean {
-    const kept = isPart(operand) ? this.parts.get(partKey(operand)) : this.solids.get(operand.node);
+    const kept = isPart(operand) ? this.parts.known(operand) : this.solids.get(operand.node);
     return !!(kept?.solid || kept?.waiting);
   }
 
@@ -557,7 +505,7 @@ export class SolidKernel {
 
   /** What some of a step's operands make. */
   private keep(key: string, of: Keyed[], make: () => Manifold, joined?: string[]): Manifold {
-    const kept = this.solids.get(key) ?? { solid: make(), round: this.round, from: of.map((each) => each.from), ...(joined ? { joined } : {}) };
+    const kept = this.solids.get(key) ?? { solid: make(), round: this.parts.round, from: of.map((each) => each.from), ...(joined ? { joined } : {}) };
     this.use(kept);
     this.solids.set(key, kept);
     // The library works when it is asked for something, and then for good.
@@ -570,31 +518,30 @@ export class SolidKernel {
   }
 
   private meshOf(whole: Faces, size: { volume: number; area: number }): SolidMesh {
-    const mesh = withoutFlaps(whole), genus = countOf(whole.vertProperties.length / 3, whole.triVerts).handles;
-    return { ...carried(mesh, this.sources), runs: runsOf(mesh, this.sources), ...size, genus };
+    const count = ({ vertProperties, triVerts }: Faces) => countOf(vertProperties.length / 3, triVerts);
+    const { pieces, handles } = count(whole), sound = withoutFlaps(whole), mesh = pieces > 1 ? withoutSpecks(sound) : sound;
+    return { ...carried(mesh, this.parts.sources), runs: runsOf(mesh, this.parts.sources), ...size, genus: mesh === sound ? handles : count(mesh).handles };
   }
 
   /** Lets go of what was not asked for in a while, and of what is of no use. */
   private forget(isUseless: (kept: Kept) => boolean = () => false): void {
-    for (const map of [this.parts, this.solids]) {
-      for (const [key, kept] of map) {
-        if (kept.round + kKept > this.round && !isUseless(kept)) continue;
-        map.delete(key);
-        this.letGo(kept);
-      }
+    this.parts.forget(isUseless, (kept) => this.letGo(kept));
+    for (const [key, kept] of this.solids) {
+      if (!this.parts.isOld(kept) && !isUseless(kept)) continue;
+      this.solids.delete(key);
+      this.letGo(kept);
     }
-    for (const [key, mesh] of this.meshes) if (mesh.round + kKept <= this.round) this.meshes.delete(key);
   }
 
   /** Lets go of all that was kept. */
   forgetAll(): void {
-    this.round += kKept;
+    this.parts.age();
     this.likelyMesh = null;
     this.forget();
   }
 
   private letGo(kept: Kept): void {
     for (const solid of [kept.solid, kept.cavity, kept.near?.solid]) solid?.delete();
-    for (const id of kept.ids ?? []) this.sources.delete(id);
+    this.parts.unregister(kept.ids ?? []);
   }
 }

@@ -1,7 +1,7 @@
 // How large a closed mesh is.
 import type { Faces } from './flaps.ts';
 
-export function sizeOf({ vertProperties: p, triVerts }: Faces): { volume: number; area: number } {
+export function sizeOf({ vertProperties: p, triVerts }: Pick<Faces, 'vertProperties' | 'triVerts'>): { volume: number; area: number } {
   let volume = 0, area = 0;
   for (let t = 0; t < triVerts.length; t += 3) {
     const a = 3 * triVerts[t]!, b = 3 * triVerts[t + 1]!, c = 3 * triVerts[t + 2]!, ax = p[a]!, ay = p[a + 1]!, az = p[a + 2]!;
