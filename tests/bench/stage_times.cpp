@@ -17,6 +17,7 @@
 #include "engine/io/json_values.h"
 #include "engine/io/picture_file.h"
 #include "engine/loft/loft.h"
+#include "engine/mesh/self_crossing.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
 #include "engine/vision/edges.h"
@@ -135,6 +136,9 @@ void printStageTimes() {
   mesh::TriMesh mesh;
   report.stage("loft 100x64", 501, [&](int) {
     if (!loft::loftRibs({shape.ribs, size, params}, atRest, memory, mesh).ok()) std::exit(1);
+  });
+  report.stage("whether a loft goes through itself", 101, [&](int) {
+    if (mesh::selfCrossing(shape.mesh)) std::exit(1);
   });
   report.stage("silhouette", 21, [&](int) {
     if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);

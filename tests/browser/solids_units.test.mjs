@@ -1,7 +1,9 @@
 // The solver of solids without a page: whatever parts it is given, what comes out is closed and outward or says why
 // there is none.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test from 'node:test';
+import { crossingScene } from './support/crossing_scenes.mjs';
 import { deepest, depthOf, diagonal, fresh, identity, lawful, library, loft, measure, merged, near, node, rod, seeded, shell, shifted, solve, turned, unsoundByPlace } from './support/solids.mjs';
 
 const { SolidKernel, DistanceField, gridOver, sample, surfaceWhere, Solver, findCrossings, ringsOf } = shell;
@@ -155,6 +157,18 @@ test('triangles cross exactly when no short shift takes them apart', () => {
     told[depth > touch ? 'deep' : 'apart'] += 1;
   }
   assert.ok(told.deep > 300 && told.apart > 300, JSON.stringify(told));
+});
+
+test('the solver and the engine give the same answers, which are those of trying every pair', () => {
+  const verdicts = readFileSync(new URL('../golden/crossing_verdicts.txt', import.meta.url), 'utf8').replaceAll('\n', '');
+  assert.equal(verdicts.length, 240);
+  [...verdicts].forEach((verdict, i) => {
+    const { positions, triangles } = crossingScene(i), depth = deepest(positions, triangles) / diagonal(positions);
+    // Of what is just as deep as rounding either may be said.
+    const isSure = depth < 0.4e-6 || depth > 2.5e-6;
+    assert.equal(verdict, isSure ? String(+(depth > 1e-6)) : '?', `${i}`);
+    if (isSure) assert.equal(findCrossings(positions, triangles, 1).length, +verdict, `${i}`);
+  });
 });
 
 test('a mesh that crosses itself and is no loft names the part and the place', () => {

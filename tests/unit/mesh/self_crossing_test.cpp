@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include "engine/base/rng.h"
+#include "tests/support/test_files.h"
 
 using namespace spineloft;
 using mesh::TriMesh;
@@ -66,7 +69,81 @@ bool crossesByTrying(const TriMesh& mesh) {
   return false;
 }
 
+/// The numbers of tests/browser/support/lofts.mjs, 0…1.
+class Seeded {
+ public:
+  explicit Seeded(std::uint32_t seed) : state_(seed) {}
+  double operator()() {
+    state_ = state_ * 1664525u + 1013904223u;
+    return state_ / 4294967296.0;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+void add(TriMesh& mesh, const Point& p) {
+  mesh.positions.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+}
+
+/// As tests/browser/support/crossing_scenes.mjs has them: six triangles anywhere.
+TriMesh soup(Seeded& random) {
+  TriMesh mesh;
+  for (std::uint32_t t = 0; t < 6; ++t) {
+    Point centre;
+    for (double& x : centre) x = random();
+    for (int c = 0; c < 3; ++c) {
+      Point p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = centre[k] + 0.6 * random();
+      add(mesh, p);
+    }
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return mesh;
+}
+
+/// The same: two boxes askew, one of which stands a little into the other or is as far away.
+TriMesh boxes(Seeded& random) {
+  std::array<Point, 3> axes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) axes[k][j] = j == k ? 1 : 0.3 * (random() - 0.5);
+  }
+  const double sign = random() < 0.25 ? -1 : 1;
+  const double size = std::pow(10.0, -(4 + std::floor(5 * random())));
+  const double depth = sign * size * (1 + random());
+  Point second{1 - depth, 0, 0};
+  second[1] = 0.2 * random();
+  second[2] = 0.2 * random();
+  TriMesh mesh;
+  for (const Point& low : {Point{0, 0, 0}, second}) {
+    TriMesh cube;
+    addCube(cube, {0, 0, 0});
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& v : cube.positions) {
+      const Point at{low[0] + v[0], low[1] + v[1], low[2] + v[2]};
+      Point p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = at[0] * axes[0][k] + at[1] * axes[1][k] + at[2] * axes[2][k];
+      add(mesh, p);
+    }
+    for (const auto& [a, b, c] : cube.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+  }
+  return mesh;
+}
+
 }  // namespace
+
+TEST_CASE("the engine and the solver of solids give the same answers, which are those of trying every pair") {
+  const auto bytes = testing::testFile("golden/crossing_verdicts.txt");
+  std::string verdicts(bytes.begin(), bytes.end());
+  std::erase(verdicts, '\n');
+  REQUIRE(verdicts.size() == 240);
+  for (std::uint32_t i = 0; i < verdicts.size(); ++i) {
+    Seeded random(2654435761u * (i + 1));
+    const TriMesh mesh = i < 120 ? soup(random) : boxes(random);
+    CAPTURE(i);
+    if (verdicts[i] != '?') CHECK(mesh::selfCrossing(mesh).has_value() == (verdicts[i] == '1'));
+  }
+}
 
 TEST_CASE("a body alone, and two that are apart or only touch, do not cross; two that reach into one another do, there") {
   TriMesh one;
