@@ -459,10 +459,6 @@ std::vector<PartId> Studio::crossingParts() {
 Status Studio::saveNow(publish::Format format) {
   if (document().parts.empty() && format != publish::Format::Project) return Error::NothingToExport;
   tellFaults(format);
-  for (const PartId id : format == publish::Format::Project ? std::vector<PartId>() : crossingParts()) {
-    const document::Part* part = document::findPart(document(), id);
-    sendWarning(host_, failureSentence({Error::PartCrossesItself, part ? part->name : std::string()}));
-  }
   const document::Document written = document();
   pool_.submit(
       "Saving the model",
@@ -497,8 +493,13 @@ Result<publish::Bytes> Studio::publishNow(publish::Format format) {
 
 void Studio::tellFaults(publish::Format format) {
   // A model file holds what it is made of, whatever became of it here.
-  const std::string faults = format == publish::Format::Project ? "" : faultsOf(document(), derived_);
+  if (format == publish::Format::Project) return;
+  const std::string faults = faultsOf(document(), derived_);
   if (!faults.empty()) sendWarning(host_, "In the file, " + faults);
+  for (const PartId id : crossingParts()) {
+    const document::Part* part = document::findPart(document(), id);
+    sendWarning(host_, failureSentence({Error::PartCrossesItself, part ? part->name : std::string()}));
+  }
 }
 
 bool Studio::pump() { return pool_.pump() > 0; }

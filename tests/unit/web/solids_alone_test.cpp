@@ -116,6 +116,25 @@ TEST_CASE("a part that cannot be mended is named and marked, and saved all the s
   CHECK_FALSE(rig.isMarked());
 }
 
+TEST_CASE("whoever takes the model out is told which part goes through itself: by the button, the menu or the API; not in work in progress") {
+  Coiled rig;
+  rig.run("rename-part", R"({"part": 1, "name": "Tail"})");
+  rig.run("check-print");
+  rig.fail(rig.lastAsked(), Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
+  CHECK(rig.settle());
+  for (const char* format : {"glb", "obj", "zip", "stl", "3mf", "spineloft"}) {
+    rig.host.sent.clear();
+    CHECK_FALSE(rig.app->exportModel(format).empty());
+    CHECK(rig.host.said("(Tail)") == (std::string_view(format) != "spineloft"));
+  }
+  for (const char* button : {"save-glb", "save-stl", "save-project"}) {
+    rig.host.sent.clear();
+    rig.run(button);
+    CHECK(rig.settle());
+    CHECK(rig.host.said("(Tail)") == (std::string_view(button) != "save-project"));
+  }
+}
+
 TEST_CASE("a solver that dies keeps no file back, and is asked again for the next one") {
   Coiled rig;
   rig.run("save-stl");
