@@ -219,7 +219,13 @@ Outcome faceFront(Env env, const Json& args) {
   document::Motion motion;
   motion.centre = middleOf(env, parts);
   motion.turn = geometry::normalized(geometry::inverse(lead->placement.turn));
-  return act(env, parts, motion);
+  const pipeline::Derived& derived = env.studio.derived();
+  auto ones = movedParts(documentOf(env), derived, parts, motion);
+  for (document::PlaceParts::One& one : ones) {
+    // As it was drawn, not all but: what is left of rounding would be a turn of its own.
+    if (document::findPart(documentOf(env), one.part)->placement.turn == lead->placement.turn) one.placement.turn = {};
+  }
+  return outcomeOf(env.studio.act(placeActions(documentOf(env), derived, std::move(ones))));
 }
 
 Outcome resetPlace(Env env, const Json& args) {
@@ -246,30 +252,24 @@ Outcome dropOnFloor(Env env, const Json& args) {
   return act(env, parts, motion);
 }
 
-constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
-
-/// The axis of a mirror: left and right when none is named; −1 for another name.
-int axisFrom(const Json& args) {
+/// The axis of a mirror: left and right when none is named; null for another name.
+const MirrorAxis* axisFrom(const Json& args) {
+  const auto axes = mirrorAxes();
   const std::string* name = args.text("axis");
-  if (name == nullptr) return 0;
-  const auto at = std::ranges::find(kAxes, *name);
-  return at == kAxes.end() ? -1 : static_cast<int>(at - kAxes.begin());
+  if (name == nullptr) return &axes.front();
+  const auto at = std::ranges::find(axes, *name, &MirrorAxis::key);
+  return at == axes.end() ? nullptr : &*at;
 }
 
 void axisChoices(Env, JsonWriter& json) {
-  writeChoice(json, "x", "Left and right", false);
-  writeChoice(json, "y", "Top and bottom", false);
-  writeChoice(json, "z", "Front and back", false);
+  for (const MirrorAxis& axis : mirrorAxes()) writeChoice(json, axis.key, axis.words, false);
 }
 void symmetryChoices(Env env, JsonWriter& json) {
   const document::Part* part = partOf(env, {});
-  const auto on = [&](WorldPoint axis) {
-    return part != nullptr && part->mirror && std::abs(dot(part->mirror->normal, axis)) > 0.999;
-  };
   writeChoice(json, "off", "None", part != nullptr && !part->mirror);
-  writeChoice(json, "x", "Left and right", on({1, 0, 0}));
-  writeChoice(json, "y", "Top and bottom", on({0, 1, 0}));
-  writeChoice(json, "z", "Front and back", on({0, 0, 1}));
+  for (const MirrorAxis& axis : mirrorAxes()) {
+    writeChoice(json, axis.key, axis.words, part != nullptr && part->mirror && isAcross(*part->mirror, axis));
+  }
 }
 
 /// The copies, which are the parts with ids above `last`, are in hand now.
@@ -328,12 +328,12 @@ Outcome duplicate(Env env, const Json& args) {
 
 Outcome mirrorCopy(Env env, const Json& args) {
   const Parts parts = partsFrom(env, args);
-  const int axis = axisFrom(args);
+  const MirrorAxis* axis = axisFrom(args);
   if (parts.empty()) return noPart();
-  if (axis < 0) return missing("an axis: x, y or z");
+  if (axis == nullptr) return missing("an axis: x, y or z");
   const std::uint32_t last = documentOf(env).lastPartId;
   const document::MirrorPlane plane =
-      planeFor(documentOf(env), env.studio.derived(), parts, axis);
+      planeFor(documentOf(env), env.studio.derived(), parts, *axis);
   const Status status = env.studio.act(document::DuplicateParts{parts, {}, plane});
   if (status) takeCopies(env, last);
   return outcomeOf(status);
@@ -344,14 +344,13 @@ Outcome symmetry(Env env, const Json& args) {
   if (parts.empty()) return noPart();
   const std::string* name = args.text("axis");
   const bool off = name != nullptr ? *name == "off" : symmetric(env);
-  const int axis = off ? 0 : axisFrom(args);
-  if (axis < 0) return missing("an axis: x, y, z or off");
+  const MirrorAxis* axis = off ? nullptr : axisFrom(args);
+  if (!off && axis == nullptr) return missing("an axis: x, y, z or off");
   const pipeline::Derived& derived = env.studio.derived();
   auto ones = movedParts(documentOf(env), derived, parts, {});
-  const document::MirrorPlane plane = planeFor(documentOf(env), derived, parts, axis);
-  for (document::PlaceParts::One& one : ones) {
-    one.mirror = off ? std::nullopt : std::optional(plane);
-  }
+  std::optional<document::MirrorPlane> plane;
+  if (axis != nullptr) plane = planeFor(documentOf(env), derived, parts, *axis);
+  for (document::PlaceParts::One& one : ones) one.mirror = plane;
   const Status status = env.studio.act(placeActions(documentOf(env), derived, std::move(ones)));
   if (status && !off && name == nullptr) {
     sendStatus(env.host, "Left and right are alike now. Under \"Place\" it can be front and back.");

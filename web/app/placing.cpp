@@ -1,6 +1,7 @@
 #include "web/app/placing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,8 +25,6 @@ document::Placement withPivot(const document::Document& document, const document
   if (entry == nullptr || placement.pivot != WorldPoint{}) return placement;
   return document::about(placement, pipeline::middleOf(shape, pipeline::worldFrame(entry->size)));
 }
-
-double along(WorldPoint p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 }  // namespace
 
@@ -157,17 +156,30 @@ std::vector<document::Action> placeActions(const document::Document& document,
   return actions;
 }
 
+std::span<const MirrorAxis> mirrorAxes() {
+  // Things seen from the side need the second one.
+  static constexpr std::array kAxes = {MirrorAxis{"x", "Left and right", {1, 0, 0}},
+                                       MirrorAxis{"z", "Front and back", {0, 0, 1}},
+                                       MirrorAxis{"y", "Top and bottom", {0, 1, 0}}};
+  return kAxes;
+}
+
+bool isAcross(const document::MirrorPlane& plane, const MirrorAxis& axis) {
+  constexpr double kAlong = 0.999;  // turned with the model, it is its own
+  return std::abs(dot(plane.normal, axis.normal)) > kAlong;
+}
+
 document::MirrorPlane planeFor(const document::Document& document,
                                const pipeline::Derived& derived, std::span<const PartId> parts,
-                               int axis) {
+                               const MirrorAxis& axis) {
   document::MirrorPlane plane;
-  plane.normal = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  plane.normal = axis.normal;
   const auto others = pipeline::boundsWithout(document, derived, parts);
   const auto own = pipeline::boundsOf(document, derived, parts);
   if (others) {
     plane.point = others->centre();
   } else if (own) {
-    plane.point = own->centre() + plane.normal * (along(own->high - own->low, axis) / 2);
+    plane.point = own->centre() + plane.normal * (dot(own->high - own->low, plane.normal) / 2);
   }
   return plane;
 }

@@ -52,11 +52,22 @@ std::vector<document::Action> placeActions(const document::Document& document,
                                            const pipeline::Derived& derived,
                                            std::vector<document::PlaceParts::One> parts);
 
+/// A way in which a thing has another side: `normal` points from the one to the other.
+struct MirrorAxis {
+  const char* key;    ///< "x"
+  const char* words;  ///< "Left and right"
+  WorldPoint normal;
+};
+/// All of them, the commonest first.
+std::span<const MirrorAxis> mirrorAxes();
+/// Whether the plane lies between the sides of this axis.
+bool isAcross(const document::MirrorPlane& plane, const MirrorAxis& axis);
+
 /// A plane through the middle of everything but `parts` (of themselves: at their right, upper or front
-/// side, when there is nothing else); `axis` 0, 1, 2: x, y, z.
+/// side, when there is nothing else).
 document::MirrorPlane planeFor(const document::Document& document,
                                const pipeline::Derived& derived, std::span<const PartId> parts,
-                               int axis);
+                               const MirrorAxis& axis);
 
 /// The motion, without a turn, after which the parts touch a surface at `at`: of all their points the
 /// lowest along the surface's `normal` (of several the one nearest to their middle) comes to lie there.

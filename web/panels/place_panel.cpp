@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "web/app/placing.h"
@@ -43,22 +42,14 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   if (pressed) env.sink.run("ask-place", app::Json::Object{{"field", what.key}});
 }
 
-/// Which sides follow each other: the button above begins with left and right, things seen from the side need another.
+/// Which sides follow each other: the button above begins with left and right.
 void sidesChooser(const PanelEnv& env, const document::MirrorPlane& mirror, float width) {
-  struct Choice {
-    const char* axis;
-    const char* text;
-    WorldPoint normal;
-  };
-  constexpr std::array<Choice, 3> kChoices = {{{"x", "Left and right", {1, 0, 0}},
-                                               {"z", "Front and back", {0, 0, 1}},
-                                               {"y", "Top and bottom", {0, 1, 0}}}};
   label(env.fonts.small, kMuted, "Alike on both sides");
   WordButtons row(env, width);
-  for (const Choice& choice : kChoices) {
-    const bool on = std::abs(dot(mirror.normal, choice.normal)) > 0.999;
-    if (row.button(choice.axis, choice.text, on) && !on) {
-      env.sink.run("symmetry", app::Json::Object{{"axis", choice.axis}});
+  for (const app::MirrorAxis& axis : app::mirrorAxes()) {
+    const bool on = app::isAcross(mirror, axis);
+    if (row.button(axis.key, axis.words, on) && !on) {
+      env.sink.run("symmetry", app::Json::Object{{"axis", axis.key}});
     }
   }
 }

@@ -241,6 +241,27 @@ TEST_CASE("a copy is in sight: to the right as it is seen, to the left where onl
   }
 }
 
+TEST_CASE("what faces the front again is turned by nothing at all, and so is what was turned along with it") {
+  Placed page;
+  page.run("duplicate");
+  page.run("select-all");
+  page.run("group");
+  for (int round = 0; round < 3; ++round) {
+    for (const char* angles : {R"({"degrees": [-35, 120, 0]})", R"({"degrees": [20, -75, 160]})", R"({"degrees": [7, 11, 13]})"}) {
+      page.run("move-parts", angles);
+    }
+    page.settle();
+    CHECK(*page.part().find("placement")->find("turn")->array()->at(0).number() < 0.999);
+    page.run("face-front");
+    page.settle();
+    for (const std::size_t i : {0u, 1u}) {
+      const Json turn = *page.part(i).find("placement")->find("turn");
+      CHECK(turn == Json(Json::Array{1, 0, 0, 0}));
+    }
+    CHECK(*page.run("face-front").text("error") == "NotNow");
+  }
+}
+
 TEST_CASE("copies, mirrored copies, symmetry and groups are commands of one step each") {
   Placed page;
   page.run("duplicate");
