@@ -48,11 +48,28 @@ std::optional<std::vector<Operand>> operandsOf(const Json& args, std::string_vie
   return operands;
 }
 
-/// What the page means: what is ticked; else, of two things that stand alone, both, the selected one last.
+/// What stands alone of all that was taken in hand, in the order in which it was.
+std::vector<Operand> rootsInHand(Env env) {
+  const document::Document& document = env.studio.document();
+  std::vector<PartId> parts{env.ui.selection};
+  parts.insert(parts.end(), env.ui.alsoSelected.begin(), env.ui.alsoSelected.end());
+  std::vector<Operand> roots;
+  for (const PartId id : parts) {
+    if (document::findPart(document, id) == nullptr) continue;
+    const Step* root = rootOf(document, {id, {}});
+    const Operand operand = root ? Operand{{}, root->id} : Operand{id, {}};
+    if (std::ranges::count(roots, operand) == 0) roots.push_back(operand);
+  }
+  return roots;
+}
+
+/// What the page means: what is ticked; else several that are in hand; else, of two things that stand alone, both, the
+/// selected one last.
 std::optional<std::vector<Operand>> meant(Env env, const Json& args) {
   if (auto named = operandsOf(args, "operands")) return named;
   if (auto named = operandsOf(args, "parts")) return named;
   if (env.ui.solids.picked.size() >= 2) return env.ui.solids.picked;
+  if (std::vector<Operand> held = rootsInHand(env); held.size() >= 2) return held;
   std::vector<Operand> roots = rootsOf(env.studio.document());
   if (roots.size() != 2) return std::nullopt;
   const Step* root = rootOf(env.studio.document(), {env.ui.selection, {}});

@@ -10,7 +10,10 @@ constexpr double kClickReach = 8;  // CSS pixels round a spine that still select
 
 }  // namespace
 
-void DrawSpine::begin(const ToolEnv&, const ToolEvent& event) { watch_.begin(event); }
+void DrawSpine::begin(const ToolEnv&, const ToolEvent& event) {
+  watch_.begin(event);
+  adds_ = (event.modifiers & platform::kShift) != 0;
+}
 
 void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
@@ -43,7 +46,7 @@ void DrawSpine::commit(const ToolEnv& env) {
     const PicturePoint p = toPicture(env, watch_.start());
     const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p,
                                     kClickReach / env.ui.pictureView.zoom);
-    selectTapped(env, part);
+    selectTapped(env, part, adds_);
     return;
   }
   const document::LoftRecipe& recipe = env.ui.preview->loft();

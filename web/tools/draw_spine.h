@@ -1,4 +1,4 @@
-// The main tool: one loose line on the picture becomes a part. A click selects.
+// The main tool: one loose line on the picture becomes a part. A click selects, with shift one more.
 #pragma once
 
 #include "web/tools/pick.h"
@@ -16,6 +16,7 @@ class DrawSpine final : public Tool {
   void start(const ToolEnv& env, const ToolEvent& event);
   static bool usesPressure(const ToolEnv& env, const ToolEvent& event);
   DragWatch watch_;
+  bool adds_ = false;  ///< shift is down: a click takes one more
 };
 
 }  // namespace spineloft::tools

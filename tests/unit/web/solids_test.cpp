@@ -438,6 +438,61 @@ TEST_CASE("a part of a solid shows and hides with it, in one step that is seen; 
   CHECK(*rig.state().number("selection") == 2);
 }
 
+TEST_CASE("what is in hand is what is put together, the first taken first; ticks go before it, and of one in hand the other is meant") {
+  const auto operands = [](TwoBars& rig) {
+    std::vector<double> ids;
+    const Json step = rig.step();
+    for (const Json& one : *step.find("operands")->array()) ids.push_back(*one.number("part"));
+    return ids;
+  };
+  TwoBars rig;
+  rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
+  rig.settle();
+  rig.run("select-part", R"({"id": 3})");
+  CHECK(rig.run("stick-together").text("error") != nullptr);
+  rig.run("select-part", R"({"id": 1, "add": true})");
+  rig.run("cut");
+  CHECK(operands(rig) == std::vector<double>{3, 1});
+  rig.run("undo");
+  rig.run("select-all");
+  rig.run("stick-together");
+  CHECK(operands(rig).size() == 3);
+  rig.run("undo");
+  rig.tick(1);
+  rig.tick(2);
+  rig.run("select-all");
+  rig.run("stick-together");
+  CHECK(operands(rig) == std::vector<double>{1, 2});
+  // The solid that was made is in hand as a whole: it is one thing, and the part beside it the other.
+  rig.run("cut");
+  CHECK(rig.step(1).find("operands")->array()->size() == 2);
+}
+
+TEST_CASE("while lines are drawn a click takes a part in hand, with shift one more or one less, and beside them nothing changes") {
+  TwoBars rig;
+  rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
+  rig.settle();
+  const auto click = [&](double x, double y, int modifiers) {
+    using platform::PointerKind;
+    const auto p = rig.at(x, y);
+    for (const PointerKind kind : {PointerKind::Down, PointerKind::Up}) {
+      rig.app->pointer({kind, 1, platform::Device::Mouse, 0, kind == PointerKind::Down ? 1 : 0, p.x, p.y, 0.5, rig.host.clockMs, modifiers});
+    }
+    rig.settle();
+    std::vector<double> ids;
+    const Json state = rig.state();
+    for (const Json& id : *state.find("selected")->array()) ids.push_back(*id.number());
+    return ids;
+  };
+  CHECK(click(151, 60, 0) == std::vector<double>{3});
+  const std::vector<double> both = click(100, 60, platform::kShift);
+  CHECK(both.size() == 2);
+  CHECK(both.back() == 3);
+  CHECK(click(20, 60, platform::kShift) == both);
+  CHECK(click(151, 60, platform::kShift).size() == 1);
+  CHECK(click(151, 60, 0) == std::vector<double>{3});
+}
+
 TEST_CASE("commands about a part, a solid or parts may name what is not selected") {
   Stuck rig;
   rig.answer(rig.lastAsked());
