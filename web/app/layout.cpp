@@ -72,6 +72,21 @@ Layout layoutWithBoard(double width, double height) {
   return out;
 }
 
+Rect clearOf(Rect words, std::span<const Rect> taken, double gap, Toward way) {
+  constexpr double kRounding = 1e-6;
+  // Whatever is passed once is behind it for good: an end is reached.
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const Rect& one : taken) {
+      const double near = gap - kRounding;
+      if (!words.meets({one.x - near, one.y - near, one.width + 2 * near, one.height + 2 * near})) continue;
+      words.y = way == Toward::Head ? one.y - gap - words.height : one.bottom() + gap;
+      moved = true;
+    }
+  }
+  return words;
+}
+
 double shareAt(const Layout& layout, ClientPoint at) {
   // The strip of pictures counts with the picture view, wherever it is cut off.
   const double length = layout.stacked ? layout.picture.bottom() + layout.solid.height

@@ -1,6 +1,8 @@
 // Where everything lies on the canvas, from its size alone.
 #pragma once
 
+#include <span>
+
 #include "web/app/space.h"
 
 namespace spineloft::app {
@@ -38,6 +40,11 @@ void reservePictures(Layout& layout);
 /// While a slice is drawn: `picture` is the room of its board, the solid stays in sight beside it, or
 /// above it on a tall canvas. No splitter; the panel only where it stands at the side.
 Layout layoutWithBoard(double width, double height);
+
+enum class Toward { Head, Foot };
+/// Words above a view, moved towards its head or foot just as far as they have to be so that at least `gap` is between
+/// them and everything in `taken`. They may end up outside of the view: then there is no room for them.
+Rect clearOf(Rect words, std::span<const Rect> taken, double gap, Toward way);
 
 /// The share for which the splitter's middle would lie under `at`.
 double shareAt(const Layout& layout, ClientPoint at);

@@ -20,6 +20,9 @@ struct Rect {
   bool contains(ClientPoint p) const {
     return p.x >= x && p.y >= y && p.x < right() && p.y < bottom();
   }
+  bool meets(const Rect& other) const {
+    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
   Rect inset(double margin) const {
     return {x + margin, y + margin, std::max(0.0, width - 2 * margin),
             std::max(0.0, height - 2 * margin)};

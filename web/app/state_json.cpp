@@ -323,6 +323,16 @@ void writeCut(JsonWriter& json, const UiState& ui) {
   json.endArray().endObject();
 }
 
+void writeControls(JsonWriter& json, const UiState& ui) {
+  json.key("controls").beginArray();
+  for (const Control& control : ui.controls) {
+    json.beginObject().key("kind").text(controlKey(control.kind)).key("words").text(control.words);
+    writeNumbers(json, "at", {control.at.x, control.at.y, control.at.width, control.at.height});
+    json.key("inSight").flag(control.inSight).key("enabled").flag(control.enabled).key("on").flag(control.on).endObject();
+  }
+  json.endArray();
+}
+
 void writePreview(JsonWriter& json, const UiState& ui) {
   json.key("preview");
   if (!ui.preview) {
@@ -383,6 +393,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   json.key("heightMm").number(document.height.value).key("beside");
   ui.beside ? json.text(things()[*ui.beside].key) : json.null();
   writePrint(json, document, ui);
+  writeControls(json, ui);
   json.key("documentName").text(document.name);
   json.key("view").text(ui.focus == Focus::Picture ? "picture" : "solid");
   json.key("camera").beginObject().key("yaw").number(ui.camera.yaw);

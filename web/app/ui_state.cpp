@@ -13,6 +13,11 @@ std::string_view toolKey(ToolKind tool) {
   return tool < ToolKind::kCount ? kKeys[static_cast<std::size_t>(tool)] : std::string_view();
 }
 
+std::string_view controlKey(Control::Kind kind) {
+  static constexpr std::array<std::string_view, 8> kKeys = {"button", "row", "grip", "field", "slider", "section", "tab", "words"};
+  return kKeys[static_cast<std::size_t>(kind)];
+}
+
 void lookAt(UiState& ui, PictureId picture) {
   if (ui.picture == picture) return;
   if (ui.picture) ui.seen.push_back({ui.picture, ui.pictureView});

@@ -79,6 +79,18 @@ struct Thumbnail {
   Rect at;
 };
 
+/// What the panels show on the canvas: something that can be pressed, or words that lie above a view.
+struct Control {
+  enum class Kind : std::uint8_t { Button, Row, Grip, Field, Slider, Section, Tab, Words };
+  Kind kind = Kind::Button;
+  std::string words;  ///< as it says, or what it does
+  Rect at;
+  bool inSight = true;  ///< nothing of the panel that it is in hides its middle
+  bool enabled = true, on = false;
+};
+/// "button", "row", "grip", "field", "slider", "section", "tab", "words".
+std::string_view controlKey(Control::Kind kind);
+
 /// A point of the region of a part, as drawn.
 struct OutlinePoint {
   std::size_t contour = 0, point = 0;
@@ -244,6 +256,7 @@ struct UiState {
   bool penSeen = false;        ///< a pen was used: fingers no longer draw
   std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame
   std::vector<Rect> overlays;  ///< ImGui windows above the views, as of the last frame
+  std::vector<Control> controls;  ///< as of the last frame
 };
 
 /// Brings a picture into view as it was last looked at, the first time whole.

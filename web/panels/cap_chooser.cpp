@@ -65,7 +65,8 @@ void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float wi
       paintCap(list, name.style, centre, radius, direction, colour);
     };
     const std::string_view text = size.y < 50 ? std::string_view() : name.label;
-    if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen}, paint)) {
+    const std::string words = std::string(name.label) + (which[0] == 's' ? ", where you began" : ", where you stopped");
+    if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, words}, paint)) {
       env.sink.run("set-caps", app::Json::Object{{which, name.key}});
     }
   }

@@ -127,6 +127,7 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
       turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, "%.1f turns")
             : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size),
                                  "%.0f px wide");
+  tellControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
   if (changed) {
     own = static_cast<double>(value);
     app::Preview& shown = app::previewPart(env.ui(), part);

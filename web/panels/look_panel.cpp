@@ -40,6 +40,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
     if (i > 0) ImGui::SameLine(0, 0);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton(choices[i].id, {each, height}) && !choices[i].on) pressed = i;
+    tellControl(env, app::Control::Kind::Button, choices[i].text, true, choices[i].on);
     const ImVec2 low{corner.x + 3, corner.y + 3}, high{corner.x + each - 3, corner.y + height - 3};
     if (choices[i].on) {
       list.AddRectFilled(low, high, kSurface, kRadius - 2);
@@ -151,6 +152,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(swatch.value.data(), {side, side});
+    tellControl(env, app::Control::Kind::Button, swatch.value, true, !look.textured && hexOf(chosen) == swatch.hex);
     const ImVec2 centre{at.x + side / 2, at.y + side / 2};
     const float radius = side / 2 - 3;
     ImDrawList& list = *ImGui::GetWindowDrawList();

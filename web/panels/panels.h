@@ -34,6 +34,7 @@ void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in ha
 void drawScale(const PanelEnv& env);           ///< how tall the solid is, and a thing beside it
 void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told
 void drawViewChrome(const PanelEnv& env);      ///< chips, buttons, legend, splitter
+void drawHints(const PanelEnv& env);           ///< what to do next, clear of all of these
 void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the strip below them
 void drawInk(const PanelEnv& env);             ///< the stroke of pen or eraser in hand
 void drawSketchBar(const PanelEnv& env);       ///< pen, eraser, sizes, inks; on paper only

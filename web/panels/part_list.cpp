@@ -62,9 +62,10 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (inHand) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
-  grip(env, {part.id, {}}, {grips, height});
+  grip(env, {part.id, {}}, {grips, height}, part.name);
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height});
+  tellControl(env, app::Control::Kind::Row, part.name, true, inHand);
   if (!inHand && ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }
@@ -120,9 +121,10 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   ImGui::PushID(static_cast<int>(group.id.value));
   ImGui::PushID("group");
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  grip(env, place.row, {24, height});
+  grip(env, place.row, {24, height}, group.name);
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height});
+  tellControl(env, app::Control::Kind::Row, group.name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;

@@ -26,6 +26,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   ImGui::PushID(what.key);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton("box", {width, height});
+  tellControl(env, app::Control::Kind::Field, what.word);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool hot = ImGui::IsItemHovered();
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);

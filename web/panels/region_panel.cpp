@@ -26,6 +26,7 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
       ImGui::SliderFloat(id.c_str(), &value, static_cast<float>(info.low),
                          static_cast<float>(info.high), whole ? "%.0f" : "%.2f",
                          info.low > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  tellControl(env, app::Control::Kind::Slider, info.label);
   if (changed) {
     app::Preview& shown = app::previewPart(env.ui(), part);
     shown.recipe = part.recipe;

@@ -30,6 +30,7 @@ bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
   const float width = ImGui::GetContentRegionAvail().x, height = env.ui().touch ? 44.f : 28.f;
   if (ImGui::InvisibleButton(text, {width, height})) folded ^= bit;
   const bool open = (folded & bit) == 0;
+  tellControl(env, app::Control::Kind::Section, text, true, open);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled({at.x - 6, at.y}, {at.x + width, at.y + height}, kHover, 8);
   list.AddLine({at.x, at.y - 3}, {at.x + width, at.y - 3}, kLine);
@@ -99,6 +100,7 @@ void tabs(const PanelEnv& env, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton(shown[i].label, {each, height})) env.ui().tab = shown[i].tab;
     const bool on = env.ui().tab == shown[i].tab;
+    tellControl(env, app::Control::Kind::Tab, shown[i].label, true, on);
     ImFont* font = on ? env.fonts.bold : env.fonts.text;
     ImGui::PushFont(font);
     const ImVec2 extent = ImGui::CalcTextSize(shown[i].label);

@@ -35,10 +35,19 @@ bool showsAll(const PanelEnv& env) {
 }
 
 /// A dot in a square that can be pressed.
-bool dotButton(const PanelEnv& env, const char* id, float radius, ImU32 colour, bool on) {
+struct DotButton {
+  const char* id;
+  std::string_view words;  ///< what the mouse is told, too
+  float radius;
+  ImU32 colour;
+  bool on;
+};
+bool dotButton(const PanelEnv& env, const DotButton& what) {
+  const auto& [id, words, radius, colour, on] = what;
   const float side = sideOf(env);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(id, {side, side});
+  tellControl(env, app::Control::Kind::Button, words, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (on || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + side, at.y + side}, on ? kAccentSoft : kHover, 8);
@@ -46,6 +55,7 @@ bool dotButton(const PanelEnv& env, const char* id, float radius, ImU32 colour, 
   const ImVec2 centre{at.x + side / 2, at.y + side / 2};
   list.AddCircleFilled(centre, radius, colour, 24);
   if (on) list.AddCircle(centre, std::min(radius + 3.5f, side / 2 - 2), kAccent, 32, 1.6f);
+  tooltip(words);
   return pressed;
 }
 
@@ -57,10 +67,10 @@ void sizes(const PanelEnv& env) {
   for (std::size_t i = 0; i < app::kPenSizes.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     const std::string id(app::kPenSizes[i]);
-    if (dotButton(env, id.c_str(), kDotRadii[i], colour, chosen == i)) {
+    const char* words = i == 0 ? "Fine" : i == 1 ? "Medium" : "Bold";
+    if (dotButton(env, {id.c_str(), words, kDotRadii[i], colour, chosen == i})) {
       env.sink.run("pen-size", app::Json::Object{{"size", id}});
     }
-    tooltip(i == 0 ? "Fine" : i == 1 ? "Medium" : "Bold");
   }
 }
 
@@ -70,10 +80,9 @@ void inks(const PanelEnv& env, std::size_t columns = app::kInks.size()) {
   for (const app::Ink& ink : app::kInks) {
     if (at++ % columns != 0) ImGui::SameLine();
     const bool on = !erasing(env) && env.ui().sketching.colour == ink.colour;
-    if (dotButton(env, ink.value.data(), 8, colourOf(ink.colour), on)) {
+    if (dotButton(env, {ink.value.data(), ink.label, 8, colourOf(ink.colour), on})) {
       env.sink.run("pen-colour", app::Json::Object{{"colour", ink.value}});
     }
-    tooltip(ink.label);
   }
 }
 
@@ -140,6 +149,7 @@ void boneButton(const PanelEnv& env, float width, bool next) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + side};
   const bool pressed = ImGui::InvisibleButton("bone", {width, side});
   const bool on = env.ui().tool == app::ToolKind::Draw;
+  tellControl(env, app::Control::Kind::Button, kBone, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (next || on || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, end, next ? kAccent : on ? kAccentSoft : kHover, 8);
@@ -195,8 +205,8 @@ void openMenu(const PanelEnv& env, const app::Rect& card) {
 void settingsCell(const PanelEnv& env) {
   app::PenMenu& open = env.ui().sketching.menu;
   const ImU32 ink = erasing(env) ? kMuted : colourOf(env.ui().sketching.colour);
-  const bool pressed = dotButton(env, "settings", kDotRadii[app::sizeInHand(env.ui())] + 2, ink, open != app::PenMenu::None);
-  tooltip("Size and ink");
+  const float radius = kDotRadii[app::sizeInHand(env.ui())] + 2;
+  const bool pressed = dotButton(env, {"settings", "Size and ink", radius, ink, open != app::PenMenu::None});
   if (pressed) open = open == app::PenMenu::None ? app::PenMenu::Both : app::PenMenu::None;
 }
 
@@ -216,14 +226,13 @@ void settings(const PanelEnv& env, bool all) {
   const app::PenMenu open = env.ui().sketching.menu;
   const ImU32 ink = erasing(env) ? kMuted : colourOf(env.ui().sketching.colour);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (dotButton(env, "size", 0, kInk, false)) toggle(app::PenMenu::Size);
+  if (dotButton(env, {"size", "Pen size", 0, kInk, false})) toggle(app::PenMenu::Size);
   // A dash as wide as the pen, so that it is not taken for a colour.
   const float side = sideOf(env), width = 2 * kDotRadii[app::sizeInHand(env.ui())] - 2;
   ImGui::GetWindowDrawList()->AddLine({at.x + 10, at.y + side - 11}, {at.x + side - 10, at.y + 11},
                                       kInk, width);
-  tooltip("Pen size");
   ImGui::SameLine();
-  if (dotButton(env, "ink", 8, ink, open == app::PenMenu::Colour)) toggle(app::PenMenu::Colour);
+  if (dotButton(env, {"ink", "Ink", 8, ink, open == app::PenMenu::Colour})) toggle(app::PenMenu::Colour);
 }
 
 /// How much an eraser or a scribble would cover that began here.

@@ -39,6 +39,7 @@ void bar(const PanelEnv& env, const Stops& stops, std::size_t picked, float widt
       if (ImGui::InvisibleButton("stop", {2 * r, 2 * r})) {
         env.sink.run("select-slice", app::Json::Object{{"slice", static_cast<double>(i)}});
       }
+      tellControl(env, app::Control::Kind::Button, "Slice " + std::to_string(i + 1), true, i == picked);
       ImGui::PopID();
       const bool on = i == picked;
       list.AddCircleFilled(c, r, on ? kAccentSoft : kSurface, 32);

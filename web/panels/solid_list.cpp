@@ -44,6 +44,7 @@ void slider(const PanelEnv& env, const document::Step& step, const char* key, co
   const ImGuiID here = ImGui::GetID(id.c_str());
   if (ImGui::GetActiveID() == here) value = held.GetFloat(here, value);
   ImGui::SliderFloat(id.c_str(), &value, low, high, "%.1f mm");
+  tellControl(env, app::Control::Kind::Slider, text);
   held.SetFloat(here, value);
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     env.sink.run("set-step", app::Json::Object{{"step", step.id.value},
@@ -80,9 +81,10 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
 
 }  // namespace
 
-void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size) {
+void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("grip", size);
+  tellControl(env, app::Control::Kind::Grip, name);
   if (ImGui::IsItemActivated()) env.ui().listDrag = row;
   if (!ImGui::IsItemHovered() || env.ui().touch) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -123,10 +125,11 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const float row = std::max(40.f, width - indent - buttons);
   const float grips = root ? 26 : 0;  // solids within solids stay where they are
   if (root) {
-    grip(env, {{}, {}, step.id}, {grips, height});
+    grip(env, {{}, {}, step.id}, {grips, height}, step.name);
     ImGui::SameLine(0, 0);
   }
   const bool pressed = ImGui::InvisibleButton("row", {row - grips, height});
+  tellControl(env, app::Control::Kind::Row, step.name, true, selected);
   if (selected || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
   }

@@ -8,7 +8,7 @@
 namespace spineloft::panels {
 
 /// The drawing at the left of a row is what it is dragged by.
-void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size);
+void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name);
 
 /// A solid that stands alone, with what it is made of below it; `partRow(part, indent)` draws a part's row.
 template <class PartRow>

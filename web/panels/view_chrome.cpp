@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "web/app/editing.h"
 #include "web/app/sizing.h"
@@ -19,6 +21,8 @@ namespace spineloft::panels {
 namespace {
 
 constexpr double kMargin = 10;
+constexpr double kFoot = 84;      // from a hint's middle to the foot of its view
+constexpr double kClear = 6;      // between a hint and what is there
 constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot of a sketch
 constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
 
@@ -64,6 +68,11 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   return card;
 }
 
+/// Words that lie above a view, in sight of whoever asks what the page shows.
+void tellWords(const PanelEnv& env, std::string words, ImVec2 low, ImVec2 high) {
+  env.ui().controls.push_back({app::Control::Kind::Words, std::move(words), {low.x, low.y, high.x - low.x, high.y - low.y}});
+}
+
 void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool focused) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImFont* font = env.fonts.small;
@@ -74,6 +83,7 @@ void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool foc
   list.AddRectFilled(at, end, rgb(0xffffff, 235), 20);
   list.AddRect(at, end, focused ? kAccent : kLine, 20, 0, 1.2f);
   list.AddText(font, size, {at.x + 10, at.y + 5}, focused ? kAccent : kMuted, text);
+  tellWords(env, text, at, end);
 }
 
 struct LegendEntry {
@@ -152,13 +162,16 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xffffff, 235), kRadius);
   list.AddRect(at, {at.x + width, at.y + height}, kLine, kRadius);
   ImVec2 pen{at.x + 12, at.y + 4 + line / 2};
+  std::string words;
   for (const LegendEntry& entry : entries) {
     Pen look = ribPen(entry.state);
     look.width += 0.8f;
     styledLine(list, pen, {pen.x + sample, pen.y}, look);
     list.AddText(font, size, {pen.x + sample + 6, pen.y - size / 2}, kMuted, entry.text);
     (tall ? pen.y : pen.x) += tall ? line : widthOf(entry.text);
+    words += (words.empty() ? "" : ", ") + std::string(entry.text);
   }
+  tellWords(env, std::move(words), at, {at.x + width, at.y + height});
 }
 
 void splitter(const app::Layout& layout) {
@@ -177,55 +190,68 @@ struct Pill {
   ImU32 fill = 0, ink = 0;
 };
 
-/// A line of text with round ends, centred at (x, y).
-void pill(const PanelEnv& env, ImVec2 centre, const Pill& what) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+/// A line of text with round ends, centred in `view` at the height `y`, or towards its head or foot where something else
+/// is; nothing where there is no room.
+void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way, const Pill& what) {
   ImGui::PushFont(env.fonts.text);
   const ImVec2 extent = ImGui::CalcTextSize(what.text);
-  const ImVec2 at{std::round(centre.x - extent.x / 2), std::round(centre.y - extent.y / 2)};
-  list.AddRectFilled({at.x - 14, at.y - 7}, {at.x + extent.x + 14, at.y + extent.y + 7}, what.fill,
-                     20);
-  list.AddText(at, what.ink, what.text);
+  std::vector<app::Rect> taken = env.ui().overlays;
+  for (const app::Control& control : env.ui().controls) {
+    if (control.kind == app::Control::Kind::Words) taken.push_back(control.at);
+  }
+  const double width = extent.x + 28., height = extent.y + 14.;
+  const app::Rect wanted{std::round(view.centre().x - width / 2), std::round(y - height / 2), width, height};
+  const app::Rect at = app::clearOf(wanted, taken, kClear, way);
+  if (at.y >= view.y && at.bottom() <= view.bottom()) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 low{static_cast<float>(at.x), static_cast<float>(at.y)};
+    const ImVec2 high{static_cast<float>(at.right()), static_cast<float>(at.bottom())};
+    list.AddRectFilled(low, high, what.fill, 20);
+    list.AddText({low.x + 14, low.y + 7}, what.ink, what.text);
+    tellWords(env, what.text, low, high);
+  }
   ImGui::PopFont();
 }
 
 /// In a lower view a pill would cover what it is about; the status line says it, too.
 constexpr double kPillRoom = 200;
 
-/// What is to come, while there is nothing to see yet. (What to do first, the shell says.)
-void hints(const PanelEnv& env) {
-  const app::Layout& layout = env.ui().layout;
-  const app::Rect& view = layout.picture;
+/// What one may do in the picture next, of what the tool in use is for; empty: it is known.
+const char* hintFor(const PanelEnv& env) {
+  const app::Rect& view = env.ui().layout.picture;
+  if (view.height < kPillRoom) return "";
   const bool drawing = static_cast<bool>(env.ui().preview);
-  const float x = static_cast<float>(view.centre().x), y = static_cast<float>(view.y) + 26;
-  if (env.ui().redraw && !drawing) {
-    pill(env, {x, y}, {"Draw the new line", kAccent, kSurface});
-  }
-  if (env.ui().cut && !env.ui().cut->shape.contours.empty() && view.height >= kPillRoom) {
-    const bool adds = env.ui().cut->adding;
-    pill(env, {x, static_cast<float>(view.bottom()) - 84},
-         {adds ? "Draw over what is missing" : "Draw over what is too much", rgb(0xffffff, 235), kMuted});
+  if (env.ui().cut && !env.ui().cut->shape.contours.empty()) {
+    return env.ui().cut->adding ? "Draw over what is missing" : "Draw over what is too much";
   }
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
   const bool regionTool = (tool == app::ToolKind::Puff || tool == app::ToolKind::Sheet) && !env.ui().cut;
-  const bool told = env.ui().pointsKnown || env.ui().redraw || drawing || view.height < kPillRoom;
-  if (regionTool && !told && part && document::regionOf(part->recipe)) {
-    pill(env, {x, static_cast<float>(view.bottom()) - 84}, {"Tap the part to change its outline", rgb(0xffffff, 235), kMuted});
-  }
+  const bool told = env.ui().pointsKnown || env.ui().redraw || drawing;
+  if (regionTool && !told && part && document::regionOf(part->recipe)) return "Tap the part to change its outline";
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
-  if (rib && part && !document::loftIn(*part).pose.isRest() && view.height > 300) {
-    pill(env, {x, static_cast<float>(view.bottom()) - 84},
-         {"Ribs are changed where they were drawn", rgb(0xffffff, 235), kMuted});
-  }
-  if (env.document().parts.empty() && !drawing) {
-    const app::ClientPoint c = layout.solid.centre();
-    pill(env, {static_cast<float>(c.x), static_cast<float>(c.y)},
-         {"Your solid appears here", rgb(0xffffff, 0), kMuted});
-  }
+  const bool posed = rib && part && !document::loftIn(*part).pose.isRest();
+  return posed && view.height > 300 ? "Ribs are changed where they were drawn" : "";
 }
 
 }  // namespace
+
+// What to do first, the shell says.
+void drawHints(const PanelEnv& env) {
+  const app::Layout& layout = env.ui().layout;
+  const app::Rect& view = layout.picture;
+  const bool drawing = static_cast<bool>(env.ui().preview);
+  if (env.document().pictures.empty() || env.ui().slices.board) return;
+  if (env.ui().redraw && !drawing) {
+    pill(env, view, view.y + 26, app::Toward::Foot, {"Draw the new line", kAccent, kSurface});
+  }
+  const char* hint = hintFor(env);
+  if (*hint != 0) pill(env, view, view.bottom() - kFoot, app::Toward::Head, {hint, rgb(0xffffff, 235), kMuted});
+  // What is to come, while there is nothing to see yet.
+  if (env.document().parts.empty() && !drawing) {
+    pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot, {"Your solid appears here", rgb(0xffffff, 0), kMuted});
+  }
+}
 
 void drawViewChrome(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
@@ -247,7 +273,6 @@ void drawViewChrome(const PanelEnv& env) {
     const std::string solid = env.document().parts.empty() ? "Solid" : "Solid, " + size + " tall";
     chip(env, layout.solid, solid.c_str(), !onPicture);
   }
-  hints(env);
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
   constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
   constexpr std::string_view kPictureFew[] = {"draw", "puff", "ribs", "bone", "sheet",
@@ -310,6 +335,7 @@ void drawActivity(const PanelEnv& env) {
 
 void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
+  env.ui().controls.clear();
   env.ui().slices.graphs.clear();
   drawPictureOverlay(env);
   drawPictureStrip(env);
@@ -321,6 +347,7 @@ void draw(const PanelEnv& env) {
   drawViewChrome(env);
   drawSketchBar(env);
   drawEditBar(env);
+  drawHints(env);
   drawSidePanel(env);
   drawSliceBoard(env);
   drawActivity(env);

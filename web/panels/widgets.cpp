@@ -71,6 +71,13 @@ bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra)
                           ImGuiWindowFlags_NoFocusOnAppearing | extra);
 }
 
+void tellControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled, bool on) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const bool inSight = ImGui::GetCurrentWindow()->ClipRect.Contains(middle);
+  env.ui().controls.push_back({kind, std::string(words), {low.x, low.y, high.x - low.x, high.y - low.y}, inSight, enabled, on});
+}
+
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
   env.ui().overlays.push_back(rect);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {4, 4});
@@ -119,6 +126,7 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   ImGui::BeginDisabled(!button.enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
+  tellControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip : button.words, button.enabled, button.active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.size, at.y + button.size};
@@ -145,7 +153,8 @@ void commandButton(const PanelEnv& env, std::string_view id, float size) {
   const bool active = command->toggled != nullptr && command->toggled(env.env);
   const bool can = app::enabled(*command, env.env);
   const ImU32 colour = command->group == "tool" ? toolColour(env.ui().tool) : 0;
-  if (iconButton(env, {name.c_str(), command->icon, tipOf(*command), active, can, size, colour})) {
+  const std::string tip = tipOf(*command);
+  if (iconButton(env, {name.c_str(), command->icon, tip, active, can, size, colour, command->label})) {
     env.sink.run(id);
   }
 }
@@ -166,6 +175,7 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed =
       ImGui::InvisibleButton(std::string(button.id).c_str(), {button.width, button.height});
+  tellControl(env, app::Control::Kind::Button, command->label, can, active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.width, at.y + button.height};
@@ -204,6 +214,7 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   const float width = button.width > 0 ? button.width : textButtonWidth(env, button.text);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + button.height};
   const bool pressed = ImGui::InvisibleButton(button.id, {width, button.height});
+  tellControl(env, app::Control::Kind::Button, button.text, button.enabled, button.primary);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 plain = hovered ? kHover : rgb(0xfaf9f6);
@@ -233,6 +244,8 @@ bool WordButtons::button(const char* id, std::string_view text, bool on) {
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);
+  const std::string_view shown = tile.text.empty() ? tile.tip : tile.text;
+  tellControl(env, app::Control::Kind::Button, tile.words.empty() ? shown : tile.words, tile.enabled, tile.active);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + tile.size.x, at.y + tile.size.y};
@@ -265,7 +278,8 @@ void commandTile(const PanelEnv& env, std::string_view id, std::string_view text
   const std::string name(id);
   const bool on = command->toggled != nullptr && command->toggled(env.env);
   const std::string_view below = size.y < 50 ? std::string_view() : text;
-  const bool pressed = tile(env, {name.c_str(), below, command->hint, size, on},
+  const bool can = app::enabled(*command, env.env);
+  const bool pressed = tile(env, {name.c_str(), below, command->hint, size, on, command->label, can},
                             [&](ImDrawList& list, ImVec2 c, float, ImU32) {
                               const char* icon = iconText(command->icon);
                               ImFont* font = env.fonts.icons;
@@ -274,7 +288,7 @@ void commandTile(const PanelEnv& env, std::string_view id, std::string_view text
                               list.AddText(font, side, {c.x - extent.x / 2, c.y - extent.y / 2},
                                            kAccent, icon);
                             });
-  if (pressed && app::enabled(*command, env.env)) env.sink.run(id);
+  if (pressed && can) env.sink.run(id);
 }
 
 void dragScroll() {

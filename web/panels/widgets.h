@@ -17,6 +17,9 @@ const char* iconText(std::string_view name);
 /// A window that covers `rect` and neither moves nor decorates itself.
 bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra = 0);
 
+/// Tells the page what the last item is (UiState::controls). Whatever can be pressed says it here.
+void tellControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled = true, bool on = false);
+
 /// A floating card of buttons; its place is kept from the tools.
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
 void endCard();
@@ -39,6 +42,7 @@ struct IconButton {
   bool enabled = true;
   float size = 36;
   ImU32 colour = 0;  ///< when active; 0: the accent of the page
+  std::string_view words = {};  ///< what it does; empty: `tip`
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);
 /// The button of a command; runs it when pressed. Tools have their own colours.
@@ -84,6 +88,8 @@ struct Tile {
   std::string_view text, tip;
   ImVec2 size{60, 60};
   bool active = false;
+  std::string_view words = {};  ///< what it does; empty: `text`, or where that is empty `tip`
+  bool enabled = true;
 };
 /// `paint(draw list, centre, radius, colour)` fills the upper part.
 using TilePaint = std::function<void(ImDrawList&, ImVec2, float, ImU32)>;

@@ -147,7 +147,6 @@ export interface ShownPicture extends PictureInfo {
 
 export type PenSize = 'fine' | 'medium' | 'bold';
 
-/** What is on the page now. A copy: changing it changes nothing. */
 /** What a solid is made of. */
 export type Operand = { part: number } | { step: number };
 
@@ -186,6 +185,19 @@ export interface Step {
   ms: number;
 }
 
+/** Something on the canvas that can be pressed; 'words' are told and cannot be. Names of parts are the words of rows and grips. */
+export interface Control {
+  kind: 'button' | 'row' | 'grip' | 'field' | 'slider' | 'section' | 'tab' | 'words';
+  words: string;
+  /** CSS pixels of the canvas. */
+  at: [x: number, y: number, width: number, height: number];
+  /** False: its panel has to be scrolled first. */
+  inSight: boolean;
+  enabled: boolean;
+  on: boolean;
+}
+
+/** What is on the page now. A copy: changing it changes nothing. */
 export interface State {
   version: string;
   /** The picture in view, in original pixels; null on the start page. */
@@ -259,6 +271,8 @@ export interface State {
   } | null;
   documentName: string;
   heightMm: number;
+  /** What the panels on the canvas show, as of the last frame. */
+  controls: Control[];
   /** A drag of "Puff" and "Flat piece" is a box round the thing. */
   cutByBox: boolean;
   /** A drag of theirs is a scribble over the thing. */

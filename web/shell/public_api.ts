@@ -35,7 +35,7 @@ const kBeforeReady: State = {
   options: { ribReach: 0.06, boneReach: 0.25, bothSides: false, keepRibs: false, wholePicture: false, paintOver: false, depthByPressure: false, brush: 14 },
   selection: null, tool: 'draw', undo: 0, redo: 0, history: { bytes: 0, budget: 0 }, busy: true,
   threads: 0, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null, preview: null, documentName: '', heightMm: 0, beside: null, cutByBox: false, cutByScribble: false, cut: null, print: null,
-  shelf: [], slice: 0, placing: false, sliceBoard: null,
+  shelf: [], controls: [], slice: 0, placing: false, sliceBoard: null,
 };
 
 function wait(milliseconds: number): Promise<void> {
