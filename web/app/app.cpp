@@ -153,6 +153,7 @@ void App::frame() {
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
+  tellWaitingPrint();
   growBoard(ui_, studio_.document());
   growPreview(ui_, studio_, host_);
   growSolid();
@@ -558,12 +559,16 @@ void App::solved(std::string_view answerJson, std::span<const std::uint8_t> byte
   const std::optional<Json> answer = Json::parse(answerJson);
   if (!answer) return;
   if (!studio_.takeSolid(*answer, bytes)) return;
-  if (ui_.printWaits && !studio_.solving()) {
-    ui_.printWaits = false;
-    if (Outcome outcome = tellPrint(env())) refused(*outcome);
-  }
+  tellWaitingPrint();
   announce();
   touch(2);
+}
+
+/// The check for printing that was asked for before all was made.
+void App::tellWaitingPrint() {
+  if (!ui_.printWaits || !studio_.shapesMade()) return;
+  ui_.printWaits = false;
+  if (Outcome outcome = tellPrint(env())) refused(*outcome);
 }
 
 /// A gesture on a part of a solid changes the solid, as far as the solver keeps up.

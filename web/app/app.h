@@ -82,6 +82,7 @@ class App final : public platform::Page {
   void settleChosen();
   void showOtherModel();
   void layout();
+  void tellWaitingPrint();
   void growSolid();
   void fly();
   void frameNewPart();

@@ -205,7 +205,7 @@ bool Studio::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) 
 void Studio::takeTrace(const pipeline::TraceMaking& making) {
   pipeline::takeTrace(making, cache_);
   changed();
-  if (saveWaiting_) derived();
+  if (saveWaiting_ || finishing_) derived();
 }
 
 void Studio::takeTexture(const pipeline::TextureMaking& making) {
@@ -445,7 +445,7 @@ bool Studio::finishParts() {
   finishing_ = true;
   updateSolids();
   finishing_ = !allMade();
-  return !solids_.busy();
+  return shapesMade();
 }
 
 std::vector<PartId> Studio::crossingParts() {

@@ -64,9 +64,10 @@ class Studio {
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
 
   /// A file or a check is wanted: parts in no step that go through themselves are mended by the solver, as far as they
-  /// can be (DerivedPart::mended). False: it is at it, and `solving` until it is done.
+  /// can be (DerivedPart::mended). False: it is at it, or shapes are still searched for, until `shapesMade`.
   bool finishParts();
-  bool solving() const { return solids_.busy(); }
+  /// Every shape and every solid is what it is going to be; pictures on them may still be made.
+  bool shapesMade() const { return !stale_ && searching_.empty() && !traces_.busy() && !solids_.busy(); }
   /// What goes through itself and could not be mended.
   std::vector<PartId> crossingParts();
 
@@ -135,9 +136,7 @@ class Studio {
   void takeTrace(const pipeline::TraceMaking& making);
   void takeTexture(const pipeline::TextureMaking& making);
   /// Nothing that a file is to hold is still being made.
-  bool allMade() const {
-    return !stale_ && searching_.empty() && !traces_.busy() && !textures_.busy() && !solids_.busy();
-  }
+  bool allMade() const { return shapesMade() && !textures_.busy(); }
   /// Saves what waited for it, when all is there.
   void saveWaiting();
   Status saveNow(publish::Format format);

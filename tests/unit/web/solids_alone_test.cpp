@@ -188,6 +188,21 @@ TEST_CASE("the check for printing waits for parts that go through themselves, an
   CHECK(isTold);
 }
 
+TEST_CASE("a check for printing that is asked for while a part is still searched for is of what it becomes, and of what mends it") {
+  TwoBars rig;
+  const auto isChecked = [&] { return !rig.state().find("print")->isNull(); };
+  rig.run("coil", R"({"part": 1, "turns": 6, "radius": 12})");
+  // The shape of the coil is there at once; its last word is the other hands', in a moment.
+  CHECK(*rig.run("check-print").flag("ok"));
+  CHECK_FALSE(isChecked());
+  rig.settle();
+  CHECK_FALSE(isChecked());
+  rig.answer(rig.lastAsked(), 1, true);
+  CHECK(rig.settle());
+  CHECK(isChecked());
+  CHECK_FALSE(rig.host.said("goes through itself"));
+}
+
 TEST_CASE("the check for printing is of what was mended, once it is") {
   Coiled mended;
   mended.run("check-print");
