@@ -15,6 +15,7 @@ inline constexpr int kAtlasSide = 4096;
 /// Pixels around each picture that repeat its own edge. A filter between four pixels of the second mip
 /// level, each a mean of 4 × 4, reaches 6 pixels far and so mixes nothing else in.
 inline constexpr int kAtlasPadding = 8;
+static_assert(kTextureSide + 2 * kAtlasPadding <= kAtlasSide, "a part's texture fits as it is");
 /// The sides are multiples of this, if the most allowed is one: then mip levels halve evenly.
 inline constexpr int kAtlasStep = 4;
 

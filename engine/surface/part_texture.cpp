@@ -190,7 +190,7 @@ UvArea uvOf(const Cut& cut, image::Size picture) {
 
 /// As far as a texture of size `own` at the same scale would have to be.
 image::Image shrunkLike(image::Image image, image::Size own) {
-  const image::Size fit = image::fitSize(own, kTexturePixels, 4096);
+  const image::Size fit = image::fitSize(own, kTexturePixels, kTextureSide);
   if (fit == own) return image;
   const auto side = [](int pixels, int to, int from) {
     return std::max(1, static_cast<int>(static_cast<long long>(pixels) * to / from));

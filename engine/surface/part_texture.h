@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/limits.h"
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
 
@@ -27,8 +28,10 @@ struct PartTexture {
   bool operator==(const PartTexture&) const = default;
 };
 
-/// Most pixels of one part's texture; larger cut-outs are averaged down.
-inline constexpr long long kTexturePixels = 2'000'000;
+/// Most pixels of one part's texture: as many as a picture's working copy has, so that a part is as sharp as that.
+inline constexpr long long kTexturePixels = kWorkingPixels;
+/// Most pixels on a side of it: what an atlas holds without shrinking it. Larger cut-outs are averaged down.
+inline constexpr int kTextureSide = 4080;
 
 /// A stretch of the outline of a part that could not be seen: something may stand before it and go on
 /// over the part. Polygons as those of Wrapped.

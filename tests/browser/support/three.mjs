@@ -50,14 +50,16 @@ globalThis.measureModel = async (base64, format, wanted) => {
   return result;
 };`;
 
-let script = null;
-
-async function bundled() {
-  script ??= build({
-    stdin: { contents: kEntry, resolveDir: root, loader: 'js' }, bundle: true, write: false, format: 'iife', logLevel: 'silent',
-  }).then((result) => result.outputFiles[0].text);
-  return script;
+/** A script for a page, with three.js in it where it asks for that: made when it is first wanted. */
+export function scriptOf(contents) {
+  let script = null;
+  return () => {
+    script ??= build({ stdin: { contents, resolveDir: root, loader: 'js' }, bundle: true, write: false, format: 'iife', logLevel: 'silent' }).then((result) => result.outputFiles[0].text);
+    return script;
+  };
 }
+
+const bundled = scriptOf(kEntry);
 
 /**
  * Meshes, triangles, signed volume, size and whether a texture is on, after three's loader of 'glb' or '3mf'; and of each

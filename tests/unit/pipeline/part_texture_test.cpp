@@ -6,6 +6,7 @@
 #include "engine/base/rng.h"
 #include "engine/document/update.h"
 #include "engine/pipeline/derive.h"
+#include "engine/surface/atlas.h"
 #include "tests/support/front_view.h"
 #include "tests/support/mesh_laws.h"
 
@@ -367,4 +368,42 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     CHECK(later.dress(12345, nullptr) == nullptr);
   }
   CHECK(pipeline::makeTexture({}, {}, PartId{1}) == nullptr);
+}
+
+TEST_CASE("a part that fills a large picture is as sharp as the picture, and a very long one as an atlas can be") {
+  const auto fineGrained = [](int width, int height) {
+    Rng rng(3);
+    image::Image out{width, height, {}};
+    out.pixels.reserve(4 * std::size_t(width) * std::size_t(height));
+    for (int i = 0; i < width * height; ++i) {
+      const auto grey = std::uint8_t(60 + int(120 * rng.uniform()));
+      out.pixels.insert(out.pixels.end(), {grey, grey, grey, 255});
+    }
+    return out;
+  };
+  const std::vector<std::array<float, 2>> corners = {{0.02f, 0.02f}, {0.98f, 0.02f}, {0.98f, 0.98f}, {0.02f, 0.98f}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const auto worn = [&](const image::Image& picture) {
+    const auto texture = surface::partTexture(picture, {corners, triangles, {}, {}});
+    REQUIRE(texture);
+    return *texture;
+  };
+  const image::Image large = fineGrained(2000, 1200);  // more than two million
+  const surface::PartTexture texture = worn(large);
+  const int left = int(std::lround(texture.area.left * large.width)), top = int(std::lround(texture.area.top * large.height));
+  CHECK(texture.pixels.width == int(std::lround(texture.area.right * large.width)) - left);
+  int differing = 0;
+  for (int y = 100; y < 1100; ++y) {
+    for (int x = 100; x < 1900; ++x) {
+      const std::uint8_t* own = &texture.pixels.pixels[4 * (std::size_t(y - top) * std::size_t(texture.pixels.width) + std::size_t(x - left))];
+      differing += *own != large.pixels[4 * (std::size_t(y) * std::size_t(large.width) + std::size_t(x))] ? 1 : 0;
+    }
+  }
+  CHECK(differing == 0);
+  const surface::PartTexture longest = worn(fineGrained(5000, 60));
+  const std::array<const image::Image*, 1> alone = {&longest.pixels};
+  const auto atlas = surface::packAtlas(alone);
+  REQUIRE(atlas);
+  CHECK(longest.pixels.width >= surface::kTextureSide - 1);
+  CHECK((atlas->places[0].right - atlas->places[0].left) * atlas->pixels.width == doctest::Approx(longest.pixels.width));
 }
