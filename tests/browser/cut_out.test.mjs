@@ -1,7 +1,7 @@
 // Cutting a thing out by real pointers: a box, two brushes, undo, "Use this"; and regions that are no good.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { drawWithMouse, drawWithTouch, exported, idle, onPage, openPicture, run, state, toClient, toastText, useSite } from './support/page.mjs';
+import { drawWithMouse, drawWithTouch, exported, idle, onPage, openPicture, run, state, toClient, toastText, useSite, wordsInTheWay } from './support/page.mjs';
 import { paintedPng, tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -126,3 +126,21 @@ test('where there is nothing to cut out the page says so, and goes on', () => on
   const { cut, parts } = await state(page);
   assert.deepEqual([cut, parts.length], [null, 0]);
 }));
+
+for (const [width, height] of [[1440, 900], [1024, 768], [390, 844], [320, 568]]) {
+  const small = width < 500 ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {};
+  test(`what is to be done with a cut-out covers neither the legend of the ribs nor a button, at ${width} x ${height}`, () => onPage(kit, { viewport: { width, height }, ...small }, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await (small.hasTouch ? drawWithTouch : drawWithMouse)(page, tube.middle);
+    await run(page, 'puff');
+    await run(page, 'cut-start', { at: tube.middle[30] });
+    for (const [brush, words] of [['cut-add', 'Draw over what is missing'], ['cut-remove', 'Draw over what is too much']]) {
+      await run(page, brush);
+      await idle(page);
+      assert.deepEqual(await wordsInTheWay(page), []);
+      const told = (await state(page)).controls.some((control) => control.kind === 'words' && control.words === words);
+      assert.ok(told || height < 600, 'it is told, but in the lowest view');
+      if (process.env.SPINELOFT_PICTURES) await page.screenshot({ path: `${process.env.SPINELOFT_PICTURES}/words_${width}_${brush}.png` });
+    }
+  }));
+}

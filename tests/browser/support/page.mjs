@@ -206,3 +206,73 @@ export async function downloaded(page, work) {
   for await (const chunk of await download.createReadStream()) chunks.push(chunk);
   return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
 }
+
+/** Points of the canvas in client pixels. */
+export async function onCanvas(page, ...points) {
+  const box = await page.locator('#canvas').boundingBox();
+  return points.map(([x, y]) => ({ x: box.x + x, y: box.y + y }));
+}
+
+const middleOf = ({ at: [x, y, width, height] }) => [x + width / 2, y + height / 2];
+
+/**
+ * What a panel on the canvas shows with these words, of this kind (button, row, grip, field, slider, section, tab) where
+ * one is given; `row`: beside the row with that name. Null when there is none.
+ */
+export async function findControl(page, words, { kind, row } = {}) {
+  await idle(page);
+  const { controls } = await state(page);
+  const beside = row && controls.find((one) => one.kind === 'row' && one.words === row);
+  const level = (one) => beside === undefined || Math.abs(middleOf(one)[1] - middleOf(beside)[1]) < 2;
+  const found = controls.filter((one) => one.words === words && one.kind !== 'words' && (!kind || one.kind === kind) && level(one));
+  return found.find((one) => one.inSight) ?? found[0] ?? null;
+}
+
+/** The same, scrolled into sight by the wheel. */
+export async function control(page, words, which = {}) {
+  const box = await page.locator('#canvas').boundingBox();
+  for (let turns = 0; turns < 40; turns += 1) {
+    const found = await findControl(page, words, which);
+    const { controls } = await state(page);
+    assert.ok(found, `"${words}" is on the canvas, among ${controls.map((one) => one.words).join(' | ')}`);
+    if (found.inSight) return found;
+    const [x, y] = middleOf(found);
+    const [panel] = await onCanvas(page, [x, Math.min(Math.max(y, 60), box.height - 60)]);
+    await page.mouse.move(panel.x, panel.y);
+    await page.mouse.wheel(0, y > box.height / 2 ? 120 : -120);
+    await page.waitForTimeout(30);
+  }
+  throw new Error(`"${words}" does not come into sight`);
+}
+
+/** Where to press it, in client pixels. */
+export async function placeOf(page, words, which) {
+  const [at] = await onCanvas(page, middleOf(await control(page, words, which)));
+  return at;
+}
+
+/** Presses what the canvas shows with these words, with the mouse or, where `touch` is true, with a finger. */
+export async function press(page, words, { touch = false, ...which } = {}) {
+  const found = await control(page, words, which);
+  assert.ok(found.enabled, `"${words}" can be pressed`);
+  const [at] = await onCanvas(page, middleOf(found));
+  if (touch) await page.touchscreen.tap(at.x, at.y);
+  else await page.mouse.click(at.x, at.y);
+  await idle(page);
+}
+
+/** Answers the question that the page asks. */
+export async function answer(page, text) {
+  await page.getByRole('textbox').fill(text);
+  await page.keyboard.press('Enter');
+  await page.locator('dialog').waitFor({ state: 'detached' });
+  await idle(page);
+}
+
+/** Pairs of words above the views and of what they cover; none where all is well. */
+export async function wordsInTheWay(page) {
+  await idle(page);
+  const shown = (await state(page)).controls.filter(({ inSight }) => inSight);
+  const meet = ([ax, ay, aw, ah], [bx, by, bw, bh]) => ax < bx + bw && bx < ax + aw && ay < by + bh && by < ay + ah;
+  return shown.filter(({ kind }) => kind === 'words').flatMap((words) => shown.filter((other) => other !== words && meet(words.at, other.at)).map((other) => [words.words, other.words]));
+}

@@ -452,6 +452,7 @@ TEST_CASE("what is in hand is what is put together, the first taken first; ticks
   CHECK(rig.run("stick-together").text("error") != nullptr);
   rig.run("select-part", R"({"id": 1, "add": true})");
   rig.run("cut");
+  REQUIRE(rig.state().find("steps")->array()->size() == 1);
   CHECK(operands(rig) == std::vector<double>{3, 1});
   rig.run("undo");
   rig.run("select-all");
