@@ -1,11 +1,13 @@
-// Whole models from real pictures, made as a visitor makes them: a mug, a tap and a swan. With $SPINELOFT_PICTURES
-// naming a folder, screenshots and the saved files go there.
+// Whole models from real pictures, made as a visitor makes them, by pointers, buttons, menus and questions alone: a mug,
+// a tap and a swan. With $SPINELOFT_PICTURES naming a folder, screenshots and the saved files go there.
 import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { measure, parse3mf, parseStl, validated } from './support/model_files.mjs';
-import { chooseFromMore, drawWithMouse, exported, idle, onPage, openPicture, pressBar, run, state, toClient, useSite } from './support/page.mjs';
+import {
+  answer, chooseFromMore, drawWithMouse, dropFiles, exported, idle, onPage, press, pressBar, run, state, toClient, useSite, waitForPicture,
+} from './support/page.mjs';
 import { dataCases } from './support/pictures.mjs';
 import { isImported, isSliced, isWholeToAdmesh, missing } from '../support/readers.mjs';
 
@@ -15,7 +17,8 @@ const model = (title, name, work) => {
   const [found] = dataCases([name]);
   const options = { skip: found ? false : `there is no case ${name} in the data folder` };
   test(title, options, (t) => onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
-    await openPicture(page, found.bytes, name);
+    await dropFiles(page, [kit.file(`${name}.png`, found.bytes)]);
+    await waitForPicture(page);
     const { millimetres } = await work(page);
     await isRead(t, page, name, millimetres);
   }));
@@ -33,16 +36,44 @@ async function isRead(t, page, name, millimetres) {
   await t.test('Blender imports the GLB, closed', { skip: missing('blender') }, () => isImported(files.glb, millimetres));
 }
 
+/** For asserting and looking only: models are made by hand. */
 async function command(page, id, args) {
   await run(page, id, args);
   await idle(page);
 }
 
-/** A stroke of the pen for a new part; the ends of the part where they are given. */
-async function loft(page, points, caps) {
-  await command(page, 'new-part');
+/** A stroke of the pen for a new part; its ends by the bar's word, or each by that of the panel. */
+async function loft(page, points, ends) {
+  if ((await state(page)).parts.length > 0) await pressBar(page, 'new-part');
   await drawWithMouse(page, dense(points));
-  if (caps) await command(page, 'set-caps', caps);
+  if (typeof ends === 'string') await pressBar(page, 'set-caps', ends);
+  else for (const end of ends ?? []) await press(page, end);
+}
+
+/** Types a number of the part in hand under "Place". */
+async function place(page, field, text) {
+  await press(page, field, { kind: 'field' });
+  await answer(page, text);
+}
+
+/** What is before is behind, too. */
+async function alikeInDepth(page) {
+  await press(page, 'Symmetry');
+  await press(page, 'Front and back');
+}
+
+/** A tap on what is at this place of the picture. */
+async function tapPicture(page, point, modifiers) {
+  const [at] = await toClient(page, [point]);
+  for (const key of modifiers ?? []) await page.keyboard.down(key);
+  await page.mouse.click(at.x, at.y);
+  for (const key of modifiers ?? []) await page.keyboard.up(key);
+  await idle(page);
+}
+
+async function tall(page, text) {
+  await chooseFromMore(page, 'How tall?');
+  await answer(page, text);
 }
 
 /** A hand does not jump from corner to corner. */
@@ -64,8 +95,8 @@ async function keep(page, name) {
 
 /** The one solid on the board: `millimetres` tall, closed, outward, one piece of `genus` handles, and a sound GLB. */
 async function isWhole(page, { millimetres, genus }) {
-  await command(page, 'set-height', { mm: millimetres });
-  const root = (await state(page)).steps.find((step) => step.root);
+  const { steps, heightMm } = await state(page), root = steps.find((step) => step.root);
+  assert.equal(heightMm, millimetres);
   assert.deepEqual([root.status, root.failure, root.genus], ['ready', null, genus]);
   const { open, unsound, volume, size, pieces } = measure(parseStl(await exported(page, 'stl')));
   assert.equal(open, 0, 'closed');
@@ -81,25 +112,17 @@ async function isWhole(page, { millimetres, genus }) {
   return { millimetres };
 }
 
-model('a mug with its handle, scooped out, by the page\'s own buttons, menus and questions', 'sketch_mug', async (page) => {
-  await drawWithMouse(page, dense([[300, 200], [310, 300], [318, 600], [318, 800]]));
-  await pressBar(page, 'set-caps', 'Flat');
-  await pressBar(page, 'new-part');
-  await drawWithMouse(page, dense([[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]]));
-  await pressBar(page, 'set-caps', 'Round');
+model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
+  await loft(page, [[300, 200], [310, 300], [318, 600], [318, 800]], 'Flat');
+  await loft(page, [[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]], 'Round');
   assert.deepEqual((await state(page)).parts.map(({ caps }) => caps), [{ start: 'flat', end: 'flat' }, { start: 'round', end: 'round' }]);
   const full = measure(parseStl(await exported(page, 'stl'))).volume;
-  const [body] = await toClient(page, [[400, 500]]);
-  await page.mouse.click(body.x, body.y);
-  await idle(page);
+  await tapPicture(page, [400, 500]);
   assert.equal((await state(page)).selection, 1, 'a tap takes the body');
   await chooseFromMore(page, 'Scoop out', 'Where the line begins');
   await chooseFromMore(page, 'Stick together');
   assert.ok(measure(parseStl(await exported(page, 'stl'))).volume < 0.5 * full, 'most of the body is air');
-  await chooseFromMore(page, 'How tall?');
-  await page.getByRole('textbox').fill('9.5 cm');
-  await page.keyboard.press('Enter');
-  await page.waitForFunction(() => window.spineloft.state().heightMm === 95);
+  await tall(page, '9.5 cm');
   const made = await isWhole(page, { millimetres: 95, genus: 1 });
   await command(page, 'focus-solid');
   for (const turn of ['turn-down', 'turn-down', 'turn-down', 'turn-left']) await command(page, turn);
@@ -107,11 +130,16 @@ model('a mug with its handle, scooped out, by the page\'s own buttons, menus and
   return made;
 });
 
-model('a tap of three pipes', 'render_faucet_spout', async (page) => {
-  await loft(page, [[875, 422], [730, 443], [584, 475], [438, 500], [313, 480], [209, 511], [162, 595], [148, 678]], { start: 'flat', end: 'flat' });
+model('a tap of three pipes, taken in hand by taps in the picture', 'render_faucet_spout', async (page) => {
+  await loft(page, [[875, 422], [730, 443], [584, 475], [438, 500], [313, 480], [209, 511], [162, 595], [148, 678]], 'Flat');
   await loft(page, [[464, 417], [457, 344], [449, 261], [443, 188], [437, 72]]);
   await loft(page, [[296, 83], [365, 77], [438, 69], [511, 63], [582, 56]]);
-  await command(page, 'stick-together', { parts: [1, 2, 3] });
+  await tapPicture(page, [650, 459]);
+  await tapPicture(page, [452, 290], ['Shift']);
+  await tapPicture(page, [330, 80], ['Shift']);
+  assert.deepEqual((await state(page)).selected, [1, 2, 3]);
+  await chooseFromMore(page, 'Stick together');
+  await tall(page, '8 cm');
   const made = await isWhole(page, { millimetres: 80, genus: 0 });
   await command(page, 'focus-solid');
   for (const turn of ['turn-left', 'turn-left']) await command(page, turn);
@@ -119,21 +147,27 @@ model('a tap of three pipes', 'render_faucet_spout', async (page) => {
   return made;
 });
 
-model('a swan of lofts, puffs and wings', 'photo_swan_neck', async (page) => {
-  await loft(page, [[221, 519], [227, 436], [250, 325], [274, 241], [286, 176], [260, 130]], { start: 'round', end: 'round' });
-  await loft(page, [[250, 145], [223, 165], [195, 186], [160, 215]], { start: 'round', end: 'pointed' });
-  await command(page, 'puff');
+model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck', async (page) => {
+  await loft(page, [[221, 519], [227, 436], [250, 325], [274, 241], [286, 176], [260, 130]], 'Round');
+  await loft(page, [[250, 145], [223, 165], [195, 186], [160, 215]], ['Round, where you began', 'Pointed, where you stopped']);
+  await press(page, 'Puff');
   await drawWithMouse(page, [[121, 519], [148, 464], [204, 408], [269, 380], [352, 388], [403, 394], [445, 454], [468, 519], [427, 531], [278, 536], [167, 536], [122, 521]]);
   await drawWithMouse(page, [[262, 127], [257, 136], [247, 138], [239, 131], [241, 121], [250, 117], [259, 120], [262, 127]].map(([x, y]) => [x - 6, y]));
-  await command(page, 'set-place', { part: 4, z: 7 });
-  await command(page, 'symmetry', { axis: 'z' });
-  await command(page, 'sheet');
+  await place(page, 'Front', '7');
+  await alikeInDepth(page);
+  await press(page, 'Flat piece');
   await drawWithMouse(page, [[287, 427], [352, 408], [417, 427], [482, 464], [515, 445], [482, 505], [380, 505], [306, 478], [289, 430]]);
-  await command(page, 'set-place', { part: 5, z: 26, turn: -6 });
-  await command(page, 'symmetry', { axis: 'z' });
+  await place(page, 'Front', '26');
+  await place(page, 'Turn', '-6');
+  await alikeInDepth(page);
   const { parts } = await state(page);
   assert.deepEqual(parts.map((part) => part.kind), ['loft', 'loft', 'puff', 'puff', 'sheet']);
-  await command(page, 'stick-together', { parts: [3, 1, 2, 4, 5] });
+  assert.deepEqual(parts.slice(0, 2).map((part) => part.caps.end), ['round', 'pointed']);
+  assert.deepEqual(parts.map((part) => part.mirror?.slice(3) ?? null), [null, null, null, [0, 0, 1], [0, 0, 1]]);
+  assert.ok(Math.abs(parts[3].placement.mm[2] - 7) < 0.01 && Math.abs(parts[4].placement.mm[2] - 26) < 0.01);
+  for (const id of [3, 1, 2, 4, 5]) await press(page, 'Tick it, to put it together with others', { row: parts.find((part) => part.id === id).name });
+  await press(page, 'Stick together');
+  await tall(page, '12 cm');
   const made = await isWhole(page, { millimetres: 120, genus: 0 });
   await command(page, 'draw');
   await command(page, 'focus-solid');
