@@ -4,7 +4,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
-import { installGroups } from './lib/debian.mjs';
+import { installGroups, installIfPossible } from './lib/debian.mjs';
 import { findEmscripten } from './lib/emscripten.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
 import { buildDir } from './lib/paths.mjs';
@@ -33,7 +33,8 @@ function writeFacts(facts) {
 }
 
 /**
- * Prepares the machine for the given parts: native, wasm, browser, node (npm packages).
+ * Prepares the machine for the given parts: native, wasm, browser, node (npm packages), readers (programs that some tests
+ * have read what was saved, where they can be installed).
  * Parts that were prepared before for this checkout stay prepared.
  */
 export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
@@ -42,7 +43,8 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
   rmSync(logFile('setup'), { force: true });
   await withSetupLock(async () => {
     removeLeftovers();
-    await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'node')]);
+    await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'node' && part !== 'readers')]);
+    if (parts.includes('readers')) await installIfPossible('readers');
     if (parts.includes('node')) await installNodePackages();
     const facts = { DEPS_INCLUDE: await headers() };
     facts.IMGUI_DIR = await imguiSources();

@@ -114,8 +114,8 @@ const kStages = {
   asan: { title: 'Engine under AddressSanitizer and UndefinedBehaviorSanitizer', needs: ['native'], work: asan },
   wasm: { title: 'Engine as WebAssembly with threads, under Node', needs: ['wasm'], work: () => wasm('wasm-release') },
   'wasm-st': { title: 'Engine as WebAssembly, single thread, under Node', needs: ['wasm'], work: () => wasm('wasm-release-st') },
-  node: { title: 'Command line and scripts', needs: ['native', 'node'], work: node },
-  browser: { title: 'The page in headless Chromium', needs: ['native', 'wasm', 'browser', 'node'], work: browser },
+  node: { title: 'Command line and scripts', needs: ['native', 'node', 'readers'], work: node },
+  browser: { title: 'The page in headless Chromium', needs: ['native', 'wasm', 'browser', 'node', 'readers'], work: browser },
 };
 
 function chosenStages() {

@@ -38,14 +38,26 @@ export async function installGroups(groups) {
   if (process.getuid() !== 0) {
     throw new Stop(`Some Debian packages are missing. Please run:\n  sudo apt-get install --no-install-recommends ${absent.join(' ')}`);
   }
-  say(`Debian packages: installing ${absent.join(' ')} (1 to 3 minutes)`);
+  await install(absent, optional);
+}
+
+/** Installs what may be missing: where it cannot be had, what asks for it is told as not there. */
+export async function installIfPossible(group) {
+  if (output('dpkg-query', ['--version']) === null) return;
+  const absent = missing(lock.debianPackages[group]);
+  if (!absent.length) return;
+  if (process.getuid() === 0) await install([], absent);
+  else say(`Tests that need ${absent.join(', ')} are skipped. To run them: sudo apt-get install --no-install-recommends ${absent.join(' ')}`);
+}
+
+async function install(required, optional) {
+  say(`Debian packages: installing ${[...required, ...optional].join(' ')} (1 to 3 minutes)`);
   const env = { DEBIAN_FRONTEND: 'noninteractive' };
-  const patient = ['-o', 'DPkg::Lock::Timeout=900', '-o', 'Acquire::Retries=3'];
+  const patient = ['-o', 'DPkg::Lock::Timeout=900', '-o', 'Acquire::Retries=3'], words = [...patient, 'install', '-y', '--no-install-recommends'];
   await run('apt-get update', 'apt-get', [...patient, 'update'], { env });
-  const install = [...patient, 'install', '-y', '--no-install-recommends'];
-  await run('apt-get install', 'apt-get', [...install, ...absent], { env });
+  if (required.length) await run('apt-get install', 'apt-get', [...words, ...required], { env });
   for (const name of optional) {
-    await run(`apt-get install ${name}`, 'apt-get', [...install, name], { env, allowFailure: true });
+    await run(`apt-get install ${name}`, 'apt-get', [...words, name], { env, allowFailure: true });
   }
 }
 
