@@ -42,7 +42,11 @@ const kLibraries = [
   { name: 'Dear ImGui', pattern: /^(imgui|backends\/imgui|imconfig|imstb)/, folders: ['web'] },
   { name: 'GLFW', pattern: /^GLFW\//, folders: ['web'] },
   { name: 'iostream', pattern: /^iostream$/, folders: ['engine/cli', 'web'] },
-  { name: 'file access', pattern: /^(fstream|filesystem|fcntl\.h|unistd\.h)$/, folders: ['engine/cli', 'web/platform', 'web/main'] },
+  {
+    name: 'file access',
+    pattern: /^(fstream|filesystem|fcntl\.h|unistd\.h)$/,
+    folders: ['engine/cli', 'web/platform', 'web/main'],
+  },
 ];
 
 const kLongestFile = 600;
@@ -86,7 +90,8 @@ export function houseErrors(files) {
   for (const { path, text } of files) {
     if (!kCounted.test(path)) continue;
     const lines = text.split('\n');
-    if (lines.length - 1 > kLongestFile) errors.push(`${path}:1: ${lines.length - 1} lines, at most ${kLongestFile} are allowed`);
+    if (lines.length - 1 > kLongestFile)
+      errors.push(`${path}:1: ${lines.length - 1} lines, at most ${kLongestFile} are allowed`);
     if (!/^(engine|web)\/.*\.(h|hpp|cpp|c)$/.test(path)) continue;
     if (!kArrows[folderOf(path)]) errors.push(`${path}:1: ${folderOf(path)} is not a folder of the house`);
     lines.forEach((line, index) => {

@@ -16,9 +16,18 @@ const kMinutes = 60000;
 
 function options() {
   try {
-    return parseArgs({ options: { json: { type: 'string' }, markdown: { type: 'string' }, data: { type: 'string' }, ablation: { type: 'boolean' } } }).values;
+    return parseArgs({
+      options: {
+        json: { type: 'string' },
+        markdown: { type: 'string' },
+        data: { type: 'string' },
+        ablation: { type: 'boolean' },
+      },
+    }).values;
   } catch (error) {
-    throw new Stop(`${error.message}\nUsage: npm run bench -- [--json FILE] [--markdown FILE] [--data FOLDER] [--ablation]`);
+    throw new Stop(
+      `${error.message}\nUsage: npm run bench -- [--json FILE] [--markdown FILE] [--data FOLDER] [--ablation]`,
+    );
   }
 }
 
@@ -40,8 +49,12 @@ const markdown = [];
 
 /** Rows of objects as text, and for --markdown as a table of it; `columns` maps a heading to the key, or to a function of the row, that fills it. */
 function printTable(title, rows, columns) {
-  const cells = rows.map((row) => Object.values(columns).map((key) => shown(typeof key === 'function' ? key(row) : row[key])));
-  const widths = Object.keys(columns).map((head, index) => Math.max(head.length, ...cells.map((line) => line[index].length)));
+  const cells = rows.map((row) =>
+    Object.values(columns).map((key) => shown(typeof key === 'function' ? key(row) : row[key])),
+  );
+  const widths = Object.keys(columns).map((head, index) =>
+    Math.max(head.length, ...cells.map((line) => line[index].length)),
+  );
   const line = (texts) => texts.map((text, i) => (i ? text.padStart(widths[i]) : text.padEnd(widths[i]))).join('  ');
   say(`\n${title}\n${line(Object.keys(columns))}`);
   for (const texts of cells) say(line(texts));
@@ -51,7 +64,10 @@ function printTable(title, rows, columns) {
 }
 
 const builds = (stages) => Object.keys(stages);
-const rowsOf = (stages, kind) => Object.keys(stages.native).filter((name) => kind in stages.native[name]).map((name) => ({ name }));
+const rowsOf = (stages, kind) =>
+  Object.keys(stages.native)
+    .filter((name) => kind in stages.native[name])
+    .map((name) => ({ name }));
 
 /** Least, median, 95th and 99th percentile of each stage, and the median of what it takes of the processor; then the other numbers. */
 function printStages(stages) {
@@ -117,7 +133,14 @@ function printAccuracy({ summary, cases }, folder) {
     'moments above 5 %': 'live_jumps',
     'moves followed': 'live_followed',
   });
-  printTable('Each case', cases, { case: 'name', ...scores, edge: 'ends_edge', bridged: 'ends_bridged', guessed: 'ends_guessed', 'ribs ms': 'ribs_ms' });
+  printTable('Each case', cases, {
+    case: 'name',
+    ...scores,
+    edge: 'ends_edge',
+    bridged: 'ends_bridged',
+    guessed: 'ends_guessed',
+    'ribs ms': 'ribs_ms',
+  });
 }
 
 function printAblation(lines) {
@@ -126,14 +149,37 @@ function printAblation(lines) {
 }
 
 async function stageTimes() {
-  const native = await run('the native benchmark', join(presetDir('native-release'), 'spineloft_bench'), [], { log: 'bench', timeout: 20 * kMinutes });
-  const photo = await run('a large photo, native', join(presetDir('native-release'), 'spineloft_bench'), ['--photo'], { log: 'bench', timeout: 5 * kMinutes });
-  const columns = { native: { ...parsed(native.text, 'The native benchmark'), ...parsed(photo.text, 'The native benchmark with a photo') } };
-  for (const [name, preset] of [['wasm threads', 'wasm-release'], ['wasm single', 'wasm-release-st']]) {
+  const native = await run('the native benchmark', join(presetDir('native-release'), 'spineloft_bench'), [], {
+    log: 'bench',
+    timeout: 20 * kMinutes,
+  });
+  const photo = await run('a large photo, native', join(presetDir('native-release'), 'spineloft_bench'), ['--photo'], {
+    log: 'bench',
+    timeout: 5 * kMinutes,
+  });
+  const columns = {
+    native: {
+      ...parsed(native.text, 'The native benchmark'),
+      ...parsed(photo.text, 'The native benchmark with a photo'),
+    },
+  };
+  for (const [name, preset] of [
+    ['wasm threads', 'wasm-release'],
+    ['wasm single', 'wasm-release-st'],
+  ]) {
     const program = join(presetDir(preset), 'spineloft_bench.js');
-    const done = await run(`the benchmark of ${preset}`, process.execPath, [program], { log: 'bench', timeout: 20 * kMinutes });
-    const large = await run(`a large photo, ${preset}`, process.execPath, [program, '--photo'], { log: 'bench', timeout: 5 * kMinutes });
-    columns[name] = { ...parsed(done.text, `The benchmark of ${preset}`), ...parsed(large.text, `The benchmark of ${preset} with a photo`) };
+    const done = await run(`the benchmark of ${preset}`, process.execPath, [program], {
+      log: 'bench',
+      timeout: 20 * kMinutes,
+    });
+    const large = await run(`a large photo, ${preset}`, process.execPath, [program, '--photo'], {
+      log: 'bench',
+      timeout: 5 * kMinutes,
+    });
+    columns[name] = {
+      ...parsed(done.text, `The benchmark of ${preset}`),
+      ...parsed(large.text, `The benchmark of ${preset} with a photo`),
+    };
   }
   return columns;
 }
@@ -142,7 +188,10 @@ async function accuracy(data, withAblation) {
   const file = join(buildDir, 'bench-accuracy.json');
   const program = join(presetDir('native-release'), 'spineloft');
   const table = withAblation ? ['--ablation', join(buildDir, 'bench-ablation.md')] : [];
-  await run('spineloft bench', program, ['bench', data, '--json', file, '--live', '80', ...table], { log: 'bench', timeout: 30 * kMinutes });
+  await run('spineloft bench', program, ['bench', data, '--json', file, '--live', '80', ...table], {
+    log: 'bench',
+    timeout: 30 * kMinutes,
+  });
   return JSON.parse(readFileSync(file, 'utf8'));
 }
 
@@ -166,15 +215,39 @@ await mainProgram(async () => {
   };
   printStages(result.stages);
   result.growth = growth(result.stages);
-  printTable('Growth: slope of log time over log size', result.growth, { of: 'what', ...Object.fromEntries(builds(result.stages).map((build) => [build, build])) });
+  printTable('Growth: slope of log time over log size', result.growth, {
+    of: 'what',
+    ...Object.fromEntries(builds(result.stages).map((build) => [build, build])),
+  });
   const { parts, ribs, ...gestures } = result.editing;
-  printTable(`Editing ${parts} parts of ${ribs} ribs in Chromium: from the pointer to the screen`,
-    Object.entries(gestures).map(([name, times]) => ({ name, ...times })), { gesture: 'name', 'median ms': 'median_ms', 'p95 ms': 'p95_ms' });
-  printTable('Solids: what the worker takes from a request to the mesh', Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
-    { 'stage times in ms': 'name', min: 'min_ms', median: 'median_ms', 'least of the processor': 'min_cpu_ms', 'the first of its kind': 'first_ms' });
-  printTable('Solids in the worker of a fresh page in Chromium', Object.entries(result.solidsOnPage).map(([name, times]) => ({ name, ...times })),
-    { 'from the request to the mesh, ms': 'name', min: 'min_ms', median: 'median_ms', 'of the processor, the busiest worker': 'cpu_ms' });
-  if (result.sizes.length) printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
+  printTable(
+    `Editing ${parts} parts of ${ribs} ribs in Chromium: from the pointer to the screen`,
+    Object.entries(gestures).map(([name, times]) => ({ name, ...times })),
+    { gesture: 'name', 'median ms': 'median_ms', 'p95 ms': 'p95_ms' },
+  );
+  printTable(
+    'Solids: what the worker takes from a request to the mesh',
+    Object.entries(result.solids).map(([name, times]) => ({ name, ...times })),
+    {
+      'stage times in ms': 'name',
+      min: 'min_ms',
+      median: 'median_ms',
+      'least of the processor': 'min_cpu_ms',
+      'the first of its kind': 'first_ms',
+    },
+  );
+  printTable(
+    'Solids in the worker of a fresh page in Chromium',
+    Object.entries(result.solidsOnPage).map(([name, times]) => ({ name, ...times })),
+    {
+      'from the request to the mesh, ms': 'name',
+      min: 'min_ms',
+      median: 'median_ms',
+      'of the processor, the busiest worker': 'cpu_ms',
+    },
+  );
+  if (result.sizes.length)
+    printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });
   const folder = data ?? dataFolder;
   if (folder && existsSync(folder)) {
     result.accuracy = await accuracy(resolve(process.env.INIT_CWD ?? '.', folder), ablation);
@@ -189,7 +262,11 @@ await mainProgram(async () => {
     writeFileSync(to, text);
     say(`\nWritten: ${to}`);
   };
-  if (page) write(page, `# Benchmark of ${result.commit}\n\n${result.machine.cpu}, ${result.machine.cores} cores, Node ${result.machine.node}\n\n${markdown.join('\n')}`);
+  if (page)
+    write(
+      page,
+      `# Benchmark of ${result.commit}\n\n${result.machine.cpu}, ${result.machine.cores} cores, Node ${result.machine.node}\n\n${markdown.join('\n')}`,
+    );
   const text = JSON.stringify(result, null, 2) + '\n';
   if (json) write(json, text);
   else process.stdout.write(text);

@@ -55,13 +55,19 @@ const kFigures = {
 const overlayPath = (folder, [name, stroke, variation]) => join(folder, variation, `${name}.${stroke}.png`);
 
 async function drawOverlays(data, folder) {
-  const wanted = new Set(Object.values(kFigures).flatMap((panels) => panels.map(([name, , variation]) => `${variation}/${name}`)));
+  const wanted = new Set(
+    Object.values(kFigures).flatMap((panels) => panels.map(([name, , variation]) => `${variation}/${name}`)),
+  );
   for (const entry of wanted) {
     const [variation, name] = entry.split('/');
     const at = join(data, name);
     if (!existsSync(at)) throw new Stop(`There is no case ${name} in ${data}.`);
-    await run(`${name}, ${variation}`, join(presetDir('native-release'), 'spineloft'),
-      ['bench', at, '--variation', variation, '--overlays', join(folder, variation)], { log: 'figures', timeout: 5 * kMinutes });
+    await run(
+      `${name}, ${variation}`,
+      join(presetDir('native-release'), 'spineloft'),
+      ['bench', at, '--variation', variation, '--overlays', join(folder, variation)],
+      { log: 'figures', timeout: 5 * kMinutes },
+    );
   }
 }
 

@@ -13,7 +13,9 @@ const kTargets = readdirSync(join(root, 'tests/corpus')).sort();
 
 function options() {
   try {
-    const { seconds, target } = parseArgs({ options: { seconds: { type: 'string', default: '60' }, target: { type: 'string' } } }).values;
+    const { seconds, target } = parseArgs({
+      options: { seconds: { type: 'string', default: '60' }, target: { type: 'string' } },
+    }).values;
     if (!/^[1-9]\d{0,5}$/.test(seconds)) throw new Error(`--seconds must be a whole number, not '${seconds}'`);
     if (target !== undefined && !kTargets.includes(target)) throw new Error(`there is no target '${target}'`);
     return { seconds: Number(seconds), targets: target ? [target] : kTargets };
@@ -27,18 +29,38 @@ async function fuzz(target, seconds) {
   mkdirSync(corpus, { recursive: true });
   cpSync(join(root, 'tests/corpus', target), corpus, { recursive: true });
   say(`Fuzzing ${target} for ${seconds} s`);
-  const args = [`-max_total_time=${seconds}`, '-max_len=8192', '-timeout=20', '-rss_limit_mb=2048', '-print_final_stats=1', '-verbosity=1',
-    `-artifact_prefix=${join(buildDir, 'fuzz', `${target}-`)}`, corpus];
-  const env = { UBSAN_OPTIONS: 'print_stacktrace=1:halt_on_error=1', ASAN_SYMBOLIZER_PATH: output('sh', ['-c', 'command -v llvm-symbolizer-19']) ?? '' };
-  const done = await run(`the fuzzer ${target}`, join(presetDir('native-fuzz'), `${target}_fuzz`), args,
-    { cwd: root, env, show: true, allowFailure: true, log: `fuzz-${target}`, timeout: (seconds + 300) * 1000 });
+  const args = [
+    `-max_total_time=${seconds}`,
+    '-max_len=8192',
+    '-timeout=20',
+    '-rss_limit_mb=2048',
+    '-print_final_stats=1',
+    '-verbosity=1',
+    `-artifact_prefix=${join(buildDir, 'fuzz', `${target}-`)}`,
+    corpus,
+  ];
+  const env = {
+    UBSAN_OPTIONS: 'print_stacktrace=1:halt_on_error=1',
+    ASAN_SYMBOLIZER_PATH: output('sh', ['-c', 'command -v llvm-symbolizer-19']) ?? '',
+  };
+  const done = await run(`the fuzzer ${target}`, join(presetDir('native-fuzz'), `${target}_fuzz`), args, {
+    cwd: root,
+    env,
+    show: true,
+    allowFailure: true,
+    log: `fuzz-${target}`,
+    timeout: (seconds + 300) * 1000,
+  });
   return !done.problem;
 }
 
 await mainProgram(async () => {
   const { seconds, targets } = options();
   await setup(['native']);
-  await buildTargets('native-fuzz', targets.map((target) => `${target}_fuzz`));
+  await buildTargets(
+    'native-fuzz',
+    targets.map((target) => `${target}_fuzz`),
+  );
   let sound = true;
   for (const target of targets) sound = (await fuzz(target, seconds)) && sound;
   say(sound ? 'Nothing was found.' : `Something was found: see ${join(buildDir, 'fuzz')}.`);

@@ -19,7 +19,9 @@ function writeFacts(facts) {
   const file = join(buildDir, 'deps.cmake');
   const before = existsSync(file) ? readFileSync(file, 'utf8').matchAll(/^set\(SPINELOFT_(\w+) "(.*)"\)$/gm) : [];
   const all = { ...Object.fromEntries([...before].map(([, key, value]) => [key, value])), ...facts };
-  const lines = Object.keys(all).sort().map((key) => `set(SPINELOFT_${key} "${all[key]}")`);
+  const lines = Object.keys(all)
+    .sort()
+    .map((key) => `set(SPINELOFT_${key} "${all[key]}")`);
   writeIfChanged(
     file,
     ['# Written by .ci/setup.mjs: where the libraries are on this machine.', ...lines, ''].join('\n'),
@@ -27,7 +29,11 @@ function writeFacts(facts) {
   if (facts.EMSCRIPTEN_TOOLCHAIN) {
     writeIfChanged(
       join(buildDir, 'emscripten.cmake'),
-      ['# Written by .ci/setup.mjs: the toolchain file of the wasm presets.', `include("${facts.EMSCRIPTEN_TOOLCHAIN}")`, ''].join('\n'),
+      [
+        '# Written by .ci/setup.mjs: the toolchain file of the wasm presets.',
+        `include("${facts.EMSCRIPTEN_TOOLCHAIN}")`,
+        '',
+      ].join('\n'),
     );
   }
 }

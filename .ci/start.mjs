@@ -31,7 +31,9 @@ await mainProgram(async () => {
   }
   if (!existsSync(distDir)) throw new Stop('There is no dist/ to serve: leave --no-build out.');
   const site = await serveFolder(distDir, { port: Number(port), host, isolated: !plain });
-  say(`\nSpineLoft is at ${site.url}${plain ? ' (without the isolation headers: single thread)' : ''}\nCtrl-C ends it.`);
+  say(
+    `\nSpineLoft is at ${site.url}${plain ? ' (without the isolation headers: single thread)' : ''}\nCtrl-C ends it.`,
+  );
   await new Promise((resolve) => process.on('spineloft-stop', resolve));
   await site.close();
   say('\nEnded.');

@@ -21,7 +21,11 @@ async function arrows() {
 
 async function types() {
   const tsc = join(root, 'node_modules/typescript/bin/tsc');
-  const done = await run('tsc', process.execPath, [tsc, '--noEmit', '-p', 'web/shell'], { cwd: root, show: true, allowFailure: true });
+  const done = await run('tsc', process.execPath, [tsc, '--noEmit', '-p', 'web/shell'], {
+    cwd: root,
+    show: true,
+    allowFailure: true,
+  });
   return { passed: done.problem ? 0 : 1, failed: done.problem ? 1 : 0, note: '' };
 }
 
@@ -31,9 +35,18 @@ async function types() {
  */
 async function doctest(preset, command, args, env = {}) {
   const options = {
-    cwd: root, env: { ...(dataFolder ? { SPINELOFT_DATA: dataFolder } : {}), ...env }, allowFailure: true, log: `${preset}-tests`, timeout: 20 * kMinutes,
+    cwd: root,
+    env: { ...(dataFolder ? { SPINELOFT_DATA: dataFolder } : {}), ...env },
+    allowFailure: true,
+    log: `${preset}-tests`,
+    timeout: 20 * kMinutes,
   };
-  const listed = await run(`the list of tests of ${preset}`, command, [...args, '--count', '--no-colors', '--no-version'], options);
+  const listed = await run(
+    `the list of tests of ${preset}`,
+    command,
+    [...args, '--count', '--no-colors', '--no-version'],
+    options,
+  );
   const total = doctestTotal(listed.text);
   if (!total) return doctestCounts(listed);
   const stretches = testStretches(total, 3 * availableParallelism());
@@ -42,7 +55,12 @@ async function doctest(preset, command, args, env = {}) {
     for (let next = stretches.shift(); next; next = stretches.shift()) {
       const { first, last } = next;
       const label = `the tests ${first} to ${last} of ${preset}`;
-      const done = await run(label, command, [...args, `--first=${first}`, `--last=${last}`, '--no-colors', '--no-version'], { ...options, show: true });
+      const done = await run(
+        label,
+        command,
+        [...args, `--first=${first}`, `--last=${last}`, '--no-colors', '--no-version'],
+        { ...options, show: true },
+      );
       const counts = stretchCounts(done, last - first + 1);
       if (done.status === null) counts.note = `${label} were ${done.problem}`;
       results.push(counts);
@@ -113,9 +131,17 @@ const kStages = {
   native: { title: 'Engine, native and optimised', needs: ['native'], work: native },
   asan: { title: 'Engine under AddressSanitizer and UndefinedBehaviorSanitizer', needs: ['native'], work: asan },
   wasm: { title: 'Engine as WebAssembly with threads, under Node', needs: ['wasm'], work: () => wasm('wasm-release') },
-  'wasm-st': { title: 'Engine as WebAssembly, single thread, under Node', needs: ['wasm'], work: () => wasm('wasm-release-st') },
+  'wasm-st': {
+    title: 'Engine as WebAssembly, single thread, under Node',
+    needs: ['wasm'],
+    work: () => wasm('wasm-release-st'),
+  },
   node: { title: 'Command line and scripts', needs: ['native', 'node', 'readers'], work: node },
-  browser: { title: 'The page in headless Chromium', needs: ['native', 'wasm', 'browser', 'node', 'readers'], work: browser },
+  browser: {
+    title: 'The page in headless Chromium',
+    needs: ['native', 'wasm', 'browser', 'node', 'readers'],
+    work: browser,
+  },
 };
 
 function chosenStages() {
@@ -127,7 +153,8 @@ function chosenStages() {
   }
   const names = only ? only.split(',') : Object.keys(kStages);
   const unknown = names.find((name) => !kStages[name]);
-  if (unknown !== undefined) throw new Stop(`There is no stage '${unknown}'; there are ${Object.keys(kStages).join(', ')}.`);
+  if (unknown !== undefined)
+    throw new Stop(`There is no stage '${unknown}'; there are ${Object.keys(kStages).join(', ')}.`);
   return names;
 }
 
@@ -143,7 +170,9 @@ async function runStage(name) {
     counts = { passed: 0, failed: 1, note: 'could not be run' };
   }
   const time = duration(Date.now() - started);
-  say(`-- ${name}: ${counts.passed} passed, ${counts.failed} failed${counts.note ? ` (${counts.note})` : ''} in ${time}`);
+  say(
+    `-- ${name}: ${counts.passed} passed, ${counts.failed} failed${counts.note ? ` (${counts.note})` : ''} in ${time}`,
+  );
   return { name, time, ...counts };
 }
 
@@ -157,7 +186,9 @@ await mainProgram(async () => {
   for (const name of names) results.push(await runStage(name));
   say('\n== Summary');
   for (const { name, passed, failed, note, time } of results) {
-    say(`${name.padEnd(9)} ${String(passed).padStart(5)} passed ${String(failed).padStart(4)} failed  ${time}${note ? `  ${note}` : ''}`);
+    say(
+      `${name.padEnd(9)} ${String(passed).padStart(5)} passed ${String(failed).padStart(4)} failed  ${time}${note ? `  ${note}` : ''}`,
+    );
   }
   const all = sumCounts(results);
   say(`All stages took ${duration(Date.now() - started)}; their logs are in ${join(buildDir, 'logs')}.`);

@@ -13,7 +13,12 @@ export function release() {
 }
 
 function missing(packages) {
-  const listed = output('sh', ['-c', `dpkg-query -W -f '\${Package} \${db:Status-Status}\\n' "$@" 2>/dev/null || true`, 'sh', ...packages]);
+  const listed = output('sh', [
+    '-c',
+    `dpkg-query -W -f '\${Package} \${db:Status-Status}\\n' "$@" 2>/dev/null || true`,
+    'sh',
+    ...packages,
+  ]);
   const installed = new Set(
     (listed ?? '')
       .split('\n')
@@ -36,7 +41,9 @@ export async function installGroups(groups) {
   if (!absent.length) return;
   const optional = missing(lock.debianPackagesIfOffered);
   if (process.getuid() !== 0) {
-    throw new Stop(`Some Debian packages are missing. Please run:\n  sudo apt-get install --no-install-recommends ${absent.join(' ')}`);
+    throw new Stop(
+      `Some Debian packages are missing. Please run:\n  sudo apt-get install --no-install-recommends ${absent.join(' ')}`,
+    );
   }
   await install(absent, optional);
 }
@@ -47,13 +54,17 @@ export async function installIfPossible(group) {
   const absent = missing(lock.debianPackages[group]);
   if (!absent.length) return;
   if (process.getuid() === 0) await install([], absent);
-  else say(`Tests that need ${absent.join(', ')} are skipped. To run them: sudo apt-get install --no-install-recommends ${absent.join(' ')}`);
+  else
+    say(
+      `Tests that need ${absent.join(', ')} are skipped. To run them: sudo apt-get install --no-install-recommends ${absent.join(' ')}`,
+    );
 }
 
 async function install(required, optional) {
   say(`Debian packages: installing ${[...required, ...optional].join(' ')} (1 to 3 minutes)`);
   const env = { DEBIAN_FRONTEND: 'noninteractive' };
-  const patient = ['-o', 'DPkg::Lock::Timeout=900', '-o', 'Acquire::Retries=3'], words = [...patient, 'install', '-y', '--no-install-recommends'];
+  const patient = ['-o', 'DPkg::Lock::Timeout=900', '-o', 'Acquire::Retries=3'],
+    words = [...patient, 'install', '-y', '--no-install-recommends'];
   await run('apt-get update', 'apt-get', [...patient, 'update'], { env });
   if (required.length) await run('apt-get install', 'apt-get', [...words, ...required], { env });
   for (const name of optional) {
@@ -65,7 +76,11 @@ async function install(required, optional) {
 export function ownDebianSource(codename, folder = '/etc/apt') {
   const own = new Set([codename, 'stable', 'oldstable']);
   const parts = join(folder, 'sources.list.d');
-  const files = existsSync(parts) ? readdirSync(parts).sort().map((name) => join(parts, name)) : [];
+  const files = existsSync(parts)
+    ? readdirSync(parts)
+        .sort()
+        .map((name) => join(parts, name))
+    : [];
   const texts = [join(folder, 'sources.list'), ...files]
     .filter((file) => existsSync(file) && /\.(list|sources)$/.test(file))
     .map((file) => readFileSync(file, 'utf8').replace(/^#.*\n?/gm, ''));
@@ -73,7 +88,12 @@ export function ownDebianSource(codename, folder = '/etc/apt') {
     for (const block of text.split(/\n\s*\n/)) {
       const field = (key) => block.match(new RegExp(`^${key}:[ \\t]*(.+)$`, 'mi'))?.[1].trim() ?? '';
       if (!field('Types').split(/\s+/).includes('deb')) continue;
-      if (!field('Suites').split(/\s+/).some((suite) => own.has(suite))) continue;
+      if (
+        !field('Suites')
+          .split(/\s+/)
+          .some((suite) => own.has(suite))
+      )
+        continue;
       return { uri: field('URIs').split(/\s+/)[0], signedBy: field('Signed-By') };
     }
     for (const line of text.split('\n')) {
@@ -128,7 +148,10 @@ export class OtherSuite {
     const have = readdirSync(files);
     return names.map((name) => {
       const bare = name.split('=')[0];
-      return join(files, have.find((file) => file.startsWith(`${bare}_`) && file.endsWith('.deb')));
+      return join(
+        files,
+        have.find((file) => file.startsWith(`${bare}_`) && file.endsWith('.deb')),
+      );
     });
   }
 
@@ -144,7 +167,9 @@ export class OtherSuite {
       .find((hit) => hit && decodeURIComponent(hit[2]) === file)?.[1];
     if (!uri) throw new Stop(`Debian ${this.suite} no longer offers ${file}, which emsdk.lock pins.`);
     const to = join(this.folder, 'files', file);
-    await run(`downloading ${file}`, '/usr/lib/apt/apt-helper', ['download-file', uri, to, `SHA256:${sha256}`], { env: this.env });
+    await run(`downloading ${file}`, '/usr/lib/apt/apt-helper', ['download-file', uri, to, `SHA256:${sha256}`], {
+      env: this.env,
+    });
     verify(to, sha256);
     return to;
   }

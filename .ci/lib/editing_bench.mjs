@@ -5,7 +5,10 @@ import { join } from 'node:path';
 import { openPage, startBrowser, startSite } from './browser.mjs';
 import { root } from './paths.mjs';
 
-const kParts = 8, kRibs = 60, kMoves = 60, kPhotos = 5;
+const kParts = 8,
+  kRibs = 60,
+  kMoves = 60,
+  kPhotos = 5;
 
 function summary(times) {
   const sorted = [...times].sort((a, b) => a - b);
@@ -17,17 +20,20 @@ function summary(times) {
 async function fill(page) {
   const [sample] = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'));
   const bytes = readFileSync(join(root, 'assets/samples', sample.file)).toString('base64');
-  await page.evaluate(async ([data, spine, parts, ribs]) => {
-    const api = window.spineloft;
-    await api.ready;
-    await api.openImage(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]), 'bench');
-    await api.idle();
-    for (let i = 0; i < parts; ++i) {
-      await api.run('draw-spine', { stroke: spine.map(([x, y]) => [x + 2 * i, y + i]) });
-      await api.run('set-parameter', { part: i + 1, key: 'ribs', value: ribs });
-    }
-    await api.idle();
-  }, [bytes, sample.spine, kParts, kRibs]);
+  await page.evaluate(
+    async ([data, spine, parts, ribs]) => {
+      const api = window.spineloft;
+      await api.ready;
+      await api.openImage(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]), 'bench');
+      await api.idle();
+      for (let i = 0; i < parts; ++i) {
+        await api.run('draw-spine', { stroke: spine.map(([x, y]) => [x + 2 * i, y + i]) });
+        await api.run('set-parameter', { part: i + 1, key: 'ribs', value: ribs });
+      }
+      await api.idle();
+    },
+    [bytes, sample.spine, kParts, kRibs],
+  );
 }
 
 /** Drags a rib end (or a bone point) and times each move until a frame shows its shape. Runs in the page. */
@@ -39,15 +45,28 @@ async function dragTimes([tool, moves]) {
   const selected = api.state().parts.find(({ id }) => id === api.state().selection);
   const grip = tool === 'ribs' ? selected.ribs[Math.floor(selected.ribs.length / 2)].left : selected.bone[3];
   const at = api.imageToClient(...grip);
-  const send = (type, x, y, buttons) => canvas.dispatchEvent(new PointerEvent(type, {
-    pointerId: 1, pointerType: 'mouse', button: type === 'pointermove' ? -1 : 0, buttons, clientX: x, clientY: y, bubbles: true, cancelable: true,
-  }));
+  const send = (type, x, y, buttons) =>
+    canvas.dispatchEvent(
+      new PointerEvent(type, {
+        pointerId: 1,
+        pointerType: 'mouse',
+        button: type === 'pointermove' ? -1 : 0,
+        buttons,
+        clientX: x,
+        clientY: y,
+        bubbles: true,
+        cancelable: true,
+      }),
+    );
   // After the frame's own callbacks: what they drew has been handed over.
-  const frame = () => new Promise((resolve) => requestAnimationFrame(() => {
-    const channel = new MessageChannel();
-    channel.port1.onmessage = resolve;
-    channel.port2.postMessage(0);
-  }));
+  const frame = () =>
+    new Promise((resolve) =>
+      requestAnimationFrame(() => {
+        const channel = new MessageChannel();
+        channel.port1.onmessage = resolve;
+        channel.port2.postMessage(0);
+      }),
+    );
   send('pointerdown', at.x, at.y, 1);
   const times = [];
   for (let i = 0; i < moves; ++i) {
@@ -72,9 +91,17 @@ async function hoverTimes([view, moves]) {
   const box = canvas.getBoundingClientRect();
   const times = [];
   for (let i = 0; i < moves; ++i) {
-    const u = (i * 0.618) % 1, v = (i * 0.755) % 1;
+    const u = (i * 0.618) % 1,
+      v = (i * 0.755) % 1;
     const x = box.left + box.width * (view === 'picture' ? 0.05 + 0.3 * u : 0.45 + 0.33 * u);
-    const event = new PointerEvent('pointermove', { pointerId: 1, pointerType: 'mouse', buttons: 0, clientX: x, clientY: box.top + box.height * (0.15 + 0.6 * v), bubbles: true });
+    const event = new PointerEvent('pointermove', {
+      pointerId: 1,
+      pointerType: 'mouse',
+      buttons: 0,
+      clientX: x,
+      clientY: box.top + box.height * (0.15 + 0.6 * v),
+      bubbles: true,
+    });
     const start = performance.now();
     canvas.dispatchEvent(event);
     times.push(performance.now() - start);
@@ -85,12 +112,14 @@ async function hoverTimes([view, moves]) {
 
 /** A photo of 12 megapixels with a pale bar on a patterned ground, and its bar drawn at once: ms until there is a solid, and until its ribs, its texture and all else are settled. Runs in the page. */
 async function firstSolidTimes([width, height]) {
-  const api = window.spineloft, canvas = new OffscreenCanvas(width, height), pen = canvas.getContext('2d');
+  const api = window.spineloft,
+    canvas = new OffscreenCanvas(width, height),
+    pen = canvas.getContext('2d');
   await api.ready;
   await api.idle();
   for (let y = 0; y < height; y += 50) {
     for (let x = 0; x < width; x += 50) {
-      pen.fillStyle = `hsl(${(x * 7 + y * 3) % 60 + 90} 30% ${25 + ((x * 13 + y * 29) % 97) / 8}%)`;
+      pen.fillStyle = `hsl(${((x * 7 + y * 3) % 60) + 90} 30% ${25 + ((x * 13 + y * 29) % 97) / 8}%)`;
       pen.fillRect(x, y, 50, 50);
     }
   }
@@ -103,8 +132,12 @@ async function firstSolidTimes([width, height]) {
   pen.stroke();
   const photo = await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.92 });
   const stroke = Array.from({ length: 60 }, (_, i) => {
-    const t = i / 59, u = 1 - t;
-    return [width * (0.2 * u ** 3 + 1.2 * u * u * t + 1.8 * u * t * t + 0.8 * t ** 3), height * (0.6 * u ** 3 + 0.9 * u * u * t + 0.9 * u * t * t + 0.6 * t ** 3)];
+    const t = i / 59,
+      u = 1 - t;
+    return [
+      width * (0.2 * u ** 3 + 1.2 * u * u * t + 1.8 * u * t * t + 0.8 * t ** 3),
+      height * (0.6 * u ** 3 + 0.9 * u * u * t + 0.9 * u * t * t + 0.6 * t ** 3),
+    ];
   });
   const start = performance.now();
   await api.openImage(photo, 'photo');
@@ -122,11 +155,16 @@ async function firstSolids(browser, site) {
   for (let i = 0; i < kPhotos; ++i) {
     const { page } = await openPage(browser, site.url, { viewport: { width: 1440, height: 900 } });
     // As whoever looks for a photo has it: the page has made itself ready.
-    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, { timeout: 60000 });
+    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, {
+      timeout: 60000,
+    });
     found.push(await page.evaluate(firstSolidTimes, [4000, 3000]));
     await page.context().close();
   }
-  return { 'a photo of 12 megapixels to the first solid': summary(found.map(({ solid }) => solid)), 'the same, until all is settled': summary(found.map(({ settled }) => settled)) };
+  return {
+    'a photo of 12 megapixels to the first solid': summary(found.map(({ solid }) => solid)),
+    'the same, until all is settled': summary(found.map(({ settled }) => settled)),
+  };
 }
 
 /** Median and 95th percentile of each kind of gesture; dist/ must be built. */

@@ -1,6 +1,16 @@
 // Finding Emscripten at exactly the pinned version: on the PATH or under $EMSDK, installed by apt, or composed from
 // the packages of a newer Debian into the per-user cache.
-import { chmodSync, existsSync, mkdirSync, readdirSync, readFileSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  realpathSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { join } from 'node:path';
 import { cached } from './cache.mjs';
 import { OtherSuite, release, verify } from './debian.mjs';
@@ -85,7 +95,9 @@ int main() {
 `,
   );
   const flags = ['-O2', '-msimd128', '-pthread', '-fwasm-exceptions', '-sPROXY_TO_PTHREAD', '-sEXIT_RUNTIME'];
-  await run('compiling a first program with Emscripten', join(emscripten, 'em++'), [...flags, source, '-o', program], { env });
+  await run('compiling a first program with Emscripten', join(emscripten, 'em++'), [...flags, source, '-o', program], {
+    env,
+  });
   const { text } = await run('running that program', process.execPath, [program], { timeout: 60000 });
   if (text.trim() !== '42') throw new Stop(`A program made with Emscripten printed '${text.trim()}' instead of 42.`);
 }
@@ -106,7 +118,12 @@ async function compose(prefix, place) {
     await run(`unpacking ${deb}`, 'dpkg', ['-x', deb, join(prefix, 'rt')]);
   }
   const emscripten = join(prefix, 'usr/share/emscripten');
-  for (const unused of [join(prefix, 'apt'), join(emscripten, 'test'), join(prefix, 'usr/share/doc'), join(prefix, 'usr/share/man')]) {
+  for (const unused of [
+    join(prefix, 'apt'),
+    join(emscripten, 'test'),
+    join(prefix, 'usr/share/doc'),
+    join(prefix, 'usr/share/man'),
+  ]) {
     rmSync(unused, { recursive: true, force: true });
   }
   mkdirSync(join(emscripten, 'node_modules'), { recursive: true });
@@ -137,11 +154,18 @@ export async function findEmscripten() {
   if (major >= 13 && process.getuid() === 0) {
     say(`Emscripten ${pin.version}: installing it with apt-get (2 minutes)`);
     const env = { DEBIAN_FRONTEND: 'noninteractive' };
-    await run('apt-get install emscripten', 'apt-get', ['install', '-y', '--no-install-recommends', 'emscripten'], { env, allowFailure: true });
+    await run('apt-get install emscripten', 'apt-get', ['install', '-y', '--no-install-recommends', 'emscripten'], {
+      env,
+      allowFailure: true,
+    });
     const root = installedRoot();
     if (root) return root;
   }
   const name = `emscripten-${pin.version}-${shortHash([pin, kRecipe, architecture()])}`;
-  const prefix = await cached(name, { what: `Emscripten ${pin.version}`, howLong: 'a 250 MB download, about 1 minute' }, compose);
+  const prefix = await cached(
+    name,
+    { what: `Emscripten ${pin.version}`, howLong: 'a 250 MB download, about 1 minute' },
+    compose,
+  );
   return join(prefix, 'usr/share/emscripten');
 }

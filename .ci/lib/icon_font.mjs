@@ -52,7 +52,7 @@ function withComponents(glyph, outlines, seen) {
   if (seen.has(glyph) || data === undefined) return;
   seen.add(glyph);
   if (data.length < 10 || data.readInt16BE(0) >= 0) return;
-  for (let at = 10, more = true; more; ) {
+  for (let at = 10, more = true; more;) {
     const flags = data.readUInt16BE(at);
     withComponents(data.readUInt16BE(at + 2), outlines, seen);
     at += 4 + (flags & 1 ? 4 : 2) + (flags & 8 ? 2 : flags & 0x40 ? 4 : flags & 0x80 ? 8 : 0);

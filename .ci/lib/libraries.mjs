@@ -97,7 +97,10 @@ const kOff = `BUILD_SHARED_LIBS BUILD_TESTS BUILD_PERF_TESTS BUILD_EXAMPLES BUIL
 async function opencv(emscripten, zlibFolder) {
   const key = shortHash([lock.sources.opencv, lock.emscripten.version, flags, kOff, zlibFolder, kRecipe]);
   const name = `opencv-${lock.sources.opencv.version}-wasm-${key}`;
-  const what = { what: `OpenCV ${lock.sources.opencv.version} for WebAssembly`, howLong: 'a 78 MB download, 5 to 10 minutes on two cores' };
+  const what = {
+    what: `OpenCV ${lock.sources.opencv.version} for WebAssembly`,
+    howLong: 'a 78 MB download, 5 to 10 minutes on two cores',
+  };
   return cached(name, what, async (folder) => {
     const source = await unpackSource(folder, 'opencv');
     const binary = join(folder, 'binary');

@@ -12,7 +12,9 @@ export const cacheDir = join(process.env.XDG_CACHE_HOME || join(homedir(), '.cac
 export const lock = JSON.parse(readFileSync(join(root, 'emsdk.lock'), 'utf8'));
 
 /** The folder with real cases, or null: $SPINELOFT_DATA, or the one beside the repository. */
-export const dataFolder = [process.env.SPINELOFT_DATA, join(root, '../shared/data/public')].find((folder) => folder && existsSync(folder)) ?? null;
+export const dataFolder =
+  [process.env.SPINELOFT_DATA, join(root, '../shared/data/public')].find((folder) => folder && existsSync(folder)) ??
+  null;
 
 /** A short stable name for any JSON value: the cache key of what is made from it. */
 export function shortHash(value) {

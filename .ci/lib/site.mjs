@@ -1,6 +1,16 @@
 // Putting the static site together: hashed names, relative addresses, compressed twins, swapped into dist/ at the end.
 import { createHash } from 'node:crypto';
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
 import { basename, dirname, extname, join, relative } from 'node:path';
 import { promisify } from 'node:util';
 import { brotliCompress, gzip } from 'node:zlib';
@@ -44,7 +54,8 @@ function put(folder, name, bytes) {
 
 function replaceName(text, from, to) {
   const parts = text.split(new RegExp(`(?<=["'\`/])${from.replace('.', '\\.')}(?=["'\`])`));
-  if (parts.length < 2) throw new Stop(`The Emscripten loader no longer names ${from}; .ci/lib/site.mjs must learn its new form.`);
+  if (parts.length < 2)
+    throw new Stop(`The Emscripten loader no longer names ${from}; .ci/lib/site.mjs must learn its new form.`);
   return parts.join(to);
 }
 
@@ -78,34 +89,48 @@ function putAssets(folder) {
 const iconFont = {
   name: 'icon-font',
   setup(build) {
-    build.onLoad({ filter: /lucide\.ttf$/ }, ({ path }) => ({ contents: subsetFont(readFileSync(path), usedIconCodes()), loader: 'file' }));
+    build.onLoad({ filter: /lucide\.ttf$/ }, ({ path }) => ({
+      contents: subsetFont(readFileSync(path), usedIconCodes()),
+      loader: 'file',
+    }));
   },
 };
 
 async function bundle(folder, entryPoints, define) {
   const esbuild = await import('esbuild');
-  const result = await esbuild.build({
-    absWorkingDir: root,
-    entryPoints,
-    bundle: true,
-    format: 'esm',
-    target: 'es2022',
-    minify: true,
-    metafile: true,
-    legalComments: 'none',
-    logLevel: 'silent',
-    outdir: join(folder, 'assets'),
-    entryNames: '[name]-[hash]',
-    assetNames: '[name]-[hash]',
-    loader: { '.svg': 'text', '.ttf': 'file', '.woff2': 'file', '.png': 'file', '.jpg': 'file', '.webp': 'file', '.wasm': 'file', '.glsl': 'text' },
-    define,
-    // manifold-3d asks for it where it runs in Node alone.
-    external: ['node:module'],
-    plugins: [iconFont],
-  }).catch((error) => {
-    const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);
-    throw new Stop(`esbuild failed:\n${lines.join('\n') || error.message}`);
-  });
+  const result = await esbuild
+    .build({
+      absWorkingDir: root,
+      entryPoints,
+      bundle: true,
+      format: 'esm',
+      target: 'es2022',
+      minify: true,
+      metafile: true,
+      legalComments: 'none',
+      logLevel: 'silent',
+      outdir: join(folder, 'assets'),
+      entryNames: '[name]-[hash]',
+      assetNames: '[name]-[hash]',
+      loader: {
+        '.svg': 'text',
+        '.ttf': 'file',
+        '.woff2': 'file',
+        '.png': 'file',
+        '.jpg': 'file',
+        '.webp': 'file',
+        '.wasm': 'file',
+        '.glsl': 'text',
+      },
+      define,
+      // manifold-3d asks for it where it runs in Node alone.
+      external: ['node:module'],
+      plugins: [iconFont],
+    })
+    .catch((error) => {
+      const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);
+      throw new Stop(`esbuild failed:\n${lines.join('\n') || error.message}`);
+    });
   const outputs = {};
   for (const [file, about] of Object.entries(result.metafile.outputs)) {
     if (!about.entryPoint) continue;
@@ -180,7 +205,11 @@ export async function assembleSite() {
   };
   const workers = readdirSync(shell).filter((name) => name.endsWith('.worker.ts'));
   if (workers.length) {
-    const built = await bundle(fresh, workers.map((name) => `web/shell/${name}`), { SPINELOFT_SITE: JSON.stringify(site) });
+    const built = await bundle(
+      fresh,
+      workers.map((name) => `web/shell/${name}`),
+      { SPINELOFT_SITE: JSON.stringify(site) },
+    );
     for (const [entry, files] of Object.entries(built)) site.workers[entry.replace(/\.worker\.ts$/, '')] = files.js;
   }
   const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });

@@ -12,7 +12,10 @@ test('an include against the arrows is caught with its file, line and reason', (
 
 test('an include along the arrows, over several steps or within a folder, is allowed', () => {
   assert.deepEqual(of('engine/loft/loft.cpp', '#include "engine/loft/loft.h"\n#include "engine/base/vec.h"\n'), []);
-  assert.deepEqual(of('engine/pipeline/derive.cpp', '#include "engine/vision/edges.h"\n#include "engine/mesh/laws.h"\n'), []);
+  assert.deepEqual(
+    of('engine/pipeline/derive.cpp', '#include "engine/vision/edges.h"\n#include "engine/mesh/laws.h"\n'),
+    [],
+  );
   assert.deepEqual(of('web/main.cpp', '#include "web/app/app.h"\n#include "engine/base/result.h"\n'), []);
 });
 

@@ -14,7 +14,8 @@ test('the list of icons of the canvas is found, and its codes are those of the f
   assert.ok(codes.length >= 20);
   const names = JSON.parse(readFileSync(join(folder, 'codepoints.json'), 'utf8'));
   const text = readFileSync(join(root, 'web/app/icons.h'), 'utf8');
-  for (const [, name, code] of text.matchAll(/Icon\{"([a-z0-9-]+)",\s*(\d+)\}/g)) assert.equal(names[name], Number(code), name);
+  for (const [, name, code] of text.matchAll(/Icon\{"([a-z0-9-]+)",\s*(\d+)\}/g))
+    assert.equal(names[name], Number(code), name);
 });
 
 test('every icon that is used keeps its outline and width; the others are empty', () => {
@@ -24,11 +25,21 @@ test('every icon that is used keeps its outline and width; the others are empty'
   for (const code of codes) {
     const [before, after] = [iconOf(font, code), iconOf(small, code)];
     assert.ok(before.outline.length > 0);
-    assert.deepEqual([trimmed(after.outline), after.advance], [trimmed(before.outline), before.advance], `icon ${code}`);
+    assert.deepEqual(
+      [trimmed(after.outline), after.advance],
+      [trimmed(before.outline), before.advance],
+      `icon ${code}`,
+    );
   }
   const names = JSON.parse(readFileSync(join(folder, 'codepoints.json'), 'utf8'));
-  const unused = Object.values(names).filter((code) => !codes.includes(code) && iconOf(font, code)).slice(0, 50);
-  for (const code of unused) assert.ok(codes.some((used) => iconOf(font, used).outline.equals(iconOf(font, code).outline)) || iconOf(small, code).outline.length === 0);
+  const unused = Object.values(names)
+    .filter((code) => !codes.includes(code) && iconOf(font, code))
+    .slice(0, 50);
+  for (const code of unused)
+    assert.ok(
+      codes.some((used) => iconOf(font, used).outline.equals(iconOf(font, code).outline)) ||
+        iconOf(small, code).outline.length === 0,
+    );
 });
 
 test('an icon that the font lacks stops the build', () => {

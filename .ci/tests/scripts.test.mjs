@@ -4,7 +4,14 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { doctestCounts, doctestTotal, nodeTestCounts, stretchCounts, sumCounts, testStretches } from '../lib/counts.mjs';
+import {
+  doctestCounts,
+  doctestTotal,
+  nodeTestCounts,
+  stretchCounts,
+  sumCounts,
+  testStretches,
+} from '../lib/counts.mjs';
 import { ownDebianSource } from '../lib/debian.mjs';
 import { lock, root } from '../lib/paths.mjs';
 
@@ -22,21 +29,38 @@ function inFolder(files, work) {
 test('doctest summaries are counted, with and without colours', () => {
   const line = '[doctest] test cases:  12 |  10 passed | 2 failed | 3 skipped';
   assert.deepEqual(doctestCounts({ text: line, status: 1 }), { passed: 10, failed: 2, note: '' });
-  const coloured = '\x1b[0;36m[doctest] \x1b[0mtest cases:     6 | \x1b[0;32m    6 passed\x1b[0m | \x1b[0m0 failed\x1b[0m |';
+  const coloured =
+    '\x1b[0;36m[doctest] \x1b[0mtest cases:     6 | \x1b[0;32m    6 passed\x1b[0m | \x1b[0m0 failed\x1b[0m |';
   assert.deepEqual(doctestCounts({ text: coloured, status: 0 }), { passed: 6, failed: 0, note: '' });
 });
 
 test('a test program that crashed, or ran nothing, counts as a failure', () => {
   assert.equal(doctestCounts({ text: 'Segmentation fault', status: null }).failed, 1);
-  assert.equal(doctestCounts({ text: '[doctest] test cases: 0 | 0 passed | 0 failed | 0 skipped', status: 0 }).failed, 1);
-  assert.equal(doctestCounts({ text: '[doctest] test cases: 5 | 5 passed | 0 failed | 0 skipped', status: 134 }).failed, 1);
+  assert.equal(
+    doctestCounts({ text: '[doctest] test cases: 0 | 0 passed | 0 failed | 0 skipped', status: 0 }).failed,
+    1,
+  );
+  assert.equal(
+    doctestCounts({ text: '[doctest] test cases: 5 | 5 passed | 0 failed | 0 skipped', status: 134 }).failed,
+    1,
+  );
   assert.equal(nodeTestCounts({ text: '', status: 1 }).failed, 1);
 });
 
 test('stretches of a test program hold every test case once, whatever the numbers', () => {
-  for (const [total, count] of [[773, 6], [5, 6], [1, 1], [12, 12]]) {
-    const numbers = testStretches(total, count).flatMap(({ first, last }) => Array.from({ length: last - first + 1 }, (_, k) => first + k));
-    assert.deepEqual(numbers, Array.from({ length: total }, (_, k) => k + 1));
+  for (const [total, count] of [
+    [773, 6],
+    [5, 6],
+    [1, 1],
+    [12, 12],
+  ]) {
+    const numbers = testStretches(total, count).flatMap(({ first, last }) =>
+      Array.from({ length: last - first + 1 }, (_, k) => first + k),
+    );
+    assert.deepEqual(
+      numbers,
+      Array.from({ length: total }, (_, k) => k + 1),
+    );
   }
 });
 
@@ -71,14 +95,20 @@ Components: main
 Signed-By: /usr/share/keyrings/own.gpg
 `;
   inFolder({ 'sources.list.d/debian.sources': modern }, (folder) => {
-    assert.deepEqual(ownDebianSource('bookworm', folder), { uri: 'http://mirror.example/debian', signedBy: '/usr/share/keyrings/own.gpg' });
+    assert.deepEqual(ownDebianSource('bookworm', folder), {
+      uri: 'http://mirror.example/debian',
+      signedBy: '/usr/share/keyrings/own.gpg',
+    });
   });
   const classic = `# deb http://off.example/debian bookworm main
 deb http://security.example/ bookworm-security main
 deb [arch=amd64 signed-by=/etc/own.gpg] https://mirror.example/debian/ bookworm main contrib
 `;
   inFolder({ 'sources.list': classic }, (folder) => {
-    assert.deepEqual(ownDebianSource('bookworm', folder), { uri: 'https://mirror.example/debian/', signedBy: '/etc/own.gpg' });
+    assert.deepEqual(ownDebianSource('bookworm', folder), {
+      uri: 'https://mirror.example/debian/',
+      signedBy: '/etc/own.gpg',
+    });
   });
   inFolder({ 'sources.list': 'deb http://other.example/x trixie main\n' }, (folder) => {
     assert.throws(() => ownDebianSource('bookworm', folder), /No Debian source for bookworm/);
@@ -88,10 +118,16 @@ deb [arch=amd64 signed-by=/etc/own.gpg] https://mirror.example/debian/ bookworm 
 /** Runs a module text in its own process with its own cache folder, so that the real one is left alone. */
 function script(text, cache) {
   const env = { ...process.env, XDG_CACHE_HOME: cache };
-  const child = spawn(process.execPath, ['--input-type=module', '-e', text], { cwd: root, env, stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn(process.execPath, ['--input-type=module', '-e', text], {
+    cwd: root,
+    env,
+    stdio: ['ignore', 'pipe', 'pipe'],
+  });
   const said = [];
   for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => said.push(chunk));
-  const done = new Promise((resolve) => child.on('close', (status, signal) => resolve({ status, signal, text: Buffer.concat(said).toString() })));
+  const done = new Promise((resolve) =>
+    child.on('close', (status, signal) => resolve({ status, signal, text: Buffer.concat(said).toString() })),
+  );
   const until = async (pattern) => {
     while (!pattern.test(Buffer.concat(said).toString())) {
       if (child.exitCode !== null) throw new Error(Buffer.concat(said).toString());
@@ -114,7 +150,12 @@ await withSetupLock(async () => {
 test('an interrupted making leaves nothing under the final name, and the next run makes it and tidies up', async () => {
   const cache = mkdtempSync(join(tmpdir(), 'spineloft-cache-'));
   try {
-    const first = script(kMake(`writeFileSync(join(folder, 'half'), 'x'); console.log('half done'); await new Promise((r) => setTimeout(r, 60000));`), cache);
+    const first = script(
+      kMake(
+        `writeFileSync(join(folder, 'half'), 'x'); console.log('half done'); await new Promise((r) => setTimeout(r, 60000));`,
+      ),
+      cache,
+    );
     await first.until(/half done/);
     first.child.kill('SIGKILL');
     await first.done;

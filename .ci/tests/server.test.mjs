@@ -38,7 +38,9 @@ function ask(path, headers = {}, port = server.port) {
     get({ host: 'localhost', port, path, headers }, (response) => {
       const chunks = [];
       response.on('data', (chunk) => chunks.push(chunk));
-      response.on('end', () => resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(chunks) }));
+      response.on('end', () =>
+        resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(chunks) }),
+      );
     }).on('error', reject);
   });
 }
@@ -89,7 +91,16 @@ test('an unchanged file is answered with 304', async () => {
 });
 
 test('nothing outside the folder can be reached', async () => {
-  const ways = ['/../secret.txt', '/%2e%2e/secret.txt', '/assets/..%2f..%2fsecret.txt', '/..%5csecret.txt', '/../site-beside/secret.txt', '/%00', '/%zz', '//etc/passwd'];
+  const ways = [
+    '/../secret.txt',
+    '/%2e%2e/secret.txt',
+    '/assets/..%2f..%2fsecret.txt',
+    '/..%5csecret.txt',
+    '/../site-beside/secret.txt',
+    '/%00',
+    '/%zz',
+    '//etc/passwd',
+  ];
   for (const way of ways) {
     const { status, body } = await ask(way);
     assert.equal(status, 404, way);

@@ -16,25 +16,37 @@ const kLater = 4;
 async function timesOf({ address, warm, edits, later, functions }) {
   const { loft, seeded, turned } = new Function(`${functions.join('\n')}; return { loft, seeded, turned };`)();
   const fine = { rings: 64, around: 64, length: 1, radius: 0.12 };
-  const random = seeded(11), meshes = {}, worker = new Worker(address, { type: 'module' });
+  const random = seeded(11),
+    meshes = {},
+    worker = new Worker(address, { type: 'module' });
   const operands = Array.from({ length: 10 }, (_, i) => {
     meshes[`m${i}`] = loft({ ...fine, bend: random() - 0.5, wave: 0.2 * random() });
     return { mesh: `m${i}`, part: i + 1, matrix: turned(i * 0.7, 0.25 * random(), 0.25 * random(), 0.04 * random()) };
   });
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-  let id = 0, bytes = 0;
-  const answer = (of, given) => new Promise((resolve, reject) => {
-    const start = performance.now(), key = `node ${(id += 1)}`;
-    worker.onerror = (event) => reject(new Error(event.message));
-    let ms = 0;
-    worker.onmessage = ({ data }) => {
-      if (data.type === 'solid' && !data.mesh) reject(new Error(data.failure.error));
-      if (data.type === 'solid') ms = performance.now() - start;
-      if (data.type === 'done') bytes = data.bytes;
-      if (data.type === 'done') resolve(ms);
-    };
-    worker.postMessage({ id, nodes: [{ key, step: 1, kind: 'join', operands: of, blend: 0, wall: 0.02, opening: null, cut: 0, coarse: false }], wanted: [key], meshes: given });
-  });
+  let id = 0,
+    bytes = 0;
+  const answer = (of, given) =>
+    new Promise((resolve, reject) => {
+      const start = performance.now(),
+        key = `node ${(id += 1)}`;
+      worker.onerror = (event) => reject(new Error(event.message));
+      let ms = 0;
+      worker.onmessage = ({ data }) => {
+        if (data.type === 'solid' && !data.mesh) reject(new Error(data.failure.error));
+        if (data.type === 'solid') ms = performance.now() - start;
+        if (data.type === 'done') bytes = data.bytes;
+        if (data.type === 'done') resolve(ms);
+      };
+      worker.postMessage({
+        id,
+        nodes: [
+          { key, step: 1, kind: 'join', operands: of, blend: 0, wall: 0.02, opening: null, cut: 0, coarse: false },
+        ],
+        wanted: [key],
+        meshes: given,
+      });
+    });
   const ask = async (of, given) => {
     await window.look();
     const ms = await answer(of, given);
@@ -42,7 +54,11 @@ async function timesOf({ address, warm, edits, later, functions }) {
   };
   if (warm) {
     worker.postMessage({ warm: { large: true } });
-    await new Promise((resolve) => { worker.onmessage = ({ data }) => { if (data.type === 'warm') resolve(); }; });
+    await new Promise((resolve) => {
+      worker.onmessage = ({ data }) => {
+        if (data.type === 'warm') resolve();
+      };
+    });
     // The second one began as soon as it had loaded, too.
     await pause(1000);
   }
@@ -54,12 +70,24 @@ async function timesOf({ address, warm, edits, later, functions }) {
   const edit = [];
   for (let i = 0; i < edits; i += 1) {
     const mesh = `edit ${i}`;
-    edit.push(await ask(operands.map((each, k) => (k === 1 ? { ...each, mesh } : each)), { [mesh]: loft({ ...fine, bend: 0.3, wave: 0.03 * (i + 1) }) }));
+    edit.push(
+      await ask(
+        operands.map((each, k) => (k === 1 ? { ...each, mesh } : each)),
+        { [mesh]: loft({ ...fine, bend: 0.3, wave: 0.03 * (i + 1) }) },
+      ),
+    );
     await pause(200);
   }
   for (let i = 0; i < later; i += 1) {
-    const anew = {}, others = operands.map((each, k) => ({ ...each, mesh: `a${i} ${k}`, matrix: turned(k * 0.7 + 0.1 * i, 0.25 * random(), 0.25 * random(), 0.04 * random()) }));
-    others.forEach(({ mesh }) => { anew[mesh] = loft({ ...fine, bend: random() - 0.5, wave: 0.2 * random() }); });
+    const anew = {},
+      others = operands.map((each, k) => ({
+        ...each,
+        mesh: `a${i} ${k}`,
+        matrix: turned(k * 0.7 + 0.1 * i, 0.25 * random(), 0.25 * random(), 0.04 * random()),
+      }));
+    others.forEach(({ mesh }) => {
+      anew[mesh] = loft({ ...fine, bend: random() - 0.5, wave: 0.2 * random() });
+    });
     union.push(await ask(others, anew));
     await pause(100);
   }
@@ -70,14 +98,44 @@ async function timesOf({ address, warm, edits, later, functions }) {
 /** Runs in the page: edits of one of nine limbs in a body, all rounded or scooped out, after it was chosen; previews as the hand moves, too. */
 async function deepTimesOf({ address, kind, edits, functions }) {
   const { loft, turned } = new Function(`${functions.join('\n')}; return { loft, turned };`)();
-  const fine = { rings: 64, around: 64, length: 1 }, worker = new Worker(address, { type: 'module' }), found = { preview: [], edit: [] };
+  const fine = { rings: 64, around: 64, length: 1 },
+    worker = new Worker(address, { type: 'module' }),
+    found = { preview: [], edit: [] };
   const meshes = { body: loft({ ...fine, radius: 0.12 }), limb: loft({ ...fine, radius: 0.04, bend: 0.1 }) };
-  const operands = Array.from({ length: 10 }, (_, i) => ({ mesh: i ? 'limb' : 'body', part: i + 1, matrix: i ? turned(Math.PI / 2, 0.1 * i) : turned(0) }));
+  const operands = Array.from({ length: 10 }, (_, i) => ({
+    mesh: i ? 'limb' : 'body',
+    part: i + 1,
+    matrix: i ? turned(Math.PI / 2, 0.1 * i) : turned(0),
+  }));
   let id = 0;
   const ask = async (of, given, coarse) => {
     await window.look();
-    const join = { key: `join ${(id += 1)}`, step: 1, kind: 'join', operands: of, blend: kind === 'round' ? 0.02 : 0, wall: 0.03, opening: null, cut: 0, coarse };
-    const nodes = kind === 'round' ? [join] : [join, { ...join, key: `shell ${id}`, step: 2, kind: 'hollow', operands: [{ node: join.key }], opening: [1, 0, 0] }], start = performance.now();
+    const join = {
+      key: `join ${(id += 1)}`,
+      step: 1,
+      kind: 'join',
+      operands: of,
+      blend: kind === 'round' ? 0.02 : 0,
+      wall: 0.03,
+      opening: null,
+      cut: 0,
+      coarse,
+    };
+    const nodes =
+        kind === 'round'
+          ? [join]
+          : [
+              join,
+              {
+                ...join,
+                key: `shell ${id}`,
+                step: 2,
+                kind: 'hollow',
+                operands: [{ node: join.key }],
+                opening: [1, 0, 0],
+              },
+            ],
+      start = performance.now();
     worker.postMessage({ id, nodes, wanted: [nodes.at(-1).key], meshes: given });
     const ms = await new Promise((resolve, reject) => {
       let at = 0;
@@ -93,8 +151,15 @@ async function deepTimesOf({ address, kind, edits, functions }) {
   worker.postMessage({ expect: 3 });
   await new Promise((resolve) => setTimeout(resolve, 8000));
   for (let i = 0; i < 2 * edits; i += 1) {
-    const mesh = `edit ${i}`, coarse = i % 2 === 0;
-    found[coarse ? 'preview' : 'edit'].push(await ask(operands.map((each, k) => (k === 2 ? { ...each, mesh } : each)), { [mesh]: loft({ ...fine, radius: 0.04, bend: 0.1, wave: 0.01 * (i + 1) }) }, coarse));
+    const mesh = `edit ${i}`,
+      coarse = i % 2 === 0;
+    found[coarse ? 'preview' : 'edit'].push(
+      await ask(
+        operands.map((each, k) => (k === 2 ? { ...each, mesh } : each)),
+        { [mesh]: loft({ ...fine, radius: 0.04, bend: 0.1, wave: 0.01 * (i + 1) }) },
+        coarse,
+      ),
+    );
   }
   worker.terminate();
   return found;
@@ -111,7 +176,8 @@ export function deepTimes(folder, kind) {
 }
 
 async function timesIn(folder, work, given) {
-  const site = await serveFolder(folder, { isolated: true }), browser = await startBrowser();
+  const site = await serveFolder(folder, { isolated: true }),
+    browser = await startBrowser();
   try {
     const { page } = await openPage(browser, site.url);
     let seen = {};
@@ -120,9 +186,15 @@ async function timesIn(folder, work, given) {
       return busiest(before, (seen = workerTimes()));
     });
     // Nobody has ten parts while the page itself still starts and makes its own stages quick, which keeps its messages waiting.
-    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, { timeout: 60000 });
+    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, {
+      timeout: 60000,
+    });
     const file = readdirSync(join(folder, 'assets')).find((name) => /^solids\.worker-.*\.js$/.test(name));
-    return await page.evaluate(work, { ...given, address: `assets/${file}`, functions: [loft, seeded, turned].map(String) });
+    return await page.evaluate(work, {
+      ...given,
+      address: `assets/${file}`,
+      functions: [loft, seeded, turned].map(String),
+    });
   } finally {
     await browser.close();
     await site.close();
@@ -131,12 +203,24 @@ async function timesIn(folder, work, given) {
 
 /** Runs in the page: from the button to the solid of ten parts that the pen made, ms; `ticked`: one by one before. */
 async function pressed(ticked) {
-  const { spineloft } = window, pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms)), canvas = new OffscreenCanvas(640, 480), pen = canvas.getContext('2d');
+  const { spineloft } = window,
+    pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms)),
+    canvas = new OffscreenCanvas(640, 480),
+    pen = canvas.getContext('2d');
   pen.fillStyle = '#fff';
   pen.fillRect(0, 0, 640, 480);
   // A lattice: five bars across five others.
   pen.fillStyle = '#456';
-  const bars = [0, 1, 2, 3, 4].flatMap((i) => [[[60, 80 + 80 * i], [580, 80 + 80 * i]], [[120 + 100 * i, 40], [120 + 100 * i, 440]]]);
+  const bars = [0, 1, 2, 3, 4].flatMap((i) => [
+    [
+      [60, 80 + 80 * i],
+      [580, 80 + 80 * i],
+    ],
+    [
+      [120 + 100 * i, 40],
+      [120 + 100 * i, 440],
+    ],
+  ]);
   for (const [[x, y], [right, below]] of bars) pen.fillRect(x - 14, y - 14, right - x + 28, below - y + 28);
   await spineloft.openImage(await canvas.convertToBlob(), 'lattice');
   for (const [[x, y], [right, below]] of bars) {
@@ -153,9 +237,11 @@ async function pressed(ticked) {
     if (window.solids === before || window.asked > 0) throw new Error('What is ticked was not put together.');
   }
   // Until the model has it, not until it is drawn, which without a graphics card takes longer.
-  const start = performance.now(), drawn = spineloft.run('stick-together', ticked ? {} : { parts });
+  const start = performance.now(),
+    drawn = spineloft.run('stick-together', ticked ? {} : { parts });
   while (!['ready', 'failed'].includes(spineloft.state().steps[0]?.status)) await pause(0);
-  const ms = performance.now() - start, [{ status }] = spineloft.state().steps;
+  const ms = performance.now() - start,
+    [{ status }] = spineloft.state().steps;
   if (status !== 'ready') throw new Error(`The benchmark's solid is ${status}.`);
   await drawn;
   return ms;
@@ -182,7 +268,8 @@ function countSolids() {
 
 /** Times in a fresh browser of the site in `folder`, from the button to the solid. */
 async function pressTimes(folder, ticked) {
-  const site = await serveFolder(folder, { isolated: true }), browser = await startBrowser();
+  const site = await serveFolder(folder, { isolated: true }),
+    browser = await startBrowser();
   try {
     const { page } = await openPage(browser, site.url);
     await page.addInitScript(countSolids);
@@ -215,7 +302,12 @@ function previewTimes(found) {
 
 /** Times by name, {min_ms, median_ms, count}, some with cpu_ms, previews with share_of_full; dist/ must be built. */
 export async function solidPageTimes(folder = distDir) {
-  const cold = [], warm = [], plain = [], ticked = [], round = [], scoop = [];
+  const cold = [],
+    warm = [],
+    plain = [],
+    ticked = [],
+    round = [],
+    scoop = [];
   for (let i = 0; i < kPages; i += 1) {
     cold.push(await freshTimes(folder, false));
     warm.push(await freshTimes(folder, true));
@@ -243,4 +335,5 @@ export async function solidPageTimes(folder = distDir) {
   };
 }
 
-if (import.meta.filename === process.argv[1]) process.stdout.write(`${JSON.stringify(await solidPageTimes(), null, 2)}\n`);
+if (import.meta.filename === process.argv[1])
+  process.stdout.write(`${JSON.stringify(await solidPageTimes(), null, 2)}\n`);

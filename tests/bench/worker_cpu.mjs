@@ -7,14 +7,16 @@ const textOf = (file) => readFileSync(file, 'utf8');
 
 /** Of every process its parent. */
 function parents() {
-  return new Map(numbers('/proc').flatMap((pid) => {
-    try {
-      // After the name, which may hold anything: state, parent.
-      return [[pid, textOf(`/proc/${pid}/stat`).split(') ').at(-1).split(' ')[1]]];
-    } catch {
-      return [];  // it has ended
-    }
-  }));
+  return new Map(
+    numbers('/proc').flatMap((pid) => {
+      try {
+        // After the name, which may hold anything: state, parent.
+        return [[pid, textOf(`/proc/${pid}/stat`).split(') ').at(-1).split(' ')[1]]];
+      } catch {
+        return []; // it has ended
+      }
+    }),
+  );
 }
 
 function isBelow(parent, pid, root) {
@@ -32,7 +34,8 @@ export function workerTimes(root = process.pid) {
     try {
       for (const thread of numbers(`/proc/${pid}/task`)) {
         const folder = `/proc/${pid}/task/${thread}`;
-        if (textOf(`${folder}/comm`).startsWith('DedicatedWorker')) times[thread] = Number(textOf(`${folder}/schedstat`).split(' ')[0]) / 1e6;
+        if (textOf(`${folder}/comm`).startsWith('DedicatedWorker'))
+          times[thread] = Number(textOf(`${folder}/schedstat`).split(' ')[0]) / 1e6;
       }
     } catch {
       // It has ended.

@@ -15,180 +15,212 @@ async function violations(page) {
   await page.evaluate(axe);
   return page.evaluate(async () => {
     const { violations: found } = await window.axe.run(document, { resultTypes: ['violations'] });
-    return found.filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    return found
+      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
       .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(' ')).join(', ')}`);
   });
 }
 
-const focused = (page) => page.evaluate(() => {
-  const element = document.activeElement;
-  return element.dataset.command ?? element.id ?? element.className;
-});
+const focused = (page) =>
+  page.evaluate(() => {
+    const element = document.activeElement;
+    return element.dataset.command ?? element.id ?? element.className;
+  });
 
-for (const [name, context] of Object.entries({ desktop: {}, phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } })) {
-  test(`axe finds nothing serious on the start page, at work, in menus and dialogs (${name})`, () => onPage(kit, context, async (page) => {
-    assert.deepEqual(await violations(page), [], 'start page');
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
-    assert.deepEqual(await violations(page), [], 'at work');
-    await page.locator('#bar-more').click();
-    assert.deepEqual(await violations(page), [], 'More menu');
-    await page.keyboard.press('Escape');
-    await page.locator('#bar-save').click();
-    assert.deepEqual(await violations(page), [], 'Save menu');
-    await page.keyboard.press('Escape');
-    await page.keyboard.press('?');
-    await page.locator('dialog.sheet').waitFor();
-    assert.deepEqual(await violations(page), [], 'shortcut sheet');
-  }));
+for (const [name, context] of Object.entries({
+  desktop: {},
+  phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+})) {
+  test(`axe finds nothing serious on the start page, at work, in menus and dialogs (${name})`, () =>
+    onPage(kit, context, async (page) => {
+      assert.deepEqual(await violations(page), [], 'start page');
+      await openPicture(page, tube.png, 'tube.png');
+      await drawWithMouse(page, tube.middle);
+      assert.deepEqual(await violations(page), [], 'at work');
+      await page.locator('#bar-more').click();
+      assert.deepEqual(await violations(page), [], 'More menu');
+      await page.keyboard.press('Escape');
+      await page.locator('#bar-save').click();
+      assert.deepEqual(await violations(page), [], 'Save menu');
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('?');
+      await page.locator('dialog.sheet').waitFor();
+      assert.deepEqual(await violations(page), [], 'shortcut sheet');
+    }));
 }
 
-test('by keyboard alone: open a sample, make a part, change it, save it', () => onPage(kit, {}, async (page) => {
-  await page.keyboard.press('Tab');
-  assert.equal(await focused(page), 'choose');
-  const onSample = () => page.evaluate(() => document.activeElement.closest('#samples') !== null);
-  for (let i = 0; i < 4 && !(await onSample()); ++i) await page.keyboard.press('Tab');
-  await page.keyboard.press('Enter');
-  await page.waitForFunction(() => window.spineloft.state().picture !== null);
-  await idle(page);
-  assert.equal(await focused(page), 'canvas', 'the drawing has the focus');
-  const { picture } = await state(page);
-  await page.keyboard.press('Enter');  // the pen appears in the middle of the picture
-  for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowLeft');
-  await page.keyboard.press('Space');  // and goes down
-  for (let i = 0; i < 8; ++i) await page.keyboard.press('Shift+ArrowRight');
-  await page.keyboard.press('Space');
-  await idle(page);
-  assert.equal((await state(page)).parts.length, 1, `a part on a picture of ${picture.width} by ${picture.height}`);
-  await page.keyboard.press('Escape');
-  await page.keyboard.press('Shift+Tab');
-  assert.equal(await page.evaluate(() => document.activeElement.closest('[role=toolbar]') !== null), true, 'back to the bar');
-  await page.keyboard.press('Home');
-  assert.equal(await focused(page), 'open-picture');
-  for (let i = 0; i < 12 && (await focused(page)) !== 'set-section'; ++i) await page.keyboard.press('ArrowRight');
-  await page.keyboard.press('Enter');
-  await page.keyboard.press('s');
-  await page.keyboard.press('Enter');
-  await idle(page);
-  assert.equal((await state(page)).parts[0].section, 'square');
-  assert.equal(await focused(page), 'set-section', 'focus returns to the button');
-  await page.keyboard.press('End');
-  assert.equal(await focused(page), 'bar-save');
-  const coming = page.waitForEvent('download');
-  await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('Enter');
-  assert.match((await coming).suggestedFilename(), /\.(spineloft|glb)$/);
-}));
+test('by keyboard alone: open a sample, make a part, change it, save it', () =>
+  onPage(kit, {}, async (page) => {
+    await page.keyboard.press('Tab');
+    assert.equal(await focused(page), 'choose');
+    const onSample = () => page.evaluate(() => document.activeElement.closest('#samples') !== null);
+    for (let i = 0; i < 4 && !(await onSample()); ++i) await page.keyboard.press('Tab');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => window.spineloft.state().picture !== null);
+    await idle(page);
+    assert.equal(await focused(page), 'canvas', 'the drawing has the focus');
+    const { picture } = await state(page);
+    await page.keyboard.press('Enter'); // the pen appears in the middle of the picture
+    for (let i = 0; i < 3; ++i) await page.keyboard.press('Shift+ArrowLeft');
+    await page.keyboard.press('Space'); // and goes down
+    for (let i = 0; i < 8; ++i) await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.press('Space');
+    await idle(page);
+    assert.equal((await state(page)).parts.length, 1, `a part on a picture of ${picture.width} by ${picture.height}`);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press('Shift+Tab');
+    assert.equal(
+      await page.evaluate(() => document.activeElement.closest('[role=toolbar]') !== null),
+      true,
+      'back to the bar',
+    );
+    await page.keyboard.press('Home');
+    assert.equal(await focused(page), 'open-picture');
+    for (let i = 0; i < 12 && (await focused(page)) !== 'set-section'; ++i) await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('s');
+    await page.keyboard.press('Enter');
+    await idle(page);
+    assert.equal((await state(page)).parts[0].section, 'square');
+    assert.equal(await focused(page), 'set-section', 'focus returns to the button');
+    await page.keyboard.press('End');
+    assert.equal(await focused(page), 'bar-save');
+    const coming = page.waitForEvent('download');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    assert.match((await coming).suggestedFilename(), /\.(spineloft|glb)$/);
+  }));
 
-test('Tab goes through the page and is never held by the canvas', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  await page.locator('#canvas').focus();
-  await page.keyboard.press('Tab');
-  assert.notEqual(await focused(page), 'canvas');
-  await page.locator('#canvas').focus();
-  await page.keyboard.press('Shift+Tab');
-  assert.equal(await page.evaluate(() => document.activeElement.closest('[role=toolbar]') !== null), true);
-}));
+test('Tab goes through the page and is never held by the canvas', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('Tab');
+    assert.notEqual(await focused(page), 'canvas');
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('Shift+Tab');
+    assert.equal(await page.evaluate(() => document.activeElement.closest('[role=toolbar]') !== null), true);
+  }));
 
-test('the command bar mirrors the command table', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  const commands = await page.evaluate(() => window.spineloft.commands());
-  assert.equal(new Set(commands.map(({ id }) => id)).size, commands.length);
-  for (const id of ['undo', 'redo', 'delete-part']) {
-    assert.equal(await page.locator(`[data-command=${id}]`).getAttribute('aria-disabled'), commands.find((c) => c.id === id).enabled ? null : 'true', id);
-  }
-  assert.equal(await page.locator('[data-command=draw]').getAttribute('aria-pressed'), 'true');
-  await drawWithMouse(page, tube.middle);
-  await page.waitForFunction(() => !document.querySelector('[data-command=undo]').hasAttribute('aria-disabled'));
-  assert.equal(await page.locator('#bar-save').getAttribute('aria-disabled'), null);
-  const shown = await page.locator('#bar-items button:visible').evaluateAll((list) => list.map((button) => button.dataset.command));
-  await page.locator('#bar-more').click();
-  const more = await page.getByRole('menu').innerText();
-  for (const command of commands) {
-    if (command.argument?.kind === 'api' || command.id.startsWith('save-') || shown.includes(command.id)) continue;
-    if (command.group === 'board' && !command.enabled) continue;  // of use only while a slice is drawn
-    assert.ok(more.includes(command.label), `${command.id} is in the More menu`);
-  }
-}));
+test('the command bar mirrors the command table', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const commands = await page.evaluate(() => window.spineloft.commands());
+    assert.equal(new Set(commands.map(({ id }) => id)).size, commands.length);
+    for (const id of ['undo', 'redo', 'delete-part']) {
+      assert.equal(
+        await page.locator(`[data-command=${id}]`).getAttribute('aria-disabled'),
+        commands.find((c) => c.id === id).enabled ? null : 'true',
+        id,
+      );
+    }
+    assert.equal(await page.locator('[data-command=draw]').getAttribute('aria-pressed'), 'true');
+    await drawWithMouse(page, tube.middle);
+    await page.waitForFunction(() => !document.querySelector('[data-command=undo]').hasAttribute('aria-disabled'));
+    assert.equal(await page.locator('#bar-save').getAttribute('aria-disabled'), null);
+    const shown = await page
+      .locator('#bar-items button:visible')
+      .evaluateAll((list) => list.map((button) => button.dataset.command));
+    await page.locator('#bar-more').click();
+    const more = await page.getByRole('menu').innerText();
+    for (const command of commands) {
+      if (command.argument?.kind === 'api' || command.id.startsWith('save-') || shown.includes(command.id)) continue;
+      if (command.group === 'board' && !command.enabled) continue; // of use only while a slice is drawn
+      assert.ok(more.includes(command.label), `${command.id} is in the More menu`);
+    }
+  }));
 
-test('every icon the table names is drawn', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  const names = await page.evaluate(() => [...new Set(window.spineloft.commands().map(({ icon }) => icon))]);
-  const known = readFileSync(join(root, 'web/shell/icons.ts'), 'utf8');
-  for (const name of names) assert.match(known, new RegExp(`\\b'?${name}'?:`), `icon ${name}`);
-}));
+test('every icon the table names is drawn', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const names = await page.evaluate(() => [...new Set(window.spineloft.commands().map(({ icon }) => icon))]);
+    const known = readFileSync(join(root, 'web/shell/icons.ts'), 'utf8');
+    for (const name of names) assert.match(known, new RegExp(`\\b'?${name}'?:`), `icon ${name}`);
+  }));
 
-test('the shortcut sheet lists the keys of the table and closes with Escape', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  await page.keyboard.press('?');
-  const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
-  const text = await sheet.innerText();
-  for (const { label, shortcut } of await page.evaluate(() => window.spineloft.commands())) {
-    if (shortcut) assert.ok(text.includes(label) && text.includes(shortcut.split(/,\s*/)[0]), `${label}: ${shortcut}`);
-  }
-  await page.keyboard.press('Escape');
-  assert.equal(await sheet.count(), 0);
-}));
+test('the shortcut sheet lists the keys of the table and closes with Escape', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await page.keyboard.press('?');
+    const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
+    const text = await sheet.innerText();
+    for (const { label, shortcut } of await page.evaluate(() => window.spineloft.commands())) {
+      if (shortcut)
+        assert.ok(text.includes(label) && text.includes(shortcut.split(/,\s*/)[0]), `${label}: ${shortcut}`);
+    }
+    await page.keyboard.press('Escape');
+    assert.equal(await sheet.count(), 0);
+  }));
 
-test('renaming asks in a dialog with a text field, and keys typed there draw nothing', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  await drawWithMouse(page, tube.middle);
-  await run(page, 'rename-part');
-  const field = page.getByRole('textbox');
-  await field.waitFor();
-  await field.fill('n1 Tail of h');
-  await page.keyboard.press('Enter');
-  await page.waitForFunction(() => window.spineloft.state().parts[0].name === 'n1 Tail of h');
-  assert.equal((await state(page)).parts.length, 1);
-}));
+test('renaming asks in a dialog with a text field, and keys typed there draw nothing', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await drawWithMouse(page, tube.middle);
+    await run(page, 'rename-part');
+    const field = page.getByRole('textbox');
+    await field.waitFor();
+    await field.fill('n1 Tail of h');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => window.spineloft.state().parts[0].name === 'n1 Tail of h');
+    assert.equal((await state(page)).parts.length, 1);
+  }));
 
-test('what happens is said in live regions: the picture, the parts, refusals', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  const line = page.locator('#status');
-  assert.equal(await line.getAttribute('aria-live'), 'polite');
-  assert.match(await line.innerText(), /tube\.png is open: 480 by 360 pixels/);
-  assert.equal(await page.locator('#status-end').innerText(), 'No part yet');
-  await drawWithMouse(page, tube.middle);
-  await page.waitForFunction(() => /^1 part · .*: \d+ ribs$/.test(document.getElementById('status-end').textContent));
-  await run(page, 'delete-part');
-  const [at] = await page.evaluate(() => [window.spineloft.imageToClient(100, 100)]);
-  await page.mouse.move(at.x, at.y);
-  await page.mouse.down();
-  for (let i = 0; i <= 24; ++i) await page.mouse.move(at.x + 50 * Math.sin(i / 3), at.y + 50 * (1 - Math.cos(i / 3)));
-  await page.mouse.up();
-  assert.match(await toastText(page), /crosses itself/);
-}));
+test('what happens is said in live regions: the picture, the parts, refusals', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const line = page.locator('#status');
+    assert.equal(await line.getAttribute('aria-live'), 'polite');
+    assert.match(await line.innerText(), /tube\.png is open: 480 by 360 pixels/);
+    assert.equal(await page.locator('#status-end').innerText(), 'No part yet');
+    await drawWithMouse(page, tube.middle);
+    await page.waitForFunction(() => /^1 part · .*: \d+ ribs$/.test(document.getElementById('status-end').textContent));
+    await run(page, 'delete-part');
+    const [at] = await page.evaluate(() => [window.spineloft.imageToClient(100, 100)]);
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    for (let i = 0; i <= 24; ++i) await page.mouse.move(at.x + 50 * Math.sin(i / 3), at.y + 50 * (1 - Math.cos(i / 3)));
+    await page.mouse.up();
+    assert.match(await toastText(page), /crosses itself/);
+  }));
 
-test('reduced motion: the ghost hand stands still and shows the whole line', () => onPage(kit, { reducedMotion: 'reduce' }, async (page) => {
-  await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });
-  assert.equal(await page.evaluate(() => document.getAnimations().filter((animation) => animation.playState === 'running').length), 0);
-  assert.equal(await page.locator('.sample .ghost-line').evaluate((line) => line.style.strokeDasharray), '');
-}));
+test('reduced motion: the ghost hand stands still and shows the whole line', () =>
+  onPage(kit, { reducedMotion: 'reduce' }, async (page) => {
+    await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });
+    assert.equal(
+      await page.evaluate(
+        () => document.getAnimations().filter((animation) => animation.playState === 'running').length,
+      ),
+      0,
+    );
+    assert.equal(await page.locator('.sample .ghost-line').evaluate((line) => line.style.strokeDasharray), '');
+  }));
 
-test('the ghost hand draws three times and rests; it leaves with the first part', () => onPage(kit, {}, async (page) => {
-  await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });
-  assert.ok((await page.evaluate(() => document.getAnimations().length)) > 0);
-  await page.locator('.sample-open').first().click();
-  await page.waitForFunction(() => window.spineloft.state().picture !== null);
-  await page.locator('#ghost-layer .ghost').waitFor({ state: 'attached' });
-  assert.equal(await page.locator('#hint').isVisible(), true);
-  const { spine } = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'))[0];
-  await drawWithMouse(page, spine);
-  await page.waitForFunction(() => document.querySelector('#ghost-layer .ghost') === null);
-  assert.equal(await page.locator('#hint').isVisible(), false);
-}));
+test('the ghost hand draws three times and rests; it leaves with the first part', () =>
+  onPage(kit, {}, async (page) => {
+    await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });
+    assert.ok((await page.evaluate(() => document.getAnimations().length)) > 0);
+    await page.locator('.sample-open').first().click();
+    await page.waitForFunction(() => window.spineloft.state().picture !== null);
+    await page.locator('#ghost-layer .ghost').waitFor({ state: 'attached' });
+    assert.equal(await page.locator('#hint').isVisible(), true);
+    const { spine } = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'))[0];
+    await drawWithMouse(page, spine);
+    await page.waitForFunction(() => document.querySelector('#ghost-layer .ghost') === null);
+    assert.equal(await page.locator('#hint').isVisible(), false);
+  }));
 
-test('at 200 % zoom nothing is cut off and everything can be reached', () => onPage(kit, { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }, async (page) => {
-  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
-  const last = page.locator('.sample-open').last();
-  await last.scrollIntoViewIfNeeded();
-  assert.equal(await last.isVisible(), true);
-  await openPicture(page, tube.png, 'tube.png');
-  for (const id of ['bar-more', 'bar-save']) {
-    const box = await page.locator(`#${id}`).boundingBox();
-    assert.ok(box.x >= 0 && box.x + box.width <= 640, id);
-  }
-  await page.locator('#bar-more').click();
-  const menu = await page.getByRole('menu').boundingBox();
-  assert.ok(menu.y + menu.height <= 400, 'the menu scrolls inside the window');
-}));
+test('at 200 % zoom nothing is cut off and everything can be reached', () =>
+  onPage(kit, { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }, async (page) => {
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+    const last = page.locator('.sample-open').last();
+    await last.scrollIntoViewIfNeeded();
+    assert.equal(await last.isVisible(), true);
+    await openPicture(page, tube.png, 'tube.png');
+    for (const id of ['bar-more', 'bar-save']) {
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box.x >= 0 && box.x + box.width <= 640, id);
+    }
+    await page.locator('#bar-more').click();
+    const menu = await page.getByRole('menu').boundingBox();
+    assert.ok(menu.y + menu.height <= 400, 'the menu scrolls inside the window');
+  }));

@@ -11,7 +11,8 @@ const [lemur] = samples();
 
 /** Corners of one place are one vertex. */
 function welded(corners) {
-  const places = new Map(), positions = [];
+  const places = new Map(),
+    positions = [];
   const triangles = Uint32Array.from(corners, ([x, y, z]) => {
     const key = `${x} ${y} ${z}`;
     if (!places.has(key)) {

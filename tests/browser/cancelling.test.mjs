@@ -2,7 +2,18 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseStl } from './support/model_files.mjs';
-import { difference, drawWithMouse, exported, idle, onPage, openPicture, pixels, run, state, useSite } from './support/page.mjs';
+import {
+  difference,
+  drawWithMouse,
+  exported,
+  idle,
+  onPage,
+  openPicture,
+  pixels,
+  run,
+  state,
+  useSite,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -12,72 +23,91 @@ const root = async (page) => (await state(page)).steps.findLast((step) => step.r
 
 /** Workers whose answers come one at a time, `window.spell` milliseconds apart. */
 function slowWorkers() {
-  const Plain = window.Worker, handler = Object.getOwnPropertyDescriptor(Plain.prototype, 'onmessage');
+  const Plain = window.Worker,
+    handler = Object.getOwnPropertyDescriptor(Plain.prototype, 'onmessage');
   window.spell = 0;
   window.Worker = class extends Plain {
     last = 0;
 
     set onmessage(told) {
-      handler.set.call(this, told && ((event) => {
-        this.last = Math.max(performance.now(), this.last) + window.spell;
-        setTimeout(() => told.call(this, event), this.last - performance.now());
-      }));
+      handler.set.call(
+        this,
+        told &&
+          ((event) => {
+            this.last = Math.max(performance.now(), this.last) + window.spell;
+            setTimeout(() => told.call(this, event), this.last - performance.now());
+          }),
+      );
     }
 
-    get onmessage() { return handler.get.call(this); }
+    get onmessage() {
+      return handler.get.call(this);
+    }
   };
 }
 
-test('while a solid takes long, a bar shows how far it is, and its button keeps the last good solid', () => onPage(kit, { isolated: false }, async (page) => {
-  await page.addInitScript(slowWorkers);
-  await page.reload();
-  await page.evaluate(() => window.spineloft.ready);
-  await openPicture(page, tube.png, 'tube.png');
-  await drawWithMouse(page, tube.middle);
-  await page.keyboard.press('n');
-  await drawWithMouse(page, tube.middle.slice(15, 40).map(([x, y], i) => [x, y + 2 * (i - 12)]));
-  await run(page, 'stick-together', { parts: [1, 2] });
-  await run(page, 'scoop-out', { step: 1, wall: 0.01 });
-  await idle(page);
-  const good = await root(page);
-  assert.equal(good.status, 'ready', good.sentence);
-  const box = page.locator('#progress'), bar = page.locator('#progress-bar');
-  assert.equal(await box.isVisible(), false);
-  const seen = await pixels(page, solidView);
+test('while a solid takes long, a bar shows how far it is, and its button keeps the last good solid', () =>
+  onPage(kit, { isolated: false }, async (page) => {
+    await page.addInitScript(slowWorkers);
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    await openPicture(page, tube.png, 'tube.png');
+    await drawWithMouse(page, tube.middle);
+    await page.keyboard.press('n');
+    await drawWithMouse(
+      page,
+      tube.middle.slice(15, 40).map(([x, y], i) => [x, y + 2 * (i - 12)]),
+    );
+    await run(page, 'stick-together', { parts: [1, 2] });
+    await run(page, 'scoop-out', { step: 1, wall: 0.01 });
+    await idle(page);
+    const good = await root(page);
+    assert.equal(good.status, 'ready', good.sentence);
+    const box = page.locator('#progress'),
+      bar = page.locator('#progress-bar');
+    assert.equal(await box.isVisible(), false);
+    const seen = await pixels(page, solidView);
 
-  await page.evaluate(() => {
-    window.spell = 2500;
-    window.steps = [];
-    window.timer = setInterval(() => {
-      const { hidden } = document.getElementById('progress'), { value } = document.getElementById('progress-bar');
-      if (!hidden && window.steps.at(-1) !== value) window.steps.push(value);
-    }, 20);
-    return window.spineloft.run('set-section', { part: 1, section: 'star' });
-  });
-  await box.waitFor({ state: 'visible' });
-  assert.match(await page.locator('#progress-label').innerText(), /\S/);
-  await page.waitForFunction(() => window.steps.length > 1, null, { timeout: 20000 });
-  assert.ok((await bar.evaluate(({ value }) => value)) > 0);
-  await page.locator('#progress-cancel').click();
-  await box.waitFor({ state: 'hidden' });
-  const steps = await page.evaluate(() => {
-    clearInterval(window.timer);
-    window.spell = 0;
-    return window.steps;
-  });
-  assert.ok(steps.length > 1 && steps.every((value, i) => i === 0 || value > steps[i - 1]), `it only goes on: ${steps}`);
-  await idle(page);
-  const stopped = await root(page);
-  assert.deepEqual([stopped.status, stopped.failure, stopped.triangles, stopped.volume], ['failed', 'Cancelled', good.triangles, good.volume]);
-  const kept = difference(seen, await pixels(page, solidView));
-  assert.ok(kept < 0.02, `${kept}: the last good solid is on the screen`);
+    await page.evaluate(() => {
+      window.spell = 2500;
+      window.steps = [];
+      window.timer = setInterval(() => {
+        const { hidden } = document.getElementById('progress'),
+          { value } = document.getElementById('progress-bar');
+        if (!hidden && window.steps.at(-1) !== value) window.steps.push(value);
+      }, 20);
+      return window.spineloft.run('set-section', { part: 1, section: 'star' });
+    });
+    await box.waitFor({ state: 'visible' });
+    assert.match(await page.locator('#progress-label').innerText(), /\S/);
+    await page.waitForFunction(() => window.steps.length > 1, null, { timeout: 20000 });
+    assert.ok((await bar.evaluate(({ value }) => value)) > 0);
+    await page.locator('#progress-cancel').click();
+    await box.waitFor({ state: 'hidden' });
+    const steps = await page.evaluate(() => {
+      clearInterval(window.timer);
+      window.spell = 0;
+      return window.steps;
+    });
+    assert.ok(
+      steps.length > 1 && steps.every((value, i) => i === 0 || value > steps[i - 1]),
+      `it only goes on: ${steps}`,
+    );
+    await idle(page);
+    const stopped = await root(page);
+    assert.deepEqual(
+      [stopped.status, stopped.failure, stopped.triangles, stopped.volume],
+      ['failed', 'Cancelled', good.triangles, good.volume],
+    );
+    const kept = difference(seen, await pixels(page, solidView));
+    assert.ok(kept < 0.02, `${kept}: the last good solid is on the screen`);
 
-  await run(page, 'solve-again');
-  await idle(page);
-  const again = await root(page);
-  assert.equal(again.status, 'ready', again.sentence);
-  assert.notEqual(again.triangles, good.triangles);
-  const other = difference(seen, await pixels(page, solidView));
-  assert.ok(other > 3 * kept, `${other}: now it is another one`);
-  assert.equal(measure(parseStl(await exported(page, 'stl'))).open, 0);
-}));
+    await run(page, 'solve-again');
+    await idle(page);
+    const again = await root(page);
+    assert.equal(again.status, 'ready', again.sentence);
+    assert.notEqual(again.triangles, good.triangles);
+    const other = difference(seen, await pixels(page, solidView));
+    assert.ok(other > 3 * kept, `${other}: now it is another one`);
+    assert.equal(measure(parseStl(await exported(page, 'stl'))).open, 0);
+  }));

@@ -2,7 +2,18 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { drawWithMouse, dropFiles, exported, idle, onPage, openPicture, run, state, toastText, useSite } from './support/page.mjs';
+import {
+  drawWithMouse,
+  dropFiles,
+  exported,
+  idle,
+  onPage,
+  openPicture,
+  run,
+  state,
+  toastText,
+  useSite,
+} from './support/page.mjs';
 import { history, inStore, models, smallTube as tube } from './support/keeping.mjs';
 
 const kit = useSite();
@@ -29,135 +40,145 @@ async function secondTab(page) {
 }
 
 const banner = (page) => page.locator('#banners .banner');
-const asksBeforeLeaving = (page) => page.evaluate(() => {
-  const event = new Event('beforeunload', { cancelable: true });
-  window.dispatchEvent(event);
-  return event.defaultPrevented;
-});
+const asksBeforeLeaving = (page) =>
+  page.evaluate(() => {
+    const event = new Event('beforeunload', { cancelable: true });
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
 
-test('a reload brings back the model with undo and redo, and says so', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  await run(page, 'set-section', { section: 'star' });
-  await run(page, 'set-height', { mm: 70 });
-  await run(page, 'undo');
-  await idle(page);
-  const before = await history(page), looks = (await state(page)).parts;
-  assert.equal(await asksBeforeLeaving(page), false);
-  await reload(page);
-  assert.match(await toastText(page, 'status'), /Welcome back\. tube/);
-  assert.equal(await history(page), before);
-  assert.deepEqual((await state(page)).parts, looks);
-  await page.keyboard.press('Control+Shift+z');
-  assert.equal((await state(page)).heightMm, 70);
-  for (let i = 0; i < 4; ++i) await run(page, 'undo');
-  assert.equal((await state(page)).picture, null);
-  await run(page, 'redo');
-  await idle(page);
-  await reload(page);
-  assert.equal((await state(page)).redo, 3);
-}));
-
-test('what is not finished yet, a stroke in hand, is all that a reload loses', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  const before = await history(page);
-  await page.mouse.move(200, 300);
-  await page.mouse.down();
-  await page.mouse.move(300, 320);
-  await reload(page);
-  assert.equal(await history(page), before);
-}));
-
-test('starting a new one leaves the old one in the list, from where it is opened again', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  const first = await history(page);
-  await reload(page);
-  await page.getByRole('button', { name: 'Start a new one' }).click();
-  await idle(page);
-  assert.equal(await page.locator('#start').isVisible(), true);
-  assert.equal(await page.locator('#models-cards .model-name').innerText(), 'tube');
-  assert.match(await page.locator('#models-cards .model-detail').innerText(), /1 part · today/);
-  await page.locator('#models-cards img').waitFor();
-  await reload(page);
-  assert.equal(await page.locator('#start').isVisible(), true, 'a new one stays a new one');
-  await page.locator('#models-cards .model-open').click();
-  await page.waitForFunction(() => window.spineloft.state().picture !== null);
-  await idle(page);
-  assert.equal(await history(page), first);
-}));
-
-test('models are duplicated, renamed and deleted from the list, and a deletion can be undone', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  await run(page, 'new-model');
-  await idle(page);
-  const more = async (name, action) => {
-    await page.getByRole('button', { name: `More about ${name}` }).click();
-    await page.getByRole('menuitem', { name: action }).click();
+test('a reload brings back the model with undo and redo, and says so', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    await run(page, 'set-section', { section: 'star' });
+    await run(page, 'set-height', { mm: 70 });
+    await run(page, 'undo');
     await idle(page);
-  };
-  const names = async () => (await models(page)).map((model) => model.name).sort();
-  await more('tube', 'Duplicate');
-  assert.deepEqual(await names(), ['tube', 'tube copy']);
-  await page.getByRole('button', { name: 'More about tube copy' }).click();
-  await page.getByRole('menuitem', { name: 'Rename' }).click();
-  await page.locator('dialog input').fill('Swan');
-  await page.keyboard.press('Enter');
-  await page.getByRole('button', { name: 'More about Swan' }).waitFor();
-  assert.deepEqual(await names(), ['Swan', 'tube']);
-  await page.locator('.model-open', { hasText: 'Swan' }).click();
-  await page.waitForFunction(() => window.spineloft.state().picture !== null);
-  assert.equal((await state(page)).documentName, 'Swan', 'the document learns its name');
-  await page.keyboard.press('Control+Shift+o');
-  await page.locator('.models-dialog').waitFor();
-  await more('Swan', 'Delete');
-  assert.deepEqual(await names(), ['tube']);
-  assert.equal((await state(page)).picture, null);
-  await page.locator('.models-dialog [aria-label=Close]').click();
-  await page.getByRole('button', { name: 'Undo', exact: true }).last().click();
-  await page.getByRole('button', { name: 'More about Swan' }).waitFor();
-  await page.locator('.model-open', { hasText: 'Swan' }).click();
-  await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
-}));
+    const before = await history(page),
+      looks = (await state(page)).parts;
+    assert.equal(await asksBeforeLeaving(page), false);
+    await reload(page);
+    assert.match(await toastText(page, 'status'), /Welcome back\. tube/);
+    assert.equal(await history(page), before);
+    assert.deepEqual((await state(page)).parts, looks);
+    await page.keyboard.press('Control+Shift+z');
+    assert.equal((await state(page)).heightMm, 70);
+    for (let i = 0; i < 4; ++i) await run(page, 'undo');
+    assert.equal((await state(page)).picture, null);
+    await run(page, 'redo');
+    await idle(page);
+    await reload(page);
+    assert.equal((await state(page)).redo, 3);
+  }));
 
-test('a duplicate of the open model is worked on, and the original stays as it was', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  await run(page, 'duplicate-model');
-  await idle(page);
-  await run(page, 'set-section', { section: 'star' });
-  await idle(page);
-  assert.equal((await state(page)).documentName, 'tube copy');
-  const original = (await models(page)).find((model) => model.name === 'tube');
-  await run(page, 'open-model', { id: original.id });
-  await idle(page);
-  assert.equal((await state(page)).parts[0].section, 'circle');
-}));
+test('what is not finished yet, a stroke in hand, is all that a reload loses', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    const before = await history(page);
+    await page.mouse.move(200, 300);
+    await page.mouse.down();
+    await page.mouse.move(300, 320);
+    await reload(page);
+    assert.equal(await history(page), before);
+  }));
 
-test('an emptied board can be undone from the start page', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  await run(page, 'clear');
-  await idle(page);
-  await reload(page);
-  await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
-  await idle(page);
-  assert.equal((await state(page)).parts.length, 1);
-}));
+test('starting a new one leaves the old one in the list, from where it is opened again', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    const first = await history(page);
+    await reload(page);
+    await page.getByRole('button', { name: 'Start a new one' }).click();
+    await idle(page);
+    assert.equal(await page.locator('#start').isVisible(), true);
+    assert.equal(await page.locator('#models-cards .model-name').innerText(), 'tube');
+    assert.match(await page.locator('#models-cards .model-detail').innerText(), /1 part · today/);
+    await page.locator('#models-cards img').waitFor();
+    await reload(page);
+    assert.equal(await page.locator('#start').isVisible(), true, 'a new one stays a new one');
+    await page.locator('#models-cards .model-open').click();
+    await page.waitForFunction(() => window.spineloft.state().picture !== null);
+    await idle(page);
+    assert.equal(await history(page), first);
+  }));
 
-test('a photo is stored once however many models show it, and a small one takes little room', () => onPage(kit, quick, async (page) => {
-  for (let i = 0; i < 3; ++i) {
+test('models are duplicated, renamed and deleted from the list, and a deletion can be undone', () =>
+  onPage(kit, quick, async (page) => {
     await drawPart(page);
     await run(page, 'new-model');
     await idle(page);
-  }
-  assert.equal((await models(page)).length, 3);
-  const photos = await inStore(page, 'photos');
-  assert.equal(photos.length, 1);
-  assert.ok(photos[0].bytes < 4 * tube.width * tube.height);
-  assert.equal((await inStore(page, 'journal')).length, 3, 'one record for each line; the picture is in the base');
-}));
+    const more = async (name, action) => {
+      await page.getByRole('button', { name: `More about ${name}` }).click();
+      await page.getByRole('menuitem', { name: action }).click();
+      await idle(page);
+    };
+    const names = async () => (await models(page)).map((model) => model.name).sort();
+    await more('tube', 'Duplicate');
+    assert.deepEqual(await names(), ['tube', 'tube copy']);
+    await page.getByRole('button', { name: 'More about tube copy' }).click();
+    await page.getByRole('menuitem', { name: 'Rename' }).click();
+    await page.locator('dialog input').fill('Swan');
+    await page.keyboard.press('Enter');
+    await page.getByRole('button', { name: 'More about Swan' }).waitFor();
+    assert.deepEqual(await names(), ['Swan', 'tube']);
+    await page.locator('.model-open', { hasText: 'Swan' }).click();
+    await page.waitForFunction(() => window.spineloft.state().picture !== null);
+    assert.equal((await state(page)).documentName, 'Swan', 'the document learns its name');
+    await page.keyboard.press('Control+Shift+o');
+    await page.locator('.models-dialog').waitFor();
+    await more('Swan', 'Delete');
+    assert.deepEqual(await names(), ['tube']);
+    assert.equal((await state(page)).picture, null);
+    await page.locator('.models-dialog [aria-label=Close]').click();
+    await page.getByRole('button', { name: 'Undo', exact: true }).last().click();
+    await page.getByRole('button', { name: 'More about Swan' }).waitFor();
+    await page.locator('.model-open', { hasText: 'Swan' }).click();
+    await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+  }));
+
+test('a duplicate of the open model is worked on, and the original stays as it was', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    await run(page, 'duplicate-model');
+    await idle(page);
+    await run(page, 'set-section', { section: 'star' });
+    await idle(page);
+    assert.equal((await state(page)).documentName, 'tube copy');
+    const original = (await models(page)).find((model) => model.name === 'tube');
+    await run(page, 'open-model', { id: original.id });
+    await idle(page);
+    assert.equal((await state(page)).parts[0].section, 'circle');
+  }));
+
+test('an emptied board can be undone from the start page', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    await run(page, 'clear');
+    await idle(page);
+    await reload(page);
+    await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
+    await idle(page);
+    assert.equal((await state(page)).parts.length, 1);
+  }));
+
+test('a photo is stored once however many models show it, and a small one takes little room', () =>
+  onPage(kit, quick, async (page) => {
+    for (let i = 0; i < 3; ++i) {
+      await drawPart(page);
+      await run(page, 'new-model');
+      await idle(page);
+    }
+    assert.equal((await models(page)).length, 3);
+    const photos = await inStore(page, 'photos');
+    assert.equal(photos.length, 1);
+    assert.ok(photos[0].bytes < 4 * tube.width * tube.height);
+    assert.equal((await inStore(page, 'journal')).length, 3, 'one record for each line; the picture is in the base');
+  }));
 
 for (const locks of [true, false]) {
   test(`two tabs never write the same model: a copy or taking over, ${locks ? 'with Web Locks' : 'by signs of life'}`, async () => {
     const { page, context, close } = await kit.open(quick);
-    if (!locks) await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }));
+    if (!locks)
+      await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }));
     await reload(page);
     await drawPart(page);
     const before = await history(page);
@@ -177,7 +198,12 @@ for (const locks of [true, false]) {
     await page.bringToFront();
     await banner(page).waitFor();
     assert.match(await banner(page).innerText(), /open in another tab now/);
-    const refused = await page.evaluate(() => window.spineloft.run('undo').then(() => null, (error) => error.code));
+    const refused = await page.evaluate(() =>
+      window.spineloft.run('undo').then(
+        () => null,
+        (error) => error.code,
+      ),
+    );
     assert.equal(refused, 'OpenElsewhere');
     await page.keyboard.press('Control+z');
     await drawWithMouse(page, tube.middle);
@@ -210,14 +236,33 @@ test('a model that another tab has open is opened as a copy from the list', asyn
 });
 
 for (const [what, spoil] of [
-  ['missing', () => { delete globalThis.indexedDB; Object.defineProperty(globalThis, 'indexedDB', { value: undefined }); }],
-  ['blocked', () => { IDBFactory.prototype.open = () => { throw new DOMException('no', 'SecurityError'); }; }],
+  [
+    'missing',
+    () => {
+      delete globalThis.indexedDB;
+      Object.defineProperty(globalThis, 'indexedDB', { value: undefined });
+    },
+  ],
+  [
+    'blocked',
+    () => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException('no', 'SecurityError');
+      };
+    },
+  ],
 ]) {
   test(`where storage is ${what} the page works on, says so once, and offers a file`, async () => {
     const context = await kit.browser.newContext();
     const page = await context.newPage();
     await page.addInitScript(spoil);
-    await page.addInitScript(() => Object.defineProperty(window, 'sessionStorage', { get() { throw new DOMException('no', 'SecurityError'); } }));
+    await page.addInitScript(() =>
+      Object.defineProperty(window, 'sessionStorage', {
+        get() {
+          throw new DOMException('no', 'SecurityError');
+        },
+      }),
+    );
     await page.goto(`${kit.sites.false.url}?threads=0`);
     await page.evaluate(() => window.spineloft.ready);
     assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
@@ -243,7 +288,9 @@ test('a full disk is said once with a way out, and everything is kept again when
   // Chromium's own quota looks at usage only now and then, so the disk is full in the page.
   await page.evaluate(() => {
     const original = IDBDatabase.prototype.transaction;
-    window.makeRoom_ = () => { IDBDatabase.prototype.transaction = original; };
+    window.makeRoom_ = () => {
+      IDBDatabase.prototype.transaction = original;
+    };
     IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
       if (mode === 'readwrite') throw new DOMException('full', 'QuotaExceededError');
       return original.call(this, names, mode, options);
@@ -272,10 +319,16 @@ test('models of a newer page are left alone, and it is said what to do', async (
   const page = await context.newPage();
   await page.goto(kit.sites.false.url.replace(/\/$/, '/index.html'));
   await page.evaluate(() => window.spineloft.ready);
-  await page.evaluate(() => new Promise((resolve) => {
-    const opening = indexedDB.open('spineloft', 77);
-    opening.onsuccess = () => { opening.result.close(); resolve(); };
-  }));
+  await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('spineloft', 77);
+        opening.onsuccess = () => {
+          opening.result.close();
+          resolve();
+        };
+      }),
+  );
   await page.reload();
   await page.evaluate(() => window.spineloft.ready);
   await drawPart(page);
@@ -284,87 +337,100 @@ test('models of a newer page are left alone, and it is said what to do', async (
   await context.close();
 });
 
-test('a damaged record is said, what came before it is there, and what comes after it is kept', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  for (const section of ['star', 'square', 'hexagon']) await run(page, 'set-section', { section });
-  await idle(page);
-  await inStore(page, 'journal', (store) => {
-    const all = store.getAll();
-    all.onsuccess = () => {
-      const row = all.result.at(-2);
-      store.put({ ...row, text: row.text.replace('square', 'sqvare') });
-    };
-  });
-  await reload(page);
-  assert.match(await toastText(page), /The last 2 steps of tube could not be read/);
-  assert.equal((await state(page)).parts[0].section, 'star');
-  await run(page, 'set-caps', { both: 'flat', part: 1 });
-  await idle(page);
-  const now = await history(page);
-  await reload(page);
-  assert.equal(await history(page), now);
-}));
+test('a damaged record is said, what came before it is there, and what comes after it is kept', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    for (const section of ['star', 'square', 'hexagon']) await run(page, 'set-section', { section });
+    await idle(page);
+    await inStore(page, 'journal', (store) => {
+      const all = store.getAll();
+      all.onsuccess = () => {
+        const row = all.result.at(-2);
+        store.put({ ...row, text: row.text.replace('square', 'sqvare') });
+      };
+    });
+    await reload(page);
+    assert.match(await toastText(page), /The last 2 steps of tube could not be read/);
+    assert.equal((await state(page)).parts[0].section, 'star');
+    await run(page, 'set-caps', { both: 'flat', part: 1 });
+    await idle(page);
+    const now = await history(page);
+    await reload(page);
+    assert.equal(await history(page), now);
+  }));
 
-test('a model whose base is damaged is said and stays in the list; the page works', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  await inStore(page, 'bases', (store) => {
-    const all = store.getAll();
-    all.onsuccess = () => store.put({ ...all.result[0], text: all.result[0].text.slice(1) });
-  });
-  await reload(page);
-  assert.match(await toastText(page), /tube could not be brought back/);
-  assert.equal((await models(page)).length, 1);
-  await drawPart(page);
-  assert.equal((await models(page)).length, 2);
-}));
+test('a model whose base is damaged is said and stays in the list; the page works', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    await inStore(page, 'bases', (store) => {
+      const all = store.getAll();
+      all.onsuccess = () => store.put({ ...all.result[0], text: all.result[0].text.slice(1) });
+    });
+    await reload(page);
+    assert.match(await toastText(page), /tube could not be brought back/);
+    assert.equal((await models(page)).length, 1);
+    await drawPart(page);
+    assert.equal((await models(page)).length, 2);
+  }));
 
-test('the status line tells how much undo history there is', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  assert.match(await page.locator('#status-history').innerText(), /^Undo history: [1-9]\d* KB of 64 MB$/);
-}));
+test('the status line tells how much undo history there is', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    assert.match(await page.locator('#status-history').innerText(), /^Undo history: [1-9]\d* KB of 64 MB$/);
+  }));
 
-test('Ctrl+S saves a project file; dropped on the page it opens as a model of its own, and the open one stays', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  await run(page, 'rename-model', { name: 'Swan neck' });
-  const coming = page.waitForEvent('download');
-  await page.keyboard.press('Control+s');
-  const download = await coming;
-  assert.equal(download.suggestedFilename(), 'swan-neck.spineloft');
-  const file = kit.file('swan-neck.spineloft', readFileSync(await download.path()));
-  await run(page, 'set-section', { section: 'star', part: 1 });
-  await idle(page);
-  await dropFiles(page, [file]);
-  await page.waitForFunction(() => window.spineloft.state().undo === 0 && window.spineloft.state().parts.length === 1);
-  await idle(page);
-  assert.equal((await state(page)).parts[0].section, 'circle');
-  assert.equal((await state(page)).documentName, 'Swan neck');
-  assert.equal((await models(page)).length, 2);
-  assert.equal((await inStore(page, 'photos')).length, 1, 'the file brings the same photo');
-  await reload(page);
-  assert.equal((await state(page)).parts[0].section, 'circle');
-}));
+test('Ctrl+S saves a project file; dropped on the page it opens as a model of its own, and the open one stays', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    await run(page, 'rename-model', { name: 'Swan neck' });
+    const coming = page.waitForEvent('download');
+    await page.keyboard.press('Control+s');
+    const download = await coming;
+    assert.equal(download.suggestedFilename(), 'swan-neck.spineloft');
+    const file = kit.file('swan-neck.spineloft', readFileSync(await download.path()));
+    await run(page, 'set-section', { section: 'star', part: 1 });
+    await idle(page);
+    await dropFiles(page, [file]);
+    await page.waitForFunction(
+      () => window.spineloft.state().undo === 0 && window.spineloft.state().parts.length === 1,
+    );
+    await idle(page);
+    assert.equal((await state(page)).parts[0].section, 'circle');
+    assert.equal((await state(page)).documentName, 'Swan neck');
+    assert.equal((await models(page)).length, 2);
+    assert.equal((await inStore(page, 'photos')).length, 1, 'the file brings the same photo');
+    await reload(page);
+    assert.equal((await state(page)).parts[0].section, 'circle');
+  }));
 
-test('a GLB that was saved here goes on; one of another program or a damaged file gets a sentence and changes nothing', () => onPage(kit, quick, async (page) => {
-  await drawPart(page);
-  const glb = await exported(page, 'glb');
-  const before = await history(page);
-  const json = Buffer.from('{"asset":{"version":"2.0"}} ');
-  const head = Buffer.alloc(20);
-  for (const [i, value] of [0x46546c67, 2, 20 + json.length, json.length, 0x4e4f534a].entries()) head.writeUInt32LE(value, 4 * i);
-  for (const [name, bytes, says] of [
-    ['foreign.glb', Buffer.concat([head, json]), /no model of SpineLoft/],
-    ['cut.spineloft', glb.subarray(0, glb.length >> 1), /damaged/i],
-    ['text.spineloft', Buffer.from('hello'), /./],
-  ]) {
-    await dropFiles(page, [kit.file(name, bytes)]);
-    assert.match(await toastText(page), says, name);
-    assert.equal(await history(page), before, name);
-    await page.locator('#toasts [role=alert] .toast-close').last().click();
-  }
-  await run(page, 'new-model');
-  await idle(page);
-  await page.locator('#model-picker').setInputFiles(kit.file('ours.glb', glb));
-  await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
-  const code = await page.evaluate(() => window.spineloft.openProject(new Blob(['x'])).then(() => null, (error) => error.code));
-  assert.equal(code, 'NoProjectInside');
-}));
+test('a GLB that was saved here goes on; one of another program or a damaged file gets a sentence and changes nothing', () =>
+  onPage(kit, quick, async (page) => {
+    await drawPart(page);
+    const glb = await exported(page, 'glb');
+    const before = await history(page);
+    const json = Buffer.from('{"asset":{"version":"2.0"}} ');
+    const head = Buffer.alloc(20);
+    for (const [i, value] of [0x46546c67, 2, 20 + json.length, json.length, 0x4e4f534a].entries())
+      head.writeUInt32LE(value, 4 * i);
+    for (const [name, bytes, says] of [
+      ['foreign.glb', Buffer.concat([head, json]), /no model of SpineLoft/],
+      ['cut.spineloft', glb.subarray(0, glb.length >> 1), /damaged/i],
+      ['text.spineloft', Buffer.from('hello'), /./],
+    ]) {
+      await dropFiles(page, [kit.file(name, bytes)]);
+      assert.match(await toastText(page), says, name);
+      assert.equal(await history(page), before, name);
+      await page.locator('#toasts [role=alert] .toast-close').last().click();
+    }
+    await run(page, 'new-model');
+    await idle(page);
+    await page.locator('#model-picker').setInputFiles(kit.file('ours.glb', glb));
+    await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+    const code = await page.evaluate(() =>
+      window.spineloft.openProject(new Blob(['x'])).then(
+        () => null,
+        (error) => error.code,
+      ),
+    );
+    assert.equal(code, 'NoProjectInside');
+  }));

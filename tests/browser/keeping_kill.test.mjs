@@ -40,13 +40,19 @@ async function drawQuickly(page, stroke) {
 }
 
 /** The history once what was pressed last has reached the model: input is taken at the next frame. */
-const historyAfter = (page) => page.evaluate(() => new Promise((resolve) => {
-  requestAnimationFrame(() => requestAnimationFrame(() => resolve(window.spineloft.history())));
-}));
+const historyAfter = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        requestAnimationFrame(() => requestAnimationFrame(() => resolve(window.spineloft.history())));
+      }),
+  );
 
 async function patiently(work, what) {
   let timer;
-  const late = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error(`${what} took too long`)), kPatienceMs); });
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`${what} took too long`)), kPatienceMs);
+  });
   work.catch(() => undefined);
   try {
     return await Promise.race([work, late]);
@@ -87,21 +93,30 @@ async function workUntilKilled(page, random, states) {
   };
   const crash = random() < 0.75;
   const close = () => page.close({ runBeforeUnload: false }).catch(() => undefined);
-  setTimeout(() => {
-    if (crash) session.send('Page.crash').catch(close);
-    else close();
-  }, 40 + random() * 900);
+  setTimeout(
+    () => {
+      if (crash) session.send('Page.crash').catch(close);
+      else close();
+    },
+    40 + random() * 900,
+  );
   let inHand = null;
   try {
     for (;;) {
       inHand = gesture(page, random);
       // A refused command (nothing to undo, no part) is no gesture; a dead page ends the round.
-      await untilGone(inHand.act()).catch((error) => { if (/crash|closed/i.test(error.message)) throw error; });
+      await untilGone(inHand.act()).catch((error) => {
+        if (/crash|closed/i.test(error.message)) throw error;
+      });
       const now = await untilGone(historyAfter(page));
       if (now !== states.at(-1)) states.push(now);
       inHand = null;
       // No hand is quicker than this between two gestures.
-      await untilGone(new Promise((resolve) => { setTimeout(resolve, 20 + random() * 60); }));
+      await untilGone(
+        new Promise((resolve) => {
+          setTimeout(resolve, 20 + random() * 60);
+        }),
+      );
     }
   } catch (error) {
     if (!/crash|closed|destroyed|detached/i.test(error.message)) throw error;
@@ -127,47 +142,61 @@ async function verdict(page, states, inHand) {
 /** What is known of a loss, to find its cause. */
 async function told(page, states, inHand) {
   const back = await history(page);
-  const steps = (text) => { const { past, future } = JSON.parse(text); return `${past?.length} steps back, ${future?.length} forth`; };
+  const steps = (text) => {
+    const { past, future } = JSON.parse(text);
+    return `${past?.length} steps back, ${future?.length} forth`;
+  };
   return `${states.length} states, came back as ${states.indexOf(back)} (${steps(back)}; last known ${steps(states.at(-1))}), in hand ${inHand?.kind ?? 'nothing'}`;
 }
 
-test(`a page that is killed ${kRounds} times at random comes back each time, at most the last gesture old`, { timeout: 1_200_000 }, async (t) => {
-  const folder = mkdtempSync(join(tmpdir(), 'spineloft-kill-'));
-  const site = await startSite({ isolated: false });
-  const context = await startKeptBrowser(folder);
-  const random = seeded(20261121);
-  const counts = { whole: 0, 'in-hand': 0, 'one-lost': 0, lost: 0 };
-  let gestures = 0, inGesture = 0;
-  const started = Date.now();
-  try {
-    let states = null, inHand = null;
-    for (let round = 0; round <= kRounds; ++round) {
-      const page = await context.newPage();
-      await page.goto(`${site.url}?threads=0`, { waitUntil: 'commit' });
-      await page.waitForFunction(() => window.spineloft !== undefined);
-      await patiently(page.evaluate(() => window.spineloft.ready), `starting round ${round}`);
-      if (states) {
-        const result = await patiently(verdict(page, states, inHand), `looking at round ${round}`);
-        counts[result] += 1;
-        assert.notEqual(result, 'lost', `round ${round}: ${await told(page, states, inHand)}`);
-      }
-      if (round === kRounds) break;
-      if (round % kModelRounds === 0) {
-        await run(page, 'new-model').catch(() => undefined);
+test(
+  `a page that is killed ${kRounds} times at random comes back each time, at most the last gesture old`,
+  { timeout: 1_200_000 },
+  async (t) => {
+    const folder = mkdtempSync(join(tmpdir(), 'spineloft-kill-'));
+    const site = await startSite({ isolated: false });
+    const context = await startKeptBrowser(folder);
+    const random = seeded(20261121);
+    const counts = { whole: 0, 'in-hand': 0, 'one-lost': 0, lost: 0 };
+    let gestures = 0,
+      inGesture = 0;
+    const started = Date.now();
+    try {
+      let states = null,
+        inHand = null;
+      for (let round = 0; round <= kRounds; ++round) {
+        const page = await context.newPage();
+        await page.goto(`${site.url}?threads=0`, { waitUntil: 'commit' });
+        await page.waitForFunction(() => window.spineloft !== undefined);
+        await patiently(
+          page.evaluate(() => window.spineloft.ready),
+          `starting round ${round}`,
+        );
+        if (states) {
+          const result = await patiently(verdict(page, states, inHand), `looking at round ${round}`);
+          counts[result] += 1;
+          assert.notEqual(result, 'lost', `round ${round}: ${await told(page, states, inHand)}`);
+        }
+        if (round === kRounds) break;
+        if (round % kModelRounds === 0) {
+          await run(page, 'new-model').catch(() => undefined);
+          await page.evaluate(() => window.spineloft.idle());
+          await openPicture(page, smallTube.png, 'tube.png');
+        }
+        // What the verdict undid and did again was no hand's work: only from here on the page is in a hurry.
         await page.evaluate(() => window.spineloft.idle());
-        await openPicture(page, smallTube.png, 'tube.png');
+        states = [await history(page)];
+        inHand = await patiently(workUntilKilled(page, random, states), `killing the page of round ${round}`);
+        gestures += states.length - 1;
+        inGesture += inHand ? 1 : 0;
       }
-      // What the verdict undid and did again was no hand's work: only from here on the page is in a hurry.
-      await page.evaluate(() => window.spineloft.idle());
-      states = [await history(page)];
-      inHand = await patiently(workUntilKilled(page, random, states), `killing the page of round ${round}`);
-      gestures += states.length - 1;
-      inGesture += inHand ? 1 : 0;
+      t.diagnostic(
+        `${kRounds} kills (${inGesture} in the middle of a gesture), ${gestures} gestures, ${JSON.stringify(counts)}, ${Math.round((Date.now() - started) / 1000)} s`,
+      );
+    } finally {
+      await context.close();
+      await site.close();
+      rmSync(folder, { recursive: true, force: true });
     }
-    t.diagnostic(`${kRounds} kills (${inGesture} in the middle of a gesture), ${gestures} gestures, ${JSON.stringify(counts)}, ${Math.round((Date.now() - started) / 1000)} s`);
-  } finally {
-    await context.close();
-    await site.close();
-    rmSync(folder, { recursive: true, force: true });
-  }
-});
+  },
+);

@@ -25,13 +25,19 @@ function seeded(seed) {
 class FakeEngine {
   words = [];
   shown = new Set();
-  history() { return JSON.stringify(this.words); }
-  photos() { return [...this.shown]; }
+  history() {
+    return JSON.stringify(this.words);
+  }
+  photos() {
+    return [...this.shown];
+  }
   photo(hash) {
     const rgba = new Uint8Array(4 * 8 * 8).map((_, i) => (i * hash.length) & 255);
     return this.shown.has(hash) ? { hash, width: 8, height: 8, originalWidth: 80, originalHeight: 80, rgba } : null;
   }
-  about() { return { name: `m${this.words.length}`, pictures: this.shown.size, parts: this.words.length }; }
+  about() {
+    return { name: `m${this.words.length}`, pictures: this.shown.size, parts: this.words.length };
+  }
   step(word, photo) {
     this.words.push(word);
     if (photo) this.shown.add(photo);
@@ -42,13 +48,23 @@ class FakeEngine {
 let ids = 0;
 function writerOf(engine, store, more = {}) {
   const log = { kept: 0, troubles: [], taken: 0 };
-  const writer = new JournalWriter(engine, store, more.token ?? 'me', {
-    begin: async () => more.id ?? `model-${(ids += 1)}`,
-    reopen: async () => store,
-    kept: () => { log.kept += 1; },
-    trouble: (failure) => log.troubles.push(failure?.code ?? null),
-    taken: () => { log.taken += 1; },
-  }, more.now ?? (() => 1000));
+  const writer = new JournalWriter(
+    engine,
+    store,
+    more.token ?? 'me',
+    {
+      begin: async () => more.id ?? `model-${(ids += 1)}`,
+      reopen: async () => store,
+      kept: () => {
+        log.kept += 1;
+      },
+      trouble: (failure) => log.troubles.push(failure?.code ?? null),
+      taken: () => {
+        log.taken += 1;
+      },
+    },
+    more.now ?? (() => 1000),
+  );
   return { writer, log };
 }
 
@@ -63,7 +79,10 @@ async function readBack(store, id, token = 'me') {
   return kept && { words: [...JSON.parse(kept.base), ...kept.records], kept };
 }
 
-const settle = async (writer) => { await new Promise((resolve) => setTimeout(resolve)); await writer.settled(); };
+const settle = async (writer) => {
+  await new Promise((resolve) => setTimeout(resolve));
+  await writer.settled();
+};
 
 test('every step is a record of its own, a burst is one transaction, and what is read back is what was done', async () => {
   const store = await freshStore();
@@ -118,13 +137,21 @@ function killAt(count, moment) {
       // In the middle of it: after its first request.
       const get = made.objectStore.bind(made);
       made.objectStore = (name) => {
-        queueMicrotask(() => { try { made.abort(); } catch { /* over already */ } });
+        queueMicrotask(() => {
+          try {
+            made.abort();
+          } catch {
+            /* over already */
+          }
+        });
         return get(name);
       };
     }
     return made;
   };
-  return () => { globalThis.IDBDatabase.prototype.transaction = original; };
+  return () => {
+    globalThis.IDBDatabase.prototype.transaction = original;
+  };
 }
 
 for (const moment of ['before', 'within']) {
@@ -149,7 +176,10 @@ for (const moment of ['before', 'within']) {
       const back = await readBack(reopened, 'a');
       if (back) {
         const last = states.at(-1);
-        assert.ok(back.words.length >= last.length && back.words.length <= last.length + 1, `death ${death}: ${back.words.length} of ${last.length}`);
+        assert.ok(
+          back.words.length >= last.length && back.words.length <= last.length + 1,
+          `death ${death}: ${back.words.length} of ${last.length}`,
+        );
         assert.deepEqual(back.words, engine.words.slice(0, back.words.length));
         assert.equal(back.kept.lost, 0);
         assert.deepEqual(await reopened.missingPhotos(back.kept.info.photos), []);
@@ -182,7 +212,10 @@ test('a photo is stored once however many models show it, and goes with the last
   await store.delete(copy.id, 20);
   await store.sweep(20);
   assert.deepEqual(await store.missingPhotos(['shared', 'only-a', 'only-b']), ['only-a']);
-  assert.deepEqual((await store.list()).map((model) => model.id), ['b']);
+  assert.deepEqual(
+    (await store.list()).map((model) => model.id),
+    ['b'],
+  );
   store.close();
 });
 
@@ -192,8 +225,15 @@ test('a photo that another tab swept away meanwhile is written again', async () 
   const { writer, log } = writerOf(engine, store, { id: 'a' });
   writer.take(engine.step('one', 'photo'));
   await settle(writer);
-  const database = await new Promise((resolve) => { const open = indexedDB.open('spineloft'); open.onsuccess = () => resolve(open.result); });
-  await new Promise((resolve) => { const tx = database.transaction('photos', 'readwrite'); tx.objectStore('photos').clear(); tx.oncomplete = resolve; });
+  const database = await new Promise((resolve) => {
+    const open = indexedDB.open('spineloft');
+    open.onsuccess = () => resolve(open.result);
+  });
+  await new Promise((resolve) => {
+    const tx = database.transaction('photos', 'readwrite');
+    tx.objectStore('photos').clear();
+    tx.oncomplete = resolve;
+  });
   database.close();
   writer.take(engine.step('two', 'photo'));
   await settle(writer);
@@ -267,16 +307,32 @@ test('without a store every page goes on, and trouble is told at the first step 
 });
 
 test('storage that is missing, blocked, too new or silent is named', async () => {
-  const code = (work) => work.then(() => null, (failure) => failure.code);
+  const code = (work) =>
+    work.then(
+      () => null,
+      (failure) => failure.code,
+    );
   globalThis.indexedDB = undefined;
   assert.equal(await code(ModelStore.open()), 'missing');
-  globalThis.indexedDB = { open() { throw Object.assign(new Error('no'), { name: 'SecurityError' }); } };
+  globalThis.indexedDB = {
+    open() {
+      throw Object.assign(new Error('no'), { name: 'SecurityError' });
+    },
+  };
   assert.equal(await code(ModelStore.open()), 'missing');
-  globalThis.indexedDB = { open: () => Object.assign(Object.create(IDBOpenDBRequest.prototype), { addEventListener() {} }) };
+  globalThis.indexedDB = {
+    open: () => Object.assign(Object.create(IDBOpenDBRequest.prototype), { addEventListener() {} }),
+  };
   assert.equal(await code(ModelStore.open(20)), 'silent');
   const factory = new IDBFactory();
   globalThis.indexedDB = factory;
-  await new Promise((resolve) => { const open = factory.open('spineloft', 99); open.onsuccess = () => { open.result.close(); resolve(); }; });
+  await new Promise((resolve) => {
+    const open = factory.open('spineloft', 99);
+    open.onsuccess = () => {
+      open.result.close();
+      resolve();
+    };
+  });
   assert.equal(await code(ModelStore.open()), 'newer');
 });
 
@@ -288,8 +344,16 @@ test('records behind a gap, or that are no text, are left out and counted', asyn
   await settle(writer);
   for (let i = 0; i < 6; ++i) writer.take(engine.step(`w${i}`));
   await settle(writer);
-  const database = await new Promise((resolve) => { const open = indexedDB.open('spineloft'); open.onsuccess = () => resolve(open.result); });
-  const change = (work) => new Promise((resolve) => { const tx = database.transaction('journal', 'readwrite'); work(tx.objectStore('journal')); tx.oncomplete = resolve; });
+  const database = await new Promise((resolve) => {
+    const open = indexedDB.open('spineloft');
+    open.onsuccess = () => resolve(open.result);
+  });
+  const change = (work) =>
+    new Promise((resolve) => {
+      const tx = database.transaction('journal', 'readwrite');
+      work(tx.objectStore('journal'));
+      tx.oncomplete = resolve;
+    });
   await change((journal) => journal.put({ model: 'a', sequence: 4, text: 7 }));
   let back = await readBack(store, 'a', 'me');
   assert.deepEqual(back.words, ['base', 'w0', 'w1', 'w2', 'w3']);

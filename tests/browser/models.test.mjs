@@ -6,7 +6,20 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { measure, parse3mf, parseStl, validated } from './support/model_files.mjs';
 import {
-  answer, chooseFromMore, drawWithMouse, dropFiles, exported, idle, onPage, press, pressBar, run, state, toClient, useSite, waitForPicture,
+  answer,
+  chooseFromMore,
+  drawWithMouse,
+  dropFiles,
+  exported,
+  idle,
+  onPage,
+  press,
+  pressBar,
+  run,
+  state,
+  toClient,
+  useSite,
+  waitForPicture,
 } from './support/page.mjs';
 import { dataCases } from './support/pictures.mjs';
 import { isImported, isSliced, isWholeToAdmesh, missing } from '../support/readers.mjs';
@@ -16,24 +29,33 @@ const kept = process.env.SPINELOFT_PICTURES;
 const model = (title, name, work) => {
   const [found] = dataCases([name]);
   const options = { skip: found ? false : `there is no case ${name} in the data folder` };
-  test(title, options, (t) => onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
-    await dropFiles(page, [kit.file(`${name}.png`, found.bytes)]);
-    await waitForPicture(page);
-    const { millimetres } = await work(page);
-    await isRead(t, page, name, millimetres);
-  }));
+  test(title, options, (t) =>
+    onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
+      await dropFiles(page, [kit.file(`${name}.png`, found.bytes)]);
+      await waitForPicture(page);
+      const { millimetres } = await work(page);
+      await isRead(t, page, name, millimetres);
+    }),
+  );
 };
 
 /** What is saved is sound to the programs that people take it to. */
 async function isRead(t, page, name, millimetres) {
   const files = {};
-  for (const format of ['glb', 'stl', '3mf']) files[format] = kit.file(`${name}.${format}`, await exported(page, format));
-  await t.test('admesh has nothing to mend', { skip: missing('admesh') }, () => isWholeToAdmesh(files.stl, millimetres));
+  for (const format of ['glb', 'stl', '3mf'])
+    files[format] = kit.file(`${name}.${format}`, await exported(page, format));
+  await t.test('admesh has nothing to mend', { skip: missing('admesh') }, () =>
+    isWholeToAdmesh(files.stl, millimetres),
+  );
   // What is in the STL is in the 3MF; one of the models is sliced from both.
   for (const format of name === 'render_faucet_spout' ? ['stl', '3mf'] : ['3mf']) {
-    await t.test(`PrusaSlicer slices the ${format.toUpperCase()}`, { skip: missing('prusa-slicer') }, () => isSliced(files[format], millimetres, kit.file(`${name}.gcode`, '')));
+    await t.test(`PrusaSlicer slices the ${format.toUpperCase()}`, { skip: missing('prusa-slicer') }, () =>
+      isSliced(files[format], millimetres, kit.file(`${name}.gcode`, '')),
+    );
   }
-  await t.test('Blender imports the GLB, closed', { skip: missing('blender') }, () => isImported(files.glb, millimetres));
+  await t.test('Blender imports the GLB, closed', { skip: missing('blender') }, () =>
+    isImported(files.glb, millimetres),
+  );
 }
 
 /** For asserting and looking only: models are made by hand. */
@@ -78,10 +100,13 @@ async function tall(page, text) {
 
 /** A hand does not jump from corner to corner. */
 function dense(points) {
-  return points.slice(1).flatMap(([x, y], i) => {
-    const [px, py] = points[i];
-    return [0, 1, 2].map((k) => [px + ((x - px) * k) / 3, py + ((y - py) * k) / 3]);
-  }).concat([points.at(-1)]);
+  return points
+    .slice(1)
+    .flatMap(([x, y], i) => {
+      const [px, py] = points[i];
+      return [0, 1, 2].map((k) => [px + ((x - px) * k) / 3, py + ((y - py) * k) / 3]);
+    })
+    .concat([points.at(-1)]);
 }
 
 async function keep(page, name) {
@@ -90,12 +115,14 @@ async function keep(page, name) {
   while (await page.locator('#toasts button').count()) await page.locator('#toasts button').first().click();
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(kept, `${name}.png`) });
-  for (const format of ['glb', 'stl', '3mf']) writeFileSync(join(kept, `${name}.${format}`), await exported(page, format));
+  for (const format of ['glb', 'stl', '3mf'])
+    writeFileSync(join(kept, `${name}.${format}`), await exported(page, format));
 }
 
 /** The one solid on the board: `millimetres` tall, closed, outward, one piece of `genus` handles, and a sound GLB. */
 async function isWhole(page, { millimetres, genus }) {
-  const { steps, heightMm } = await state(page), root = steps.find((step) => step.root);
+  const { steps, heightMm } = await state(page),
+    root = steps.find((step) => step.root);
   assert.equal(heightMm, millimetres);
   assert.deepEqual([root.status, root.failure, root.genus], ['ready', null, genus]);
   const { open, unsound, volume, size, pieces } = measure(parseStl(await exported(page, 'stl')));
@@ -106,16 +133,47 @@ async function isWhole(page, { millimetres, genus }) {
   assert.ok(Math.abs(size[2] - millimetres) < 0.01, `${size[2]} mm tall`);
   await validated(await exported(page, 'glb'));
   const objects = parse3mf(await exported(page, '3mf')).map(measure);
-  assert.deepEqual(objects.map((object) => [object.open, object.pieces]), [[0, 1]], 'one closed object in the 3MF');
+  assert.deepEqual(
+    objects.map((object) => [object.open, object.pieces]),
+    [[0, 1]],
+    'one closed object in the 3MF',
+  );
   await command(page, 'check-print');
   assert.ok((await state(page)).print.closed);
   return { millimetres };
 }
 
 model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
-  await loft(page, [[300, 200], [310, 300], [318, 600], [318, 800]], 'Flat');
-  await loft(page, [[580, 185], [640, 175], [715, 220], [730, 350], [705, 480], [660, 570], [560, 620]], 'Round');
-  assert.deepEqual((await state(page)).parts.map(({ caps }) => caps), [{ start: 'flat', end: 'flat' }, { start: 'round', end: 'round' }]);
+  await loft(
+    page,
+    [
+      [300, 200],
+      [310, 300],
+      [318, 600],
+      [318, 800],
+    ],
+    'Flat',
+  );
+  await loft(
+    page,
+    [
+      [580, 185],
+      [640, 175],
+      [715, 220],
+      [730, 350],
+      [705, 480],
+      [660, 570],
+      [560, 620],
+    ],
+    'Round',
+  );
+  assert.deepEqual(
+    (await state(page)).parts.map(({ caps }) => caps),
+    [
+      { start: 'flat', end: 'flat' },
+      { start: 'round', end: 'round' },
+    ],
+  );
   const full = measure(parseStl(await exported(page, 'stl'))).volume;
   await tapPicture(page, [400, 500]);
   assert.equal((await state(page)).selection, 1, 'a tap takes the body');
@@ -131,9 +189,34 @@ model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
 });
 
 model('a tap of three pipes, taken in hand by taps in the picture', 'render_faucet_spout', async (page) => {
-  await loft(page, [[875, 422], [730, 443], [584, 475], [438, 500], [313, 480], [209, 511], [162, 595], [148, 678]], 'Flat');
-  await loft(page, [[464, 417], [457, 344], [449, 261], [443, 188], [437, 72]]);
-  await loft(page, [[296, 83], [365, 77], [438, 69], [511, 63], [582, 56]]);
+  await loft(
+    page,
+    [
+      [875, 422],
+      [730, 443],
+      [584, 475],
+      [438, 500],
+      [313, 480],
+      [209, 511],
+      [162, 595],
+      [148, 678],
+    ],
+    'Flat',
+  );
+  await loft(page, [
+    [464, 417],
+    [457, 344],
+    [449, 261],
+    [443, 188],
+    [437, 72],
+  ]);
+  await loft(page, [
+    [296, 83],
+    [365, 77],
+    [438, 69],
+    [511, 63],
+    [582, 56],
+  ]);
   await tapPicture(page, [650, 459]);
   await tapPicture(page, [452, 290], ['Shift']);
   await tapPicture(page, [330, 80], ['Shift']);
@@ -148,24 +231,89 @@ model('a tap of three pipes, taken in hand by taps in the picture', 'render_fauc
 });
 
 model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck', async (page) => {
-  await loft(page, [[221, 519], [227, 436], [250, 325], [274, 241], [286, 176], [260, 130]], 'Round');
-  await loft(page, [[250, 145], [223, 165], [195, 186], [160, 215]], ['Round, where you began', 'Pointed, where you stopped']);
+  await loft(
+    page,
+    [
+      [221, 519],
+      [227, 436],
+      [250, 325],
+      [274, 241],
+      [286, 176],
+      [260, 130],
+    ],
+    'Round',
+  );
+  await loft(
+    page,
+    [
+      [250, 145],
+      [223, 165],
+      [195, 186],
+      [160, 215],
+    ],
+    ['Round, where you began', 'Pointed, where you stopped'],
+  );
   await press(page, 'Puff');
-  await drawWithMouse(page, [[121, 519], [148, 464], [204, 408], [269, 380], [352, 388], [403, 394], [445, 454], [468, 519], [427, 531], [278, 536], [167, 536], [122, 521]]);
-  await drawWithMouse(page, [[262, 127], [257, 136], [247, 138], [239, 131], [241, 121], [250, 117], [259, 120], [262, 127]].map(([x, y]) => [x - 6, y]));
+  await drawWithMouse(page, [
+    [121, 519],
+    [148, 464],
+    [204, 408],
+    [269, 380],
+    [352, 388],
+    [403, 394],
+    [445, 454],
+    [468, 519],
+    [427, 531],
+    [278, 536],
+    [167, 536],
+    [122, 521],
+  ]);
+  await drawWithMouse(
+    page,
+    [
+      [262, 127],
+      [257, 136],
+      [247, 138],
+      [239, 131],
+      [241, 121],
+      [250, 117],
+      [259, 120],
+      [262, 127],
+    ].map(([x, y]) => [x - 6, y]),
+  );
   await place(page, 'Front', '7');
   await alikeInDepth(page);
   await press(page, 'Flat piece');
-  await drawWithMouse(page, [[287, 427], [352, 408], [417, 427], [482, 464], [515, 445], [482, 505], [380, 505], [306, 478], [289, 430]]);
+  await drawWithMouse(page, [
+    [287, 427],
+    [352, 408],
+    [417, 427],
+    [482, 464],
+    [515, 445],
+    [482, 505],
+    [380, 505],
+    [306, 478],
+    [289, 430],
+  ]);
   await place(page, 'Front', '26');
   await place(page, 'Turn', '-6');
   await alikeInDepth(page);
   const { parts } = await state(page);
-  assert.deepEqual(parts.map((part) => part.kind), ['loft', 'loft', 'puff', 'puff', 'sheet']);
-  assert.deepEqual(parts.slice(0, 2).map((part) => part.caps.end), ['round', 'pointed']);
-  assert.deepEqual(parts.map((part) => part.mirror?.slice(3) ?? null), [null, null, null, [0, 0, 1], [0, 0, 1]]);
+  assert.deepEqual(
+    parts.map((part) => part.kind),
+    ['loft', 'loft', 'puff', 'puff', 'sheet'],
+  );
+  assert.deepEqual(
+    parts.slice(0, 2).map((part) => part.caps.end),
+    ['round', 'pointed'],
+  );
+  assert.deepEqual(
+    parts.map((part) => part.mirror?.slice(3) ?? null),
+    [null, null, null, [0, 0, 1], [0, 0, 1]],
+  );
   assert.ok(Math.abs(parts[3].placement.mm[2] - 7) < 0.01 && Math.abs(parts[4].placement.mm[2] - 26) < 0.01);
-  for (const id of [3, 1, 2, 4, 5]) await press(page, 'Tick it, to put it together with others', { row: parts.find((part) => part.id === id).name });
+  for (const id of [3, 1, 2, 4, 5])
+    await press(page, 'Tick it, to put it together with others', { row: parts.find((part) => part.id === id).name });
   await press(page, 'Stick together');
   await tall(page, '12 cm');
   const made = await isWhole(page, { millimetres: 120, genus: 0 });

@@ -2,61 +2,87 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { openPage, startSite } from '../../.ci/lib/browser.mjs';
-import { difference, drawWithMouse, idle, kWindow, onPage, openPicture, pixels, state, toastText, useSite } from './support/page.mjs';
+import {
+  difference,
+  drawWithMouse,
+  idle,
+  kWindow,
+  onPage,
+  openPicture,
+  pixels,
+  state,
+  toastText,
+  useSite,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
 
-test('a lost WebGL context comes back with the same pixels and nothing lost', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  await drawWithMouse(page, tube.middle);
-  await page.mouse.move(5, 715);
-  await page.waitForTimeout(1200);
-  const clip = { x: 0, y: 60, width: 1100, height: 630 };
-  const before = await pixels(page, clip);
-  const partsBefore = (await state(page)).parts;
-  await page.evaluate(async () => {
-    const canvas = document.getElementById('canvas');
-    const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
-    const restored = new Promise((resolve) => { canvas.addEventListener('webglcontextrestored', resolve, { once: true }); });
-    extension.loseContext();
-    await new Promise((resolve) => { setTimeout(resolve, 300); });
-    extension.restoreContext();
-    await restored;
-  });
-  await idle(page);
-  await page.waitForTimeout(400);
-  assert.ok(difference(before, await pixels(page, clip)) < 0.002);
-  assert.deepEqual((await state(page)).parts, partsBefore);
-}));
+test('a lost WebGL context comes back with the same pixels and nothing lost', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await drawWithMouse(page, tube.middle);
+    await page.mouse.move(5, 715);
+    await page.waitForTimeout(1200);
+    const clip = { x: 0, y: 60, width: 1100, height: 630 };
+    const before = await pixels(page, clip);
+    const partsBefore = (await state(page)).parts;
+    await page.evaluate(async () => {
+      const canvas = document.getElementById('canvas');
+      const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+      const restored = new Promise((resolve) => {
+        canvas.addEventListener('webglcontextrestored', resolve, { once: true });
+      });
+      extension.loseContext();
+      await new Promise((resolve) => {
+        setTimeout(resolve, 300);
+      });
+      extension.restoreContext();
+      await restored;
+    });
+    await idle(page);
+    await page.waitForTimeout(400);
+    assert.ok(difference(before, await pixels(page, clip)) < 0.002);
+    assert.deepEqual((await state(page)).parts, partsBefore);
+  }));
 
-test('an idle page draws no frame and runs no timer', () => onPage(kit, {}, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  await drawWithMouse(page, tube.middle);
-  await page.mouse.move(5, 715);
-  await page.waitForTimeout(6000);  // until toasts and camera flights are over
-  await page.evaluate(() => {
-    window.work_ = { draws: 0, frames: 0, timers: 0 };
-    const context = document.getElementById('canvas').getContext('webgl2');
-    for (const name of ['clear', 'drawElements', 'drawArrays']) {
-      const original = context[name].bind(context);
-      context[name] = (...values) => { window.work_.draws += 1; return original(...values); };
-    }
-    const request = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (callback) => { window.work_.frames += 1; return request(callback); };
-    for (const name of ['setTimeout', 'setInterval']) {
-      const original = window[name].bind(window);
-      window[name] = (...values) => { window.work_.timers += 1; return original(...values); };
-    }
-  });
-  await page.waitForTimeout(1500);
-  assert.deepEqual(await page.evaluate(() => window.work_), { draws: 0, frames: 0, timers: 0 });
-  await page.mouse.move(300, 400);
-  await page.mouse.wheel(0, -120);
-  await page.waitForTimeout(600);
-  assert.ok((await page.evaluate(() => window.work_.draws)) > 0, 'the counter itself works');
-}));
+test('an idle page draws no frame and runs no timer', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await drawWithMouse(page, tube.middle);
+    await page.mouse.move(5, 715);
+    await page.waitForTimeout(6000); // until toasts and camera flights are over
+    await page.evaluate(() => {
+      window.work_ = { draws: 0, frames: 0, timers: 0 };
+      const context = document.getElementById('canvas').getContext('webgl2');
+      for (const name of ['clear', 'drawElements', 'drawArrays']) {
+        const original = context[name].bind(context);
+        context[name] = (...values) => {
+          window.work_.draws += 1;
+          return original(...values);
+        };
+      }
+      const request = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (callback) => {
+        window.work_.frames += 1;
+        return request(callback);
+      };
+      for (const name of ['setTimeout', 'setInterval']) {
+        const original = window[name].bind(window);
+        window[name] = (...values) => {
+          window.work_.timers += 1;
+          return original(...values);
+        };
+      }
+    });
+    await page.waitForTimeout(1500);
+    assert.deepEqual(await page.evaluate(() => window.work_), { draws: 0, frames: 0, timers: 0 });
+    await page.mouse.move(300, 400);
+    await page.mouse.wheel(0, -120);
+    await page.waitForTimeout(600);
+    assert.ok((await page.evaluate(() => window.work_.draws)) > 0, 'the counter itself works');
+  }));
 
 for (const isolated of [true, false]) {
   test(`the site works from a sub-path of a host ${isolated ? 'with' : 'without'} isolation headers`, async () => {
@@ -82,7 +108,10 @@ test('the API is there before the engine is, and waits for it', async () => {
     addEventListener('DOMContentLoaded', () => {
       const early = window.spineloft;
       window.early_ = early && {
-        state: early.state(), commands: early.commands(), at: early.imageToClient(1, 1), isPromise: early.ready instanceof Promise,
+        state: early.state(),
+        commands: early.commands(),
+        at: early.imageToClient(1, 1),
+        isPromise: early.ready instanceof Promise,
       };
     });
   });
@@ -97,17 +126,30 @@ test('the API is there before the engine is, and waits for it', async () => {
   await context.close();
 });
 
-test('?threads=0 asks for the single-thread engine on an isolated page', () => onPage(kit, { query: '?threads=0' }, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  await drawWithMouse(page, tube.middle);
-  const { threads, parts } = await state(page);
-  assert.equal(threads, 0);
-  assert.equal(parts.length, 1);
-}));
+test('?threads=0 asks for the single-thread engine on an isolated page', () =>
+  onPage(kit, { query: '?threads=0' }, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await drawWithMouse(page, tube.middle);
+    const { threads, parts } = await state(page);
+    assert.equal(threads, 0);
+    assert.equal(parts.length, 1);
+  }));
 
 for (const [what, spoil, says] of [
-  ['WebGL 2', () => { HTMLCanvasElement.prototype.getContext = () => null; }, /WebGL 2/],
-  ['WebAssembly', () => { delete globalThis.WebAssembly; }, /WebAssembly/],
+  [
+    'WebGL 2',
+    () => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    },
+    /WebGL 2/,
+  ],
+  [
+    'WebAssembly',
+    () => {
+      delete globalThis.WebAssembly;
+    },
+    /WebAssembly/,
+  ],
 ]) {
   test(`a browser without ${what} gets it said in plain words, and ready rejects`, async () => {
     const context = await kit.browser.newContext();
@@ -117,7 +159,12 @@ for (const [what, spoil, says] of [
     const failure = page.locator('.start-failure');
     await failure.waitFor();
     assert.match(await failure.innerText(), says);
-    const code = await page.evaluate(() => window.spineloft.ready.then(() => null, (error) => error.code));
+    const code = await page.evaluate(() =>
+      window.spineloft.ready.then(
+        () => null,
+        (error) => error.code,
+      ),
+    );
     assert.match(code, /^No/);
     await context.close();
   });
@@ -127,7 +174,9 @@ test('a picture chosen while the engine still loads is opened when it runs, and 
   const context = await kit.browser.newContext();
   const page = await context.newPage();
   await page.route('**/*.wasm', async (route) => {
-    await new Promise((resolve) => { setTimeout(resolve, 1500); });
+    await new Promise((resolve) => {
+      setTimeout(resolve, 1500);
+    });
     await route.continue();
   });
   await page.goto(kit.sites.true.url);
@@ -162,17 +211,31 @@ test('a sample that does not load says so and leaves the start page usable', asy
 });
 
 // ?sharp: a machine that draws with its processor otherwise saves pixels while something moves.
-test('resizing and zooming keep the drawing crisp: the canvas has as many pixels as the screen', () => onPage(kit, { query: '?sharp', deviceScaleFactor: 2, viewport: { width: 900, height: 700 } }, async (page) => {
-  await openPicture(page, tube.png, 'tube.png');
-  const sizes = () => page.evaluate(() => {
-    const canvas = document.getElementById('canvas');
-    return { backing: [canvas.width, canvas.height], css: [canvas.clientWidth, canvas.clientHeight], ratio: devicePixelRatio };
-  });
-  for (const viewport of [{ width: 900, height: 700 }, { width: 640, height: 900 }, { width: 1300, height: 600 }]) {
-    await page.setViewportSize(viewport);
-    await page.waitForTimeout(250);
-    await idle(page);
-    const { backing, css, ratio } = await sizes();
-    assert.deepEqual(backing, css.map((side) => Math.round(side * ratio)), JSON.stringify(viewport));
-  }
-}));
+test('resizing and zooming keep the drawing crisp: the canvas has as many pixels as the screen', () =>
+  onPage(kit, { query: '?sharp', deviceScaleFactor: 2, viewport: { width: 900, height: 700 } }, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const sizes = () =>
+      page.evaluate(() => {
+        const canvas = document.getElementById('canvas');
+        return {
+          backing: [canvas.width, canvas.height],
+          css: [canvas.clientWidth, canvas.clientHeight],
+          ratio: devicePixelRatio,
+        };
+      });
+    for (const viewport of [
+      { width: 900, height: 700 },
+      { width: 640, height: 900 },
+      { width: 1300, height: 600 },
+    ]) {
+      await page.setViewportSize(viewport);
+      await page.waitForTimeout(250);
+      await idle(page);
+      const { backing, css, ratio } = await sizes();
+      assert.deepEqual(
+        backing,
+        css.map((side) => Math.round(side * ratio)),
+        JSON.stringify(viewport),
+      );
+    }
+  }));

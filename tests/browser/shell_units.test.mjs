@@ -6,7 +6,14 @@ import { root } from '../../.ci/lib/paths.mjs';
 import { greyPng, samples, tubePicture } from './support/pictures.mjs';
 
 async function load(file) {
-  const result = await build({ absWorkingDir: root, entryPoints: [`web/shell/${file}`], bundle: true, write: false, format: 'esm', logLevel: 'silent' });
+  const result = await build({
+    absWorkingDir: root,
+    entryPoints: [`web/shell/${file}`],
+    bundle: true,
+    write: false,
+    format: 'esm',
+    logLevel: 'silent',
+  });
   return import(`data:text/javascript;base64,${Buffer.from(result.outputFiles[0].text).toString('base64')}`);
 }
 const { probePicture } = await load('probe.ts');
@@ -18,12 +25,19 @@ const { wheelPixels } = await load('pointer.ts');
 test('the probe reads format and size of every sample and finds it whole', () => {
   for (const sample of samples()) {
     const format = sample.file.endsWith('.png') ? 'png' : 'jpeg';
-    assert.deepEqual(probePicture(sample.bytes), { format, width: sample.width, height: sample.height, complete: true }, sample.id);
+    assert.deepEqual(
+      probePicture(sample.bytes),
+      { format, width: sample.width, height: sample.height, complete: true },
+      sample.id,
+    );
   }
 });
 
 test('a picture cut off anywhere is found incomplete, and no prefix makes the probe throw', () => {
-  for (const bytes of [tubePicture({ width: 64, height: 48, half: 6 }).png, samples().find(({ file }) => file.endsWith('.jpg')).bytes]) {
+  for (const bytes of [
+    tubePicture({ width: 64, height: 48, half: 6 }).png,
+    samples().find(({ file }) => file.endsWith('.jpg')).bytes,
+  ]) {
     for (let i = 0; i < 40; ++i) {
       const probe = probePicture(bytes.subarray(0, Math.floor((bytes.length * i) / 40)));
       assert.ok(probe === null || !probe.complete);
@@ -35,7 +49,16 @@ test('a picture cut off anywhere is found incomplete, and no prefix makes the pr
 test('random bytes behind every signature never make the probe throw', () => {
   let seed = 12345;
   const random = () => (seed = (seed * 1103515245 + 12345) & 0x7fffffff) / 0x7fffffff;
-  const heads = ['\x89PNG\r\n\x1a\n', '\xff\xd8\xff\xe0', 'GIF89a', 'RIFF\0\0\0\0WEBPVP8X', 'RIFF\0\0\0\0WEBPVP8L', 'BM', '\0\0\0\x18ftypavif', '\0\0\0\x18ftypheic'];
+  const heads = [
+    '\x89PNG\r\n\x1a\n',
+    '\xff\xd8\xff\xe0',
+    'GIF89a',
+    'RIFF\0\0\0\0WEBPVP8X',
+    'RIFF\0\0\0\0WEBPVP8L',
+    'BM',
+    '\0\0\0\x18ftypavif',
+    '\0\0\0\x18ftypheic',
+  ];
   for (let round = 0; round < 2000; ++round) {
     const head = Buffer.from(heads[round % heads.length], 'latin1');
     const body = Buffer.from(Array.from({ length: Math.floor(random() * 80) }, () => Math.floor(random() * 256)));
@@ -45,7 +68,12 @@ test('random bytes behind every signature never make the probe throw', () => {
 });
 
 test('headers of GIF, WebP and BMP tell their size', () => {
-  const gif = Buffer.concat([Buffer.from('GIF89a', 'latin1'), Buffer.from([0x2c, 1, 0xc8, 0, 0, 0, 0]), Buffer.alloc(4), Buffer.from([0x3b])]);
+  const gif = Buffer.concat([
+    Buffer.from('GIF89a', 'latin1'),
+    Buffer.from([0x2c, 1, 0xc8, 0, 0, 0, 0]),
+    Buffer.alloc(4),
+    Buffer.from([0x3b]),
+  ]);
   assert.deepEqual(probePicture(gif), { format: 'gif', width: 300, height: 200, complete: true });
   const webp = Buffer.alloc(30);
   webp.write('RIFF', 0, 'latin1');
@@ -73,7 +101,14 @@ test('a header alone is enough to refuse a bomb', () => {
 });
 
 test('the working copy has at most four megapixels and the same shape', () => {
-  for (const [width, height] of [[10, 10], [2000, 2000], [6000, 4000], [12000, 9000], [30000, 100], [16, 32768]]) {
+  for (const [width, height] of [
+    [10, 10],
+    [2000, 2000],
+    [6000, 4000],
+    [12000, 9000],
+    [30000, 100],
+    [16, 32768],
+  ]) {
     const size = workingSize(width, height);
     assert.ok(size.width * size.height <= 4_000_000 && size.width <= width && size.height <= height);
     assert.ok(Math.abs(size.width / size.height / (width / height) - 1) < 0.08, `${width}×${height}`);
@@ -114,7 +149,8 @@ test('a palm that lay there before the pen came is cancelled', () => {
 test('two and three quick fingers are taps; slow, moving or single ones are not', () => {
   const tap = (fingers, { gap = 20, hold = 100, move = 0 } = {}) => {
     const finder = new TapFinder();
-    let time = 0, found = 0;
+    let time = 0,
+      found = 0;
     for (let i = 0; i < fingers; ++i) finder.down(i, 100 * i, 0, (time += gap));
     for (let i = 0; i < fingers; ++i) finder.move(i, 100 * i + move, 0);
     for (let i = 0; i < fingers; ++i) found = Math.max(found, finder.up(i, time + hold));

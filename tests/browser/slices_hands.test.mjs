@@ -55,45 +55,48 @@ async function findTile(page, onBone) {
   return null;
 }
 
-test('a slice is dragged out of the panel onto the part; Escape and the right button leave it where it was', () => withPart(async (page) => {
-  const [onBone] = await toClient(page, [tube.middle[Math.floor(tube.middle.length / 2)]]);
-  const undo = (await state(page)).undo;
-  const tile = await findTile(page, onBone);
-  assert.ok(tile, 'no tile could be dragged');
-  const [start, dropped] = await slices(page);
-  assert.equal(start.at, 0);
-  assert.ok(Math.abs(dropped.at - 0.5) < 0.1, `${dropped.at}`);
-  assert.equal((await state(page)).undo, undo + 1, 'one gesture, one step');
-  await run(page, 'undo');
-  await drag(page, tile, onBone, { lift: false });
-  await page.keyboard.press('Escape');
-  await page.mouse.up();
-  await idle(page);
-  const now = await state(page);
-  assert.deepEqual([now.parts[0].slices.length, now.undo], [1, undo]);
-}));
+test('a slice is dragged out of the panel onto the part; Escape and the right button leave it where it was', () =>
+  withPart(async (page) => {
+    const [onBone] = await toClient(page, [tube.middle[Math.floor(tube.middle.length / 2)]]);
+    const undo = (await state(page)).undo;
+    const tile = await findTile(page, onBone);
+    assert.ok(tile, 'no tile could be dragged');
+    const [start, dropped] = await slices(page);
+    assert.equal(start.at, 0);
+    assert.ok(Math.abs(dropped.at - 0.5) < 0.1, `${dropped.at}`);
+    assert.equal((await state(page)).undo, undo + 1, 'one gesture, one step');
+    await run(page, 'undo');
+    await drag(page, tile, onBone, { lift: false });
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    await idle(page);
+    const now = await state(page);
+    assert.deepEqual([now.parts[0].slices.length, now.undo], [1, undo]);
+  }));
 
-test('a graph that is dragged is one step, and changes the file that is saved', () => withPart(async (page) => {
-  await run(page, 'show-along', { kind: 'squash' });
-  await idle(page);
-  const before = await exported(page, 'glb');
-  const undo = (await state(page)).undo;
-  const graph = await findByCursor(page, 'pointer');
-  assert.ok(graph.length >= 8, `${graph.length} places over a graph`);
-  const middle = graph[Math.floor(graph.length / 2)], foot = graph.at(-2);
-  await drag(page, middle, { x: middle.x, y: foot.y });
-  const now = await state(page);
-  assert.equal(now.undo, undo + 1);
-  const after = await exported(page, 'glb');
-  assert.ok(!after.equals(before));
-  await drag(page, middle, graph[1], { lift: false });
-  await page.keyboard.press('Escape');
-  await page.mouse.up();
-  await idle(page);
-  assert.ok(after.equals(await exported(page, 'glb')), 'Escape leaves the curve as it was');
-  await run(page, 'undo');
-  assert.ok(before.equals(await exported(page, 'glb')));
-}));
+test('a graph that is dragged is one step, and changes the file that is saved', () =>
+  withPart(async (page) => {
+    await run(page, 'show-along', { kind: 'squash' });
+    await idle(page);
+    const before = await exported(page, 'glb');
+    const undo = (await state(page)).undo;
+    const graph = await findByCursor(page, 'pointer');
+    assert.ok(graph.length >= 8, `${graph.length} places over a graph`);
+    const middle = graph[Math.floor(graph.length / 2)],
+      foot = graph.at(-2);
+    await drag(page, middle, { x: middle.x, y: foot.y });
+    const now = await state(page);
+    assert.equal(now.undo, undo + 1);
+    const after = await exported(page, 'glb');
+    assert.ok(!after.equals(before));
+    await drag(page, middle, graph[1], { lift: false });
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    await idle(page);
+    assert.ok(after.equals(await exported(page, 'glb')), 'Escape leaves the curve as it was');
+    await run(page, 'undo');
+    assert.ok(before.equals(await exported(page, 'glb')));
+  }));
 
 /** Genus over all meshes of a GLB, from the Euler number of its triangles; corners in one place are one. */
 function genusOf(glb) {
@@ -108,29 +111,45 @@ function genusOf(glb) {
   const edges = new Set();
   let faces = 0;
   for (const { attributes, indices } of json.meshes.flatMap((mesh) => mesh.primitives)) {
-    const position = view(attributes.POSITION), index = view(indices);
+    const position = view(attributes.POSITION),
+      index = view(indices);
     const place = Array.from({ length: position.count }, (_, i) => {
       const key = binary.toString('hex', position.from + 12 * i, position.from + 12 * i + 12);
       if (!places.has(key)) places.set(key, places.size);
       return places.get(key);
     });
     const wide = index.componentType === 5125;
-    const corner = (i) => place[wide ? binary.readUInt32LE(index.from + 4 * i) : binary.readUInt16LE(index.from + 2 * i)];
+    const corner = (i) =>
+      place[wide ? binary.readUInt32LE(index.from + 4 * i) : binary.readUInt16LE(index.from + 2 * i)];
     for (let i = 0; i < index.count; i += 3) {
       const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
-      for (const [p, q] of [[a, b], [b, c], [c, a]]) edges.add(p < q ? `${p} ${q}` : `${q} ${p}`);
+      for (const [p, q] of [
+        [a, b],
+        [b, c],
+        [c, a],
+      ])
+        edges.add(p < q ? `${p} ${q}` : `${q} ${p}`);
       ++faces;
     }
   }
   return (2 - (places.size - edges.size + faces)) / 2;
 }
 
-test('a drawn slice with a hole is a tube in the file: genus 1; without, genus 0', () => withPart(async (page) => {
-  const ring = (radius) => Array.from({ length: 24 }, (_, i) => [radius * Math.cos((i * Math.PI) / 12), radius * Math.sin((i * Math.PI) / 12)]);
-  await run(page, 'set-caps', { start: 'flat', end: 'flat' });
-  for (const [contours, genus] of [[[ring(1)], 0], [[ring(1), ring(0.6)], 1], [[ring(1), ring(0.3).map(([x, y]) => [x - 0.5, y]), ring(0.3).map(([x, y]) => [x + 0.5, y])], 2]]) {
-    await run(page, 'set-section', { contours });
-    await idle(page);
-    assert.equal(genusOf(await exported(page, 'glb')), genus, `${contours.length} curves`);
-  }
-}));
+test('a drawn slice with a hole is a tube in the file: genus 1; without, genus 0', () =>
+  withPart(async (page) => {
+    const ring = (radius) =>
+      Array.from({ length: 24 }, (_, i) => [
+        radius * Math.cos((i * Math.PI) / 12),
+        radius * Math.sin((i * Math.PI) / 12),
+      ]);
+    await run(page, 'set-caps', { start: 'flat', end: 'flat' });
+    for (const [contours, genus] of [
+      [[ring(1)], 0],
+      [[ring(1), ring(0.6)], 1],
+      [[ring(1), ring(0.3).map(([x, y]) => [x - 0.5, y]), ring(0.3).map(([x, y]) => [x + 0.5, y])], 2],
+    ]) {
+      await run(page, 'set-section', { contours });
+      await idle(page);
+      assert.equal(genusOf(await exported(page, 'glb')), genus, `${contours.length} curves`);
+    }
+  }));

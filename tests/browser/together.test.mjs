@@ -2,13 +2,28 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseStl, validated } from './support/model_files.mjs';
-import { drawWithMouse, exported, idle, onPage, openPicture, run, state, tapWith, toastText, toClient, useSite } from './support/page.mjs';
+import {
+  drawWithMouse,
+  exported,
+  idle,
+  onPage,
+  openPicture,
+  run,
+  state,
+  tapWith,
+  toastText,
+  toClient,
+  useSite,
+} from './support/page.mjs';
 import { dataCases, samples } from './support/pictures.mjs';
 
 const kit = useSite();
 const [lemur] = samples();
 /** The middle of the sample's line, moved across it: a second part that runs through the first. */
-const beside = (spine) => spine.slice(Math.floor(spine.length * 0.25), Math.ceil(spine.length * 0.75)).map(([x, y], i, all) => [x + 16 - (32 * i) / all.length, y + 8]);
+const beside = (spine) =>
+  spine
+    .slice(Math.floor(spine.length * 0.25), Math.ceil(spine.length * 0.75))
+    .map(([x, y], i, all) => [x + 16 - (32 * i) / all.length, y + 8]);
 
 /** Two parts drawn with the mouse on the sample. */
 async function drawTwo(page) {
@@ -66,124 +81,136 @@ async function dragRib(page, part, by, midway) {
   await run(page, 'ribs');
   await idle(page);
   const { ribs } = (await state(page)).parts.find(({ id }) => id === part);
-  const rib = ribs[Math.floor(ribs.length / 2)], away = Math.hypot(rib.left[0] - rib.center[0], rib.left[1] - rib.center[1]);
+  const rib = ribs[Math.floor(ribs.length / 2)],
+    away = Math.hypot(rib.left[0] - rib.center[0], rib.left[1] - rib.center[1]);
   const to = rib.left.map((x, k) => x + (by * (x - rib.center[k])) / away);
   const [from, till] = await toClient(page, [rib.left, to]);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
-  for (let i = 1; i <= 6; i += 1) await page.mouse.move(from.x + ((till.x - from.x) * i) / 6, from.y + ((till.y - from.y) * i) / 6);
+  for (let i = 1; i <= 6; i += 1)
+    await page.mouse.move(from.x + ((till.x - from.x) * i) / 6, from.y + ((till.y - from.y) * i) / 6);
   if (midway) await midway();
   await page.mouse.up();
   await idle(page);
 }
 
-test('two drawn parts are stuck together, and the solid follows a rib, undo, redo, a reload and release', () => withTwo(async (page) => {
-  const apart = measureStl(await exported(page, 'stl')).volume;
-  await run(page, 'stick-together');
-  await idle(page);
-  const joined = await root(page);
-  assert.deepEqual([joined.kind, joined.status, joined.failure], ['join', 'ready', null]);
-  assert.ok(joined.volume > 0 && joined.triangles > 1000);
-  const first = await lawful(page);
-  assert.ok(first.volume < apart, 'what both held is there once');
-
-  await dragRib(page, 1, 25, async () => {
-    // Parts that are only joined stand for themselves in the hand: nothing waits.
-    assert.equal((await state(page)).busy, false);
-  });
-  const wider = await root(page);
-  assert.equal(wider.status, 'ready');
-  assert.ok(wider.volume > joined.volume * 1.001, `${wider.volume} is not more than ${joined.volume}`);
-  await page.keyboard.press('Control+z');
-  await idle(page);
-  assert.ok(Math.abs((await root(page)).volume / joined.volume - 1) < 1e-5);
-  await page.keyboard.press('Control+Shift+z');
-  await idle(page);
-  assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5);
-
-  await page.waitForTimeout(400);
-  await page.reload();
-  await page.evaluate(() => window.spineloft.ready);
-  await page.waitForFunction(() => window.spineloft.state().steps.length === 1, undefined, { timeout: 20000 });
-  await idle(page);
-  assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5, 'the solid is made again');
-  await lawful(page);
-
-  await run(page, 'select-step', { id: 1 });
-  await run(page, 'release');
-  await idle(page);
-  const { parts, steps: left } = await state(page);
-  assert.deepEqual([parts.length, left.length], [2, 0]);
-}));
-
-test('cut, kept common and put in a place by the gizmo: each is a solid, and sets say how large', () => withTwo(async (page) => {
-  const volumes = {};
-  for (const kind of ['stick-together', 'cut', 'keep-common']) {
-    await run(page, kind, { parts: [1, 2] });
+test('two drawn parts are stuck together, and the solid follows a rib, undo, redo, a reload and release', () =>
+  withTwo(async (page) => {
+    const apart = measureStl(await exported(page, 'stl')).volume;
+    await run(page, 'stick-together');
     await idle(page);
-    const step = await root(page);
-    assert.equal(step.status, 'ready', `${kind}: ${step.sentence}`);
-    volumes[kind] = step.volume;
+    const joined = await root(page);
+    assert.deepEqual([joined.kind, joined.status, joined.failure], ['join', 'ready', null]);
+    assert.ok(joined.volume > 0 && joined.triangles > 1000);
+    const first = await lawful(page);
+    assert.ok(first.volume < apart, 'what both held is there once');
+
+    await dragRib(page, 1, 25, async () => {
+      // Parts that are only joined stand for themselves in the hand: nothing waits.
+      assert.equal((await state(page)).busy, false);
+    });
+    const wider = await root(page);
+    assert.equal(wider.status, 'ready');
+    assert.ok(wider.volume > joined.volume * 1.001, `${wider.volume} is not more than ${joined.volume}`);
+    await page.keyboard.press('Control+z');
+    await idle(page);
+    assert.ok(Math.abs((await root(page)).volume / joined.volume - 1) < 1e-5);
+    await page.keyboard.press('Control+Shift+z');
+    await idle(page);
+    assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5);
+
+    await page.waitForTimeout(400);
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    await page.waitForFunction(() => window.spineloft.state().steps.length === 1, undefined, { timeout: 20000 });
+    await idle(page);
+    assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5, 'the solid is made again');
     await lawful(page);
-    if (kind !== 'keep-common') await run(page, 'undo');
-  }
-  await run(page, 'undo');
-  await run(page, 'cut', { parts: [2, 1] });
-  await idle(page);
-  const other = (await root(page)).volume;
-  const sum = volumes.cut + volumes['keep-common'] + other;
-  assert.ok(Math.abs(sum / volumes['stick-together'] - 1) < 1e-4, `${sum} and ${volumes['stick-together']}`);
-  // Away from each other nothing is cut, and nothing is shared.
-  await run(page, 'move-parts', { parts: [1], mm: [0, 0, 500] });
-  await idle(page);
-  assert.ok((await root(page)).volume > other);
-  await run(page, 'set-step', { kind: 'common' });
-  await idle(page);
-  const none = await root(page);
-  assert.deepEqual([none.status, none.failure], ['failed', 'SolidEmpty']);
-  assert.match(none.sentence, /Nothing is left/);
-  assert.ok(none.triangles > 0, 'the last good one stays');
-}));
 
-test('a scooped out part is as thin as its wall, open at its end, and says when the wall is too thick', () => withTwo(async (page) => {
-  await run(page, 'select-part', { id: 2 });
-  await run(page, 'delete-part');
-  await run(page, 'select-part', { id: 1 });
-  await run(page, 'set-caps', { part: 1, start: 'flat', end: 'flat' });
-  await idle(page);
-  const full = measureStl(await exported(page, 'stl')).volume;
-  const { parts: [{ ribs }], picture } = await state(page);
-  const widths = ribs.map(({ left, right }) => Math.hypot(left[0] - right[0], left[1] - right[1]) / Math.max(picture.width, picture.height));
-  const wall = Math.min(0.02, widths.sort((a, b) => a - b)[widths.length >> 1] / 6);
-  await run(page, 'scoop-out', { part: 1, wall, opening: 'start' });
-  await idle(page);
-  const hollow = await root(page);
-  assert.deepEqual([hollow.kind, hollow.status], ['hollow', 'ready'], hollow.sentence);
-  const found = await lawful(page);
-  assert.ok(found.volume < 0.9 * full, `${found.volume} of ${full}`);
-  await run(page, 'check-print');
-  const { print } = await state(page);
-  assert.ok(print.closed, 'the check sees a closed solid');
-  const mm = wall * Math.cbrt(found.volume / hollow.volume);
-  assert.ok(Math.abs(print.thinnest / mm - 1) < 0.1, `thinnest ${print.thinnest}, wall ${mm}`);
+    await run(page, 'select-step', { id: 1 });
+    await run(page, 'release');
+    await idle(page);
+    const { parts, steps: left } = await state(page);
+    assert.deepEqual([parts.length, left.length], [2, 0]);
+  }));
 
-  await run(page, 'set-step', { wall: 0.4 });
-  await idle(page);
-  const thick = await root(page);
-  assert.deepEqual([thick.status, thick.failure, thick.faulty], ['failed', 'WallTooThick', 1]);
-  assert.equal(thick.at.length, 3);
-  assert.match(await toastText(page), /wall is too thick.*The thickest that fits is [\d.]+ [cm]m\./);
-  assert.equal(thick.triangles, hollow.triangles, 'the last good one stays');
-  await run(page, 'show-trouble');
-  await idle(page);
-  assert.equal((await state(page)).selection, 1);
-}));
+test('cut, kept common and put in a place by the gizmo: each is a solid, and sets say how large', () =>
+  withTwo(async (page) => {
+    const volumes = {};
+    for (const kind of ['stick-together', 'cut', 'keep-common']) {
+      await run(page, kind, { parts: [1, 2] });
+      await idle(page);
+      const step = await root(page);
+      assert.equal(step.status, 'ready', `${kind}: ${step.sentence}`);
+      volumes[kind] = step.volume;
+      await lawful(page);
+      if (kind !== 'keep-common') await run(page, 'undo');
+    }
+    await run(page, 'undo');
+    await run(page, 'cut', { parts: [2, 1] });
+    await idle(page);
+    const other = (await root(page)).volume;
+    const sum = volumes.cut + volumes['keep-common'] + other;
+    assert.ok(Math.abs(sum / volumes['stick-together'] - 1) < 1e-4, `${sum} and ${volumes['stick-together']}`);
+    // Away from each other nothing is cut, and nothing is shared.
+    await run(page, 'move-parts', { parts: [1], mm: [0, 0, 500] });
+    await idle(page);
+    assert.ok((await root(page)).volume > other);
+    await run(page, 'set-step', { kind: 'common' });
+    await idle(page);
+    const none = await root(page);
+    assert.deepEqual([none.status, none.failure], ['failed', 'SolidEmpty']);
+    assert.match(none.sentence, /Nothing is left/);
+    assert.ok(none.triangles > 0, 'the last good one stays');
+  }));
+
+test('a scooped out part is as thin as its wall, open at its end, and says when the wall is too thick', () =>
+  withTwo(async (page) => {
+    await run(page, 'select-part', { id: 2 });
+    await run(page, 'delete-part');
+    await run(page, 'select-part', { id: 1 });
+    await run(page, 'set-caps', { part: 1, start: 'flat', end: 'flat' });
+    await idle(page);
+    const full = measureStl(await exported(page, 'stl')).volume;
+    const {
+      parts: [{ ribs }],
+      picture,
+    } = await state(page);
+    const widths = ribs.map(
+      ({ left, right }) => Math.hypot(left[0] - right[0], left[1] - right[1]) / Math.max(picture.width, picture.height),
+    );
+    const wall = Math.min(0.02, widths.sort((a, b) => a - b)[widths.length >> 1] / 6);
+    await run(page, 'scoop-out', { part: 1, wall, opening: 'start' });
+    await idle(page);
+    const hollow = await root(page);
+    assert.deepEqual([hollow.kind, hollow.status], ['hollow', 'ready'], hollow.sentence);
+    const found = await lawful(page);
+    assert.ok(found.volume < 0.9 * full, `${found.volume} of ${full}`);
+    await run(page, 'check-print');
+    const { print } = await state(page);
+    assert.ok(print.closed, 'the check sees a closed solid');
+    const mm = wall * Math.cbrt(found.volume / hollow.volume);
+    assert.ok(Math.abs(print.thinnest / mm - 1) < 0.1, `thinnest ${print.thinnest}, wall ${mm}`);
+
+    await run(page, 'set-step', { wall: 0.4 });
+    await idle(page);
+    const thick = await root(page);
+    assert.deepEqual([thick.status, thick.failure, thick.faulty], ['failed', 'WallTooThick', 1]);
+    assert.equal(thick.at.length, 3);
+    assert.match(await toastText(page), /wall is too thick.*The thickest that fits is [\d.]+ [cm]m\./);
+    assert.equal(thick.triangles, hollow.triangles, 'the last good one stays');
+    await run(page, 'show-trouble');
+    await idle(page);
+    assert.equal((await state(page)).selection, 1);
+  }));
 
 /** The middle of what a line across the solid view meets first, in client pixels. */
 async function onSolid(page) {
   await run(page, 'move');
   await idle(page);
-  const box = await page.locator('canvas').first().boundingBox(), { gizmo } = await state(page), y = box.y + gizmo.at[1];
+  const box = await page.locator('canvas').first().boundingBox(),
+    { gizmo } = await state(page),
+    y = box.y + gizmo.at[1];
   await run(page, 'draw');
   await idle(page);
   const met = [];
@@ -196,54 +223,64 @@ async function onSolid(page) {
   return { x: met[met.length >> 1], y };
 }
 
-test('a tap on the solid says where it is open, by mouse and by finger; a drag only turns it, Esc leaves it', () => withTwo(async (page) => {
-  await run(page, 'select-part', { id: 2 });
-  await run(page, 'delete-part');
-  await run(page, 'select-part', { id: 1 });
-  await run(page, 'scoop-out', { part: 1, wall: 0.008, opening: 'none' });
-  await idle(page);
-  const box = await page.locator('canvas').first().boundingBox(), middle = await onSolid(page);
-  assert.deepEqual([(await root(page)).opening, (await state(page)).pointing], ['none', false]);
-
-  // From the front, as the picture is seen.
-  await run(page, 'point-opening');
-  assert.equal((await state(page)).pointing, true);
-  const { undo } = await state(page);
-  await page.mouse.click(middle.x, middle.y);
-  await idle(page);
-  const open = await root(page);
-  assert.deepEqual([open.opening, open.status, (await state(page)).pointing, (await state(page)).undo], ['front', 'ready', false, undo + 1], open.sentence);
-  await lawful(page);
-  // The next tap chooses a part again.
-  await page.mouse.click(middle.x, middle.y);
-  await idle(page);
-  assert.equal((await root(page)).opening, 'front');
-
-  await run(page, 'point-opening');
-  await page.keyboard.press('Escape');
-  assert.equal((await state(page)).pointing, false);
-
-  // Beside the solid there is nothing to open; a drag turns it until its back is seen.
-  await run(page, 'point-opening');
-  await page.mouse.click(middle.x + 3, box.y + box.height - 12);
-  await idle(page);
-  assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front']);
-  for (let turned = 0; turned < 40 && Math.cos((await state(page)).camera.yaw) > -0.97; turned += 1) {
-    await page.mouse.move(middle.x, middle.y);
-    await page.mouse.down();
-    await page.mouse.move(middle.x + 20, middle.y);
-    await page.mouse.move(middle.x + 40, middle.y);
-    await page.mouse.up();
+test('a tap on the solid says where it is open, by mouse and by finger; a drag only turns it, Esc leaves it', () =>
+  withTwo(async (page) => {
+    await run(page, 'select-part', { id: 2 });
+    await run(page, 'delete-part');
+    await run(page, 'select-part', { id: 1 });
+    await run(page, 'scoop-out', { part: 1, wall: 0.008, opening: 'none' });
     await idle(page);
-  }
-  assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front'], 'it was only turned');
-  await tapWith(page, 1, await onSolid(page));
-  const back = await root(page);
-  assert.deepEqual([back.opening, back.status, (await state(page)).pointing], ['back', 'ready', false], back.sentence);
-  await run(page, 'undo');
-  await idle(page);
-  assert.equal((await root(page)).opening, 'front');
-}));
+    const box = await page.locator('canvas').first().boundingBox(),
+      middle = await onSolid(page);
+    assert.deepEqual([(await root(page)).opening, (await state(page)).pointing], ['none', false]);
+
+    // From the front, as the picture is seen.
+    await run(page, 'point-opening');
+    assert.equal((await state(page)).pointing, true);
+    const { undo } = await state(page);
+    await page.mouse.click(middle.x, middle.y);
+    await idle(page);
+    const open = await root(page);
+    assert.deepEqual(
+      [open.opening, open.status, (await state(page)).pointing, (await state(page)).undo],
+      ['front', 'ready', false, undo + 1],
+      open.sentence,
+    );
+    await lawful(page);
+    // The next tap chooses a part again.
+    await page.mouse.click(middle.x, middle.y);
+    await idle(page);
+    assert.equal((await root(page)).opening, 'front');
+
+    await run(page, 'point-opening');
+    await page.keyboard.press('Escape');
+    assert.equal((await state(page)).pointing, false);
+
+    // Beside the solid there is nothing to open; a drag turns it until its back is seen.
+    await run(page, 'point-opening');
+    await page.mouse.click(middle.x + 3, box.y + box.height - 12);
+    await idle(page);
+    assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front']);
+    for (let turned = 0; turned < 40 && Math.cos((await state(page)).camera.yaw) > -0.97; turned += 1) {
+      await page.mouse.move(middle.x, middle.y);
+      await page.mouse.down();
+      await page.mouse.move(middle.x + 20, middle.y);
+      await page.mouse.move(middle.x + 40, middle.y);
+      await page.mouse.up();
+      await idle(page);
+    }
+    assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front'], 'it was only turned');
+    await tapWith(page, 1, await onSolid(page));
+    const back = await root(page);
+    assert.deepEqual(
+      [back.opening, back.status, (await state(page)).pointing],
+      ['back', 'ready', false],
+      back.sentence,
+    );
+    await run(page, 'undo');
+    await idle(page);
+    assert.equal((await root(page)).opening, 'front');
+  }));
 
 test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', async () => {
   await onPage(kit, { isolated: false }, async (page) => {
@@ -283,7 +320,10 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
     });
     await idle(page);
     const stopped = await root(page);
-    assert.ok(stopped.failure === 'Cancelled' ? stopped.triangles === before.triangles : stopped.status === 'ready', JSON.stringify(stopped));
+    assert.ok(
+      stopped.failure === 'Cancelled' ? stopped.triangles === before.triangles : stopped.status === 'ready',
+      JSON.stringify(stopped),
+    );
     await run(page, 'solve-again').catch(() => {});
     await idle(page);
     assert.equal((await root(page)).status, 'ready');
@@ -324,10 +364,17 @@ test('a mesh that arrives damaged names its part, and one that breaks the solver
     const good = await stuckAnew(page);
 
     // A face is missing: the library refuses the part.
-    await page.evaluate(() => { window.damage = (mesh) => { mesh.triangles = mesh.triangles.slice(3); }; });
+    await page.evaluate(() => {
+      window.damage = (mesh) => {
+        mesh.triangles = mesh.triangles.slice(3);
+      };
+    });
     await dragRib(page, 1, 25);
     const damaged = await root(page);
-    assert.deepEqual([damaged.status, damaged.failure, damaged.faulty, damaged.triangles], ['failed', 'SolidFailed', 1, good.triangles]);
+    assert.deepEqual(
+      [damaged.status, damaged.failure, damaged.faulty, damaged.triangles],
+      ['failed', 'SolidFailed', 1, good.triangles],
+    );
     const { name } = (await state(page)).parts.find(({ id }) => id === 1);
     assert.ok((await toastText(page)).includes(name), await toastText(page));
     // The next edit is as if nothing had been.
@@ -336,7 +383,11 @@ test('a mesh that arrives damaged names its part, and one that breaks the solver
     assert.deepEqual([mended.status, mended.failure], ['ready', null]);
 
     // The solver itself breaks down on what it is given.
-    await page.evaluate(() => { window.damage = (mesh, message) => { message.nodes = [null]; }; });
+    await page.evaluate(() => {
+      window.damage = (mesh, message) => {
+        message.nodes = [null];
+      };
+    });
     await dragRib(page, 1, 30);
     assert.match(await toastText(page), /interrupted/);
     const broken = await root(page);
@@ -349,39 +400,49 @@ test('a mesh that arrives damaged names its part, and one that breaks the solver
   });
 });
 
-test('opening and closing a model with solids fifty times leaves the memory as it was', () => withTwo(async (page) => {
-  await run(page, 'stick-together');
-  await run(page, 'scoop-out', { step: 1, wall: 0.01 });
-  await idle(page);
-  const session = await page.context().newCDPSession(page);
-  /** Bytes that the page's JavaScript holds on to, once everything that can go has gone. */
-  const heap = async () => {
-    for (let i = 0; i < 2; i += 1) await session.send('HeapProfiler.collectGarbage');
-    return (await session.send('Runtime.getHeapUsage')).usedSize;
-  };
-  await page.evaluate((text) => { window.kept = new Blob([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))]); }, (await exported(page, 'spineloft')).toString('base64'));
-  /** The model is opened and closed so often; what the memories have grown to then. */
-  const after = async (rounds) => {
-    const sizes = await page.evaluate(async (count) => {
-      for (let round = 0; round < count; round += 1) {
-        await window.spineloft.openProject(window.kept);
-        await window.spineloft.idle();
-        if (window.spineloft.state().steps.some(({ root: outermost, status }) => outermost && status !== 'ready')) throw new Error(`round ${round}`);
-        await window.spineloft.run('new-model');
-        await window.spineloft.idle();
-      }
-      return window.spineloft.memory();
-    }, rounds);
-    return { ...sizes, heap: await heap() };
-  };
-  // What is kept for undo and for the next edit fills in the first rounds; from then on nothing may grow. What JavaScript
-  // runs and remembers of it settles later, and every round keeps one more model in the browser: its list has a line more.
-  const before = await after(10), settled = await after(10), last = await after(30);
-  const isSame = (what, from) => assert.ok(last[what] <= 1.05 * from[what], `${what}: ${from[what]} to ${last[what]} bytes`);
-  isSame('engine', before);
-  isSame('solver', before);
-  isSame('heap', settled);
-}));
+test('opening and closing a model with solids fifty times leaves the memory as it was', () =>
+  withTwo(async (page) => {
+    await run(page, 'stick-together');
+    await run(page, 'scoop-out', { step: 1, wall: 0.01 });
+    await idle(page);
+    const session = await page.context().newCDPSession(page);
+    /** Bytes that the page's JavaScript holds on to, once everything that can go has gone. */
+    const heap = async () => {
+      for (let i = 0; i < 2; i += 1) await session.send('HeapProfiler.collectGarbage');
+      return (await session.send('Runtime.getHeapUsage')).usedSize;
+    };
+    await page.evaluate(
+      (text) => {
+        window.kept = new Blob([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))]);
+      },
+      (await exported(page, 'spineloft')).toString('base64'),
+    );
+    /** The model is opened and closed so often; what the memories have grown to then. */
+    const after = async (rounds) => {
+      const sizes = await page.evaluate(async (count) => {
+        for (let round = 0; round < count; round += 1) {
+          await window.spineloft.openProject(window.kept);
+          await window.spineloft.idle();
+          if (window.spineloft.state().steps.some(({ root: outermost, status }) => outermost && status !== 'ready'))
+            throw new Error(`round ${round}`);
+          await window.spineloft.run('new-model');
+          await window.spineloft.idle();
+        }
+        return window.spineloft.memory();
+      }, rounds);
+      return { ...sizes, heap: await heap() };
+    };
+    // What is kept for undo and for the next edit fills in the first rounds; from then on nothing may grow. What JavaScript
+    // runs and remembers of it settles later, and every round keeps one more model in the browser: its list has a line more.
+    const before = await after(10),
+      settled = await after(10),
+      last = await after(30);
+    const isSame = (what, from) =>
+      assert.ok(last[what] <= 1.05 * from[what], `${what}: ${from[what]} to ${last[what]} bytes`);
+    isSame('engine', before);
+    isSame('solver', before);
+    isSame('heap', settled);
+  }));
 
 test('the solver is there and quick before it is asked, in a model of two parts that is worked at; not for one part, nor where one only looks', async () => {
   for (const isolated of [true, false]) {
@@ -395,7 +456,9 @@ test('the solver is there and quick before it is asked, in a model of two parts 
       assert.deepEqual(workers(), [], 'there is nothing to stick together');
       await page.keyboard.press('n');
       await drawWithMouse(page, beside(lemur.spine));
-      await page.waitForFunction(() => performance.getEntriesByName('spineloft-solids-warm').length === 1, null, { timeout: 60000 });
+      await page.waitForFunction(() => performance.getEntriesByName('spineloft-solids-warm').length === 1, null, {
+        timeout: 60000,
+      });
       const [first, ...others] = workers();
       assert.ok(first && others.length === 0);
       await run(page, 'stick-together');
@@ -438,7 +501,11 @@ test('parts are put together before anything is ticked, while the page stands st
     await drawTwo(page);
     await idle(page);
     await page.waitForFunction(() => window.asked.at(-1) === 'done', null, { timeout: 20000 });
-    assert.deepEqual(await page.evaluate(() => window.asked), [0, 2, 'done'], 'both meshes go there, and nothing comes back');
+    assert.deepEqual(
+      await page.evaluate(() => window.asked),
+      [0, 2, 'done'],
+      'both meshes go there, and nothing comes back',
+    );
     assert.deepEqual(await steps(page), [], 'nothing shows');
     const { frames } = await state(page);
     await page.waitForTimeout(3000);
@@ -446,7 +513,11 @@ test('parts are put together before anything is ticked, while the page stands st
     assert.equal(await page.evaluate(() => window.asked.length), 3, 'it is made once');
     await run(page, 'stick-together');
     await idle(page);
-    assert.deepEqual(await page.evaluate(() => window.asked.slice(3)), [1, 0, 'solid', 'done'], 'no mesh is sent again');
+    assert.deepEqual(
+      await page.evaluate(() => window.asked.slice(3)),
+      [1, 0, 'solid', 'done'],
+      'no mesh is sent again',
+    );
     await lawful(page);
   });
 });
@@ -459,11 +530,14 @@ test('parts that are ticked are put together while nobody waits: at the button t
       window.Worker = class extends Plain {
         constructor(...given) {
           super(...given);
-          this.addEventListener('message', ({ data }) => { window.solids += data?.type === 'solid' ? 1 : 0; });
+          this.addEventListener('message', ({ data }) => {
+            window.solids += data?.type === 'solid' ? 1 : 0;
+          });
         }
       };
     });
-    const good = await stuckAnew(page), found = await lawful(page);
+    const good = await stuckAnew(page),
+      found = await lawful(page);
     await run(page, 'release');
     await idle(page);
     await page.waitForTimeout(1000);

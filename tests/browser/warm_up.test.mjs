@@ -9,11 +9,15 @@ for (const engine of kEngines) {
   test(`${engine.name}: the stages of a stroke have run before the first one, and left nothing behind`, async () => {
     await onPage(kit, { isolated: engine.isolated }, async (page) => {
       const before = await state(page);
-      await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length === 1, null, { timeout: 120000 });
+      await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length === 1, null, {
+        timeout: 120000,
+      });
       const after = await state(page);
       assert.deepEqual(after.parts, before.parts);
       assert.deepEqual(after.pictures, before.pictures);
-      const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? 0);
+      const paint = await page.evaluate(
+        () => performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? 0,
+      );
       const warm = await page.evaluate(() => performance.getEntriesByName('spineloft-warm')[0].startTime);
       assert.ok(paint < warm, `painted after ${paint} ms, warm after ${warm} ms`);
     });

@@ -22,7 +22,10 @@ const kShareThatMayDiffer = 0.005;
 function ribsOf(command, args) {
   const done = spawnSync(command, args, { encoding: 'utf8', maxBuffer: 1 << 26 });
   assert.equal(done.status, 0, done.stderr);
-  return done.stdout.trim().split('\n').map((line) => JSON.parse(line).ribs);
+  return done.stdout
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line).ribs);
 }
 
 test('native and WebAssembly ribs agree on every case and stroke', { skip: reason, timeout: 600000 }, (t) => {
@@ -33,7 +36,11 @@ test('native and WebAssembly ribs agree on every case and stroke', { skip: reaso
   for (const name of cases) {
     const here = ribsOf(native, ['--ribs', join(dataFolder, name)]);
     const there = ribsOf(process.execPath, [wasm, '--ribs', join(dataFolder, name)]);
-    assert.deepEqual(there.map((ribs) => ribs.length), here.map((ribs) => ribs.length), name);
+    assert.deepEqual(
+      there.map((ribs) => ribs.length),
+      here.map((ribs) => ribs.length),
+      name,
+    );
     here.forEach((ribs, stroke) =>
       ribs.forEach((rib, i) => {
         for (const side of ['left', 'right']) {

@@ -22,7 +22,12 @@ function writeCase(folder, id, changes = {}) {
   writeFileSync(folder.path(`${id}/mask.png`), PNG.sync.write(mask, { colorType: 0 }));
   const axis = Array.from({ length: 49 }, (_, i) => [bar.x, 40 + 5 * i, 80]);
   const text = {
-    id, category: 'made', image: 'image.png', mask: 'mask.png', boundary_tolerance_px: 1.5, axis,
+    id,
+    category: 'made',
+    image: 'image.png',
+    mask: 'mask.png',
+    boundary_tolerance_px: 1.5,
+    axis,
     spines: { careful: barStroke, sloppy: barStroke.map(([x, y], i) => [x + 4 * Math.sin(i / 4), y]) },
     ...changes,
   };
@@ -34,9 +39,23 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
   writeCase(folder, 'one');
   writeCase(folder, 'two', { category: 'other' });
   mkdirSync(folder.path('not-a-case'));
-  const { stdout } = works('bench', folder.folder, '--json', folder.path('bench.json'), '--overlays', folder.path('seen/here'), '--jobs', '2', '--live', '20');
+  const { stdout } = works(
+    'bench',
+    folder.folder,
+    '--json',
+    folder.path('bench.json'),
+    '--overlays',
+    folder.path('seen/here'),
+    '--jobs',
+    '2',
+    '--live',
+    '20',
+  );
   const { cases, summary } = readJson(folder.path('bench.json'));
-  assert.deepEqual(cases.map(({ id, stroke }) => `${id} ${stroke}`), ['one careful', 'one sloppy', 'two careful', 'two sloppy']);
+  assert.deepEqual(
+    cases.map(({ id, stroke }) => `${id} ${stroke}`),
+    ['one careful', 'one sloppy', 'two careful', 'two sloppy'],
+  );
   for (const row of cases) {
     assert.ok(row.iou > 0.9 && row.iou_body > 0.95, JSON.stringify(row));
     assert.ok(row.rib_mean_pct < 5 && row.rib_within_tol > 0.6, JSON.stringify(row));
@@ -49,7 +68,10 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
     assert.ok(stdout.includes(`${row.id} ${row.stroke}`));
   }
   assert.equal(cases[0].iou, cases[2].iou, 'equal cases score alike, whichever thread ran them');
-  assert.deepEqual(summary.map(({ name }) => name), ['all careful', 'all sloppy', 'made careful', 'made sloppy', 'other careful', 'other sloppy']);
+  assert.deepEqual(
+    summary.map(({ name }) => name),
+    ['all careful', 'all sloppy', 'made careful', 'made sloppy', 'other careful', 'other sloppy'],
+  );
   const sloppy = cases.filter(({ stroke }) => stroke === 'sloppy');
   for (const key of ['iou', 'iou_body', 'rib_mean_pct', 'rib_p95_pct', 'rib_within_tol']) {
     const mean = sloppy.reduce((sum, row) => sum + row[key], 0) / sloppy.length;
@@ -61,7 +83,15 @@ test('where results cannot be written is said before anything is done', (t) => {
   const folder = workFolder(t);
   writeCase(folder, 'one');
   for (const option of ['--json', '--ablation', '--leave-one-out']) {
-    const said = fails(3, 'bench', folder.folder, option, folder.path('no/such/file'), '--overlays', folder.path('seen'));
+    const said = fails(
+      3,
+      'bench',
+      folder.folder,
+      option,
+      folder.path('no/such/file'),
+      '--overlays',
+      folder.path('seen'),
+    );
     assert.match(said, /no\/such\/file/);
     assert.ok(!existsSync(folder.path('seen')));
   }
@@ -71,17 +101,22 @@ test('means are given for all cases that are hard in one way, and a case may be 
   const folder = workFolder(t);
   writeCase(folder, 'clean', { difficulty: { missing_boundary_pct: 0 } });
   writeCase(folder, 'gaps', { difficulty: { missing_boundary_pct: 25, noise_sigma: 9 } });
-  writeCase(folder, 'worse', { difficulty: { missing_boundary_pct: 50, occlusion_pct: 20, no_edge_pct: 60, inner_edges_per_1000px: 120 } });
+  writeCase(folder, 'worse', {
+    difficulty: { missing_boundary_pct: 50, occlusion_pct: 20, no_edge_pct: 60, inner_edges_per_1000px: 120 },
+  });
   writeCase(folder, 'unknown');
   works('bench', folder.folder, '--json', folder.path('bench.json'));
   const { cases, summary } = readJson(folder.path('bench.json'));
   const hard = Object.fromEntries(cases.map(({ id, difficulty }) => [id, difficulty]));
   assert.deepEqual(hard, {
-    clean: ['outline complete'], gaps: ['outline partly erased', 'noise'], unknown: [],
+    clean: ['outline complete'],
+    gaps: ['outline partly erased', 'noise'],
+    unknown: [],
     worse: ['outline half erased', 'outline faint', 'partly hidden', 'edges inside'],
   });
   for (const name of new Set(Object.values(hard).flat())) {
-    const group = summary.find((each) => each.name === `${name}, careful`), rows = cases.filter(({ stroke, difficulty }) => stroke === 'careful' && difficulty.includes(name));
+    const group = summary.find((each) => each.name === `${name}, careful`),
+      rows = cases.filter(({ stroke, difficulty }) => stroke === 'careful' && difficulty.includes(name));
     assert.equal(group.cases, rows.length, name);
     assert.ok(Math.abs(group.iou - rows.reduce((sum, { iou }) => sum + iou, 0) / rows.length) < 1e-9, name);
   }
@@ -89,7 +124,15 @@ test('means are given for all cases that are hard in one way, and a case may be 
 
 test('a single case folder is a data folder too, and a part that cannot be made counts as nothing', (t) => {
   const folder = workFolder(t);
-  writeCase(folder, 'one', { spines: { outside: [[-90, -90], [-50, -90]], careful: barStroke } });
+  writeCase(folder, 'one', {
+    spines: {
+      outside: [
+        [-90, -90],
+        [-50, -90],
+      ],
+      careful: barStroke,
+    },
+  });
   works('bench', folder.path('one'), '--json', folder.path('bench.json'));
   const [outside, careful] = readJson(folder.path('bench.json')).cases;
   assert.equal(outside.failure, 'StrokeOutsidePicture');
@@ -102,7 +145,13 @@ test('a damaged data folder ends with 3 and leaves no report', (t) => {
   writeCase(folder, 'one');
   const original = readFileSync(folder.path('one/case.json'), 'utf8');
   const bench = () => fails(3, 'bench', folder.folder, '--json', folder.path('bench.json'));
-  for (const text of ['{', '[]', '{"id": "one"}', original.replace('"axis"', '"axes"'), original.replace('mask.png', 'gone.png')]) {
+  for (const text of [
+    '{',
+    '[]',
+    '{"id": "one"}',
+    original.replace('"axis"', '"axes"'),
+    original.replace('mask.png', 'gone.png'),
+  ]) {
     writeFileSync(folder.path('one/case.json'), text);
     assert.match(bench(), /one/);
   }
@@ -113,7 +162,9 @@ test('a damaged data folder ends with 3 and leaves no report', (t) => {
 });
 
 const scorer = dataFolder && [join(dataFolder, 'score.py'), join(dataFolder, '../score.py')].find(existsSync);
-const python = ['python3', '/usr/bin/python3'].find((name) => spawnSync(name, ['-c', 'import cv2, numpy']).status === 0);
+const python = ['python3', '/usr/bin/python3'].find(
+  (name) => spawnSync(name, ['-c', 'import cv2, numpy']).status === 0,
+);
 const noScorer = !scorer ? 'the data folder is not here' : !python ? 'python3 with numpy and cv2 is not here' : false;
 
 test('the scores are those of the data folder’s own scorer', { skip: noScorer }, (t) => {
@@ -126,14 +177,30 @@ test('the scores are those of the data folder’s own scorer', { skip: noScorer 
   for (const row of readJson(folder.path('bench.json')).cases) {
     const source = readJson(join(dataFolder, row.id, 'case.json'));
     const files = ['--mask', folder.path('mask.png'), '--ribs', folder.path('ribs.json')];
-    works('loft', join(dataFolder, row.id, source.image), '--stroke', join(dataFolder, row.id, 'case.json'), '--stroke-name', row.stroke, ...files);
-    const done = spawnSync(python, [scorer, join(dataFolder, row.id), ...files, '--spine', row.stroke], { encoding: 'utf8' });
+    works(
+      'loft',
+      join(dataFolder, row.id, source.image),
+      '--stroke',
+      join(dataFolder, row.id, 'case.json'),
+      '--stroke-name',
+      row.stroke,
+      ...files,
+    );
+    const done = spawnSync(python, [scorer, join(dataFolder, row.id), ...files, '--spine', row.stroke], {
+      encoding: 'utf8',
+    });
     assert.equal(done.status, 0, done.stderr);
     const wanted = JSON.parse(done.stdout);
     const pairs = {
-      iou: wanted.iou, iou_body: wanted.iou_body, precision: wanted.precision, recall: wanted.recall,
-      rib_mean_pct: wanted.rib.mean_pct, rib_p95_pct: wanted.rib.p95_pct, rib_mean_px: wanted.rib.mean_px,
-      rib_within_tol: wanted.rib.within_tol, rib_ends_judged: wanted.rib.n,
+      iou: wanted.iou,
+      iou_body: wanted.iou_body,
+      precision: wanted.precision,
+      recall: wanted.recall,
+      rib_mean_pct: wanted.rib.mean_pct,
+      rib_p95_pct: wanted.rib.p95_pct,
+      rib_mean_px: wanted.rib.mean_px,
+      rib_within_tol: wanted.rib.within_tol,
+      rib_ends_judged: wanted.rib.n,
     };
     for (const [key, value] of Object.entries(pairs)) {
       const near = 1e-3 * Math.max(1, Math.abs(value));

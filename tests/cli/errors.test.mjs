@@ -30,8 +30,14 @@ test('wrong usage ends with 2 and says what is wrong', (t) => {
     [['loft', picture, ...stroke, '--out', folder.path('a.obj'), '--obj-space', 'moon'], /image or world/],
     [['loft', picture, ...stroke, '--out', folder.path('a.stl'), '--obj-space', 'image'], /\.obj/],
     [['loft', picture, ...stroke, '--report', folder.path('x.json'), '--ribs', folder.path('x.json')], /same name/],
-    [['loft', picture, ...stroke, '--mask', folder.path('../' + folder.folder.split('/').at(-1) + '/bar.png')], /replace an input/],
-    ...['0', '-5', '10001', 'tall', '1e9', 'nan', '10mm', ''].map((height) => [['loft', picture, ...stroke, '--height-mm', height], /height/]),
+    [
+      ['loft', picture, ...stroke, '--mask', folder.path('../' + folder.folder.split('/').at(-1) + '/bar.png')],
+      /replace an input/,
+    ],
+    ...['0', '-5', '10001', 'tall', '1e9', 'nan', '10mm', ''].map((height) => [
+      ['loft', picture, ...stroke, '--height-mm', height],
+      /height/,
+    ]),
     [['edges', picture], /--out/],
     [['edges', '--out', folder.path('e.png')], /picture/],
     [['edges', picture, '--out', folder.path('e.jpg')], /\.png/],
@@ -106,13 +112,22 @@ test('bad strokes end with 3 and say which way they are bad', (t) => {
   for (const [text, words] of bad) {
     writeFileSync(folder.path('bad.json'), text);
     const before = folder.list();
-    const sentence = fails(kInput, 'loft', folder.path('bar.png'), '--stroke', folder.path('bad.json'), '--out', folder.path('a.glb'));
+    const sentence = fails(
+      kInput,
+      'loft',
+      folder.path('bar.png'),
+      '--stroke',
+      folder.path('bad.json'),
+      '--out',
+      folder.path('a.glb'),
+    );
     assert.match(sentence, words, text);
     assert.match(sentence, /bad\.json/);
     assert.deepEqual(folder.list(), before);
   }
   writeFileSync(folder.path('names.json'), JSON.stringify({ spines: { careful: barStroke, sloppy: barStroke } }));
-  const named = (file) => fails(kInput, 'loft', folder.path('bar.png'), '--stroke', folder.path(file), '--stroke-name', 'tidy');
+  const named = (file) =>
+    fails(kInput, 'loft', folder.path('bar.png'), '--stroke', folder.path(file), '--stroke-name', 'tidy');
   assert.match(named('names.json'), /tidy.*careful, sloppy/);
   assert.match(named('stroke.json'), /no named strokes/);
 });
@@ -135,10 +150,21 @@ test('when one output cannot be written none is, and what was there before is un
   for (const name of ['taken', 'taken.png']) mkdirSync(folder.path(name));
   const before = folder.list();
   for (const unwritable of [folder.path('no/such/folder/m'), folder.path('taken')]) {
-    for (const order of [['--mask', `${unwritable}.png`, '--report', folder.path('new')], ['--report', unwritable, '--mask', folder.path('new.png')]]) {
+    for (const order of [
+      ['--mask', `${unwritable}.png`, '--report', folder.path('new')],
+      ['--report', unwritable, '--mask', folder.path('new.png')],
+    ]) {
       const sentence = fails(
-        kInput, 'loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'),
-        '--out', folder.path('a.stl'), '--ribs', folder.path('a.json'), ...order,
+        kInput,
+        'loft',
+        folder.path('bar.png'),
+        '--stroke',
+        folder.path('stroke.json'),
+        '--out',
+        folder.path('a.stl'),
+        '--ribs',
+        folder.path('a.json'),
+        ...order,
       );
       assert.match(sentence, /cannot be written/);
       assert.ok(sentence.includes(unwritable));
@@ -149,9 +175,13 @@ test('when one output cannot be written none is, and what was there before is un
   }
 });
 
-test('a folder without write permission is left alone', { skip: process.getuid?.() === 0 && 'root may write anywhere' }, (t) => {
-  const folder = barFolder(t);
-  mkdirSync(folder.path('closed'));
-  chmodSync(folder.path('closed'), 0o555);
-  fails(kInput, 'edges', folder.path('bar.png'), '--out', folder.path('closed/e.png'));
-});
+test(
+  'a folder without write permission is left alone',
+  { skip: process.getuid?.() === 0 && 'root may write anywhere' },
+  (t) => {
+    const folder = barFolder(t);
+    mkdirSync(folder.path('closed'));
+    chmodSync(folder.path('closed'), 0o555);
+    fails(kInput, 'edges', folder.path('bar.png'), '--out', folder.path('closed/e.png'));
+  },
+);

@@ -3,9 +3,22 @@ import assert from 'node:assert/strict';
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import validator from 'gltf-validator';
-import { bar, barFolder, barStroke, glbJson, readJson, readObj, readPng, run, sixVolumes, stlBounds, works } from '../support/cli.mjs';
+import {
+  bar,
+  barFolder,
+  barStroke,
+  glbJson,
+  readJson,
+  readObj,
+  readPng,
+  run,
+  sixVolumes,
+  stlBounds,
+  works,
+} from '../support/cli.mjs';
 
-const loft = (folder, ...rest) => works('loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), ...rest);
+const loft = (folder, ...rest) =>
+  works('loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), ...rest);
 
 /** Smallest and largest x, y of a mask's set pixels, and how many there are. */
 function maskBounds({ width, height, data }) {
@@ -15,14 +28,41 @@ function maskBounds({ width, height, data }) {
     assert.equal(data[4 * i], 255);
     const [x, y] = [i % width, Math.floor(i / width)];
     Object.assign(bounds, { left: Math.min(bounds.left, x), right: Math.max(bounds.right, x) });
-    Object.assign(bounds, { top: Math.min(bounds.top, y), bottom: Math.max(bounds.bottom, y), count: bounds.count + 1 });
+    Object.assign(bounds, {
+      top: Math.min(bounds.top, y),
+      bottom: Math.max(bounds.bottom, y),
+      count: bounds.count + 1,
+    });
   }
   return bounds;
 }
 
 test('help names every option, version the version, both on standard output', () => {
   const help = works('--help').stdout;
-  for (const word of ['--stroke', '--stroke-name', '--stroke-ends', '--recipe', '--section', '--caps', '--height-mm', '--out', '--obj-space', '--mask', '--ribs', '--report', '.spineloft', 'open', '--document', 'edges', 'bench', '--json', '--jobs', '--overlays', '--overshoot', '--redraw']) {
+  for (const word of [
+    '--stroke',
+    '--stroke-name',
+    '--stroke-ends',
+    '--recipe',
+    '--section',
+    '--caps',
+    '--height-mm',
+    '--out',
+    '--obj-space',
+    '--mask',
+    '--ribs',
+    '--report',
+    '.spineloft',
+    'open',
+    '--document',
+    'edges',
+    'bench',
+    '--json',
+    '--jobs',
+    '--overlays',
+    '--overshoot',
+    '--redraw',
+  ]) {
     assert.ok(help.includes(word), word);
   }
   assert.equal(works('loft', '--help').stdout, help);
@@ -65,7 +105,15 @@ test('the ribs stand on the sides of the bar, in picture pixels, with their stat
 
 test('the report holds sizes, energy, a lawful mesh and the time of each stage', (t) => {
   const folder = barFolder(t);
-  const { stdout } = loft(folder, '--report', folder.path('report.json'), '--ribs', folder.path('ribs.json'), '--out', folder.path('bar.stl'));
+  const { stdout } = loft(
+    folder,
+    '--report',
+    folder.path('report.json'),
+    '--ribs',
+    folder.path('ribs.json'),
+    '--out',
+    folder.path('bar.stl'),
+  );
   const report = readJson(folder.path('report.json'));
   assert.deepEqual(report.picture, { width: bar.width, height: bar.height });
   assert.equal(report.ribs, readJson(folder.path('ribs.json')).ribs.length);
@@ -116,7 +164,10 @@ test('an OBJ in picture space fits the mask, and in world space has y up and sta
   assert.deepEqual(readFileSync(folder.path('told.obj')), readFileSync(folder.path('world.obj')));
   const image = readObj(folder.path('image.obj'));
   const world = readObj(folder.path('world.obj'));
-  const range = ({ vertices }, axis) => [Math.min(...vertices.map((v) => v[axis])), Math.max(...vertices.map((v) => v[axis]))];
+  const range = ({ vertices }, axis) => [
+    Math.min(...vertices.map((v) => v[axis])),
+    Math.max(...vertices.map((v) => v[axis])),
+  ];
   const bounds = maskBounds(readPng(folder.path('mask.png')));
   assert.ok(Math.abs(range(image, 0)[0] - bounds.left) <= 1 && Math.abs(range(image, 0)[1] - bounds.right) <= 1);
   assert.ok(Math.abs(range(image, 1)[0] - bounds.top) <= 1 && Math.abs(range(image, 1)[1] - bounds.bottom) <= 1);
@@ -132,7 +183,9 @@ test('an OBJ in picture space fits the mask, and in world space has y up and sta
 
 test('every section and every cap makes a closed mesh', (t) => {
   const folder = barFolder(t);
-  const sections = works('--help').stdout.match(/--section NAME +(.*)/)[1].split(', ');
+  const sections = works('--help')
+    .stdout.match(/--section NAME +(.*)/)[1]
+    .split(', ');
   assert.equal(sections.length, 12);
   const volumes = new Set();
   for (const section of sections) {
@@ -167,17 +220,46 @@ test('a stroke may be a list, points, or one of several by name, the first if no
 test('a stroke drawn past both ends of the bar is cut to it, unless it is to be kept', (t) => {
   const folder = barFolder(t);
   const [top, bottom] = [bar.top - bar.radius, bar.bottom + bar.radius];
-  writeFileSync(folder.path('past.json'), JSON.stringify([[bar.x, top - 35], [bar.x, bottom + 35]]));
+  writeFileSync(
+    folder.path('past.json'),
+    JSON.stringify([
+      [bar.x, top - 35],
+      [bar.x, bottom + 35],
+    ]),
+  );
   const centres = (...rest) => {
-    works('loft', folder.path('bar.png'), '--stroke', folder.path('past.json'), '--ribs', folder.path('ribs.json'), ...rest);
+    works(
+      'loft',
+      folder.path('bar.png'),
+      '--stroke',
+      folder.path('past.json'),
+      '--ribs',
+      folder.path('ribs.json'),
+      ...rest,
+    );
     return readJson(folder.path('ribs.json')).ribs.map((rib) => rib.center[1]);
   };
   for (const cut of [centres(), centres('--stroke-ends', 'cut')]) {
-    assert.ok(cut[0] > top && cut[0] < bar.top && cut.at(-1) < bottom && cut.at(-1) > bar.bottom, `from ${cut[0]} to ${cut.at(-1)}`);
+    assert.ok(
+      cut[0] > top && cut[0] < bar.top && cut.at(-1) < bottom && cut.at(-1) > bar.bottom,
+      `from ${cut[0]} to ${cut.at(-1)}`,
+    );
   }
   const kept = centres('--stroke-ends', 'keep');
-  assert.ok(Math.abs(kept[0] - (top - 35)) < 1 && Math.abs(kept.at(-1) - (bottom + 35)) < 1, `from ${kept[0]} to ${kept.at(-1)}`);
-  const wrong = run('loft', folder.path('bar.png'), '--stroke', folder.path('past.json'), '--stroke-ends', 'some', '--ribs', folder.path('ribs.json'));
+  assert.ok(
+    Math.abs(kept[0] - (top - 35)) < 1 && Math.abs(kept.at(-1) - (bottom + 35)) < 1,
+    `from ${kept[0]} to ${kept.at(-1)}`,
+  );
+  const wrong = run(
+    'loft',
+    folder.path('bar.png'),
+    '--stroke',
+    folder.path('past.json'),
+    '--stroke-ends',
+    'some',
+    '--ribs',
+    folder.path('ribs.json'),
+  );
   assert.equal(wrong.status, 2);
   assert.match(wrong.stderr, /cut or keep/);
 });
@@ -222,5 +304,8 @@ test('an output replaces the file of that name and leaves its neighbours alone',
   loft(folder, '--out', folder.path('bar.stl'));
   assert.ok(statSync(folder.path('bar.stl')).size > 1000);
   assert.deepEqual(folder.list(), ['.bar.stl.note', 'bar.png', 'bar.stl', 'stroke.json']);
-  assert.equal(run('loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), '--out', folder.path('bar.stl')).status, 0);
+  assert.equal(
+    run('loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), '--out', folder.path('bar.stl')).status,
+    0,
+  );
 });

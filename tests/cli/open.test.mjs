@@ -33,8 +33,16 @@ function withJson(bytes, change) {
 
 test('a saved model opens, its parts are derived again, and saving it once more gives the same bytes', async (t) => {
   const folder = savedBar(t);
-  const said = works('open', folder.path('bar.spineloft'), '--out', folder.path('again.spineloft'), '--report', folder.path('r.json'),
-    '--document', folder.path('d.json')).stdout;
+  const said = works(
+    'open',
+    folder.path('bar.spineloft'),
+    '--out',
+    folder.path('again.spineloft'),
+    '--report',
+    folder.path('r.json'),
+    '--document',
+    folder.path('d.json'),
+  ).stdout;
   assert.match(said, /^bar: 1 pictures, 1 parts: /);
   assert.deepEqual(readFileSync(folder.path('again.spineloft')), readFileSync(folder.path('bar.spineloft')));
   const report = readJson(folder.path('r.json'));
@@ -59,8 +67,13 @@ test('projects without a part, and without a picture, are GLBs without a fault',
   const bar = readFileSync(folder.path('bar.spineloft'));
   const document = (json) => json.extensions.SPINELOFT_project.document;
   const boards = {
-    'picture.spineloft': (json) => { document(json).parts = []; },
-    'empty.spineloft': (json) => { document(json).parts = []; document(json).pictures = []; },
+    'picture.spineloft': (json) => {
+      document(json).parts = [];
+    },
+    'empty.spineloft': (json) => {
+      document(json).parts = [];
+      document(json).pictures = [];
+    },
   };
   for (const [name, change] of Object.entries(boards)) {
     writeFileSync(folder.path('changed.glb'), withJson(bar, change));
@@ -68,15 +81,32 @@ test('projects without a part, and without a picture, are GLBs without a fault',
     await validates(folder.path(name));
     works('open', folder.path(name));
   }
-  assert.deepEqual(Object.keys(glbJson(readFileSync(folder.path('empty.spineloft')))).sort(), ['asset', 'extensions', 'extensionsUsed', 'scene', 'scenes']);
+  assert.deepEqual(Object.keys(glbJson(readFileSync(folder.path('empty.spineloft')))).sort(), [
+    'asset',
+    'extensions',
+    'extensionsUsed',
+    'scene',
+    'scenes',
+  ]);
 });
 
 test('what is no project, is cut off or too new is said in one sentence', (t) => {
   const folder = savedBar(t);
   const bar = readFileSync(folder.path('bar.spineloft'));
   writeFileSync(folder.path('cut.spineloft'), bar.subarray(0, bar.length - 100));
-  writeFileSync(folder.path('new.spineloft'), withJson(bar, (json) => { json.extensions.SPINELOFT_project.version = 1000; }));
-  writeFileSync(folder.path('other.glb'), withJson(bar, (json) => { delete json.extensions; delete json.extensionsUsed; }));
+  writeFileSync(
+    folder.path('new.spineloft'),
+    withJson(bar, (json) => {
+      json.extensions.SPINELOFT_project.version = 1000;
+    }),
+  );
+  writeFileSync(
+    folder.path('other.glb'),
+    withJson(bar, (json) => {
+      delete json.extensions;
+      delete json.extensionsUsed;
+    }),
+  );
   assert.match(fails(3, 'open', folder.path('cut.spineloft')), /damaged/);
   assert.match(fails(3, 'open', folder.path('new.spineloft')), /newer/);
   assert.match(fails(3, 'open', folder.path('other.glb')), /no model of SpineLoft/);
@@ -100,11 +130,21 @@ test('what is no project, is cut off or too new is said in one sentence', (t) =>
 test('solids are written as the parts they are made of, which is said in one sentence', async (t) => {
   const folder = savedBar(t);
   const bar = readFileSync(folder.path('bar.spineloft'));
-  writeFileSync(folder.path('mug.spineloft'), withJson(bar, (json) => {
-    const { document } = json.extensions.SPINELOFT_project;
-    document.parts.push({ ...document.parts[0], id: 2, name: 'Handle' });
-    Object.assign(document, { lastPartId: 2, lastStepId: 2, steps: [{ id: 1, name: 'Both', operands: [{ part: 1 }, { part: 2 }] }, { id: 2, name: 'Mug', kind: 'hollow', operands: [{ step: 1 }] }] });
-  }));
+  writeFileSync(
+    folder.path('mug.spineloft'),
+    withJson(bar, (json) => {
+      const { document } = json.extensions.SPINELOFT_project;
+      document.parts.push({ ...document.parts[0], id: 2, name: 'Handle' });
+      Object.assign(document, {
+        lastPartId: 2,
+        lastStepId: 2,
+        steps: [
+          { id: 1, name: 'Both', operands: [{ part: 1 }, { part: 2 }] },
+          { id: 2, name: 'Mug', kind: 'hollow', operands: [{ step: 1 }] },
+        ],
+      });
+    }),
+  );
   const out = ['again.glb', 'again.stl', 'again.spineloft'].map(folder.path);
   for (const file of out) {
     const done = run('open', folder.path('mug.spineloft'), '--out', file, '--report', folder.path('r.json'));
@@ -116,7 +156,10 @@ test('solids are written as the parts they are made of, which is said in one sen
   await validates(out[0]);
   // What it was made of is kept for the page, and nothing is said where no model is written.
   works('open', out[2], '--document', folder.path('d.json'));
-  assert.deepEqual(readJson(folder.path('d.json')).steps.map(({ name }) => name), ['Both', 'Mug']);
+  assert.deepEqual(
+    readJson(folder.path('d.json')).steps.map(({ name }) => name),
+    ['Both', 'Mug'],
+  );
   const recipe = run('loft', '--recipe', folder.path('d.json'), folder.path('bar.png'), '--out', folder.path('r.stl'));
   assert.deepEqual([recipe.status, /\(Mug\)\.\n$/.test(recipe.stderr)], [0, true], recipe.stderr);
 });
@@ -124,6 +167,14 @@ test('solids are written as the parts they are made of, which is said in one sen
 test('a part that lost its picture is left out and said so', (t) => {
   const folder = savedBar(t);
   const bar = readFileSync(folder.path('bar.spineloft'));
-  writeFileSync(folder.path('lost.spineloft'), withJson(bar, (json) => { json.extensions.SPINELOFT_project.document.parts[0].recipe.picture = 7; }));
-  assert.match(works('open', folder.path('lost.spineloft')).stdout, /1 pictures, 0 parts \(damaged: 1 left out, 0 mended\)/);
+  writeFileSync(
+    folder.path('lost.spineloft'),
+    withJson(bar, (json) => {
+      json.extensions.SPINELOFT_project.document.parts[0].recipe.picture = 7;
+    }),
+  );
+  assert.match(
+    works('open', folder.path('lost.spineloft')).stdout,
+    /1 pictures, 0 parts \(damaged: 1 left out, 0 mended\)/,
+  );
 });

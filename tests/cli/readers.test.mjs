@@ -14,7 +14,16 @@ const kHeight = 40;
 /** A bar of 40 mm as a file of this ending; its path. */
 function saved(folder, ending) {
   const path = folder.path(`bar.${ending}`);
-  works('loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), '--height-mm', String(kHeight), '--out', path);
+  works(
+    'loft',
+    folder.path('bar.png'),
+    '--stroke',
+    folder.path('stroke.json'),
+    '--height-mm',
+    String(kHeight),
+    '--out',
+    path,
+  );
   return path;
 }
 
@@ -24,7 +33,8 @@ const isHeight = (value, where) => assert.ok(Math.abs(value - kHeight) <= 0.01, 
 function measured(object) {
   const size = new Box3().setFromObject(object, true).getSize(new Vector3());
   const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
-  let triangles = 0, volume = 0;
+  let triangles = 0,
+    volume = 0;
   object.traverse(({ geometry }) => {
     if (!geometry) return;
     const { position } = (geometry.index ? geometry.toNonIndexed() : geometry).attributes;

@@ -44,14 +44,24 @@ test('the helix winds three times round its line and its bar stays as thick', (t
   const json = readJson(recipe('helix'));
   const [{ mesh }] = reports(folder, recipe('helix'), '--out', folder.path('helix.obj'), '--obj-space', 'image');
   delete json.parts[0].recipe.pose;
-  const [straight] = reports(folder, write(folder, 'straight.json', json), '--out', folder.path('bar.obj'), '--obj-space', 'image');
+  const [straight] = reports(
+    folder,
+    write(folder, 'straight.json', json),
+    '--out',
+    folder.path('bar.obj'),
+    '--obj-space',
+    'image',
+  );
   const extent = (name, axis) => {
     const along = readObj(folder.path(name)).vertices.map((vertex) => vertex[axis]);
     return Math.max(...along) - Math.min(...along);
   };
   const thick = extent('bar.obj', 0);
   for (const axis of [0, 2]) {
-    assert.ok(Math.abs(extent('helix.obj', axis) / (220 + thick) - 1) < 0.03, `axis ${axis}: ${extent('helix.obj', axis)}`);
+    assert.ok(
+      Math.abs(extent('helix.obj', axis) / (220 + thick) - 1) < 0.03,
+      `axis ${axis}: ${extent('helix.obj', axis)}`,
+    );
   }
   // The volume grows as the length of the line: the first and the last half turn grow out of it.
   const longer = (turns) => Math.hypot(2 * Math.PI * 110 * turns, 512) / 512;
@@ -60,14 +70,19 @@ test('the helix winds three times round its line and its bar stays as thick', (t
 });
 
 test('a coil so tight that it goes through itself is written, and one sentence names the part; one that does not, none', (t) => {
-  const folder = workFolder(t), json = readJson(recipe('helix'));
+  const folder = workFolder(t),
+    json = readJson(recipe('helix'));
   const write20 = (more) => {
     Object.assign(json.parts[0], more);
     json.parts[0].recipe.pose.coilTurns = 20;
     return run('loft', '--recipe', write(folder, 'tight.json', json), '--out', folder.path('tight.glb'));
   };
   const tight = write20({});
-  assert.deepEqual([tight.status, /^spineloft: [^\n]*go through themselves[^\n]*\(Spring\)\.\n$/.test(tight.stderr)], [0, true], tight.stderr);
+  assert.deepEqual(
+    [tight.status, /^spineloft: [^\n]*go through themselves[^\n]*\(Spring\)\.\n$/.test(tight.stderr)],
+    [0, true],
+    tight.stderr,
+  );
   assert.ok(existsSync(folder.path('tight.glb')));
   // What is not seen is not written.
   json.parts.push({ ...readJson(recipe('helix')).parts[0], id: 2, name: 'Wide' });
@@ -81,7 +96,10 @@ test('a twist turns the pasta and leaves its volume', (t) => {
   const [twisted] = reports(folder, recipe('twisted-pasta'));
   json.parts[0].recipe.loft.twist = [];
   const [straight] = reports(folder, write(folder, 'straight.json', json));
-  assert.ok(Math.abs(twisted.mesh.volume / straight.mesh.volume - 1) < 0.03, `${twisted.mesh.volume} and ${straight.mesh.volume}`);
+  assert.ok(
+    Math.abs(twisted.mesh.volume / straight.mesh.volume - 1) < 0.03,
+    `${twisted.mesh.volume} and ${straight.mesh.volume}`,
+  );
   assert.ok(twisted.mesh.area > 1.02 * straight.mesh.area);
 });
 
@@ -113,10 +131,24 @@ test('the document of a saved model is a recipe on its photo, and needs it', (t)
   assert.deepEqual(readFileSync(folder.path('again.glb')), readFileSync(folder.path('bar.glb')));
   assert.match(fails(3, 'loft', '--recipe', folder.path('bar.json')), /stands on a photo/);
   assert.match(fails(3, 'loft', folder.path('bar.png'), '--recipe', recipe('helix')), /brings its own pictures/);
-  assert.match(fails(3, 'loft', folder.path('bar.png'), '--recipe', folder.path('bar.json'), '--stroke', folder.path('stroke.json')), /lines of its own/);
+  assert.match(
+    fails(
+      3,
+      'loft',
+      folder.path('bar.png'),
+      '--recipe',
+      folder.path('bar.json'),
+      '--stroke',
+      folder.path('stroke.json'),
+    ),
+    /lines of its own/,
+  );
   const twice = readJson(folder.path('bar.json'));
   twice.pictures.push({ ...twice.pictures[0], id: 2, photo: '0123456789abcdef' });
-  assert.match(fails(3, 'loft', folder.path('bar.png'), '--recipe', write(folder, 'twice.json', twice)), /several photos/);
+  assert.match(
+    fails(3, 'loft', folder.path('bar.png'), '--recipe', write(folder, 'twice.json', twice)),
+    /several photos/,
+  );
 });
 
 test('a bad recipe ends with 3, says where it is bad, and leaves nothing behind', (t) => {
@@ -133,7 +165,10 @@ test('a bad recipe ends with 3, says where it is bad, and leaves nothing behind'
     [{ stroke: [1, 2, 'x', 4] }, /recipe\.stroke/],
     [{ stroke: [-500, -500, -400, -500] }, /outside/],
     [{ stroke, loft: { twist: [0, 0, 1, 1e9] } }, /recipe\.loft\.twist is damaged or out of range/],
-    [{ stroke, loft: { sections: [{}, { at: 0.5, shape: { preset: 'banana' } }] } }, /recipe\.loft\.sections\.1\.shape\.preset/],
+    [
+      { stroke, loft: { sections: [{}, { at: 0.5, shape: { preset: 'banana' } }] } },
+      /recipe\.loft\.sections\.1\.shape\.preset/,
+    ],
     [{ stroke, pose: { coilTurns: 1000, coilRadius: 5 } }, /recipe\.pose\.coilTurns/],
     [{ stroke, spine: { ribs: 'many' } }, /recipe\.spine\.ribs/],
     [{ stroke, loft: { twsit: [0, 0, 1, 1] } }, /nothing named recipe\.loft\.twsit/],
@@ -152,16 +187,25 @@ test('a bad recipe ends with 3, says where it is bad, and leaves nothing behind'
   }
   const tube = readJson(recipe('toothpaste-tube'));
   tube.parts[1].recipe.loft.sections[0].shape.preset = 'geer';
-  assert.match(fails(3, 'loft', '--recipe', write(folder, 'tube.json', tube)), /parts\.1\.recipe\.loft\.sections\.0\.shape\.preset/);
+  assert.match(
+    fails(3, 'loft', '--recipe', write(folder, 'tube.json', tube)),
+    /parts\.1\.recipe\.loft\.sections\.0\.shape\.preset/,
+  );
   assert.match(fails(3, 'loft', '--recipe', folder.path('none.json')), /none\.json/);
   assert.match(fails(3, 'loft', '--recipe', write(folder, 'empty.json', { parts: [] })), /no part/);
-  assert.match(fails(3, 'loft', '--recipe', recipe('toothpaste-tube'), '--mask', folder.path('m.png')), /2 parts.*for one/);
+  assert.match(
+    fails(3, 'loft', '--recipe', recipe('toothpaste-tube'), '--mask', folder.path('m.png')),
+    /2 parts.*for one/,
+  );
 });
 
 test('a recipe says section and caps itself, and is no output', (t) => {
   const folder = barFolder(t);
   for (const word of ['--section', '--caps']) {
-    assert.match(fails(2, 'loft', '--recipe', recipe('helix'), word, word === '--caps' ? 'flat' : 'star'), /stand in the recipe/);
+    assert.match(
+      fails(2, 'loft', '--recipe', recipe('helix'), word, word === '--caps' ? 'flat' : 'star'),
+      /stand in the recipe/,
+    );
   }
   const part = write(folder, 'part.json', { stroke: barStroke.flat() });
   assert.match(fails(2, 'loft', folder.path('bar.png'), '--recipe', part, '--report', part), /replace an input/);

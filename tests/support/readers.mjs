@@ -13,7 +13,10 @@ export function missing(name) {
 export async function said(name, ...args) {
   const reader = spawn(name, args, { timeout: 300_000 });
   let text = '';
-  for (const stream of [reader.stdout, reader.stderr]) stream.setEncoding('utf8').on('data', (more) => { text += more; });
+  for (const stream of [reader.stdout, reader.stderr])
+    stream.setEncoding('utf8').on('data', (more) => {
+      text += more;
+    });
   const status = await new Promise((resolve, reject) => {
     reader.on('error', reject);
     reader.on('close', resolve);
@@ -29,7 +32,15 @@ const isHeight = (value, wanted, where) => assert.ok(Math.abs(value - wanted) <=
 export async function isWholeToAdmesh(stl, millimetres) {
   const report = await said('admesh', stl);
   isHeight(number(report, /Max Z =\s*([\d.]+)/) - number(report, /Min Z =\s*(-?[\d.]+)/), millimetres, 'STL');
-  const faults = ['Total disconnected facets', 'Degenerate facets', 'Edges fixed', 'Facets removed', 'Facets added', 'Facets reversed', 'Backwards edges'];
+  const faults = [
+    'Total disconnected facets',
+    'Degenerate facets',
+    'Edges fixed',
+    'Facets removed',
+    'Facets added',
+    'Facets reversed',
+    'Backwards edges',
+  ];
   for (const fault of faults) assert.equal(number(report, new RegExp(`${fault}\\s*:\\s*(\\d+)`)), 0, report);
   assert.equal(number(report, /Number of parts\s*:\s*(\d+)/), 1, report);
   assert.ok(number(report, /Volume\s*:\s*(-?[\d.]+)/) > 0);
@@ -42,7 +53,9 @@ export async function isSliced(file, millimetres, code) {
   assert.match(info, /manifold = yes/);
   assert.equal(number(info, /number_of_parts = +(\d+)/), 1, info);
   await said('prusa-slicer', '--export-gcode', '--output', code, file);
-  const moves = readFileSync(code, 'utf8').split('\n').filter((line) => /^G1 .*E/.test(line));
+  const moves = readFileSync(code, 'utf8')
+    .split('\n')
+    .filter((line) => /^G1 .*E/.test(line));
   assert.ok(moves.length > 500, `${moves.length} moves`);
 }
 
@@ -50,7 +63,10 @@ export async function isSliced(file, millimetres, code) {
 export async function isImported(glb, millimetres) {
   const script = [
     // Debian's Blender 3.4 asks its numpy 1.24 for a name that this one no longer has.
-    'import bpy, bmesh, numpy', 'numpy.bool = bool', "bpy.ops.object.select_all(action='SELECT')", 'bpy.ops.object.delete()',
+    'import bpy, bmesh, numpy',
+    'numpy.bool = bool',
+    "bpy.ops.object.select_all(action='SELECT')",
+    'bpy.ops.object.delete()',
     `bpy.ops.import_scene.gltf(filepath=${JSON.stringify(glb)})`,
     "meshes = [o for o in bpy.data.objects if o.type == 'MESH']",
     'heights = [(o.matrix_world @ v.co).z for o in meshes for v in o.data.vertices]',

@@ -242,16 +242,38 @@ export interface State {
   /** Long work in words, with its share done (0…1). */
   activity: { label: string; done: number } | null;
   /** What the gesture in hand would make, and of which part (null: a new one); fresh when its shape is up to date. */
-  preview: { points: number; part: number | null; fresh: boolean; ribs: number; triangles: number; costMs: number } | null;
+  preview: {
+    points: number;
+    part: number | null;
+    fresh: boolean;
+    ribs: number;
+    triangles: number;
+    costMs: number;
+  } | null;
   /** What lies under the pointer; −1: none. `mark` is a scribble. */
-  hover: { part: number | null; end: RibEnd | null; other: number; handle: number; bone: boolean; depth: number; mark: number };
+  hover: {
+    part: number | null;
+    end: RibEnd | null;
+    other: number;
+    handle: number;
+    bone: boolean;
+    depth: number;
+    mark: number;
+  };
   /** What the arrow keys move. */
   chosen: { end: RibEnd | null; handle: number; outline: [number, number] | null };
   /** Rib ends that the line in hand moves. */
   touched: RibEnd[];
   /** How the tools work; reaches are shares of the bone's length, the brush is in CSS pixels. */
   options: {
-    ribReach: number; boneReach: number; bothSides: boolean; keepRibs: boolean; wholePicture: boolean; paintOver: boolean; depthByPressure: boolean; brush: number;
+    ribReach: number;
+    boneReach: number;
+    bothSides: boolean;
+    keepRibs: boolean;
+    wholePicture: boolean;
+    paintOver: boolean;
+    depthByPressure: boolean;
+    brush: number;
   };
   /** The visitor's own slices. */
   shelf: { id: number; name: string }[];

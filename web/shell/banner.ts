@@ -16,7 +16,12 @@ export function hideBanner(id: string): void {
 
 export function showBanner(banner: Banner): void {
   hideBanner(banner.id);
-  const element = make('div', { class: 'banner', role: 'alert', 'data-id': banner.id }, icon('triangle-alert'), make('p', {}, banner.text));
+  const element = make(
+    'div',
+    { class: 'banner', role: 'alert', 'data-id': banner.id },
+    icon('triangle-alert'),
+    make('p', {}, banner.text),
+  );
   const buttons = make('div', { class: 'banner-buttons' });
   for (const action of banner.actions) {
     const button = make('button', { type: 'button', class: 'button' }, action.label);

@@ -9,14 +9,44 @@ import type { MenuGroup, MenuItem } from './menu.ts';
 type Run = (id: string, args?: Record<string, unknown>) => void;
 
 /** Commands with a button of their own, in order; '|' is a line between groups. */
-const kBar = ['open-picture', '|', 'pen', 'eraser', 'draw', 'new-part', '|', 'undo', 'redo', '|', 'set-section', 'set-caps', 'delete-part'];
+const kBar = [
+  'open-picture',
+  '|',
+  'pen',
+  'eraser',
+  'draw',
+  'new-part',
+  '|',
+  'undo',
+  'redo',
+  '|',
+  'set-section',
+  'set-caps',
+  'delete-part',
+];
 /** Buttons that are there only while they can be used: pen and eraser are for paper. */
 const kOnlyWhenPossible = new Set(['pen', 'eraser']);
 /** What moves into the More menu first when the bar is too narrow. */
 const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture', 'eraser', 'pen'];
 const kGroupTitles: Record<string, string> = {
-  file: 'File', picture: 'Picture', draw: 'Draw', tool: 'Tools', edit: 'Edit', history: 'Edit', part: 'Part', ribs: 'Ribs', bone: 'Bone', slice: 'Slice', place: 'Places',
-  section: 'Slice', board: 'Drawing a slice', caps: 'Ends', look: 'Look', view: 'View', model: 'Model', help: 'Help',
+  file: 'File',
+  picture: 'Picture',
+  draw: 'Draw',
+  tool: 'Tools',
+  edit: 'Edit',
+  history: 'Edit',
+  part: 'Part',
+  ribs: 'Ribs',
+  bone: 'Bone',
+  slice: 'Slice',
+  place: 'Places',
+  section: 'Slice',
+  board: 'Drawing a slice',
+  caps: 'Ends',
+  look: 'Look',
+  view: 'View',
+  model: 'Model',
+  help: 'Help',
 };
 
 function isForPeople(command: Command): boolean {
@@ -32,7 +62,10 @@ export class CommandBar {
   private commands: Command[] = [];
   private hidden = new Set<string>();
 
-  constructor(private readonly run: Run, private readonly showShortcuts: () => void) {
+  constructor(
+    private readonly run: Run,
+    private readonly showShortcuts: () => void,
+  ) {
     this.more.append(icon('ellipsis'), make('span', { class: 'bar-label' }, 'More'));
     this.save.append(icon('download'), make('span', {}, 'Save'), icon('chevron-down'));
     this.more.addEventListener('click', () => toggleMenu(this.more, 'More', this.moreGroups()));
@@ -45,7 +78,10 @@ export class CommandBar {
   /** Shows the table as it is now; focus and open menus stay. */
   update(commands: Command[]): void {
     this.commands = commands;
-    const ids = kBar.filter((id) => id === '|' || commands.some((command) => command.id === id && (command.enabled || !kOnlyWhenPossible.has(id))));
+    const ids = kBar.filter(
+      (id) =>
+        id === '|' || commands.some((command) => command.id === id && (command.enabled || !kOnlyWhenPossible.has(id))),
+    );
     if (this.items.dataset.ids !== ids.join(' ')) this.rebuild(ids);
     for (const command of commands) this.updateButton(command);
     const savable = this.saveCommands().some((command) => command.enabled);
@@ -60,13 +96,15 @@ export class CommandBar {
 
   private rebuild(ids: string[]): void {
     this.buttons.clear();
-    this.items.replaceChildren(...ids.map((id) => {
-      if (id === '|') return make('span', { class: 'bar-line', role: 'separator', 'aria-orientation': 'vertical' });
-      const button = make('button', { type: 'button', class: 'bar-button', tabindex: '-1', 'data-command': id });
-      button.addEventListener('click', () => this.press(button, id));
-      this.buttons.set(id, button);
-      return button;
-    }));
+    this.items.replaceChildren(
+      ...ids.map((id) => {
+        if (id === '|') return make('span', { class: 'bar-line', role: 'separator', 'aria-orientation': 'vertical' });
+        const button = make('button', { type: 'button', class: 'bar-button', tabindex: '-1', 'data-command': id });
+        button.addEventListener('click', () => this.press(button, id));
+        this.buttons.set(id, button);
+        return button;
+      }),
+    );
     this.items.dataset.ids = ids.join(' ');
     this.setStop(this.stops()[0]);
   }
@@ -119,8 +157,14 @@ export class CommandBar {
 
   private openSaveMenu(): void {
     if (this.save.getAttribute('aria-disabled') === 'true') return;
-    const items = (ours: boolean) => this.saveCommands().filter((command) => (command.group === 'model') === ours).map((command) => this.plainItem(command, true));
-    toggleMenu(this.save, 'Save', [{ title: '', items: items(true) }, { title: '', items: items(false) }]);
+    const items = (ours: boolean) =>
+      this.saveCommands()
+        .filter((command) => (command.group === 'model') === ours)
+        .map((command) => this.plainItem(command, true));
+    toggleMenu(this.save, 'Save', [
+      { title: '', items: items(true) },
+      { title: '', items: items(false) },
+    ]);
   }
 
   private plainItem(command: Command, withHint: boolean): MenuItem {
@@ -139,7 +183,8 @@ export class CommandBar {
 
   /** A command with choices as one item that leads to them. */
   private leadingItem(command: Command): MenuItem {
-    const choices = () => toggleMenu(this.more, command.label, [{ title: command.label, items: this.choiceItems(command) }]);
+    const choices = () =>
+      toggleMenu(this.more, command.label, [{ title: command.label, items: this.choiceItems(command) }]);
     return { label: command.label, icon: command.icon, disabled: !command.enabled, leads: true, run: choices };
   }
 
@@ -149,7 +194,7 @@ export class CommandBar {
     const shown = (id: string) => this.buttons.has(id) && !this.hidden.has(id);
     for (const command of this.commands) {
       if (shown(command.id) || command.id.startsWith('save-') || !isForPeople(command)) continue;
-      if (command.group === 'board' && !command.enabled) continue;  // of use only while a slice is drawn
+      if (command.group === 'board' && !command.enabled) continue; // of use only while a slice is drawn
       const title = kGroupTitles[command.group] ?? command.group;
       const group = groups.find((candidate) => candidate.title === title);
       const item = command.argument?.choices ? this.leadingItem(command) : this.plainItem(command, false);
@@ -157,7 +202,10 @@ export class CommandBar {
       else if (command.group === 'model') groups.unshift({ title, items: [item] });
       else groups.push({ title, items: [item] });
     }
-    groups.push({ title: 'Help', items: [{ label: 'Keys and gestures', icon: 'keyboard', shortcut: '?', run: this.showShortcuts }] });
+    groups.push({
+      title: 'Help',
+      items: [{ label: 'Keys and gestures', icon: 'keyboard', shortcut: '?', run: this.showShortcuts }],
+    });
     return groups;
   }
 

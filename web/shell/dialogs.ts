@@ -7,11 +7,15 @@ export function openDialog(title: string, body: Node[], className: string): HTML
   const heading = make('h2', { id: 'dialog-title' }, title);
   const close = make('button', { type: 'button', class: 'dialog-close', 'aria-label': 'Close' });
   close.append(icon('x'));
-  const dialog = make('dialog', { class: className, 'aria-labelledby': 'dialog-title' },
-    make('header', {}, heading, close), ...body);
+  const dialog = make(
+    'dialog',
+    { class: className, 'aria-labelledby': 'dialog-title' },
+    make('header', {}, heading, close),
+    ...body,
+  );
   close.addEventListener('click', () => dialog.close());
   dialog.addEventListener('click', (event) => {
-    if (event.target === dialog) dialog.close();  // on the backdrop
+    if (event.target === dialog) dialog.close(); // on the backdrop
   });
   dialog.addEventListener('close', () => dialog.remove());
   document.body.append(dialog);
@@ -22,11 +26,18 @@ export function openDialog(title: string, body: Node[], className: string): HTML
 /** Asks for a line of text; null when it was closed without an answer. */
 export function askText(title: string, text: string, value = ''): Promise<string | null> {
   const input = make('input', { type: 'text', id: 'dialog-input', value, autocomplete: 'off', maxlength: '200' });
-  const form = make('form', { method: 'dialog' },
-    make('label', { for: 'dialog-input' }, text), input,
-    make('div', { class: 'dialog-buttons' },
+  const form = make(
+    'form',
+    { method: 'dialog' },
+    make('label', { for: 'dialog-input' }, text),
+    input,
+    make(
+      'div',
+      { class: 'dialog-buttons' },
       make('button', { type: 'button', class: 'button', value: 'cancel' }, 'Cancel'),
-      make('button', { type: 'submit', class: 'button button-primary' }, 'OK')));
+      make('button', { type: 'submit', class: 'button button-primary' }, 'OK'),
+    ),
+  );
   const dialog = openDialog(title, [form], 'dialog');
   input.select();
   return new Promise((resolve) => {
@@ -40,9 +51,19 @@ export function askText(title: string, text: string, value = ''): Promise<string
 }
 
 /** Asks a question with buttons; the value of the one that was pressed, null when it was closed. */
-export function askChoice(title: string, text: string, choices: { value: string; label: string }[]): Promise<string | null> {
-  const buttons = choices.map(({ value, label }, i) => make('button', { type: 'button', class: i === 0 ? 'button button-primary' : 'button', value }, label));
-  const dialog = openDialog(title, [make('p', {}, text), make('div', { class: 'dialog-buttons' }, ...buttons.reverse())], 'dialog');
+export function askChoice(
+  title: string,
+  text: string,
+  choices: { value: string; label: string }[],
+): Promise<string | null> {
+  const buttons = choices.map(({ value, label }, i) =>
+    make('button', { type: 'button', class: i === 0 ? 'button button-primary' : 'button', value }, label),
+  );
+  const dialog = openDialog(
+    title,
+    [make('p', {}, text), make('div', { class: 'dialog-buttons' }, ...buttons.reverse())],
+    'dialog',
+  );
   return new Promise((resolve) => {
     let answer: string | null = null;
     for (const button of buttons) {
@@ -81,7 +102,8 @@ const kSheetGroups = [
 /** The sheet of all shortcuts, from the command table. */
 export function showShortcutSheet(commands: Command[]): void {
   if (document.querySelector('dialog.sheet')) return;
-  const row = (what: string, keys: Node, hint = '') => make('tr', {}, make('th', { scope: 'row' }, what), make('td', {}, keys), make('td', { class: 'sheet-hint' }, hint));
+  const row = (what: string, keys: Node, hint = '') =>
+    make('tr', {}, make('th', { scope: 'row' }, what), make('td', {}, keys), make('td', { class: 'sheet-hint' }, hint));
   const kbd = (shortcut: string) => {
     const span = make('span', {});
     const keys = shortcut.split(', ');
@@ -91,16 +113,29 @@ export function showShortcutSheet(commands: Command[]): void {
     return span;
   };
   const tables = kSheetGroups.map(({ title, groups }) => {
-    const rows = commands.filter((command) => command.shortcut && groups.includes(command.group))
+    const rows = commands
+      .filter((command) => command.shortcut && groups.includes(command.group))
       .map((command) => row(command.label, kbd(command.shortcut), command.hint ?? ''));
-    if (title === 'Tools') rows.push(row('Draw with keys', kbd('Enter'), 'On the picture: arrows move the pen, Space puts it down and lifts it'));
+    if (title === 'Tools')
+      rows.push(
+        row('Draw with keys', kbd('Enter'), 'On the picture: arrows move the pen, Space puts it down and lifts it'),
+      );
     if (title === 'View') rows.push(row('This sheet', kbd('?')));
     return make('table', {}, make('caption', {}, title), make('tbody', {}, ...rows));
   });
-  const handRows = kPointerHelp.map(([what, how]) => make('tr', {}, make('th', { scope: 'row' }, what), make('td', { colspan: '2' }, how)));
-  openDialog('Keys and gestures', [
-    make('div', { class: 'sheet-body', tabindex: '0', role: 'region', 'aria-label': 'List of keys and gestures' },
-      ...tables,
-      make('table', {}, make('caption', {}, 'Mouse, finger and pen'), make('tbody', {}, ...handRows))),
-  ], 'dialog sheet');
+  const handRows = kPointerHelp.map(([what, how]) =>
+    make('tr', {}, make('th', { scope: 'row' }, what), make('td', { colspan: '2' }, how)),
+  );
+  openDialog(
+    'Keys and gestures',
+    [
+      make(
+        'div',
+        { class: 'sheet-body', tabindex: '0', role: 'region', 'aria-label': 'List of keys and gestures' },
+        ...tables,
+        make('table', {}, make('caption', {}, 'Mouse, finger and pen'), make('tbody', {}, ...handRows)),
+      ),
+    ],
+    'dialog sheet',
+  );
 }

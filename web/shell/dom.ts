@@ -47,5 +47,8 @@ export function shortcutText(shortcut: string): string {
 /** The same in the form of aria-keyshortcuts. */
 export function ariaShortcut(shortcut: string): string {
   const control = kIsMac ? 'Meta' : 'Control';
-  return shortcut.split(/,\s*/).map((keys) => keys.replaceAll('Ctrl', control)).join(' ');
+  return shortcut
+    .split(/,\s*/)
+    .map((keys) => keys.replaceAll('Ctrl', control))
+    .join(' ');
 }

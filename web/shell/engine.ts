@@ -29,7 +29,9 @@ export type EngineEvent =
   | JournalEvent
   | KeepEvent;
 
-type RawEvent = Exclude<EngineEvent, { type: 'file' }> | { type: 'file'; name: string; mediaType: string; ptr: number; length: number };
+type RawEvent =
+  | Exclude<EngineEvent, { type: 'file' }>
+  | { type: 'file'; name: string; mediaType: string; ptr: number; length: number };
 
 /** Pointer kinds, devices and modifiers as numbers of the C++ side. */
 export const kPointerKind = { down: 0, move: 1, up: 2, cancel: 3, leave: 4 } as const;
@@ -64,12 +66,40 @@ interface Module {
   wasmMemory: WebAssembly.Memory;
   _malloc(size: number): number;
   _free(ptr: number): void;
-  _spl_start(font: number, fontLength: number, bold: number, boldLength: number, icons: number, iconLength: number, width: number, height: number, dpr: number): number;
+  _spl_start(
+    font: number,
+    fontLength: number,
+    bold: number,
+    boldLength: number,
+    icons: number,
+    iconLength: number,
+    width: number,
+    height: number,
+    dpr: number,
+  ): number;
   _spl_resize(width: number, height: number, dpr: number): void;
-  _spl_pointer(kind: number, id: number, device: number, button: number, buttons: number, x: number, y: number, pressure: number, timeMs: number, modifiers: number): void;
+  _spl_pointer(
+    kind: number,
+    id: number,
+    device: number,
+    button: number,
+    buttons: number,
+    x: number,
+    y: number,
+    pressure: number,
+    timeMs: number,
+    modifiers: number,
+  ): void;
   _spl_wheel(x: number, y: number, deltaX: number, deltaY: number, modifiers: number): void;
   _spl_key(code: number, key: number, down: number, modifiers: number): number;
-  _spl_addPicture(rgba: number, width: number, height: number, originalWidth: number, originalHeight: number, name: number): number;
+  _spl_addPicture(
+    rgba: number,
+    width: number,
+    height: number,
+    originalWidth: number,
+    originalHeight: number,
+    name: number,
+  ): number;
   _spl_state(): number;
   _spl_commands(): number;
   _spl_run(id: number, args: number): number;
@@ -188,9 +218,25 @@ export class Engine {
 
   start(fonts: Fonts, size: Size): boolean {
     const parts = [fonts.text, fonts.bold, fonts.icons].map((bytes) => ({ at: this.put(bytes), length: bytes.length }));
-    const [text, bold, icons] = parts as [{ at: number; length: number }, { at: number; length: number }, { at: number; length: number }];
+    const [text, bold, icons] = parts as [
+      { at: number; length: number },
+      { at: number; length: number },
+      { at: number; length: number },
+    ];
     try {
-      return this.module._spl_start(text.at, text.length, bold.at, bold.length, icons.at, icons.length, size.width, size.height, size.dpr) === 1;
+      return (
+        this.module._spl_start(
+          text.at,
+          text.length,
+          bold.at,
+          bold.length,
+          icons.at,
+          icons.length,
+          size.width,
+          size.height,
+          size.dpr,
+        ) === 1
+      );
     } finally {
       for (const part of parts) this.module._free(part.at);
     }
@@ -217,7 +263,15 @@ export class Engine {
     const pixels = this.put(picture.rgba);
     try {
       const outcome = this.withStrings([name], (at) =>
-        this.module._spl_addPicture(pixels, picture.width, picture.height, picture.originalWidth, picture.originalHeight, at[0]!));
+        this.module._spl_addPicture(
+          pixels,
+          picture.width,
+          picture.height,
+          picture.originalWidth,
+          picture.originalHeight,
+          at[0]!,
+        ),
+      );
       this.check(this.text(outcome));
     } finally {
       this.module._free(pixels);
@@ -339,8 +393,17 @@ export class Engine {
       const at = this.withStrings([hash], (ptr) => this.module._spl_photo(ptr[0]!, sizes));
       if (at === 0) return null;
       const view = new DataView(this.module.wasmMemory.buffer, sizes, 16);
-      const [width, height, originalWidth, originalHeight] = [0, 4, 8, 12].map((offset) => view.getInt32(offset, true)) as [number, number, number, number];
-      return { hash, width, height, originalWidth, originalHeight, rgba: this.heap().slice(at, at + 4 * width * height) };
+      const [width, height, originalWidth, originalHeight] = [0, 4, 8, 12].map((offset) =>
+        view.getInt32(offset, true),
+      ) as [number, number, number, number];
+      return {
+        hash,
+        width,
+        height,
+        originalWidth,
+        originalHeight,
+        rgba: this.heap().slice(at, at + 4 * width * height),
+      };
     } finally {
       this.module._free(sizes);
     }
@@ -356,7 +419,9 @@ export class Engine {
   layPhotoBy(photo: RawPhoto): string {
     const pixels = this.put(photo.rgba);
     try {
-      return this.text(this.module._spl_layPhotoBy(pixels, photo.width, photo.height, photo.originalWidth, photo.originalHeight));
+      return this.text(
+        this.module._spl_layPhotoBy(pixels, photo.width, photo.height, photo.originalWidth, photo.originalHeight),
+      );
     } finally {
       this.module._free(pixels);
     }
@@ -364,7 +429,9 @@ export class Engine {
 
   /** Replaces the model by one that was kept; how many of its records were damaged. */
   restore(base: string, records: string[]): number {
-    const answer = this.withStrings([base, JSON.stringify(records)], (at) => this.text(this.module._spl_restore(at[0]!, at[1]!)));
+    const answer = this.withStrings([base, JSON.stringify(records)], (at) =>
+      this.text(this.module._spl_restore(at[0]!, at[1]!)),
+    );
     return this.check(answer).dropped ?? 0;
   }
 

@@ -41,7 +41,7 @@ function connectPickers(take: TakeFiles): void {
     const input = byId<HTMLInputElement>(id);
     input.addEventListener('change', () => {
       const files = [...(input.files ?? [])];
-      input.value = '';  // the same file can be chosen again
+      input.value = ''; // the same file can be chosen again
       if (files.length > 0) take(files);
     });
   }
@@ -66,7 +66,12 @@ export function pickModel(): void {
 
 /** Whether a file is a GLB by its first bytes: a project of ours, or of another program. */
 export async function isModelFile(file: Blob): Promise<boolean> {
-  const head = new Uint8Array(await file.slice(0, 4).arrayBuffer().catch(() => new ArrayBuffer(0)));
+  const head = new Uint8Array(
+    await file
+      .slice(0, 4)
+      .arrayBuffer()
+      .catch(() => new ArrayBuffer(0)),
+  );
   return String.fromCharCode(...head) === 'glTF';
 }
 

@@ -5,16 +5,19 @@ import { ghostHand } from './ghost_hand.ts';
 import type { Sample } from './start_page.ts';
 
 /** CSS pixels: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
-const kGap = 12, kTitleRoom = 72, kToolsRoom = 56, kStripRoom = 60;
+const kGap = 12,
+  kTitleRoom = 72,
+  kToolsRoom = 56,
+  kStripRoom = 60;
 /** Under this width there is a strip of tabs below the views. */
 const kCompactWidth = 1000;
 
 /** One line about what to do next; '' where none is needed. */
 function adviceFor({ picture, parts, tool, pen }: State): string {
-  if (!picture || parts.length > 0 || pen.menu) return '';  // a menu needs the room
+  if (!picture || parts.length > 0 || pen.menu) return ''; // a menu needs the room
   if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
   if (picture.sketch && tool !== 'draw') return picture.finished ? 'Now draw a bone through it' : '';
-  if (tool === 'puff' || tool === 'sheet') return '';  // the bar of the tool is there
+  if (tool === 'puff' || tool === 'sheet') return ''; // the bar of the tool is there
   return 'Draw a line through the middle of the thing';
 }
 
@@ -58,7 +61,8 @@ export class Guide {
   private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): void {
     const box = byId('canvas');
     const compact = box.clientWidth < kCompactWidth;
-    const left = compact ? kTitleRoom : kGap, right = box.clientWidth - kGap;
+    const left = compact ? kTitleRoom : kGap,
+      right = box.clientWidth - kGap;
     this.hint.style.maxWidth = `${right - left}px`;
     const { offsetWidth, offsetHeight } = this.hint;
     const middle = (topLeft.x + bottomRight.x) / 2 - offsetWidth / 2;

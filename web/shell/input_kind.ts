@@ -4,8 +4,18 @@
 /** Keeps `data-input` of the page's root at "pointer" or "keys". */
 export function watchInputKind(root: HTMLElement): void {
   root.dataset.input = 'pointer';
-  window.addEventListener('pointerdown', () => { root.dataset.input = 'pointer'; }, { capture: true });
-  window.addEventListener('keydown', (event) => {
-    if (!['Control', 'Shift', 'Alt', 'Meta'].includes(event.key)) root.dataset.input = 'keys';
-  }, { capture: true });
+  window.addEventListener(
+    'pointerdown',
+    () => {
+      root.dataset.input = 'pointer';
+    },
+    { capture: true },
+  );
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      if (!['Control', 'Shift', 'Alt', 'Meta'].includes(event.key)) root.dataset.input = 'keys';
+    },
+    { capture: true },
+  );
 }

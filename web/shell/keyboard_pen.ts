@@ -4,10 +4,11 @@ import { byId } from './dom.ts';
 import { kDevice, kPointerKind } from './engine.ts';
 import type { Engine } from './engine.ts';
 
-const kStep = 10, kLongStep = 40;
+const kStep = 10,
+  kLongStep = 40;
 /** A moved pen leaves a point every so many pixels, as a hand would. */
 const kTrail = 4;
-const kPenId = 1 << 20;  // no browser pointer has it
+const kPenId = 1 << 20; // no browser pointer has it
 
 interface Point {
   x: number;
@@ -36,14 +37,21 @@ export class KeyboardPen {
     if (!this.at) return event.key === 'Enter' && this.take();
     const step = event.shiftKey ? kLongStep : kStep;
     switch (event.key) {
-      case 'ArrowLeft': return this.move(-step, 0);
-      case 'ArrowRight': return this.move(step, 0);
-      case 'ArrowUp': return this.move(0, -step);
-      case 'ArrowDown': return this.move(0, step);
+      case 'ArrowLeft':
+        return this.move(-step, 0);
+      case 'ArrowRight':
+        return this.move(step, 0);
+      case 'ArrowUp':
+        return this.move(0, -step);
+      case 'ArrowDown':
+        return this.move(0, step);
       case ' ':
-      case 'Enter': return this.press();
-      case 'Escape': return this.putAway();
-      default: return false;
+      case 'Enter':
+        return this.press();
+      case 'Escape':
+        return this.putAway();
+      default:
+        return false;
     }
   }
 
@@ -97,8 +105,16 @@ export class KeyboardPen {
 
   private send(kind: number): void {
     this.page.engine.pointer({
-      kind, id: kPenId, device: kDevice.mouse, button: kind === kPointerKind.move ? -1 : 0, buttons: this.isDown ? 1 : 0,
-      x: this.at!.x, y: this.at!.y, pressure: this.isDown ? 0.5 : 0, timeMs: performance.now(), modifiers: 0,
+      kind,
+      id: kPenId,
+      device: kDevice.mouse,
+      button: kind === kPointerKind.move ? -1 : 0,
+      buttons: this.isDown ? 1 : 0,
+      x: this.at!.x,
+      y: this.at!.y,
+      pressure: this.isDown ? 0.5 : 0,
+      timeMs: performance.now(),
+      modifiers: 0,
     });
   }
 }

@@ -27,10 +27,16 @@ const canvas = byId<HTMLCanvasElement>('canvas');
 /** Why this browser cannot run the page, or null. */
 function missing(): Failure | null {
   if (typeof WebAssembly !== 'object') {
-    return new Failure('NoWebAssembly', 'This browser has no WebAssembly, which SpineLoft needs. Update the browser, or open the page in a current Chrome, Edge, Firefox or Safari.');
+    return new Failure(
+      'NoWebAssembly',
+      'This browser has no WebAssembly, which SpineLoft needs. Update the browser, or open the page in a current Chrome, Edge, Firefox or Safari.',
+    );
   }
   if (!hasWebGl2()) {
-    return new Failure('NoWebGL2', 'This browser cannot draw in 3D: WebGL 2 is missing or switched off. Switch on graphics acceleration in its settings, or try another browser.');
+    return new Failure(
+      'NoWebGL2',
+      'This browser cannot draw in 3D: WebGL 2 is missing or switched off. Switch on graphics acceleration in its settings, or try another browser.',
+    );
   }
   return null;
 }
@@ -44,7 +50,10 @@ async function startEngine(onEvent: (event: EngineEvent) => void): Promise<Engin
     return engine;
   } catch (thrown) {
     console.warn(thrown);
-    throw new Failure('EngineNotLoaded', 'SpineLoft did not load completely. Check the connection and load the page again.');
+    throw new Failure(
+      'EngineNotLoaded',
+      'SpineLoft did not load completely. Check the connection and load the page again.',
+    );
   }
 }
 
@@ -52,8 +61,15 @@ async function startEngine(onEvent: (event: EngineEvent) => void): Promise<Engin
 function showFailure(failure: Failure): void {
   const again = make('button', { type: 'button', class: 'button button-primary button-large' }, 'Load again');
   again.addEventListener('click', () => location.reload());
-  byId('start').replaceChildren(make('div', { class: 'start-failure', role: 'alert' },
-    make('h2', {}, 'SpineLoft cannot start here'), make('p', {}, failure.message), again));
+  byId('start').replaceChildren(
+    make(
+      'div',
+      { class: 'start-failure', role: 'alert' },
+      make('h2', {}, 'SpineLoft cannot start here'),
+      make('p', {}, failure.message),
+      again,
+    ),
+  );
 }
 
 function connect(page: Page, engine: Engine): void {
@@ -62,7 +78,13 @@ function connect(page: Page, engine: Engine): void {
   connectPointer({ canvas, engine, undo: () => page.run('undo'), redo: () => page.run('redo') });
   const pen = new KeyboardPen({ canvas, engine, say: (text) => page.say(text) });
   watchInputKind(document.documentElement);
-  connectKeyboard({ engine, pen, showShortcuts: () => page.showShortcuts(), isQuiet: () => page.isOnStartPage, isLocked: () => page.isReadOnly });
+  connectKeyboard({
+    engine,
+    pen,
+    showShortcuts: () => page.showShortcuts(),
+    isQuiet: () => page.isOnStartPage,
+    isLocked: () => page.isReadOnly,
+  });
   window.addEventListener('beforeunload', (event) => {
     if (page.hasUnsavedWork) event.preventDefault();
   });
@@ -90,16 +112,24 @@ function main(): void {
       return;
     }
     pending = action;
-    page.showLoading(() => { pending = null; });
+    page.showLoading(() => {
+      pending = null;
+    });
   };
-  ready.then(() => pending?.(), () => page.showLoading(null));
+  ready.then(
+    () => pending?.(),
+    () => page.showLoading(null),
+  );
   connectFiles(
     (files) => whenReady(() => void page.openFiles(files)),
     () => toast('That was not a file. Drop a PNG or JPEG picture or a model from your device.', 'error'),
   );
-  buildStartPage((sample) => {
-    whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));
-  }, () => whenReady(() => page.drawOnPaper()));
+  buildStartPage(
+    (sample) => {
+      whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));
+    },
+    () => whenReady(() => page.drawOnPaper()),
+  );
   connectTooltips(byId('bar'));
 }
 

@@ -68,17 +68,31 @@ function handleKeys(event: KeyboardEvent, elements: HTMLElement[], close: (refoc
   const at = elements.indexOf(document.activeElement as HTMLElement);
   const go = (index: number) => elements[(index + elements.length) % elements.length]?.focus();
   switch (event.key) {
-    case 'ArrowDown': go(at + 1); break;
-    case 'ArrowUp': go(at - 1); break;
-    case 'Home': go(0); break;
-    case 'End': go(elements.length - 1); break;
-    case 'Escape': close(true); break;
-    case 'Tab': close(true); return;
+    case 'ArrowDown':
+      go(at + 1);
+      break;
+    case 'ArrowUp':
+      go(at - 1);
+      break;
+    case 'Home':
+      go(0);
+      break;
+    case 'End':
+      go(elements.length - 1);
+      break;
+    case 'Escape':
+      close(true);
+      break;
+    case 'Tab':
+      close(true);
+      return;
     case 'ArrowRight':
       if (elements[at]?.hasAttribute('aria-haspopup')) elements[at]?.click();
       break;
     case 'Enter':
-    case ' ': elements[at]?.click(); break;
+    case ' ':
+      elements[at]?.click();
+      break;
     default: {
       if (event.key.length !== 1 || event.ctrlKey || event.metaKey) return;
       const order = [...elements.slice(at + 1), ...elements.slice(0, at + 1)];

@@ -44,7 +44,10 @@ export class Page {
   });
 
   constructor() {
-    this.bar = new CommandBar((id, args) => this.run(id, args), () => this.showShortcuts());
+    this.bar = new CommandBar(
+      (id, args) => this.run(id, args),
+      () => this.showShortcuts(),
+    );
   }
 
   /** The engine runs: from now on the DOM follows it. */
@@ -94,21 +97,41 @@ export class Page {
 
   handle(event: EngineEvent): void {
     switch (event.type) {
-      case 'changed': this.refresh(); break;
-      case 'toast': toast(event.text, event.level); break;
+      case 'changed':
+        this.refresh();
+        break;
+      case 'toast':
+        toast(event.text, event.level);
+        break;
       case 'file':
         download(event.name, event.mediaType, event.bytes);
         this.engine?.markSaved();
         toast(`Saved ${event.name}.`);
         break;
-      case 'pickPicture': pickPicture(); break;
-      case 'ask': void this.ask(event); break;
-      case 'cursor': this.canvas.style.cursor = event.css; break;
-      case 'shelf': keepShelf(event.slices); break;
-      case 'status': this.say(event.text); break;
-      case 'turntable': void this.turntable(event); break;
-      case 'journal': this.keeper?.take(event); break;
-      case 'keep': this.keeper?.handle(event); break;
+      case 'pickPicture':
+        pickPicture();
+        break;
+      case 'ask':
+        void this.ask(event);
+        break;
+      case 'cursor':
+        this.canvas.style.cursor = event.css;
+        break;
+      case 'shelf':
+        keepShelf(event.slices);
+        break;
+      case 'status':
+        this.say(event.text);
+        break;
+      case 'turntable':
+        void this.turntable(event);
+        break;
+      case 'journal':
+        this.keeper?.take(event);
+        break;
+      case 'keep':
+        this.keeper?.handle(event);
+        break;
     }
   }
 
@@ -119,7 +142,13 @@ export class Page {
     this.turning = true;
     let wanted = true;
     const shown = (done: number) => {
-      this.progress.set({ label: 'Turning the model round', done, cancel: () => { wanted = false; } });
+      this.progress.set({
+        label: 'Turning the model round',
+        done,
+        cancel: () => {
+          wanted = false;
+        },
+      });
       return wanted;
     };
     try {
@@ -150,7 +179,11 @@ export class Page {
 
   /** Throws while another tab has the model. */
   mustBeChangeable(): void {
-    if (this.readOnly) throw new Failure('OpenElsewhere', 'This model is open in another tab now. Open a copy or take it over to go on here.');
+    if (this.readOnly)
+      throw new Failure(
+        'OpenElsewhere',
+        'This model is open in another tab now. Open a copy or take it over to go on here.',
+      );
   }
 
   showShortcuts(): void {
@@ -189,7 +222,8 @@ export class Page {
 
   /** Opens a model file (.spineloft, or a GLB of ours) as a new model; rejects when it is none, and then nothing has changed. */
   async openProject(blob: Blob): Promise<void> {
-    const engine = this.engine, keeper = this.keeper;
+    const engine = this.engine,
+      keeper = this.keeper;
     if (!engine || !keeper) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
     const bytes = await blob.arrayBuffer().catch(() => {
       throw new Failure('FileUnreadable', engine.sentence('FileUnreadable'));
@@ -217,7 +251,8 @@ export class Page {
   async openSample(sample: Sample, address: string, withGhost: boolean): Promise<void> {
     try {
       const response = await fetch(address);
-      if (!response.ok) throw new Failure('FileUnreadable', 'The sample picture did not load. Check the connection and try again.');
+      if (!response.ok)
+        throw new Failure('FileUnreadable', 'The sample picture did not load. Check the connection and try again.');
       await this.openImage(await response.blob(), sample.title);
       this.guide.offer(withGhost ? sample : null);
       this.canvas.focus({ preventScroll: true });
@@ -251,8 +286,14 @@ export class Page {
   }
 
   private async mayLose(): Promise<boolean> {
-    const answer = await askChoice('This model is not kept', 'This device does not keep the model that is open. Save a file of it first, or it will be gone.',
-      [{ value: 'save', label: 'Save a file' }, { value: 'leave', label: 'Let it go' }]);
+    const answer = await askChoice(
+      'This model is not kept',
+      'This device does not keep the model that is open. Save a file of it first, or it will be gone.',
+      [
+        { value: 'save', label: 'Save a file' },
+        { value: 'leave', label: 'Let it go' },
+      ],
+    );
     if (answer === 'save') this.run('save-project');
     return answer === 'leave';
   }
@@ -265,7 +306,7 @@ export class Page {
   private showProgress(): void {
     // Every stroke on paper has its edges looked for; nobody who draws needs to know.
     const drawing = this.state?.tool === 'pen' || this.state?.tool === 'eraser';
-    const activity = drawing ? null : this.state?.activity ?? null;
+    const activity = drawing ? null : (this.state?.activity ?? null);
     if (this.opening.size > 0) {
       const cancel = () => this.opening.forEach((aborter) => aborter.abort());
       this.progress.set({ label: 'Opening the picture', done: null, cancel });

@@ -21,8 +21,7 @@ export interface WorkingCopy {
 /** The engine's sentence for one of its errors, by name. */
 export type SentenceOf = (code: string) => string;
 
-const kHeicSentence =
-  'This browser cannot open HEIC photos. Save or share the photo as a JPEG and choose that.';
+const kHeicSentence = 'This browser cannot open HEIC photos. Save or share the photo as a JPEG and choose that.';
 
 /** The error name a size deserves, or null when it is fine. */
 export function sizeError(width: number, height: number): string | null {

@@ -37,7 +37,7 @@ class PointerBridge {
   down(event: PointerEvent): void {
     const { canvas } = this.page;
     this.box = canvas.getBoundingClientRect();
-    event.preventDefault();  // no compatibility mouse events
+    event.preventDefault(); // no compatibility mouse events
     canvas.focus({ preventScroll: true });
     const device = deviceOf(event);
     const contact = { x: event.clientX, y: event.clientY, timeMs: event.timeStamp };
@@ -89,10 +89,16 @@ class PointerBridge {
   }
 
   wheel(event: WheelEvent): void {
-    event.preventDefault();  // the page itself never scrolls or zooms under the drawing
+    event.preventDefault(); // the page itself never scrolls or zooms under the drawing
     this.box = this.page.canvas.getBoundingClientRect();
     const pixels = (delta: number) => wheelPixels(delta, event.deltaMode, this.box.height);
-    this.page.engine.wheel(event.clientX - this.box.left, event.clientY - this.box.top, pixels(event.deltaX), pixels(event.deltaY), modifiersOf(event));
+    this.page.engine.wheel(
+      event.clientX - this.box.left,
+      event.clientY - this.box.top,
+      pixels(event.deltaX),
+      pixels(event.deltaY),
+      modifiersOf(event),
+    );
   }
 
   private capture(id: number): void {
@@ -105,7 +111,13 @@ class PointerBridge {
 
   private cancelTouch(id: number, event: PointerEvent): void {
     this.taps.cancel(id);
-    this.page.engine.pointer({ ...this.sample(event, kPointerKind.cancel), id, device: kDevice.touch, buttons: 0, pressure: 0 });
+    this.page.engine.pointer({
+      ...this.sample(event, kPointerKind.cancel),
+      id,
+      device: kDevice.touch,
+      buttons: 0,
+      pressure: 0,
+    });
   }
 
   private send(event: PointerEvent, kind: number, parent = event): void {

@@ -33,7 +33,7 @@ function probePng(bytes: Uint8Array, view: DataView): Probe | null {
   if (ascii(bytes, 0, 8) !== '\x89PNG\r\n\x1a\n') return null;
   if (bytes.length < 24 || ascii(bytes, 12, 4) !== 'IHDR') return damaged('png');
   const size = { width: view.getUint32(16), height: view.getUint32(20) };
-  for (let at = 8; at + 12 <= bytes.length; ) {
+  for (let at = 8; at + 12 <= bytes.length;) {
     const length = view.getUint32(at);
     const end = at + 12 + length;
     if (ascii(bytes, at + 4, 4) === 'IEND') return { format: 'png', ...size, complete: end <= bytes.length };
@@ -57,11 +57,11 @@ function hasEndOfImage(bytes: Uint8Array, from: number): boolean {
 function probeJpeg(bytes: Uint8Array, view: DataView): Probe | null {
   if (bytes.length < 3 || bytes[0] !== 0xff || bytes[1] !== 0xd8 || bytes[2] !== 0xff) return null;
   let size: { width: number; height: number } | null = null;
-  for (let at = 2; at + 4 <= bytes.length; ) {
+  for (let at = 2; at + 4 <= bytes.length;) {
     if (bytes[at] !== 0xff) return damaged('jpeg');
     const marker = bytes[at + 1] ?? 0;
     if (marker === 0xff) {
-      at += 1;  // padding before a marker
+      at += 1; // padding before a marker
       continue;
     }
     const end = at + 2 + view.getUint16(at + 2);
@@ -118,7 +118,8 @@ function probeIsoMedia(bytes: Uint8Array, view: DataView): Probe | null {
   const brands = ascii(bytes, 8, Math.min(64, bytes.length - 8));
   const avif = /avi[fs]/.test(brands);
   if (!avif && !/hei[cxms]|hev[cxms]|mif1/.test(brands)) return null;
-  let width = 0, height = 0;
+  let width = 0,
+    height = 0;
   const last = Math.min(bytes.length - 16, 65536);
   for (let at = 8; at <= last; ++at) {
     if (bytes[at] !== 0x69 || ascii(bytes, at, 4) !== 'ispe') continue;

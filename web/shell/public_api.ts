@@ -28,14 +28,55 @@ export interface ApiPage {
 }
 
 const kBeforeReady: State = {
-  version: SPINELOFT_SITE.version, picture: null, pictures: 0, pictureList: [],
-  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null, menu: false }, parts: [], steps: [], picked: [], selectedStep: null, selected: [], groups: [], snap: false, gizmo: null,
+  version: SPINELOFT_SITE.version,
+  picture: null,
+  pictures: 0,
+  pictureList: [],
+  pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null, menu: false },
+  parts: [],
+  steps: [],
+  picked: [],
+  selectedStep: null,
+  selected: [],
+  groups: [],
+  snap: false,
+  gizmo: null,
   hover: { part: null, end: null, other: -1, handle: -1, bone: false, depth: -1, mark: -1 },
-  chosen: { end: null, handle: -1, outline: null }, touched: [],
-  options: { ribReach: 0.06, boneReach: 0.25, bothSides: false, keepRibs: false, wholePicture: false, paintOver: false, depthByPressure: false, brush: 14 },
-  selection: null, tool: 'draw', undo: 0, redo: 0, history: { bytes: 0, budget: 0 }, busy: true,
-  threads: 0, lastMs: { edges: 0, ribs: 0, loft: 0 }, unsaved: false, activity: null, preview: null, documentName: '', heightMm: 0, beside: null, cutByBox: false, cutByScribble: false, cut: null, print: null,
-  shelf: [], controls: [], slice: 0, placing: false, sliceBoard: null,
+  chosen: { end: null, handle: -1, outline: null },
+  touched: [],
+  options: {
+    ribReach: 0.06,
+    boneReach: 0.25,
+    bothSides: false,
+    keepRibs: false,
+    wholePicture: false,
+    paintOver: false,
+    depthByPressure: false,
+    brush: 14,
+  },
+  selection: null,
+  tool: 'draw',
+  undo: 0,
+  redo: 0,
+  history: { bytes: 0, budget: 0 },
+  busy: true,
+  threads: 0,
+  lastMs: { edges: 0, ribs: 0, loft: 0 },
+  unsaved: false,
+  activity: null,
+  preview: null,
+  documentName: '',
+  heightMm: 0,
+  beside: null,
+  cutByBox: false,
+  cutByScribble: false,
+  cut: null,
+  print: null,
+  shelf: [],
+  controls: [],
+  slice: 0,
+  placing: false,
+  sliceBoard: null,
 };
 
 function wait(milliseconds: number): Promise<void> {
@@ -44,14 +85,23 @@ function wait(milliseconds: number): Promise<void> {
 
 /** When two frames were drawn: the bars of the first may take room from the picture in the second. */
 function drawn(): Promise<void> {
-  if (document.hidden) return Promise.resolve();  // nothing is drawn there
+  if (document.hidden) return Promise.resolve(); // nothing is drawn there
   const frames = new Promise<void>((resolve) => {
     requestAnimationFrame(() => requestAnimationFrame(() => resolve()));
   });
   return Promise.race([frames, wait(kFramesMs)]);
 }
 
-function keptModelOf({ id, name, created, modified, pictures, parts, baseSize, journalSize }: ModelInfo): KeptModelInfo {
+function keptModelOf({
+  id,
+  name,
+  created,
+  modified,
+  pictures,
+  parts,
+  baseSize,
+  journalSize,
+}: ModelInfo): KeptModelInfo {
   return { id, name, created, modified, pictures, parts, bytes: baseSize + journalSize };
 }
 
@@ -70,7 +120,7 @@ export function installApi(api: ApiPage): void {
     async idle() {
       const engine = await running();
       // Twice in a row: finished work may start the next stage.
-      for (let quiet = 0; quiet < 2; ) {
+      for (let quiet = 0; quiet < 2;) {
         quiet = engine.isIdle() && !page.isBusy ? quiet + 1 : 0;
         await wait(kPollMs);
       }
@@ -105,7 +155,10 @@ export function installApi(api: ApiPage): void {
     async exportModel(format) {
       const engine = await running();
       if (!kFormats.includes(format)) {
-        throw new Failure('ValueOutOfRange', `There is no export to "${String(format)}". Choose glb, obj, zip, stl, 3mf or spineloft.`);
+        throw new Failure(
+          'ValueOutOfRange',
+          `There is no export to "${String(format)}". Choose glb, obj, zip, stl, 3mf or spineloft.`,
+        );
       }
       // A file holds finished solids, and parts that do not go through themselves.
       await installed.idle();

@@ -23,7 +23,7 @@ export function readShelf(): unknown[] {
   try {
     return parse(localStorage.getItem(kKey));
   } catch {
-    return [];  // blocked
+    return []; // blocked
   }
 }
 

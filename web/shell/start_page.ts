@@ -36,14 +36,28 @@ const kBottom = '50% 100%';
 
 function card(sample: Sample, isFirst: boolean, open: (sample: Sample) => void): HTMLElement {
   const isDrawing = sample.file.endsWith('.png');
-  const picture = make('img', { src: sampleAddress(sample), alt: sample.alt, width: String(sample.width), height: String(sample.height), decoding: 'async' });
+  const picture = make('img', {
+    src: sampleAddress(sample),
+    alt: sample.alt,
+    width: String(sample.width),
+    height: String(sample.height),
+    decoding: 'async',
+  });
   const frame = make('span', { class: 'sample-frame' }, picture);
-  const button = make('button', { type: 'button', class: 'sample-open' }, frame,
-    make('span', { class: 'sample-title' }, sample.title));
+  const button = make(
+    'button',
+    { type: 'button', class: 'sample-open' },
+    frame,
+    make('span', { class: 'sample-title' }, sample.title),
+  );
   button.addEventListener('click', () => open(sample));
-  const credit = make('p', { class: 'sample-credit' },
-    make('a', { href: sample.sourceUrl, target: '_blank', rel: 'noopener noreferrer' }, sample.credit), ' · ',
-    make('a', { href: sample.licenceUrl, target: '_blank', rel: 'noopener noreferrer' }, sample.licence));
+  const credit = make(
+    'p',
+    { class: 'sample-credit' },
+    make('a', { href: sample.sourceUrl, target: '_blank', rel: 'noopener noreferrer' }, sample.credit),
+    ' · ',
+    make('a', { href: sample.licenceUrl, target: '_blank', rel: 'noopener noreferrer' }, sample.licence),
+  );
   picture.style.objectPosition = sample.focus;
   if (isFirst) addGhost(sample, frame, picture, button);
   return make('li', { class: isDrawing ? 'sample sample-drawing' : 'sample' }, button, credit);
@@ -52,7 +66,10 @@ function card(sample: Sample, isFirst: boolean, open: (sample: Sample) => void):
 function addGhost(sample: Sample, frame: HTMLElement, picture: HTMLImageElement, button: HTMLElement): void {
   button.append(make('span', { class: 'sample-badge' }, 'Start here'));
   const show = () => {
-    const scale = Math.min(sample.width / Math.max(1, frame.clientWidth), sample.height / Math.max(1, frame.clientHeight));
+    const scale = Math.min(
+      sample.width / Math.max(1, frame.clientWidth),
+      sample.height / Math.max(1, frame.clientHeight),
+    );
     const ghost = ghostHand(sample, scale);
     // As object-fit: cover and object-position do with the picture.
     ghost.element.setAttribute('preserveAspectRatio', `xMidY${sample.focus === kBottom ? 'Max' : 'Mid'} slice`);

@@ -25,10 +25,14 @@ export function watchSize(canvas: HTMLCanvasElement, onSize: (size: Size) => voi
   const tell = () => onSize(sizeOf(canvas));
   new ResizeObserver(tell).observe(canvas);
   const watchRatio = () => {
-    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener('change', () => {
-      tell();
-      watchRatio();
-    }, { once: true });
+    matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`).addEventListener(
+      'change',
+      () => {
+        tell();
+        watchRatio();
+      },
+      { once: true },
+    );
   };
   watchRatio();
 }
@@ -43,7 +47,7 @@ export interface ContextPage {
 /** The document lives in the engine, so a lost context costs nothing but the pixels. */
 export function watchContext({ canvas, engine, say }: ContextPage): void {
   canvas.addEventListener('webglcontextlost', (event) => {
-    event.preventDefault();  // asks the browser to restore it
+    event.preventDefault(); // asks the browser to restore it
     engine.contextLost();
     say('The graphics paused; your work is kept.');
   });

@@ -5,11 +5,17 @@ import { icon } from './icons.ts';
 export type ToastLevel = 'info' | 'hint' | 'warning' | 'error';
 
 const kMs: Record<ToastLevel, number> = { info: 4500, hint: 6000, warning: 9000, error: 9000 };
-const kIcon: Record<ToastLevel, string> = { info: 'circle-check', hint: 'lightbulb', warning: 'triangle-alert', error: 'circle-alert' };
+const kIcon: Record<ToastLevel, string> = {
+  info: 'circle-check',
+  hint: 'lightbulb',
+  warning: 'triangle-alert',
+  error: 'circle-alert',
+};
 /** Who is to press a button needs longer. */
 const kActionMs = 9000;
 /** A slow reader's pace, and the moment before the eye is there. */
-const kMsPerLetter = 70, kFirstMs = 1500;
+const kMsPerLetter = 70,
+  kFirstMs = 1500;
 const kMost = 4;
 
 /** A button of a toast. */
@@ -27,8 +33,12 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   while (stack.children.length >= kMost) stack.firstElementChild?.remove();
   const close = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Dismiss' });
   close.append(icon('x'));
-  const element = make('div', { class: `toast toast-${level}`, role: level === 'info' || level === 'hint' ? 'status' : 'alert' },
-    icon(kIcon[level]), make('p', {}, text));
+  const element = make(
+    'div',
+    { class: `toast toast-${level}`, role: level === 'info' || level === 'hint' ? 'status' : 'alert' },
+    icon(kIcon[level]),
+    make('p', {}, text),
+  );
   if (action) {
     const button = make('button', { type: 'button', class: 'button toast-action' }, action.label);
     button.addEventListener('click', () => {
@@ -44,7 +54,10 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   const stop = () => clearTimeout(timer);
   const start = () => {
     stop();
-    timer = window.setTimeout(() => element.remove(), Math.max(action ? kActionMs : kMs[level], kFirstMs + kMsPerLetter * text.length));
+    timer = window.setTimeout(
+      () => element.remove(),
+      Math.max(action ? kActionMs : kMs[level], kFirstMs + kMsPerLetter * text.length),
+    );
   };
   close.addEventListener('click', () => element.remove());
   // Reading takes the time it takes: the clock stands still under the pointer and while focused.

@@ -15,7 +15,10 @@ export interface Turnable {
 }
 
 /** Sides of the pictures in pixels, and how the GIF goes round. */
-export const kPngSide = 1024, kGifSide = 320, kFrames = 30, kFrameMs = 100;
+export const kPngSide = 1024,
+  kGifSide = 320,
+  kFrames = 30,
+  kFrameMs = 100;
 const kColours = 256;
 
 /** One picture as PNG; null when there is nothing to show. */
@@ -34,7 +37,11 @@ export async function pngOf(engine: Turnable, side = kPngSide): Promise<Uint8Arr
  * All frames as a GIF. The page lives on between two frames; `shown` is told the share that is done and says
  * whether to go on. Null when there is nothing to show, or no more wish for it.
  */
-export async function gifOf(engine: Turnable, shown: (done: number) => boolean, frames = kFrames): Promise<Uint8Array | null> {
+export async function gifOf(
+  engine: Turnable,
+  shown: (done: number) => boolean,
+  frames = kFrames,
+): Promise<Uint8Array | null> {
   const gif = GIFEncoder();
   for (let i = 0; i < frames; ++i) {
     const rgba = engine.turntable(kGifSide, kGifSide, i / frames);

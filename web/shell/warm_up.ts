@@ -48,7 +48,11 @@ export function wasWorkedAt(before: Seen, now: Seen): boolean {
  */
 export function solidWorkersFor({ parts, picked }: Seen, isWorkedAt: boolean): 0 | 1 | 2 {
   if (parts.length < 2 || (!isWorkedAt && picked.length === 0)) return 0;
-  return picked.length > 1 && parts.length > 3 && parts.reduce((sum, { triangles }) => sum + triangles, 0) >= kWorthSharing ? 2 : 1;
+  return picked.length > 1 &&
+    parts.length > 3 &&
+    parts.reduce((sum, { triangles }) => sum + triangles, 0) >= kWorthSharing
+    ? 2
+    : 1;
 }
 
 /** Has them started, and made quick, in idle moments. */
@@ -63,7 +67,8 @@ export class SolidWarmUp {
   see(state: State): void {
     this.isWorkedAt ||= this.before !== null && wasWorkedAt(this.before, state);
     this.before = state;
-    const before = this.workers, workers = (this.workers = solidWorkersFor(state, this.isWorkedAt));
+    const before = this.workers,
+      workers = (this.workers = solidWorkersFor(state, this.isWorkedAt));
     if (this.isWorkedAt && workers > 0) this.prepare();
     if (workers <= before) return;
     whenIdle(() => {
@@ -75,10 +80,14 @@ export class SolidWarmUp {
   /** Once the hand rests, and the page is seen: a page in the background does nothing unasked. */
   private prepare(): void {
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => whenIdle(() => {
-      if (document.visibilityState !== 'visible') return;
-      if (this.engine.isIdle()) this.engine.prepareSolids();
-      else this.prepare();
-    }), kRest);
+    this.rest = setTimeout(
+      () =>
+        whenIdle(() => {
+          if (document.visibilityState !== 'visible') return;
+          if (this.engine.isIdle()) this.engine.prepareSolids();
+          else this.prepare();
+        }),
+      kRest,
+    );
   }
 }

@@ -2,7 +2,14 @@
 // which asks the same questions of the engine. What is true of each is in tests/golden/crossing_verdicts.txt.
 import { seeded } from './lofts.mjs';
 
-const kFaces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+const kFaces = [
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+];
 
 /** Six triangles anywhere. */
 function soup(random) {
@@ -17,8 +24,13 @@ function soup(random) {
 /** Two boxes askew, one of which stands into the other by a share of it between 10⁻⁸ and 10⁻⁴, or is as far away. */
 function boxes(random) {
   const axes = [0, 1, 2].map((k) => [0, 1, 2].map((j) => (j === k ? 1 : 0.3 * (random() - 0.5))));
-  const depth = (random() < 0.25 ? -1 : 1) * 10 ** -(4 + Math.floor(5 * random())) * (1 + random()), points = [], triangles = [];
-  for (const [x, y, z] of [[0, 0, 0], [1 - depth, 0.2 * random(), 0.2 * random()]]) {
+  const depth = (random() < 0.25 ? -1 : 1) * 10 ** -(4 + Math.floor(5 * random())) * (1 + random()),
+    points = [],
+    triangles = [];
+  for (const [x, y, z] of [
+    [0, 0, 0],
+    [1 - depth, 0.2 * random(), 0.2 * random()],
+  ]) {
     const first = points.length / 3;
     for (let v = 0; v < 8; v += 1) {
       const at = [x + (v & 1), y + ((v >> 1) & 1), z + (v >> 2)];
@@ -31,6 +43,7 @@ function boxes(random) {
 
 /** The first half are triangles anywhere, the second half boxes. */
 export function crossingScene(number, half = 120) {
-  const random = seeded(2654435761 * (number + 1)), { points, triangles } = number < half ? soup(random) : boxes(random);
+  const random = seeded(2654435761 * (number + 1)),
+    { points, triangles } = number < half ? soup(random) : boxes(random);
   return { positions: Float32Array.from(points), triangles: Uint32Array.from(triangles) };
 }

@@ -69,7 +69,14 @@ export async function frontViewer(browser) {
   await page.evaluate(await bundled());
   const text = (bytes) => bytes?.toString('base64');
   return {
-    look: ({ glb, picture, mask, known, reach = 6 }) => page.evaluate((all) => globalThis.seeFromFront(all), { glb: text(glb), picture: text(picture), mask: text(mask), known, reach }),
+    look: ({ glb, picture, mask, known, reach = 6 }) =>
+      page.evaluate((all) => globalThis.seeFromFront(all), {
+        glb: text(glb),
+        picture: text(picture),
+        mask: text(mask),
+        known,
+        reach,
+      }),
     close: () => page.close(),
   };
 }

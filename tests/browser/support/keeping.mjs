@@ -35,6 +35,10 @@ export function inStore(page, name, work) {
 /** A browser with a profile on the disk: what it keeps outlives its pages. */
 export function startKeptBrowser(folder, options = {}) {
   return chromium.launchPersistentContext(folder, {
-    executablePath: browserPath(), args: browserFlags, headless: true, viewport: { width: 560, height: 400 }, ...options,
+    executablePath: browserPath(),
+    args: browserFlags,
+    headless: true,
+    viewport: { width: 560, height: 400 },
+    ...options,
   });
 }

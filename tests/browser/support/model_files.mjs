@@ -8,7 +8,8 @@ function openEdges(triangles) {
   const balance = new Map();
   for (const corners of triangles) {
     corners.forEach((point, k) => {
-      const from = point.join(' '), to = corners[(k + 1) % 3].join(' ');
+      const from = point.join(' '),
+        to = corners[(k + 1) % 3].join(' ');
       if (from === to) return;
       const key = from < to ? `${from}, ${to}` : `${to}, ${from}`;
       balance.set(key, (balance.get(key) ?? 0) + (from < to ? 1 : -1));
@@ -25,7 +26,8 @@ function unsoundOf(triangles) {
     const keys = corners.map((point) => point.join(' '));
     if (new Set(keys).size < 3) flat += 1;
     keys.forEach((from, k) => {
-      const to = keys[(k + 1) % 3], key = from < to ? `${from}, ${to}` : `${to}, ${from}`;
+      const to = keys[(k + 1) % 3],
+        key = from < to ? `${from}, ${to}` : `${to}, ${from}`;
       faces.set(key, (faces.get(key) ?? 0) + 1);
     });
   }
@@ -51,9 +53,12 @@ function piecesOf(triangles) {
 /** Signed volume, sides of the box, open edges, edges and faces that programs stumble over, and pieces of the triangles of an OBJ or STL. */
 export function measure(triangles) {
   let volume = 0;
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const low = [Infinity, Infinity, Infinity],
+    high = [-Infinity, -Infinity, -Infinity];
   for (const [a, b, c] of triangles) {
-    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    volume +=
+      (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) /
+      6;
     for (const point of [a, b, c]) {
       for (let k = 0; k < 3; ++k) {
         low[k] = Math.min(low[k], point[k]);
@@ -61,18 +66,29 @@ export function measure(triangles) {
       }
     }
   }
-  return { volume, open: openEdges(triangles), unsound: unsoundOf(triangles), pieces: piecesOf(triangles), size: high.map((value, k) => value - low[k]), triangles: triangles.length };
+  return {
+    volume,
+    open: openEdges(triangles),
+    unsound: unsoundOf(triangles),
+    pieces: piecesOf(triangles),
+    size: high.map((value, k) => value - low[k]),
+    triangles: triangles.length,
+  };
 }
 
 /** Of every object of a 3MF its triangles, with corners by number: that is what slicers go by. */
 export function parse3mf(bytes) {
   const xml = strFromU8(unzipSync(new Uint8Array(bytes))['3D/3dmodel.model']);
   return [...xml.matchAll(/<mesh>(.*?)<\/mesh>/gs)].map(([, mesh]) =>
-    [...mesh.matchAll(/<triangle v1="(\d+)" v2="(\d+)" v3="(\d+)"/g)].map(([, ...corners]) => corners.map((v) => [Number(v), 0, 0])));
+    [...mesh.matchAll(/<triangle v1="(\d+)" v2="(\d+)" v3="(\d+)"/g)].map(([, ...corners]) =>
+      corners.map((v) => [Number(v), 0, 0]),
+    ),
+  );
 }
 
 export function parseObj(bytes) {
-  const vertices = [], triangles = [];
+  const vertices = [],
+    triangles = [];
   for (const line of bytes.toString('utf8').split('\n')) {
     const [key, ...values] = line.trim().split(/\s+/);
     if (key === 'v') vertices.push(values.slice(0, 3).map(Number));
@@ -94,6 +110,9 @@ export function parseStl(bytes) {
 /** What a GLB is, when the Khronos validator has neither errors nor warnings. */
 export async function validated(bytes) {
   const report = await validateBytes(new Uint8Array(bytes), { maxIssues: 20 });
-  assert.deepEqual(report.issues.messages.filter(({ severity }) => severity <= 1), []);
+  assert.deepEqual(
+    report.issues.messages.filter(({ severity }) => severity <= 1),
+    [],
+  );
   return report.info;
 }

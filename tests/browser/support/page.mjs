@@ -58,20 +58,25 @@ export async function onPage(kit, options, work) {
 }
 
 export const state = (page) => page.evaluate(() => window.spineloft.state());
-export const pictureSize = (page) => page.evaluate(() => {
-  const { picture } = window.spineloft.state();
-  return picture && { width: picture.width, height: picture.height };
-});
+export const pictureSize = (page) =>
+  page.evaluate(() => {
+    const { picture } = window.spineloft.state();
+    return picture && { width: picture.width, height: picture.height };
+  });
 export const idle = (page) => page.evaluate(() => window.spineloft.idle());
-export const run = (page, id, args) => page.evaluate(([name, values]) => window.spineloft.run(name, values), [id, args]);
+export const run = (page, id, args) =>
+  page.evaluate(([name, values]) => window.spineloft.run(name, values), [id, args]);
 
 /** Opens a picture through the API and waits for its edges. */
 export async function openPicture(page, bytes, name = 'picture.png') {
-  await page.evaluate(async ([data, title]) => {
-    const binary = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
-    await window.spineloft.openImage(new Blob([binary]), title);
-    await window.spineloft.idle();
-  }, [Buffer.from(bytes).toString('base64'), name]);
+  await page.evaluate(
+    async ([data, title]) => {
+      const binary = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+      await window.spineloft.openImage(new Blob([binary]), title);
+      await window.spineloft.idle();
+    },
+    [Buffer.from(bytes).toString('base64'), name],
+  );
 }
 
 /** Client positions of picture points now. */
@@ -102,7 +107,8 @@ export async function drawWithMouse(page, points, midway) {
 export async function drawWithTouch(page, points) {
   const path = await toClient(page, thinned(points));
   const session = await page.context().newCDPSession(page);
-  const touch = (type, at) => session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at.x, y: at.y, id: 1 }] : [] });
+  const touch = (type, at) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at.x, y: at.y, id: 1 }] : [] });
   await touch('touchStart', path[0]);
   for (const at of path.slice(1)) await touch('touchMove', at);
   await touch('touchEnd');
@@ -114,9 +120,17 @@ export async function drawWithTouch(page, points) {
 export async function drawWithPen(page, points, midway) {
   const path = await toClient(page, thinned(points));
   const session = await page.context().newCDPSession(page);
-  const pen = (type, at, force) => session.send('Input.dispatchMouseEvent', {
-    type, x: at.x, y: at.y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1, pointerType: 'pen', force,
-  });
+  const pen = (type, at, force) =>
+    session.send('Input.dispatchMouseEvent', {
+      type,
+      x: at.x,
+      y: at.y,
+      button: 'left',
+      buttons: type === 'mouseReleased' ? 0 : 1,
+      clickCount: 1,
+      pointerType: 'pen',
+      force,
+    });
   await pen('mousePressed', path[0], 0.4);
   for (const at of path.slice(1)) await pen('mouseMoved', at, 0.6);
   if (midway) await midway(page);
@@ -168,7 +182,10 @@ export function difference(a, b) {
   assert.equal(a.data.length, b.data.length);
   let count = 0;
   for (let i = 0; i < a.data.length; i += 4) {
-    const d = Math.abs(a.data[i] - b.data[i]) + Math.abs(a.data[i + 1] - b.data[i + 1]) + Math.abs(a.data[i + 2] - b.data[i + 2]);
+    const d =
+      Math.abs(a.data[i] - b.data[i]) +
+      Math.abs(a.data[i + 1] - b.data[i + 1]) +
+      Math.abs(a.data[i + 2] - b.data[i + 2]);
     if (d > 48) count += 1;
   }
   return count / (a.data.length / 4);
@@ -188,7 +205,12 @@ export async function exported(page, format) {
 /** Goes through the bar's More menu by its words, one list after the other, as a hand does. */
 export async function chooseFromMore(page, ...words) {
   await page.locator('#bar-more').click();
-  for (const word of words) await page.getByRole('menu').locator('[role^=menuitem]').filter({ has: page.locator('.menu-label').getByText(word, { exact: true }) }).click();
+  for (const word of words)
+    await page
+      .getByRole('menu')
+      .locator('[role^=menuitem]')
+      .filter({ has: page.locator('.menu-label').getByText(word, { exact: true }) })
+      .click();
   await idle(page);
 }
 
@@ -224,7 +246,9 @@ export async function findControl(page, words, { kind, row } = {}) {
   const { controls } = await state(page);
   const beside = row && controls.find((one) => one.kind === 'row' && one.words === row);
   const level = (one) => beside === undefined || Math.abs(middleOf(one)[1] - middleOf(beside)[1]) < 2;
-  const found = controls.filter((one) => one.words === words && one.kind !== 'words' && (!kind || one.kind === kind) && level(one));
+  const found = controls.filter(
+    (one) => one.words === words && one.kind !== 'words' && (!kind || one.kind === kind) && level(one),
+  );
   return found.find((one) => one.inSight) ?? found[0] ?? null;
 }
 
@@ -274,5 +298,9 @@ export async function wordsInTheWay(page) {
   await idle(page);
   const shown = (await state(page)).controls.filter(({ inSight }) => inSight);
   const meet = ([ax, ay, aw, ah], [bx, by, bw, bh]) => ax < bx + bw && bx < ax + aw && ay < by + bh && by < ay + ah;
-  return shown.filter(({ kind }) => kind === 'words').flatMap((words) => shown.filter((other) => other !== words && meet(words.at, other.at)).map((other) => [words.words, other.words]));
+  return shown
+    .filter(({ kind }) => kind === 'words')
+    .flatMap((words) =>
+      shown.filter((other) => other !== words && meet(words.at, other.at)).map((other) => [words.words, other.words]),
+    );
 }

@@ -27,10 +27,13 @@ export function tubePicture({ width = 480, height = 360, half = 28, transparent 
     return [width * (0.15 + 0.7 * t), height * (0.55 - 0.22 * Math.sin(Math.PI * t))];
   });
   const distance = (x, y) => {
-    let best = Infinity, at = 0;
+    let best = Infinity,
+      at = 0;
     for (let i = 1; i < middle.length; ++i) {
-      const [ax, ay] = middle[i - 1], [bx, by] = middle[i];
-      const dx = bx - ax, dy = by - ay;
+      const [ax, ay] = middle[i - 1],
+        [bx, by] = middle[i];
+      const dx = bx - ax,
+        dy = by - ay;
       const t = Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)));
       const d = Math.hypot(x - ax - t * dx, y - ay - t * dy);
       if (d < best) [best, at] = [d, i];
@@ -81,7 +84,12 @@ export function greyPng(width, height, rows = height) {
   header.writeUInt32BE(height, 4);
   header.set([8, 0, 0, 0, 0], 8);
   const data = deflateSync(Buffer.alloc((width + 1) * rows, 0));
-  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header), chunk('IDAT', data), chunk('IEND', Buffer.alloc(0))]);
+  return Buffer.concat([
+    Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
+    chunk('IHDR', header),
+    chunk('IDAT', data),
+    chunk('IEND', Buffer.alloc(0)),
+  ]);
 }
 
 /** A JPEG with an EXIF block, a TIFF file of its own, put in after its start marker. */
@@ -93,7 +101,10 @@ function withExif(jpeg, tiff) {
 }
 
 export function withExifOrientation(jpeg, orientation) {
-  return withExif(jpeg, Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0]));
+  return withExif(
+    jpeg,
+    Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0, 0, 0, 0, 0]),
+  );
 }
 
 /** Degrees, minutes and seconds as EXIF has them: three fractions. */
@@ -111,7 +122,17 @@ function fractions(values) {
  * leads to a GPS directory. `places` is what of it must never be found anywhere else.
  */
 export function withGps(jpeg) {
-  const maker = Buffer.from('Telephone GPS Test\0\0', 'latin1'), latitude = fractions([[52, 1], [30, 1], [587654321, 10000019]]), longitude = fractions([[13, 1], [22, 1], [398765413, 10000079]]);
+  const maker = Buffer.from('Telephone GPS Test\0\0', 'latin1'),
+    latitude = fractions([
+      [52, 1],
+      [30, 1],
+      [587654321, 10000019],
+    ]),
+    longitude = fractions([
+      [13, 1],
+      [22, 1],
+      [398765413, 10000079],
+    ]);
   const entry = (tag, type, count, value) => {
     const bytes = Buffer.alloc(12);
     bytes.writeUInt16BE(tag, 0);
@@ -122,14 +143,25 @@ export function withGps(jpeg) {
     return bytes;
   };
   const directory = (entries) => Buffer.concat([Buffer.from([0, entries.length]), ...entries, Buffer.alloc(4)]);
-  const gpsAt = 8 + 2 + 2 * 12 + 4, makerAt = gpsAt + 2 + 4 * 12 + 4, latitudeAt = makerAt + maker.length, longitudeAt = latitudeAt + 24;
+  const gpsAt = 8 + 2 + 2 * 12 + 4,
+    makerAt = gpsAt + 2 + 4 * 12 + 4,
+    latitudeAt = makerAt + maker.length,
+    longitudeAt = latitudeAt + 24;
   const tiff = Buffer.concat([
     Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8]),
     directory([entry(0x010f, 2, maker.length, makerAt), entry(0x8825, 4, 1, gpsAt)]),
     directory([entry(1, 2, 2, 'N\0'), entry(2, 5, 3, latitudeAt), entry(3, 2, 2, 'E\0'), entry(4, 5, 3, longitudeAt)]),
-    maker, latitude, longitude,
+    maker,
+    latitude,
+    longitude,
   ]);
-  const places = { 'the EXIF block': Buffer.from('Exif\0\0', 'latin1'), 'its maker': maker.subarray(0, 18), 'the latitude': latitude.subarray(16), 'the longitude': longitude.subarray(16), 'the latitude as a whole': latitude };
+  const places = {
+    'the EXIF block': Buffer.from('Exif\0\0', 'latin1'),
+    'its maker': maker.subarray(0, 18),
+    'the latitude': latitude.subarray(16),
+    'the longitude': longitude.subarray(16),
+    'the latitude as a whole': latitude,
+  };
   return { jpeg: withExif(jpeg, tiff), places };
 }
 
@@ -146,6 +178,12 @@ export function dataCases(names) {
     .filter((name) => dataFolder && existsSync(join(dataFolder, name, 'case.json')))
     .map((name) => {
       const about = JSON.parse(readFileSync(join(dataFolder, name, 'case.json'), 'utf8'));
-      return { name, bytes: readFileSync(join(dataFolder, name, about.image)), width: about.width, height: about.height, spine: about.spines.careful };
+      return {
+        name,
+        bytes: readFileSync(join(dataFolder, name, about.image)),
+        width: about.width,
+        height: about.height,
+        spine: about.spines.careful,
+      };
     });
 }

@@ -23,7 +23,18 @@ export const library = await create();
 library.setup();
 
 let keys = 0;
-export const node = (operands, more = {}) => ({ key: `node ${(keys += 1)}`, step: 1, kind: 'join', operands, blend: 0, wall: 0.02, opening: null, cut: 0, coarse: false, ...more });
+export const node = (operands, more = {}) => ({
+  key: `node ${(keys += 1)}`,
+  step: 1,
+  kind: 'join',
+  operands,
+  blend: 0,
+  wall: 0.02,
+  opening: null,
+  cut: 0,
+  coarse: false,
+  ...more,
+});
 
 /** Solves the last of the nodes; the meshes are those that its parts name. */
 export function solve(kernel, nodes, meshes = {}) {
@@ -44,7 +55,9 @@ export async function solveWithHelp(kernel, nodes, meshes = {}) {
 /** The corners of the triangles, vertices of one place as one vertex. */
 export function merged({ triangles, mergeFrom, mergeTo }, vertices) {
   const place = Uint32Array.from({ length: vertices }, (_, i) => i);
-  mergeFrom.forEach((from, i) => { place[from] = mergeTo[i]; });
+  mergeFrom.forEach((from, i) => {
+    place[from] = mergeTo[i];
+  });
   const find = (v) => (place[v] === v ? v : find(place[v]));
   return triangles.map(find);
 }
@@ -63,7 +76,8 @@ export function depthOf(one, other) {
   let depth = Infinity;
   for (let t = 0; t < triVerts.length; t += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => p.subarray(3 * triVerts[t + k], 3 * triVerts[t + k] + 3));
-    const normal = cross(minus(b, a), minus(c, a)), length = Math.hypot(...normal);
+    const normal = cross(minus(b, a), minus(c, a)),
+      length = Math.hypot(...normal);
     if (length > 1e-9) depth = Math.min(depth, dot(normal, a) / length);
   }
   // What has no faces is flat.
@@ -74,28 +88,50 @@ export function depthOf(one, other) {
 export function deepest(positions, triangles) {
   const at = (v) => [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
   const all = Array.from({ length: triangles.length / 3 }, (_, t) => {
-    const ids = [...triangles.subarray(3 * t, 3 * t + 3)], points = ids.map(at);
-    return { ids, points, low: [0, 1, 2].map((k) => Math.min(...points.map((p) => p[k]))), high: [0, 1, 2].map((k) => Math.max(...points.map((p) => p[k]))) };
+    const ids = [...triangles.subarray(3 * t, 3 * t + 3)],
+      points = ids.map(at);
+    return {
+      ids,
+      points,
+      low: [0, 1, 2].map((k) => Math.min(...points.map((p) => p[k]))),
+      high: [0, 1, 2].map((k) => Math.max(...points.map((p) => p[k]))),
+    };
   }).sort((a, b) => a.low[0] - b.low[0]);
   const volume = (a, b, c, d) => {
-    const x = d[0] - a[0], y = d[1] - a[1], z = d[2] - a[2], ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2], vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
+    const x = d[0] - a[0],
+      y = d[1] - a[1],
+      z = d[2] - a[2],
+      ux = b[0] - a[0],
+      uy = b[1] - a[1],
+      uz = b[2] - a[2],
+      vx = c[0] - a[0],
+      vy = c[1] - a[1],
+      vz = c[2] - a[2];
     return x * (uy * vz - uz * vy) + y * (uz * vx - ux * vz) + z * (ux * vy - uy * vx);
   };
   /** An edge goes through a triangle, or it may with another rounding. */
   const mayPierce = ([a, b, c], d, e) => {
     if (volume(a, b, c, d) * volume(a, b, c, e) > 0) return false;
-    const x = volume(d, e, a, b), y = volume(d, e, b, c), z = volume(d, e, c, a);
+    const x = volume(d, e, a, b),
+      y = volume(d, e, b, c),
+      z = volume(d, e, c, a);
     return (x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0);
   };
   /** Any edge of one without a corner of the other does. */
-  const edgesMayPierce = (one, other) => [0, 1, 2].some((k) => {
-    const l = (k + 1) % 3;
-    return !other.ids.includes(one.ids[k]) && !other.ids.includes(one.ids[l]) && mayPierce(other.points, one.points[k], one.points[l]);
-  });
+  const edgesMayPierce = (one, other) =>
+    [0, 1, 2].some((k) => {
+      const l = (k + 1) % 3;
+      return (
+        !other.ids.includes(one.ids[k]) &&
+        !other.ids.includes(one.ids[l]) &&
+        mayPierce(other.points, one.points[k], one.points[l])
+      );
+    });
   let most = 0;
   for (let i = 0; i < all.length; i += 1) {
     for (let j = i + 1; j < all.length && all[j].low[0] <= all[i].high[0]; j += 1) {
-      const s = all[i], t = all[j];
+      const s = all[i],
+        t = all[j];
       if (s.low[1] > t.high[1] || t.low[1] > s.high[1] || s.low[2] > t.high[2] || t.low[2] > s.high[2]) continue;
       if (s.ids.filter((v) => t.ids.includes(v)).length > 1) continue;
       if (edgesMayPierce(s, t) || edgesMayPierce(t, s)) most = Math.max(most, depthOf(s.points, t.points));
@@ -106,7 +142,8 @@ export function deepest(positions, triangles) {
 
 /** The diagonal of the box round all points. */
 export function diagonal(positions) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const low = [Infinity, Infinity, Infinity],
+    high = [-Infinity, -Infinity, -Infinity];
   positions.forEach((x, i) => {
     low[i % 3] = Math.min(low[i % 3], x);
     high[i % 3] = Math.max(high[i % 3], x);
@@ -117,17 +154,21 @@ export function diagonal(positions) {
 /** Volume, genus and what breaks the law that a solid is closed and outward, by counting. */
 export function measure({ positions, triangles, mergeFrom, mergeTo }) {
   const together = merged({ triangles, mergeFrom, mergeTo }, positions.length / 3);
-  const edges = new Map(), used = new Set();
+  const edges = new Map(),
+    used = new Set();
   let volume = 0;
   for (let t = 0; t < triangles.length; t += 3) {
     const corners = [...together.subarray(t, t + 3)];
     corners.forEach((a, k) => {
       used.add(a);
-      const b = corners[(k + 1) % 3], key = `${a} ${b}`;
+      const b = corners[(k + 1) % 3],
+        key = `${a} ${b}`;
       edges.set(key, (edges.get(key) ?? 0) + 1);
     });
     const [a, b, c] = corners.map((v) => positions.subarray(3 * v, 3 * v + 3));
-    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    volume +=
+      (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])) /
+      6;
   }
   let open = 0;
   for (const [key, count] of edges) {
@@ -135,12 +176,19 @@ export function measure({ positions, triangles, mergeFrom, mergeTo }) {
     if (edges.get(`${b} ${a}`) !== count) open += 1;
   }
   const euler = used.size - edges.size / 2 + triangles.length / 3;
-  return { volume, open, euler, shells: shellsOf([...edges.keys()].map((key) => key.split(' '))), finite: positions.every(Number.isFinite) };
+  return {
+    volume,
+    open,
+    euler,
+    shells: shellsOf([...edges.keys()].map((key) => key.split(' '))),
+    finite: positions.every(Number.isFinite),
+  };
 }
 
 /** Edges that more or fewer than two faces have, and faces without three corners, when corners at one place are one. */
 export function unsoundByPlace({ positions, triangles }) {
-  const numbers = new Map(), faces = new Map();
+  const numbers = new Map(),
+    faces = new Map();
   const numberOf = (v) => {
     const key = positions.subarray(3 * v, 3 * v + 3).join(' ');
     if (!numbers.has(key)) numbers.set(key, numbers.size);
@@ -151,7 +199,8 @@ export function unsoundByPlace({ positions, triangles }) {
     const corners = [0, 1, 2].map((k) => numberOf(triangles[t + k]));
     if (new Set(corners).size < 3) flat += 1;
     corners.forEach((a, k) => {
-      const b = corners[(k + 1) % 3], key = a < b ? `${a} ${b}` : `${b} ${a}`;
+      const b = corners[(k + 1) % 3],
+        key = a < b ? `${a} ${b}` : `${b} ${a}`;
       faces.set(key, (faces.get(key) ?? 0) + 1);
     });
   }
@@ -178,18 +227,31 @@ function shellsOf(edges) {
 }
 
 export const fresh = () => new shell.SolidKernel(library);
-export const near = (actual, wanted, share, what) => assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
+export const near = (actual, wanted, share, what) =>
+  assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
 
 /** What every solid is held to; its measures by counting. */
 export function lawful(solved, what) {
   assert.equal(solved.failure, undefined, `${what}: ${JSON.stringify(solved.failure)}`);
-  const { mesh } = solved, found = measure(mesh);
+  const { mesh } = solved,
+    found = measure(mesh);
   assert.equal(found.open, 0, `${what} is closed`);
   assert.ok(found.finite && found.volume > 0, `${what} is finite and outward`);
   near(found.volume, mesh.volume, 1e-3, `${what}: volume as counted`);
-  assert.equal(mesh.runs.reduce((sum, run) => sum + run.count, 0), mesh.triangles.length / 3, `${what}: every face has an owner`);
-  assert.ok(mesh.uv.every((value) => value >= 0 && value <= 1), `${what}: uv in range`);
-  assert.deepEqual(shell.findCrossings(mesh.positions, merged(mesh, mesh.positions.length / 3), 1), [], `${what} does not cross itself`);
+  assert.equal(
+    mesh.runs.reduce((sum, run) => sum + run.count, 0),
+    mesh.triangles.length / 3,
+    `${what}: every face has an owner`,
+  );
+  assert.ok(
+    mesh.uv.every((value) => value >= 0 && value <= 1),
+    `${what}: uv in range`,
+  );
+  assert.deepEqual(
+    shell.findCrossings(mesh.positions, merged(mesh, mesh.positions.length / 3), 1),
+    [],
+    `${what} does not cross itself`,
+  );
   return found;
 }
 

@@ -11,8 +11,17 @@ if (!isMainThread && parentPort) {
 /** A helper whose thread is ready; `stop` ends it. */
 export async function startHelper() {
   const thread = new Worker(new URL(import.meta.url));
-  await new Promise((resolve) => { thread.once('message', resolve); });
-  const stand = { onmessage: null, onerror: null, postMessage: (message) => thread.postMessage(message), terminate: () => { void thread.terminate(); } };
+  await new Promise((resolve) => {
+    thread.once('message', resolve);
+  });
+  const stand = {
+    onmessage: null,
+    onerror: null,
+    postMessage: (message) => thread.postMessage(message),
+    terminate: () => {
+      void thread.terminate();
+    },
+  };
   thread.on('message', (data) => stand.onmessage?.({ data }));
   thread.on('error', () => stand.onerror?.(new Event('error')));
   return new shell.Helper(() => stand);

@@ -54,7 +54,13 @@ globalThis.measureModel = async (base64, format, wanted) => {
 export function scriptOf(contents) {
   let script = null;
   return () => {
-    script ??= build({ stdin: { contents, resolveDir: root, loader: 'js' }, bundle: true, write: false, format: 'iife', logLevel: 'silent' }).then((result) => result.outputFiles[0].text);
+    script ??= build({
+      stdin: { contents, resolveDir: root, loader: 'js' },
+      bundle: true,
+      write: false,
+      format: 'iife',
+      logLevel: 'silent',
+    }).then((result) => result.outputFiles[0].text);
     return script;
   };
 }
@@ -69,7 +75,10 @@ export async function loadWithThree(browser, file, format = 'glb', colours = [])
   const page = await browser.newPage();
   try {
     await page.evaluate(await bundled());
-    return await page.evaluate(([data, kind, wanted]) => globalThis.measureModel(data, kind, wanted), [file.toString('base64'), format, colours]);
+    return await page.evaluate(
+      ([data, kind, wanted]) => globalThis.measureModel(data, kind, wanted),
+      [file.toString('base64'), format, colours],
+    );
   } finally {
     await page.close();
   }

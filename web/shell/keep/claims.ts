@@ -21,7 +21,9 @@ export interface ClaimEvents {
 }
 
 const kLockPrefix = 'spineloft-model-';
-const kBeatMs = 2000, kStaleMs = 7000, kPatienceMs = 1500;
+const kBeatMs = 2000,
+  kStaleMs = 7000,
+  kPatienceMs = 1500;
 
 type Message = { take: string; from: string };
 
@@ -29,7 +31,10 @@ type Message = { take: string; from: string };
 class Neighbours {
   private readonly channel = typeof BroadcastChannel === 'function' ? new BroadcastChannel('spineloft-models') : null;
 
-  constructor(private readonly tab: string, private readonly asked: (id: string) => void) {
+  constructor(
+    private readonly tab: string,
+    private readonly asked: (id: string) => void,
+  ) {
     this.channel?.addEventListener('message', (event: MessageEvent<Message>) => {
       if (event.data.from !== this.tab && typeof event.data.take === 'string') this.asked(event.data.take);
     });
@@ -44,7 +49,10 @@ class LockClaims implements Claims {
   private readonly held = new Map<string, () => void>();
   private readonly neighbours: Neighbours;
 
-  constructor(tab: string, private readonly events: ClaimEvents) {
+  constructor(
+    tab: string,
+    private readonly events: ClaimEvents,
+  ) {
     this.neighbours = new Neighbours(tab, (id) => void this.giveUp(id));
   }
 
@@ -84,14 +92,16 @@ class LockClaims implements Claims {
   /** Resolves once it is known whether the lock is ours; it stays ours until `release`. */
   private request(id: string, options: LockOptions): Promise<boolean> {
     return new Promise((resolve, reject) => {
-      navigator.locks.request(kLockPrefix + id, options, (lock) => {
-        resolve(lock !== null);
-        return lock === null ? undefined : new Promise<void>((done) => this.held.set(id, done));
-      }).catch((thrown: unknown) => {
-        // Stolen by a tab that did not wait, or never given.
-        if (this.held.delete(id)) this.events.lost(id);
-        reject(thrown);
-      });
+      navigator.locks
+        .request(kLockPrefix + id, options, (lock) => {
+          resolve(lock !== null);
+          return lock === null ? undefined : new Promise<void>((done) => this.held.set(id, done));
+        })
+        .catch((thrown: unknown) => {
+          // Stolen by a tab that did not wait, or never given.
+          if (this.held.delete(id)) this.events.lost(id);
+          reject(thrown);
+        });
     });
   }
 }
@@ -101,7 +111,11 @@ class BeatClaims implements Claims {
   private readonly neighbours: Neighbours;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  constructor(private readonly store: ModelStore, private readonly tab: string, private readonly events: ClaimEvents) {
+  constructor(
+    private readonly store: ModelStore,
+    private readonly tab: string,
+    private readonly events: ClaimEvents,
+  ) {
     this.neighbours = new Neighbours(tab, (id) => void this.giveUp(id));
   }
 
@@ -114,7 +128,7 @@ class BeatClaims implements Claims {
 
   async take(id: string): Promise<void> {
     this.neighbours.ask(id);
-    for (const end = Date.now() + kPatienceMs; Date.now() < end; ) {
+    for (const end = Date.now() + kPatienceMs; Date.now() < end;) {
       if (await this.claim(id)) return;
       await new Promise((resolve) => setTimeout(resolve, 100));
     }

@@ -46,7 +46,9 @@ export interface WriterEvents {
 }
 
 /** A journal longer than this is folded into a new base. */
-const kLongJournal = 256 * 1024, kLongestJournal = 4 * 1024 * 1024, kMostRecords = 400;
+const kLongJournal = 256 * 1024,
+  kLongestJournal = 4 * 1024 * 1024,
+  kMostRecords = 400;
 /** After a failure the next try waits that long. */
 const kRetryMs = 5000;
 /** Deleted models can be brought back for that long. */
@@ -66,7 +68,7 @@ export class JournalWriter {
   private failure: StoreFailure | null = null;
   private failedAt = -Infinity;
   private stopped = false;
-  private newId: string | null = null;  // of a model whose first write is still to come
+  private newId: string | null = null; // of a model whose first write is still to come
 
   constructor(
     private readonly source: HistorySource,
@@ -86,7 +88,13 @@ export class JournalWriter {
 
   /** True when every step is kept. */
   get isSafe(): boolean {
-    return this.store !== null && this.failure === null && !this.stopped && this.running === null && this.pending.length === 0;
+    return (
+      this.store !== null &&
+      this.failure === null &&
+      !this.stopped &&
+      this.running === null &&
+      this.pending.length === 0
+    );
   }
 
   get isInTrouble(): boolean {
@@ -142,17 +150,22 @@ export class JournalWriter {
       return;
     }
     // A microtask later: not inside a call into the engine.
-    this.running = Promise.resolve().then(() => this.writeAll()).finally(() => {
-      this.running = null;
-      // A step that came after the last look; after a failure the next step tries again.
-      if (!this.failure && this.pending.length > 0) this.start();
-    });
+    this.running = Promise.resolve()
+      .then(() => this.writeAll())
+      .finally(() => {
+        this.running = null;
+        // A step that came after the last look; after a failure the next step tries again.
+        if (!this.failure && this.pending.length > 0) this.start();
+      });
   }
 
   private async writeAll(): Promise<void> {
     let second = false;
     while (!this.stopped && (this.pending.length > 0 || this.wantsBase)) {
-      const failure = await this.writeOnce().then(() => null, (thrown: unknown) => storeFailureOf(thrown));
+      const failure = await this.writeOnce().then(
+        () => null,
+        (thrown: unknown) => storeFailureOf(thrown),
+      );
       if (!failure) {
         second = false;
         this.report(null);
@@ -214,7 +227,18 @@ export class JournalWriter {
     const id = this.info?.id ?? (this.newId ??= await this.events.begin());
     const records = batch.map((event) => event.record);
     const before = this.info?.photos ?? [];
-    this.info = await this.store.write({ id, writer: this.token, now: this.now(), name, pictures, parts, base, records, photos, packed });
+    this.info = await this.store.write({
+      id,
+      writer: this.token,
+      now: this.now(),
+      name,
+      pictures,
+      parts,
+      base,
+      records,
+      photos,
+      packed,
+    });
     for (const hash of photos) this.known.add(hash);
     this.events.kept(this.info);
     if (whole && before.some((hash) => !photos.includes(hash))) await this.store.sweep(this.now() - kTrashMs);

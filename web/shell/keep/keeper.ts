@@ -40,7 +40,8 @@ export interface KeeperPage {
 
 export type KeepEvent = { type: 'keep'; what: string; id: string };
 
-const kThumbnail = { width: 208, height: 156 }, kThumbnailMs = 1200;
+const kThumbnail = { width: 208, height: 156 },
+  kThumbnailMs = 1200;
 const kNoModel = 'none';
 
 export class Keeper {
@@ -56,7 +57,10 @@ export class Keeper {
   private readOnly = false;
   private askedToPersist = false;
 
-  constructor(private readonly engine: KeptEngine, private readonly page: KeeperPage) {
+  constructor(
+    private readonly engine: KeptEngine,
+    private readonly page: KeeperPage,
+  ) {
     this.writer = this.makeWriter();
     document.addEventListener('visibilitychange', () => this.seen());
   }
@@ -81,8 +85,12 @@ export class Keeper {
       try {
         this.store = await ModelStore.open();
         this.claims = makeClaims(this.store, this.tab, {
-          finish: async (id) => { if (id === this.current) await this.writer.settled(); },
-          lost: (id) => { if (id === this.current) this.lose(); },
+          finish: async (id) => {
+            if (id === this.current) await this.writer.settled();
+          },
+          lost: (id) => {
+            if (id === this.current) this.lose();
+          },
         });
         this.writer = this.makeWriter();
         await this.store.sweep(Date.now() - kTrashMs);
@@ -104,11 +112,22 @@ export class Keeper {
   handle(event: KeepEvent): void {
     const id = event.id || null;
     switch (event.what) {
-      case 'new-model': this.complainOf(this.newModel()); break;
-      case 'open-model': if (id) this.complainOf(this.openModel(id)); else this.page.showModels(); break;
-      case 'open-file': this.page.pickModelFile(); break;
-      case 'duplicate-model': this.complainOf(id ? this.duplicate(id) : this.copyHere()); break;
-      case 'delete-model': if (id) this.complainOf(this.remove(id)); break;
+      case 'new-model':
+        this.complainOf(this.newModel());
+        break;
+      case 'open-model':
+        if (id) this.complainOf(this.openModel(id));
+        else this.page.showModels();
+        break;
+      case 'open-file':
+        this.page.pickModelFile();
+        break;
+      case 'duplicate-model':
+        this.complainOf(id ? this.duplicate(id) : this.copyHere());
+        break;
+      case 'delete-model':
+        if (id) this.complainOf(this.remove(id));
+        break;
     }
   }
 
@@ -196,7 +215,8 @@ export class Keeper {
     return this.change(async () => {
       const info = await this.store?.info(id);
       if (!info) throw new Failure('NoSuchModel', 'There is no such model on this device.');
-      if ((await this.elsewhere()).has(id)) throw new Failure('OpenElsewhere', `${info.name} is open in another tab. Close it there first.`);
+      if ((await this.elsewhere()).has(id))
+        throw new Failure('OpenElsewhere', `${info.name} is open in another tab. Close it there first.`);
       if (id === this.current && !(await this.leave())) return;
       await this.store?.delete(id, Date.now());
       if (this.writer.isInTrouble) {
@@ -231,7 +251,9 @@ export class Keeper {
   }
 
   private complainOf(work: Promise<unknown>): void {
-    work.catch((thrown: unknown) => toast(thrown instanceof StoreFailure ? thrown.message : sentenceOf(thrown), 'error'));
+    work.catch((thrown: unknown) =>
+      toast(thrown instanceof StoreFailure ? thrown.message : sentenceOf(thrown), 'error'),
+    );
   }
 
   /** An empty model in place of the open one. False when the visitor would rather stay. */
@@ -363,7 +385,12 @@ export class Keeper {
       text: `${this.engine.about().name} is open in another tab now. Here it can only be looked at.`,
       actions: [
         { label: 'Open a copy', run: () => this.complainOf(this.copyHere()) },
-        { label: 'Take over here', run: () => { if (id) this.complainOf(this.takeOver(id)); } },
+        {
+          label: 'Take over here',
+          run: () => {
+            if (id) this.complainOf(this.takeOver(id));
+          },
+        },
       ],
       canDismiss: false,
     });

@@ -70,17 +70,27 @@ export class ModelsView {
   showAll(): void {
     if (this.dialog) return;
     const list = make('ul', { class: 'models-grid' });
-    const element = openDialog('Your models', [make('div', { class: 'sheet-body' }, list)], 'dialog sheet models-dialog');
+    const element = openDialog(
+      'Your models',
+      [make('div', { class: 'sheet-body' }, list)],
+      'dialog sheet models-dialog',
+    );
     this.dialog = { element, list };
     this.drawn = '';
-    element.addEventListener('close', () => { this.dialog = null; });
+    element.addEventListener('close', () => {
+      this.dialog = null;
+    });
     void this.update();
   }
 
   private draw(models: ModelInfo[], elsewhere: Set<string>): void {
     const current = this.actions.current();
-    const key = JSON.stringify([models.map((model) => [model.id, model.name, model.modified, model.parts, model.thumbnail?.bytes.length]),
-      [...elsewhere], current, this.dialog !== null]);
+    const key = JSON.stringify([
+      models.map((model) => [model.id, model.name, model.modified, model.parts, model.thumbnail?.bytes.length]),
+      [...elsewhere],
+      current,
+      this.dialog !== null,
+    ]);
     if (key === this.drawn) return;
     this.drawn = key;
     for (const address of this.addresses) URL.revokeObjectURL(address);
@@ -92,7 +102,10 @@ export class ModelsView {
     if (!this.dialog) return;
     const { list } = this.dialog;
     list.replaceChildren(...models.map(card));
-    if (models.length === 0) list.append(make('li', { class: 'models-none' }, 'Nothing here yet. What you draw is kept on this device by itself.'));
+    if (models.length === 0)
+      list.append(
+        make('li', { class: 'models-none' }, 'Nothing here yet. What you draw is kept on this device by itself.'),
+      );
   }
 
   private card(model: ModelInfo, isOpen: boolean, isElsewhere: boolean): HTMLElement {
@@ -102,15 +115,28 @@ export class ModelsView {
     const where = isElsewhere ? 'in another tab' : isOpen ? 'open' : '';
     if (where) frame.append(make('span', { class: 'model-badge' }, where));
     const detail = `${countText(model)} · ${whenText(model.modified, Date.now())}`;
-    const button = make('button', { type: 'button', class: 'model-open' }, frame,
-      make('span', { class: 'model-name' }, model.name), make('span', { class: 'model-detail' }, detail));
+    const button = make(
+      'button',
+      { type: 'button', class: 'model-open' },
+      frame,
+      make('span', { class: 'model-name' }, model.name),
+      make('span', { class: 'model-detail' }, detail),
+    );
     button.addEventListener('click', () => {
       this.dialog?.element.close();
       this.actions.open(model.id);
     });
-    const more = make('button', { type: 'button', class: 'model-more', 'aria-haspopup': 'menu', 'aria-expanded': 'false', 'aria-label': `More about ${model.name}` });
+    const more = make('button', {
+      type: 'button',
+      class: 'model-more',
+      'aria-haspopup': 'menu',
+      'aria-expanded': 'false',
+      'aria-label': `More about ${model.name}`,
+    });
     more.append(icon('ellipsis-vertical'));
-    more.addEventListener('click', () => toggleMenu(more, model.name, [{ title: '', items: this.menu(model, isElsewhere) }]));
+    more.addEventListener('click', () =>
+      toggleMenu(more, model.name, [{ title: '', items: this.menu(model, isElsewhere) }]),
+    );
     return make('li', { class: 'model', 'data-model': model.id }, button, more);
   }
 

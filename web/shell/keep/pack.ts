@@ -18,8 +18,15 @@ export interface PackedPhoto extends Omit<RawPhoto, 'rgba'> {
   bytes: Uint8Array;
 }
 
-async function through(bytes: Uint8Array, stream: CompressionStream | DecompressionStream, most: number): Promise<Uint8Array> {
-  const reader = new Blob([bytes as BlobPart]).stream().pipeThrough(stream as ReadableWritablePair<Uint8Array, Uint8Array>).getReader();
+async function through(
+  bytes: Uint8Array,
+  stream: CompressionStream | DecompressionStream,
+  most: number,
+): Promise<Uint8Array> {
+  const reader = new Blob([bytes as BlobPart])
+    .stream()
+    .pipeThrough(stream as ReadableWritablePair<Uint8Array, Uint8Array>)
+    .getReader();
   const chunks: Uint8Array[] = [];
   let length = 0;
   for (let step = await reader.read(); !step.done; step = await reader.read()) {
@@ -44,7 +51,9 @@ export async function packPhoto(photo: RawPhoto): Promise<PackedPhoto> {
   const { rgba, ...about } = photo;
   if (typeof CompressionStream !== 'function') return { ...about, packing: 'none', bytes: rgba };
   const bytes = await through(rgba, new CompressionStream('deflate-raw'), Infinity);
-  return bytes.length < rgba.length ? { ...about, packing: 'deflate-raw', bytes } : { ...about, packing: 'none', bytes: rgba };
+  return bytes.length < rgba.length
+    ? { ...about, packing: 'deflate-raw', bytes }
+    : { ...about, packing: 'none', bytes: rgba };
 }
 
 /** The pixels again; null when they are damaged. */

@@ -152,9 +152,12 @@ export class ModelStore {
    */
   async write(change: Change): Promise<ModelInfo> {
     return this.transact(['models', 'bases', 'journal', 'photos'], async (tx) => {
-      const models = tx.objectStore('models'), photos = tx.objectStore('photos'), journal = tx.objectStore('journal');
+      const models = tx.objectStore('models'),
+        photos = tx.objectStore('photos'),
+        journal = tx.objectStore('journal');
       const old = await models.get(change.id);
-      if (old ? old.writer !== change.writer || old.deleted !== null : change.base === null) throw new StoreFailure('taken');
+      if (old ? old.writer !== change.writer || old.deleted !== null : change.base === null)
+        throw new StoreFailure('taken');
       for (const photo of change.packed) quietly(photos.put(photo));
       for (const hash of change.photos) {
         if ((await photos.getKey(hash)) === undefined) throw new StoreFailure('photo-missing');
@@ -165,7 +168,8 @@ export class ModelStore {
         quietly(journal.delete(allRecords(change.id)));
       } else {
         const first = info.next - change.records.length;
-        for (const [i, text] of change.records.entries()) quietly(journal.add({ model: change.id, sequence: first + i, text }));
+        for (const [i, text] of change.records.entries())
+          quietly(journal.add({ model: change.id, sequence: first + i, text }));
       }
       quietly(models.put(info));
       return info;
@@ -197,7 +201,16 @@ export class ModelStore {
       const old = await tx.objectStore('models').get(id);
       const base = await tx.objectStore('bases').get(id);
       if (!old || !base) return null;
-      const info: ModelInfo = { ...old, id: newModelId(), name, newName: name, created: now, modified: now, writer: '', deleted: null };
+      const info: ModelInfo = {
+        ...old,
+        id: newModelId(),
+        name,
+        newName: name,
+        created: now,
+        modified: now,
+        writer: '',
+        deleted: null,
+      };
       for (const row of await tx.objectStore('journal').getAll(allRecords(id))) {
         quietly(tx.objectStore('journal').add({ ...row, model: info.id }));
       }
@@ -281,7 +294,8 @@ export class ModelStore {
 
   /** One transaction: what `work` asks for happens as a whole, or not at all when anything fails. */
   private transact<Names extends StoreNames<Schema>[], T>(
-    names: Names, work: (tx: IDBPTransaction<Schema, Names, 'readwrite'>) => Promise<T>,
+    names: Names,
+    work: (tx: IDBPTransaction<Schema, Names, 'readwrite'>) => Promise<T>,
   ): Promise<T> {
     return this.guard(async () => {
       const tx = this.db.transaction(names, 'readwrite');

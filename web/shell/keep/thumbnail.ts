@@ -4,7 +4,10 @@ import type { Thumbnail } from './store.ts';
 const kQuality = 0.82;
 
 /** RGBA pixels as a small file: WebP, or PNG where the browser cannot write it. */
-export async function shrunkPicture(rgba: Uint8ClampedArray, size: { width: number; height: number }): Promise<Thumbnail> {
+export async function shrunkPicture(
+  rgba: Uint8ClampedArray,
+  size: { width: number; height: number },
+): Promise<Thumbnail> {
   const canvas = document.createElement('canvas');
   canvas.width = size.width;
   canvas.height = size.height;

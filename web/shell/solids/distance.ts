@@ -10,14 +10,29 @@ function share(part: number, whole: number): number {
 
 /** Square of the distance from a point to the triangle abc (Ericson, Real-Time Collision Detection 5.1.5). */
 function squaredDistance(p: Float32Array, a: number, b: number, c: number, x: number, y: number, z: number): number {
-  const abx = p[b]! - p[a]!, aby = p[b + 1]! - p[a + 1]!, abz = p[b + 2]! - p[a + 2]!;
-  const acx = p[c]! - p[a]!, acy = p[c + 1]! - p[a + 1]!, acz = p[c + 2]! - p[a + 2]!;
-  const apx = x - p[a]!, apy = y - p[a + 1]!, apz = z - p[a + 2]!;
-  const d1 = abx * apx + aby * apy + abz * apz, d2 = acx * apx + acy * apy + acz * apz;
-  const bb = abx * abx + aby * aby + abz * abz, cc = acx * acx + acy * acy + acz * acz, bc = abx * acx + aby * acy + abz * acz;
-  const d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;
-  let v = 0, w = 0;
-  const va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  const abx = p[b]! - p[a]!,
+    aby = p[b + 1]! - p[a + 1]!,
+    abz = p[b + 2]! - p[a + 2]!;
+  const acx = p[c]! - p[a]!,
+    acy = p[c + 1]! - p[a + 1]!,
+    acz = p[c + 2]! - p[a + 2]!;
+  const apx = x - p[a]!,
+    apy = y - p[a + 1]!,
+    apz = z - p[a + 2]!;
+  const d1 = abx * apx + aby * apy + abz * apz,
+    d2 = acx * apx + acy * apy + acz * apz;
+  const bb = abx * abx + aby * aby + abz * abz,
+    cc = acx * acx + acy * acy + acz * acz,
+    bc = abx * acx + aby * acy + abz * acz;
+  const d3 = d1 - bb,
+    d4 = d2 - bc,
+    d5 = d1 - bc,
+    d6 = d2 - cc;
+  let v = 0,
+    w = 0;
+  const va = d3 * d6 - d5 * d4,
+    vb = d5 * d2 - d1 * d6,
+    vc = d1 * d4 - d3 * d2;
   if (d1 <= 0 && d2 <= 0) v = w = 0;
   else if (d3 >= 0 && d4 <= d3) v = 1;
   else if (vc <= 0 && d1 >= 0 && d3 <= 0) v = share(d1, d1 - d3);
@@ -31,7 +46,9 @@ function squaredDistance(p: Float32Array, a: number, b: number, c: number, x: nu
     v = share(vb, sum);
     w = share(vc, sum);
   }
-  const dx = apx - v * abx - w * acx, dy = apy - v * aby - w * acy, dz = apz - v * abz - w * acz;
+  const dx = apx - v * abx - w * acx,
+    dy = apy - v * aby - w * acy,
+    dz = apz - v * abz - w * acz;
   return dx * dx + dy * dy + dz * dz;
 }
 
@@ -50,7 +67,13 @@ export class DistanceField {
    * Distances beyond `reach` are only known to be that large. `where` they are asked for: everywhere, inside, or at the
    * points that are marked; elsewhere they are exact next to the surface alone, or not known.
    */
-  constructor(private readonly positions: Float32Array, private readonly triangles: Uint32Array, private readonly grid: Grid, reach: number, where: 'all' | 'inside' | Uint8Array = 'all') {
+  constructor(
+    private readonly positions: Float32Array,
+    private readonly triangles: Uint32Array,
+    private readonly grid: Grid,
+    reach: number,
+    where: 'all' | 'inside' | Uint8Array = 'all',
+  ) {
     const [nx, ny, nz] = grid.size;
     this.values = new Float32Array(nx * ny * nz).fill(reach);
     const inside = this.insides();
@@ -70,12 +93,17 @@ export class DistanceField {
     const { min, step, size } = this.grid;
     const [nx, ny] = size;
     const nearest = new Int32Array(values.length).fill(-1);
-    const low = [0, 0, 0], high = [0, 0, 0], middle = [0, 0, 0];
+    const low = [0, 0, 0],
+      high = [0, 0, 0],
+      middle = [0, 0, 0];
     for (let t = 0; t < triangles.length; t += 3) {
-      const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
+      const a = 3 * triangles[t]!,
+        b = 3 * triangles[t + 1]!,
+        c = 3 * triangles[t + 2]!;
       let radius = 0;
       for (let k = 0; k < 3; k += 1) {
-        const least = Math.min(p[a + k]!, p[b + k]!, p[c + k]!), most = Math.max(p[a + k]!, p[b + k]!, p[c + k]!);
+        const least = Math.min(p[a + k]!, p[b + k]!, p[c + k]!),
+          most = Math.max(p[a + k]!, p[b + k]!, p[c + k]!);
         low[k] = Math.max(0, Math.ceil((least - min[k]!) / step - 1));
         high[k] = Math.min(size[k]! - 1, Math.floor((most - min[k]!) / step + 1));
         middle[k] = (least + most) / 2;
@@ -83,14 +111,19 @@ export class DistanceField {
       }
       radius = Math.sqrt(radius);
       for (let z = low[2]!; z <= high[2]!; z += 1) {
-        const pz = min[2] + z * step, dz = pz - middle[2]!;
+        const pz = min[2] + z * step,
+          dz = pz - middle[2]!;
         for (let y = low[1]!; y <= high[1]!; y += 1) {
-          const py = min[1] + y * step, dy = py - middle[1]!;
+          const py = min[1] + y * step,
+            dy = py - middle[1]!;
           for (let x = low[0]!; x <= high[0]!; x += 1) {
-            const i = x + nx * (y + ny * z), px = min[0] + x * step, dx = px - middle[0]!;
+            const i = x + nx * (y + ny * z),
+              px = min[0] + x * step,
+              dx = px - middle[0]!;
             if (marked && marked[i] === 0) continue;
             // All of the triangle lies in a ball about its middle.
-            const known = values[i]!, beyond = known + radius;
+            const known = values[i]!,
+              beyond = known + radius;
             if (dx * dx + dy * dy + dz * dz >= beyond * beyond) continue;
             const d = squaredDistance(p, a, b, c, px, py, pz);
             if (d >= known * known) continue;
@@ -111,19 +144,30 @@ export class DistanceField {
     const offer = (i: number, from: number, x: number, y: number, z: number) => {
       const t = nearest[from]!;
       if (t < 0 || t === nearest[i]! || values[from]! >= values[i]! + step) return;
-      const d = squaredDistance(p, 3 * triangles[t]!, 3 * triangles[t + 1]!, 3 * triangles[t + 2]!, min[0] + x * step, min[1] + y * step, min[2] + z * step);
+      const d = squaredDistance(
+        p,
+        3 * triangles[t]!,
+        3 * triangles[t + 1]!,
+        3 * triangles[t + 2]!,
+        min[0] + x * step,
+        min[1] + y * step,
+        min[2] + z * step,
+      );
       if (d >= values[i]! * values[i]!) return;
       values[i] = Math.sqrt(d);
       nearest[i] = t;
     };
     for (let sweep = 0; sweep < 8; sweep += 1) {
-      const sx = sweep & 1 ? -1 : 1, sy = sweep & 2 ? -1 : 1, sz = sweep & 4 ? -1 : 1;
+      const sx = sweep & 1 ? -1 : 1,
+        sy = sweep & 2 ? -1 : 1,
+        sz = sweep & 4 ? -1 : 1;
       for (let k = 0; k < nz; k += 1) {
         const z = sz > 0 ? k : nz - 1 - k;
         for (let j = 0; j < ny; j += 1) {
           const y = sy > 0 ? j : ny - 1 - j;
           for (let n = 0; n < nx; n += 1) {
-            const x = sx > 0 ? n : nx - 1 - n, i = x + nx * (y + ny * z);
+            const x = sx > 0 ? n : nx - 1 - n,
+              i = x + nx * (y + ny * z);
             if (marked && marked[i]! <= 0) continue;
             if (n > 0) offer(i, i - sx, x, y, z);
             if (j > 0) offer(i, i - sy * nx, x, y, z);
@@ -141,17 +185,29 @@ export class DistanceField {
     const [nx, ny, nz] = size;
     const turns = new Int8Array(nx * ny * nz);
     // A little off the grid, so that no line runs along an edge of the mesh.
-    const offY = min[1] + step * 1.37e-4, offZ = min[2] + step * 2.11e-4;
+    const offY = min[1] + step * 1.37e-4,
+      offZ = min[2] + step * 2.11e-4;
     for (let t = 0; t < triangles.length; t += 3) {
-      const a = 3 * triangles[t]!, b = 3 * triangles[t + 1]!, c = 3 * triangles[t + 2]!;
-      const ay = p[a + 1]!, az = p[a + 2]!, by = p[b + 1]!, bz = p[b + 2]!, cy = p[c + 1]!, cz = p[c + 2]!;
-      const y1 = Math.min(ny - 1, Math.floor((Math.max(ay, by, cy) - offY) / step)), z1 = Math.min(nz - 1, Math.floor((Math.max(az, bz, cz) - offZ) / step));
+      const a = 3 * triangles[t]!,
+        b = 3 * triangles[t + 1]!,
+        c = 3 * triangles[t + 2]!;
+      const ay = p[a + 1]!,
+        az = p[a + 2]!,
+        by = p[b + 1]!,
+        bz = p[b + 2]!,
+        cy = p[c + 1]!,
+        cz = p[c + 2]!;
+      const y1 = Math.min(ny - 1, Math.floor((Math.max(ay, by, cy) - offY) / step)),
+        z1 = Math.min(nz - 1, Math.floor((Math.max(az, bz, cz) - offZ) / step));
       for (let z = Math.max(0, Math.ceil((Math.min(az, bz, cz) - offZ) / step)); z <= z1; z += 1) {
         for (let y = Math.max(0, Math.ceil((Math.min(ay, by, cy) - offY) / step)); y <= y1; y += 1) {
-          const py = offY + y * step, pz = offZ + z * step;
+          const py = offY + y * step,
+            pz = offZ + z * step;
           // Which side of each edge the line passes. Of the two faces at an edge both compute the same number but for its
           // sign, so that a line passes through just one of them however thin they are.
-          const u = sideOf(by - py, bz - pz, cy - py, cz - pz), v = sideOf(cy - py, cz - pz, ay - py, az - pz), w = sideOf(ay - py, az - pz, by - py, bz - pz);
+          const u = sideOf(by - py, bz - pz, cy - py, cz - pz),
+            v = sideOf(cy - py, cz - pz, ay - py, az - pz),
+            w = sideOf(ay - py, az - pz, by - py, bz - pz);
           const leaves = u > 0;
           if (v > 0 !== leaves || w > 0 !== leaves) continue;
           const x = Math.max(0, Math.ceil(((u * p[a]! + v * p[b]! + w * p[c]!) / (u + v + w) - min[0]) / step));

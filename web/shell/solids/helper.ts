@@ -25,7 +25,10 @@ export class Helper {
   private shares = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly start: () => HelperWorker, private readonly patience = kPatience) {}
+  constructor(
+    private readonly start: () => HelperWorker,
+    private readonly patience = kPatience,
+  ) {}
 
   get isFree(): boolean {
     return this.asked === null;
@@ -85,7 +88,9 @@ export class Helper {
   private in(ms: number): void {
     clearTimeout(this.timer);
     // In two steps: while the first worker was at its own half nothing came in, and it is no fault of the second one.
-    this.timer = setTimeout(() => { this.timer = setTimeout(() => this.stop(), ms / 2); }, ms / 2);
+    this.timer = setTimeout(() => {
+      this.timer = setTimeout(() => this.stop(), ms / 2);
+    }, ms / 2);
   }
 
   private take(union: SharedUnion | null): void {
@@ -97,11 +102,23 @@ export class Helper {
 }
 
 /** Operands in two halves of about as many triangles, which lie side by side. */
-export function halvesOf(operands: PartOperand[], meshOf: (operand: PartOperand) => MeshData): [PartOperand[], PartOperand[]] {
-  const all = operands.map((operand) => ({ operand, count: meshOf(operand).triangles.length, at: middleOf(operand, meshOf(operand)) }));
-  const spread = [0, 1, 2].map((k) => Math.max(...all.map(({ at }) => at[k]!)) - Math.min(...all.map(({ at }) => at[k]!))), axis = spread.indexOf(Math.max(...spread));
+export function halvesOf(
+  operands: PartOperand[],
+  meshOf: (operand: PartOperand) => MeshData,
+): [PartOperand[], PartOperand[]] {
+  const all = operands.map((operand) => ({
+    operand,
+    count: meshOf(operand).triangles.length,
+    at: middleOf(operand, meshOf(operand)),
+  }));
+  const spread = [0, 1, 2].map(
+      (k) => Math.max(...all.map(({ at }) => at[k]!)) - Math.min(...all.map(({ at }) => at[k]!)),
+    ),
+    axis = spread.indexOf(Math.max(...spread));
   all.sort((a, b) => a.at[axis]! - b.at[axis]!);
-  const half = all.reduce((sum, { count }) => sum + count, 0) / 2, first: PartOperand[] = [], second: PartOperand[] = [];
+  const half = all.reduce((sum, { count }) => sum + count, 0) / 2,
+    first: PartOperand[] = [],
+    second: PartOperand[] = [];
   let sum = 0;
   for (const { operand, count } of all) {
     (sum + count / 2 < half ? first : second).push(operand);

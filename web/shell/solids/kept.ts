@@ -58,11 +58,13 @@ export type Made = { solid: Manifold } | { faces: Faces };
 
 /** Unions of some of these that are there, and what is left. */
 export function madeOf(kept: Iterable<Kept>, all: Keyed[]): { made: Keyed[][]; left: Keyed[] } {
-  const made: Keyed[][] = [], unions = [...kept].flatMap(({ joined }) => (joined ? [joined] : []));
+  const made: Keyed[][] = [],
+    unions = [...kept].flatMap(({ joined }) => (joined ? [joined] : []));
   for (let left = all; ;) {
     const keys = new Set(keysOf(left));
     let most: string[] = [];
-    for (const joined of unions) if (joined.length > Math.max(1, most.length) && joined.every((key) => keys.has(key))) most = joined;
+    for (const joined of unions)
+      if (joined.length > Math.max(1, most.length) && joined.every((key) => keys.has(key))) most = joined;
     if (most.length === 0) return { made, left };
     const taken = new Set(most);
     made.push(left.filter(({ key }) => taken.has(key)));

@@ -16,7 +16,9 @@ export const joinKey = (of: Named[]) => `join: ${keysOf(of).join(' ')}`;
 
 /** Names what the operands make that do not change. What the first one of a cut loses is their union. */
 export function restKey(kind: SolidNode['kind'], others: Named[], changed: boolean[]): string {
-  return kind === 'join' || (kind === 'cut' && changed[0]) ? joinKey(others) : `${kind}: ${others.map((each) => each.key).join(' ')}`;
+  return kind === 'join' || (kind === 'cut' && changed[0])
+    ? joinKey(others)
+    : `${kind}: ${others.map((each) => each.key).join(' ')}`;
 }
 
 /** Whether it pays to keep what the operands make that do not change; two or more of them. */
@@ -32,7 +34,9 @@ export function seamKey({ kind, blend, coarse }: SolidNode, one: Named, other: N
 
 /** Whose seams are rounded: of a join any two, of a cut the first one and any other. */
 export function pairsOf<Each>(kind: SolidNode['kind'], all: Each[]): [Each, Each][] {
-  return all.slice(0, kind === 'cut' ? 1 : all.length).flatMap((one, i) => all.slice(i + 1).map((other) => [one, other] as [Each, Each]));
+  return all
+    .slice(0, kind === 'cut' ? 1 : all.length)
+    .flatMap((one, i) => all.slice(i + 1).map((other) => [one, other] as [Each, Each]));
 }
 
 /** Its seams are rounded. */

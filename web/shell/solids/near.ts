@@ -11,12 +11,18 @@ const kWorthwhile = 0.6;
 
 /** Marks the faces that reach into a room, and makes it as large as these are. */
 function takeNear(vertProperties: Float32Array, triVerts: Uint32Array, room: Room, near: Uint8Array): Room {
-  const places = mapped(vertProperties, room.into), { low, high } = room, all = { low: [...low] as Vec3, high: [...high] as Vec3 };
+  const places = mapped(vertProperties, room.into),
+    { low, high } = room,
+    all = { low: [...low] as Vec3, high: [...high] as Vec3 };
   for (let t = 0; t < near.length; t += 1) {
-    const a = 3 * triVerts[3 * t]!, b = 3 * triVerts[3 * t + 1]!, c = 3 * triVerts[3 * t + 2]!;
+    const a = 3 * triVerts[3 * t]!,
+      b = 3 * triVerts[3 * t + 1]!,
+      c = 3 * triVerts[3 * t + 2]!;
     let apart = false;
     for (let k = 0; k < 3 && !apart; k += 1) {
-      const p = places[a + k]!, q = places[b + k]!, r = places[c + k]!;
+      const p = places[a + k]!,
+        q = places[b + k]!,
+        r = places[c + k]!;
       apart = Math.min(p, q, r) > high[k]! || Math.max(p, q, r) < low[k]!;
     }
     if (apart) continue;
@@ -39,14 +45,16 @@ function rimOf(triangles: Uint32Array, isChosen: (face: number) => boolean, vert
   for (let t = 0; t < triangles.length; t += 3) {
     if (!isChosen(t / 3)) continue;
     for (let k = 0; k < 3; k += 1) {
-      const a = triangles[t + k]!, b = triangles[t + ((k + 1) % 3)]!;
+      const a = triangles[t + k]!,
+        b = triangles[t + ((k + 1) % 3)]!;
       if (!rim.delete(b * vertices + a)) rim.add(a * vertices + b);
     }
   }
   return rim;
 }
 
-const placeAt = (positions: Float32Array, v: number) => `${positions[3 * v]} ${positions[3 * v + 1]} ${positions[3 * v + 2]}`;
+const placeAt = (positions: Float32Array, v: number) =>
+  `${positions[3 * v]} ${positions[3 * v + 1]} ${positions[3 * v + 2]}`;
 
 /** What is away: it stays as it is. */
 interface Away {
@@ -60,10 +68,17 @@ interface Away {
 }
 
 /** Null when two corners at the rim are at one place. */
-function awayOf({ vertProperties, triVerts, runIndex, faceID }: Pick<Mesh, 'vertProperties' | 'triVerts' | 'runIndex' | 'faceID'>, near: Uint8Array): Away | null {
-  const number = new Int32Array(vertProperties.length / 3).fill(-1), kept: number[] = [], corners: Uint32Array[] = [], faces: Uint32Array[] = [];
+function awayOf(
+  { vertProperties, triVerts, runIndex, faceID }: Pick<Mesh, 'vertProperties' | 'triVerts' | 'runIndex' | 'faceID'>,
+  near: Uint8Array,
+): Away | null {
+  const number = new Int32Array(vertProperties.length / 3).fill(-1),
+    kept: number[] = [],
+    corners: Uint32Array[] = [],
+    faces: Uint32Array[] = [];
   for (let run = 0; run + 1 < runIndex.length; run += 1) {
-    const triangles: number[] = [], ids: number[] = [];
+    const triangles: number[] = [],
+      ids: number[] = [];
     for (let t = runIndex[run]! / 3; t < runIndex[run + 1]! / 3; t += 1) {
       if (near[t]) continue;
       ids.push(faceID[t]!);
@@ -77,9 +92,13 @@ function awayOf({ vertProperties, triVerts, runIndex, faceID }: Pick<Mesh, 'vert
   }
   const positions = new Float32Array(3 * kept.length);
   for (const [i, v] of kept.entries()) positions.set(vertProperties.subarray(3 * v, 3 * v + 3), 3 * i);
-  const vertices = number.length, rim = new Set<number>(), corner = new Map<string, number>(), onRim = new Set<number>();
+  const vertices = number.length,
+    rim = new Set<number>(),
+    corner = new Map<string, number>(),
+    onRim = new Set<number>();
   for (const edge of rimOf(triVerts, (face) => near[face] === 0, vertices)) {
-    const a = number[Math.floor(edge / vertices)]!, b = number[edge % vertices]!;
+    const a = number[Math.floor(edge / vertices)]!,
+      b = number[edge % vertices]!;
     rim.add(a * kept.length + b);
     onRim.add(a).add(b);
   }
@@ -95,7 +114,9 @@ function cutter(library: ManifoldToplevel, rooms: Room[], own: Manifold[]): Mani
     own.push(solid);
     return solid;
   };
-  const boxes = rooms.map(({ out, low, high }) => made(made(made(library.Manifold.cube(high.map((x, k) => x - low[k]!) as Vec3)).translate(low)).transform(out)));
+  const boxes = rooms.map(({ out, low, high }) =>
+    made(made(made(library.Manifold.cube(high.map((x, k) => x - low[k]!) as Vec3)).translate(low)).transform(out)),
+  );
   return boxes.length > 1 ? made(library.Manifold.union(boxes)) : boxes[0]!;
 }
 
@@ -123,14 +144,25 @@ export class Near {
       else if (!isAnywhereIn(rooms, shape)) return null;
     }
     if (rooms.length === 0) return null;
-    const { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID } = rest.getMesh(), isNear = new Uint8Array(faceID.length);
-    const boxes = rooms.map((room) => takeNear(vertProperties, triVerts, room, isNear)), count = isNear.reduce((sum, each) => sum + each, 0);
-    const away = count > kWorthwhile * isNear.length ? null : awayOf({ vertProperties, triVerts, runIndex, faceID }, isNear);
+    const { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID } = rest.getMesh(),
+      isNear = new Uint8Array(faceID.length);
+    const boxes = rooms.map((room) => takeNear(vertProperties, triVerts, room, isNear)),
+      count = isNear.reduce((sum, each) => sum + each, 0);
+    const away =
+      count > kWorthwhile * isNear.length ? null : awayOf({ vertProperties, triVerts, runIndex, faceID }, isNear);
     if (!away) return null;
     yield;
-    const own: Manifold[] = [], id = library.Manifold.reserveIDs(1);
+    const own: Manifold[] = [],
+      id = library.Manifold.reserveIDs(1);
     try {
-      const mesh = new library.Mesh({ numProp: 3, vertProperties, triVerts, runOriginalID: Uint32Array.of(id), runIndex: Uint32Array.of(0, triVerts.length), faceID: faceID.map((_, f) => f) });
+      const mesh = new library.Mesh({
+        numProp: 3,
+        vertProperties,
+        triVerts,
+        runOriginalID: Uint32Array.of(id),
+        runIndex: Uint32Array.of(0, triVerts.length),
+        faceID: faceID.map((_, f) => f),
+      });
       const all = library.Manifold.ofMesh(mesh);
       own.push(all);
       all.status();
@@ -155,10 +187,13 @@ export class Near {
 
   /** What shapes in their rooms have made of what is near, with all that is away. Null where these do not fit together. */
   withAway(made: Mesh): Faces | null {
-    const { away, id } = this, { vertProperties, triVerts, runOriginalID } = made;
-    const isGone = this.goneFrom(made), number = this.joint(made, isGone);
+    const { away, id } = this,
+      { vertProperties, triVerts, runOriginalID } = made;
+    const isGone = this.goneFrom(made),
+      number = this.joint(made, isGone);
     if (!number) return null;
-    const added: number[] = [], kept = away.positions.length / 3;
+    const added: number[] = [],
+      kept = away.positions.length / 3;
     for (let c = 0; c < triVerts.length; c += 1) {
       const v = triVerts[c]!;
       if (isGone[(c / 3) | 0] || number[v]! >= 0) continue;
@@ -167,7 +202,9 @@ export class Near {
     const positions = new Float32Array(away.positions.length + 3 * added.length);
     positions.set(away.positions);
     for (const [i, v] of added.entries()) positions.set(vertProperties.subarray(3 * v, 3 * v + 3), 3 * (kept + i));
-    const others = [...runOriginalID.keys()].filter((run) => runOriginalID[run] !== id && !this.sides.has(runOriginalID[run]!));
+    const others = [...runOriginalID.keys()].filter(
+      (run) => runOriginalID[run] !== id && !this.sides.has(runOriginalID[run]!),
+    );
     return { vertProperties: positions, ...this.facesWith(made, others, (t) => isGone[t] === 0, number) };
   }
 
@@ -175,7 +212,8 @@ export class Near {
   private goneFrom({ runIndex, runOriginalID, faceID }: Mesh): Uint8Array {
     const isGone = new Uint8Array(faceID.length);
     for (const [run, original] of runOriginalID.entries()) {
-      const first = runIndex[run]! / 3, end = runIndex[run + 1]! / 3;
+      const first = runIndex[run]! / 3,
+        end = runIndex[run + 1]! / 3;
       if (this.sides.has(original)) isGone.fill(1, first, end);
       else if (original === this.id) for (let t = first; t < end; t += 1) isGone[t] = 1 - this.isNear[faceID[t]!]!;
     }
@@ -184,35 +222,56 @@ export class Near {
 
   /** For corners at the rim their numbers among what is away, for all others −1. Null where the two rims are not one. */
   private joint({ vertProperties, triVerts }: Mesh, isGone: Uint8Array): Int32Array | null {
-    const { away } = this, vertices = vertProperties.length / 3, number = new Int32Array(vertices).fill(-1), rim = rimOf(triVerts, (face) => isGone[face] === 1, vertices);
-    const taken = new Set<number>(), numberOf = (v: number) => {
-      if (number[v]! < 0) {
-        const at = away.corner.get(placeAt(vertProperties, v)) ?? -1;
-        if (at < 0 || taken.has(at)) return -1;
-        taken.add(at);
-        number[v] = at;
-      }
-      return number[v]!;
-    };
+    const { away } = this,
+      vertices = vertProperties.length / 3,
+      number = new Int32Array(vertices).fill(-1),
+      rim = rimOf(triVerts, (face) => isGone[face] === 1, vertices);
+    const taken = new Set<number>(),
+      numberOf = (v: number) => {
+        if (number[v]! < 0) {
+          const at = away.corner.get(placeAt(vertProperties, v)) ?? -1;
+          if (at < 0 || taken.has(at)) return -1;
+          taken.add(at);
+          number[v] = at;
+        }
+        return number[v]!;
+      };
     if (rim.size !== away.rim.size) return null;
     for (const edge of rim) {
-      const a = numberOf(Math.floor(edge / vertices)), b = numberOf(edge % vertices);
+      const a = numberOf(Math.floor(edge / vertices)),
+        b = numberOf(edge % vertices);
       if (a < 0 || b < 0 || !away.rim.has((a * away.positions.length) / 3 + b)) return null;
     }
     return number;
   }
 
   /** All faces: run by run what is away and what is kept of what is near, then those of the parts. */
-  private facesWith(made: Mesh, others: number[], isKept: (t: number) => boolean, number: Int32Array): Omit<Faces, 'vertProperties'> {
-    const { away, whole } = this, runs = whole.runOriginalID.length, near: number[][] = Array.from({ length: runs }, () => []);
+  private facesWith(
+    made: Mesh,
+    others: number[],
+    isKept: (t: number) => boolean,
+    number: Int32Array,
+  ): Omit<Faces, 'vertProperties'> {
+    const { away, whole } = this,
+      runs = whole.runOriginalID.length,
+      near: number[][] = Array.from({ length: runs }, () => []);
     const ownRun = made.runOriginalID.indexOf(this.id);
     if (ownRun >= 0) {
       // Their faces are in the order of the library.
-      const runOf = (face: number) => { let run = 0; while (whole.runIndex[run + 1]! <= 3 * face) run += 1; return run; };
-      for (let t = made.runIndex[ownRun]! / 3; t < made.runIndex[ownRun + 1]! / 3; t += 1) if (isKept(t)) near[runOf(made.faceID[t]!)]!.push(t);
+      const runOf = (face: number) => {
+        let run = 0;
+        while (whole.runIndex[run + 1]! <= 3 * face) run += 1;
+        return run;
+      };
+      for (let t = made.runIndex[ownRun]! / 3; t < made.runIndex[ownRun + 1]! / 3; t += 1)
+        if (isKept(t)) near[runOf(made.faceID[t]!)]!.push(t);
     }
-    const count = [...away.faces, ...near].reduce((sum, each) => sum + each.length, 0) + others.reduce((sum, run) => sum + (made.runIndex[run + 1]! - made.runIndex[run]!) / 3, 0);
-    const triVerts = new Uint32Array(3 * count), faceID = new Uint32Array(count), runIndex = new Uint32Array(runs + others.length + 1);
+    const count =
+      [...away.faces, ...near].reduce((sum, each) => sum + each.length, 0) +
+      others.reduce((sum, run) => sum + (made.runIndex[run + 1]! - made.runIndex[run]!) / 3, 0);
+    const triVerts = new Uint32Array(3 * count),
+      faceID = new Uint32Array(count),
+      runIndex = new Uint32Array(runs + others.length + 1);
     let at = 0;
     const add = (t: number, face: number) => {
       for (let k = 0; k < 3; k += 1) triVerts[3 * at + k] = number[made.triVerts[3 * t + k]!]!;
@@ -231,7 +290,16 @@ export class Near {
       for (let t = made.runIndex[run]! / 3; t < made.runIndex[run + 1]! / 3; t += 1) add(t, made.faceID[t]!);
     }
     runIndex[runs + others.length] = 3 * at;
-    const runTransform = Float32Array.from([...whole.runTransform, ...others.flatMap((run) => [...made.runTransform.subarray(12 * run, 12 * run + 12)])]);
-    return { triVerts, faceID, runIndex, runOriginalID: Uint32Array.from([...whole.runOriginalID, ...others.map((run) => made.runOriginalID[run]!)]), runTransform };
+    const runTransform = Float32Array.from([
+      ...whole.runTransform,
+      ...others.flatMap((run) => [...made.runTransform.subarray(12 * run, 12 * run + 12)]),
+    ]);
+    return {
+      triVerts,
+      faceID,
+      runIndex,
+      runOriginalID: Uint32Array.from([...whole.runOriginalID, ...others.map((run) => made.runOriginalID[run]!)]),
+      runTransform,
+    };
   }
 }

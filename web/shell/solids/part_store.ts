@@ -55,7 +55,9 @@ export class PartStore {
 
   /** The part as a solid, or why it is none. What the hand is at is not looked over for places where it crosses itself. */
   of(operand: PartOperand, coarse: boolean): Kept {
-    const key = partKey(operand), known = this.parts.get(key), loose = this.parts.get(`${key}~`);
+    const key = partKey(operand),
+      known = this.parts.get(key),
+      loose = this.parts.get(`${key}~`);
     if (known) return known;
     const mesh = this.meshOf(operand.mesh);
     if (loose && (coarse || (mesh && !crossesItself(mesh)))) {
@@ -72,7 +74,9 @@ export class PartStore {
 
   /** A part that was looked over by a second worker: its mesh, where mending changed it. The original id of its faces. */
   adopt(operand: PartOperand, mended: MeshData | null): number {
-    const mesh = mended ?? this.meshOf(operand.mesh)!, known = this.known(operand), kept: Kept = known ?? { solid: null, round: this.round };
+    const mesh = mended ?? this.meshOf(operand.mesh)!,
+      known = this.known(operand),
+      kept: Kept = known ?? { solid: null, round: this.round };
     kept.ids ??= [];
     const id = this.register({ part: operand.part, mesh }, kept.ids);
     if (!known) kept.waiting = { mesh, id };
@@ -127,13 +131,20 @@ export class PartStore {
   }
 
   private imported({ mesh: key, part }: PartOperand, unchecked: boolean): Kept {
-    const mesh = this.meshOf(key), { round } = this, ids: number[] = [];
+    const mesh = this.meshOf(key),
+      { round } = this,
+      ids: number[] = [];
     if (!mesh) return { solid: null, failure: { error: 'SolidFailed', part }, round };
     const register = (piece: MeshData) => this.register({ part, mesh: piece }, ids);
     try {
-      return { solid: unchecked ? fromMesh(this.library, mesh, register) : importPart(this.library, mesh, register), round, ids };
+      return {
+        solid: unchecked ? fromMesh(this.library, mesh, register) : importPart(this.library, mesh, register),
+        round,
+        ids,
+      };
     } catch (thrown) {
-      const failure = thrown instanceof FaultyPart ? { error: 'PartCrossesItself' as const, at: thrown.at } : failureOf(thrown);
+      const failure =
+        thrown instanceof FaultyPart ? { error: 'PartCrossesItself' as const, at: thrown.at } : failureOf(thrown);
       return { solid: null, failure: { ...failure, part }, round, ids };
     }
   }

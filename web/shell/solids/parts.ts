@@ -19,9 +19,18 @@ export type Register = (mesh: MeshData) => number;
 
 /** The mesh as it is, as a solid. */
 export function fromMesh(library: ManifoldToplevel, data: MeshData, register: Register): Manifold {
-  const { positions, triangles } = data, faces = triangles.length / 3, faceID = new Uint32Array(faces);
+  const { positions, triangles } = data,
+    faces = triangles.length / 3,
+    faceID = new Uint32Array(faces);
   for (let f = 0; f < faces; f += 1) faceID[f] = f;
-  const mesh = new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: triangles, runOriginalID: Uint32Array.of(register(data)), runIndex: Uint32Array.of(0, triangles.length), faceID });
+  const mesh = new library.Mesh({
+    numProp: 3,
+    vertProperties: positions,
+    triVerts: triangles,
+    runOriginalID: Uint32Array.of(register(data)),
+    runIndex: Uint32Array.of(0, triangles.length),
+    faceID,
+  });
   const solid = library.Manifold.ofMesh(mesh);
   if (solid.status() !== 'NoError') throw new Error(solid.status());
   return solid;
@@ -33,15 +42,21 @@ function fillIn(library: ManifoldToplevel): FillCurve {
     const n = points.length / 3;
     const normal: [number, number, number] = [0, 0, 0];
     for (let i = 0; i < n; i += 1) {
-      const a = 3 * i, b = 3 * ((i + 1) % n);
+      const a = 3 * i,
+        b = 3 * ((i + 1) % n);
       normal[0] += (points[a + 1]! - points[b + 1]!) * (points[a + 2]! + points[b + 2]!);
       normal[1] += (points[a + 2]! - points[b + 2]!) * (points[a]! + points[b]!);
       normal[2] += (points[a]! - points[b]!) * (points[a + 1]! + points[b + 1]!);
     }
     const axis = [0, 1, 2].reduce((best, k) => (Math.abs(normal[k]!) > Math.abs(normal[best]!) ? k : best), 0);
     // Counter-clockwise seen against the normal's longest axis.
-    const u = (axis + 1) % 3, v = (axis + 2) % 3, turned = normal[axis]! < 0;
-    const flat = Array.from({ length: n }, (_, i) => [points[3 * i + (turned ? v : u)]!, points[3 * i + (turned ? u : v)]!] as [number, number]);
+    const u = (axis + 1) % 3,
+      v = (axis + 2) % 3,
+      turned = normal[axis]! < 0;
+    const flat = Array.from(
+      { length: n },
+      (_, i) => [points[3 * i + (turned ? v : u)]!, points[3 * i + (turned ? u : v)]!] as [number, number],
+    );
     return library.triangulate([flat]) as [number, number, number][];
   };
 }
@@ -87,9 +102,11 @@ export function importPart(library: ManifoldToplevel, mesh: MeshData, register: 
   if (!crossing) return fromMesh(library, mesh, register);
   const fault = new FaultyPart(placeOf(crossing, mesh.positions, mesh.triangles));
   const rings = ringsOf(mesh);
-  const pieces = rings && runForward(mesh, rings) ? piecesOf(library, { ...mesh, uv: new Float32Array() }, rings) : null;
+  const pieces =
+    rings && runForward(mesh, rings) ? piecesOf(library, { ...mesh, uv: new Float32Array() }, rings) : null;
   if (!pieces?.length) throw fault;
-  const solid = withoutCrumbs(library, united(library, pieces)), { vertProperties: positions, triVerts: triangles } = solid.getMesh();
+  const solid = withoutCrumbs(library, united(library, pieces)),
+    { vertProperties: positions, triVerts: triangles } = solid.getMesh();
   const sound = solid.status() === 'NoError' && triangles.length > 0;
   solid.delete();
   if (!sound || findCrossings(positions, triangles, 1).length > 0) throw fault;
@@ -98,15 +115,21 @@ export function importPart(library: ManifoldToplevel, mesh: MeshData, register: 
 
 /** The mesh as a solid whose faces nobody asks for. */
 function bare(library: ManifoldToplevel, positions: Float32Array, triangles: Uint32Array): Manifold {
-  const solid = library.Manifold.ofMesh(new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: triangles }));
+  const solid = library.Manifold.ofMesh(
+    new library.Mesh({ numProp: 3, vertProperties: positions, triVerts: triangles }),
+  );
   if (solid.status() !== 'NoError') throw new Error(solid.status());
   return solid;
 }
 
 function nearestOf(from: Float32Array, px: number, py: number, pz: number): number {
-  let nearest = 0, least = Infinity;
+  let nearest = 0,
+    least = Infinity;
   for (let v = 0; v < from.length; v += 3) {
-    const x = from[v]! - px, y = from[v + 1]! - py, z = from[v + 2]! - pz, d = x * x + y * y + z * z;
+    const x = from[v]! - px,
+      y = from[v + 1]! - py,
+      z = from[v + 2]! - pz,
+      d = x * x + y * y + z * z;
     if (d >= least) continue;
     least = d;
     nearest = v / 3;
@@ -121,7 +144,9 @@ function uvOn({ positions: from, uv: known }: MeshData, places: Float32Array): F
   const at = new Map<string, number>();
   for (let v = 0; v < from.length; v += 3) at.set(`${from[v]} ${from[v + 1]} ${from[v + 2]}`, v / 3);
   for (let p = 0; p < places.length; p += 3) {
-    const vertex = at.get(`${places[p]} ${places[p + 1]} ${places[p + 2]}`) ?? nearestOf(from, places[p]!, places[p + 1]!, places[p + 2]!);
+    const vertex =
+      at.get(`${places[p]} ${places[p + 1]} ${places[p + 2]}`) ??
+      nearestOf(from, places[p]!, places[p + 1]!, places[p + 2]!);
     uv.set(known.subarray(2 * vertex, 2 * vertex + 2), (p / 3) * 2);
   }
   return uv;
@@ -132,12 +157,16 @@ function uvOn({ positions: from, uv: known }: MeshData, places: Float32Array): F
  * there, in ever more splinters: so it is made of a few at a time, without what is as thin as rounding.
  */
 function united(library: ManifoldToplevel, pieces: Manifold[]): Manifold {
-  const few = 6, tolerance = 1e-5;
+  const few = 6,
+    tolerance = 1e-5;
   let row = pieces;
   do {
     const next: Manifold[] = [];
     for (let i = 0; i < row.length; i += few) {
-      const group = row.slice(i, i + few), whole = library.Manifold.union(group), plain = whole.asOriginal(), { min, max } = whole.boundingBox();
+      const group = row.slice(i, i + few),
+        whole = library.Manifold.union(group),
+        plain = whole.asOriginal(),
+        { min, max } = whole.boundingBox();
       next.push(plain.simplify(tolerance * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2])));
       for (const each of [whole, plain, ...group]) each.delete();
     }
@@ -148,7 +177,9 @@ function united(library: ManifoldToplevel, pieces: Manifold[]): Manifold {
 
 /** Without the splinters and voids as thin as rounding that are left where pieces meet. */
 function withoutCrumbs(library: ManifoldToplevel, solid: Manifold): Manifold {
-  const pieces = solid.decompose(), least = 1e-5 * solid.volume(), large = pieces.filter((piece) => Math.abs(piece.volume()) > least);
+  const pieces = solid.decompose(),
+    least = 1e-5 * solid.volume(),
+    large = pieces.filter((piece) => Math.abs(piece.volume()) > least);
   const some = large.length < pieces.length && large.length > 0 ? library.Manifold.compose(large) : null;
   for (const piece of pieces) piece.delete();
   if (!some) return solid;

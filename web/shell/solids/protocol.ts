@@ -115,6 +115,15 @@ export type WorkerMessage =
   /** It has made itself quick. */
   | { type: 'warm' }
   | { type: 'progress'; id: number; done: number }
-  | { type: 'solid'; id: number; step: number; key: string; coarse: boolean; ms: number; mesh?: SolidMesh; failure?: SolidFailure }
+  | {
+      type: 'solid';
+      id: number;
+      step: number;
+      key: string;
+      coarse: boolean;
+      ms: number;
+      mesh?: SolidMesh;
+      failure?: SolidFailure;
+    }
   /** `bytes`: what the library's memory has grown to. */
   | { type: 'done'; id: number; bytes: number };

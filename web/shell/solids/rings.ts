@@ -25,14 +25,19 @@ export function ringsOf({ positions, triangles }: MeshData): Rings | null {
   const corners = [i, j, k].filter((v) => v !== 0);
   if (corners.length !== 2) return null;
   const size = corners.includes(1) ? Math.max(...corners) : Math.min(...corners);
-  const vertices = positions.length / 3, count = Math.floor(vertices / size), body = count * size;
+  const vertices = positions.length / 3,
+    count = Math.floor(vertices / size),
+    body = count * size;
   if (size < 3 || count < 2 || vertices - body > 2) return null;
   let joined = false;
   for (let t = 0; t < triangles.length; t += 3) {
     for (let c = 0; c < 3; c += 1) {
-      const a = triangles[t + c]!, b = triangles[t + ((c + 1) % 3)]!;
+      const a = triangles[t + c]!,
+        b = triangles[t + ((c + 1) % 3)]!;
       if (a >= body || b >= body) continue;
-      const ra = Math.floor(a / size), rb = Math.floor(b / size), step = Math.abs(ra - rb);
+      const ra = Math.floor(a / size),
+        rb = Math.floor(b / size),
+        step = Math.abs(ra - rb);
       if (step === 0) {
         // Lids join places of a ring that are far apart; between rings only neighbours meet.
         if (ra !== 0 && ra !== count - 1 && !isNear(a % size, b % size, size)) return null;
@@ -44,7 +49,8 @@ export function ringsOf({ positions, triangles }: MeshData): Rings | null {
       }
     }
   }
-  const first = [i, j, k], at = first.indexOf(0);
+  const first = [i, j, k],
+    at = first.indexOf(0);
   const next = first[(at + 1) % 3]!;
   return { size, count, joined, flipped: next === 1 || (next === size + 1 && !corners.includes(1)) };
 }
@@ -55,21 +61,29 @@ export function ringsOf({ positions, triangles }: MeshData): Rings | null {
  */
 export function runForward({ positions: p }: MeshData, { size, count }: Rings): boolean {
   const frames = Array.from({ length: count }, (_, ring) => {
-    const middle = [0, 0, 0], normal = [0, 0, 0];
+    const middle = [0, 0, 0],
+      normal = [0, 0, 0];
     for (let k = 0; k < size; k += 1) {
-      const a = 3 * (ring * size + k), b = 3 * (ring * size + ((k + 1) % size));
+      const a = 3 * (ring * size + k),
+        b = 3 * (ring * size + ((k + 1) % size));
       for (let axis = 0; axis < 3; axis += 1) {
-        const u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const u = (axis + 1) % 3,
+          v = (axis + 2) % 3;
         middle[axis]! += p[a + axis]! / size;
         normal[axis]! += p[a + u]! * p[b + v]! - p[a + v]! * p[b + u]!;
       }
     }
     return { middle, normal };
   });
-  let ahead = 0, back = 0;
+  let ahead = 0,
+    back = 0;
   for (let ring = 0; ring + 1 < count; ring += 1) {
-    const from = frames[ring]!, to = frames[ring + 1]!;
-    const way = [0, 1, 2].reduce((sum, k) => sum + (to.middle[k]! - from.middle[k]!) * (from.normal[k]! + to.normal[k]!), 0);
+    const from = frames[ring]!,
+      to = frames[ring + 1]!;
+    const way = [0, 1, 2].reduce(
+      (sum, k) => sum + (to.middle[k]! - from.middle[k]!) * (from.normal[k]! + to.normal[k]!),
+      0,
+    );
     if (way > 0) ahead += way;
     else back -= way;
   }
@@ -82,8 +96,10 @@ export type FillCurve = (points: Float64Array) => [number, number, number][];
 /** The closed piece between two rings; ends that were open are filled. */
 export function pieceOf(mesh: MeshData, rings: Rings, from: number, to: number, fill: FillCurve): MeshData {
   const { size, count, flipped } = rings;
-  const body = size * count, vertices = mesh.positions.length / 3;
-  const firstVertex = from * size, taken = (to - from + 1) * size;
+  const body = size * count,
+    vertices = mesh.positions.length / 3;
+  const firstVertex = from * size,
+    taken = (to - from + 1) * size;
   const kept = new Map<number, number>();
   for (let v = 0; v < taken; v += 1) kept.set(firstVertex + v, v);
   const triangles: number[] = [];
@@ -92,7 +108,8 @@ export function pieceOf(mesh: MeshData, rings: Rings, from: number, to: number, 
     const corners = [mesh.triangles[t]!, mesh.triangles[t + 1]!, mesh.triangles[t + 2]!];
     const hub = corners.find((v) => v >= body);
     const onBody = corners.filter((v) => v < body).map(ringAt);
-    const low = Math.min(...onBody), high = Math.max(...onBody);
+    const low = Math.min(...onBody),
+      high = Math.max(...onBody);
     // The band that joins the last ring to the first belongs to no piece.
     if (low < from || high > to || high - low > 1) continue;
     const isLid = hub !== undefined || low === high;
@@ -113,7 +130,8 @@ export function pieceOf(mesh: MeshData, rings: Rings, from: number, to: number, 
   };
   if (from > 0 || rings.joined) lid(from, true);
   if (to < count - 1 || rings.joined) lid(to, false);
-  const positions = new Float32Array(3 * kept.size), uv = new Float32Array(mesh.uv.length > 0 ? 2 * kept.size : 0);
+  const positions = new Float32Array(3 * kept.size),
+    uv = new Float32Array(mesh.uv.length > 0 ? 2 * kept.size : 0);
   for (const [old, at] of kept) {
     if (old >= vertices) continue;
     positions.set(mesh.positions.subarray(3 * old, 3 * old + 3), 3 * at);
@@ -125,16 +143,28 @@ export function pieceOf(mesh: MeshData, rings: Rings, from: number, to: number, 
 /** Whether a ring turns one way only, or next to it, and once. */
 function isConvex({ positions: p }: MeshData, { size }: Rings, ring: number): boolean {
   const at = (k: number) => 3 * (ring * size + (k % size));
-  const edge = (k: number) => [0, 1, 2].map((axis) => p[at(k + 1) + axis]! - p[at(k) + axis]!) as [number, number, number];
-  const cross = ([ax, ay, az]: number[], [bx, by, bz]: number[]) => [ay! * bz! - az! * by!, az! * bx! - ax! * bz!, ax! * by! - ay! * bx!] as [number, number, number];
-  const edges = Array.from({ length: size }, (_, k) => edge(k)), turns = edges.map((e, k) => cross(e, edges[(k + 1) % size]!));
+  const edge = (k: number) =>
+    [0, 1, 2].map((axis) => p[at(k + 1) + axis]! - p[at(k) + axis]!) as [number, number, number];
+  const cross = ([ax, ay, az]: number[], [bx, by, bz]: number[]) =>
+    [ay! * bz! - az! * by!, az! * bx! - ax! * bz!, ax! * by! - ay! * bx!] as [number, number, number];
+  const edges = Array.from({ length: size }, (_, k) => edge(k)),
+    turns = edges.map((e, k) => cross(e, edges[(k + 1) % size]!));
   const normal = [0, 0, 0];
-  for (let k = 0; k < size; k += 1) cross([p[at(k)]!, p[at(k) + 1]!, p[at(k) + 2]!], [p[at(k + 1)]!, p[at(k + 1) + 1]!, p[at(k + 1) + 2]!]).forEach((x, axis) => { normal[axis]! += x; });
+  for (let k = 0; k < size; k += 1)
+    cross([p[at(k)]!, p[at(k) + 1]!, p[at(k) + 2]!], [p[at(k + 1)]!, p[at(k + 1) + 1]!, p[at(k + 1) + 2]!]).forEach(
+      (x, axis) => {
+        normal[axis]! += x;
+      },
+    );
   const length = Math.hypot(...normal);
-  let back = 0, on = 0;
+  let back = 0,
+    on = 0;
   for (const [k, turn] of turns.entries()) {
     const [a, b] = [edges[k]!, edges[(k + 1) % size]!];
-    const angle = Math.atan2((turn[0] * normal[0]! + turn[1] * normal[1]! + turn[2] * normal[2]!) / length, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+    const angle = Math.atan2(
+      (turn[0] * normal[0]! + turn[1] * normal[1]! + turn[2] * normal[2]!) / length,
+      a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
+    );
     if (angle < 0) back -= angle;
     else on += angle;
   }
@@ -147,21 +177,48 @@ type Corners = [number, number, number][];
 export function bandOf(mesh: MeshData, rings: Rings, from: number): Corners[] {
   const both = [from, (from + 1) % rings.count];
   if (!both.every((ring) => isConvex(mesh, rings, ring))) return wedgesOf(mesh, rings, from);
-  return [both.flatMap((ring) => Array.from({ length: rings.size }, (_, k) => [...mesh.positions.subarray(3 * (ring * rings.size + k), 3 * (ring * rings.size + k) + 3)] as [number, number, number]))];
+  return [
+    both.flatMap((ring) =>
+      Array.from(
+        { length: rings.size },
+        (_, k) =>
+          [...mesh.positions.subarray(3 * (ring * rings.size + k), 3 * (ring * rings.size + k) + 3)] as [
+            number,
+            number,
+            number,
+          ],
+      ),
+    ),
+  ];
 }
 
 /** The wedges of a piece of one band: for every two neighbours of its rings the corners of what lies between them and the middles. */
 function wedgesOf(mesh: MeshData, rings: Rings, from: number): Corners[] {
-  const at = (v: number): [number, number, number] => [mesh.positions[3 * v]!, mesh.positions[3 * v + 1]!, mesh.positions[3 * v + 2]!];
+  const at = (v: number): [number, number, number] => [
+    mesh.positions[3 * v]!,
+    mesh.positions[3 * v + 1]!,
+    mesh.positions[3 * v + 2]!,
+  ];
   const next = (from + 1) % rings.count;
   const middle = (ring: number): [number, number, number] => {
     const sum: [number, number, number] = [0, 0, 0];
-    for (let k = 0; k < rings.size; k += 1) at(ring * rings.size + k).forEach((x, axis) => { sum[axis]! += x / rings.size; });
+    for (let k = 0; k < rings.size; k += 1)
+      at(ring * rings.size + k).forEach((x, axis) => {
+        sum[axis]! += x / rings.size;
+      });
     return sum;
   };
-  const a = middle(from), b = middle(next);
+  const a = middle(from),
+    b = middle(next);
   return Array.from({ length: rings.size }, (_, k) => {
     const l = (k + 1) % rings.size;
-    return [a, at(from * rings.size + k), at(from * rings.size + l), b, at(next * rings.size + k), at(next * rings.size + l)];
+    return [
+      a,
+      at(from * rings.size + k),
+      at(from * rings.size + l),
+      b,
+      at(next * rings.size + k),
+      at(next * rings.size + l),
+    ];
   });
 }

@@ -56,7 +56,8 @@ export class Solver {
   ask(event: SolveEvent): void {
     this.requests += 1;
     for (const [key, request] of this.known) if (request + kKnownRequests < this.requests) this.known.delete(key);
-    const meshes: SolveRequest['meshes'] = {}, transfer: Transferable[] = [];
+    const meshes: SolveRequest['meshes'] = {},
+      transfer: Transferable[] = [];
     for (const mesh of event.meshes) {
       if (!this.known.has(mesh.key) || !this.worker) {
         const data = {
@@ -65,7 +66,11 @@ export class Solver {
           triangles: this.host.integers(mesh.corners, 3 * mesh.triangles),
         };
         meshes[mesh.key] = data;
-        transfer.push(data.positions.buffer as ArrayBuffer, data.uv.buffer as ArrayBuffer, data.triangles.buffer as ArrayBuffer);
+        transfer.push(
+          data.positions.buffer as ArrayBuffer,
+          data.uv.buffer as ArrayBuffer,
+          data.triangles.buffer as ArrayBuffer,
+        );
       }
       this.known.set(mesh.key, this.requests);
     }
@@ -134,7 +139,10 @@ export class Solver {
     if (message.type === 'ready' || message.type === 'alive' || message.type === 'warm') return;
     if (message.type === 'solid') {
       const { mesh, ...rest } = message;
-      this.host.answer(JSON.stringify({ ...rest, ...(mesh ? { mesh: headOf(mesh) } : {}) }), mesh ? packed(mesh) : null);
+      this.host.answer(
+        JSON.stringify({ ...rest, ...(mesh ? { mesh: headOf(mesh) } : {}) }),
+        mesh ? packed(mesh) : null,
+      );
       return;
     }
     if (message.type === 'done') {
@@ -148,7 +156,15 @@ export class Solver {
 }
 
 function headOf({ positions, triangles, mergeFrom, runs, volume, area, genus }: SolidMesh): Record<string, unknown> {
-  return { vertices: positions.length / 3, triangles: triangles.length / 3, merges: mergeFrom.length, runs, volume, area, genus };
+  return {
+    vertices: positions.length / 3,
+    triangles: triangles.length / 3,
+    merges: mergeFrom.length,
+    runs,
+    volume,
+    area,
+    genus,
+  };
 }
 
 function packed(mesh: SolidMesh): Uint8Array {

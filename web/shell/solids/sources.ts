@@ -27,10 +27,47 @@ export interface Carried extends MeshData {
 
 /** From the world back to the space of a run's source; three rows of four. Null: they are the same. */
 function toSource(m: Float32Array): Float64Array | null {
-  const [a, b, c, d, e, f, g, h, i, x, y, z] = m as unknown as [number, number, number, number, number, number, number, number, number, number, number, number];
-  if (a === 1 && e === 1 && i === 1 && b === 0 && c === 0 && d === 0 && f === 0 && g === 0 && h === 0 && x === 0 && y === 0 && z === 0) return null;
+  const [a, b, c, d, e, f, g, h, i, x, y, z] = m as unknown as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
+  if (
+    a === 1 &&
+    e === 1 &&
+    i === 1 &&
+    b === 0 &&
+    c === 0 &&
+    d === 0 &&
+    f === 0 &&
+    g === 0 &&
+    h === 0 &&
+    x === 0 &&
+    y === 0 &&
+    z === 0
+  )
+    return null;
   const det = a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e);
-  const rows = [e * i - f * h, g * f - d * i, d * h - g * e, c * h - b * i, a * i - g * c, g * b - a * h, b * f - c * e, d * c - a * f, a * e - d * b].map((n) => n / det);
+  const rows = [
+    e * i - f * h,
+    g * f - d * i,
+    d * h - g * e,
+    c * h - b * i,
+    a * i - g * c,
+    g * b - a * h,
+    b * f - c * e,
+    d * c - a * f,
+    a * e - d * b,
+  ].map((n) => n / det);
   const back = new Float64Array(12);
   for (let row = 0; row < 3; row += 1) {
     const [p, q, r] = rows.slice(3 * row, 3 * row + 3) as [number, number, number];
@@ -44,7 +81,10 @@ class Painter {
   private readonly back: Float64Array | null;
   private readonly mesh: MeshData | null;
 
-  constructor(private readonly source: Source | undefined, transform: Float32Array) {
+  constructor(
+    private readonly source: Source | undefined,
+    transform: Float32Array,
+  ) {
     this.back = toSource(transform);
     this.mesh = source && 'mesh' in source ? source.mesh : null;
   }
@@ -52,7 +92,9 @@ class Painter {
   /** Of a place on `face` of the source, to `uv` from `to` on. */
   write(uv: Float32Array, to: number, face: number, wx: number, wy: number, wz: number): void {
     const { back, mesh, source } = this;
-    let x = wx, y = wy, z = wz;
+    let x = wx,
+      y = wy,
+      z = wz;
     if (back) {
       x = back[0]! * wx + back[1]! * wy + back[2]! * wz + back[3]!;
       y = back[4]! * wx + back[5]! * wy + back[6]! * wz + back[7]!;
@@ -67,14 +109,39 @@ class Painter {
 }
 
 /** Between the uv of a face's corners, as the place lies between them. */
-function onFace({ positions: p, uv: from, triangles }: MeshData, face: number, x: number, y: number, z: number, uv: Float32Array, to: number): void {
-  const i = triangles[3 * face]!, j = triangles[3 * face + 1]!, k = triangles[3 * face + 2]!, a = 3 * i, b = 3 * j, c = 3 * k;
-  const ux = p[b]! - p[a]!, uy = p[b + 1]! - p[a + 1]!, uz = p[b + 2]! - p[a + 2]!, vx = p[c]! - p[a]!, vy = p[c + 1]! - p[a + 1]!, vz = p[c + 2]! - p[a + 2]!;
-  const qx = x - p[a]!, qy = y - p[a + 1]!, qz = z - p[a + 2]!;
-  const uu = ux * ux + uy * uy + uz * uz, uv2 = ux * vx + uy * vy + uz * vz, vv = vx * vx + vy * vy + vz * vz, qu = qx * ux + qy * uy + qz * uz, qv = qx * vx + qy * vy + qz * vz;
+function onFace(
+  { positions: p, uv: from, triangles }: MeshData,
+  face: number,
+  x: number,
+  y: number,
+  z: number,
+  uv: Float32Array,
+  to: number,
+): void {
+  const i = triangles[3 * face]!,
+    j = triangles[3 * face + 1]!,
+    k = triangles[3 * face + 2]!,
+    a = 3 * i,
+    b = 3 * j,
+    c = 3 * k;
+  const ux = p[b]! - p[a]!,
+    uy = p[b + 1]! - p[a + 1]!,
+    uz = p[b + 2]! - p[a + 2]!,
+    vx = p[c]! - p[a]!,
+    vy = p[c + 1]! - p[a + 1]!,
+    vz = p[c + 2]! - p[a + 2]!;
+  const qx = x - p[a]!,
+    qy = y - p[a + 1]!,
+    qz = z - p[a + 2]!;
+  const uu = ux * ux + uy * uy + uz * uz,
+    uv2 = ux * vx + uy * vy + uz * vz,
+    vv = vx * vx + vy * vy + vz * vz,
+    qu = qx * ux + qy * uy + qz * uz,
+    qv = qx * vx + qy * vy + qz * vz;
   const area = uu * vv - uv2 * uv2;
   // On a face without area the first corner stands for all.
-  let s = area > 0 ? (vv * qu - uv2 * qv) / area : 0, t = area > 0 ? (uu * qv - uv2 * qu) / area : 0;
+  let s = area > 0 ? (vv * qu - uv2 * qv) / area : 0,
+    t = area > 0 ? (uu * qv - uv2 * qu) / area : 0;
   s = s > 0 ? (s < 1 ? s : 1) : 0;
   t = t > 0 ? (t < 1 - s ? t : 1 - s) : 0;
   const r = 1 - s - t;
@@ -83,14 +150,23 @@ function onFace({ positions: p, uv: from, triangles }: MeshData, face: number, x
 }
 
 /** The mesh with the uv of what its faces were. */
-export function carried({ vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }: Faces, sources: Sources): Carried {
+export function carried(
+  { vertProperties, triVerts, runIndex, runOriginalID, runTransform, faceID }: Faces,
+  sources: Sources,
+): Carried {
   const n = vertProperties.length / 3;
-  const triangles = triVerts.slice(), copyOf: number[] = [];
+  const triangles = triVerts.slice(),
+    copyOf: number[] = [];
   // The run that has each vertex, and the copy for the run that is at it; runs count from 1.
-  const taken = new Uint32Array(n), copied = new Uint32Array(n), copy = new Uint32Array(n);
+  const taken = new Uint32Array(n),
+    copied = new Uint32Array(n),
+    copy = new Uint32Array(n);
   let uv = new Float32Array(2 * n + 512);
   for (let run = 0; run < runOriginalID.length; run += 1) {
-    const own = run + 1, source = sources.get(runOriginalID[run]!), part = source?.part, painter = new Painter(source, runTransform.subarray(12 * run, 12 * run + 12));
+    const own = run + 1,
+      source = sources.get(runOriginalID[run]!),
+      part = source?.part,
+      painter = new Painter(source, runTransform.subarray(12 * run, 12 * run + 12));
     for (let c = runIndex[run]!; c < runIndex[run + 1]!; c += 1) {
       const v = triangles[c]!;
       if (taken[v] === own) continue;
@@ -98,15 +174,25 @@ export function carried({ vertProperties, triVerts, runIndex, runOriginalID, run
         triangles[c] = copy[v]!;
         continue;
       }
-      const before = taken[v]!, at = before === 0 ? v : n + copyOf.length;
+      const before = taken[v]!,
+        at = before === 0 ? v : n + copyOf.length;
       if (2 * at + 2 > uv.length) uv = grown(uv);
-      painter.write(uv, 2 * at, faceID[(c / 3) | 0]!, vertProperties[3 * v]!, vertProperties[3 * v + 1]!, vertProperties[3 * v + 2]!);
+      painter.write(
+        uv,
+        2 * at,
+        faceID[(c / 3) | 0]!,
+        vertProperties[3 * v]!,
+        vertProperties[3 * v + 1]!,
+        vertProperties[3 * v + 2]!,
+      );
       if (before === 0) {
         taken[v] = own;
         continue;
       }
       // Pieces of one part that go on into one another need no seam.
-      const goesOn = sources.get(runOriginalID[before - 1]!)?.part === part && Math.abs(uv[2 * v]! - uv[2 * at]!) + Math.abs(uv[2 * v + 1]! - uv[2 * at + 1]!) < kSameUv;
+      const goesOn =
+        sources.get(runOriginalID[before - 1]!)?.part === part &&
+        Math.abs(uv[2 * v]! - uv[2 * at]!) + Math.abs(uv[2 * v + 1]! - uv[2 * at + 1]!) < kSameUv;
       copied[v] = own;
       copy[v] = goesOn ? v : at;
       triangles[c] = copy[v]!;
@@ -116,7 +202,13 @@ export function carried({ vertProperties, triVerts, runIndex, runOriginalID, run
   const positions = new Float32Array(3 * (n + copyOf.length));
   positions.set(vertProperties);
   for (const [i, v] of copyOf.entries()) positions.copyWithin(3 * (n + i), 3 * v, 3 * v + 3);
-  return { positions, uv: uv.slice(0, 2 * (n + copyOf.length)), triangles, mergeFrom: Uint32Array.from(copyOf, (_, i) => n + i), mergeTo: Uint32Array.from(copyOf) };
+  return {
+    positions,
+    uv: uv.slice(0, 2 * (n + copyOf.length)),
+    triangles,
+    mergeFrom: Uint32Array.from(copyOf, (_, i) => n + i),
+    mergeTo: Uint32Array.from(copyOf),
+  };
 }
 
 function grown(values: Float32Array): Float32Array<ArrayBuffer> {
@@ -126,11 +218,16 @@ function grown(values: Float32Array): Float32Array<ArrayBuffer> {
 }
 
 /** Runs of faces of one part each. */
-export function runsOf({ runIndex, runOriginalID }: Pick<Faces, 'runIndex' | 'runOriginalID'>, sources: Sources): PartRun[] {
+export function runsOf(
+  { runIndex, runOriginalID }: Pick<Faces, 'runIndex' | 'runOriginalID'>,
+  sources: Sources,
+): PartRun[] {
   const runs: PartRun[] = [];
   for (let i = 0; i < runOriginalID.length; i += 1) {
-    const first = runIndex[i]! / 3, count = runIndex[i + 1]! / 3 - first;
-    const part = sources.get(runOriginalID[i]!)?.part ?? 0, last = runs[runs.length - 1];
+    const first = runIndex[i]! / 3,
+      count = runIndex[i + 1]! / 3 - first;
+    const part = sources.get(runOriginalID[i]!)?.part ?? 0,
+      last = runs[runs.length - 1];
     if (last && last.part === part && last.first + last.count === first) last.count += count;
     else if (count > 0) runs.push({ part, first, count });
   }

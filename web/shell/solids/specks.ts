@@ -11,7 +11,8 @@ export function isSpeck({ volume, area }: { volume: number; area: number }, diag
 }
 
 function diagonalOf(positions: Float32Array): number {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  const low = [Infinity, Infinity, Infinity],
+    high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i += 3) {
     for (let k = 0; k < 3; k += 1) {
       low[k] = Math.min(low[k]!, positions[i + k]!);
@@ -23,13 +24,20 @@ function diagonalOf(positions: Float32Array): number {
 
 /** A mesh of several pieces without those, and the voids, that are specks of it. */
 export function withoutSpecks(mesh: Faces): Faces {
-  const { vertProperties, triVerts } = mesh, root = rootsOf(vertProperties.length / 3, triVerts), pieces = new Map<number, number[]>();
+  const { vertProperties, triVerts } = mesh,
+    root = rootsOf(vertProperties.length / 3, triVerts),
+    pieces = new Map<number, number[]>();
   for (let t = 0; t < triVerts.length; t += 3) {
-    const of = root[triVerts[t]!]!, piece = pieces.get(of);
+    const of = root[triVerts[t]!]!,
+      piece = pieces.get(of);
     if (piece) piece.push(...triVerts.subarray(t, t + 3));
     else pieces.set(of, [...triVerts.subarray(t, t + 3)]);
   }
-  const diagonal = diagonalOf(vertProperties), specks = new Set<number>();
-  for (const [of, corners] of pieces) if (isSpeck(sizeOf({ vertProperties, triVerts: Uint32Array.from(corners) }), diagonal)) specks.add(of);
-  return specks.size === 0 || specks.size === pieces.size ? mesh : facesWhere(mesh, (t) => !specks.has(root[triVerts[3 * t]!]!));
+  const diagonal = diagonalOf(vertProperties),
+    specks = new Set<number>();
+  for (const [of, corners] of pieces)
+    if (isSpeck(sizeOf({ vertProperties, triVerts: Uint32Array.from(corners) }), diagonal)) specks.add(of);
+  return specks.size === 0 || specks.size === pieces.size
+    ? mesh
+    : facesWhere(mesh, (t) => !specks.has(root[triVerts[3 * t]!]!));
 }

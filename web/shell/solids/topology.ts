@@ -8,7 +8,8 @@ export function rootsOf(vertices: number, triangles: ArrayLike<number>): Uint32A
     // Every corner with the first one of its triangle.
     const c = i % 3;
     if (c === 0) continue;
-    let a = triangles[i - c]!, b = triangles[i]!;
+    let a = triangles[i - c]!,
+      b = triangles[i]!;
     while (root[a] !== a) a = root[a] = root[root[a]!]!;
     while (root[b] !== b) b = root[b] = root[root[b]!]!;
     root[a] = b;
@@ -23,9 +24,11 @@ export function rootsOf(vertices: number, triangles: ArrayLike<number>): Uint32A
 
 /** How many pieces a closed mesh has, and how many handles on all of them. */
 export function countOf(vertices: number, triangles: ArrayLike<number>): { pieces: number; handles: number } {
-  const root = rootsOf(vertices, triangles), used = new Uint8Array(vertices);
+  const root = rootsOf(vertices, triangles),
+    used = new Uint8Array(vertices);
   for (let i = 0; i < triangles.length; i += 1) used[triangles[i]!] = 1;
-  let pieces = 0, corners = 0;
+  let pieces = 0,
+    corners = 0;
   for (let v = 0; v < vertices; v += 1) {
     corners += used[v]!;
     if (used[v] && root[v] === v) pieces += 1;
