@@ -3,8 +3,8 @@
 #include <imgui.h>
 
 #include "engine/pipeline/warm_up.h"
-#include "web/app/app.h"
 #include "web/gl/webgl_renderer.h"
+#include "web/page/app.h"
 #include "web/platform/page.h"
 #include "web/platform/warm_up.h"
 

@@ -94,8 +94,7 @@ UsageProblem oneFile(const Words& words, const char* what) {
 }
 
 /// Outputs must not fall on one another or on an input; empty names are none.
-std::optional<UsageProblem> clash(std::span<const std::string> inputs,
-                                  std::span<const std::string> outputs) {
+std::optional<UsageProblem> clash(std::span<const std::string> inputs, std::span<const std::string> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) continue;
     for (const std::string& input : inputs) {
@@ -124,8 +123,8 @@ std::optional<UsageProblem> readShape(const Words& words, LoftArguments& loft) {
   if (words.has("--caps")) {
     const auto caps = loft::capFromKey(words.option("--caps"));
     if (!caps) {
-      return UsageProblem{"There are no caps " + words.option("--caps") + "; there are " +
-                          keysOf(loft::capNames()) + "."};
+      return UsageProblem{"There are no caps " + words.option("--caps") + "; there are " + keysOf(loft::capNames()) +
+                          "."};
     }
     loft.caps = *caps;
   }
@@ -253,8 +252,8 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
 }
 
 /// A number from 0 to `most`, where the option is given.
-std::optional<UsageProblem> readShare(const Words& words, std::string_view option, std::string_view what,
-                                      int most, double& share) {
+std::optional<UsageProblem> readShare(const Words& words, std::string_view option, std::string_view what, int most,
+                                      double& share) {
   if (!words.has(option)) return std::nullopt;
   const auto value = numberOf(words.option(option));
   if (!value || !(*value >= 0 && *value <= most)) {
@@ -269,8 +268,8 @@ struct Range {
 };
 
 /// A whole number in a range, where the option is given.
-std::optional<UsageProblem> readWhole(const Words& words, std::string_view option, std::string_view what,
-                                      Range range, int& number) {
+std::optional<UsageProblem> readWhole(const Words& words, std::string_view option, std::string_view what, Range range,
+                                      int& number) {
   if (!words.has(option)) return std::nullopt;
   const auto value = numberOf(words.option(option));
   if (!value || !(*value >= range.least && *value <= range.most) || *value != std::floor(*value)) {
@@ -284,7 +283,7 @@ std::optional<UsageProblem> readWhole(const Words& words, std::string_view optio
 Arguments parseBench(std::span<const std::string_view> rest) {
   static constexpr std::array<std::string_view, 10> kKnown{
       "--json",          "--jobs",  "--overlays",  "--ablation", "--variation",
-      "--leave-one-out", "--erase", "--overshoot", "--redraw",     "--live"};
+      "--leave-one-out", "--erase", "--overshoot", "--redraw",   "--live"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -300,13 +299,14 @@ Arguments parseBench(std::span<const std::string_view> rest) {
     if (const auto problem = needsEndingIfAny(text, "md")) return *problem;
   }
   if (variationFromKey(bench.variation) == nullptr) {
-    return UsageProblem{"There is no variation " + bench.variation + "; there are " +
-                        keysOf(variations()) + "."};
+    return UsageProblem{"There is no variation " + bench.variation + "; there are " + keysOf(variations()) + "."};
   }
   if (const auto problem = clash({}, std::array{bench.json, bench.ablation, bench.leaveOneOut})) return *problem;
   if (const auto problem = readWhole(words, "--jobs", "The number of jobs", {1, 64}, bench.jobs)) return *problem;
-  if (const auto problem = readWhole(words, "--live", "The number of moves of a live stroke", {10, 1000}, bench.live)) return *problem;
-  if (const auto problem = readWhole(words, "--redraw", "The seed of strokes drawn anew", {1, 1000000}, bench.redraw)) return *problem;
+  if (const auto problem = readWhole(words, "--live", "The number of moves of a live stroke", {10, 1000}, bench.live))
+    return *problem;
+  if (const auto problem = readWhole(words, "--redraw", "The seed of strokes drawn anew", {1, 1000000}, bench.redraw))
+    return *problem;
   if (const auto problem = readShare(words, "--erase", "The share to erase", 1, bench.erase)) return *problem;
   if (const auto problem = readShare(words, "--overshoot", "The overshoot", 3, bench.overshoot)) return *problem;
   return bench;
@@ -327,8 +327,7 @@ Arguments parseArguments(std::span<const std::string_view> words) {
   if (words[0] == "open") return parseOpen(rest);
   if (words[0] == "edges") return parseEdges(rest);
   if (words[0] == "bench") return parseBench(rest);
-  return UsageProblem{"There is no command " + std::string(words[0]) +
-                      "; there are loft, open, edges and bench."};
+  return UsageProblem{"There is no command " + std::string(words[0]) + "; there are loft, open, edges and bench."};
 }
 
 std::string usageText() {
@@ -350,7 +349,8 @@ std::string usageText() {
        << document::kMinHeightMm << " to " << document::kMaxHeightMm << " (default "
        << document::Document{}.height.value
        << ")\n"
-          "  --out FILE           .glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and\n"
+          "  --out FILE           .glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or "
+          ".spineloft; the first and\n"
           "                       the last can be opened again and edited\n"
           "  --obj-space SPACE    world (default: y up, millimetres) or image\n"
           "                       (picture pixels, y down, z towards the viewer)\n"

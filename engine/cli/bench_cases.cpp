@@ -17,8 +17,13 @@ namespace {
 
 // From where on a case is hard in one way: % of its outline or pixels, edges every 1,000 px, and grey levels.
 constexpr double kPartlyErased = 10, kHalfErased = 40, kFaint = 40, kHidden = 5, kBusy = 50, kNoisy = 6;
-constexpr std::array<std::string_view, 7> kDifficulties{"outline complete", "outline partly erased", "outline half erased", "outline faint",
-                                                        "partly hidden", "edges inside", "noise"};
+constexpr std::array<std::string_view, 7> kDifficulties{"outline complete",
+                                                        "outline partly erased",
+                                                        "outline half erased",
+                                                        "outline faint",
+                                                        "partly hidden",
+                                                        "edges inside",
+                                                        "noise"};
 
 }  // namespace
 
@@ -58,13 +63,14 @@ Result<LoadedCase> loadCase(const fs::path& folder) {
 std::vector<std::string> difficultyNames(const std::optional<io::BenchDifficulty>& difficulty) {
   if (!difficulty) return {};
   const io::BenchDifficulty& d = *difficulty;
-  const std::array<bool, kDifficulties.size()> is{d.missingOutlinePct < kPartlyErased,
-                                                  d.missingOutlinePct >= kPartlyErased && d.missingOutlinePct < kHalfErased,
-                                                  d.missingOutlinePct >= kHalfErased,
-                                                  d.faintOutlinePct >= kFaint,
-                                                  d.hiddenPct >= kHidden,
-                                                  d.innerEdges >= kBusy,
-                                                  d.noise >= kNoisy};
+  const std::array<bool, kDifficulties.size()> is{
+      d.missingOutlinePct < kPartlyErased,
+      d.missingOutlinePct >= kPartlyErased && d.missingOutlinePct < kHalfErased,
+      d.missingOutlinePct >= kHalfErased,
+      d.faintOutlinePct >= kFaint,
+      d.hiddenPct >= kHidden,
+      d.innerEdges >= kBusy,
+      d.noise >= kNoisy};
   std::vector<std::string> names;
   for (std::size_t i = 0; i < is.size(); ++i) {
     if (is[i]) names.emplace_back(kDifficulties[i]);

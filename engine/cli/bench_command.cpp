@@ -7,8 +7,8 @@
 #include <iomanip>
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <span>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -18,11 +18,11 @@
 #include "engine/cli/agreement.h"
 #include "engine/cli/bench_cases.h"
 #include "engine/cli/erased_outline.h"
-#include "engine/cli/overshot_stroke.h"
 #include "engine/cli/files.h"
 #include "engine/cli/leave_one_out.h"
 #include "engine/cli/live_score.h"
 #include "engine/cli/overlay.h"
+#include "engine/cli/overshot_stroke.h"
 #include "engine/cli/program.h"
 #include "engine/cli/redrawn_strokes.h"
 #include "engine/cli/score.h"
@@ -32,8 +32,8 @@
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
-#include "engine/ribs/consensus.h"
-#include "engine/ribs/overshoot.h"
+#include "engine/ribs/search/ensemble.h"
+#include "engine/ribs/search/overshoot.h"
 #include "engine/vision/edges.h"
 
 namespace spineloft::cli {
@@ -42,10 +42,9 @@ namespace {
 namespace fs = std::filesystem;
 
 void addScore(const Score& score, io::NamedNumbers& numbers) {
-  numbers.insert(numbers.end(), {{"iou", score.iou},
-                                 {"iou_body", score.iouBody},
-                                 {"precision", score.precision},
-                                 {"recall", score.recall}});
+  numbers.insert(
+      numbers.end(),
+      {{"iou", score.iou}, {"iou_body", score.iouBody}, {"precision", score.precision}, {"recall", score.recall}});
   if (!score.ribs) return;
   numbers.insert(numbers.end(), {{"rib_mean_pct", score.ribs->meanPct},
                                  {"rib_p95_pct", score.ribs->p95Pct},
@@ -66,18 +65,15 @@ void addStates(const ribs::RibSet& ribs, io::NamedNumbers& numbers) {
     ++counts[static_cast<std::size_t>(rib.leftState)];
     ++counts[static_cast<std::size_t>(rib.rightState)];
   }
-  for (const ribs::RibState state :
-       {ribs::RibState::Edge, ribs::RibState::Bridged, ribs::RibState::Guessed}) {
-    numbers.emplace_back("ends_" + std::string(ribs::ribStateKey(state)),
-                         counts[static_cast<std::size_t>(state)]);
+  for (const ribs::RibState state : {ribs::RibState::Edge, ribs::RibState::Bridged, ribs::RibState::Guessed}) {
+    numbers.emplace_back("ends_" + std::string(ribs::ribStateKey(state)), counts[static_cast<std::size_t>(state)]);
   }
 }
 
 /// Runs the cases; made for use from several threads, one case at a time each.
 class Bench {
  public:
-  Bench(const BenchArguments& arguments, const Variation& variation)
-      : arguments_(arguments), variation_(variation) {}
+  Bench(const BenchArguments& arguments, const Variation& variation) : arguments_(arguments), variation_(variation) {}
 
   /// One row a stroke. A part that cannot be made counts as empty.
   Result<std::vector<io::BenchRow>> runCase(const fs::path& folder) const {
@@ -87,7 +83,8 @@ class Bench {
     if (arguments_.redraw > 0) redrawStrokes(one.text, static_cast<std::uint64_t>(arguments_.redraw));
     const Truth truth({one.mask, one.text.axis, one.text.boundaryTolerance});
     const bool sketch = one.text.category == "sketch";
-    if (const Status done = eraseOutline(truth, arguments_.erase, sketch, one.picture.working); !done.ok()) return done.failure();
+    if (const Status done = eraseOutline(truth, arguments_.erase, sketch, one.picture.working); !done.ok())
+      return done.failure();
     const double started = nowMs();
     const Result<image::EdgeMap> edges = vision::detectEdges(one.picture, {}, Progress());
     const double edgesMs = nowMs() - started;
@@ -104,20 +101,18 @@ class Bench {
     }
     const Agreement agreement = agreementOf(truth, parts, one.text.strokes);
     for (io::BenchRow& row : rows) {
-      row.numbers.insert(row.numbers.end(), {{"iou_between_strokes", agreement.whole},
-                                             {"iou_body_between_strokes", agreement.body}});
+      row.numbers.insert(row.numbers.end(),
+                         {{"iou_between_strokes", agreement.whole}, {"iou_body_between_strokes", agreement.body}});
     }
     return rows;
   }
 
  private:
   /// The part's silhouette, empty where there is no part; the numbers go to the row.
-  Result<image::Mask> runStroke(const LoadedCase& one, const image::EdgeMap& edges,
-                                const Truth& truth, const std::vector<PicturePoint>& stroke,
-                                io::BenchRow& row) const {
+  Result<image::Mask> runStroke(const LoadedCase& one, const image::EdgeMap& edges, const Truth& truth,
+                                const std::vector<PicturePoint>& stroke, io::BenchRow& row) const {
     const image::Size size{one.picture.width, one.picture.height};
-    const Result<pipeline::PartShape> made =
-        makePart(overshot(truth, stroke, arguments_.overshoot), edges, size);
+    const Result<pipeline::PartShape> made = makePart(overshot(truth, stroke, arguments_.overshoot), edges, size);
     if (!made.ok()) {
       row.failure = errorName(made.error());
       addScore(scorePart(truth, {}, stroke, {}), row.numbers);
@@ -129,7 +124,7 @@ class Bench {
     row.numbers.insert(row.numbers.end(), {{"ribs_ms", shape.ms.ribs},
                                            {"loft_ms", shape.ms.loft},
                                            {"ribs", static_cast<double>(shape.ribs.ribs.size())},
-                                           {"mesh_lawful", laws.lawful() ? 1.0 : 0.0}});
+                                           {"mesh_lawful", laws.valid() ? 1.0 : 0.0}});
     addScore(scorePart(truth, part, stroke, endsOf(shape.ribs)), row.numbers);
     addStates(shape.ribs, row.numbers);
     if (arguments_.live > 0) {
@@ -149,8 +144,8 @@ class Bench {
     return part;
   }
 
-  Result<pipeline::PartShape> makePart(const std::vector<PicturePoint>& stroke,
-                                       const image::EdgeMap& edges, image::Size size) const {
+  Result<pipeline::PartShape> makePart(const std::vector<PicturePoint>& stroke, const image::EdgeMap& edges,
+                                       image::Size size) const {
     document::LoftRecipe recipe;
     recipe.stroke = stroke;
     recipe.ribs = variation_.params;
@@ -161,12 +156,11 @@ class Bench {
     Result<ribs::Spine> spine = ribs::cleanSpine(stroke, size, recipe.spine);
     if (!spine.ok()) return spine.failure();
     ribs::RibWorkspace memory;
-    Result<ribs::RibSet> found = ribs::agreedRibs(spine.value(), {edges, size}, recipe.ribs, Progress(),
-                                                  variation_.variant, memory);
+    Result<ribs::RibSet> found =
+        ribs::ensembleRibs(spine.value(), {edges, size}, recipe.ribs, Progress(), variation_.variant, memory);
     if (!found.ok()) return found.failure();
     pipeline::ShapeMemory shapeMemory;
-    return pipeline::shapeStage(recipe, {std::move(spine).value(), std::move(found).value()}, size, shapeMemory,
-                                nowMs);
+    return pipeline::shapeStage(recipe, {std::move(spine).value(), std::move(found).value()}, size, shapeMemory, nowMs);
   }
 
   const BenchArguments& arguments_;
@@ -202,8 +196,8 @@ double shareOf(const std::vector<double>& values, const std::function<bool(doubl
 
 io::NamedNumbers summarise(const std::vector<const io::BenchRow*>& rows) {
   io::NamedNumbers out{{"cases", static_cast<double>(rows.size())}};
-  for (const char* name : {"iou", "iou_body", "rib_mean_pct", "rib_p95_pct", "rib_within_tol",
-                           "iou_between_strokes", "iou_body_between_strokes"}) {
+  for (const char* name : {"iou", "iou_body", "rib_mean_pct", "rib_p95_pct", "rib_within_tol", "iou_between_strokes",
+                           "iou_body_between_strokes"}) {
     out.emplace_back(name, mean(column(rows, name)));
   }
   for (const char* name : {"live_up_pct", "live_mean_pct", "live_jumps", "live_followed"}) {
@@ -232,20 +226,17 @@ io::NamedNumbers summarise(const std::vector<const io::BenchRow*>& rows) {
     for (const double value : column(rows, name)) sum += value;
     out.emplace_back(std::string("share_") + name, ends > 0 ? sum / ends : 0);
   }
-  const auto failed = std::count_if(rows.begin(), rows.end(),
-                                    [](const auto* row) { return !row->failure.empty(); });
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const auto* row) { return !row->failure.empty(); });
   out.emplace_back("failed", static_cast<double>(failed));
   return out;
 }
 
 /// Every stroke over all cases, then over each category, then over all that are hard in one way; categories and
 /// strokes in order of first appearance.
-std::vector<std::pair<std::string, io::NamedNumbers>> summaries(
-    const std::vector<io::BenchRow>& rows) {
+std::vector<std::pair<std::string, io::NamedNumbers>> summaries(const std::vector<io::BenchRow>& rows) {
   std::vector<std::pair<std::string, std::vector<const io::BenchRow*>>> groups;
   const auto add = [&](const std::string& name, const io::BenchRow& row) {
-    const auto at = std::find_if(groups.begin(), groups.end(),
-                                 [&](const auto& group) { return group.first == name; });
+    const auto at = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == name; });
     if (at == groups.end()) {
       groups.push_back({name, {&row}});
     } else {
@@ -256,7 +247,8 @@ std::vector<std::pair<std::string, io::NamedNumbers>> summaries(
   for (const io::BenchRow& row : rows) add(row.category + ' ' + row.stroke, row);
   for (const std::string_view name : difficultyOrder()) {
     for (const io::BenchRow& row : rows) {
-      if (std::ranges::find(row.difficulty, name) != row.difficulty.end()) add(std::string(name) + ", " + row.stroke, row);
+      if (std::ranges::find(row.difficulty, name) != row.difficulty.end())
+        add(std::string(name) + ", " + row.stroke, row);
     }
   }
   std::vector<std::pair<std::string, io::NamedNumbers>> out;
@@ -281,8 +273,8 @@ void printTable(std::ostream& out, std::span<const Column> columns,
   for (const auto& [name, numbers] : lines) {
     out << std::left << std::setw(nameWidth) << name << std::right << std::fixed;
     for (const Column& column : columns) {
-      const auto at = std::find_if(numbers.begin(), numbers.end(),
-                                   [&](const auto& number) { return number.first == column.key; });
+      const auto at =
+          std::find_if(numbers.begin(), numbers.end(), [&](const auto& number) { return number.first == column.key; });
       if (at == numbers.end()) {
         out << std::setw(9) << '-';
       } else {
@@ -321,15 +313,13 @@ constexpr std::array kSummaryColumns{Column{"cases", "cases", 0},
                                      Column{"failed", "failed", 0}};
 
 /// Runs all cases on `jobs` threads; the first failure in order of the cases wins.
-Result<std::vector<io::BenchRow>> runAll(const BenchArguments& arguments,
-                                         const std::vector<fs::path>& folders,
+Result<std::vector<io::BenchRow>> runAll(const BenchArguments& arguments, const std::vector<fs::path>& folders,
                                          const Variation& variation) {
   const Bench bench(arguments, variation);
   std::vector<Result<std::vector<io::BenchRow>>> results(folders.size(), Error::Cancelled);
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < folders.size(); i = next++)
-      results[i] = bench.runCase(folders[i]);
+    for (std::size_t i = next++; i < folders.size(); i = next++) results[i] = bench.runCase(folders[i]);
   };
   std::vector<std::thread> threads;
   for (int i = 1; i < arguments.jobs; ++i) threads.emplace_back(work);
@@ -366,8 +356,7 @@ io::NamedNumbers ablationRow(const std::vector<io::BenchRow>& rows) {
 }
 
 /// Every variation over all cases: into the report, and as a table in Markdown.
-Status ablate(const BenchArguments& arguments, const std::vector<fs::path>& folders,
-              io::BenchReport& report) {
+Status ablate(const BenchArguments& arguments, const std::vector<fs::path>& folders, io::BenchReport& report) {
   BenchArguments plain = arguments;
   plain.overlays.clear();
   plain.live = 0;
@@ -396,8 +385,7 @@ Status runBench(const BenchArguments& arguments, std::ostream& out) {
     fs::create_directories(arguments.overlays, problem);
     if (problem) return {Error::FileUnwritable, arguments.overlays};
   }
-  Result<std::vector<io::BenchRow>> rows =
-      runAll(arguments, folders, *variationFromKey(arguments.variation));
+  Result<std::vector<io::BenchRow>> rows = runAll(arguments, folders, *variationFromKey(arguments.variation));
   if (!rows.ok()) return rows.failure();
   io::BenchReport report{summaries(rows.value()), std::move(rows).value(), {}, {}};
   if (!arguments.ablation.empty()) {
@@ -405,8 +393,7 @@ Status runBench(const BenchArguments& arguments, std::ostream& out) {
   }
 
   if (!arguments.leaveOneOut.empty()) {
-    if (Status status = leaveOneOut(arguments, folders, report); !status.ok())
-      return status.failure();
+    if (Status status = leaveOneOut(arguments, folders, report); !status.ok()) return status.failure();
   }
 
   std::vector<std::pair<std::string, io::NamedNumbers>> lines;

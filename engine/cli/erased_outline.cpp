@@ -41,8 +41,7 @@ std::array<std::uint8_t, 3> mostFrequent(const image::Image& image) {
     count += 1;
   }
   std::array<std::uint8_t, 3> mean{};
-  for (std::size_t k = 0; k < 3; ++k)
-    mean[k] = static_cast<std::uint8_t>(std::lround(sum[k] / std::max(1.0, count)));
+  for (std::size_t k = 0; k < 3; ++k) mean[k] = static_cast<std::uint8_t>(std::lround(sum[k] / std::max(1.0, count)));
   return mean;
 }
 

@@ -29,13 +29,12 @@ struct Weight {
   std::string_view name;
   double& (*of)(RibParams&);
 };
-constexpr std::array kWeights{
-    Weight{"evidence", [](RibParams& p) -> double& { return p.evidence.weight; }},
-    Weight{"contrast", [](RibParams& p) -> double& { return p.evidence.contrastWeight; }},
-    Weight{"outside", [](RibParams& p) -> double& { return p.evidence.outsideWeight; }},
-    Weight{"rim", [](RibParams& p) -> double& { return p.evidence.rimWeight; }},
-    Weight{"neighbour", [](RibParams& p) -> double& { return p.neighbourWeight; }},
-    Weight{"opposite", [](RibParams& p) -> double& { return p.oppositeWeight; }}};
+constexpr std::array kWeights{Weight{"evidence", [](RibParams& p) -> double& { return p.evidence.weight; }},
+                              Weight{"contrast", [](RibParams& p) -> double& { return p.evidence.contrastWeight; }},
+                              Weight{"outside", [](RibParams& p) -> double& { return p.evidence.outsideWeight; }},
+                              Weight{"rim", [](RibParams& p) -> double& { return p.evidence.rimWeight; }},
+                              Weight{"neighbour", [](RibParams& p) -> double& { return p.neighbourWeight; }},
+                              Weight{"opposite", [](RibParams& p) -> double& { return p.oppositeWeight; }}};
 // Shares of the defaults that are tried, where the search begins, and how often it goes round.
 constexpr std::array kShares{0.5, 0.7, 1.0, 1.4, 2.0};
 constexpr std::size_t kDefault = 2, kStart = 3;
@@ -44,7 +43,7 @@ constexpr int kRounds = 2;
 /// For every weight which share of its default it has.
 using Choice = std::array<std::size_t, kWeights.size()>;
 
-Choice evenChoice(std::size_t share) {
+Choice chosenHypothesis(std::size_t share) {
   Choice choice;
   choice.fill(share);
   return choice;
@@ -72,8 +71,7 @@ Result<std::unique_ptr<ReadyCase>> makeReady(const std::filesystem::path& folder
   if (!edges.ok()) return {edges.error(), folder.string()};
   Truth truth({std::move(one.mask), one.text.axis, one.text.boundaryTolerance});
   const image::Size size{one.picture.width, one.picture.height};
-  return std::make_unique<ReadyCase>(ReadyCase{std::move(one.text), size,
-                                               std::move(edges).value(), std::move(truth)});
+  return std::make_unique<ReadyCase>(ReadyCase{std::move(one.text), size, std::move(edges).value(), std::move(truth)});
 }
 
 /// Does `work` for 0 … count − 1, on `jobs` threads.
@@ -122,8 +120,7 @@ class Cases {
   std::vector<std::string> categories() const {
     std::vector<std::string> all;
     for (const auto& one : cases_) {
-      if (std::ranges::find(all, one->text.category) == all.end())
-        all.push_back(one->text.category);
+      if (std::ranges::find(all, one->text.category) == all.end()) all.push_back(one->text.category);
     }
     return all;
   }
@@ -140,13 +137,13 @@ class Cases {
     return count > 0 ? sum / count : 0;
   }
   double countOf(const std::string& category) const {
-    return static_cast<double>(std::ranges::count_if(
-        cases_, [&](const auto& one) { return one->text.category == category; }));
+    return static_cast<double>(
+        std::ranges::count_if(cases_, [&](const auto& one) { return one->text.category == category; }));
   }
 
   /// The best weights that the search finds without a category; none is called "".
   Choice chooseWithout(const std::string& category) {
-    Choice best = evenChoice(kStart);
+    Choice best = chosenHypothesis(kStart);
     double most = mean(best, category, false);
     for (int round = 0; round < kRounds; ++round) {
       for (std::size_t w = 0; w < kWeights.size(); ++w) {
@@ -169,8 +166,7 @@ class Cases {
     if (known != scores_.end()) return known->second;
     const RibParams params = paramsOf(choice);
     std::vector<double> scores(cases_.size());
-    inParallel(jobs_, cases_.size(),
-               [&](std::size_t i) { scores[i] = scoreCase(*cases_[i], params); });
+    inParallel(jobs_, cases_.size(), [&](std::size_t i) { scores[i] = scoreCase(*cases_[i], params); });
     return scores_.emplace(choice, std::move(scores)).first->second;
   }
 
@@ -186,11 +182,11 @@ void addWeights(const Choice& choice, io::NamedNumbers& line) {
 
 }  // namespace
 
-Status leaveOneOut(const BenchArguments& arguments,
-                   std::span<const std::filesystem::path> folders, io::BenchReport& report) {
+Status leaveOneOut(const BenchArguments& arguments, std::span<const std::filesystem::path> folders,
+                   io::BenchReport& report) {
   Cases cases(arguments.jobs);
   if (Status status = cases.read(folders); !status.ok()) return status.failure();
-  const Choice defaults = evenChoice(kDefault), all = cases.chooseWithout("");
+  const Choice defaults = chosenHypothesis(kDefault), all = cases.chooseWithout("");
   double unseen = 0, seen = 0, chosen = 0, count = 0;
   for (const std::string& category : cases.categories()) {
     const Choice without = cases.chooseWithout(category);
@@ -206,9 +202,8 @@ Status leaveOneOut(const BenchArguments& arguments,
     report.leaveOneOut.emplace_back(category, std::move(line));
   }
   count = std::max(1.0, count);
-  io::NamedNumbers line{{"iou_body, never seen", unseen / count},
-                        {"chosen on all", chosen / count},
-                        {"as it is", seen / count}};
+  io::NamedNumbers line{
+      {"iou_body, never seen", unseen / count}, {"chosen on all", chosen / count}, {"as it is", seen / count}};
   addWeights(all, line);
   report.leaveOneOut.emplace_back("all", std::move(line));
   const std::string text = markdownOf(report.leaveOneOut);

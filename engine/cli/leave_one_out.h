@@ -16,7 +16,7 @@ namespace spineloft::cli {
 /// takes what has the highest mean iou_body. Beside it: the defaults on the same cases, and weights
 /// chosen in the same way on all cases. Into the report and as a table in Markdown to
 /// `arguments.leaveOneOut`. Takes some hundred runs over all cases.
-Status leaveOneOut(const BenchArguments& arguments,
-                   std::span<const std::filesystem::path> folders, io::BenchReport& report);
+Status leaveOneOut(const BenchArguments& arguments, std::span<const std::filesystem::path> folders,
+                   io::BenchReport& report);
 
 }  // namespace spineloft::cli

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/ribs/consensus.h"
-#include "engine/ribs/live_trace.h"
+#include "engine/ribs/search/ensemble.h"
+#include "engine/ribs/search/live_trace.h"
 
 namespace spineloft::cli {
 namespace {
@@ -23,8 +23,8 @@ double apartPct(const ribs::RibSet& whole, const ribs::RibSet& live) {
 
 }  // namespace
 
-LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& edges,
-                    image::Size size, const ribs::RibParams& params, int moves) {
+LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& edges, image::Size size,
+                    const ribs::RibParams& params, int moves) {
   ribs::LiveTrace live;
   ribs::RibWorkspace memory;
   LiveScore score;
@@ -38,7 +38,7 @@ LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& 
     ++made;
     score.followed += found.value().exact ? 0 : 1;
     if (move * kMoments / moves == (move - 1) * kMoments / moves) continue;
-    const auto whole = ribs::agreedRibs(spine.value(), {edges, size}, params, Progress(), memory);
+    const auto whole = ribs::ensembleRibs(spine.value(), {edges, size}, params, Progress(), memory);
     if (!whole) continue;
     ++looked;
     score.upPct = apartPct(whole.value(), found.value().set);

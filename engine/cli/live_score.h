@@ -6,7 +6,7 @@
 #include "engine/base/vec.h"
 #include "engine/image/edge_map.h"
 #include "engine/image/image.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/base/rib_params.h"
 
 namespace spineloft::cli {
 
@@ -21,7 +21,7 @@ struct LiveScore {
 
 /// Draws the stroke in `moves` ≥ 10 even pieces and looks at ten moments, the last of them its end. All
 /// zero where no part can be made.
-LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& edges,
-                    image::Size size, const ribs::RibParams& params, int moves);
+LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& edges, image::Size size,
+                    const ribs::RibParams& params, int moves);
 
 }  // namespace spineloft::cli

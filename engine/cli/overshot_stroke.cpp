@@ -10,8 +10,7 @@ namespace {
 std::optional<std::size_t> pixelAt(const Truth& truth, PicturePoint p) {
   const long x = std::lround(p.x), y = std::lround(p.y);
   if (x < 0 || y < 0 || x >= truth.width() || y >= truth.height()) return std::nullopt;
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width()) +
-         static_cast<std::size_t>(x);
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width()) + static_cast<std::size_t>(x);
 }
 
 // Where a line goes on from its last point; `line` may run either way.
@@ -39,8 +38,7 @@ std::vector<PicturePoint> goneOn(const Truth& truth, std::vector<PicturePoint> l
 
 }  // namespace
 
-std::vector<PicturePoint> overshot(const Truth& truth, std::span<const PicturePoint> stroke,
-                                   double share) {
+std::vector<PicturePoint> overshot(const Truth& truth, std::span<const PicturePoint> stroke, double share) {
   std::vector<PicturePoint> out(stroke.begin(), stroke.end());
   if (!(share > 0)) return out;
   for (int end = 0; end < 2; ++end) {

@@ -76,7 +76,8 @@ class Wander {
     const double t = x - static_cast<double>(i), u = 1 - t;
     // The cubic B-spline's basis.
     return (u * u * u * lot_[i] + (3 * t * t * t - 6 * t * t + 4) * lot_[i + 1] +
-            (3 * u * u * u - 6 * u * u + 4) * lot_[i + 2] + t * t * t * lot_[i + 3]) / 6;
+            (3 * u * u * u - 6 * u * u + 4) * lot_[i + 2] + t * t * t * lot_[i + 3]) /
+           6;
   }
 
  private:

@@ -10,7 +10,7 @@ using ribs::EvidenceParams;
 using ribs::RibParams;
 
 /// The product with one weight of the evidence at 0.
-Variation without(double EvidenceParams::*weight, std::string_view key, std::string_view title) {
+Variation without(double EvidenceParams::* weight, std::string_view key, std::string_view title) {
   Variation out{key, title, {}, {}};
   out.params.evidence.*weight = 0;
   return out;
@@ -42,7 +42,9 @@ std::vector<Variation> listed() {
       {"d-inf-separate", "d-infinity and no optimisation", separate(), {.euclidean = true}},
       {"algorithm-1", "the paper's Algorithm 1 instead of the optimum", {}, {.sampled = true}},
       {"edges-alone", "the paper's evidence: nearness to an edge alone", edgesAlone(), {}},
-      {"edges-algorithm-1", "the paper's evidence and its Algorithm 1, without other hands", edgesAlone(),
+      {"edges-algorithm-1",
+       "the paper's evidence and its Algorithm 1, without other hands",
+       edgesAlone(),
        {.sampled = true, .alone = true}},
       without(&EvidenceParams::proximityWeight, "no-edges", "without nearness to an edge"),
       without(&EvidenceParams::contrastWeight, "no-contrast", "without contrast along the contour"),

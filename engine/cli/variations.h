@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/ribs/ribs.h"
-#include "engine/ribs/trace_variant.h"
+#include "engine/ribs/base/rib_params.h"
+#include "engine/ribs/search/trace_variant.h"
 
 namespace spineloft::cli {
 

@@ -44,8 +44,8 @@ void resample(std::span<const V> points, std::size_t count, std::vector<double>&
   arcLengths(points, s);
   out.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    out[i] = pointAt(points, std::span<const double>(s),
-                     s.back() * static_cast<double>(i) / static_cast<double>(count - 1));
+    out[i] =
+        pointAt(points, std::span<const double>(s), s.back() * static_cast<double>(i) / static_cast<double>(count - 1));
   }
   if (count >= 2) {
     out.front() = points.front();

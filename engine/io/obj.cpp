@@ -24,8 +24,7 @@ Bytes write(std::span<const ExportPart> parts, ObjSpace space, const std::string
   }
   TextFile text(expected);
   text.add("# SpineLoft\n");
-  text.add(image ? "# x right, y down, z to the viewer: picture pixels\n"
-                 : "# x right, y up, z to the viewer\n");
+  text.add(image ? "# x right, y down, z to the viewer: picture pixels\n" : "# x right, y up, z to the viewer\n");
   if (!materials.empty()) text.add("mtllib ").add(materials).add("\n");
   std::size_t firstVertex = 1, firstUv = 1;
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -14,9 +14,7 @@ class Reader {
  public:
   explicit Reader(ByteView bytes) : bytes_(bytes) {}
   std::size_t size() const { return bytes_.size(); }
-  bool has(std::size_t at, std::size_t count) const {
-    return at <= bytes_.size() && count <= bytes_.size() - at;
-  }
+  bool has(std::size_t at, std::size_t count) const { return at <= bytes_.size() && count <= bytes_.size() - at; }
   std::uint8_t byte(std::size_t at) const { return has(at, 1) ? bytes_[at] : std::uint8_t{0}; }
   std::uint32_t little(std::size_t at, std::size_t count) const {
     std::uint32_t value = 0;
@@ -47,9 +45,7 @@ constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kExif{"Exif\0\0", 6};
 
 /// A declared side: anything that does not fit an int is as large as can be said.
-int sideOf(std::uint32_t declared) {
-  return static_cast<int>(std::min<std::uint32_t>(declared, 0x7fffffff));
-}
+int sideOf(std::uint32_t declared) { return static_cast<int>(std::min<std::uint32_t>(declared, 0x7fffffff)); }
 
 // ---- PNG
 // ------------------------------------------------------------------------------------------
@@ -120,9 +116,7 @@ class JpegMarkers {
   std::size_t at_ = 0;
 };
 
-bool isFrameHeader(int code) {
-  return code >= 0xc0 && code <= 0xcf && code != 0xc4 && code != 0xc8 && code != 0xcc;
-}
+bool isFrameHeader(int code) { return code >= 0xc0 && code <= 0xcf && code != 0xc4 && code != 0xc8 && code != 0xcc; }
 
 Result<PictureInfo> probeJpeg(const Reader& file) {
   PictureInfo info{PictureFormat::Jpeg, {}, 1};
@@ -136,8 +130,7 @@ Result<PictureInfo> probeJpeg(const Reader& file) {
     }
     if (isFrameHeader(segment->code)) {
       if (length < 6) return Error::PictureTruncated;
-      info.size = {sideOf(file.big(segment->begin + 3, 2)),
-                   sideOf(file.big(segment->begin + 1, 2))};
+      info.size = {sideOf(file.big(segment->begin + 3, 2)), sideOf(file.big(segment->begin + 1, 2))};
       return info;
     }
     if (segment->code == 0xd9 || segment->code == 0xda) break;
@@ -164,9 +157,7 @@ Result<PictureInfo> probeGif(const Reader& file) {
 }
 
 /// Bytes of a colour table that the packed field announces.
-std::size_t colourTable(int packed) {
-  return packed & 0x80 ? std::size_t{3} << ((packed & 7) + 1) : 0;
-}
+std::size_t colourTable(int packed) { return packed & 0x80 ? std::size_t{3} << ((packed & 7) + 1) : 0; }
 
 /// Behind the terminator of a chain of sub-blocks, or none if the chain is cut off.
 std::optional<std::size_t> skipSubBlocks(const Reader& file, std::size_t at) {
@@ -247,8 +238,7 @@ Result<PictureInfo> probePicture(ByteView bytes) {
   if (file.startsWith(0, "BM")) {
     // Two letters are little to go by: the header's own length must be one that exists.
     constexpr std::array<std::uint32_t, 6> kHeaders{12, 40, 52, 56, 108, 124};
-    const bool known =
-        std::find(kHeaders.begin(), kHeaders.end(), file.little(14, 4)) != kHeaders.end();
+    const bool known = std::find(kHeaders.begin(), kHeaders.end(), file.little(14, 4)) != kHeaders.end();
     if (known || !file.has(0, 18)) return probeBmp(file);
   }
   return Error::PictureUnreadable;

@@ -105,8 +105,7 @@ Curve simplified(const Curve& curve, double tolerance) {
   const std::size_t b = static_cast<std::size_t>(right - curve.begin());
   std::vector<bool> kept(n, false);
   kept[a] = kept[b] = true;
-  std::vector<std::pair<std::size_t, std::size_t>> spans = {{a, b > a ? b : b + n},
-                                                            {b, a > b ? a : a + n}};
+  std::vector<std::pair<std::size_t, std::size_t>> spans = {{a, b > a ? b : b + n}, {b, a > b ? a : a + n}};
   while (!spans.empty()) {
     const auto [from, to] = spans.back();
     spans.pop_back();

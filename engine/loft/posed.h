@@ -11,8 +11,8 @@
 #include "engine/geometry/frames.h"
 #include "engine/geometry/stroke_line.h"
 #include "engine/loft/pose.h"
-#include "engine/ribs/ribs.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/rib_set.h"
+#include "engine/ribs/base/spine.h"
 
 namespace spineloft::loft {
 

@@ -37,8 +37,7 @@ Cubic cubicOf(const DrawnCurve& curve, std::size_t i) {
   const DrawnPoint& q = curve.points[(i + 1) % n];
   const SectionPoint chord = q.at - p.at;
   const auto tangentAt = [&](std::size_t k) {
-    return circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at,
-                         curve.points[(k + 1) % n].at);
+    return circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at, curve.points[(k + 1) % n].at);
   };
   const SectionPoint first = p.corner ? normalized(chord) : tangentAt(i);
   const SectionPoint second = q.corner ? normalized(chord) : tangentAt((i + 1) % n);
@@ -82,8 +81,7 @@ class Ring {
   double at(std::size_t i) const { return s_[i]; }
   SectionPoint point(double s) const {
     s = std::fmod(s + length(), length());
-    return geometry::pointAt(std::span<const SectionPoint>(points_), std::span<const double>(s_),
-                             s);
+    return geometry::pointAt(std::span<const SectionPoint>(points_), std::span<const double>(s_), s);
   }
 
  private:
@@ -137,8 +135,7 @@ void smooth(std::vector<SectionPoint>& points, const std::set<std::size_t>& fixe
   }
 }
 
-DrawnCurve curveThrough(const Chain& chain, const std::set<std::size_t>& places,
-                        const std::set<std::size_t>& corners) {
+DrawnCurve curveThrough(const Chain& chain, const std::set<std::size_t>& places, const std::set<std::size_t>& corners) {
   DrawnCurve curve;
   for (const std::size_t i : places) curve.points.push_back({chain.points[i], corners.contains(i)});
   return curve;

@@ -48,7 +48,7 @@ std::vector<SectionPoint> images(SectionPoint p, const Symmetry& symmetry);
 inline constexpr double kOutlineTolerance = 0.003;
 /// How far a curve may be from the line that was drawn, section units.
 inline constexpr double kFitTolerance = 0.012;
-/// A curve that holds less area, or is narrower than the second, is too small to be a slice.
+/// A curve that holds less area, or is narrower than the second, is too small to be a section.
 inline constexpr double kLeastArea = 0.002, kLeastWidth = 0.02;
 inline constexpr std::size_t kMostCurvePoints = 96;  ///< that fitting makes
 
@@ -103,7 +103,7 @@ Drawing turned(const Drawing& drawing, Turn turn);
 /// Whether the outlines of two closed polygons meet anywhere.
 bool outlinesMeet(std::span<const SectionPoint> a, std::span<const SectionPoint> b);
 
-/// Why a drawing is no slice yet, and which curve is at fault.
+/// Why a drawing is no section yet, and which curve is at fault.
 enum class DrawingFault { Empty, TooSmall, CrossesItself, CurvesCross, TooMany };
 struct DrawingProblem {
   DrawingFault fault = DrawingFault::Empty;

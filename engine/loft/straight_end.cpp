@@ -17,7 +17,7 @@ struct Stop {
 
 /// The direction is taken over a quarter of the part's `width`: the last few points alone tremble with the hand.
 template <class Ribs>
-std::optional<Stop> stopOf(const Ribs& inwards, double width) {
+std::optional<Stop> sectionKeyOf(const Ribs& inwards, double width) {
   const ribs::Rib* last = nullptr;
   for (const ribs::Rib& rib : inwards) {
     if (!isFinite(rib.center)) continue;
@@ -33,8 +33,7 @@ struct Crossing {
   std::size_t before = 0;
   PicturePoint at;
 };
-std::optional<Crossing> crossingOf(const std::vector<Chord>& chords, PicturePoint Chord::*side,
-                                   const Stop& stop) {
+std::optional<Crossing> crossingOf(const std::vector<Chord>& chords, PicturePoint Chord::* side, const Stop& stop) {
   for (std::size_t i = chords.size(); i-- > 0;) {
     const double here = stop.beyond(chords[i].*side);
     if (here > 0) continue;
@@ -88,16 +87,15 @@ double widest(const std::vector<Chord>& chords) {
 
 }  // namespace
 
-void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set,
-                     const LoftParams& params) {
+void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set, const LoftParams& params) {
   if (chords.size() < 3) return;
   const double width = widest(chords);
   if (isStraight(params.endCap)) {
-    if (const auto stop = stopOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *stop);
+    if (const auto stop = sectionKeyOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *stop);
   }
   if (isStraight(params.startCap)) {
     turnAbout(chords);
-    if (const auto stop = stopOf(set.ribs, width)) cutEnd(chords, *stop);
+    if (const auto stop = sectionKeyOf(set.ribs, width)) cutEnd(chords, *stop);
     turnAbout(chords);
   }
 }

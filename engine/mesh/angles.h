@@ -16,8 +16,8 @@ inline double quickAngle(double y, double x) {
   const double wide = std::abs(x);
   const double t = std::min(wide, y) / std::max(wide, y), s = t * t;
   double a = 0.0028662257;
-  for (const double c : {-0.0161657367, 0.0429096138, -0.0752896400, 0.1065626393, -0.1420889944,
-                         0.1999355085, -0.3333314528, 1.0}) {
+  for (const double c :
+       {-0.0161657367, 0.0429096138, -0.0752896400, 0.1065626393, -0.1420889944, 0.1999355085, -0.3333314528, 1.0}) {
     a = a * s + c;
   }
   a *= t;

@@ -55,8 +55,7 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   std::vector<std::uint32_t> vertexOf(corners, kNone);
   std::vector<Point> sums;
   // Smooth parts keep their vertices; sharp ones a few times as many.
-  for (auto* points : {&shaded.positions, &shaded.normals})
-    points->reserve(2 * mesh.positions.size());
+  for (auto* points : {&shaded.positions, &shaded.normals}) points->reserve(2 * mesh.positions.size());
   if (!mesh.uv.empty()) shaded.uv.reserve(2 * mesh.positions.size());
   sums.reserve(2 * mesh.positions.size());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
@@ -76,8 +75,7 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   for (const Point& sum : sums) {
     const Point n = normalized(sum);
     const bool none = n == Point{} || !isFinite(n);
-    shaded.normals.push_back({none ? 0.0f : static_cast<float>(n.x),
-                              none ? 0.0f : static_cast<float>(n.y),
+    shaded.normals.push_back({none ? 0.0f : static_cast<float>(n.x), none ? 0.0f : static_cast<float>(n.y),
                               none ? 1.0f : static_cast<float>(n.z)});
   }
   return shaded;

@@ -72,8 +72,8 @@ class Cache {
   void keepShape(std::shared_ptr<const PartShape> shape);
   /// The shape of that key, with its texture now (null: there is nothing to see of it). Null when the shape
   /// is not known any more.
-  std::shared_ptr<const PartShape> dress(std::uint64_t key,
-                                         std::shared_ptr<const surface::PartTexture> texture);
+  std::shared_ptr<const PartShape> assignTextures(std::uint64_t key,
+                                                  std::shared_ptr<const surface::PartTexture> texture);
   /// A round is one `derive`. Keeps the shapes of the last kKeptRounds rounds, so that undo and redo
   /// find theirs, as far as they fit into kShapeBytes, and the edges in `usedEdges`.
   void endRound(const std::vector<std::uint64_t>& usedEdges);
@@ -94,10 +94,10 @@ class Cache {
   ShapeMemory& shapeMemory() { return shapeMemory_; }
 
   static constexpr std::uint64_t kKeptRounds = 32;
-  /// About 400 parts of 100 ribs; 25 strokes by themselves; 60 parts of usual size with their textures besides those shown; the marks
-  /// of 4 pictures.
-  static constexpr std::size_t kTraceBytes = 16u << 20, kStrokeBytes = 1u << 20,
-                               kShapeBytes = 64u << 20, kIgnoredBytes = 16u << 20;
+  /// About 400 parts of 100 ribs; 25 strokes by themselves; 60 parts of usual size with their textures besides those
+  /// shown; the marks of 4 pictures.
+  static constexpr std::size_t kTraceBytes = 16u << 20, kStrokeBytes = 1u << 20, kShapeBytes = 64u << 20,
+                               kIgnoredBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 

@@ -13,7 +13,7 @@
 #include "engine/io/stl.h"
 #include "engine/io/three_mf.h"
 #include "engine/printing/stand.h"
-#include "engine/publish/dressing.h"
+#include "engine/publish/texture_assignment.h"
 
 namespace spineloft::publish {
 namespace {
@@ -35,8 +35,7 @@ struct Export {
 
 /// Standing on the ground, centred, and as tall as the document says.
 Export standing(const WorldBounds& bounds, double height) {
-  const WorldPoint base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y,
-                        (bounds.low.z + bounds.high.z) / 2};
+  const WorldPoint base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
   return {base, height / (bounds.high.y - bounds.low.y)};
 }
 
@@ -58,7 +57,7 @@ mesh::TriMesh turnedMesh(const mesh::TriMesh& mesh, pipeline::ToWorld toWorld) {
 struct Shelf {
   std::vector<io::ExportPart> parts;
   std::deque<mesh::TriMesh> turned;  ///< meshes of parts that are turned; where they are, they stay
-  Wardrobe wardrobe;
+  TextureAssignment wardrobe;
   Bytes atlas;  ///< encoded
   std::vector<io::ExportPicture> pictures;
 };
@@ -69,9 +68,8 @@ bool showsPictures(Format format) { return format != Format::Obj && format != Fo
 /// Encoded from pixels, so that nothing of the original files (place, camera) goes along.
 Status encodeAtlas(Shelf& shelf, Format format) {
   if (!shelf.wardrobe.atlas) return Done{};
-  Result<Bytes> bytes = format == Format::ObjZip
-                            ? io::encodePng(*shelf.wardrobe.atlas)
-                            : io::encodeJpeg(*shelf.wardrobe.atlas, kTextureQuality);
+  Result<Bytes> bytes = format == Format::ObjZip ? io::encodePng(*shelf.wardrobe.atlas)
+                                                 : io::encodeJpeg(*shelf.wardrobe.atlas, kTextureQuality);
   if (!bytes) return bytes.failure();
   shelf.atlas = std::move(bytes).value();
   shelf.pictures.push_back({"texture", shelf.atlas});
@@ -80,8 +78,8 @@ Status encodeAtlas(Shelf& shelf, Format format) {
 
 /// The faces of a solid, one export part for each part of the document that they come from; all at once
 /// where the format knows no colours.
-void gatherSolid(const Model& model, const document::Step& step, const Export& target, Format format,
-                 Shelf& shelf, std::vector<Bare>& bare) {
+void gatherSolid(const Model& model, const document::Step& step, const Export& target, Format format, Shelf& shelf,
+                 std::vector<UntexturedPart>& bare) {
   const pipeline::DerivedStep* shown = shownSolid(model.document, model.derived, step);
   if (shown == nullptr) return;
   io::ExportPart out;
@@ -98,8 +96,7 @@ void gatherSolid(const Model& model, const document::Step& step, const Export& t
     const auto at = std::ranges::find(model.derived.parts, piece.part, &pipeline::DerivedPart::id);
     const document::Look& look = part == nullptr || step.ownLook ? step.look : part->look;
     shelf.parts.push_back(out);
-    bare.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(),
-                    nullptr});
+    bare.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(), nullptr});
     out.joins = true;
   }
 }
@@ -113,7 +110,7 @@ const mesh::TriMesh& meshOf(const pipeline::DerivedPart& part, Format format) {
 }
 
 Status gather(const Model& model, const Export& target, Format format, Shelf& shelf) {
-  std::vector<Bare> bare;
+  std::vector<UntexturedPart> bare;
   for (const pipeline::DerivedPart& shown : model.derived.parts) {
     const document::Part* part = document::findPart(model.document, shown.id);
     if (part == nullptr || !showsItself(model.document, model.derived, *part) || !shown.shape) continue;
@@ -137,7 +134,7 @@ Status gather(const Model& model, const Export& target, Format format, Shelf& sh
     gatherSolid(model, step, target, format, shelf, bare);
   }
   for (std::size_t i = 0; i < bare.size(); ++i) bare[i].part = &shelf.parts[i];
-  shelf.wardrobe = dress(bare, showsPictures(format));
+  shelf.wardrobe = assignTextures(bare, showsPictures(format));
   return encodeAtlas(shelf, format);
 }
 
@@ -152,17 +149,21 @@ Result<Bytes> writeModel(const Model& model, Format format, const Progress& prog
   if (!progress.advance(0.4)) return Error::Cancelled;
   std::vector<io::ExportPart>& parts = shelf.parts;
   switch (format) {
-    case Format::Obj: return io::writeObj(parts);
-    case Format::Stl: return io::writeStl(parts);
-    case Format::ObjZip: return io::writeObjZip(parts, shelf.pictures, plainName(model.document));
-    case Format::ThreeMf: return io::write3mf(parts, shelf.pictures);
+    case Format::Obj:
+      return io::writeObj(parts);
+    case Format::Stl:
+      return io::writeStl(parts);
+    case Format::ObjZip:
+      return io::writeObjZip(parts, shelf.pictures, plainName(model.document));
+    case Format::ThreeMf:
+      return io::write3mf(parts, shelf.pictures);
     case Format::Project:
       // What cannot be shown must not keep the work from being saved.
-      std::erase_if(parts, [&](const io::ExportPart& part) {
-        return !io::checkParts({&part, 1}, shelf.pictures.size());
-      });
+      std::erase_if(parts,
+                    [&](const io::ExportPart& part) { return !io::checkParts({&part, 1}, shelf.pictures.size()); });
       break;
-    case Format::Glb: break;
+    case Format::Glb:
+      break;
   }
   return io::writeGlb(parts, shelf.pictures);
 }
@@ -172,12 +173,12 @@ Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Docu
   std::deque<Bytes> kept;
   std::vector<io::ProjectPhoto> photos;
   for (const document::PictureEntry& entry : document.pictures) {
-    if (!progress.advance(0.5 + 0.4 * static_cast<double>(photos.size()) /
-                                    static_cast<double>(document.pictures.size()))) {
+    if (!progress.advance(0.5 +
+                          0.4 * static_cast<double>(photos.size()) / static_cast<double>(document.pictures.size()))) {
       return Error::Cancelled;
     }
-    const bool known = std::ranges::any_of(
-        photos, [&](const io::ProjectPhoto& photo) { return photo.picture == entry.picture; });
+    const bool known =
+        std::ranges::any_of(photos, [&](const io::ProjectPhoto& photo) { return photo.picture == entry.picture; });
     if (entry.isSketch() || known) continue;
     Result<Bytes> bytes = io::writePhoto(*entry.picture);
     if (!bytes) return bytes.failure();
@@ -187,10 +188,8 @@ Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Docu
   return io::embedProject(glb, document, photos);
 }
 
-Result<Bytes> write(const Model& model, Format format, const Progress& progress,
-                    const Options& options) {
-  const bool withProject =
-      format == Format::Project || (format == Format::Glb && options.withProject);
+Result<Bytes> write(const Model& model, Format format, const Progress& progress, const Options& options) {
+  const bool withProject = format == Format::Project || (format == Format::Glb && options.withProject);
   Result<Bytes> bytes = writeModel(model, format, progress);
   if (format == Format::Project && !bytes && bytes.error() == Error::NothingToExport) {
     bytes = Bytes{};
@@ -217,8 +216,7 @@ std::vector<mesh::TriMesh> millimetres(const Model& model) {
 
 }  // namespace
 
-Result<printing::PrintCheck> checkPrint(const document::Document& document,
-                                        const pipeline::Derived& derived) {
+Result<printing::PrintCheck> checkPrint(const document::Document& document, const pipeline::Derived& derived) {
   try {
     const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
     if (parts.empty()) return Error::NothingToExport;
@@ -228,8 +226,7 @@ Result<printing::PrintCheck> checkPrint(const document::Document& document,
   }
 }
 
-Result<std::optional<double>> flatFoot(const document::Document& document,
-                                       const pipeline::Derived& derived) {
+Result<std::optional<double>> flatFoot(const document::Document& document, const pipeline::Derived& derived) {
   try {
     const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
     if (parts.empty()) return Error::NothingToExport;
@@ -239,8 +236,8 @@ Result<std::optional<double>> flatFoot(const document::Document& document,
   }
 }
 
-Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
-                      Format format, const Progress& progress, const Options& options) {
+Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived, Format format,
+                      const Progress& progress, const Options& options) {
   try {
     return write({document, derived}, format, progress, options);
   } catch (const std::bad_alloc&) {

@@ -12,8 +12,8 @@
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
-#include "engine/printing/print_check.h"
 #include "engine/pipeline/world.h"
+#include "engine/printing/print_check.h"
 
 namespace spineloft::publish {
 
@@ -50,13 +50,12 @@ struct Options {
 /// - OBJ: millimetres, y up, one object a part; ObjZip: the same with materials and texture.
 /// Pictures are encoded anew: nothing that a photo's file said besides its pixels is in any of them.
 /// Errors: NothingToExport (not for Project), MeshInvalid (not for Project), Cancelled, OutOfMemory.
-Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
-                      Format format, const Progress& progress, const Options& options = {});
+Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived, Format format,
+                      const Progress& progress, const Options& options = {});
 
 /// The visible parts in millimetres, as they go into a file for a printer, looked at before they are
 /// printed. Errors: NothingToExport, OutOfMemory.
-Result<printing::PrintCheck> checkPrint(const document::Document& document,
-                                        const pipeline::Derived& derived);
+Result<printing::PrintCheck> checkPrint(const document::Document& document, const pipeline::Derived& derived);
 
 /// How much of the model's lowest end a flat foot takes, millimetres (printing::flatFoot); none when
 /// that does not make it stand. Errors: those of checkPrint.

@@ -35,7 +35,7 @@ inline constexpr int kTextureSide = 4080;
 
 /// A stretch of the outline of a part that could not be seen: something may stand before it and go on
 /// over the part. Polygons as those of Wrapped.
-struct Crossing {
+struct OccludedOutline {
   std::vector<std::vector<PicturePoint>> outside;    ///< beside the stretch
   std::vector<std::vector<PicturePoint>> threshold;  ///< along it, in the part
   std::vector<std::vector<PicturePoint>> reach;      ///< all across the part, there and a little further
@@ -50,17 +50,17 @@ struct Wrapped {
   std::span<const std::vector<PicturePoint>> sure;
   /// Polygons (the same) in which the picture certainly shows another thing. May overlap.
   std::span<const std::vector<PicturePoint>> hidden;
-  std::span<const Crossing> crossings = {};
+  std::span<const OccludedOutline> occludedStretches = {};
 };
 
 /// Cuts out what the triangles cover of the picture's working copy. What the picture shows of the part stays
 /// as it is, pixel for pixel; over the rest colours are bled (bleed.h): over the rim where and as deep as what is
-/// behind is mixed into it, but never where that looks as the part does (soft_rim.h), over transparent pixels, beyond the
-/// outline, over what is hidden, over what comes in at a crossing (intruder.h), and where the part is not sure over what is
-/// foreign there (foreign.h); out of a soft rim what is behind is taken (soft_rim.h), so that no colour from around the part
-/// is on it.
-/// When nothing would be left, the rim is believed after all, and what is hidden too. None when no pixel that is covered can be seen, or
-/// nothing is covered. Linear in the pixels of the cut-out and the rows of the triangles.
+/// behind is mixed into it, but never where that looks as the part does (soft_rim.h), over transparent pixels, beyond
+/// the outline, over what is hidden, over what comes in at a crossing (intruder.h), and where the part is not sure over
+/// what is foreign there (foreign.h); out of a soft rim what is behind is taken (soft_rim.h), so that no colour from
+/// around the part is on it. When nothing would be left, the rim is believed after all, and what is hidden too. None
+/// when no pixel that is covered can be seen, or nothing is covered. Linear in the pixels of the cut-out and the rows
+/// of the triangles.
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);
 
 /// The same in steps, the longest about a quarter of the whole: for a page that is drawn in between.

@@ -39,12 +39,8 @@ struct Copy {
     return {static_cast<int>(std::lround((p.x - corner.x) / scaleX - 0.5)),
             static_cast<int>(std::lround((p.y - corner.y) / scaleY - 0.5))};
   }
-  bool holds(cv::Point p) const {
-    return p.x >= 0 && p.y >= 0 && p.x < bgr.cols && p.y < bgr.rows;
-  }
-  PicturePoint back(double x, double y) const {
-    return {(x + 0.5) * scaleX + corner.x, (y + 0.5) * scaleY + corner.y};
-  }
+  bool holds(cv::Point p) const { return p.x >= 0 && p.y >= 0 && p.x < bgr.cols && p.y < bgr.rows; }
+  PicturePoint back(double x, double y) const { return {(x + 0.5) * scaleX + corner.x, (y + 0.5) * scaleY + corner.y}; }
 };
 
 /// What of the working pixels is cut: all, or the box with the marks and some ground round it.
@@ -83,8 +79,7 @@ image::Image cropped(const image::Image& whole, const cv::Rect& frame) {
 }
 
 Copy copyOf(const image::Picture& picture, const cv::Rect& frame) {
-  const double shrink =
-      std::min(1.0, static_cast<double>(kCutSide) / std::max(frame.width, frame.height));
+  const double shrink = std::min(1.0, static_cast<double>(kCutSide) / std::max(frame.width, frame.height));
   const int width = std::max(2, static_cast<int>(std::lround(frame.width * shrink)));
   const int height = std::max(2, static_cast<int>(std::lround(frame.height * shrink)));
   const image::Image small = image::shrink(cropped(picture.working, frame), width, height);
@@ -94,8 +89,7 @@ Copy copyOf(const image::Picture& picture, const cv::Rect& frame) {
   for (int y = 0; y < small.height; ++y) {
     for (int x = 0; x < small.width; ++x) {
       const std::size_t i =
-          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(small.width) +
-               static_cast<std::size_t>(x));
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(small.width) + static_cast<std::size_t>(x));
       copy.bgr.at<cv::Vec3b>(y, x) = {small.pixels[i + 2], small.pixels[i + 1], small.pixels[i]};
     }
   }
@@ -153,8 +147,8 @@ struct Flood {
   int area = 0;
 };
 
-/// Those of the hints on the picture. A scribble may slip off a thin thing: of many hints those count as slips whose flood
-/// is far larger than that of most, and no small share of the picture.
+/// Those of the hints on the picture. A scribble may slip off a thin thing: of many hints those count as slips whose
+/// flood is far larger than that of most, and no small share of the picture.
 std::vector<Flood> floodsOf(const Copy& copy, const CutHints& hints) {
   constexpr std::size_t kMany = 5;
   constexpr int kFar = 4, kNoSmallShare = 30;  // times the median; one of so many pixels of the picture
@@ -203,8 +197,8 @@ cv::Mat firstGuess(const Copy& copy, const CutHints& hints, bool coreOnly) {
   for (const Flood& flood : floods) {
     if (hints.box) break;
     mask.setTo(cv::Scalar(cv::GC_PR_FGD), flood.mask);
-    cv::circle(mask, flood.at, std::max(2, static_cast<int>(kLikelyRadius * side)),
-               cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
+    cv::circle(mask, flood.at, std::max(2, static_cast<int>(kLikelyRadius * side)), cv::Scalar(cv::GC_PR_FGD),
+               cv::FILLED);
   }
   const int dot = std::max(1, static_cast<int>(kHintRadius * side));
   for (const Flood& flood : floods) cv::circle(mask, flood.at, dot, cv::Scalar(cv::GC_FGD), cv::FILLED);
@@ -313,11 +307,8 @@ CutContours outlinesOf(const cv::Mat& thing, const Copy& copy) {
 }
 
 bool isUsable(const CutHints& hints, const Copy& copy) {
-  const auto onPicture = [&](PicturePoint p) {
-    return isFinite(p) && std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6;
-  };
-  if (!std::ranges::all_of(hints.inside, onPicture) ||
-      !std::ranges::all_of(hints.outside, onPicture)) {
+  const auto onPicture = [&](PicturePoint p) { return isFinite(p) && std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; };
+  if (!std::ranges::all_of(hints.inside, onPicture) || !std::ranges::all_of(hints.outside, onPicture)) {
     return false;
   }
   for (const CutMark& mark : hints.marks) {
@@ -326,13 +317,12 @@ bool isUsable(const CutHints& hints, const Copy& copy) {
   }
   if (hints.box) {
     if (!onPicture(hints.box->low) || !onPicture(hints.box->high)) return false;
-    const cv::Rect rect = cv::Rect(copy.at(hints.box->low), copy.at(hints.box->high)) &
-                          cv::Rect(0, 0, copy.bgr.cols, copy.bgr.rows);
+    const cv::Rect rect =
+        cv::Rect(copy.at(hints.box->low), copy.at(hints.box->high)) & cv::Rect(0, 0, copy.bgr.cols, copy.bgr.rows);
     return rect.width > 2 && rect.height > 2;
   }
   const auto holds = [&](PicturePoint p) { return copy.holds(copy.at(p)); };
-  return std::ranges::any_of(hints.inside, holds) ||
-         std::ranges::any_of(hints.marks, [&](const CutMark& mark) {
+  return std::ranges::any_of(hints.inside, holds) || std::ranges::any_of(hints.marks, [&](const CutMark& mark) {
            return mark.inside && std::ranges::any_of(mark.line, holds);
          });
 }
@@ -353,8 +343,7 @@ CutContours CutOutSearch::State::outlines() const {
   const cv::Mat in = markedAs(copy, hints, true), out = markedAs(copy, hints, false);
   cv::Mat thing = wantedPieces(thingOf(mask), copy, hints, in);
   cv::morphologyEx(thing, thing, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
-  const double share =
-      static_cast<double>(cv::countNonZero(thing)) / static_cast<double>(thing.total());
+  const double share = static_cast<double>(cv::countNonZero(thing)) / static_cast<double>(thing.total());
   if (hints.marks.empty() && (share < kLeastShare || share > kMostShare)) return {};
   thing.setTo(cv::Scalar(255), in);
   thing.setTo(cv::Scalar(0), out);
@@ -410,9 +399,7 @@ bool CutOutSearch::step() {
   return !s.failed && s.round < s.rounds;
 }
 
-double CutOutSearch::done() const {
-  return state_->failed ? 1 : static_cast<double>(state_->round) / state_->rounds;
-}
+double CutOutSearch::done() const { return state_->failed ? 1 : static_cast<double>(state_->round) / state_->rounds; }
 
 Result<CutContours> CutOutSearch::outlines() const {
   try {

@@ -78,8 +78,7 @@ BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
 
 bool isToolInUse(const PanelEnv& env, std::string_view id) {
   const app::Command* command = app::findCommand(id);
-  return command != nullptr && command->group == "tool" && command->toggled != nullptr &&
-         command->toggled(env.env);
+  return command != nullptr && command->group == "tool" && command->toggled != nullptr && command->toggled(env.env);
 }
 
 void barMenuButton(const PanelEnv& env, app::BarMenu which, float side) {

@@ -12,8 +12,7 @@ namespace spineloft::panels {
 namespace {
 
 /// A part cut lengthwise, with its end on the left (`direction` −1) or on the right (+1).
-void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float direction,
-              ImU32 colour) {
+void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float direction, ImU32 colour) {
   const float tail = c.x - direction * r, h = r * 0.62f;
   const float neck = c.x + direction * r * 0.25f, tip = c.x + direction * r;
   list.PathClear();
@@ -52,8 +51,7 @@ void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float d
 void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float width) {
   const float direction = which[0] == 's' ? -1.f : 1.f;
   const float gap = 6;
-  const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)),
-                    env.ui().layout.strip ? 44.f : 52.f};
+  const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)), env.ui().layout.strip ? 44.f : 52.f};
   ImGui::PushID(which);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   bool first = true;

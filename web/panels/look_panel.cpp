@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "engine/surface/finish.h"
-#include "web/app/command_actions.h"
-#include "web/app/swatches.h"
+#include "web/commands/command_actions.h"
+#include "web/model/swatches.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -40,7 +40,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
     if (i > 0) ImGui::SameLine(0, 0);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton(choices[i].id, {each, height}) && !choices[i].on) pressed = i;
-    tellControl(env, app::Control::Kind::Button, choices[i].text, true, choices[i].on);
+    registerControl(env, app::Control::Kind::Button, choices[i].text, true, choices[i].on);
     const ImVec2 low{corner.x + 3, corner.y + 3}, high{corner.x + each - 3, corner.y + height - 3};
     if (choices[i].on) {
       list.AddRectFilled(low, high, kSurface, kRadius - 2);
@@ -102,7 +102,8 @@ void ball(ImDrawList& list, ImVec2 centre, float radius, const document::Look& l
       spot(0.25f, 1.8f);
       break;
     case surface::Paint::Plain:
-    case surface::Paint::kCount: list.AddCircleFilled(centre, radius, mixed(1), 28);
+    case surface::Paint::kCount:
+      list.AddCircleFilled(centre, radius, mixed(1), 28);
   }
   list.AddCircle(centre, radius, rgb(0x1f2430, 40), 28, 1);
 }
@@ -118,10 +119,9 @@ void paints(const PanelEnv& env, const document::Look& look, float width) {
     document::Look shown = look;
     shown.paint = finishes[i].paint;
     const bool on = !look.textured && look.paint == finishes[i].paint;
-    const bool pressed = tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
-                              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) {
-                                ball(list, centre, radius * 0.95f, shown);
-                              });
+    const bool pressed =
+        tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
+             [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) { ball(list, centre, radius * 0.95f, shown); });
     if (pressed) env.sink.run("set-paint", app::Json::Object{{"paint", finishes[i].key}});
   }
   ImGui::PopStyleVar();
@@ -144,15 +144,15 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
   const int rows = (count + fitting - 1) / fitting;
   const int columns = env.ui().layout.strip ? (count + rows - 1) / rows : 5;
   const float most = env.ui().touch ? 44.f : 40.f;
-  const float side = std::floor(std::min(
-      (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), most));
+  const float side =
+      std::floor(std::min((width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), most));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t i = 0; i < app::kSwatches.size(); ++i) {
     const app::Swatch& swatch = app::kSwatches[i];
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(swatch.value.data(), {side, side});
-    tellControl(env, app::Control::Kind::Button, swatch.value, true, !look.textured && hexOf(chosen) == swatch.hex);
+    registerControl(env, app::Control::Kind::Button, swatch.value, true, !look.textured && hexOf(chosen) == swatch.hex);
     const ImVec2 centre{at.x + side / 2, at.y + side / 2};
     const float radius = side / 2 - 3;
     ImDrawList& list = *ImGui::GetWindowDrawList();

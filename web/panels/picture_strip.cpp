@@ -13,7 +13,7 @@
 namespace spineloft::panels {
 namespace {
 
-constexpr float kSide = 44;        // CSS pixels: what a finger hits
+constexpr float kSide = 44;  // CSS pixels: what a finger hits
 constexpr float kWidest = 68;
 constexpr float kLongPress = 0.45f;  // seconds
 constexpr float kMenuWidth = 150;
@@ -47,7 +47,7 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
   ImGui::PushID(static_cast<int>(entry.id.value));
   const bool shown = entry.id == ui.picture;
   const bool pressed = ImGui::InvisibleButton("picture", room);
-  tellControl(env, app::Control::Kind::Button, entry.name, true, shown);
+  registerControl(env, app::Control::Kind::Button, entry.name, true, shown);
   const app::Rect image = within(at, room, entry.size);
   ui.thumbnails.push_back({entry.id, image});
   frame(*ImGui::GetWindowDrawList(), image, shown, ImGui::IsItemHovered());
@@ -68,7 +68,7 @@ bool menuRow(const PanelEnv& env, const char* icon, const char* text) {
   const float height = env.ui().touch ? 44.f : 34.f, width = kMenuWidth - 8;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(text, {width, height});
-  tellControl(env, app::Control::Kind::Button, text);
+  registerControl(env, app::Control::Kind::Button, text);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);

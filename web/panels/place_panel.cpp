@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "web/app/placing.h"
+#include "web/edit/placing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -16,8 +16,8 @@ struct Field {
   const char* word;
   const char* unit;
 };
-constexpr std::array kFields = {Field{"x", "Right", "mm"}, Field{"y", "Up", "mm"},
-                                Field{"z", "Front", "mm"}, Field{"tip", "Tip", "\xc2\xb0"},
+constexpr std::array kFields = {Field{"x", "Right", "mm"},         Field{"y", "Up", "mm"},
+                                Field{"z", "Front", "mm"},         Field{"tip", "Tip", "\xc2\xb0"},
                                 Field{"turn", "Turn", "\xc2\xb0"}, Field{"lean", "Lean", "\xc2\xb0"}};
 
 /// A word above a number in a box; a press asks for another number.
@@ -26,7 +26,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   ImGui::PushID(what.key);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton("box", {width, height});
-  tellControl(env, app::Control::Kind::Field, what.word);
+  registerControl(env, app::Control::Kind::Field, what.word);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool hot = ImGui::IsItemHovered();
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);

@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "engine/publish/publish.h"
-#include "web/app/print_report.h"
-#include "web/app/sizing.h"
+#include "web/model/print_report.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
+#include "web/ui/sizing.h"
 
 namespace spineloft::panels {
 namespace {
@@ -60,8 +60,8 @@ void likeThings(const PanelEnv& env, float width) {
       for (const auto& line : app::thingLines(i)) {
         list.PathClear();
         for (const app::ThingPoint p : line) {
-          list.PathLineTo({centre.x + 2 * radius * static_cast<float>(p.x),
-                           centre.y + radius * static_cast<float>(1 - 2 * p.y)});
+          list.PathLineTo(
+              {centre.x + 2 * radius * static_cast<float>(p.x), centre.y + radius * static_cast<float>(1 - 2 * p.y)});
         }
         list.PathStroke(colour, 0, 1.5f);
       }
@@ -76,8 +76,7 @@ void likeThings(const PanelEnv& env, float width) {
 
 /// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
-  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning,
-        iconText(line.good ? "circle-check" : "triangle-alert"));
+  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning, iconText(line.good ? "circle-check" : "triangle-alert"));
   ImGui::SameLine(0, 6);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
   label(env.fonts.small, line.good ? kInk : kWarning, line.text);
@@ -123,8 +122,7 @@ void words(const PanelEnv& env, ImDrawList& list, const Words& what) {
 void drawThing(const PanelEnv& env, ImDrawList& list, const pipeline::WorldBounds& bounds) {
   const app::UiState& ui = env.ui();
   const app::Thing& thing = app::things()[*ui.beside];
-  const app::ThingPlace place =
-      app::placeBeside(thing, bounds, env.document().height.value, ui.camera);
+  const app::ThingPlace place = app::placeBeside(thing, bounds, env.document().height.value, ui.camera);
   const auto at = [&](app::ThingPoint p) -> std::optional<ImVec2> {
     const auto c = app::pointOnCanvas(ui.camera, ui.layout.solid, place.at(p));
     if (!c) return std::nullopt;

@@ -7,7 +7,7 @@
 #include <array>
 #include <string>
 
-#include "web/app/solid_editing.h"
+#include "web/edit/solid_editing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -18,11 +18,15 @@ using document::StepKind;
 
 std::string_view iconOf(StepKind kind) {
   switch (kind) {
-    case StepKind::Join: return "squares-unite";
-    case StepKind::Cut: return "squares-subtract";
-    case StepKind::Common: return "squares-intersect";
+    case StepKind::Join:
+      return "squares-unite";
+    case StepKind::Cut:
+      return "squares-subtract";
+    case StepKind::Intersection:
+      return "squares-intersect";
     case StepKind::Hollow:
-    case StepKind::kCount: break;
+    case StepKind::kCount:
+      break;
   }
   return "cup-soda";
 }
@@ -44,18 +48,23 @@ void slider(const PanelEnv& env, const document::Step& step, const char* key, co
   const ImGuiID here = ImGui::GetID(id.c_str());
   if (ImGui::GetActiveID() == here) value = held.GetFloat(here, value);
   ImGui::SliderFloat(id.c_str(), &value, low, high, "%.1f mm");
-  tellControl(env, app::Control::Kind::Slider, text);
+  registerControl(env, app::Control::Kind::Slider, text);
   held.SetFloat(here, value);
   if (ImGui::IsItemDeactivatedAfterEdit()) {
-    env.sink.run("set-step", app::Json::Object{{"step", step.id.value},
-                                               {key, static_cast<double>(value) / unit}});
+    env.sink.run("set-step", app::Json::Object{{"step", step.id.value}, {key, static_cast<double>(value) / unit}});
   }
 }
 
 void openingChooser(const PanelEnv& env, const document::Step& step, float width) {
-  constexpr std::array<std::pair<const char*, const char*>, 9> kChoices = {{
-      {"up", "Top"}, {"down", "Bottom"}, {"start", "Line's start"}, {"end", "Line's end"},
-      {"front", "Front"}, {"back", "Back"}, {"left", "Left"}, {"right", "Right"}, {"none", "Closed"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 9> kChoices = {{{"up", "Top"},
+                                                                            {"down", "Bottom"},
+                                                                            {"start", "Line's start"},
+                                                                            {"end", "Line's end"},
+                                                                            {"front", "Front"},
+                                                                            {"back", "Back"},
+                                                                            {"left", "Left"},
+                                                                            {"right", "Right"},
+                                                                            {"none", "Closed"}}};
   label(env.fonts.small, kMuted, "Open at");
   WordButtons row(env, width);
   for (const auto& [key, text] : kChoices) {
@@ -84,7 +93,7 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
 void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("grip", size);
-  tellControl(env, app::Control::Kind::Grip, name);
+  registerControl(env, app::Control::Kind::Grip, name);
   if (ImGui::IsItemActivated()) env.ui().listDrag = row;
   if (!ImGui::IsItemHovered() || env.ui().touch) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -93,7 +102,8 @@ void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string
 
 bool holdsWhole(const PanelEnv& env) {
   const document::Step* step = app::chosenStep(env.env);
-  return step != nullptr && env.ui().selection && partsIn(env.document(), {{}, step->id}).size() == env.ui().alsoSelected.size() + 1;
+  return step != nullptr && env.ui().selection &&
+         partsIn(env.document(), {{}, step->id}).size() == env.ui().alsoSelected.size() + 1;
 }
 
 bool canTick(const PanelEnv& env, document::Operand operand) {
@@ -114,7 +124,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const bool root = holderOf(env.document(), {{}, step.id}) == nullptr;
   const bool ticks = root && canTick(env, {{}, step.id});
   const bool open = std::ranges::count(env.ui().solids.folded, step.id) == 0;
-  const std::string trouble = app::troubleOf(env.env, step);
+  const std::string trouble = app::stepFailureWords(env.env, step);
   const float height = buttonSide(env);
   const float buttons = height * (static_cast<float>(root) + static_cast<float>(ticks) + 1.f);
   ImGui::PushID("solid");
@@ -129,18 +139,21 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
     ImGui::SameLine(0, 0);
   }
   const bool pressed = ImGui::InvisibleButton("row", {row - grips, height});
-  tellControl(env, app::Control::Kind::Row, step.name, true, selected);
+  registerControl(env, app::Control::Kind::Row, step.name, true, selected);
   if (selected || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
   }
   if (!trouble.empty()) tooltip(trouble);
   ImFont* icons = env.fonts.icons;
   const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;
-  list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2},
-               trouble.empty() ? kAccent : kTrouble, iconText(iconOf(step.kind)));
+  list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2}, trouble.empty() ? kAccent : kFailure,
+               iconText(iconOf(step.kind)));
   const std::string name = shortened(ImGui::GetFont(), step.name, row - 34);
   list.AddText({at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2},
-               !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk, name.c_str());
+               !step.visible ? rgb(0x5c6474, 150)
+               : selected    ? kAccent
+                             : kInk,
+               name.c_str());
   if (pressed) {
     const bool twice = selected && ImGui::IsMouseDoubleClicked(0);
     env.sink.run(twice ? "rename-step" : "select-step", which(step));
@@ -172,10 +185,10 @@ void solidPanel(const PanelEnv& env, float width) {
   const float side = buttonSide(env);
   ImGui::Dummy({0, 4});
   for (const document::Step& each : env.document().steps) {
-    const std::string trouble = app::troubleOf(env.env, each);
+    const std::string trouble = app::stepFailureWords(env.env, each);
     if (trouble.empty()) continue;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, kTrouble, each.name + ": " + trouble);
+    label(env.fonts.small, kFailure, each.name + ": " + trouble);
     ImGui::PopTextWrapPos();
     ImGui::PushID(static_cast<int>(each.id.value));
     const float half = std::min((width - 4) / 2, 110.f);
@@ -186,8 +199,8 @@ void solidPanel(const PanelEnv& env, float width) {
     if (textButton(env, {"again", "Try again", false, true, side, half})) env.sink.run("solve-again", {});
     ImGui::PopID();
   }
-  constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {{
-      {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {
+      {{"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}}};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
   const float each = std::min(74.f, (width - 12) / 4);
   int tiles = 0;

@@ -18,7 +18,8 @@ const char* iconText(std::string_view name);
 bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra = 0);
 
 /// Tells the page what the last item is (UiState::controls). Whatever can be pressed says it here.
-void tellControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled = true, bool on = false);
+void registerControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled = true,
+                     bool on = false);
 
 /// A floating card of buttons; its place is kept from the tools.
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
@@ -41,7 +42,7 @@ struct IconButton {
   bool active = false;
   bool enabled = true;
   float size = 36;
-  ImU32 colour = 0;  ///< when active; 0: the accent of the page
+  ImU32 colour = 0;             ///< when active; 0: the accent of the page
   std::string_view words = {};  ///< what it does; empty: `tip`
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);

@@ -22,8 +22,7 @@ class Host {
   virtual void send(std::string_view json) = 0;
   /// Hands a finished file to the shell, which copies the bytes at once and offers them as
   /// download.
-  virtual void sendFile(std::string_view name, std::string_view mediaType,
-                        std::span<const std::uint8_t> bytes) = 0;
+  virtual void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) = 0;
   /// The visitor asked the system for less motion.
   virtual bool reducedMotion() const = 0;
 };

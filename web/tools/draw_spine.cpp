@@ -1,7 +1,7 @@
 #include "web/tools/draw_spine.h"
 
-#include "web/app/outline.h"
-#include "web/app/preview.h"
+#include "web/edit/outline.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 namespace {
@@ -29,8 +29,7 @@ void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
 }
 
 bool DrawSpine::usesPressure(const ToolEnv& env, const ToolEvent& event) {
-  return env.ui.edit.depthByPressure && event.device == platform::Device::Pen &&
-         !env.ui.preview->part;
+  return env.ui.edit.depthByPressure && event.device == platform::Device::Pen && !env.ui.preview->part;
 }
 
 void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
@@ -44,8 +43,8 @@ void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
 void DrawSpine::commit(const ToolEnv& env) {
   if (!env.ui.preview) {
     const PicturePoint p = toPicture(env, watch_.start());
-    const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p,
-                                    kClickReach / env.ui.pictureView.zoom);
+    const PartId part =
+        app::partAt(env.document, env.derived, env.ui.picture, p, kClickReach / env.ui.pictureView.zoom);
     selectTapped(env, part, adds_);
     return;
   }

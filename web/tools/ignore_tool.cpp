@@ -1,6 +1,6 @@
 #include "web/tools/ignore_tool.h"
 
-#include "web/app/preview.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 

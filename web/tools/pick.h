@@ -1,7 +1,7 @@
 // What lies under the pointer for the tool in use: the same for hovering, pressing and the cursor.
 #pragma once
 
-#include "web/app/editing.h"
+#include "web/edit/editing.h"
 #include "web/tools/tool.h"
 
 namespace spineloft::tools {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "web/app/placing.h"
+#include "web/edit/placing.h"
 #include "web/tools/pick.h"
 
 namespace spineloft::tools {
@@ -45,8 +45,7 @@ void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
   if (gizmo) drag_.handle = app::handleAt(*gizmo, event.at, touch_);
   if (gizmo) drag_.gizmo = *gizmo;
   if (drag_.handle == app::GizmoHandle::None) {
-    const app::Ray ray{env.ui.camera.eye(),
-                       app::rayThrough(env.ui.camera, env.ui.layout.solid, event.at)};
+    const app::Ray ray{env.ui.camera.eye(), app::rayThrough(env.ui.camera, env.ui.layout.solid, event.at)};
     const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray);
     pressed_ = hit.part;
     if (!app::isSelected(env.document, env.ui, pressed_)) {
@@ -63,8 +62,7 @@ void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
   env.ui.held = drag_.handle;
 }
 
-document::Motion PlaceTool::settled(const ToolEnv& env, const ToolEvent& event,
-                                    const document::Motion& motion) const {
+document::Motion PlaceTool::settled(const ToolEnv& env, const ToolEvent& event, const document::Motion& motion) const {
   const app::Ray ray{drag_.camera.eye(), app::rayThrough(drag_.camera, drag_.view, event.at)};
   const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray, parts_);
   if (!hit) return motion;
@@ -112,12 +110,11 @@ void PlaceTool::commit(const ToolEnv& env) {
   app::Json::Array ids;
   for (const PartId part : parts_) ids.push_back(part.value);
   const auto& [centre, by, turn, scale] = motion_;
-  env.sink.run("move-parts",
-               app::Json::Object{{"parts", std::move(ids)},
-                                 {"centre", numbers({centre.x, centre.y, centre.z})},
-                                 {"move", numbers({by.x, by.y, by.z})},
-                                 {"turn", numbers({turn.w, turn.x, turn.y, turn.z})},
-                                 {"scale", scale}});
+  env.sink.run("move-parts", app::Json::Object{{"parts", std::move(ids)},
+                                               {"centre", numbers({centre.x, centre.y, centre.z})},
+                                               {"move", numbers({by.x, by.y, by.z})},
+                                               {"turn", numbers({turn.w, turn.x, turn.y, turn.z})},
+                                               {"scale", scale}});
 }
 
 void PlaceTool::cancel(const ToolEnv& env) {

@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "web/app/outline.h"
-#include "web/app/preview.h"
-#include "web/app/region_editing.h"
+#include "web/edit/outline.h"
+#include "web/edit/preview.h"
+#include "web/edit/region_editing.h"
 
 namespace spineloft::tools {
 namespace {
 
-constexpr int kPreviewPoints = 900;     // of a puff under the pen
+constexpr int kPreviewPoints = 900;      // of a puff under the pen
 constexpr std::size_t kHintPoints = 48;  // of a scribble: each is looked round for its colour
 
 /// As many points of a stroke, evenly, with both its ends.
@@ -21,10 +21,10 @@ std::vector<PicturePoint> thinned(const std::vector<PicturePoint>& stroke) {
 }
 
 document::Recipe previewRecipe(const app::UiState& ui, document::Region region) {
-  if (ui.tool == app::ToolKind::Sheet) return document::SheetRecipe{std::move(region), ui.sheet};
-  inflate::PuffParams puff = ui.puff;
-  puff.points = std::min(puff.points, kPreviewPoints);
-  return document::PuffRecipe{std::move(region), puff};
+  if (ui.tool == app::ToolKind::Extrude) return document::ExtrudeRecipe{std::move(region), ui.extrude};
+  inflate::InflateParams inflate = ui.inflate;
+  inflate.points = std::min(inflate.points, kPreviewPoints);
+  return document::InflateRecipe{std::move(region), inflate};
 }
 
 }  // namespace
@@ -96,8 +96,7 @@ void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
   if (!extend(env, hand.stroke, event.at) || !env.ui.preview) return;
   const document::PictureEntry* entry = document::findPicture(env.document, env.ui.picture);
   if (entry == nullptr) return;
-  env.ui.preview->recipe =
-      previewRecipe(env.ui, app::regionOfLine(entry->id, hand.stroke, entry->size));
+  env.ui.preview->recipe = previewRecipe(env.ui, app::regionOfLine(entry->id, hand.stroke, entry->size));
   env.ui.preview->fresh = false;
 }
 
@@ -124,18 +123,16 @@ void RegionTool::commit(const ToolEnv& env) {
     if (redraw) args.emplace_back("part", redraw.value);
     env.sink.run("cut-start", std::move(args));
   } else if (dragged) {
-    env.sink.run("move-outline-point",
-                 app::Json::Object{{"part", part_.value},
-                                   {"contour", static_cast<double>(grabbed_->contour)},
-                                   {"point", static_cast<double>(grabbed_->point)},
-                                   {"to", pointJson(to_)}});
+    env.sink.run("move-outline-point", app::Json::Object{{"part", part_.value},
+                                                         {"contour", static_cast<double>(grabbed_->contour)},
+                                                         {"point", static_cast<double>(grabbed_->point)},
+                                                         {"to", pointJson(to_)}});
   } else if (hand.stroke.empty()) {
     if (!grabbed_) tap(env);
   } else if (redraw) {
-    env.sink.run("redraw-region",
-                 app::Json::Object{{"part", redraw.value}, {"line", strokeJson(hand.stroke)}});
+    env.sink.run("redraw-region", app::Json::Object{{"part", redraw.value}, {"line", strokeJson(hand.stroke)}});
   } else {
-    env.sink.run(env.ui.tool == app::ToolKind::Sheet ? "draw-sheet" : "draw-puff",
+    env.sink.run(env.ui.tool == app::ToolKind::Extrude ? "draw-sheet" : "draw-puff",
                  app::Json::Object{{"line", strokeJson(hand.stroke)}});
   }
 }

@@ -1,6 +1,6 @@
 #include "web/tools/rib_tool.h"
 
-#include "web/app/preview.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 namespace {
@@ -30,8 +30,7 @@ void RibTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved() || !under_.end || under_.other >= 0 || !subject) return;
   to_ = toPicture(env, event.at) + offset_;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.loft().edits =
-      ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
+  preview.loft().edits = ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
   preview.fresh = false;
 }
 
@@ -50,8 +49,7 @@ void RibTool::tap(const ToolEnv& env) const {
     if (const auto rib = subject ? ribs::nearestRib(subject.shape->ribs, p, reach) : std::nullopt) {
       const ribs::Rib& seen = subject.shape->ribs.ribs[*rib];
       const bool left = distance(p, seen.left) <= distance(p, seen.right);
-      env.sink.run("choose-rib",
-                   endJson(part, {*rib, left ? ribs::Side::Left : ribs::Side::Right}));
+      env.sink.run("choose-rib", endJson(part, {*rib, left ? ribs::Side::Left : ribs::Side::Right}));
     } else {
       selectTapped(env, under_.part);
     }

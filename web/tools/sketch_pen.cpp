@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "web/app/colour_text.h"
+#include "web/model/colour_text.h"
 
 namespace spineloft::tools {
 namespace {
@@ -51,11 +51,10 @@ void SketchPen::commit(const ToolEnv& env) {
     if (!stroke.pressure.empty()) point.push_back(double{stroke.pressure[i]});
     points.push_back(std::move(point));
   }
-  env.sink.run("draw-on-sketch",
-               app::Json::Object{{"stroke", std::move(points)},
-                                 {"radius", stroke.radius},
-                                 {"erase", stroke.erase},
-                                 {"colour", app::colourText(stroke.colour)}});
+  env.sink.run("draw-on-sketch", app::Json::Object{{"stroke", std::move(points)},
+                                                   {"radius", stroke.radius},
+                                                   {"erase", stroke.erase},
+                                                   {"colour", app::colourText(stroke.colour)}});
 }
 
 void SketchPen::cancel(const ToolEnv& env) { env.ui.sketching.stroke.reset(); }

@@ -43,8 +43,7 @@ void TurnSolid::move(const ToolEnv& env, const ToolEvent& event) {
 
 void TurnSolid::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
-  const app::Ray ray{env.ui.camera.eye(),
-                     app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
+  const app::Ray ray{env.ui.camera.eye(), app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
   if (env.ui.solids.pointing) {
     pointOpening(env, ray);
     return;

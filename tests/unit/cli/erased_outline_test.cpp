@@ -37,15 +37,12 @@ image::Image picture() {
   return image;
 }
 
-int at(const image::Image& image, int x, int y) {
-  return image.pixels[static_cast<std::size_t>(4 * (y * kWidth + x))];
-}
+int at(const image::Image& image, int x, int y) { return image.pixels[static_cast<std::size_t>(4 * (y * kWidth + x))]; }
 
 /// The steepest step between neighbours within 4 px of a column's left border, in one row.
 int steepest(const image::Image& image, int border, int y) {
   int most = 0;
-  for (int x = border - 4; x < border + 4; ++x)
-    most = std::max(most, std::abs(at(image, x, y) - at(image, x - 1, y)));
+  for (int x = border - 4; x < border + 4; ++x) most = std::max(most, std::abs(at(image, x, y) - at(image, x - 1, y)));
   return most;
 }
 

@@ -94,8 +94,7 @@ TEST_CASE("the bytes of a history are those of its steps, whichever way one went
 }
 
 TEST_CASE("a step costs the part it changed, not the document and not its photos") {
-  Document document =
-      update({}, AddPicture{"e", testing::ellipsePicture(400, 300)}).value();
+  Document document = update({}, AddPicture{"e", testing::ellipsePicture(400, 300)}).value();
   for (int i = 0; i < 8; ++i) {
     document = update(document, DrawSpine{PictureId{1}, {{50, 150}, {200, 150}, {350, 150}}}).value();
   }

@@ -37,8 +37,7 @@ TEST_CASE("parts become a solid, the solid a part of another, and each has one p
   CHECK(rootOf(document, part(3)) == nullptr);
   CHECK(partsIn(document, step(2)) == std::vector{PartId{1}, PartId{2}});
   CHECK(update(document, combine(StepKind::Cut, {part(1), part(3)})).error() == Error::AlreadyUsed);
-  CHECK(update(document, combine(StepKind::Cut, {part(3), part(3)})).error() ==
-        Error::ValueOutOfRange);
+  CHECK(update(document, combine(StepKind::Cut, {part(3), part(3)})).error() == Error::ValueOutOfRange);
   CHECK(update(document, combine(StepKind::Cut, {part(3)})).error() == Error::ValueOutOfRange);
   CHECK(update(document, combine(StepKind::Cut, {part(3), part(9)})).error() == Error::NoSuchPart);
   CHECK(update(document, combine(StepKind::Cut, {part(3), step(9)})).error() == Error::NoSuchStep);
@@ -51,7 +50,7 @@ TEST_CASE("what is combined within a solid stays within it") {
   document = after(document, combine(StepKind::Cut, {part(1), step(2)}));
   CHECK(document.steps[0]->operands == std::vector{step(3), part(3)});
   // Of all that is left: the outer solid would have one part, so that it goes.
-  document = after(document, combine(StepKind::Common, {step(3), part(3)}));
+  document = after(document, combine(StepKind::Intersection, {step(3), part(3)}));
   CHECK(findStep(document, StepId{1}) == nullptr);
   CHECK(isForest(document));
 }

@@ -70,9 +70,7 @@ TEST_CASE("frames turn as the fine numeric integration of minimal rotation does"
   // dU/ds = −(U·dT/ds) T, integrated in a hundred thousand projections.
   const auto exact = [](const std::function<ModelPoint(double)>& at, ModelPoint across) {
     constexpr int kSteps = 100000;
-    const auto tangent = [&](double t) {
-      return normalized(at(t + 1e-5) - at(t - 1e-5));
-    };
+    const auto tangent = [&](double t) { return normalized(at(t + 1e-5) - at(t - 1e-5)); };
     ModelPoint u = normalized(across - tangent(0) * dot(across, tangent(0)));
     for (int i = 1; i <= kSteps; ++i) {
       const ModelPoint t = tangent(static_cast<double>(i) / kSteps);

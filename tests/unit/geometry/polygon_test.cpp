@@ -39,9 +39,7 @@ Points randomPolygon(Rng& rng) {
 
 bool simpleBySearch(const Points& p) {
   const std::size_t n = p.size();
-  const auto side = [](SectionPoint a, SectionPoint b, SectionPoint c) {
-    return cross(b - a, c - a);
-  };
+  const auto side = [](SectionPoint a, SectionPoint b, SectionPoint c) { return cross(b - a, c - a); };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;
@@ -216,8 +214,8 @@ TEST_CASE("the centre of the kernel sees every edge, and a spiral has none") {
     REQUIRE(centre.has_value());
     CHECK(seesAllEdges(points, *centre, -1e-9));
   }
-  const Points spiral = {{-1, -1}, {1, -1}, {1, 1}, {-0.6, 1}, {-0.6, -0.2}, {0.2, -0.2},
-                         {0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.6}, {0.6, 0.6}, {0.6, -0.6}, {-1, -0.6}};
+  const Points spiral = {{-1, -1},   {1, -1},     {1, 1},      {-0.6, 1},  {-0.6, -0.2}, {0.2, -0.2},
+                         {0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.6}, {0.6, 0.6}, {0.6, -0.6},  {-1, -0.6}};
   CHECK(isSimple(spiral));
   CHECK_FALSE(kernelCentre(spiral).has_value());
 }

@@ -58,8 +58,8 @@ Picture drawn(Size size, const Strokes& strokes) {
 }
 
 std::array<int, 4> pixel(const Picture& picture, int x, int y) {
-  const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                       static_cast<std::size_t>(x));
+  const auto at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
   const auto& p = picture.working.pixels;
   return {p[at], p[at + 1], p[at + 2], p[at + 3]};
 }
@@ -232,9 +232,8 @@ TEST_CASE("the line keeps its sharp corners and rounds the gentle ones") {
 
 TEST_CASE("strokes that leave the paper, or are far beyond it, harm nothing") {
   for (const double far : {500., 1e5, 1e12, 1e300}) {
-    const Picture picture =
-        drawn({96, 96}, {line({{48, 48}, {far, 48}}, 4), line({{-far, -far}, {far, far}}, 100),
-                         line({{far, far}}, 100)});
+    const Picture picture = drawn(
+        {96, 96}, {line({{48, 48}, {far, 48}}, 4), line({{-far, -far}, {far, far}}, 100), line({{far, far}}, 100)});
     CHECK(pixel(picture, 48, 48)[0] == 31);
   }
   const Picture away = drawn({96, 96}, {line({{1e300, 1e300}, {1e300, -1e300}}, 4)});

@@ -72,7 +72,8 @@ TEST_CASE("a loft in memory that was used for others is the loft from scratch") 
     const ribs::RibSet set = growing(to);
     const PosedSpine spine = spineOf(to);
     LoftParams params;
-    params.sections[0].shape.preset = static_cast<SectionPreset>(rng.below(static_cast<std::uint32_t>(SectionPreset::kCount)));
+    params.sections[0].shape.preset =
+        static_cast<SectionPreset>(rng.below(static_cast<std::uint32_t>(SectionPreset::kCount)));
     params.sectionPoints = 12 + static_cast<int>(rng.below(60));
     params.startCap = static_cast<CapStyle>(rng.below(4));
     params.endCap = static_cast<CapStyle>(rng.below(4));

@@ -13,7 +13,6 @@ using namespace spineloft;
 using namespace spineloft::printing;
 using spineloft::testing::requireLawful;
 
-
 namespace {
 
 using At = std::array<double, 3>;
@@ -26,7 +25,8 @@ mesh::TriMesh meshOf(const Block& block) {
   mesh::TriMesh mesh = testing::box(1, 1, 1);
   const mesh::Bounds bounds = mesh::boundsOf(mesh);
   for (auto& p : mesh.positions) {
-    for (std::size_t i = 0; i < 3; ++i) p[i] = static_cast<float>(block.low[i] + (p[i] - bounds.low[i]) * block.size[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = static_cast<float>(block.low[i] + (p[i] - bounds.low[i]) * block.size[i]);
   }
   requireLawful(mesh);
   return mesh;
@@ -66,7 +66,8 @@ TEST_CASE("parts that overlap, or stand on each other, are one piece; a gap make
   CHECK(piecesOf({foot, {{10, 10, 10}, {5, 40, 5}}}) == 1);  // standing on it
   CHECK(piecesOf({foot, {{10, 12, 10}, {5, 40, 5}}}) == 2);  // above it
   CHECK(piecesOf({foot, {{32, 0, 0}, {5, 40, 5}}}) == 2);    // beside it
-  CHECK(piecesOf({foot, {{-5, 4, 14}, {40, 2, 2}}}) == 1);   // a rod right through: no corner of either is inside the other
+  CHECK(piecesOf({foot, {{-5, 4, 14}, {40, 2, 2}}}) ==
+        1);  // a rod right through: no corner of either is inside the other
 }
 
 TEST_CASE("a chain is one piece, whatever the order of its links") {

@@ -1,11 +1,11 @@
-#include "engine/ribs/d2_grid.h"
+#include "engine/ribs/field/d2_grid.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "engine/ribs/d2.h"
+#include "engine/ribs/field/d2.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -46,14 +46,12 @@ TEST_CASE("d2 on a grid is d2 at its points") {
     for (int i = 0; i < 37 * 21; i += 5) {
       const PicturePoint x = plan.first + PicturePoint{plan.step * (i % 37), plan.step * (i / 37)};
       if (!beyond(p, x, 3)) continue;
-      CHECK(static_cast<double>(d2[static_cast<std::size_t>(i)]) ==
-            doctest::Approx(field.distance(x)).epsilon(3e-5));
+      CHECK(static_cast<double>(d2[static_cast<std::size_t>(i)]) == doctest::Approx(field.distance(x)).epsilon(3e-5));
     }
   }
 }
 
-TEST_CASE(
-    "the hierarchical d2 of the paper's test is within 1e-3 of the exact one, for a hundredth") {
+TEST_CASE("the hierarchical d2 of the paper's test is within 1e-3 of the exact one, for a hundredth") {
   const GridPlan plan{{0, 0}, 1, 300, 300};
   for (double waves : {0.0, 7.0, 11.0}) {
     const Points p = spiral(2000, waves);
@@ -69,8 +67,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "the hierarchical d2 keeps its promise on any line and grid, also on grids off the line") {
+TEST_CASE("the hierarchical d2 keeps its promise on any line and grid, also on grids off the line") {
   Rng rng(72);
   double worst = 0;
   for (int round = 0; round < 40; ++round) {

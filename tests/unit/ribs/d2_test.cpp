@@ -1,4 +1,4 @@
-#include "engine/ribs/d2.h"
+#include "engine/ribs/field/d2.h"
 
 #include <doctest/doctest.h>
 
@@ -31,8 +31,7 @@ double quadrature(const Points& p, PicturePoint x, int panels) {
 double nearest(const Points& p, PicturePoint x) {
   double best = 1e300;
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    for (int k = 0; k <= 20; ++k)
-      best = std::min(best, distance(x, lerp(p[i], p[i + 1], k / 20.0)));
+    for (int k = 0; k <= 20; ++k) best = std::min(best, distance(x, lerp(p[i], p[i + 1], k / 20.0)));
   }
   return best;
 }
@@ -61,12 +60,10 @@ TEST_CASE("the gradient of d2 is what finite differences say") {
     const PicturePoint x{rng.uniform(100, 700), rng.uniform(100, 700)};
     if (nearest(p, x) < 2) continue;
     const PicturePoint g = field.sample(x).gradient;
-    CHECK(g.x == doctest::Approx((field.distance({x.x + h, x.y}) - field.distance({x.x - h, x.y})) /
-                                 (2 * h))
-                     .epsilon(1e-5));
-    CHECK(g.y == doctest::Approx((field.distance({x.x, x.y + h}) - field.distance({x.x, x.y - h})) /
-                                 (2 * h))
-                     .epsilon(1e-5));
+    CHECK(g.x ==
+          doctest::Approx((field.distance({x.x + h, x.y}) - field.distance({x.x - h, x.y})) / (2 * h)).epsilon(1e-5));
+    CHECK(g.y ==
+          doctest::Approx((field.distance({x.x, x.y + h}) - field.distance({x.x, x.y - h})) / (2 * h)).epsilon(1e-5));
   }
 }
 
@@ -93,15 +90,13 @@ TEST_CASE("d2 moves with a rigid motion, turns its gradient, and grows with scal
     const double turn = rng.uniform(0, 6.28), scale = rng.uniform(0.2, 5);
     const PicturePoint shift{rng.uniform(-500, 500), rng.uniform(-500, 500)};
     const auto rotate = [turn](PicturePoint q) {
-      return PicturePoint{q.x * std::cos(turn) - q.y * std::sin(turn),
-                          q.x * std::sin(turn) + q.y * std::cos(turn)};
+      return PicturePoint{q.x * std::cos(turn) - q.y * std::sin(turn), q.x * std::sin(turn) + q.y * std::cos(turn)};
     };
     Points moved;
     for (PicturePoint q : p) moved.push_back(rotate(q) * scale + shift);
     const PicturePoint x{rng.uniform(100, 700), rng.uniform(100, 700)};
     if (nearest(p, x) < 2) continue;
-    const D2Sample before = D2Field(p).sample(x),
-                   after = D2Field(moved).sample(rotate(x) * scale + shift);
+    const D2Sample before = D2Field(p).sample(x), after = D2Field(moved).sample(rotate(x) * scale + shift);
     CHECK(after.d2 == doctest::Approx(before.d2 * scale).epsilon(1e-9));
     CHECK(distance(after.gradient, rotate(before.gradient)) < 1e-8);
   }
@@ -129,8 +124,7 @@ TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyo
       const double value = static_cast<double>(quick.value);
       const double d2 = std::sqrt(field.length() / value);
       CHECK(d2 == doctest::Approx(exact.d2).epsilon(3e-5));
-      const PicturePoint g{static_cast<double>(quick.gradientX),
-                           static_cast<double>(quick.gradientY)};
+      const PicturePoint g{static_cast<double>(quick.gradientX), static_cast<double>(quick.gradientY)};
       CHECK(distance(g * (-0.5 * d2 / value), exact.gradient) < 3e-4);
     }
   }
@@ -149,8 +143,7 @@ TEST_CASE("far stretches by their moments change d2 and its gradient by less tha
       worst = std::max(worst, std::abs(static_cast<double>(quick.value / exact.value) - 1));
       const double dx = static_cast<double>(quick.gradientX - exact.gradientX);
       const double dy = static_cast<double>(quick.gradientY - exact.gradientY);
-      turned = std::max(turned, std::hypot(dx, dy) / static_cast<double>(std::hypot(
-                                                         exact.gradientX, exact.gradientY)));
+      turned = std::max(turned, std::hypot(dx, dy) / static_cast<double>(std::hypot(exact.gradientX, exact.gradientY)));
     }
   }
   CHECK(worst < 2e-3);
@@ -160,8 +153,7 @@ TEST_CASE("far stretches by their moments change d2 and its gradient by less tha
 TEST_CASE("the radius of a straight spine and its d2 are inverse to each other") {
   for (double length : {5.0, 100.0, 3000.0}) {
     for (double radius : {0.01, 1.0, 50.0, 2000.0}) {
-      CHECK(radiusOfD2(d2OfRadius(radius, length), length) ==
-            doctest::Approx(radius).epsilon(1e-9));
+      CHECK(radiusOfD2(d2OfRadius(radius, length), length) == doctest::Approx(radius).epsilon(1e-9));
     }
     const D2Field field(Points{{0, 0}, {length, 0}});
     CHECK(d2OfRadius(7, length) == doctest::Approx(field.distance({length / 2, 7})).epsilon(1e-12));

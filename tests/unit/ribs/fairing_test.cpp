@@ -1,4 +1,4 @@
-#include "engine/ribs/fairing.h"
+#include "engine/ribs/labels/fairing.h"
 
 #include <doctest/doctest.h>
 

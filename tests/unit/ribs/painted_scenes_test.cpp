@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/base/rng.h"
-#include "engine/ribs/consensus.h"
-#include "engine/ribs/ribs.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/spine.h"
+#include "engine/ribs/search/ensemble.h"
+#include "engine/ribs/search/ribs.h"
 #include "engine/vision/edges.h"
 
 using namespace spineloft;
@@ -170,7 +170,8 @@ TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half o
     // Without a look beyond the part it is what lies between the stripes.
     const auto spine = cleanSpine(stroke(120), kSize, {.ribs = 60});
     RibWorkspace memory;
-    const auto narrow = agreedRibs(spine.value(), {map, kSize}, {}, Progress(), {.nearest = true, .alone = true}, memory);
+    const auto narrow =
+        ensembleRibs(spine.value(), {map, kSize}, {}, Progress(), {.nearest = true, .alone = true}, memory);
     CHECK(missed(narrow.value()) > 0.5);
   }
 }

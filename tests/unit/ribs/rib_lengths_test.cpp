@@ -1,4 +1,4 @@
-#include "engine/ribs/rib_lengths.h"
+#include "engine/ribs/labels/rib_lengths.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "engine/base/rng.h"
-#include "engine/ribs/pair_search.h"
-#include "engine/ribs/algorithm_one.h"
+#include "engine/ribs/labels/algorithm_one.h"
+#include "engine/ribs/labels/pair_search.h"
 
 using namespace spineloft;
 using namespace spineloft::ribs;
@@ -48,8 +48,8 @@ LengthProblem randomProblem(int ribs, int levels, bool opposite, Rng& rng) {
     if (rng.uniform() < 0.7) p.opposite = oppositeTable(values, rng.uniform(0, 2));
     if (p.opposite.empty() || rng.uniform() < 0.5) {
       p.lean = static_cast<float>(rng.uniform(-0.6, 0.6));
-      for (int i = 0; i < ribs; ++i) p.leanScale.push_back(static_cast<float>(rng.uniform(0, 1)));
-      if (rng.uniform() < 0.5) p.leanCap = static_cast<float>(rng.uniform(0.1, 3));
+      for (int i = 0; i < ribs; ++i) p.medialOffsetScale.push_back(static_cast<float>(rng.uniform(0, 1)));
+      if (rng.uniform() < 0.5) p.medialOffsetCap = static_cast<float>(rng.uniform(0.1, 3));
     }
   }
   return p;
@@ -85,8 +85,7 @@ double leastByTrying(const LengthProblem& p) {
   for (long code = 0; code < combinations; ++code) {
     long rest = code;
     for (int e = 0; e < ends; ++e, rest /= p.levels) {
-      (e < p.ribs ? labels.left[index(e)] : labels.right[index(e - p.ribs)]) =
-          static_cast<int>(rest % p.levels);
+      (e < p.ribs ? labels.left[index(e)] : labels.right[index(e - p.ribs)]) = static_cast<int>(rest % p.levels);
     }
     least = std::min(least, energyOf(p, labels).total());
   }
@@ -99,8 +98,7 @@ TEST_CASE("the optimum is what trying every combination of labels finds") {
   Rng rng(31);
   LengthWorkspace workspace;
   for (int round = 0; round < 120; ++round) {
-    const int ribs = 1 + static_cast<int>(rng.below(3)),
-              levels = 2 + static_cast<int>(rng.below(4));
+    const int ribs = 1 + static_cast<int>(rng.below(3)), levels = 2 + static_cast<int>(rng.below(4));
     const LengthProblem p = randomProblem(ribs, levels, round % 3 != 0, rng);
     const double found = energyOf(p, optimalLabels(p, workspace)).total();
     CHECK(found == doctest::Approx(leastByTrying(p)).epsilon(1e-5));
@@ -146,11 +144,9 @@ TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") 
   LengthWorkspace workspace;
   int strictlyBetter = 0;
   for (int round = 0; round < 24; ++round) {
-    const LengthProblem p =
-        round % 2 == 0 ? pictureLikeProblem(40, 32, rng) : randomProblem(25, 20, true, rng);
+    const LengthProblem p = round % 2 == 0 ? pictureLikeProblem(40, 32, rng) : randomProblem(25, 20, true, rng);
     const double ours = energyOf(p, optimalLabels(p, workspace)).total();
-    const double theirs =
-        energyOf(p, algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
+    const double theirs = energyOf(p, algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
     CHECK(std::isfinite(theirs));
     CHECK(ours <= theirs + 1e-4);
     strictlyBetter += ours < theirs - 1e-4 ? 1 : 0;
@@ -166,8 +162,7 @@ TEST_CASE("swapping the sides swaps the labels' energy for the same value") {
     const double before = energyOf(p, optimalLabels(p, workspace)).total();
     std::swap(p.left, p.right);
     p.lean = -p.lean;
-    CHECK(energyOf(p, optimalLabels(p, workspace)).total() ==
-          doctest::Approx(before).epsilon(1e-5));
+    CHECK(energyOf(p, optimalLabels(p, workspace)).total() == doctest::Approx(before).epsilon(1e-5));
   }
 }
 
@@ -208,9 +203,9 @@ TEST_CASE("min-marginals are the least energy of the side through every label") 
       for (int i = 0; i < 4; ++i) {
         sum += static_cast<double>(p.right.unary[index(i * 5 + best.right[index(i)])]);
         if (i == 0) continue;
-        sum += static_cast<double>(neighbourCost(
-            p, p.right.place[index((i - 1) * 5 + best.right[index(i - 1)])],
-            p.right.place[index(i * 5 + best.right[index(i)])], p.right.spacing[index(i - 1)]));
+        sum += static_cast<double>(neighbourCost(p, p.right.place[index((i - 1) * 5 + best.right[index(i - 1)])],
+                                                 p.right.place[index(i * 5 + best.right[index(i)])],
+                                                 p.right.spacing[index(i - 1)]));
       }
       return sum;
     }();
@@ -252,8 +247,7 @@ TEST_CASE("dropping labels by their bounds loses no optimum, and most pairs need
     CHECK(workspace.bounds.lower <= least + 1e-3 + 1e-4 * std::abs(least));
     CHECK(workspace.bounds.upper >= least - 1e-3 - 1e-4 * std::abs(least));
     for (int i = 0; i < ribs; ++i) {
-      const LabelRun &left = workspace.bounds.left[index(i)],
-                     &right = workspace.bounds.right[index(i)];
+      const LabelRun &left = workspace.bounds.left[index(i)], &right = workspace.bounds.right[index(i)];
       CHECK((full.left[index(i)] >= left.low && full.left[index(i)] < left.high));
       CHECK((full.right[index(i)] >= right.low && full.right[index(i)] < right.high));
     }

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 struct Truth {
   image::Image mask;
   int at(int x, int y) const {
-    return mask.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
-                            static_cast<std::size_t>(x))];
+    return mask
+        .pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x))];
   }
 };
 

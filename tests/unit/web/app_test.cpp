@@ -143,7 +143,9 @@ TEST_CASE("once a pen was seen a finger moves the picture instead of drawing") {
   CHECK(rig.at(100, 100).y != doctest::Approx(before.y));
 }
 
-TEST_CASE("a line where the picture shows nothing makes a part, and it is said that its width is a guess; through a thing it is no news") {
+TEST_CASE(
+    "a line where the picture shows nothing makes a part, and it is said that its width is a guess; through a thing it "
+    "is no news") {
   Rig rig;
   rig.openBar();
   rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
@@ -193,8 +195,7 @@ TEST_CASE("a click on a part in either view selects it, a click beside it select
   CHECK(rig.state().find("selection")->isNull());
 }
 
-TEST_CASE(
-    "dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
+TEST_CASE("dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
   Rig rig;
   rig.openBar();
   rig.drawBar();
@@ -300,8 +301,7 @@ TEST_CASE("a lost context draws nothing, loses nothing and comes back") {
   CHECK(rig.parts() == 1);
 }
 
-TEST_CASE(
-    "saving works beside the page and hands over one file; until then the work counts as unsaved") {
+TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved") {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();

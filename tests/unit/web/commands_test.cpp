@@ -3,7 +3,7 @@
 #include <set>
 
 #include "tests/unit/web/rig.h"
-#include "web/app/icons.h"
+#include "web/ui/icons.h"
 
 using namespace spineloft;
 using spineloft::test::Rig;
@@ -88,8 +88,7 @@ TEST_CASE("strokes by numbers meet the engine's named errors and change nothing"
   CHECK(app::Json::parse(before)->number("undo") == 1);
 }
 
-TEST_CASE(
-    "section, ends, look, name and height are set for the selected part and undone one by one") {
+TEST_CASE("section, ends, look, name and height are set for the selected part and undone one by one") {
   Rig rig;
   rig.openBar();
   CHECK(rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})").flag("ok") == true);
@@ -170,8 +169,8 @@ TEST_CASE("the state names every error's sentence and the commands give choices 
     if (command.flag("enabled") != true) continue;  // such as the inks while there is no paper
     for (const app::Json& choice : *argument->find("choices")->array()) {
       const app::Json* value = choice.find("value");
-      const std::string text = value->text() ? "\"" + *value->text() + "\""
-                                             : std::to_string(static_cast<int>(*value->number()));
+      const std::string text =
+          value->text() ? "\"" + *value->text() + "\"" : std::to_string(static_cast<int>(*value->number()));
       const std::string args = "{\"" + *argument->text("key") + "\":" + text + "}";
       CAPTURE(args);
       CHECK(rig.run(*command.text("id"), args).flag("ok") == true);

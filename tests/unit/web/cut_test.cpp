@@ -215,7 +215,8 @@ TEST_CASE("the line at the foot tells of the tool in use, and no longer of a cut
     }
     return last;
   };
-  const std::string_view tools[] = {"puff", "draw", "ribs", "hand", "shape", "ignore-edges", "bone", "sheet", "move", "draw"};
+  const std::string_view tools[] = {"puff",         "draw", "ribs",  "hand", "shape",
+                                    "ignore-edges", "bone", "sheet", "move", "draw"};
   std::string before;
   for (const std::string_view tool : tools) {
     REQUIRE(rig.run(tool).flag("ok") == true);

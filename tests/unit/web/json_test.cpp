@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/base/rng.h"
-#include "web/app/json.h"
+#include "web/model/json.h"
 
 using namespace spineloft;
 using app::Json;
@@ -82,8 +82,7 @@ TEST_CASE("what the JSON writer writes the reader reads back") {
 }
 
 TEST_CASE("a JSON text that was cut short or has a byte changed is read or refused, never worse") {
-  const std::string good =
-      R"({"stroke":[[1.5,-2e1],[3,4]],"name":"a\u00e9\ud83d\ude00\n","on":true})";
+  const std::string good = R"({"stroke":[[1.5,-2e1],[3,4]],"name":"a\u00e9\ud83d\ude00\n","on":true})";
   REQUIRE(Json::parse(good).has_value());
   for (std::size_t cut = 0; cut < good.size(); ++cut) {
     CHECK_FALSE(Json::parse(good.substr(0, cut)).has_value());
@@ -99,9 +98,8 @@ TEST_CASE("a JSON text that was cut short or has a byte changed is read or refus
 }
 
 TEST_CASE("the JSON reader refuses what is not JSON") {
-  for (const char* text :
-       {"", " ", "nul", "truth", "[1,]", "[,1]", "{\"a\"}", "{a:1}", "01x", "1 2", "'a'", "NaN",
-        "Infinity", "-", "1.", "1e", "\"\\x\"", "\"\\u12\"", "[1"}) {
+  for (const char* text : {"", " ", "nul", "truth", "[1,]", "[,1]", "{\"a\"}", "{a:1}", "01x", "1 2", "'a'", "NaN",
+                           "Infinity", "-", "1.", "1e", "\"\\x\"", "\"\\u12\"", "[1"}) {
     CAPTURE(text);
     CHECK_FALSE(Json::parse(text).has_value());
   }

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "web/app/app.h"
-#include "web/app/json.h"
 #include "web/gl/null_renderer.h"
+#include "web/model/json.h"
+#include "web/page/app.h"
 
 namespace spineloft::test {
 
@@ -92,13 +92,11 @@ class Rig {
     settle();
   }
   app::Json state() { return *app::Json::parse(app->state()); }
-  app::Json run(std::string_view id, std::string_view args = {}) {
-    return *app::Json::parse(app->run(id, args));
-  }
+  app::Json run(std::string_view id, std::string_view args = {}) { return *app::Json::parse(app->run(id, args)); }
   std::size_t parts() { return state().find("parts")->array()->size(); }
 
-  void pointer(platform::PointerKind kind, double x, double y, platform::Device device = {},
-               int id = 1, int button = 0) {
+  void pointer(platform::PointerKind kind, double x, double y, platform::Device device = {}, int id = 1,
+               int button = 0) {
     using platform::PointerKind;
     const bool down = kind == PointerKind::Down || kind == PointerKind::Move;
     app->pointer({kind, id, device, button, down ? 1 : 0, x, y, 0.5, host.clockMs, 0});
@@ -115,9 +113,7 @@ class Rig {
     lastX = p.x;
     lastY = p.y;
   }
-  void lift(platform::Device device = {}, int id = 1) {
-    pointer(platform::PointerKind::Up, lastX, lastY, device, id);
-  }
+  void lift(platform::Device device = {}, int id = 1) { pointer(platform::PointerKind::Up, lastX, lastY, device, id); }
   void drawBar(platform::Device device = {}) {
     press(100, 40, 100, 160, device);
     lift(device);

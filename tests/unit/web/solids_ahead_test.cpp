@@ -104,7 +104,8 @@ TEST_CASE("what is made ahead never holds up what is wanted") {
 TEST_CASE("what is ahead and had to give way is taken up again") {
   Stuck rig;
   rig.answer(rig.lastAsked());
-  for (const char* stroke : {R"({"stroke": [[150, 50], [152, 100], [150, 150]]})", R"({"stroke": [[130, 50], [132, 100], [130, 150]]})"}) {
+  for (const char* stroke :
+       {R"({"stroke": [[150, 50], [152, 100], [150, 150]]})", R"({"stroke": [[130, 50], [132, 100], [130, 150]]})"}) {
     rig.run("draw-spine", stroke);
     rig.settle();
   }

@@ -32,7 +32,8 @@ TEST_CASE("what is stuck together is asked for once, and the answer becomes the 
   CHECK(std::vector<std::uint8_t>(stl.begin(), stl.end()).size() == 84 + 4 * 50);
 }
 
-TEST_CASE("a solid is made again only when it is settled where the ribs of its parts end; the last one stands meanwhile") {
+TEST_CASE(
+    "a solid is made again only when it is settled where the ribs of its parts end; the last one stands meanwhile") {
   Stuck rig;
   rig.answer(rig.lastAsked());
   rig.settle();
@@ -438,7 +439,9 @@ TEST_CASE("a part of a solid shows and hides with it, in one step that is seen; 
   CHECK(*rig.state().number("selection") == 2);
 }
 
-TEST_CASE("what is in hand is what is put together, the first taken first; ticks go before it, and of one in hand the other is meant") {
+TEST_CASE(
+    "what is in hand is what is put together, the first taken first; ticks go before it, and of one in hand the other "
+    "is meant") {
   const auto operands = [](TwoBars& rig) {
     std::vector<double> ids;
     const Json step = rig.step();
@@ -469,7 +472,9 @@ TEST_CASE("what is in hand is what is put together, the first taken first; ticks
   CHECK(rig.step(1).find("operands")->array()->size() == 2);
 }
 
-TEST_CASE("while lines are drawn a click takes a part in hand, with shift one more or one less, and beside them nothing changes") {
+TEST_CASE(
+    "while lines are drawn a click takes a part in hand, with shift one more or one less, and beside them nothing "
+    "changes") {
   TwoBars rig;
   rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
   rig.settle();
@@ -477,7 +482,8 @@ TEST_CASE("while lines are drawn a click takes a part in hand, with shift one mo
     using platform::PointerKind;
     const auto p = rig.at(x, y);
     for (const PointerKind kind : {PointerKind::Down, PointerKind::Up}) {
-      rig.app->pointer({kind, 1, platform::Device::Mouse, 0, kind == PointerKind::Down ? 1 : 0, p.x, p.y, 0.5, rig.host.clockMs, modifiers});
+      rig.app->pointer({kind, 1, platform::Device::Mouse, 0, kind == PointerKind::Down ? 1 : 0, p.x, p.y, 0.5,
+                        rig.host.clockMs, modifiers});
     }
     rig.settle();
     std::vector<double> ids;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/unit/web/rig.h"
-#include "web/app/studio.h"
+#include "web/model/studio.h"
 
 using namespace spineloft;
 using namespace spineloft::test;
@@ -54,7 +54,7 @@ TEST_CASE("a part shows at once, and soon has the mesh and the texture that it i
     CAPTURE(threads);
     Desk desk(threads);
     desk.draw(40, 160);
-    CHECK(desk.shape().decided == pipeline::Decided::ByStroke);
+    CHECK(desk.shape().quality == pipeline::TraceQuality::Single);
     CHECK(desk.shape().mesh.triangles.size() > 1000);
     CHECK_FALSE(isDressed(desk.shape()));
     CHECK(desk.shape().texture == nullptr);

@@ -1,0 +1,66 @@
+// The command table: everything a visitor can do, once. It feeds the panels' buttons, the keyboard,
+// the shell's command bar, the public API and the tests.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "web/edit/command_env.h"
+#include "web/model/json.h"
+#include "web/platform/page.h"
+
+namespace spineloft::app {
+
+/// Why a command did nothing: an Error's name (or NoSuchCommand, NotNow, ArgumentMissing) and a
+/// sentence for the visitor.
+struct Refusal {
+  std::string error, sentence;
+};
+using Outcome = std::optional<Refusal>;  ///< none: it was done
+
+/// What a command can be told.
+struct Argument {
+  std::string_view key;  ///< of the one that a menu offers; empty: a plain button
+  /// Writes the choices of a menu, as objects {value, label, toggled}; null: only programs give it.
+  void (*choices)(const CommandEnv&, JsonWriter&) = nullptr;
+};
+
+struct Command {
+  std::string_view id, label, icon;
+  /// Such as "Shift+Ctrl+Z" (Ctrl means Cmd as well), or several: "Delete, Backspace".
+  std::string_view shortcut;
+  std::string_view group;  ///< file, tool, edit, part, view
+  Argument argument;
+  std::string_view hint;
+  bool (*enabled)(const CommandEnv&) = nullptr;  ///< null: always
+  bool (*toggled)(const CommandEnv&) = nullptr;  ///< null: it is no toggle
+  Outcome (*run)(const CommandEnv&, const Json& args) = nullptr;
+  /// Its keys count only while this holds, and then before those of other commands; `run` is told
+  /// {key, far: with shift}. Null: its keys always count.
+  bool (*when)(const CommandEnv&) = nullptr;
+};
+
+/// In the order of the command bar; ids and shortcuts are unique.
+std::span<const Command> commandTable();
+const Command* findCommand(std::string_view id);
+bool enabled(const Command& command, const CommandEnv& env);
+
+/// Runs a command of the table, if it can run now.
+Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args);
+
+/// The command of a key, or null; without `env` those whose keys only count now and then are left out.
+const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env = nullptr);
+
+/// One choice of a menu, as Argument::choices writes them.
+void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on);
+
+/// The table as the contract's `spl_commands` gives it.
+void writeCommands(const CommandEnv& env, JsonWriter& json);
+
+Outcome refuse(const Failure& failure);
+Outcome outcomeOf(const Status& status);
+
+}  // namespace spineloft::app

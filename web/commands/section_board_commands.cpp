@@ -1,0 +1,535 @@
+// The rows of the command table that are about drawing a section on the board.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "web/commands/command_actions.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/section_json.h"
+#include "web/edit/section_editing.h"
+#include "web/model/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+using loft::Drawing;
+
+Outcome missing(std::string_view what) { return Refusal{"ArgumentMissing", "This needs " + std::string(what) + "."}; }
+
+SectionBoard* boardOf(Env env) { return env.ui.sections.board ? &*env.ui.sections.board : nullptr; }
+bool isOpen(Env env) { return boardOf(env) != nullptr; }
+bool canUndo(Env env) {
+  const SectionBoard* board = boardOf(env);
+  return board && (!board->past.empty() || !board->corners.empty());
+}
+bool canRedo(Env env) { return isOpen(env) && !boardOf(env)->future.empty(); }
+bool hasCurves(Env env) { return isOpen(env) && !boardOf(env)->drawing.empty(); }
+bool hasPoint(Env env) { return isOpen(env) && boardOf(env)->point.has_value(); }
+bool canEdit(Env env) { return !env.studio.document().pictures.empty(); }
+bool leftRight(Env env) { return isOpen(env) && boardOf(env)->symmetry.leftRight; }
+bool frontBack(Env env) { return isOpen(env) && boardOf(env)->symmetry.frontBack; }
+bool traces(Env env) { return isOpen(env) && boardOf(env)->traces; }
+bool cornered(Env env) {
+  if (!hasPoint(env)) return false;
+  const SectionBoard& board = *boardOf(env);
+  const auto [curve, point] = *board.point;
+  return curve < board.drawing.size() && point < board.drawing[curve].points.size() &&
+         board.drawing[curve].points[point].corner;
+}
+
+/// The board shows `next`; the part follows.
+Outcome change(Env env, Drawing next) {
+  changeDrawing(*boardOf(env), std::move(next));
+  previewBoard(env.ui, env.studio.document());
+  if (const auto problem = loft::problemOf(boardOf(env)->drawing)) {
+    sendStatus(env.host, loft::sentenceOf(problem->fault));
+  }
+  return {};
+}
+
+Outcome editSection(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr && args.find("part") != nullptr) return refuse({Error::NoSuchPart, {}});
+  std::size_t stop = part ? pickedSectionKey(env.ui, *part) : 0;
+  if (const std::optional<double> index = args.number("slice"); index && part) {
+    const auto count = static_cast<double>(document::loftIn(*part).loft.sections.size());
+    if (!(*index >= 0 && *index < count)) return refuse({Error::ValueOutOfRange, "slice"});
+    stop = static_cast<std::size_t>(*index);
+  }
+  const loft::SectionShape shape = part ? document::loftIn(*part).loft.sections[stop].shape : env.ui.section;
+  if (part) {
+    env.ui.selection = part->id;
+    env.ui.sections.part = part->id;
+    env.ui.sections.stop = stop;
+  }
+  openBoard(env.ui, {part, stop, args.flag("empty").value_or(!shape.drawn())}, shape);
+  sendStatus(env.host, "Draw the slice as a closed curve. Enter when it is done, Escape to leave.");
+  return {};
+}
+
+Outcome done(Env env, const Json&) {
+  const SectionBoard& board = *boardOf(env);
+  if (board.past.empty()) {  // nothing changed
+    closeBoard(env.ui);
+    return {};
+  }
+  Result<loft::SectionShape> made = loft::sectionOf(board.drawing);
+  if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
+  const loft::SectionShape shape = std::move(made).value();
+  if (const document::Part* part = document::findPart(env.studio.document(), board.part)) {
+    std::vector<loft::SectionKey> stops = document::loftIn(*part).loft.sections;
+    stops[std::min(board.stop, stops.size() - 1)].shape = shape;
+    const Status status = env.studio.act(document::SetSections{part->id, std::move(stops)});
+    if (!status) return refuse(status.failure());
+  }
+  env.ui.section = shape;
+  closeBoard(env.ui);
+  sendStatus(env.host, "The slice is done, and on your shelf.");
+  if (Outcome full = keepOnShelf(env, shape, nullptr)) sendHint(env.host, full->sentence);
+  return {};
+}
+
+Outcome leave(Env env, const Json&) {
+  closeBoard(env.ui);
+  sendStatus(env.host, "The slice is as it was.");
+  return {};
+}
+
+Outcome undo(Env env, const Json&) {
+  undoBoard(*boardOf(env));
+  previewBoard(env.ui, env.studio.document());
+  return {};
+}
+Outcome redo(Env env, const Json&) {
+  redoBoard(*boardOf(env));
+  previewBoard(env.ui, env.studio.document());
+  return {};
+}
+
+Outcome clear(Env env, const Json&) {
+  SectionBoard& board = *boardOf(env);
+  for (const loft::DrawnCurve& curve : board.drawing) {
+    keepTrace(env.ui.sections, loft::outlineOf(curve));
+  }
+  board.corners.clear();
+  board.point.reset();
+  return change(env, {});
+}
+
+/// New curves on the board: {stroke}, {outline}, {corners}, {box: [a, b]} or {ellipse: [a, b]}.
+Outcome draw(Env env, const Json& args) {
+  SectionBoard& board = *boardOf(env);
+  Result<Drawing> curves = Error::SectionInvalid;
+  const auto shape = [&](const loft::DrawnCurve& curve) {
+    if (board.symmetry.none()) return Result<Drawing>(Drawing{curve});
+    return loft::drawOutline(loft::outlineOf(curve), board.symmetry);
+  };
+  const auto corners = pointsFrom(args.find("corners"));
+  const auto box = pointsFrom(args.find("box")), ellipse = pointsFrom(args.find("ellipse"));
+  if (const auto stroke = pointsFrom(args.find("stroke"))) {
+    curves = loft::drawFreehand(*stroke, board.symmetry);
+  } else if (const auto outline = pointsFrom(args.find("outline"))) {
+    curves = loft::drawOutline(*outline, board.symmetry);
+  } else if (corners && corners->size() >= 3) {
+    curves = shape(loft::polygonCurve(*corners));
+  } else if (box && box->size() == 2) {
+    curves = shape(loft::boxCurve((*box)[0], (*box)[1]));
+  } else if (ellipse && ellipse->size() == 2) {
+    curves = shape(loft::ellipseCurve((*ellipse)[0], (*ellipse)[1]));
+  } else {
+    return missing("a stroke, an outline, corners, a box or an ellipse");
+  }
+  if (!curves) {
+    return Refusal{std::string(errorName(curves.error())),
+                   curves.failure().detail.empty() ? failureSentence(curves.failure()) : curves.failure().detail};
+  }
+  board.corners.clear();
+  board.point.reset();
+  for (const loft::DrawnCurve& curve : curves.value()) {
+    if (&curve == &curves.value().front()) keepTrace(env.ui.sections, loft::outlineOf(curve));
+  }
+  return change(env, withCurves(board.drawing, curves.value()));
+}
+
+std::optional<loft::PointRef> pointOf(Env env, const Json& args) {
+  const SectionBoard& board = *boardOf(env);
+  const std::optional<double> curve = args.number("curve"), point = args.number("point");
+  loft::PointRef ref = board.point.value_or(loft::PointRef{board.drawing.size(), 0});
+  if (curve && point) {
+    if (!(*curve >= 0 && *point >= 0 && *curve < 1e6 && *point < 1e6)) return std::nullopt;
+    ref = {static_cast<std::size_t>(*curve), static_cast<std::size_t>(*point)};
+  }
+  const bool there = ref.curve < board.drawing.size() && ref.point < board.drawing[ref.curve].points.size();
+  return there ? std::optional(ref) : std::nullopt;
+}
+Outcome noPoint() { return Refusal{"NoSuchPoint", "There is no such point. Tap one first."}; }
+
+/// Where `args.to` (or another key) is; none when it is no point of the plane.
+std::optional<SectionPoint> placeOf(const Json& args, std::string_view key = "to") {
+  const Json::Array wrapped{args.find(key) ? *args.find(key) : Json()};
+  const Json list(wrapped);
+  const auto to = pointsFrom(&list);
+  if (!to || to->empty() || !isFinite(to->front())) return std::nullopt;
+  const auto within = [](double v) { return std::clamp(v, -2.0, 2.0); };
+  return SectionPoint{within(to->front().x), within(to->front().y)};
+}
+
+Outcome movePoint(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  const auto to = placeOf(args);
+  if (!ref) return noPoint();
+  if (!to) return missing("a place [x, y]");
+  SectionBoard& board = *boardOf(env);
+  Drawing next = board.drawing;
+  loft::movePoint(next, *ref, *to, board.symmetry);
+  board.point = ref;
+  return change(env, std::move(next));
+}
+
+Outcome addPoint(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  const auto to = placeOf(args);
+  if (!ref) return noPoint();
+  if (!to) return missing("a place [x, y]");
+  SectionBoard& board = *boardOf(env);
+  Drawing next = board.drawing;
+  const loft::PointRef added = loft::addPoint(next, *ref, placeOf(args, "from").value_or(*to), board.symmetry);
+  if (args.find("from") != nullptr) loft::movePoint(next, added, *to, board.symmetry);
+  Outcome outcome = change(env, std::move(next));
+  board.point = added;
+  return outcome;
+}
+
+Outcome removePoint(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  if (!ref) return noPoint();
+  SectionBoard& board = *boardOf(env);
+  Drawing next = board.drawing;
+  loft::removePoint(next, *ref, board.symmetry);
+  board.point.reset();
+  return change(env, std::move(next));
+}
+
+Outcome setCorner(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  if (!ref) return noPoint();
+  SectionBoard& board = *boardOf(env);
+  Drawing next = board.drawing;
+  const bool corner = !next[ref->curve].points[ref->point].corner;
+  loft::setCorner(next, *ref, args.flag("corner").value_or(corner), board.symmetry);
+  return change(env, std::move(next));
+}
+
+Outcome useTool(Env env, const Json& args) {
+  const std::string* key = args.text("tool");
+  const std::optional<BoardTool> tool = key ? boardToolFromKey(*key) : std::nullopt;
+  if (!tool) return missing("a tool: pen, line, box, ellipse or points");
+  SectionBoard& board = *boardOf(env);
+  board.tool = *tool;
+  board.corners.clear();
+  if (*tool != BoardTool::Points) board.point.reset();
+  return {};
+}
+
+void toolChoices(Env env, JsonWriter& json) {
+  constexpr std::array<std::string_view, 5> kLabels = {"Pen", "Straight lines", "Box", "Ellipse", "Points"};
+  for (std::size_t i = 0; i < kLabels.size(); ++i) {
+    const auto tool = static_cast<BoardTool>(i);
+    json.beginObject().key("value").text(boardToolKey(tool)).key("label").text(kLabels[i]);
+    json.key("toggled").flag(isOpen(env) && boardOf(env)->tool == tool).endObject();
+  }
+}
+
+constexpr std::array kFolds = {1, 3, 4, 5, 6, 7, 8};
+
+/// Each press of the wheel takes the next number.
+int foldAfter(int fold) {
+  const auto now = std::ranges::find(kFolds, fold);
+  const bool last = now == kFolds.end() || now + 1 == kFolds.end();
+  return last ? kFolds.front() : *(now + 1);
+}
+bool likeAWheel(Env env) { return isOpen(env) && boardOf(env)->symmetry.fold > 1; }
+
+Outcome setSymmetry(Env env, const Json& args) {
+  SectionBoard& board = *boardOf(env);
+  loft::Symmetry next = board.symmetry;
+  next.leftRight = args.flag("leftRight").value_or(next.leftRight);
+  next.frontBack = args.flag("frontBack").value_or(next.frontBack);
+  const auto stated = args.number("fold");
+  const bool sides = args.flag("leftRight") || args.flag("frontBack");
+  const double fold = stated ? *stated : sides ? next.fold : foldAfter(next.fold);
+  if (!(fold >= 1 && fold <= loft::kMostFold)) return refuse({Error::ValueOutOfRange, "fold"});
+  next.fold = static_cast<int>(fold);
+  board.symmetry = next;
+  board.point.reset();
+  if (board.drawing.empty()) return {};
+  return change(env, loft::symmetric(board.drawing, next));
+}
+Outcome toggleLeftRight(Env env, const Json&) { return setSymmetry(env, Json::Object{{"leftRight", !leftRight(env)}}); }
+Outcome toggleFrontBack(Env env, const Json&) { return setSymmetry(env, Json::Object{{"frontBack", !frontBack(env)}}); }
+void foldChoices(Env env, JsonWriter& json) {
+  for (const int fold : kFolds) {
+    json.beginObject().key("value").number(fold).key("label");
+    json.text(fold == 1 ? std::string("No wheel") : "Wheel of " + std::to_string(fold));
+    json.key("toggled").flag(isOpen(env) && boardOf(env)->symmetry.fold == fold).endObject();
+  }
+}
+
+Outcome turn(Env env, loft::Turn how) { return change(env, loft::turned(boardOf(env)->drawing, how)); }
+Outcome flipLeftRight(Env env, const Json&) { return turn(env, loft::Turn::FlipLeftRight); }
+Outcome flipFrontBack(Env env, const Json&) { return turn(env, loft::Turn::FlipFrontBack); }
+Outcome quarterTurn(Env env, const Json&) { return turn(env, loft::Turn::QuarterTurn); }
+
+Outcome toggleTraces(Env env, const Json&) {
+  boardOf(env)->traces = !boardOf(env)->traces;
+  return {};
+}
+
+/// The board holds a preset, a section of the shelf or a trace from now on.
+Outcome startFrom(Env env, const Json& args) {
+  SectionBoard& board = *boardOf(env);
+  Result<Drawing> drawing = Error::SectionInvalid;
+  if (const std::optional<double> trace = args.number("trace")) {
+    const auto& lines = env.ui.sections.traces;
+    if (!(*trace >= 0 && *trace < static_cast<double>(lines.size()))) {
+      return refuse({Error::ValueOutOfRange, "trace"});
+    }
+    drawing = loft::drawOutline(lines[static_cast<std::size_t>(*trace)], {});
+  } else {
+    Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+    if (!shape) return refuse(shape.failure());
+    if (!shape.value()) return missing("the name of a slice");
+    drawing = loft::drawingOf(*shape.value());
+  }
+  if (!drawing) return refuse(drawing.failure());
+  board.corners.clear();
+  board.point.reset();
+  board.tool = BoardTool::Points;
+  return change(env, loft::symmetric(drawing.value(), board.symmetry));
+}
+void startChoices(Env, JsonWriter& json) {
+  for (const loft::SectionName& name : loft::sectionNames()) {
+    json.beginObject().key("value").text(name.key).key("label").text(name.label).endObject();
+  }
+}
+
+constexpr std::array kTable = {
+    Command{"edit-slice",
+            "Draw a slice",
+            "square-pen",
+            "",
+            "slice",
+            {},
+            "Draw a slice of your own, or change the chosen one",
+            canEdit,
+            isOpen,
+            editSection},
+    Command{"slice-done", "Done", "check", "", "board", {}, "Use the drawn slice (Enter)", isOpen, nullptr, done},
+    Command{"slice-cancel",
+            "Leave without changing",
+            "x",
+            "",
+            "board",
+            {},
+            "Everything stays as it was (Escape)",
+            isOpen,
+            nullptr,
+            leave},
+    Command{"slice-undo",
+            "Take back",
+            "undo-2",
+            "",
+            "board",
+            {},
+            "Take the last change of the drawing back (Ctrl+Z)",
+            canUndo,
+            nullptr,
+            undo},
+    Command{"slice-redo",
+            "Once more",
+            "redo-2",
+            "",
+            "board",
+            {},
+            "Do what was taken back again (Ctrl+Y)",
+            canRedo,
+            nullptr,
+            redo},
+    Command{"slice-tool",
+            "Drawing with",
+            "pencil",
+            "",
+            "board",
+            {"tool", toolChoices},
+            "Pen, straight lines, box, ellipse or points",
+            isOpen,
+            nullptr,
+            useTool},
+    Command{"slice-left-right",
+            "Left like right",
+            "flip-vertical-2",
+            "",
+            "board",
+            {},
+            "Both sides are the same",
+            isOpen,
+            leftRight,
+            toggleLeftRight},
+    Command{"slice-front-back",
+            "Front like back",
+            "flip-horizontal-2",
+            "",
+            "board",
+            {},
+            "Front and back are the same",
+            isOpen,
+            frontBack,
+            toggleFrontBack},
+    Command{"slice-symmetry",
+            "Like a wheel",
+            "flower",
+            "",
+            "board",
+            {"fold", foldChoices},
+            "The drawing repeats itself round the middle",
+            isOpen,
+            likeAWheel,
+            setSymmetry},
+    Command{"slice-flip",
+            "Flip left and right",
+            "move-horizontal",
+            "",
+            "board",
+            {},
+            "Left becomes right",
+            hasCurves,
+            nullptr,
+            flipLeftRight},
+    Command{"slice-flip-front",
+            "Flip front and back",
+            "refresh-cw",
+            "",
+            "board",
+            {},
+            "Front becomes back",
+            hasCurves,
+            nullptr,
+            flipFrontBack},
+    Command{"slice-turn",
+            "Quarter turn",
+            "rotate-ccw",
+            "",
+            "board",
+            {},
+            "Turn the drawing by a quarter",
+            hasCurves,
+            nullptr,
+            quarterTurn},
+    Command{"slice-corner",
+            "Corner or round",
+            "diamond",
+            "",
+            "board",
+            {},
+            "The touched point becomes a corner, or round",
+            hasPoint,
+            cornered,
+            setCorner},
+    Command{"slice-remove-point",
+            "Remove point",
+            "minus",
+            "",
+            "board",
+            {},
+            "Take the touched point away (Delete)",
+            hasPoint,
+            nullptr,
+            removePoint},
+    Command{
+        "slice-clear", "Empty the board", "eraser", "", "board", {}, "Start with nothing", hasCurves, nullptr, clear},
+    Command{"slice-traces",
+            "Earlier lines",
+            "history",
+            "",
+            "board",
+            {},
+            "Show what was drawn before, to trace it",
+            isOpen,
+            traces,
+            toggleTraces},
+    Command{"slice-start-from",
+            "Start from",
+            "shapes",
+            "",
+            "board",
+            {"section", startChoices},
+            "Begin with one of the slices",
+            isOpen,
+            nullptr,
+            startFrom},
+    Command{"slice-draw",
+            "Draw by numbers",
+            "pencil",
+            "",
+            "board",
+            {"stroke"},
+            "A line, box or ellipse on the board",
+            isOpen,
+            nullptr,
+            draw},
+    Command{"slice-move-point",
+            "Move a point",
+            "mouse-pointer-2",
+            "",
+            "board",
+            {"to"},
+            "Move a point of the drawing",
+            hasCurves,
+            nullptr,
+            movePoint},
+    Command{"slice-add-point",
+            "Add a point",
+            "plus",
+            "",
+            "board",
+            {"to"},
+            "Add a point after another one",
+            hasCurves,
+            nullptr,
+            addPoint},
+};
+
+}  // namespace
+
+Status undoOnBoard(const CommandEnv& env) {
+  if (!canUndo(env)) return Error::NothingToUndo;
+  undo(env, {});
+  return Done{};
+}
+
+Status redoOnBoard(const CommandEnv& env) {
+  if (!canRedo(env)) return Error::NothingToRedo;
+  redo(env, {});
+  return Done{};
+}
+
+bool canUndoOnBoard(const CommandEnv& env) { return canUndo(env); }
+bool canRedoOnBoard(const CommandEnv& env) { return canRedo(env); }
+
+const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event) {
+  if (!isOpen(env)) return nullptr;
+  const bool control = (event.modifiers & (platform::kControl | platform::kMeta)) != 0;
+  const bool shift = (event.modifiers & platform::kShift) != 0;
+  if (control && (event.key == "z" || event.key == "Z")) return shift ? "slice-redo" : "slice-undo";
+  if (control && (event.key == "y" || event.key == "Y")) return "slice-redo";
+  if (control) return nullptr;
+  if (event.key == "Enter") return "slice-done";
+  if (event.key == "Escape") return "slice-cancel";
+  if (event.key == "Delete" || event.key == "Backspace") return "slice-remove-point";
+  return nullptr;
+}
+
+std::span<const Command> sectionBoardCommands() { return kTable; }
+
+}  // namespace spineloft::app
