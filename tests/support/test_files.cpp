@@ -28,7 +28,9 @@ std::optional<std::filesystem::path> dataFolder() {
   return std::nullopt;
 }
 
-std::vector<std::uint8_t> testFile(const std::string& path) { return bytesOf(kTests / path); }
+std::filesystem::path testPath(const std::string& path) { return kTests / path; }
+
+std::vector<std::uint8_t> testFile(const std::string& path) { return bytesOf(testPath(path)); }
 
 std::vector<std::pair<std::string, std::vector<std::uint8_t>>> testFiles(const std::string& folder) {
   std::vector<std::string> names;

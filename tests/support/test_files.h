@@ -15,6 +15,9 @@ std::vector<std::uint8_t> bytesOf(const std::filesystem::path& path);
 /// The folder with real cases that $SPINELOFT_DATA names; none: a message says that the test is skipped.
 std::optional<std::filesystem::path> dataFolder();
 
+/// Where `tests/PATH` is.
+std::filesystem::path testPath(const std::string& path);
+
 /// The bytes of `tests/PATH`; a test fails when there is no such file.
 std::vector<std::uint8_t> testFile(const std::string& path);
 
