@@ -60,7 +60,7 @@ struct LoftParams {
   /// How the section changes along the spine, places in shares of its length.
   geometry::AlongCurve twist;   ///< turns about the spine, radians, ±kMostTwist; without points 0
   geometry::AlongCurve squash;  ///< depth over width, kLeastSquash…kMostSquash; without points 1
-  geometry::AlongCurve tilt;    ///< leans about the rib, radians, ±kMostTilt; without points 0
+  geometry::AlongCurve tilt;    ///< shear along the spine: angle about the rib, radians, ±kMostTilt; without points 0
   geometry::AlongCurve bulge;   ///< front over back, −1 (flat front) … 1 (flat back); without points 0
   CapStyle startCap = CapStyle::Round, endCap = CapStyle::Round;
   int sectionPoints = 48;  ///< vertices around, 12…512
@@ -72,13 +72,11 @@ struct LoftParams {
 /// Sections, curves and numbers in range. Errors: SectionInvalid, ValueOutOfRange.
 Status checkParams(const LoftParams& params);
 
-/// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in
-/// the plane z = 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen
-/// from the front the outline passes through every rib end, but for those beyond a flat or open end. UV = picture
-/// coordinates
-/// ((x + ½) / width, (y + ½) / height), clamped; of the back those of a place up to a tenth of the half width further
-/// in, beside the outline. The colours there are for surface/part_texture.h, which keeps those of the background off
-/// the rim.
+/// A closed, 2-manifold, outward mesh in ModelSpace (picture pixels, y up, z to the viewer, spine in the plane z =
+/// 0), for any ribs: crossing, zero-width or coincident ribs are repaired locally. Seen from the front the outline
+/// passes through every rib end, except those beyond a flat or open end. UV are picture coordinates ((x + ½) / width,
+/// (y + ½) / height), clamped. Beside the outline the back uses UV of a place up to a tenth of the half width farther
+/// in. The colours there are the concern of surface/part_texture.h, which keeps the background off the rim.
 ///
 /// Depth: a section reaches as far to the viewer as half the part's true width, measured square to
 /// its smoothed centre line, so a slanted rib across a round bar gives the slanted cut of a round bar.
@@ -95,15 +93,15 @@ Status checkParams(const LoftParams& params);
 /// with holes end flat whatever the caps, and so do open ends of sections that no point sees whole.
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params);
 
-/// The same in a pose: ribs are repaired where they were traced, then every section is carried by the
-/// frames of the spine, and wears the picture it was traced on. A closed spine makes a ring without
-/// caps: sizes and curves meet halfway near the seam, and twist is rounded to full turns.
+/// The same in a pose: ribs are repaired where they were traced; then every section is carried by the frames of the
+/// spine and keeps the UV of the place where it was traced. A closed spine makes a ring without caps: sizes and
+/// curves meet halfway near the seam, and twist is rounded to full turns.
 Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params,
                                const PosedSpine& spine);
 
-/// The same for frame after frame: in place of what `mesh` held, without asking for memory once `memory` and `mesh`
-/// have seen parts as large, where one section stands along the spine at rest and no end is
-/// open. After a failure `mesh` is of no use.
+/// The same for repeated calls: replaces what `mesh` held. Allocates nothing once `memory` and `mesh` have seen parts
+/// as large, where one section stands along the spine at rest and no end is open. After a failure `mesh` is of no
+/// use.
 struct Source {
   const ribs::RibSet& ribs;
   image::Size picture;

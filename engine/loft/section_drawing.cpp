@@ -19,7 +19,7 @@ constexpr std::size_t kMostSamples = 1200;
 constexpr double kTail = 0.35;       ///< share of a stroke at either end that may run past the other
 constexpr double kClosedGap = 0.12;  ///< ends nearer than this share of the length are joined
 constexpr double kFarthest = 100;    ///< section units; strokes beyond it are a mistake
-/// The hand trembles by a hundredth or two over some four hundredths of the square.
+/// Tremor of a drawn line: an amplitude of one or two hundredths of the square, over some four hundredths.
 constexpr FitParams kFreehand{kFitTolerance, 0.09, 0.9, 16};
 constexpr FitParams kExact{0.004, 0.05, 0.45, 0};
 

@@ -60,8 +60,8 @@ std::vector<SectionPoint> outlineOf(const DrawnCurve& curve);
 std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i);
 
 /// A freehand line as closed curves: ends that run past each other are cut off where they cross,
-/// others are joined; the hand's tremble is smoothed, corners stay. With a symmetry the longest
-/// stretch between two mirrors (or of one turn) is drawn and the rest are its images, as one curve
+/// others are joined; tremor is smoothed, corners stay. With a symmetry the longest stretch between two mirrors (or
+/// of one turn) is drawn and the rest are its images, as one curve
 /// or as several. Curves may still cross themselves or each other (see problemOf). Errors:
 /// SectionInvalid (fewer than 3 distinct points, no area), StrokeNotFinite.
 Result<Drawing> drawFreehand(std::span<const SectionPoint> stroke, const Symmetry& symmetry);

@@ -15,7 +15,7 @@ struct Stop {
   double beyond(PicturePoint p) const { return dot(p - at, along); }
 };
 
-/// The direction is taken over a quarter of the part's `width`: the last few points alone tremble with the hand.
+/// The direction is taken over a quarter of the part's `width`: the last few points alone are too noisy.
 template <class Ribs>
 std::optional<Stop> sectionKeyOf(const Ribs& inwards, double width) {
   const ribs::Rib* last = nullptr;

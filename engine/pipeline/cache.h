@@ -61,10 +61,10 @@ class Cache {
   /// By ignoredKey. Null when not (or no longer) known.
   std::shared_ptr<const ribs::IgnoredEdges> ignored(std::uint64_t key) { return ignored_.find(key); }
   void keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
-  /// By traceKey: those on which hands agreed. Null when not (or no longer) known.
+  /// By traceKey: ribs of quality Ensemble. Null when not (or no longer) known.
   std::shared_ptr<const TracedRibs> traced(std::uint64_t key) { return traced_.find(key); }
-  /// The same, or else those of the stroke by itself, which are kept apart: a stroke being drawn does not push out
-  /// the parts of the document.
+  /// The same, or else those of quality Single, which are kept apart: a stroke being drawn must not evict the parts
+  /// of the document.
   std::shared_ptr<const TracedRibs> tracedSoFar(std::uint64_t key);
   void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.

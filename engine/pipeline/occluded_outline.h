@@ -1,5 +1,5 @@
-// Where something may come in over a part: stretches of its outline at which its ribs do not tell it from what
-// stands before it.
+// Stretches of the outline of a part that may be hidden by an occluder: the ribs there do not separate the part from
+// what stands before it.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,20 @@ inline PicturePoint toUv(PicturePoint p, image::Size picture) {
   return {(p.x + 0.5) / picture.width, (p.y + 0.5) / picture.height};
 }
 
-/// Whether a rib end stands on an outline, or where a hand put it.
+/// Whether a rib end is on an outline, or was placed by the person.
 inline bool isSeen(ribs::RibState state) {
   return state != ribs::RibState::Bridged && state != ribs::RibState::Guessed;
 }
 
-/// So many ribs at each end of a part may reach beyond it: nothing tells an outline from any edge further on.
+/// Ribs at each end of a part that may reach beyond it: there the outline cannot be told from another edge farther
+/// out.
 inline std::size_t doubtfulEnds(std::size_t ribs) {
   constexpr double kShare = 0.08;
   return static_cast<std::size_t>(kShare * static_cast<double>(ribs)) + 1;
 }
 
-/// Ribs beside one that is not seen which are not believed either: what hides an outline begins a little before it.
+/// Ribs beside a hidden one that are not trusted either: an occluder starts a little before the stretch that it
+/// hides.
 inline constexpr std::size_t kBeside = 4;
 
 /// One flag a rib.
@@ -41,9 +43,8 @@ struct PassedEnds {
 /// edge may be its own. Samples of at most 64 ribs are compared with each other.
 PassedEnds passedEnds(const ribs::RibSet& set, const image::Picture& picture);
 
-/// The longest stretches of ribs in a row, but for a few between them, that stand on no outline on one side, or that
-/// something passes over there; not at the ends of the part. At most two. Whether it comes in is for
-/// surface::intruder to say.
+/// The longest runs of ribs, with a few exceptions inside, that are on no outline on one side or are passed over by
+/// something. Not at the ends of the part; at most two. surface::occluderMask decides whether an occluder is there.
 std::vector<surface::OccludedOutline> occludedStretches(const ribs::RibSet& set, const image::Picture& picture);
 
 }  // namespace spineloft::pipeline

@@ -33,8 +33,8 @@ struct StageMs {
   bool operator==(const StageMs&) const = default;
 };
 
-/// Who decided on ribs: a stroke under the pen (live_trace.h), near to what it finds once it rests; the stroke by
-/// itself; or perturbed strokes as well (consensus.h), which is what counts.
+/// Where ribs come from: a live trace under the pen (live_trace.h), the stroke alone, or the ensemble (ensemble.h),
+/// which is final.
 enum class TraceQuality : std::uint8_t { Live, Single, Ensemble };
 
 /// What a stroke finds in its picture, before anything is done to it by hand.
@@ -56,8 +56,8 @@ struct PartShape {
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
-  /// `key` once its texture was looked for. Before that 0, or that of the earlier shape of the part whose
-  /// texture it wears meanwhile.
+  /// Equals `key` once its texture is known. Before that 0, or the key of the earlier shape of the part whose texture
+  /// is shown in the meantime.
   std::uint64_t textureKey = 0;
   TraceQuality quality = TraceQuality::Ensemble;  ///< of its ribs; what has none is as final
   std::uint64_t key = 0;                          ///< shapeKey of what it was made from; equal keys, equal shapes
@@ -83,8 +83,8 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges, std::span<c
 Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
                               const Progress& progress, ribs::RibWorkspace& memory);
 
-/// The same by the stroke itself, in a seventh of the time: cleanSpine → traceRibs. Without edges there is nothing to
-/// ask others about, and the result is what traceStage gives.
+/// The same from the stroke alone, in a seventh of the time: cleanSpine → traceRibs. Without edges the result equals
+/// that of traceStage.
 Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
                                ribs::RibWorkspace& memory);
 

@@ -1,4 +1,4 @@
-// The picture as a part wears it.
+// The texture of a part.
 #pragma once
 
 #include <array>

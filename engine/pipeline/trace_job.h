@@ -1,4 +1,4 @@
-// The ribs of a part, perturbed strokes asked, made in steps while a page shows what its stroke found by itself.
+// The ensemble of a part, computed in steps while the page shows the ribs of the stroke alone.
 #pragma once
 
 #include <cstdint>

@@ -41,14 +41,14 @@ struct Options {
 
 /// All visible parts as one file.
 /// All stand on the ground, centred, as tall as Document::height.
-/// - GLB: metres, y up, +z to the viewer; one node a part, one texture for all that wear a picture or two
-///   colours (dressing.h). The whole editable document is inside: io::readProject gives it back.
+/// - GLB: metres, y up, +z to the viewer; one node a part, one texture for all parts with a picture or two colours
+///   (texture_assignment.h). The whole editable document is inside: io::readProject gives it back.
 /// - Project: the same bytes; with nothing to show, or a part that cannot be shown, it is written all
 ///   the same.
 /// - STL: millimetres, z up.
 /// - 3MF: millimetres, z up, in the positive octant, with colours and texture.
 /// - OBJ: millimetres, y up, one object a part; ObjZip: the same with materials and texture.
-/// Pictures are encoded anew: nothing that a photo's file said besides its pixels is in any of them.
+/// Pictures are encoded anew: the metadata of a photo is in none of them.
 /// Errors: NothingToExport (not for Project), MeshInvalid (not for Project), Cancelled, OutOfMemory.
 Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived, Format format,
                       const Progress& progress, const Options& options = {});

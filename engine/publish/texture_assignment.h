@@ -1,4 +1,4 @@
-// What the parts of a model wear in a file: one texture for all of them, or plain materials.
+// The materials of a model in a file: one texture for all parts, or plain materials.
 #pragma once
 
 #include <deque>

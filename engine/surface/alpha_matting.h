@@ -1,5 +1,5 @@
-// Rims into which the ground is mixed: soft ones, as of fur, hair and what is out of focus, out of which it is taken,
-// and crisp ones, as deep as a lens, a file or an outline a little off mixes it in.
+// Alpha matting of the rim of a part. Soft rims (fur, hair, defocus): the background is removed from the mixed
+// colours. Crisp rims: pixels mixed by the lens, the file or an inexact outline are marked.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// Colours of a thing, without those of what is around it: kept well inside its outline and carried
-// from there over the rim and beyond.
+// Edge padding: the colours from well inside an outline, extended over the rim and beyond, without those of the
+// background.
 #pragma once
 
 #include <array>
@@ -17,16 +17,15 @@ namespace spineloft::surface {
 double rimMargin(int longSide);
 
 /// The part of `mask` (255 inside) that is more than `margin` pixels (0…64) from every pixel
-/// outside. Same size. Beyond the mask's border nothing counts as outside: a picture cuts things
-/// off there.
+/// outside. Same size. The border of the mask does not count as outside: the frame of a picture cuts objects off.
 image::Mask inset(const image::Mask& mask, double margin);
 
 /// 255 where `mask` is 0, and the other way round.
 image::Mask opposite(image::Mask mask);
 
 /// The part of `covered` (255 inside) whose pixels are trusted: at least `margin` pixels (≥ 0, at
-/// most 64) from the nearest pixel outside, or half as far as the thing is wide there where it is
-/// too thin for that, so that no piece of it loses all of its colours. As inset otherwise.
+/// most 64) from the nearest pixel outside. Where the object is too thin for that, half as far as it is wide, so that
+/// every piece keeps some of its colours. As inset otherwise.
 image::Mask trusted(const image::Mask& covered, double margin);
 
 /// Mean distance of the pixels inside from the nearest one outside, pixels, each counted as at most

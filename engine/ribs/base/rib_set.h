@@ -49,7 +49,7 @@ struct Rib {
 struct IgnoreMark {
   std::vector<PicturePoint> stroke;  ///< ≥ 1 point
   double radius = 8;                 ///< 0.5…500
-  bool covers = false;               ///< what is under it is another thing, whose colours no part wears
+  bool covers = false;               ///< an occluder is under it, whose colours are on no part
   bool operator==(const IgnoreMark&) const = default;
 };
 inline constexpr std::size_t kMostIgnoreMarks = 500;

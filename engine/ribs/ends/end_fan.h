@@ -1,5 +1,4 @@
-// Where the object ends beyond the stroke: the outline of a cap (method: caps overshoot at open ends
-// and spike at closed ones unless their length has a prior of its own).
+// The end of the object beyond the stroke: the outline of a cap (method: "Caps").
 #pragma once
 
 #include <cstdint>
@@ -24,7 +23,7 @@ enum class EndShape : std::uint8_t {
 /// to it. References must outlive the call.
 struct EndSite {
   const GradientCurves& curves;
-  const std::vector<float>& costs;  ///< of every curve and level: what the evidence says
+  const std::vector<float>& costs;  ///< of every curve and level, from the evidence
   bool atStart = false;
   /// How many of the outermost ribs of a side belong to the end; ≥ 0, less than the ribs there are.
   int freeLeft = 0, freeRight = 0;

@@ -16,9 +16,8 @@ std::vector<PicturePoint> outlineOf(const RibSet& part);
 /// pairs meet.
 std::vector<float> lengthsWithin(const std::vector<PicturePoint>& outline, const GradientCurves& curves);
 
-/// Lengths of curves (picture pixels, of every curve, which go round the part in their order) where those of the fans
-/// are medians of five neighbours: where opinions on an end are divided, single curves are decided otherwise than those
-/// beside them. Lengths of ribs stay.
+/// Replaces the lengths of the fans' curves (picture pixels, curves in order round the part) by medians of five
+/// neighbours: where the ensemble is divided about an end, single curves would stand out. Lengths of ribs stay.
 std::vector<float> withoutSpikes(const std::vector<float>& lengths, const CurveLayout& layout);
 
 }  // namespace spineloft::ribs

@@ -1,5 +1,5 @@
-// Which ends of a side stand on as strong an edge as those near by: an outline that is gone leaves a halo,
-// a shading or another thing's faint edge, and an end on one of these is worth less than one on the outline.
+// How strong the edge under every end of a side is, compared with those near by. Where the outline is missing, a
+// halo, shading or a neighbour's faint edge is left, and an end there is worth less than one on the outline.
 #pragma once
 
 #include <array>

@@ -29,9 +29,8 @@ struct UnwrappedImage {
   std::vector<float> proximity;  ///< nearness to a Canny edge, 0…1
   /// CIE Lab and an unused fourth value, interleaved.
   std::vector<std::array<float, 4>> lab;
-  /// 1 where a person said that the picture is not to count, else 0; empty: nowhere. There nothing
-  /// is near an edge, nothing contrasts, colours are neither learned nor foreign, and nothing
-  /// enters what others are measured against.
+  /// 1 where the person marked the picture as ignored, else 0; empty: nowhere. Ignored entries are near no edge, have
+  /// no contrast, are left out of the colours, and do not enter any normalisation.
   std::vector<std::uint8_t> ignored;
   UnwrapScratch scratch;
   bool isIgnored(std::size_t at) const { return !ignored.empty() && ignored[at] != 0; }
@@ -91,12 +90,12 @@ struct KnownReach {
   std::vector<float> outside;
 };
 
-/// How foreign every colour of the strip is to the object: log(share around it / share in it), ± 2,
-/// from smoothed Lab histograms. The object's is mixed of what is known of all of it and of the
-/// stretch (an eighth of the spine) that the curve belongs to, which counts 30 %, or half where it is
-/// known where the object ends. There the share around it is that up to three and a half times as far, mostly of the
-/// stretch; where not, it is that of the whole strip, and the novelty is multiplied by how far the two distributions
-/// are apart at all, so that ink on paper, where both are paper, says nothing.
+/// The log-odds of every colour of the unwrapped image: log(share around the object / share in it), within ± 2, from
+/// smoothed Lab histograms. The object's histogram mixes that of the whole known object with that of the stretch (an
+/// eighth of the spine) that the curve belongs to: 30 %, or 50 % where it is known where the object ends. In the
+/// latter case the surroundings are sampled up to three and a half times as far, mostly of the stretch. Otherwise the
+/// share of the whole unwrapped image is used, and the log-odds are multiplied by the distance of the two
+/// distributions, so that ink on paper, where both are paper, gives 0.
 void spineLogOdds(const GradientCurves& curves, const UnwrappedImage& strip, const KnownReach& known,
                   ColourTables& colours, std::vector<float>& logOdds);
 

@@ -9,11 +9,11 @@ namespace spineloft::ribs {
 /// The middle of the pen line on or beside which the place `along` of a curve lies; `along` itself
 /// where there is no such line. Both are arc lengths from the spine, picture pixels.
 ///
-/// A pen line is a narrow stretch of one colour between two stretches of another that look the same,
-/// as paper does on both sides of ink: an edge between an object and what is behind it is none. It is
-/// at most about a hundredth of the map's longer side broad, and narrow against `along`: broader ink
-/// belongs to the thing. What the two edges of a line say counts once that way, and its breadth does
-/// not make a drawn thing fatter. `edges` is not empty; the curve has its point `along`.
+/// A pen line is a narrow stretch of one colour between two stretches of another that are alike, as paper is on both
+/// sides of ink; the edge between an object and its background is no such line. It is at most about a hundredth of
+/// the longer side of the map broad, and narrow against `along`; broader ink belongs to the object. The two edges of
+/// a line thus count once, and its breadth does not widen the object. `edges` is not empty; the curve has its point
+/// `along`.
 double middleOfLine(const GradientCurves& curves, const image::EdgeMap& edges, int curve, double along);
 
 }  // namespace spineloft::ribs

@@ -1,6 +1,6 @@
-// SpineLoft's Algorithm 1 (sampled and greedy), as the rival of the exact optimum in tests and
-// in the ablation of the benchmark; nothing else calls it. As printed it accepts no candidate at all; this is the
-// workable reading of the method notes: a rib joins when it *adds* less than 1 to the penalty of the set.
+// SpineLoft's Algorithm 1 (sampled and greedy), as the rival of the exact optimum in tests and in the ablation of the
+// benchmark; nothing else calls it. As printed it accepts no candidate. In the readable version a rib joins when it
+// *adds* less than 1 to the penalty of the set (method: "Rib lengths").
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The last touch on rib lengths: from labels to a fair line through the ends that are sure of their
-// place (method: "Second-order smoothness").
+// Final smoothing of rib lengths: from labels to a fair line through the ends that are reliable (method:
+// "Second-order smoothness").
 #pragma once
 
 #include <span>

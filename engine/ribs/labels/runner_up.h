@@ -1,4 +1,4 @@
-// How sure an end is of its label, and where else it might stand: read from the min-marginals.
+// Confidence of an end in its label, and its next-best labels: read from the min-marginals.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ struct RunnerUpRow {
   float unit = 1;  ///< weight of one rib's energy against that of one of a hundred
 };
 
-/// 1 − exp(−margin), where the margin is how much more the best label costs that is another place,
-/// not the same one next door.
+/// 1 − exp(−margin). The margin is the additional cost of the best label at another place; labels next to the chosen
+/// one are the same place.
 double confidenceOf(const RunnerUpRow& row);
 
 /// A place with an edge, and the least energy through it.
@@ -25,9 +25,8 @@ struct RunnerUp {
   float marginal = 0;
 };
 
-/// The labels of the next-best places, best first, at most three: where the curve passes an edge and
-/// the chain through it costs no hopeless amount more; apart from each other and from the chosen one.
-/// `memory` is reused.
+/// The labels of the next-best places, best first, at most three: on an edge, within a bounded cost, apart from each
+/// other and from the chosen label. `memory` is reused.
 std::span<const RunnerUp> findRunnersUp(const RunnerUpRow& row, std::vector<RunnerUp>& memory);
 
 }  // namespace spineloft::ribs

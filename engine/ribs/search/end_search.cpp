@@ -50,7 +50,7 @@ struct End {
             .edges = s.edges};
   }
 
-  // What the evidence says of the ends of the outermost ribs.
+  // The costs of the ends of the outermost ribs.
   double costOf(int count, bool leftSide) const {
     const std::vector<int>& labels = leftSide ? s.labels.left : s.labels.right;
     double cost = 0;

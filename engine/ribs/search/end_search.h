@@ -6,12 +6,11 @@
 
 namespace spineloft::ribs {
 
-/// Where the part ends beyond the stroke's start or end: the fan of that end. Near the end of a wide part the
-/// last ribs run round it, and neighbours and the width so far may have held them beyond it. So the end
-/// is looked for twice, from the last ribs as they are, and with all ribs that reach beyond the stroke
-/// free to find it too; where that explains the picture better and the part goes no farther, these ribs
-/// of `set` are moved to it. The fan is that of `set`; what it was taken for is returned. O((ribs moved + fan) ·
-/// levels).
+/// Finds the end of the part beyond the start or end of the stroke, fills the fan of that end in `set`, and returns
+/// the shape. Near the end of a wide part the last ribs bend round it, and neighbour and opposite costs may have held
+/// them beyond it. The end is therefore searched twice: from the last ribs as they are, and with all ribs that reach
+/// beyond the stroke free. If the second explains the picture better and reaches no farther, these ribs of `set` are
+/// moved. O((ribs moved + fan) · levels).
 EndShape findEnd(bool atStart, RibSet& set, Search& s);
 
 /// The fan of that end where its curves are to end at these lengths (of every curve, picture pixels), shaped as

@@ -12,14 +12,14 @@
 namespace spineloft::ribs {
 namespace {
 
-// Fewer ribs than this have no width that a hand could wander by.
+// With fewer ribs there is no width to perturb a stroke by.
 constexpr int kFewestRibs = 4;
-// Other hands are searched for with at most so many ribs, those that the weights are meant for.
+// Most ribs of a perturbed stroke: the number for which the weights were chosen.
 constexpr int kMostRibs = 100;
-// The part that stands apart from the others counts for little: its mean agreement, to this power.
+// The weight of a result is its mean agreement to this power, so that an outlier counts little.
 constexpr double kAgreementPower = 3;
 
-// What one hand found: how far every curve of the stroke's own search lies within it, and how its ends are shaped.
+// One result: the length of every curve of the stroke's own search within the part found, and the shapes of its ends.
 struct EnsembleVote {
   std::vector<float> lengths;
   std::array<EndShape, 2> shapes;
@@ -44,7 +44,7 @@ void weigh(std::vector<EnsembleVote>& votes) {
   for (EnsembleVote& one : votes) {
     double sum = 0;
     for (const EnsembleVote& other : votes) sum += agreement(one.lengths, other.lengths);
-    // All but what it agrees with itself.
+    // The agreement of a result with itself is 1 and does not count.
     const double others = std::max(1.0, static_cast<double>(votes.size()) - 1);
     one.weight = std::pow((sum - 1) / others, kAgreementPower);
   }
@@ -56,7 +56,7 @@ double totalWeight(const std::vector<EnsembleVote>& votes) {
   return total;
 }
 
-// The length by which half of the weight has been left behind, of every curve.
+// The weighted median of the lengths, of every curve.
 std::vector<float> medianLengths(const std::vector<EnsembleVote>& votes) {
   const double half = totalWeight(votes) / 2;
   std::vector<float> medians;
@@ -72,7 +72,7 @@ std::vector<float> medianLengths(const std::vector<EnsembleVote>& votes) {
   return medians;
 }
 
-// The shape that most of the weight gives an end.
+// The shape of an end with the largest total weight.
 EndShape shapeOfMost(const std::vector<EnsembleVote>& votes, bool atStart) {
   std::array<double, 3> weights{};
   for (const EnsembleVote& one : votes) weights[static_cast<std::size_t>(one.shapes[atStart ? 0 : 1])] += one.weight;
@@ -125,7 +125,7 @@ Status EnsembleTrace::begin(const PictureEvidence& picture, RibWorkspace& memory
   return Done{};
 }
 
-// A hand whose stroke makes no spine has no opinion.
+// A perturbed stroke that gives no valid spine is left out of the ensemble.
 void EnsembleTrace::ask(const PictureEvidence& picture, RibWorkspace& memory) {
   State& a = *state_;
   Search &s = memory.search(), &other = memory.other();

@@ -1,5 +1,5 @@
-// Ribs on which several hands agree. A hand wanders, and a search from one stroke may take an accident of it
-// for the thing: what slightly different strokes through the same thing find tells which of the ends are the thing's.
+// An ensemble of searches. A single search may follow an accident of the stroke; the results of slightly perturbed
+// strokes through the same object show which ends are stable.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace spineloft::ribs {
 
-/// traceRibs, and again for six perturbed strokes: beside the stroke by an eighth and a quarter of the width, and from
-/// further in or out at the ends. Every end, those of the fans too, comes to stand where half of the outlines have
-/// been left on its gradient curve; each counts for as much as it agrees with the others (mean ratio of lengths, to
-/// the third power); a fan's ends are medians of five neighbours. Confidence is that of the stroke's own search. As
-/// long as seven searches of at most 100 ribs. Where nothing is known of the picture, and for fewer than four ribs, it
-/// is traceRibs. Its laws and errors.
+/// traceRibs for the stroke and for six perturbed strokes: beside it by an eighth and a quarter of the width, and
+/// with both ends farther in or out. The length of every curve, fans included, is the weighted median of the seven
+/// results; the weight of a result is the third power of its mean agreement (ratio of lengths) with the others. Of
+/// the lengths of a fan the medians of five neighbours are taken. Confidence is that of the stroke's own search.
+/// Takes as long as seven searches of at most 100 ribs. Without edges, and for fewer than four ribs, it equals
+/// traceRibs. Has the laws and errors of traceRibs.
 Result<RibSet> ensembleRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                             const Progress& progress, RibWorkspace& memory);
 
@@ -30,12 +30,12 @@ class EnsembleTrace {
   EnsembleTrace(EnsembleTrace&&) noexcept;
   EnsembleTrace& operator=(EnsembleTrace&&) noexcept;
 
-  /// The next one, with the same picture and memory every time, which is used for nothing else meanwhile. False:
-  /// it was the last. Errors: those of traceRibs; the first step ends with them, later ones never fail.
+  /// Takes the next step. Every step needs the same picture and the same memory, which nothing else may use in
+  /// between. False: it was the last. Errors: those of traceRibs, of the first step only.
   Result<bool> step(const PictureEvidence& picture, RibWorkspace& memory);
   /// Share of the steps taken, 0…1.
   double progress() const;
-  /// What ensembleRibs gives, after the last step; after the first one what the stroke finds by itself, without
+  /// After the last step: the result of ensembleRibs. After the first: the ribs of the stroke alone, without
   /// confidence.
   const RibSet& ribs() const;
 

@@ -8,14 +8,14 @@
 namespace spineloft::ribs {
 namespace {
 
-// The shares of the labels with which a move finds its ribs, and with which the stroke is looked at anew.
+// Shares of the labels for a move, and for the repetition of passes 1 and 2.
 constexpr double kMoveLabels = 7. / 16, kRefineLabels = 3. / 4;
 constexpr int kFewestLabels = 16;
-// How far out a move looks: so many times as far as the farthest end, and so many map pixels more. What is around
-// an object is learned up to there.
+// How far out a move searches: a multiple of the farthest end, and map pixels more. The colours around an object are
+// learned up to there.
 constexpr double kFarOut = 2, kFarOutMargin = 16;
-// The stroke is looked at anew when it has grown by this share, or its line has moved by this share of
-// the width; it is another stroke when that is far more.
+// Passes 1 and 2 are repeated when the stroke has grown by kGrown, or its line has moved by kMoved of the width.
+// Beyond the second numbers it counts as another stroke.
 constexpr double kGrown = 1.05, kGrownMuch = 1.6, kMoved = 0.04, kMovedMuch = 0.25;
 // Places along the stroke at which that is looked at.
 constexpr int kPlaces = 16;
@@ -168,7 +168,7 @@ Status LiveTrace::follow(const Spine& spine, const PictureEvidence& picture, con
   return Done{};
 }
 
-// The first two looks, in steps of about equal cost.
+// Passes 1 and 2, in steps of about equal cost.
 Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture, const RibParams& params) {
   enum { kIdle, kCurves, kStrip, kContours, kEvidence, kParts, kFirstPart };
   Search& s = looks_.search();

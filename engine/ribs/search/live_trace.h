@@ -1,5 +1,5 @@
-// Ribs of a stroke that is still under the pen: what was learned of the object a few moves ago spares
-// most of the search.
+// Ribs of a stroke that is still being drawn. What was learned of the object a few moves ago replaces most of the
+// search.
 #pragma once
 
 #include <vector>
@@ -16,23 +16,22 @@ namespace spineloft::ribs {
 struct Learned {
   Spine spine;         ///< where it learned it, ≥ 2 points; empty: nothing is known
   double studied = 0;  ///< length of that spine
-  double length = 0;   ///< that the tables are of: what was followed beyond it is known less surely
+  double length = 0;   ///< that the tables cover; what lies beyond `studied` is extrapolated by pass 3
   double lean = 0;     ///< of the even part that explains the picture best (lean.h)
   /// Evenly over the length: widths of that part, and where the ends stand, in stiff lines.
   std::vector<float> width, left, right;
-  std::vector<float> leftWeight, rightWeight;  ///< what the evidence of either side counts for in the third look
+  std::vector<float> leftWeight, rightWeight;  ///< weights of the evidence of either side in pass 3
   bool empty() const { return spine.points.empty(); }
 };
 
-/// Follows one stroke from move to move. A traceRibs takes three looks at the colours; the first two
-/// only find out which of several parts the stroke means, and how wide it is, and that is nearly the
-/// same one move later. So a move takes the third look alone, on half the labels and no farther out than it
-/// needs, and starts it from what was learned. Meanwhile the first two looks are
-/// taken again, a step with every move, on the stroke as it was when they began.
+/// Follows one stroke from move to move. traceRibs makes three passes (ribs.cpp). Passes 1 and 2 only choose between
+/// hypotheses and find the width, which hardly changes from one move to the next. A move therefore runs pass 3 alone,
+/// on half the labels and no farther out than needed, starting from what was learned. Passes 1 and 2 are repeated
+/// meanwhile, one step a move, on the stroke as it was when they began.
 ///
-/// A stroke that is short yet, a picture without edges, and a stroke that is not the one followed so far,
-/// get a whole traceRibs. What comes out depends on nothing but the moves since the last of those: no
-/// clock, and equal moves give equal ribs.
+/// A stroke that is still short, a picture without edges, and a stroke that is not the one followed so far get a
+/// whole traceRibs. The result depends only on the moves since the last of those: there is no clock, and equal moves
+/// give equal ribs.
 class LiveTrace {
  public:
   /// The stroke as it is now. The ribs are near those of traceRibs for the same input, whose laws they
@@ -60,7 +59,7 @@ class LiveTrace {
   RibParams params_;                                  // of learned_
   image::Size size_;                                  // of its picture
   const void *edges_ = nullptr, *ignored_ = nullptr;  // whose evidence; compared only
-  int step_ = 0;                                      // of the looks being taken, 0: none
+  int step_ = 0;                                      // of passes 1 and 2 being repeated, 0: none
   RibWorkspace now_, looks_;
   Progress unwatched_;
 };

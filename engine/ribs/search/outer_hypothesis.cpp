@@ -12,18 +12,18 @@
 namespace spineloft::ribs {
 namespace {
 
-// What counts as inside and as the ring outside, as shares of the way to an end; and so many map pixels more.
+// Inside and the ring outside, as shares of the length of a rib; and a margin of the ring in map pixels.
 constexpr float kInside = 0.93f, kRingFrom = 1.07f, kRingTo = 1.6f, kRingMargin = 4;
-// So many of the sorted cells of a channel are one here: noise spreads over neighbours.
+// Cells of a channel that are merged into one, because noise spreads over neighbouring cells.
 constexpr int kMerged = 2;
 constexpr int kCoarse = kColourBins / kMerged;
 static_assert(kColourBins % kMerged == 0);
 constexpr std::size_t kCells = std::size_t{kCoarse} * kCoarse * kCoarse;
-// A part is farther out whose ends are at least so many times as far; nearer labels cost so much more.
+// A part is farther out if its lengths are at least kFarther times as large; labels nearer than that cost kNearCost
+// more.
 constexpr float kOuter = 1.15f, kNearCost = 1.25f;
-// It is taken if its colours are so much farther apart, after so many times its unevenness is taken off, and if
-// ribs do not cost more than this on the mean: a part that every rib speaks against is not the thing. The one
-// after the next has to cost less.
+// A part farther out is taken if its score (coloursApart minus kUneven · unevenness) is better by kClearly and its
+// mean cost of a rib is higher by at most kMostDearer, for the second part farther out kMostDearerTwice.
 constexpr double kClearly = 0.05, kUneven = 1.2, kMostDearer = 1, kMostDearerTwice = 0.6;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -46,7 +46,7 @@ double scoreOf(const Search& s, const LengthLabels& labels) {
   return coloursApart(s.curves, s.strip, s.terms.scratch.colours, labels) - kUneven * unevenness(s.curves, labels);
 }
 
-// Makes all labels dearer that are nearer than a part farther out has them.
+// Raises the costs of all labels that are nearer than a part farther out may have.
 void chargeNear(const std::vector<int>& found, float cost, int levels, SideCosts& side) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t row = i * index(levels);

@@ -1,6 +1,6 @@
-// Whether the thing goes on beyond the part that was found: a shine, a stripe or a neighbour's edge beside the
-// stroke can make a narrow part that costs less than the thing's own outline, half of which is gone. Parts are
-// compared as wholes then, by what no single rib sees.
+// Whether the object goes on beyond the part that was found. A highlight, a stripe or a neighbour's edge beside the
+// stroke can make a narrow part that costs less than the true outline, above all where half of that is missing. Whole
+// parts are compared here, by measures that no single rib has.
 #pragma once
 
 #include "engine/ribs/evidence/evidence.h"
@@ -9,11 +9,11 @@
 
 namespace spineloft::ribs {
 
-/// How different the colours between the spine and the ends (up to 93 % of the way) are from those in a ring
-/// outside (from 107 % of the way to 160 % and four map pixels more), 0 (the same) … 1 (none in common): one less
-/// the Bhattacharyya coefficient of their shares of Lab cells, all ribs together. Where the thing goes on beyond
-/// the ends, its own colours lie outside. What is ignored does not count; 0 where nothing is left of either.
-/// `colours` are sorted (sortColours), `ends` has labels of every rib.
+/// How far the colours inside (up to 93 % of every length) differ from those in a ring outside (107 % to 160 % and
+/// four map pixels more): 1 minus the Bhattacharyya coefficient of their shares of Lab cells, over all ribs; 0
+/// (equal) … 1 (nothing in common). If the object goes on beyond the ends, its own colours are in the ring. Ignored
+/// entries do not count; 0 where either side is empty. `colours` are sorted (sortColours), `ends` has labels of every
+/// rib.
 double coloursApart(const GradientCurves& curves, const UnwrappedImage& strip, const ColourTables& colours,
                     const LengthLabels& ends);
 

@@ -10,15 +10,16 @@
 namespace spineloft::ribs {
 namespace {
 
-// Of the ribs of the stroke's middle so much of their length is surely the thing, and from so much on is surely not.
+// Shares of the lengths in the middle of the stroke: up to the first is certainly the object, from the second on
+// certainly not.
 constexpr float kSurelyInside = 0.8f, kSurelyOutside = 1.2f;
 // What is seen along the spine is taken from so far on either side of it, in half widths.
 constexpr double kNear = 0.3;
-// The farthest that a stroke is thought to go too far: in half widths, and as a share of its ribs.
+// Largest overshoot: in half widths, and as a share of the ribs.
 constexpr double kFarthest = 3, kMostOfRibs = 0.4;
-// How far before the thing's end the stretch ends, in half widths, but at most this share of the spine.
+// Distance of the new end from the end of the object, in half widths, and at most this share of the spine.
 constexpr double kBeforeEnd = 0.3, kMostBeforeEnd = 0.12;
-// Less than this share of the spine is no thing: then nothing was understood.
+// If less than this share of the spine would be left, nothing is cut.
 constexpr double kLeastLeft = 0.3;
 
 // Colours: novelty beyond and on the thing, how far apart they have to be, and the least number of ribs that
@@ -107,7 +108,7 @@ Along lookAlong(double half, Search& s) {
   return along;
 }
 
-// How many ribs of an end lie beyond the thing by their colours. `share`: a rib's spacing in half widths.
+// Number of ribs of an end that lie beyond the object, by their colours. `share`: the spacing of ribs in half widths.
 int beyondByColour(const FromEnd& end, int most, double share) {
   const std::vector<double>& foreign = end.along.foreign;
   double sum = 0, best = 0;
@@ -124,7 +125,7 @@ int beyondByColour(const FromEnd& end, int most, double share) {
   return clear && cut >= kLeastRibs && best > kLeastSum ? cut : 0;
 }
 
-// The same by a line that closes the thing.
+// The same, by a drawn line that closes the object.
 int beyondByLine(const FromEnd& end, int most) {
   const Along& along = end.along;
   int line = 0;
@@ -135,7 +136,7 @@ int beyondByLine(const FromEnd& end, int most) {
   if (line >= most || before < 1 || behind + depth > along.ribs()) return 0;
   const bool nothing = end.mean(along.support, 0, before) < kNothing;
   const bool something = end.mean(along.support, behind, behind + depth) > kSomething;
-  // Colours say nothing, or the right thing.
+  // Here the colours decide nothing, or agree.
   const double out = end.mean(along.foreign, 0, before), in = end.mean(along.foreign, behind, behind + depth);
   return nothing && something && out > -kBalance && out > in - kBalance ? line : 0;
 }

@@ -1,5 +1,5 @@
-// A stroke that was drawn past the ends of a thing, cut to what lies on it: the mistake that is made most, and
-// ribs over the ground beside a thing cost more of a part than the widest wobble.
+// Cuts a stroke that runs past the ends of an object. This is the most frequent mistake, and ribs over the background
+// cost a part more accuracy than any wobble of the stroke.
 #pragma once
 
 #include <span>
@@ -18,18 +18,18 @@ struct SpineStretch {
   bool operator==(const SpineStretch&) const = default;
 };
 
-/// Which stretch of a spine lies on the thing under its middle. An end is beyond the thing where
-/// - the colours along it are those found around the thing and, from a place on, those of its middle; or
-/// - it is blank, ribs there stand on nothing, and at a place it crosses a line behind which they do
-///   (ink on paper, where colours say nothing).
-/// The stretch ends a third of a half width before that place, as a careful stroke would. Where that is
-/// not clear, or little would be left, it is the whole spine. Looked for up to three half widths or two
-/// fifths of the spine from either end. Costs one traceRibs, whose errors it has.
+/// The stretch of a spine that lies on the object under its middle. An end is beyond the object where
+/// - the colours along it are those found around the object and, from some place on, those of its middle; or
+/// - the ribs there stand on no edges, and the spine crosses a line behind which they do (ink on paper, where colours
+///   do not help).
+/// The stretch ends a third of a half width before that place, as a careful stroke would. It is the whole spine where
+/// the case is not clear or little would be left. Searched up to three half widths or two fifths of the spine from
+/// either end. Costs one traceRibs and has its errors.
 Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                                     RibWorkspace& memory);
 
-/// The points of a stroke (picture pixels) that lie on the thing, with new ends where it was cut; the stroke
-/// itself where nothing is to be cut, nothing is known of the picture or it makes no spine.
+/// The points of a stroke (picture pixels) that lie on the object, with new ends where it was cut. The stroke itself
+/// where there is nothing to cut, the picture has no edges, or the stroke gives no spine.
 std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
                                         const SpineParams& spine, const RibParams& ribs);
 

@@ -7,9 +7,9 @@
 namespace spineloft::ribs {
 namespace {
 
-// A rib that is wider than so many usual ones tells nothing of how far a hand wanders.
+// Ribs wider than this multiple of the median count as that wide.
 constexpr double kWidest = 2;
-// A hand that stops early leaves at least this share of the stroke at either end.
+// A shortened stroke keeps at least this share of its length at either end.
 constexpr double kMostCut = 0.15;
 // Over this share of the ribs on either side is the width averaged, and the direction in which a stroke ends.
 constexpr double kAround = 0.1;

@@ -1,5 +1,5 @@
-// The steps of a search for ribs, for traceRibs and for a stroke under the pen (live_trace.h). Internal
-// to ribs/.
+// The stages of the search for ribs, used by traceRibs and by a stroke under the pen (live_trace.h). Internal to
+// ribs/.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ struct RibWorkspace::Search {
   UnwrappedImage strip;
   BoundaryTerms terms;
   KnownReach known;
-  std::vector<float> costs;    // of every curve and level: what the evidence says
-  std::vector<float> held;     // the same in the third look, with the ends held to what was found; of ribs
+  std::vector<float> costs;    // of every curve and level, from the evidence
+  std::vector<float> held;     // the regularised costs of pass 3 (thirdEvidence), of the curves of ribs
   std::vector<float> support;  // whether there is an edge, 0…1, of every curve and level
   LengthProblem problem;
   LengthWorkspace workspace;
@@ -46,13 +46,13 @@ struct RibWorkspace::Search {
   std::vector<RunnerUp> runnersUp;
   SideLengths lengths;
   EdgeStrengths strengths;
-  std::vector<float> say;  // what the evidence of a curve counts for in the third look
+  std::vector<float> say;  // weight of the evidence of every curve in pass 3
   FairingMemory fairing;
   std::vector<RibState> states;
   std::array<EndShape, 2> shapes{};       // of the start and the end
   const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
   double farthest = 0;                    // levels go no farther, picture pixels
-  /// Which even part explains the picture best: each is given its turn.
+  /// The competition between the width hypotheses.
   struct HypothesisContest {
     double least = std::numeric_limits<double>::infinity();  // energy of `labels`, under `chosen`
     std::size_t chosen = 0, last = 0;                        // numbers of parts
@@ -69,48 +69,47 @@ inline constexpr float kOnEdge = 0.5f;
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params, double farthest,
                    Search& s);
-/// Whether colours are looked at a second time at all.
+/// Whether the search makes pass 2, which uses colours.
 bool usesColours(const PictureEvidence& picture, const RibParams& params);
-/// After the strip was sampled: all evidence but that of colours, and where ends stand on edges.
+/// After the unwrapped image was sampled: computes all evidence but the colour terms, and which labels lie on edges.
 void findContours(Search& s);
-/// After it: the costs of all labels, with the colours close to the spine as the object's.
+/// Pass 1, after findContours: the costs of all labels. Only the colours close to the spine count as the object.
 void firstEvidence(Search& s);
-/// From costs (`s.costs`, of every curve and level) to the chain that is to be solved.
+/// Fills the chain to be solved from `s.costs`.
 void fillProblem(Search& s);
-/// The even parts that explain it best: `s.parts`.
+/// Finds the width hypotheses that fit the evidence best, into `s.parts`.
 void fitWidthHypotheses(Search& s);
-/// Holds the opposite ends of each rib to the lean of the part.
+/// Sets the opposite costs of `s.problem` to the medial offset and the widths of a hypothesis.
 void assumeWidth(const WidthHypothesis& even, Search& s);
-/// Gives one even part its turn in `s.contest`, which begins as {}: with its inner colours as the
-/// object's where they count, for only then the energies of parts can be compared. `s.labels` are those
-/// of the best so far.
+/// Pass 2 for hypothesis `i`: solves the chain with its inner colours as the object's (where colours count: only then
+/// are the energies of hypotheses comparable). Keeps the labels in `s.labels` if their energy is the least so far.
+/// `s.contest` starts as {}.
 void tryHypothesis(std::size_t i, bool withColours, Search& s);
-/// After all parts had their turn, with the chosen one supposed: looks for the best part that reaches farther out on
-/// both sides, and for the one after it, and takes the first that, as a whole, differs clearly more in its colours from
-/// what is around it, if no great cost speaks against it (farther_part.h).
+/// Call after tryHypothesis for all hypotheses, with the best one assumed. Searches the best part that is farther out
+/// on both sides, then the next one beyond it. Takes the first whose colours as a whole differ clearly more from
+/// those around it, at a bounded cost (outer_hypothesis.h).
 void tryOuterHypothesis(Search& s);
-/// What one rib's energy counts for: less the more ribs there are.
+/// Weight of the energy of one rib: 100 over the number of ribs.
 double shareOfRib(const Search& s);
-/// Where the third look starts from, of every curve of a rib, into `s.known.inside`: a stiff, robust
-/// line through the ends of a side, in which a dent or a bulge of a few ribs leaves little, least where they
-/// stand on fainter edges than others near by; and into `s.say` what each curve may say in that look.
+/// The start of pass 3: fits a stiff, robust line through the ends of each side, into `s.known.inside` (of every
+/// curve of a rib). Dents and bulges of a few ribs have little influence on it, least where their edges are weaker
+/// than those near by. The weights of the curves go into `s.say`.
 void stiffLengths(Search& s);
-/// The evidence once more, with the colours inside the part that was found against those around it.
-/// Ends are held near to `s.known.inside`, but for dents and bulges, for colours that were learned from
-/// a wrong part can lead to a worse one.
+/// Pass 3: the evidence with the colours inside the part found so far against those around it. Each end is held near
+/// `s.known.inside`, because colours learned from a wrong part can lead to a worse one.
 void thirdEvidence(Search& s);
-/// How strong the edges under the ends of one side are, against others near by (edge_strength.h).
+/// Strength of the edges under the ends of one side, relative to those near by (edge_strength.h).
 const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s);
-/// The ribs of `s.labels` in place of what `set` held, and `s.shapes`; `withRivals`: with confidence and other places.
+/// Reads the ribs of `s.labels` into `set`, and the shapes of the ends into `s.shapes`. `withRivals`: also confidence
+/// and other places.
 void readRibs(bool withRivals, Search& s, RibSet& set);
-/// The ribs whose ends, and those of the fans, stand at other lengths along their curves (picture pixels, of every
-/// curve) than those of `s.labels`, which become the nearest ones; with ends of these shapes, confidence and other
-/// places.
+/// Reads ribs whose ends stand at the given lengths (picture pixels, of every curve, fans included) instead of at
+/// `s.labels`, which become the nearest labels. The ends have the given shapes. With confidence and other places.
 void readRibsAt(const std::vector<float>& lengths, std::array<EndShape, 2> shapes, Search& s, RibSet& set);
-/// All of it but reading the ribs: `s.labels`.
+/// The whole search but reading the ribs: fills `s.labels`.
 Status searchLabels(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                     const Progress& progress, Search& s);
-/// All of it, start to end: traceRibs.
+/// The whole search: traceRibs.
 Status searchRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params, const Progress& progress,
                   Search& s, RibSet& set);
 

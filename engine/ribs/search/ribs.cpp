@@ -13,32 +13,30 @@
 namespace spineloft::ribs {
 namespace {
 
-// The number of ribs that the weights are meant for. Neighbouring ribs see the same edges: three times
-// the ribs are not three times the evidence.
+// The number of ribs for which the weights were chosen. Neighbouring ribs see the same edges, so three times the ribs
+// are not three times the evidence.
 constexpr double kReferenceRibs = 100;
 // Curves of the fan strictly between the outermost ribs of an end.
 constexpr int kFanCurves = 11;
-// A spine is taken to be no thinner than this share of its length on either side at most.
+// Largest half width, as a share of the length of the spine.
 constexpr double kFarthestPerLength = 1.0;
 constexpr double kFarthestPerSide = 0.75;
 // Half width without a picture, or where it shows nothing at all, as a share of the spine's length.
 constexpr double kDefaultHalfWidth = 0.1;
-// From this many times as far as the ends is surely not the object any more.
+// Beyond this multiple of the length of a rib the picture certainly shows the surroundings.
 constexpr float kSurelyOutside = 1.15f;
-// In the third look an end may come to stand this many times farther or nearer for nothing; then every
-// factor of e costs so much.
+// Pass 3: a length may change by this factor at no cost; each further factor of e costs kPriceOfChange.
 constexpr float kMostChange = 1.5f;
 constexpr double kPriceOfChange = 3;
-// It holds them to a line through what was found that is so many times as stiff as the last fairing's,
-// and leaves a side more to itself than the first two, for the lean of a stroke is not the same
-// everywhere.
+// Pass 3 holds the ends to a line that is stiffer than the final fairing by this factor. Its opposite term weighs
+// less than in passes 1 and 2, because the medial offset varies along a stroke.
 constexpr double kStiffer = 40;
 constexpr float kOppositeShare = 0.7f;
-// Most that one rib's unequal sides cost: where a stroke wanders, or the even part was found too narrow, what the
-// picture shows on both sides counts for more than that they should be alike.
+// Upper bound of the opposite cost of one rib. Where a stroke wanders, or the hypothesis is too narrow, the evidence
+// on both sides must outweigh the symmetry.
 constexpr double kMostUnequal = 0.55;
-// What the evidence of a curve counts for in the third look whose end so far stands on nothing, against
-// one that stands on as strong an edge as its neighbours.
+// Pass 3: weight of the evidence of a curve whose end stands on no edge, where an end on as strong an edge as its
+// neighbours has 1.
 constexpr float kLeastWeight = 0.3f;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -56,7 +54,7 @@ void chooseLevels(const image::EdgeMap& edges, image::Size picture, Search& s) {
   makeLevels(params.levels, step, farthest, field.length(), s.levels);
 }
 
-// Without a picture: a gentle pull to the default half width.
+// Costs without a picture: they grow with the distance from the default half width.
 void defaultCosts(Search& s) {
   s.costs.resize(s.curves.x.size());
   s.support.assign(s.costs.size(), 0.f);
@@ -91,7 +89,7 @@ void firstEvidence(Search& s) {
 
 namespace {
 
-// The evidence again, with the inner part of the even part as the object's colours.
+// Pass 2: the evidence with the colours of the inner part of the hypothesis as the object's.
 void secondEvidence(const WidthHypothesis& even, Search& s) {
   const auto share = static_cast<float>(s.params.evidence.knownShare);
   s.known.inside.assign(index(s.curves.layout.total()), 0.f);
@@ -157,8 +155,8 @@ void fitWidthHypotheses(Search& s) {
 
 namespace {
 
-// How far neighbouring ends are apart where the part is thought to end, at least as far as on the hull:
-// round bends and ends curves part, and lengths may differ by more from one to the next.
+// The spacing of neighbouring ends at the width of the hypothesis, at least that on the hull. In bends and round the
+// ends curves diverge, and lengths may then differ by more from one rib to the next.
 void spread(const WidthHypothesis& even, bool leftSide, Search& s) {
   SideCosts& side = leftSide ? s.problem.left : s.problem.right;
   const double factor = 0.5 * (leftSide ? 1 + even.lean : 1 - even.lean);
@@ -192,7 +190,7 @@ void assumeWidth(const WidthHypothesis& even, Search& s) {
 
 namespace {
 
-// Supposes the `i`-th even part, with its inner colours as the object's where colours count.
+// Assumes hypothesis `i`, with its inner colours as the object's where colours count.
 void adoptHypothesis(std::size_t i, bool withColours, Search& s) {
   const WidthHypothesis& part = s.parts.all[i];
   assumeWidth(part, s);
@@ -222,11 +220,11 @@ void tryHypothesis(std::size_t i, bool withColours, Search& s) {
 
 namespace {
 
-// The labels of least energy under the best of the even parts.
+// The labels of least energy over all width hypotheses.
 void bestLabels(bool withColours, Search& s) {
   s.contest = {};
   for (std::size_t i = 0; i < s.parts.count; ++i) tryHypothesis(i, withColours, s);
-  // States and fans are read from its evidence.
+  // States and fans are read from the evidence of the chosen hypothesis.
   if (s.contest.last != s.contest.chosen) adoptHypothesis(s.contest.chosen, withColours, s);
 }
 
@@ -275,7 +273,7 @@ void thirdEvidence(Search& s) {
   };
   forRibs([&](int curve) { s.known.outside[index(curve)] = kSurelyOutside * s.known.inside[index(curve)]; });
   colourTerms(s.curves, s.strip, s.known, s.terms);
-  // Contrast against what is near lifts the borders of shadows and haloes; colours do its work now.
+  // Local contrast amplifies the borders of shadows and halos; in this pass the colour terms replace it.
   EvidenceParams params = s.params.evidence;
   params.localContrastWeight = 0;
   weighTerms(params, s);

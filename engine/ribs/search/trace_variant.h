@@ -6,8 +6,8 @@ namespace spineloft::ribs {
 struct TraceVariant {
   bool euclidean = false;  ///< curves of the Euclidean distance d∞ instead of d2 (traceStraightCurves)
   bool sampled = false;    ///< the paper's Algorithm 1 instead of the exact optimum (algorithmOne)
-  bool nearest = false;    ///< no look whether the thing goes on beyond the part (tryOuterHypothesis)
-  bool alone = false;      ///< the stroke itself decides, no perturbed strokes are asked
+  bool nearest = false;    ///< no outer hypothesis (tryOuterHypothesis)
+  bool alone = false;      ///< no ensemble: the stroke alone
   bool operator==(const TraceVariant&) const = default;
 };
 

@@ -18,7 +18,7 @@ class RibWorkspace {
   struct Search;
   /// Made when first asked for.
   Search& search();
-  /// A second one, for what perturbed strokes would have found (consensus.h).
+  /// A second one, for the perturbed strokes (ensemble.h).
   Search& other();
 
  private:
