@@ -7,9 +7,9 @@ import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
 import { installGroups, installIfPossible } from './lib/debian.mjs';
 import { findEmscripten } from './lib/emscripten.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
-import { buildDir } from './lib/paths.mjs';
+import { buildDir, lock } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
-import { headers, imguiSources, toolchainFile, wasmLibraries } from './lib/libraries.mjs';
+import { headers, imguiSources, opencv, toolchainFile } from './lib/libraries.mjs';
 
 function writeIfChanged(file, text) {
   if (!existsSync(file) || readFileSync(file, 'utf8') !== text) writeFileSync(file, text);
@@ -56,11 +56,10 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
     facts.IMGUI_DIR = await imguiSources();
     if (parts.includes('wasm')) {
       const emscripten = await findEmscripten();
-      const libraries = await wasmLibraries(emscripten);
       facts.EMSCRIPTEN_ROOT = emscripten;
+      facts.WASM_FLAGS = lock.wasmFlags;
       facts.EMSCRIPTEN_TOOLCHAIN = toolchainFile(emscripten);
-      facts.ZLIB_WASM_DIR = libraries.zlib;
-      facts.OPENCV_WASM_DIR = libraries.opencv;
+      facts.OPENCV_WASM_DIR = await opencv(emscripten);
     }
     writeFacts(facts);
   });

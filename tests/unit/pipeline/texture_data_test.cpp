@@ -317,20 +317,19 @@ double shareOfGroundOnSides(const fs::path& folder, const std::string& kind) {
 
 }  // namespace
 
-TEST_CASE("the sides of a tail of fur do not wear the meadow behind it") {
+TEST_CASE("the sides of a tail of fur do not wear the meadow behind it" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
     CAPTURE(kind);
-    const double share = shareOfGroundOnSides(*folder / "photo_lemur_tail", kind);
+    const double share = shareOfGroundOnSides(folder / "photo_lemur_tail", kind);
     MESSAGE(kind << ": " << 100 * share << " % of the sides look like the ground");
     CHECK(share < 0.025);
   }
 }
 
-TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into it, whatever is made of them") {
+TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into it, whatever is made of them" *
+          doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   struct Case {
     std::string name, kind;
     double most;
@@ -339,7 +338,7 @@ TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into i
        {Case{"photo_zucchini_hand", "careful", 0.04}, Case{"render_palm_noise", "puff", 0.035},
         Case{"render_palm_noise", "flat", 0.03}}) {
     CAPTURE(name);
-    const double share = shareOfGroundOnSides(*folder / name, kind);
+    const double share = shareOfGroundOnSides(folder / name, kind);
     MESSAGE(name << ", " << kind << ": " << 100 * share << " % of the sides look like the ground");
     CHECK(share < most);
   }
@@ -347,11 +346,11 @@ TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into i
 
 TEST_CASE(
     "of the parts of the public pictures all look as the pictures do wherever a pixel is wholly inside, and with their "
-    "rims as far as those are theirs, to 30 dB, and most on all of their rims too") {
+    "rims as far as those are theirs, to 30 dB, and most on all of their rims too" *
+    doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   int within = 0, whole = 0, counted = 0, looked = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_") && !name.starts_with("render_")) continue;
     const Front front = frontOf(entry.path(), "careful");
@@ -373,14 +372,14 @@ TEST_CASE(
 
 TEST_CASE(
     "puffs and flat pieces of the public photos, renderings and sketches look as the pictures do to 30 dB wholly "
-    "inside, and with their rims as far as those are theirs") {
+    "inside, and with their rims as far as those are theirs" *
+    doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   // The true outlines of a blurred palm and of a dinosaur beside its ink take in up to three pixels of ground, which
   // come off.
   constexpr double kTakenIn = 2;
   int looked = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_") && !name.starts_with("render_") && !name.starts_with("sketch_")) continue;
     const bool takesInGround = name == "render_palm_noise" || name == "sketch_dino_tail";
@@ -399,24 +398,22 @@ TEST_CASE(
   CHECK(looked >= 36);
 }
 
-TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn by it") {
+TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn by it" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   for (const std::string name : {"photo_zucchini_hand", "render_banana_occluded"}) {
     for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
       CAPTURE(kind);
-      const double share = shareWorn(*folder / name, kind);
+      const double share = shareWorn(folder / name, kind);
       MESSAGE(name << ", " << kind << ": " << 100 * share << " % of what is hidden is worn");
       CHECK(share < 0.05);
     }
   }
 }
 
-TEST_CASE("where a thumb and a mug were no seam of their colour is left") {
+TEST_CASE("where a thumb and a mug were no seam of their colour is left" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   for (const std::string name : {"photo_zucchini_hand", "render_banana_occluded"}) {
-    const double share = shareAlongEdge(*folder / name, "careful");
+    const double share = shareAlongEdge(folder / name, "careful");
     MESSAGE(name << ": " << 100 * share << " % along the edge");
     CHECK(share < 0.0075);
   }

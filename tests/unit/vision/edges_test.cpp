@@ -3,12 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include "engine/base/limits.h"
 #include "engine/base/rng.h"
+#include "engine/base/worker_pool.h"
 #include "engine/vision/thresholds.h"
 
 using namespace spineloft;
@@ -178,22 +179,19 @@ TEST_CASE("turning the picture by 180 degrees turns the edges") {
   CHECK(different <= edges / 50);
 }
 
-TEST_CASE("the same picture gives the same edges on several threads at once") {
+TEST_CASE("the same picture gives the same edges on several threads at once" * doctest::test_suite("threads")) {
   const Picture picture = discPicture(300, 240, kDisc, {150, 100, 8});
   const EdgeMap wanted = edgesOf(picture);
   std::array<EdgeMap, 3> got;
-#if defined(SPINELOFT_THREADS)
-  std::vector<std::thread> threads;
+  WorkerPool pool(static_cast<int>(got.size()));
   for (EdgeMap& map : got) {
-    threads.emplace_back([&] {
-      const auto edges = vision::detectEdges(picture, {}, Progress());
-      if (edges.ok()) map = edges.value();
-    });
+    pool.submit(
+        "edges", [&picture](const Progress& progress) { return vision::detectEdges(picture, {}, progress); },
+        [&map](Result<EdgeMap> edges) {
+          if (edges.ok()) map = std::move(edges).value();
+        });
   }
-  for (std::thread& thread : threads) thread.join();
-#else
-  for (EdgeMap& map : got) map = edgesOf(picture);
-#endif
+  while (!pool.idle()) pool.pump();
   for (const EdgeMap& map : got) CHECK(map == wanted);
 }
 

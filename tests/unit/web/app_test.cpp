@@ -23,7 +23,8 @@ TEST_CASE("a page that nobody touches asks for no frames") {
   CHECK(rig.state().number("frames") == frames);
 }
 
-TEST_CASE("one stroke on the picture becomes a selected part with ribs on both sides of the bar") {
+TEST_CASE("one stroke on the picture becomes a selected part with ribs on both sides of the bar" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();
@@ -301,7 +302,8 @@ TEST_CASE("a lost context draws nothing, loses nothing and comes back") {
   CHECK(rig.parts() == 1);
 }
 
-TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved") {
+TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();

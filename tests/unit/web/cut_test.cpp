@@ -45,7 +45,8 @@ void boxRound(Rig& rig) {
 
 }  // namespace
 
-TEST_CASE("a box round the thing cuts it out, with threads and without; used, it is one step") {
+TEST_CASE("a box round the thing cuts it out, with threads and without; used, it is one step" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();

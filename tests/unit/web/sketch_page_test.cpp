@@ -145,7 +145,8 @@ TEST_CASE("the eraser makes paper again, and undo the drawing") {
   CHECK_FALSE(isPaper(rig, 400, 100));
 }
 
-TEST_CASE("what was drawn on paper lofts like a photo, and drawing on does not take the part away") {
+TEST_CASE("what was drawn on paper lofts like a photo, and drawing on does not take the part away" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.run("new-sketch", R"({"width":800,"height":800})");

@@ -49,7 +49,8 @@ pipeline::PartShape whole(const document::Document& document, std::size_t part =
 
 }  // namespace
 
-TEST_CASE("a part shows at once, and soon has the mesh and the texture that it is given when all is made in one go") {
+TEST_CASE("a part shows at once, and soon has the mesh and the texture that it is given when all is made in one go" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     CAPTURE(threads);
     Desk desk(threads);
@@ -128,7 +129,7 @@ TEST_CASE("parts of one shape share ribs and texture, and a part that is gone as
   CHECK(desk.rest() <= 1);
 }
 
-TEST_CASE("another model may be opened while textures are made") {
+TEST_CASE("another model may be opened while textures are made" * doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Desk desk(threads);
     desk.draw(40, 160);
