@@ -3,7 +3,18 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { puff, sheet } from '../browser/support/regions.mjs';
-import { fresh, identity, lawful, loft, measure, node, seeded, shifted, solve, turned } from '../browser/support/solids.mjs';
+import {
+  fresh,
+  identity,
+  lawful,
+  loft,
+  measure,
+  node,
+  seeded,
+  shifted,
+  solve,
+  turned,
+} from '../browser/support/solids.mjs';
 
 const times = (a, b) =>
   Array.from({ length: 16 }, (_, i) =>
