@@ -4,7 +4,21 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { root } from '../../.ci/lib/paths.mjs';
-import { drawWithMouse, idle, onPage, openPicture, run, state, toastText, useSite } from './support/page.mjs';
+import { drawWithMouse, strokeAlong } from './support/hands.mjs';
+import {
+  done,
+  downloaded,
+  idle,
+  kPhone,
+  onPage,
+  openPicture,
+  openWithPart,
+  run,
+  state,
+  toastText,
+  toClient,
+  useSite,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -29,13 +43,12 @@ const focused = (page) =>
 
 for (const [name, context] of Object.entries({
   desktop: {},
-  phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+  phone: kPhone,
 })) {
   test(`axe finds nothing serious on the start page, at work, in menus and dialogs (${name})`, () =>
-    onPage(kit, context, async (page) => {
+    onPage(kit, { ...context, alone: true }, async (page) => {
       assert.deepEqual(await violations(page), [], 'start page');
-      await openPicture(page, tube.png, 'tube.png');
-      await drawWithMouse(page, tube.middle);
+      await openWithPart(page, tube.png, tube.middle);
       assert.deepEqual(await violations(page), [], 'at work');
       await page.locator('#bar-more').click();
       assert.deepEqual(await violations(page), [], 'More menu');
@@ -50,7 +63,7 @@ for (const [name, context] of Object.entries({
 }
 
 test('by keyboard alone: open a sample, make a part, change it, save it', () =>
-  onPage(kit, {}, async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
     await page.keyboard.press('Tab');
     assert.equal(await focused(page), 'choose');
     const onSample = () => page.evaluate(() => document.activeElement.closest('#samples') !== null);
@@ -85,10 +98,11 @@ test('by keyboard alone: open a sample, make a part, change it, save it', () =>
     assert.equal(await focused(page), 'set-section', 'focus returns to the button');
     await page.keyboard.press('End');
     assert.equal(await focused(page), 'bar-save');
-    const coming = page.waitForEvent('download');
-    await page.keyboard.press('ArrowDown');
-    await page.keyboard.press('Enter');
-    assert.match((await coming).suggestedFilename(), /\.(spineloft|glb)$/);
+    const { name } = await downloaded(page, async () => {
+      await page.keyboard.press('ArrowDown');
+      await page.keyboard.press('Enter');
+    });
+    assert.match(name, /\.(spineloft|glb)$/);
   }));
 
 test('Tab goes through the page and is never held by the canvas', () =>
@@ -103,20 +117,22 @@ test('Tab goes through the page and is never held by the canvas', () =>
   }));
 
 test('the command bar mirrors the command table', () =>
-  onPage(kit, {}, async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
     await openPicture(page, tube.png, 'tube.png');
     const commands = await page.evaluate(() => window.spineloft.commands());
     assert.equal(new Set(commands.map(({ id }) => id)).size, commands.length);
     for (const id of ['undo', 'redo', 'delete-part']) {
       assert.equal(
-        await page.locator(`[data-command=${id}]`).getAttribute('aria-disabled'),
+        await page.locator(`#bar-items [data-command=${id}]`).getAttribute('aria-disabled'),
         commands.find((c) => c.id === id).enabled ? null : 'true',
         id,
       );
     }
-    assert.equal(await page.locator('[data-command=draw]').getAttribute('aria-pressed'), 'true');
-    await drawWithMouse(page, tube.middle);
-    await page.waitForFunction(() => !document.querySelector('[data-command=undo]').hasAttribute('aria-disabled'));
+    assert.equal(await page.locator('#bar-items [data-command=draw]').getAttribute('aria-pressed'), 'true');
+    await done(page, 'draw-spine', { stroke: tube.middle });
+    await page.waitForFunction(
+      () => !document.querySelector('#bar-items [data-command=undo]').hasAttribute('aria-disabled'),
+    );
     assert.equal(await page.locator('#bar-save').getAttribute('aria-disabled'), null);
     const shown = await page
       .locator('#bar-items button:visible')
@@ -154,8 +170,7 @@ test('the shortcut sheet lists the keys of the table and closes with Escape', ()
 
 test('renaming asks in a dialog with a text field, and keys typed there draw nothing', () =>
   onPage(kit, {}, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
+    await openWithPart(page, tube.png, tube.middle);
     await run(page, 'rename-part');
     const field = page.getByRole('textbox');
     await field.waitFor();
@@ -172,19 +187,20 @@ test('what happens is said in live regions: the picture, the parts, refusals', (
     assert.equal(await line.getAttribute('aria-live'), 'polite');
     assert.match(await line.innerText(), /tube\.png is open: 480 by 360 pixels/);
     assert.equal(await page.locator('#status-end').innerText(), 'No part yet');
-    await drawWithMouse(page, tube.middle);
+    await done(page, 'draw-spine', { stroke: tube.middle });
     await page.waitForFunction(() => /^1 part · .*: \d+ ribs$/.test(document.getElementById('status-end').textContent));
     await run(page, 'delete-part');
-    const [at] = await page.evaluate(() => [window.spineloft.imageToClient(100, 100)]);
-    await page.mouse.move(at.x, at.y);
-    await page.mouse.down();
-    for (let i = 0; i <= 24; ++i) await page.mouse.move(at.x + 50 * Math.sin(i / 3), at.y + 50 * (1 - Math.cos(i / 3)));
-    await page.mouse.up();
+    const [at] = await toClient(page, [[100, 100]]);
+    const twiceRound = Array.from({ length: 14 }, (_, i) => ({
+      x: at.x + 50 * Math.sin(i),
+      y: at.y + 50 * (1 - Math.cos(i)),
+    }));
+    await strokeAlong(page, 'mouse', twiceRound);
     assert.match(await toastText(page), /crosses itself/);
   }));
 
 test('reduced motion: the ghost hand stands still and shows the whole line', () =>
-  onPage(kit, { reducedMotion: 'reduce' }, async (page) => {
+  onPage(kit, { alone: true, reducedMotion: 'reduce' }, async (page) => {
     await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });
     assert.equal(
       await page.evaluate(
@@ -196,7 +212,7 @@ test('reduced motion: the ghost hand stands still and shows the whole line', () 
   }));
 
 test('the ghost hand draws three times and rests; it leaves with the first part', () =>
-  onPage(kit, {}, async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
     await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });
     assert.ok((await page.evaluate(() => document.getAnimations().length)) > 0);
     await page.locator('.sample-open').first().click();
@@ -210,7 +226,7 @@ test('the ghost hand draws three times and rests; it leaves with the first part'
   }));
 
 test('at 200 % zoom nothing is cut off and everything can be reached', () =>
-  onPage(kit, { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }, async (page) => {
+  onPage(kit, { alone: true, viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
     const last = page.locator('.sample-open').last();
     await last.scrollIntoViewIfNeeded();

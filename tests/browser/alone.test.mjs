@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { parseStl } from './support/model_files.mjs';
-import { exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { done, exported, onPage, openWithPart, state, useSite } from './support/page.mjs';
 import { samples } from './support/pictures.mjs';
 import { deepest, diagonal, measure } from './support/solids.mjs';
 
@@ -24,14 +24,11 @@ function welded(corners) {
   return { positions: Float32Array.from(positions), triangles };
 }
 
-test('a lone part that is coiled through itself is saved as a solid that does not, and looks as it did', async () => {
-  await onPage(kit, { isolated: false }, async (page) => {
-    await openPicture(page, lemur.bytes, 'lemur');
-    await run(page, 'draw-spine', { stroke: lemur.spine });
-    await idle(page);
+test('a lone part that is coiled through itself is saved as a solid that does not, and looks as it did', () =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, lemur.bytes, lemur.spine, 'lemur');
     assert.equal((await state(page)).parts[0].mended, false);
-    await run(page, 'coil', { turns: 20, radius: 110 });
-    await idle(page);
+    await done(page, 'coil', { turns: 20, radius: 110 });
     const [before] = (await state(page)).parts;
     const mesh = welded(parseStl(await exported(page, 'stl')).flat());
     const [part] = (await state(page)).parts;
@@ -39,5 +36,4 @@ test('a lone part that is coiled through itself is saved as a solid that does no
     // The solver keeps to a millionth of the size; millimetres as floats round a little.
     assert.ok(deepest(mesh.positions, mesh.triangles) <= 1.5e-6 * diagonal(mesh.positions));
     assert.ok(measure({ ...mesh, mergeFrom: [], mergeTo: [] }).volume > 0);
-  });
-});
+  }));

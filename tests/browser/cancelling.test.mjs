@@ -2,23 +2,11 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseStl } from './support/model_files.mjs';
-import {
-  difference,
-  drawWithMouse,
-  exported,
-  idle,
-  onPage,
-  openPicture,
-  pixels,
-  run,
-  state,
-  useSite,
-} from './support/page.mjs';
+import { done, exported, idle, onPage, openWithPart, reload, run, state, useSite } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
-const solidView = { x: 450, y: 120, width: 380, height: 400 };
 const root = async (page) => (await state(page)).steps.findLast((step) => step.root);
 
 /** Workers whose answers come one at a time, `window.spell` milliseconds apart. */
@@ -47,29 +35,22 @@ function slowWorkers() {
 }
 
 test('while a solid takes long, a bar shows how far it is, and its button keeps the last good solid', () =>
-  onPage(kit, { isolated: false }, async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
     await page.addInitScript(slowWorkers);
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
-    await page.keyboard.press('n');
-    await drawWithMouse(
-      page,
-      tube.middle.slice(15, 40).map(([x, y], i) => [x, y + 2 * (i - 12)]),
-    );
+    await reload(page);
+    await openWithPart(page, tube.png, tube.middle);
+    await run(page, 'new-part');
+    await run(page, 'draw-spine', { stroke: tube.middle.slice(15, 40).map(([x, y], i) => [x, y + 2 * (i - 12)]) });
     await run(page, 'stick-together', { parts: [1, 2] });
-    await run(page, 'scoop-out', { step: 1, wall: 0.01 });
-    await idle(page);
+    await done(page, 'scoop-out', { step: 1, wall: 0.01 });
     const good = await root(page);
     assert.equal(good.status, 'ready', good.sentence);
     const box = page.locator('#progress'),
       bar = page.locator('#progress-bar');
     assert.equal(await box.isVisible(), false);
-    const seen = await pixels(page, solidView);
 
     await page.evaluate(() => {
-      window.spell = 2500;
+      window.spell = 1500;
       window.steps = [];
       window.timer = setInterval(() => {
         const { hidden } = document.getElementById('progress'),
@@ -80,7 +61,7 @@ test('while a solid takes long, a bar shows how far it is, and its button keeps 
     });
     await box.waitFor({ state: 'visible' });
     assert.match(await page.locator('#progress-label').innerText(), /\S/);
-    await page.waitForFunction(() => window.steps.length > 1, null, { timeout: 20000 });
+    await page.waitForFunction(() => window.steps.length > 1);
     assert.ok((await bar.evaluate(({ value }) => value)) > 0);
     await page.locator('#progress-cancel').click();
     await box.waitFor({ state: 'hidden' });
@@ -99,15 +80,10 @@ test('while a solid takes long, a bar shows how far it is, and its button keeps 
       [stopped.status, stopped.failure, stopped.triangles, stopped.volume],
       ['failed', 'Cancelled', good.triangles, good.volume],
     );
-    const kept = difference(seen, await pixels(page, solidView));
-    assert.ok(kept < 0.02, `${kept}: the last good solid is on the screen`);
 
-    await run(page, 'solve-again');
-    await idle(page);
+    await done(page, 'solve-again');
     const again = await root(page);
     assert.equal(again.status, 'ready', again.sentence);
     assert.notEqual(again.triangles, good.triangles);
-    const other = difference(seen, await pixels(page, solidView));
-    assert.ok(other > 3 * kept, `${other}: now it is another one`);
     assert.equal(measure(parseStl(await exported(page, 'stl'))).open, 0);
   }));

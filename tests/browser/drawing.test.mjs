@@ -1,33 +1,37 @@
-// The main job, on both engines: one stroke becomes a solid while it is drawn, and leaves as a file that others open.
+// The main job: one stroke becomes a solid while it is drawn, and leaves as a file that others open.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { drawWithMouse, line } from './support/hands.mjs';
 import { measure, parseObj, parseStl, validated } from './support/model_files.mjs';
 import {
   difference,
-  drawWithMouse,
+  done,
+  downloaded,
   exported,
   idle,
   kEngines,
+  kSharp,
   onPage,
   openPicture,
+  openWithPart,
   pixels,
+  refusal,
   run,
   state,
   toastText,
   useSite,
 } from './support/page.mjs';
-import { dataCases, paintedPng, samples, tubePicture } from './support/pictures.mjs';
+import { dataCases, paintedPng, tubePicture } from './support/pictures.mjs';
 import { loadWithThree } from './support/three.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
 
-async function withTube(engine, work) {
-  await onPage(kit, { isolated: engine.isolated }, async (page, opened) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await work(page, opened);
+const withTube = (work) =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await work(page);
   });
-}
 
 /** The columns of a screenshot from one to another. */
 function columns(shot, from, to) {
@@ -37,31 +41,30 @@ function columns(shot, from, to) {
   return { data: Buffer.concat(rows) };
 }
 
-for (const engine of kEngines) {
-  test(`${engine.name}: the page says which engine runs`, () =>
-    withTube(engine, async (page) => {
-      const { threads, version } = await state(page);
-      assert.equal(threads > 0, engine.isolated, `threads: ${threads}`);
-      assert.match(version, /^\d+\.\d+\.\d+/);
-      assert.equal(await page.evaluate(() => crossOriginIsolated), engine.isolated);
-    }));
+const measuredStl = async (page) => measure(parseStl(await exported(page, 'stl')));
 
-  test(`${engine.name}: ribs and solid appear while the pen moves`, () =>
-    withTube(engine, async (page) => {
+for (const { name, isolated } of kEngines) {
+  test(`${name}: the page says which engine runs; ribs and solid appear while the pen moves, and are saved`, () =>
+    onPage(kit, { isolated, ...kSharp }, async (page) => {
+      const { threads, version } = await state(page);
+      assert.equal(threads > 0, isolated, `threads: ${threads}`);
+      assert.match(version, /^\d+\.\d+\.\d+/);
+      assert.equal(await page.evaluate(() => crossOriginIsolated), isolated);
+      await openPicture(page, tube.png, 'tube.png');
       const view = { x: 0, y: 60, width: 860, height: 560 };
       const empty = await pixels(page, view);
-      await drawWithMouse(page, tube.middle, async () => {
-        await page.waitForTimeout(400);
-        const { preview } = await state(page);
-        assert.ok(preview.ribs > 5 && preview.triangles > 100, JSON.stringify(preview));
-        const during = await pixels(page, view);
-        const split = Math.floor(view.width / 2);
-        const [onPicture, beside] = [
-          (shot) => columns(shot, 0, split - 20),
-          (shot) => columns(shot, split + 20, view.width),
-        ];
-        assert.ok(difference(onPicture(empty), onPicture(during)) > 0.003, 'ribs grow on the picture');
-        assert.ok(difference(beside(empty), beside(during)) > 0.01, 'a solid grows beside it');
+      await drawWithMouse(page, tube.middle, {
+        midway: async () => {
+          await page.waitForFunction(() => window.spineloft.state().preview?.fresh);
+          const { preview } = await state(page);
+          assert.ok(preview.ribs > 5 && preview.triangles > 100, JSON.stringify(preview));
+          const during = await pixels(page, view),
+            split = Math.floor(view.width / 2);
+          const onPicture = (shot) => columns(shot, 0, split - 20),
+            beside = (shot) => columns(shot, split + 20, view.width);
+          assert.ok(difference(onPicture(empty), onPicture(during)) > 0.003, 'ribs grow on the picture');
+          assert.ok(difference(beside(empty), beside(during)) > 0.01, 'a solid grows beside it');
+        },
       });
       const { parts, selection, undo, redo, lastMs, busy } = await state(page);
       assert.equal(parts.length, 1);
@@ -72,184 +75,157 @@ for (const engine of kEngines) {
       for (const rib of part.ribs.slice(3, -3)) {
         const width = Math.hypot(rib.left[0] - rib.right[0], rib.left[1] - rib.right[1]);
         assert.ok(Math.abs(width - 2 * tube.half) < 12, `rib of ${width} px on a tube of ${2 * tube.half}`);
-        assert.deepEqual(
-          [rib.leftState, rib.rightState].filter((side) => !['edge', 'bridged', 'guessed'].includes(side)),
-          [],
-        );
+        for (const side of [rib.leftState, rib.rightState])
+          assert.ok(['edge', 'bridged', 'guessed'].includes(side), side);
       }
+      const info = await validated(await exported(page, 'glb'));
+      assert.equal(info.totalTriangleCount, part.triangles);
     }));
+}
 
-  test(`${engine.name}: a line drawn past the ends of a thing stops where the thing does, and says so`, () =>
-    onPage(kit, { isolated: engine.isolated }, async (page) => {
-      const [from, to, middle, half] = [100, 380, 180, 30];
-      const bar = paintedPng(480, 360, (x, y) =>
-        x >= from && x <= to && Math.abs(y - middle) <= half ? [60, 90, 150] : [235, 230, 220],
-      );
-      await openPicture(page, bar, 'bar.png');
-      const along = (first, last) => Array.from({ length: 30 }, (_, i) => [first + ((last - first) * i) / 29, middle]);
-      const drawn = async (points) => {
-        await drawWithMouse(page, points);
-        await idle(page);
-        return (await state(page)).parts.at(-1).ribs;
-      };
-      const past = await drawn(along(from - 40, to + 50));
-      assert.match(await toastText(page, 'status'), /past the end/);
-      for (const rib of past) {
-        for (const [x] of [rib.left, rib.right]) assert.ok(x > from - 4 && x < to + 4, `a rib at ${x}`);
-      }
-      assert.ok(
-        Math.min(...past.map((rib) => rib.left[0])) < from + 20 &&
-          Math.max(...past.map((rib) => rib.left[0])) > to - 20,
-        'and it reaches the ends',
-      );
-      const beside = await drawn(along(from - 40, to + 50));
-      assert.ok(
-        beside[0].center[0] < from - 30,
-        'beside a part a line stays as it is: it may be meant to reach into it',
-      );
-      await run(page, 'undo');
-      await run(page, 'undo');
-      const within = await drawn(along(from + 30, to - 30));
-      assert.ok(
-        Math.abs(within[0].center[0] - (from + 30)) < 3 && Math.abs(within.at(-1).center[0] - (to - 30)) < 3,
-        'a line on the thing stays as it is',
-      );
-    }));
+test('a line drawn past the ends of a thing stops where the thing does, and says so', () =>
+  onPage(kit, {}, async (page) => {
+    const [from, to, middle, half] = [100, 380, 180, 30];
+    const bar = paintedPng(480, 360, (x, y) =>
+      x >= from && x <= to && Math.abs(y - middle) <= half ? [60, 90, 150] : [235, 230, 220],
+    );
+    await openPicture(page, bar, 'bar.png');
+    const drawn = async (first, last) => {
+      await drawWithMouse(page, line([first, middle], [last, middle]));
+      return (await state(page)).parts.at(-1).ribs;
+    };
+    const past = await drawn(from - 40, to + 50);
+    assert.match(await toastText(page, 'status'), /past the end/);
+    for (const rib of past) {
+      for (const [x] of [rib.left, rib.right]) assert.ok(x > from - 4 && x < to + 4, `a rib at ${x}`);
+    }
+    const lefts = past.map((rib) => rib.left[0]);
+    assert.ok(Math.min(...lefts) < from + 20 && Math.max(...lefts) > to - 20, 'and it reaches the ends');
+    const beside = await drawn(from - 40, to + 50);
+    assert.ok(beside[0].center[0] < from - 30, 'beside a part a line stays as it is: it may be meant to reach into it');
+    await run(page, 'undo');
+    await run(page, 'undo');
+    const within = await drawn(from + 30, to - 30);
+    assert.ok(
+      Math.abs(within[0].center[0] - (from + 30)) < 3 && Math.abs(within.at(-1).center[0] - (to - 30)) < 3,
+      'a line on the thing stays as it is',
+    );
+  }));
 
-  test(`${engine.name}: undo and redo by button, key and API`, () =>
-    withTube(engine, async (page) => {
-      await drawWithMouse(page, tube.middle);
-      const drawn = (await state(page)).parts;
-      const count = async () => (await state(page)).parts.length;
-      await page.keyboard.press('Control+z');
-      await idle(page);
-      assert.equal(await count(), 0);
-      await page.locator('[data-command=redo]').click();
-      await idle(page);
-      assert.deepEqual((await state(page)).parts, drawn);
-      await page.locator('[data-command=undo]').click();
-      assert.equal(await count(), 0);
-      await run(page, 'redo');
-      await idle(page);
-      assert.deepEqual((await state(page)).parts, drawn);
-      const failure = await page.evaluate(() =>
-        window.spineloft.run('redo').then(
-          () => null,
-          (error) => error.code,
-        ),
-      );
-      assert.notEqual(failure, null);
-    }));
+test('undo and redo by button, key and API', () =>
+  withTube(async (page) => {
+    const drawn = (await state(page)).parts;
+    const count = async () => (await state(page)).parts.length;
+    const bar = (id) => page.locator(`#bar-items [data-command=${id}]`);
+    await page.keyboard.press('Control+z');
+    await idle(page);
+    assert.equal(await count(), 0);
+    await bar('redo').click();
+    await idle(page);
+    assert.deepEqual((await state(page)).parts, drawn);
+    await bar('undo').click();
+    assert.equal(await count(), 0);
+    await done(page, 'redo');
+    assert.deepEqual((await state(page)).parts, drawn);
+    assert.notEqual(await refusal(page, 'redo'), null);
+  }));
 
-  test(`${engine.name}: slice and ends change the solid that is saved`, () =>
-    withTube(engine, async (page) => {
-      await drawWithMouse(page, tube.middle);
-      const volume = async () => measure(parseStl(await exported(page, 'stl'))).volume;
-      const round = await volume();
-      await run(page, 'set-section', { section: 'square' });
-      await idle(page);
-      const square = await volume();
-      assert.ok(square > 1.15 * round && square < 1.45 * round, `a square holds 4/π of a circle: ${square / round}`);
-      assert.equal((await state(page)).parts[0].section, 'square');
-      await run(page, 'set-caps', { start: 'flat', end: 'pointed' });
-      await idle(page);
-      assert.deepEqual((await state(page)).parts[0].caps, { start: 'flat', end: 'pointed' });
-      assert.notEqual(await volume(), square);
-      await run(page, 'undo');
-      await run(page, 'undo');
-      await idle(page);
-      assert.equal(await volume(), round);
-    }));
+test('slice and ends change the solid that is saved', () =>
+  withTube(async (page) => {
+    const volume = async () => (await measuredStl(page)).volume;
+    const round = await volume();
+    await run(page, 'set-section', { section: 'square' });
+    const square = await volume();
+    assert.ok(square > 1.15 * round && square < 1.45 * round, `a square holds 4/π of a circle: ${square / round}`);
+    assert.equal((await state(page)).parts[0].section, 'square');
+    await run(page, 'set-caps', { start: 'flat', end: 'pointed' });
+    assert.deepEqual((await state(page)).parts[0].caps, { start: 'flat', end: 'pointed' });
+    assert.notEqual(await volume(), square);
+    await run(page, 'undo');
+    await run(page, 'undo');
+    assert.equal(await volume(), round);
+    // The next part is made like the last one: later tests on this page want a circle again.
+    await run(page, 'set-section', { section: 'circle' });
+    await run(page, 'set-caps', { both: 'round' });
+  }));
 
-  test(`${engine.name}: GLB passes the validator and loads in three.js; OBJ and STL agree with it`, () =>
-    withTube(engine, async (page) => {
-      await drawWithMouse(page, tube.middle);
-      const glb = await exported(page, 'glb');
-      const info = await validated(glb);
-      assert.equal(
-        info.resources.filter((resource) => resource.mimeType?.startsWith('image/')).length,
-        1,
-        'the picture is on the part',
-      );
-      const loaded = await loadWithThree(kit.browser, glb);
-      const stl = measure(parseStl(await exported(page, 'stl')));
-      const obj = measure(parseObj(await exported(page, 'obj')));
-      assert.equal(loaded.triangles, stl.triangles);
-      assert.equal(obj.triangles, stl.triangles);
-      assert.equal((await state(page)).parts[0].triangles, stl.triangles);
-      assert.ok(stl.volume > 0 && obj.volume > 0 && loaded.volume > 0, 'outward');
-      assert.equal(loaded.textured, true);
-      // GLB in metres with y up; STL in millimetres with z up, as printers have it.
-      const [width, height, depth] = loaded.size.map((side) => side * 1000);
-      for (const [k, side] of [width, depth, height].entries()) {
-        assert.ok(Math.abs(side - stl.size[k]) < 0.001 * side, `GLB ${loaded.size} m, STL ${stl.size} mm`);
-      }
-      await run(page, 'set-height', { mm: 250 });
-      await idle(page);
-      const tall = measure(parseStl(await exported(page, 'stl')));
-      assert.ok(Math.abs(tall.size[2] - 250) < 0.01, `height ${tall.size[2]} mm`);
-    }));
+test('GLB passes the validator and loads in three.js; OBJ and STL agree with it', () =>
+  withTube(async (page) => {
+    const glb = await exported(page, 'glb');
+    const info = await validated(glb);
+    assert.equal(
+      info.resources.filter((resource) => resource.mimeType?.startsWith('image/')).length,
+      1,
+      'the picture is on the part',
+    );
+    const loaded = await loadWithThree(kit.browser, glb);
+    const stl = await measuredStl(page);
+    const obj = measure(parseObj(await exported(page, 'obj')));
+    assert.equal(loaded.triangles, stl.triangles);
+    assert.equal(obj.triangles, stl.triangles);
+    assert.equal((await state(page)).parts[0].triangles, stl.triangles);
+    assert.ok(stl.volume > 0 && obj.volume > 0 && loaded.volume > 0, 'outward');
+    assert.equal(loaded.textured, true);
+    // GLB in metres with y up; STL in millimetres with z up, as printers have it.
+    const [width, height, depth] = loaded.size.map((side) => side * 1000);
+    for (const [k, side] of [width, depth, height].entries()) {
+      assert.ok(Math.abs(side - stl.size[k]) < 0.001 * side, `GLB ${loaded.size} m, STL ${stl.size} mm`);
+    }
+    await run(page, 'set-height', { mm: 250 });
+    const tall = await measuredStl(page);
+    assert.ok(Math.abs(tall.size[2] - 250) < 0.01, `height ${tall.size[2]} mm`);
+  }));
 
-  test(`${engine.name}: a plain part has its colour and no picture`, () =>
-    withTube(engine, async (page) => {
-      await drawWithMouse(page, tube.middle);
-      await run(page, 'set-colour', { colour: '#2457d6' });
-      await idle(page);
-      const glb = await exported(page, 'glb');
-      const info = await validated(glb);
-      assert.deepEqual(
-        (info.resources ?? []).filter((resource) => resource.mimeType?.startsWith('image/')),
-        [],
-      );
-      assert.equal((await loadWithThree(kit.browser, glb)).textured, false);
-    }));
+test('a plain part has its colour and no picture', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await run(page, 'set-colour', { colour: '#2457d6' });
+    const glb = await exported(page, 'glb');
+    const info = await validated(glb);
+    assert.deepEqual(
+      (info.resources ?? []).filter((resource) => resource.mimeType?.startsWith('image/')),
+      [],
+    );
+    assert.equal((await loadWithThree(kit.browser, glb)).textured, false);
+  }));
 
-  test(`${engine.name}: several parts, each selected, renamed, hidden and deleted`, () =>
-    withTube(engine, async (page) => {
-      const middle = Math.floor(tube.middle.length / 2);
-      await drawWithMouse(page, tube.middle.slice(0, middle));
-      await run(page, 'new-part');
-      await drawWithMouse(page, tube.middle.slice(middle));
-      let { parts, selection } = await state(page);
-      assert.equal(parts.length, 2);
-      assert.equal(selection, parts[1].id);
-      await run(page, 'select-part', { id: parts[0].id });
-      await run(page, 'rename-part', { name: 'Häls & tail' });
-      const both = measure(parseStl(await exported(page, 'stl'))).triangles;
-      await run(page, 'show-part', { visible: false });
-      await idle(page);
-      assert.ok(measure(parseStl(await exported(page, 'stl'))).triangles < both, 'hidden parts are not saved');
-      await page.keyboard.press('Delete');
-      await idle(page);
-      ({ parts } = await state(page));
-      assert.equal(parts.length, 1);
-      await run(page, 'undo');
-      await idle(page);
-      assert.equal((await state(page)).parts[0].name, 'Häls & tail');
+test('several parts, each selected, renamed, hidden and deleted', () =>
+  onPage(kit, {}, async (page) => {
+    const middle = Math.floor(tube.middle.length / 2);
+    await openWithPart(page, tube.png, tube.middle.slice(0, middle));
+    await run(page, 'new-part');
+    await run(page, 'draw-spine', { stroke: tube.middle.slice(middle) });
+    let { parts, selection } = await state(page);
+    assert.equal(parts.length, 2);
+    assert.equal(selection, parts[1].id);
+    await run(page, 'select-part', { id: parts[0].id });
+    await run(page, 'rename-part', { name: 'Häls & tail' });
+    const both = (await measuredStl(page)).triangles;
+    await run(page, 'show-part', { visible: false });
+    assert.ok((await measuredStl(page)).triangles < both, 'hidden parts are not saved');
+    await page.keyboard.press('Delete');
+    await idle(page);
+    ({ parts } = await state(page));
+    assert.equal(parts.length, 1);
+    await done(page, 'undo');
+    assert.equal((await state(page)).parts[0].name, 'Häls & tail');
+    await validated(await exported(page, 'glb'));
+  }));
+
+for (const picture of dataCases(['photo_bottle', 'photo_swan_neck'])) {
+  test(`"${picture.name}" from one stroke of the mouse, as a valid GLB`, () =>
+    onPage(kit, {}, async (page) => {
+      await openPicture(page, picture.bytes, picture.name);
+      await drawWithMouse(page, picture.spine, { count: 18 });
+      assert.equal((await state(page)).parts.length, 1);
       await validated(await exported(page, 'glb'));
     }));
-
-  for (const picture of [
-    ...samples()
-      .slice(0, 3)
-      .map((s) => ({ ...s, name: s.id })),
-    ...dataCases(['photo_bottle', 'photo_swan_neck']),
-  ]) {
-    test(`${engine.name}: "${picture.name}" from one stroke, as a valid GLB`, () =>
-      onPage(kit, { isolated: engine.isolated }, async (page) => {
-        await openPicture(page, picture.bytes, picture.name);
-        await drawWithMouse(page, picture.spine);
-        assert.equal((await state(page)).parts.length, 1);
-        await validated(await exported(page, 'glb'));
-      }));
-  }
 }
 
 test('strokes that make no part say why and change nothing', () =>
   onPage(kit, {}, async (page) => {
     await openPicture(page, tube.png, 'tube.png');
     const before = await state(page);
-    const codes = {};
     const strokes = {
       StrokeTooShort: [[10, 10]],
       StrokeOutsidePicture: [
@@ -260,7 +236,7 @@ test('strokes that make no part say why and change nothing', () =>
       StrokeLoops: Array.from({ length: 60 }, (_, i) => [240 + 90 * Math.cos(i / 6), 180 + 90 * Math.sin(i / 6)]),
     };
     for (const [code, stroke] of Object.entries(strokes)) {
-      codes[code] = await page.evaluate(
+      const refused = await page.evaluate(
         (points) =>
           window.spineloft.run('draw-spine', { stroke: points }).then(
             () => 'no error',
@@ -268,40 +244,32 @@ test('strokes that make no part say why and change nothing', () =>
           ),
         stroke,
       );
+      assert.equal(refused, code);
     }
-    assert.deepEqual(codes, {
-      StrokeTooShort: 'StrokeTooShort',
-      StrokeOutsidePicture: 'StrokeOutsidePicture',
-      StrokeLoops: 'StrokeLoops',
-    });
     const { parts, undo } = await state(page);
     assert.deepEqual([parts, undo], [[], before.undo]);
-    const empty = await page.evaluate(() =>
-      window.spineloft.exportModel('glb').then(
-        () => null,
-        (error) => error.code,
-      ),
-    );
-    assert.equal(empty, 'NothingToExport');
-    const unknown = await page.evaluate(() =>
-      window.spineloft.exportModel('dwg').then(
-        () => null,
-        (error) => error.code,
-      ),
-    );
-    assert.equal(unknown, 'ValueOutOfRange');
+    const refusedExport = (format) =>
+      page.evaluate(
+        (kind) =>
+          window.spineloft.exportModel(kind).then(
+            () => null,
+            (error) => error.code,
+          ),
+        format,
+      );
+    assert.equal(await refusedExport('glb'), 'NothingToExport');
+    assert.equal(await refusedExport('dwg'), 'ValueOutOfRange');
   }));
 
 test("Save offers a file that has the model's name", () =>
-  onPage(kit, {}, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
+  onPage(kit, { alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
     assert.equal((await state(page)).unsaved, true);
-    const coming = page.waitForEvent('download');
-    await page.locator('#bar-save').click();
-    await page.getByRole('menuitem', { name: /GLB/ }).click();
-    const file = await coming;
-    assert.match(file.suggestedFilename(), /\.glb$/);
+    const file = await downloaded(page, async () => {
+      await page.locator('#bar-save').click();
+      await page.getByRole('menuitem', { name: /GLB/ }).click();
+    });
+    assert.match(file.name, /^tube.*\.glb$/);
     await page.waitForFunction(() => window.spineloft.state().unsaved === false);
     await run(page, 'set-section', { section: 'hexagon' });
     assert.equal((await state(page)).unsaved, true);

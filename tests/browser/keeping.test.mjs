@@ -1,14 +1,17 @@
 // Models are kept on the device by themselves: across reloads, in a list, in one tab at a time, and with words where it fails.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import test from 'node:test';
+import { drawWithMouse } from './support/hands.mjs';
 import {
-  drawWithMouse,
+  done,
+  downloaded,
   dropFiles,
   exported,
   idle,
   onPage,
-  openPicture,
+  openWithPart,
+  refusal,
+  reload,
   run,
   state,
   toastText,
@@ -17,19 +20,9 @@ import {
 import { history, inStore, models, smallTube as tube } from './support/keeping.mjs';
 
 const kit = useSite();
-const quick = { isolated: false, query: '?threads=0' };
-
-/** Loads the page again and waits until it runs. */
-async function reload(page) {
-  await page.reload();
-  await page.evaluate(() => window.spineloft.ready);
-  await idle(page);
-}
-
-async function drawPart(page) {
-  await openPicture(page, tube.png, 'tube.png');
-  await drawWithMouse(page, tube.middle);
-}
+/** Every test begins on a device that has kept nothing. */
+const onEmptyDevice = (work) => onPage(kit, { alone: true }, work);
+const drawPart = (page) => openWithPart(page, tube.png, tube.middle);
 
 /** A second tab of the same browser profile. */
 async function secondTab(page) {
@@ -48,12 +41,11 @@ const asksBeforeLeaving = (page) =>
   });
 
 test('a reload brings back the model with undo and redo, and says so', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     await run(page, 'set-section', { section: 'star' });
     await run(page, 'set-height', { mm: 70 });
-    await run(page, 'undo');
-    await idle(page);
+    await done(page, 'undo');
     const before = await history(page),
       looks = (await state(page)).parts;
     assert.equal(await asksBeforeLeaving(page), false);
@@ -65,14 +57,13 @@ test('a reload brings back the model with undo and redo, and says so', () =>
     assert.equal((await state(page)).heightMm, 70);
     for (let i = 0; i < 4; ++i) await run(page, 'undo');
     assert.equal((await state(page)).picture, null);
-    await run(page, 'redo');
-    await idle(page);
+    await done(page, 'redo');
     await reload(page);
     assert.equal((await state(page)).redo, 3);
   }));
 
 test('what is not finished yet, a stroke in hand, is all that a reload loses', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     const before = await history(page);
     await page.mouse.move(200, 300);
@@ -83,7 +74,7 @@ test('what is not finished yet, a stroke in hand, is all that a reload loses', (
   }));
 
 test('starting a new one leaves the old one in the list, from where it is opened again', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     const first = await history(page);
     await reload(page);
@@ -102,10 +93,9 @@ test('starting a new one leaves the old one in the list, from where it is opened
   }));
 
 test('models are duplicated, renamed and deleted from the list, and a deletion can be undone', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
-    await run(page, 'new-model');
-    await idle(page);
+    await done(page, 'new-model');
     const more = async (name, action) => {
       await page.getByRole('button', { name: `More about ${name}` }).click();
       await page.getByRole('menuitem', { name: action }).click();
@@ -136,24 +126,20 @@ test('models are duplicated, renamed and deleted from the list, and a deletion c
   }));
 
 test('a duplicate of the open model is worked on, and the original stays as it was', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
-    await run(page, 'duplicate-model');
-    await idle(page);
-    await run(page, 'set-section', { section: 'star' });
-    await idle(page);
+    await done(page, 'duplicate-model');
+    await done(page, 'set-section', { section: 'star' });
     assert.equal((await state(page)).documentName, 'tube copy');
     const original = (await models(page)).find((model) => model.name === 'tube');
-    await run(page, 'open-model', { id: original.id });
-    await idle(page);
+    await done(page, 'open-model', { id: original.id });
     assert.equal((await state(page)).parts[0].section, 'circle');
   }));
 
 test('an emptied board can be undone from the start page', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
-    await run(page, 'clear');
-    await idle(page);
+    await done(page, 'clear');
     await reload(page);
     await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
     await idle(page);
@@ -161,11 +147,10 @@ test('an emptied board can be undone from the start page', () =>
   }));
 
 test('a photo is stored once however many models show it, and a small one takes little room', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     for (let i = 0; i < 3; ++i) {
       await drawPart(page);
-      await run(page, 'new-model');
-      await idle(page);
+      await done(page, 'new-model');
     }
     assert.equal((await models(page)).length, 3);
     const photos = await inStore(page, 'photos');
@@ -175,65 +160,56 @@ test('a photo is stored once however many models show it, and a small one takes 
   }));
 
 for (const locks of [true, false]) {
-  test(`two tabs never write the same model: a copy or taking over, ${locks ? 'with Web Locks' : 'by signs of life'}`, async () => {
-    const { page, context, close } = await kit.open(quick);
-    if (!locks)
-      await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }));
-    await reload(page);
-    await drawPart(page);
-    const before = await history(page);
-    const other = await secondTab(page);
-    await other.bringToFront();
-    assert.match(await banner(other).innerText(), /tube is open in another tab/);
-    assert.equal((await state(other)).picture, null);
-    assert.match(await other.locator('#models-cards .model-badge').innerText(), /another tab/);
+  test(`two tabs never write the same model: a copy or taking over, ${locks ? 'with Web Locks' : 'by signs of life'}`, () =>
+    onEmptyDevice(async (page, { context }) => {
+      if (!locks) {
+        await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }));
+        await reload(page);
+      }
+      await drawPart(page);
+      const before = await history(page);
+      const other = await secondTab(page);
+      await other.bringToFront();
+      assert.match(await banner(other).innerText(), /tube is open in another tab/);
+      assert.equal((await state(other)).picture, null);
+      assert.match(await other.locator('#models-cards .model-badge').innerText(), /another tab/);
 
-    await banner(other).getByRole('button', { name: 'Take over here' }).click();
-    await other.waitForFunction(() => window.spineloft.state().picture !== null);
-    await idle(other);
-    assert.equal(await history(other), before);
-    await run(other, 'set-section', { section: 'star', part: 1 });
-    await idle(other);
+      await banner(other).getByRole('button', { name: 'Take over here' }).click();
+      await other.waitForFunction(() => window.spineloft.state().picture !== null);
+      await idle(other);
+      assert.equal(await history(other), before);
+      await done(other, 'set-section', { section: 'star', part: 1 });
 
-    await page.bringToFront();
-    await banner(page).waitFor();
-    assert.match(await banner(page).innerText(), /open in another tab now/);
-    const refused = await page.evaluate(() =>
-      window.spineloft.run('undo').then(
-        () => null,
-        (error) => error.code,
-      ),
-    );
-    assert.equal(refused, 'OpenElsewhere');
-    await page.keyboard.press('Control+z');
-    await drawWithMouse(page, tube.middle);
-    assert.equal(await history(page), before, 'here it can only be looked at');
-    await banner(page).getByRole('button', { name: 'Open a copy' }).click();
-    await idle(page);
-    assert.equal(await banner(page).count(), 0);
-    await run(page, 'set-section', { section: 'hexagon', part: 1 });
-    await idle(page);
+      await page.bringToFront();
+      await banner(page).waitFor();
+      assert.match(await banner(page).innerText(), /open in another tab now/);
+      assert.equal(await refusal(page, 'undo'), 'OpenElsewhere');
+      await page.keyboard.press('Control+z');
+      await drawWithMouse(page, tube.middle);
+      assert.equal(await history(page), before, 'here it can only be looked at');
+      await banner(page).getByRole('button', { name: 'Open a copy' }).click();
+      await idle(page);
+      assert.equal(await banner(page).count(), 0);
+      await done(page, 'set-section', { section: 'hexagon', part: 1 });
 
-    await reload(other);
-    assert.equal((await state(other)).parts[0].section, 'star');
-    await reload(page);
-    assert.equal((await state(page)).parts[0].section, 'hexagon');
-    assert.deepEqual((await models(page)).map((model) => model.name).sort(), ['tube', 'tube copy']);
-    await close();
-  });
+      await reload(other);
+      assert.equal((await state(other)).parts[0].section, 'star');
+      await reload(page);
+      assert.equal((await state(page)).parts[0].section, 'hexagon');
+      assert.deepEqual((await models(page)).map((model) => model.name).sort(), ['tube', 'tube copy']);
+    }));
 }
 
-test('a model that another tab has open is opened as a copy from the list', async () => {
-  const { page, close } = await kit.open(quick);
-  await drawPart(page);
-  const other = await secondTab(page);
-  await other.bringToFront();
-  await other.locator('.model-open').click();
-  await banner(other).getByRole('button', { name: 'Open a copy' }).click();
-  await other.waitForFunction(() => window.spineloft.state().documentName === 'tube copy');
-  assert.equal((await state(page)).documentName, 'tube');
-  await close();
-});
+test('a model that another tab has open is opened as a copy from the list', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    const other = await secondTab(page);
+    await other.bringToFront();
+    await other.locator('.model-open').click();
+    await banner(other).getByRole('button', { name: 'Open a copy' }).click();
+    await other.waitForFunction(() => window.spineloft.state().documentName === 'tube copy');
+    assert.equal((await state(page)).documentName, 'tube');
+  }));
 
 for (const [what, spoil] of [
   [
@@ -252,96 +228,84 @@ for (const [what, spoil] of [
     },
   ],
 ]) {
-  test(`where storage is ${what} the page works on, says so once, and offers a file`, async () => {
-    const context = await kit.browser.newContext();
-    const page = await context.newPage();
-    await page.addInitScript(spoil);
-    await page.addInitScript(() =>
-      Object.defineProperty(window, 'sessionStorage', {
-        get() {
-          throw new DOMException('no', 'SecurityError');
-        },
-      }),
-    );
-    await page.goto(`${kit.sites.false.url}?threads=0`);
-    await page.evaluate(() => window.spineloft.ready);
-    assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
-    await drawPart(page);
-    assert.match(await banner(page).innerText(), /does not let the page keep your models/);
-    assert.equal((await state(page)).parts.length, 1);
-    assert.equal(await asksBeforeLeaving(page), true);
-    await banner(page).getByRole('button', { name: 'Dismiss' }).click();
-    for (const section of ['star', 'square', 'circle']) await run(page, 'set-section', { section });
-    await idle(page);
-    assert.equal(await banner(page).count(), 0, 'not on every stroke');
-    await run(page, 'new-model');
-    await page.getByRole('dialog').getByRole('button', { name: 'Let it go' }).click();
-    await idle(page);
-    assert.equal((await state(page)).picture, null);
-    await context.close();
-  });
+  test(`where storage is ${what} the page works on, says so once, and offers a file`, () =>
+    onEmptyDevice(async (page) => {
+      await page.addInitScript(spoil);
+      await page.addInitScript(() =>
+        Object.defineProperty(window, 'sessionStorage', {
+          get() {
+            throw new DOMException('no', 'SecurityError');
+          },
+        }),
+      );
+      await reload(page);
+      assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
+      await drawPart(page);
+      assert.match(await banner(page).innerText(), /does not let the page keep your models/);
+      assert.equal((await state(page)).parts.length, 1);
+      assert.equal(await asksBeforeLeaving(page), true);
+      await banner(page).getByRole('button', { name: 'Dismiss' }).click();
+      for (const section of ['star', 'square', 'circle']) await done(page, 'set-section', { section });
+      assert.equal(await banner(page).count(), 0, 'not on every stroke');
+      await run(page, 'new-model');
+      await page.getByRole('dialog').getByRole('button', { name: 'Let it go' }).click();
+      await idle(page);
+      assert.equal((await state(page)).picture, null);
+    }));
 }
 
-test('a full disk is said once with a way out, and everything is kept again when there is room', async () => {
-  const { page, close } = await kit.open(quick);
-  await drawPart(page);
-  // Chromium's own quota looks at usage only now and then, so the disk is full in the page.
-  await page.evaluate(() => {
-    const original = IDBDatabase.prototype.transaction;
-    window.makeRoom_ = () => {
-      IDBDatabase.prototype.transaction = original;
-    };
-    IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
-      if (mode === 'readwrite') throw new DOMException('full', 'QuotaExceededError');
-      return original.call(this, names, mode, options);
-    };
-  });
-  for (const section of ['star', 'square', 'hexagon']) {
-    await run(page, 'set-section', { section });
+test('a full disk is said once with a way out, and everything is kept again when there is room', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    // Chromium's own quota looks at usage only now and then, so the disk is full in the page.
+    await page.evaluate(() => {
+      const original = IDBDatabase.prototype.transaction;
+      window.makeRoom_ = () => {
+        IDBDatabase.prototype.transaction = original;
+      };
+      IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
+        if (mode === 'readwrite') throw new DOMException('full', 'QuotaExceededError');
+        return original.call(this, names, mode, options);
+      };
+    });
+    for (const section of ['star', 'square', 'hexagon']) {
+      await done(page, 'set-section', { section });
+    }
+    assert.equal(await banner(page).count(), 1);
+    assert.match(await banner(page).innerText(), /no room left[\s\S]*Save a file[\s\S]*Your models/);
+    assert.equal(await asksBeforeLeaving(page), true);
+    const now = await history(page);
+    await page.evaluate(() => window.makeRoom_());
+    await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
     await idle(page);
-  }
-  assert.equal(await banner(page).count(), 1);
-  assert.match(await banner(page).innerText(), /no room left[\s\S]*Save a file[\s\S]*Your models/);
-  assert.equal(await asksBeforeLeaving(page), true);
-  const now = await history(page);
-  await page.evaluate(() => window.makeRoom_());
-  await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
-  await idle(page);
-  assert.match(await toastText(page, 'status'), /kept on this device again/);
-  assert.equal(await banner(page).count(), 0);
-  await reload(page);
-  assert.equal(await history(page), now);
-  await close();
-});
+    assert.match(await toastText(page, 'status'), /kept on this device again/);
+    assert.equal(await banner(page).count(), 0);
+    await reload(page);
+    assert.equal(await history(page), now);
+  }));
 
-test('models of a newer page are left alone, and it is said what to do', async () => {
-  const context = await kit.browser.newContext();
-  const page = await context.newPage();
-  await page.goto(kit.sites.false.url.replace(/\/$/, '/index.html'));
-  await page.evaluate(() => window.spineloft.ready);
-  await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('spineloft', 77);
-        opening.onsuccess = () => {
-          opening.result.close();
-          resolve();
-        };
-      }),
-  );
-  await page.reload();
-  await page.evaluate(() => window.spineloft.ready);
-  await drawPart(page);
-  assert.match(await banner(page).innerText(), /newer SpineLoft/);
-  assert.equal((await state(page)).parts.length, 1);
-  await context.close();
-});
+test('models of a newer page are left alone, and it is said what to do', () =>
+  onEmptyDevice(async (page) => {
+    await page.evaluate(
+      () =>
+        new Promise((resolve) => {
+          const opening = indexedDB.open('spineloft', 77);
+          opening.onsuccess = () => {
+            opening.result.close();
+            resolve();
+          };
+        }),
+    );
+    await reload(page);
+    await drawPart(page);
+    assert.match(await banner(page).innerText(), /newer SpineLoft/);
+    assert.equal((await state(page)).parts.length, 1);
+  }));
 
 test('a damaged record is said, what came before it is there, and what comes after it is kept', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
-    for (const section of ['star', 'square', 'hexagon']) await run(page, 'set-section', { section });
-    await idle(page);
+    for (const section of ['star', 'square', 'hexagon']) await done(page, 'set-section', { section });
     await inStore(page, 'journal', (store) => {
       const all = store.getAll();
       all.onsuccess = () => {
@@ -352,15 +316,14 @@ test('a damaged record is said, what came before it is there, and what comes aft
     await reload(page);
     assert.match(await toastText(page), /The last 2 steps of tube could not be read/);
     assert.equal((await state(page)).parts[0].section, 'star');
-    await run(page, 'set-caps', { both: 'flat', part: 1 });
-    await idle(page);
+    await done(page, 'set-caps', { both: 'flat', part: 1 });
     const now = await history(page);
     await reload(page);
     assert.equal(await history(page), now);
   }));
 
 test('a model whose base is damaged is said and stays in the list; the page works', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     await inStore(page, 'bases', (store) => {
       const all = store.getAll();
@@ -374,22 +337,19 @@ test('a model whose base is damaged is said and stays in the list; the page work
   }));
 
 test('the status line tells how much undo history there is', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     assert.match(await page.locator('#status-history').innerText(), /^Undo history: [1-9]\d* KB of 64 MB$/);
   }));
 
 test('Ctrl+S saves a project file; dropped on the page it opens as a model of its own, and the open one stays', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     await run(page, 'rename-model', { name: 'Swan neck' });
-    const coming = page.waitForEvent('download');
-    await page.keyboard.press('Control+s');
-    const download = await coming;
-    assert.equal(download.suggestedFilename(), 'swan-neck.spineloft');
-    const file = kit.file('swan-neck.spineloft', readFileSync(await download.path()));
-    await run(page, 'set-section', { section: 'star', part: 1 });
-    await idle(page);
+    const saved = await downloaded(page, () => page.keyboard.press('Control+s'));
+    assert.equal(saved.name, 'swan-neck.spineloft');
+    const file = kit.file(saved.name, saved.bytes);
+    await done(page, 'set-section', { section: 'star', part: 1 });
     await dropFiles(page, [file]);
     await page.waitForFunction(
       () => window.spineloft.state().undo === 0 && window.spineloft.state().parts.length === 1,
@@ -404,7 +364,7 @@ test('Ctrl+S saves a project file; dropped on the page it opens as a model of it
   }));
 
 test('a GLB that was saved here goes on; one of another program or a damaged file gets a sentence and changes nothing', () =>
-  onPage(kit, quick, async (page) => {
+  onEmptyDevice(async (page) => {
     await drawPart(page);
     const glb = await exported(page, 'glb');
     const before = await history(page);
@@ -422,8 +382,7 @@ test('a GLB that was saved here goes on; one of another program or a damaged fil
       assert.equal(await history(page), before, name);
       await page.locator('#toasts [role=alert] .toast-close').last().click();
     }
-    await run(page, 'new-model');
-    await idle(page);
+    await done(page, 'new-model');
     await page.locator('#model-picker').setInputFiles(kit.file('ours.glb', glb));
     await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
     const code = await page.evaluate(() =>

@@ -1,4 +1,4 @@
-// P1: nothing a person drew is lost. Hundreds of pages are killed in the middle of seeded random gestures, and each
+// P1: nothing a person drew is lost. Pages are killed in the middle of seeded random gestures, and each
 // time the model comes back as it was, but for the gesture in hand.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -6,12 +6,12 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { startSite } from '../../.ci/lib/browser.mjs';
-import { openPicture, run, toClient } from './support/page.mjs';
+import { idle, kRounds, openPicture, run, toClient } from './support/page.mjs';
 import { history, smallTube, startKeptBrowser } from './support/keeping.mjs';
 
-const kRounds = Number(process.env.SPINELOFT_KILLS ?? 200);
-/** Rounds until a new model is begun. */
-const kModelRounds = 20;
+const kKills = 25 * kRounds;
+/** Kills until a new model is begun. */
+const kModelKills = 20;
 /** A page that cannot be killed or does not come up in that time fails the test instead of holding it up. */
 const kPatienceMs = 60_000;
 
@@ -150,8 +150,8 @@ async function told(page, states, inHand) {
 }
 
 test(
-  `a page that is killed ${kRounds} times at random comes back each time, at most the last gesture old`,
-  { timeout: 1_200_000 },
+  `a page that is killed ${kKills} times at random comes back each time, at most the last gesture old`,
+  { timeout: kKills * 12_000 },
   async (t) => {
     const folder = mkdtempSync(join(tmpdir(), 'spineloft-kill-'));
     const site = await startSite({ isolated: false });
@@ -164,7 +164,7 @@ test(
     try {
       let states = null,
         inHand = null;
-      for (let round = 0; round <= kRounds; ++round) {
+      for (let round = 0; round <= kKills; ++round) {
         const page = await context.newPage();
         await page.goto(`${site.url}?threads=0`, { waitUntil: 'commit' });
         await page.waitForFunction(() => window.spineloft !== undefined);
@@ -177,21 +177,21 @@ test(
           counts[result] += 1;
           assert.notEqual(result, 'lost', `round ${round}: ${await told(page, states, inHand)}`);
         }
-        if (round === kRounds) break;
-        if (round % kModelRounds === 0) {
+        if (round === kKills) break;
+        if (round % kModelKills === 0) {
           await run(page, 'new-model').catch(() => undefined);
-          await page.evaluate(() => window.spineloft.idle());
+          await idle(page);
           await openPicture(page, smallTube.png, 'tube.png');
         }
         // What the verdict undid and did again was no hand's work: only from here on the page is in a hurry.
-        await page.evaluate(() => window.spineloft.idle());
+        await idle(page);
         states = [await history(page)];
         inHand = await patiently(workUntilKilled(page, random, states), `killing the page of round ${round}`);
         gestures += states.length - 1;
         inGesture += inHand ? 1 : 0;
       }
       t.diagnostic(
-        `${kRounds} kills (${inGesture} in the middle of a gesture), ${gestures} gestures, ${JSON.stringify(counts)}, ${Math.round((Date.now() - started) / 1000)} s`,
+        `${kKills} kills (${inGesture} in the middle of a gesture), ${gestures} gestures, ${JSON.stringify(counts)}, ${Math.round((Date.now() - started) / 1000)} s`,
       );
     } finally {
       await context.close();

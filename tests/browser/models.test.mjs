@@ -5,17 +5,16 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { measure, parse3mf, parseStl, validated } from './support/model_files.mjs';
+import { drawWithMouse, press } from './support/hands.mjs';
 import {
   answer,
   chooseFromMore,
-  drawWithMouse,
+  done,
   dropFiles,
   exported,
   idle,
   onPage,
-  press,
   pressBar,
-  run,
   state,
   toClient,
   useSite,
@@ -30,7 +29,7 @@ const model = (title, name, work) => {
   const [found] = dataCases([name]);
   const options = { skip: found ? false : `there is no case ${name} in the data folder` };
   test(title, options, (t) =>
-    onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
+    onPage(kit, { alone: true, viewport: { width: 1440, height: 900 } }, async (page) => {
       await dropFiles(page, [kit.file(`${name}.png`, found.bytes)]);
       await waitForPicture(page);
       const { millimetres } = await work(page);
@@ -58,16 +57,13 @@ async function isRead(t, page, name, millimetres) {
   );
 }
 
-/** For asserting and looking only: models are made by hand. */
-async function command(page, id, args) {
-  await run(page, id, args);
-  await idle(page);
-}
+/** A stroke of as many points as these models need. */
+const draw = (page, points) => drawWithMouse(page, points, { count: 12 });
 
 /** A stroke of the pen for a new part; its ends by the bar's word, or each by that of the panel. */
 async function loft(page, points, ends) {
   if ((await state(page)).parts.length > 0) await pressBar(page, 'new-part');
-  await drawWithMouse(page, dense(points));
+  await draw(page, dense(points));
   if (typeof ends === 'string') await pressBar(page, 'set-caps', ends);
   else for (const end of ends ?? []) await press(page, end);
 }
@@ -109,9 +105,11 @@ function dense(points) {
     .concat([points.at(-1)]);
 }
 
-async function keep(page, name) {
+/** For looking only: the solid from where these turns lead, and the files. */
+async function keep(page, name, turns) {
   if (!kept) return;
   mkdirSync(kept, { recursive: true });
+  for (const id of ['draw', 'focus-solid', ...turns]) await done(page, id);
   while (await page.locator('#toasts button').count()) await page.locator('#toasts button').first().click();
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(kept, `${name}.png`) });
@@ -138,7 +136,7 @@ async function isWhole(page, { millimetres, genus }) {
     [[0, 1]],
     'one closed object in the 3MF',
   );
-  await command(page, 'check-print');
+  await done(page, 'check-print'); // for asserting only: models are made by hand
   assert.ok((await state(page)).print.closed);
   return { millimetres };
 }
@@ -182,9 +180,7 @@ model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
   assert.ok(measure(parseStl(await exported(page, 'stl'))).volume < 0.5 * full, 'most of the body is air');
   await tall(page, '9.5 cm');
   const made = await isWhole(page, { millimetres: 95, genus: 1 });
-  await command(page, 'focus-solid');
-  for (const turn of ['turn-down', 'turn-down', 'turn-down', 'turn-left']) await command(page, turn);
-  await keep(page, 'mug');
+  await keep(page, 'mug', ['turn-down', 'turn-down', 'turn-down', 'turn-left']);
   return made;
 });
 
@@ -224,9 +220,7 @@ model('a tap of three pipes, taken in hand by taps in the picture', 'render_fauc
   await chooseFromMore(page, 'Stick together');
   await tall(page, '8 cm');
   const made = await isWhole(page, { millimetres: 80, genus: 0 });
-  await command(page, 'focus-solid');
-  for (const turn of ['turn-left', 'turn-left']) await command(page, turn);
-  await keep(page, 'tap');
+  await keep(page, 'tap', ['turn-left', 'turn-left']);
   return made;
 });
 
@@ -254,7 +248,7 @@ model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck',
     ['Round, where you began', 'Pointed, where you stopped'],
   );
   await press(page, 'Puff');
-  await drawWithMouse(page, [
+  await draw(page, [
     [121, 519],
     [148, 464],
     [204, 408],
@@ -268,7 +262,7 @@ model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck',
     [167, 536],
     [122, 521],
   ]);
-  await drawWithMouse(
+  await draw(
     page,
     [
       [262, 127],
@@ -284,7 +278,7 @@ model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck',
   await place(page, 'Front', '7');
   await alikeInDepth(page);
   await press(page, 'Flat piece');
-  await drawWithMouse(page, [
+  await draw(page, [
     [287, 427],
     [352, 408],
     [417, 427],
@@ -317,9 +311,6 @@ model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck',
   await press(page, 'Stick together');
   await tall(page, '12 cm');
   const made = await isWhole(page, { millimetres: 120, genus: 0 });
-  await command(page, 'draw');
-  await command(page, 'focus-solid');
-  for (const turn of ['turn-left', 'turn-left', 'turn-up']) await command(page, turn);
-  await keep(page, 'swan');
+  await keep(page, 'swan', ['turn-left', 'turn-left', 'turn-up']);
   return made;
 });

@@ -1,12 +1,15 @@
 // Every way a picture comes in, and every file that must be refused in plain words.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { validated } from './support/model_files.mjs';
 import {
-  drawWithMouse,
+  done,
   dropFiles,
+  exported,
   idle,
   onPage,
   openPicture,
+  openWithPart,
   pictureSize,
   state,
   toastText,
@@ -25,7 +28,7 @@ test('a picture dropped from the system opens', () =>
     assert.deepEqual(await pictureSize(page), { width: tube.width, height: tube.height });
     assert.equal(await page.locator('#start').isVisible(), false);
     assert.match(await page.locator('#status').innerText(), /480 by 360/);
-    await drawWithMouse(page, tube.middle);
+    await done(page, 'draw-spine', { stroke: tube.middle });
     assert.equal(
       await page.locator('#status').innerText(),
       '',
@@ -52,7 +55,7 @@ test('Ctrl+O opens the file dialog too', () =>
   }));
 
 test('a picture pasted from the clipboard opens', () =>
-  onPage(kit, { permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
+  onPage(kit, { alone: true, permissions: ['clipboard-read', 'clipboard-write'] }, async (page) => {
     await page.evaluate(async (data) => {
       const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
       await navigator.clipboard.write([new ClipboardItem({ 'image/png': new Blob([bytes], { type: 'image/png' }) })]);
@@ -63,7 +66,7 @@ test('a picture pasted from the clipboard opens', () =>
   }));
 
 for (const [index, sample] of samples().entries()) {
-  test(`the sample "${sample.title}" opens from the start page, and its line makes a part`, () =>
+  test(`the sample "${sample.title}" opens from the start page, and its line makes a part and a valid GLB`, () =>
     onPage(kit, {}, async (page) => {
       const image = page.locator('.sample img').nth(index);
       await image.scrollIntoViewIfNeeded();
@@ -77,11 +80,12 @@ for (const [index, sample] of samples().entries()) {
       await page.locator('.sample-open').nth(index).click();
       await waitForPicture(page);
       assert.deepEqual(await pictureSize(page), { width: sample.width, height: sample.height });
-      await drawWithMouse(page, sample.spine);
+      await done(page, 'draw-spine', { stroke: sample.spine });
       const { parts } = await state(page);
       assert.equal(parts.length, 1);
       assert.ok(parts[0].ribs.length >= 8 && parts[0].triangles > 100, JSON.stringify(parts[0]).slice(0, 200));
       assert.equal(await page.locator('#hint').isVisible(), false);
+      await validated(await exported(page, 'glb'));
     }));
 }
 
@@ -113,10 +117,7 @@ test('the EXIF turn is applied: a lying photo stands up', () =>
     await openPicture(page, withExifOrientation(jpeg, 6), 'standing.jpg');
     assert.deepEqual(await pictureSize(page), { width: 360, height: 480 });
     // The tube's middle (x, y) is now at (height − 1 − y, x).
-    await drawWithMouse(
-      page,
-      tube.middle.map(([x, y]) => [359 - y, x]),
-    );
+    await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [359 - y, x]) });
     const [part] = (await state(page)).parts;
     const sides = part.ribs
       .slice(3, -3)
@@ -130,7 +131,7 @@ test('a large photo keeps its own coordinates', () =>
     const large = enlarged(tube, 7);
     await openPicture(page, large.png);
     assert.deepEqual(await pictureSize(page), { width: 3360, height: 2520 });
-    await drawWithMouse(page, large.middle);
+    await done(page, 'draw-spine', { stroke: large.middle });
     const [part] = (await state(page)).parts;
     const rib = part.ribs[Math.floor(part.ribs.length / 2)];
     const width = Math.hypot(rib.left[0] - rib.right[0], rib.left[1] - rib.right[1]);
@@ -140,8 +141,7 @@ test('a large photo keeps its own coordinates', () =>
 test('a picture with transparent ground works like one on white', () =>
   onPage(kit, {}, async (page) => {
     const clear = tubePicture({ transparent: true });
-    await openPicture(page, clear.png);
-    await drawWithMouse(page, clear.middle);
+    await openWithPart(page, clear.png, clear.middle);
     assert.equal((await state(page)).parts.length, 1);
   }));
 
@@ -174,8 +174,7 @@ const bad = {
 
 test('files that are no good are refused in words, each in its own, and nothing is lost', () =>
   onPage(kit, {}, async (page) => {
-    await openPicture(page, tube.png);
-    await drawWithMouse(page, tube.middle);
+    await openWithPart(page, tube.png, tube.middle);
     const before = await state(page);
     for (const [what, { bytes, code, says }] of Object.entries(bad)) {
       await dropFiles(page, [kit.file('bad.png', bytes)]);
@@ -247,27 +246,24 @@ test('pictures of every common format open', () =>
     }
   }));
 
-test('opening that takes long shows progress after a blink and can be cancelled without loss', async () => {
-  const context = await kit.browser.newContext();
-  const page = await context.newPage();
-  await page.addInitScript(() => {
-    const decode = window.createImageBitmap.bind(window);
-    window.createImageBitmap = async (...values) => {
-      await new Promise((resolve) => {
-        setTimeout(resolve, 2500);
-      });
-      return decode(...values);
-    };
-  });
-  await page.goto(kit.sites.true.url);
-  await page.evaluate(() => window.spineloft.ready);
-  assert.equal(await page.locator('#progress').isVisible(), false);
-  await dropFiles(page, [kit.file('slow.png', tube.png)]);
-  await page.locator('#progress').waitFor();
-  assert.match(await page.locator('#progress').innerText(), /Opening/);
-  await page.getByRole('button', { name: 'Cancel' }).click();
-  assert.match(await toastText(page, 'status'), /Cancelled/);
-  assert.equal((await state(page)).picture, null);
-  await page.locator('#progress').waitFor({ state: 'hidden' });
-  await context.close();
-});
+test('opening that takes long shows progress after a blink and can be cancelled without loss', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await page.evaluate(() => {
+      const decode = window.createImageBitmap.bind(window);
+      window.createImageBitmap = async (...values) => {
+        await new Promise((resolve) => {
+          window.goOn = resolve;
+        });
+        return decode(...values);
+      };
+    });
+    assert.equal(await page.locator('#progress').isVisible(), false);
+    await dropFiles(page, [kit.file('slow.png', tube.png)]);
+    await page.locator('#progress').waitFor();
+    assert.match(await page.locator('#progress').innerText(), /Opening/);
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await page.evaluate(() => window.goOn());
+    assert.match(await toastText(page, 'status'), /Cancelled/);
+    assert.equal((await state(page)).picture, null);
+    await page.locator('#progress').waitFor({ state: 'hidden' });
+  }));

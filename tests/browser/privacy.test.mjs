@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
-import { downloaded, drawWithMouse, exported, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { downloaded, exported, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
 import { tubePicture, withGps } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -30,12 +30,11 @@ function unpacked(name, bytes) {
 }
 
 test('where a photo was taken, by its EXIF block, is in no file that is saved', () =>
-  onPage(kit, {}, async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
     const { jpeg, places } = withGps(await tubeJpeg(page));
-    await openPicture(page, jpeg, 'IMG_0001.jpg');
+    await openWithPart(page, jpeg, tube.middle, 'IMG_0001.jpg');
     const { picture } = await state(page);
     assert.deepEqual([picture.width, picture.height], [tube.width, tube.height]);
-    await drawWithMouse(page, tube.middle);
     assert.equal((await state(page)).parts.length, 1);
     const files = [];
     for (const format of ['glb', 'obj', 'zip', 'stl', '3mf', 'spineloft'])

@@ -2,14 +2,17 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { openPage, startSite } from '../../.ci/lib/browser.mjs';
+import { drawWithMouse } from './support/hands.mjs';
 import {
   difference,
-  drawWithMouse,
   idle,
+  kSharp,
   kWindow,
   onPage,
   openPicture,
+  openWithPart,
   pixels,
+  run,
   state,
   toastText,
   useSite,
@@ -19,12 +22,33 @@ import { tubePicture } from './support/pictures.mjs';
 const kit = useSite();
 const tube = tubePicture();
 
+/** A page in a context of its own with what `prepare` does to it before the site is there. */
+async function onSpoiltPage(prepare, work) {
+  const context = await kit.browser.newContext();
+  const page = await context.newPage();
+  try {
+    await prepare(page);
+    await page.goto(kit.sites.true.url);
+    await work(page);
+  } finally {
+    await context.close();
+  }
+}
+
+/** Nothing is said any more, and no frame is to come. */
+async function atRest(page) {
+  await page.mouse.move(5, 715);
+  await page.evaluate(() => {
+    for (const close of document.querySelectorAll('#toasts .toast-close')) close.click();
+  });
+  await page.locator('#toasts .toast').first().waitFor({ state: 'detached' });
+  await idle(page);
+}
+
 test('a lost WebGL context comes back with the same pixels and nothing lost', () =>
-  onPage(kit, {}, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
-    await page.mouse.move(5, 715);
-    await page.waitForTimeout(1200);
+  onPage(kit, { alone: true, ...kSharp }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await atRest(page);
     const clip = { x: 0, y: 60, width: 1100, height: 630 };
     const before = await pixels(page, clip);
     const partsBefore = (await state(page)).parts;
@@ -42,17 +66,25 @@ test('a lost WebGL context comes back with the same pixels and nothing lost', ()
       await restored;
     });
     await idle(page);
-    await page.waitForTimeout(400);
     assert.ok(difference(before, await pixels(page, clip)) < 0.002);
     assert.deepEqual((await state(page)).parts, partsBefore);
   }));
 
-test('an idle page draws no frame and runs no timer', () =>
-  onPage(kit, {}, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
-    await page.mouse.move(5, 715);
-    await page.waitForTimeout(6000); // until toasts and camera flights are over
+test('an idle page with a part and a sketch draws no frame and runs no timer', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await run(page, 'new-sketch', { width: 768, height: 1024 });
+    await drawWithMouse(page, [
+      [240, 200],
+      [250, 400],
+      [240, 620],
+    ]);
+    // Until the engine and the models have had their idle moments.
+    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length === 1, null, {
+      timeout: 120_000,
+    });
+    await atRest(page);
+    await page.waitForTimeout(1000);
     await page.evaluate(() => {
       window.work_ = { draws: 0, frames: 0, timers: 0 };
       const context = document.getElementById('canvas').getContext('webgl2');
@@ -90,8 +122,7 @@ for (const isolated of [true, false]) {
     const { page, troubles, close } = await openPage(kit.browser, site.url, { viewport: kWindow });
     try {
       await page.evaluate(() => window.spineloft.ready);
-      await openPicture(page, tube.png, 'tube.png');
-      await drawWithMouse(page, tube.middle);
+      await openWithPart(page, tube.png, tube.middle);
       assert.equal((await state(page)).parts.length, 1);
       assert.deepEqual(troubles, []);
     } finally {
@@ -101,10 +132,8 @@ for (const isolated of [true, false]) {
   });
 }
 
-test('the API is there before the engine is, and waits for it', async () => {
-  const context = await kit.browser.newContext();
-  const page = await context.newPage();
-  await page.addInitScript(() => {
+test('the API is there before the engine is, and waits for it', () => {
+  const lookEarly = () =>
     addEventListener('DOMContentLoaded', () => {
       const early = window.spineloft;
       window.early_ = early && {
@@ -114,22 +143,23 @@ test('the API is there before the engine is, and waits for it', async () => {
         isPromise: early.ready instanceof Promise,
       };
     });
-  });
-  await page.goto(kit.sites.true.url);
-  const early = await page.evaluate(() => window.early_);
-  assert.equal(early.state.picture, null);
-  assert.equal(early.state.busy, true);
-  assert.deepEqual(early.commands, []);
-  assert.equal(early.isPromise, true);
-  await page.evaluate(() => window.spineloft.idle());
-  assert.equal(await page.evaluate(() => window.spineloft.state().busy), false);
-  await context.close();
+  return onSpoiltPage(
+    (page) => page.addInitScript(lookEarly),
+    async (page) => {
+      const early = await page.evaluate(() => window.early_);
+      assert.equal(early.state.picture, null);
+      assert.equal(early.state.busy, true);
+      assert.deepEqual(early.commands, []);
+      assert.equal(early.isPromise, true);
+      await idle(page);
+      assert.equal((await state(page)).busy, false);
+    },
+  );
 });
 
 test('?threads=0 asks for the single-thread engine on an isolated page', () =>
-  onPage(kit, { query: '?threads=0' }, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
+  onPage(kit, { alone: true, isolated: true, query: '?threads=0' }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
     const { threads, parts } = await state(page);
     assert.equal(threads, 0);
     assert.equal(parts.length, 1);
@@ -151,91 +181,93 @@ for (const [what, spoil, says] of [
     /WebAssembly/,
   ],
 ]) {
-  test(`a browser without ${what} gets it said in plain words, and ready rejects`, async () => {
-    const context = await kit.browser.newContext();
-    const page = await context.newPage();
-    await page.addInitScript(spoil);
-    await page.goto(kit.sites.true.url);
-    const failure = page.locator('.start-failure');
-    await failure.waitFor();
-    assert.match(await failure.innerText(), says);
-    const code = await page.evaluate(() =>
-      window.spineloft.ready.then(
-        () => null,
-        (error) => error.code,
-      ),
-    );
-    assert.match(code, /^No/);
-    await context.close();
-  });
+  test(`a browser without ${what} gets it said in plain words, and ready rejects`, () =>
+    onSpoiltPage(
+      (page) => page.addInitScript(spoil),
+      async (page) => {
+        const failure = page.locator('.start-failure');
+        await failure.waitFor();
+        assert.match(await failure.innerText(), says);
+        const code = await page.evaluate(() =>
+          window.spineloft.ready.then(
+            () => null,
+            (error) => error.code,
+          ),
+        );
+        assert.match(code, /^No/);
+      },
+    ));
 }
 
-test('a picture chosen while the engine still loads is opened when it runs, and the wait is shown', async () => {
-  const context = await kit.browser.newContext();
-  const page = await context.newPage();
-  await page.route('**/*.wasm', async (route) => {
-    await new Promise((resolve) => {
-      setTimeout(resolve, 1500);
-    });
-    await route.continue();
+test('a picture chosen while the engine still loads is opened when it runs, and the wait is shown', () => {
+  let goOn;
+  const chosen = new Promise((resolve) => {
+    goOn = resolve;
   });
-  await page.goto(kit.sites.true.url);
-  await page.locator('.sample-open').nth(1).click();
-  await page.locator('#progress').waitFor();
-  assert.match(await page.locator('#progress').innerText(), /Getting ready/);
-  await page.waitForFunction(() => window.spineloft.state().picture !== null);
-  assert.equal((await state(page)).picture.name, await page.locator('.sample-title').nth(1).textContent());
-  await context.close();
+  return onSpoiltPage(
+    (page) => page.route('**/*.wasm', (route) => chosen.then(() => route.continue())),
+    async (page) => {
+      await page.locator('.sample-open').nth(1).click();
+      await page.locator('#progress').waitFor();
+      assert.match(await page.locator('#progress').innerText(), /Getting ready/);
+      goOn();
+      await page.waitForFunction(() => window.spineloft.state().picture !== null);
+      assert.equal((await state(page)).picture.name, await page.locator('.sample-title').nth(1).textContent());
+    },
+  );
 });
 
-test('an engine that does not arrive is said, not left spinning', async () => {
-  const context = await kit.browser.newContext();
-  const page = await context.newPage();
-  await page.route('**/*.wasm', (route) => route.abort());
-  await page.goto(kit.sites.true.url);
-  await page.locator('.start-failure').waitFor();
-  assert.match(await page.locator('.start-failure').innerText(), /did not load completely/);
-  await context.close();
-});
+test('an engine that does not arrive is said, not left spinning', () =>
+  onSpoiltPage(
+    (page) => page.route('**/*.wasm', (route) => route.abort()),
+    async (page) => {
+      await page.locator('.start-failure').waitFor();
+      assert.match(await page.locator('.start-failure').innerText(), /did not load completely/);
+    },
+  ));
 
-test('a sample that does not load says so and leaves the start page usable', async () => {
-  const context = await kit.browser.newContext();
-  const page = await context.newPage();
-  await page.goto(kit.sites.true.url);
-  await page.evaluate(() => window.spineloft.ready);
-  await page.route('**/samples/**', (route) => route.fulfill({ status: 404, body: '' }));
-  await page.locator('.sample-open').first().click();
-  assert.match(await toastText(page), /did not load/);
-  assert.equal(await page.locator('#start').isVisible(), true);
-  await context.close();
-});
+test('a sample that does not load says so and leaves the start page usable', () =>
+  onSpoiltPage(
+    () => undefined,
+    async (page) => {
+      await page.evaluate(() => window.spineloft.ready);
+      await page.route('**/samples/**', (route) => route.fulfill({ status: 404, body: '' }));
+      await page.locator('.sample-open').first().click();
+      assert.match(await toastText(page), /did not load/);
+      assert.equal(await page.locator('#start').isVisible(), true);
+    },
+  ));
 
 // ?sharp: a machine that draws with its processor otherwise saves pixels while something moves.
 test('resizing and zooming keep the drawing crisp: the canvas has as many pixels as the screen', () =>
-  onPage(kit, { query: '?sharp', deviceScaleFactor: 2, viewport: { width: 900, height: 700 } }, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    const sizes = () =>
-      page.evaluate(() => {
-        const canvas = document.getElementById('canvas');
-        return {
-          backing: [canvas.width, canvas.height],
-          css: [canvas.clientWidth, canvas.clientHeight],
-          ratio: devicePixelRatio,
-        };
-      });
-    for (const viewport of [
-      { width: 900, height: 700 },
-      { width: 640, height: 900 },
-      { width: 1300, height: 600 },
-    ]) {
-      await page.setViewportSize(viewport);
-      await page.waitForTimeout(250);
-      await idle(page);
-      const { backing, css, ratio } = await sizes();
-      assert.deepEqual(
-        backing,
-        css.map((side) => Math.round(side * ratio)),
-        JSON.stringify(viewport),
-      );
-    }
-  }));
+  onPage(
+    kit,
+    { alone: true, query: '?sharp', deviceScaleFactor: 2, viewport: { width: 900, height: 700 } },
+    async (page) => {
+      await openPicture(page, tube.png, 'tube.png');
+      const sizes = () =>
+        page.evaluate(() => {
+          const canvas = document.getElementById('canvas');
+          return {
+            backing: [canvas.width, canvas.height],
+            css: [canvas.clientWidth, canvas.clientHeight],
+            ratio: devicePixelRatio,
+          };
+        });
+      for (const viewport of [
+        { width: 900, height: 700 },
+        { width: 640, height: 900 },
+        { width: 1300, height: 600 },
+      ]) {
+        await page.setViewportSize(viewport);
+        await page.waitForTimeout(250);
+        await idle(page);
+        const { backing, css, ratio } = await sizes();
+        assert.deepEqual(
+          backing,
+          css.map((side) => Math.round(side * ratio)),
+          JSON.stringify(viewport),
+        );
+      }
+    },
+  ));

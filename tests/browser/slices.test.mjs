@@ -1,21 +1,29 @@
-// Drawing slices with real pointers, several slices along a bone, curves along it, and the shelf.
+// Slices by real pointers: drawn on the board, dragged out of the panel, kept on the shelf, and what reaches the file.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { dragMouse, placeOf, strokeAlong } from './support/hands.mjs';
+import {
+  done,
+  exported,
+  kPhone,
+  onPage,
+  openWithPart,
+  reload,
+  run,
+  state,
+  toClient,
+  useSite,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-async function withPart(options, work) {
-  await onPage(kit, options, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await run(page, 'draw-spine', { stroke: tube.middle });
-    await idle(page);
+const withPart = (options, work) =>
+  onPage(kit, options, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
     await work(page);
   });
-}
 
 /** Client positions of places of the board's square. */
 async function onBoard(page, points) {
@@ -25,51 +33,28 @@ async function onBoard(page, points) {
   return points.map(([px, py]) => ({ x: box.x + x + side / 2 + px * half, y: box.y + y + side / 2 - py * half }));
 }
 
-const ring = (radius, count = 30) =>
+const ring = (radius, count = 14) =>
   Array.from({ length: count }, (_, i) => {
     const angle = (6.15 * i) / (count - 1);
     return [radius * Math.cos(angle), radius * Math.sin(angle)];
   });
 
-async function mouse(page, path) {
-  await page.mouse.move(path[0].x, path[0].y);
-  await page.mouse.down();
-  for (const at of path) await page.mouse.move(at.x, at.y);
-  await page.mouse.up();
-  await idle(page);
-}
-
-async function touch(page, path) {
-  const session = await page.context().newCDPSession(page);
-  const send = (type, at) =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at.x, y: at.y, id: 1 }] : [] });
-  await send('touchStart', path[0]);
-  for (const at of path.slice(1)) await send('touchMove', at);
-  await send('touchEnd');
-  await session.detach();
-  await idle(page);
-}
-
-for (const [name, options, draw] of [
-  ['the mouse', {}, mouse],
-  ['a finger on a phone', phone, touch],
+for (const [name, options, device] of [
+  ['the mouse', {}, 'mouse'],
+  ['a finger on a phone', kPhone, 'finger'],
 ]) {
   test(`a slice with a hole is drawn with ${name}; it is one step, and on the shelf after a reload`, () =>
-    withPart(options, async (page) => {
+    withPart({ ...options, alone: true }, async (page) => {
       const before = (await state(page)).undo;
-      await run(page, 'edit-slice');
-      await idle(page);
-      await draw(page, await onBoard(page, ring(0.85)));
-      await draw(page, await onBoard(page, ring(0.4)));
+      await done(page, 'edit-slice');
+      for (const radius of [0.85, 0.4]) await strokeAlong(page, device, await onBoard(page, ring(radius)));
       assert.equal((await state(page)).sliceBoard.curves.length, 2);
-      await run(page, 'slice-done');
-      await idle(page);
+      await done(page, 'slice-done');
       const now = await state(page);
       assert.equal(now.sliceBoard, null);
       assert.equal(now.undo, before + 1);
       assert.deepEqual([now.parts[0].slices[0].curves, now.parts[0].slices[0].holes], [1, 1]);
-      await page.reload();
-      await page.evaluate(() => window.spineloft.ready);
+      await reload(page);
       assert.deepEqual(
         (await state(page)).shelf.map((slice) => slice.name),
         ['My slice 1'],
@@ -77,43 +62,84 @@ for (const [name, options, draw] of [
     }));
 }
 
-test('leaving the board with Escape leaves the part as it was', () =>
-  withPart({}, async (page) => {
-    const before = await exported(page, 'glb');
-    await run(page, 'edit-slice');
-    await idle(page);
-    await mouse(page, await onBoard(page, ring(0.7)));
-    await page.keyboard.press('Escape');
-    await idle(page);
-    assert.equal((await state(page)).sliceBoard, null);
-    assert.ok(before.equals(await exported(page, 'glb')));
-  }));
-
-test('slices along the bone are added, moved and taken away', () =>
-  withPart({}, async (page) => {
-    await run(page, 'add-slice', { at: 1, section: 'star' });
-    await run(page, 'add-slice', { at: 0.5, section: 'square' });
-    await run(page, 'move-slice', { slice: 1, to: 0.3 });
-    assert.deepEqual(
-      (await state(page)).parts[0].slices.map((slice) => [slice.at, slice.section]),
-      [
-        [0, 'circle'],
-        [0.3, 'square'],
-        [1, 'star'],
-      ],
-    );
-    await run(page, 'remove-slice', { slice: 1 });
-    assert.equal((await state(page)).parts[0].slices.length, 2);
-    await run(page, 'undo');
-    assert.equal((await state(page)).parts[0].slices.length, 3);
-  }));
-
 test('a shelf that is no shelf, or too much, does no harm', () =>
-  onPage(kit, {}, async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
     for (const text of ['{', '[1, {"contours": [[[0, 0]]]}]', 'null']) {
       await page.evaluate((value) => localStorage.setItem('spineloft.shelf.1', value), text);
-      await page.reload();
-      await page.evaluate(() => window.spineloft.ready);
+      await reload(page);
       assert.deepEqual((await state(page)).shelf, []);
+    }
+  }));
+
+test('a slice is dragged out of the panel onto the part; Escape leaves it where it was', () =>
+  withPart({}, async (page) => {
+    const slices = async () => (await state(page)).parts[0].slices;
+    const [onBone] = await toClient(page, [tube.middle[Math.floor(tube.middle.length / 2)]]);
+    const { undo } = await state(page);
+    const tile = await placeOf(page, 'Star');
+    const [dx, dy] = [onBone.x - tile.x, onBone.y - tile.y];
+    await dragMouse(page, tile, dx, dy);
+    const [start, dropped] = await slices();
+    assert.equal(start.at, 0);
+    assert.ok(Math.abs(dropped.at - 0.5) < 0.1, `${dropped.at}`);
+    assert.equal(dropped.section, 'star');
+    assert.equal((await state(page)).undo, undo + 1, 'one gesture, one step');
+    await done(page, 'undo');
+    await dragMouse(page, await placeOf(page, 'Star'), dx, dy, () => page.keyboard.press('Escape'));
+    assert.deepEqual([(await slices()).length, (await state(page)).undo], [1, undo]);
+  }));
+
+/** Genus over all meshes of a GLB, from the Euler number of its triangles; corners in one place are one. */
+function genusOf(glb) {
+  const json = JSON.parse(glb.toString('utf8', 20, 20 + glb.readUInt32LE(12)));
+  const binary = glb.subarray(20 + glb.readUInt32LE(12) + 8);
+  const view = (index) => {
+    const accessor = json.accessors[index];
+    const { byteOffset = 0 } = json.bufferViews[accessor.bufferView];
+    return { ...accessor, from: byteOffset + (accessor.byteOffset ?? 0) };
+  };
+  const places = new Map();
+  const edges = new Set();
+  let faces = 0;
+  for (const { attributes, indices } of json.meshes.flatMap((mesh) => mesh.primitives)) {
+    const position = view(attributes.POSITION),
+      index = view(indices);
+    const place = Array.from({ length: position.count }, (_, i) => {
+      const key = binary.toString('hex', position.from + 12 * i, position.from + 12 * i + 12);
+      if (!places.has(key)) places.set(key, places.size);
+      return places.get(key);
+    });
+    const wide = index.componentType === 5125;
+    const corner = (i) =>
+      place[wide ? binary.readUInt32LE(index.from + 4 * i) : binary.readUInt16LE(index.from + 2 * i)];
+    for (let i = 0; i < index.count; i += 3) {
+      const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
+      for (const [p, q] of [
+        [a, b],
+        [b, c],
+        [c, a],
+      ])
+        edges.add(p < q ? `${p} ${q}` : `${q} ${p}`);
+      ++faces;
+    }
+  }
+  return (2 - (places.size - edges.size + faces)) / 2;
+}
+
+test('a drawn slice with a hole is a tube in the file: genus 1; without, genus 0', () =>
+  withPart({}, async (page) => {
+    const round = (radius, aside = 0) =>
+      Array.from({ length: 24 }, (_, i) => [
+        aside + radius * Math.cos((i * Math.PI) / 12),
+        radius * Math.sin((i * Math.PI) / 12),
+      ]);
+    await run(page, 'set-caps', { start: 'flat', end: 'flat' });
+    for (const [contours, genus] of [
+      [[round(1)], 0],
+      [[round(1), round(0.6)], 1],
+      [[round(1), round(0.3, -0.5), round(0.3, 0.5)], 2],
+    ]) {
+      await run(page, 'set-section', { contours });
+      assert.equal(genusOf(await exported(page, 'glb')), genus, `${contours.length} curves`);
     }
   }));

@@ -4,12 +4,12 @@ import test from 'node:test';
 import { PNG } from 'pngjs';
 import {
   difference,
+  done,
   downloaded,
-  drawWithMouse,
   exported,
-  idle,
+  kSharp,
   onPage,
-  openPicture,
+  openWithPart,
   pixels,
   run,
   state,
@@ -64,17 +64,15 @@ async function gifFrames(page, bytes) {
   return { size, frames: frames.map((text) => Buffer.from(text, 'base64')) };
 }
 
-async function withPart(work) {
-  await onPage(kit, {}, async (page) => {
-    await openPicture(page, tube.png, 'tube.png');
-    await drawWithMouse(page, tube.middle);
+const withPart = (options, work) =>
+  onPage(kit, options, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
     assert.equal((await state(page)).parts.length, 1);
     await work(page);
   });
-}
 
 test('every paint, a second colour and facets change what is seen, and undo brings it back', () =>
-  withPart(async (page) => {
+  withPart({ alone: true, ...kSharp }, async (page) => {
     const looks = [
       ['set-colour', { colour: '#2a9d8f' }],
       ['set-paint', { paint: 'clay' }],
@@ -85,8 +83,7 @@ test('every paint, a second colour and facets change what is seen, and undo brin
     const first = await pixels(page, solidView);
     let before = first;
     for (const [id, args] of looks) {
-      await run(page, id, args);
-      await idle(page);
+      await done(page, id, args);
       const now = await pixels(page, solidView);
       assert.ok(difference(before, now) > 0.001, `${id} ${JSON.stringify(args)} is seen`);
       before = now;
@@ -96,13 +93,13 @@ test('every paint, a second colour and facets change what is seen, and undo brin
     await run(page, 'toggle-facets', { faceted: true });
     assert.equal((await state(page)).parts[0].faceted, true);
     assert.ok((await exported(page, 'glb')).length > 1.3 * smooth);
-    for (let i = 0; i <= looks.length; ++i) await run(page, 'undo');
-    await idle(page);
+    for (let i = 0; i < looks.length; ++i) await run(page, 'undo');
+    await done(page, 'undo');
     assert.ok(difference(first, await pixels(page, solidView)) < 0.001);
   }));
 
 test('a size is that size in GLB and 3MF as three.js reads them, and the picture is on both, in its colours', () =>
-  withPart(async (page) => {
+  withPart({}, async (page) => {
     await run(page, 'set-height', { typed: '4 cm' });
     const files = { glb: await exported(page, 'glb'), '3mf': await exported(page, '3mf') };
     const glb = await loadWithThree(kit.browser, files.glb, 'glb', kBands);
@@ -124,7 +121,7 @@ test('a size is that size in GLB and 3MF as three.js reads them, and the picture
   }));
 
 test('the check for printing says its four lines, and a picture and a turntable come as files', () =>
-  withPart(async (page) => {
+  withPart({}, async (page) => {
     await run(page, 'check-print');
     const { print } = await state(page);
     assert.equal(print.lines.length, 4);

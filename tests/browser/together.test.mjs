@@ -2,20 +2,23 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseStl, validated } from './support/model_files.mjs';
+import { dragMouse, drawWithMouse } from './support/hands.mjs';
 import {
-  drawWithMouse,
+  done,
   exported,
   idle,
+  kRounds,
   onPage,
   openPicture,
+  openWithPart,
+  reload,
   run,
   state,
-  tapWith,
   toastText,
   toClient,
   useSite,
 } from './support/page.mjs';
-import { dataCases, samples } from './support/pictures.mjs';
+import { samples } from './support/pictures.mjs';
 
 const kit = useSite();
 const [lemur] = samples();
@@ -25,21 +28,19 @@ const beside = (spine) =>
     .slice(Math.floor(spine.length * 0.25), Math.ceil(spine.length * 0.75))
     .map(([x, y], i, all) => [x + 16 - (32 * i) / all.length, y + 8]);
 
-/** Two parts drawn with the mouse on the sample. */
-async function drawTwo(page) {
-  await openPicture(page, lemur.bytes, 'lemur');
-  await drawWithMouse(page, lemur.spine);
-  await page.keyboard.press('n');
-  await drawWithMouse(page, beside(lemur.spine));
+/** The sample with its two parts. */
+async function withBoth(page) {
+  await openWithPart(page, lemur.bytes, lemur.spine, 'lemur');
+  await run(page, 'new-part');
+  await done(page, 'draw-spine', { stroke: beside(lemur.spine) });
   assert.equal((await state(page)).parts.length, 2);
 }
 
-async function withTwo(work) {
-  await onPage(kit, { isolated: false }, async (page, opened) => {
-    await drawTwo(page);
+const withTwo = (options, work) =>
+  onPage(kit, options, async (page, opened) => {
+    await withBoth(page);
     await work(page, opened);
   });
-}
 
 const steps = async (page) => (await state(page)).steps;
 const root = async (page) => (await steps(page)).findLast((step) => step.root);
@@ -48,22 +49,12 @@ const measureStl = (bytes) => measure(parseStl(bytes));
 
 /** The page once more, with what was put under it; its two parts stuck together. */
 async function stuckAnew(page) {
-  await page.reload();
-  await page.evaluate(() => window.spineloft.ready);
-  await drawTwo(page);
-  await run(page, 'stick-together');
-  await idle(page);
+  await reload(page);
+  await withBoth(page);
+  await done(page, 'stick-together');
   const good = await root(page);
   assert.equal(good.status, 'ready');
   return good;
-}
-
-/** The page once more, with its two parts as they were kept. */
-async function reopened(page) {
-  await page.reload();
-  await page.evaluate(() => window.spineloft.ready);
-  await page.waitForFunction(() => window.spineloft.state().parts.length === 2, undefined, { timeout: 20000 });
-  await idle(page);
 }
 
 /** What is saved: a closed, outward STL and a GLB without a fault. */
@@ -78,27 +69,24 @@ async function lawful(page) {
 /** Drags the end of a rib of a part outwards with the mouse. */
 async function dragRib(page, part, by, midway) {
   await run(page, 'select-part', { id: part });
-  await run(page, 'ribs');
-  await idle(page);
+  await done(page, 'ribs');
   const { ribs } = (await state(page)).parts.find(({ id }) => id === part);
   const rib = ribs[Math.floor(ribs.length / 2)],
     away = Math.hypot(rib.left[0] - rib.center[0], rib.left[1] - rib.center[1]);
   const to = rib.left.map((x, k) => x + (by * (x - rib.center[k])) / away);
   const [from, till] = await toClient(page, [rib.left, to]);
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  for (let i = 1; i <= 6; i += 1)
-    await page.mouse.move(from.x + ((till.x - from.x) * i) / 6, from.y + ((till.y - from.y) * i) / 6);
-  if (midway) await midway();
-  await page.mouse.up();
-  await idle(page);
+  await dragMouse(page, from, till.x - from.x, till.y - from.y, midway);
 }
 
 test('two drawn parts are stuck together, and the solid follows a rib, undo, redo, a reload and release', () =>
-  withTwo(async (page) => {
+  onPage(kit, { alone: true }, async (page) => {
+    await openPicture(page, lemur.bytes, 'lemur');
+    await drawWithMouse(page, lemur.spine);
+    await page.keyboard.press('n');
+    await drawWithMouse(page, beside(lemur.spine));
+    assert.equal((await state(page)).parts.length, 2);
     const apart = measureStl(await exported(page, 'stl')).volume;
-    await run(page, 'stick-together');
-    await idle(page);
+    await done(page, 'stick-together');
     const joined = await root(page);
     assert.deepEqual([joined.kind, joined.status, joined.failure], ['join', 'ready', null]);
     assert.ok(joined.volume > 0 && joined.triangles > 1000);
@@ -119,27 +107,22 @@ test('two drawn parts are stuck together, and the solid follows a rib, undo, red
     await idle(page);
     assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5);
 
-    await page.waitForTimeout(400);
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    await page.waitForFunction(() => window.spineloft.state().steps.length === 1, undefined, { timeout: 20000 });
-    await idle(page);
+    await reload(page);
+    assert.equal((await steps(page)).length, 1);
     assert.ok(Math.abs((await root(page)).volume / wider.volume - 1) < 1e-5, 'the solid is made again');
     await lawful(page);
 
     await run(page, 'select-step', { id: 1 });
-    await run(page, 'release');
-    await idle(page);
+    await done(page, 'release');
     const { parts, steps: left } = await state(page);
     assert.deepEqual([parts.length, left.length], [2, 0]);
   }));
 
-test('cut, kept common and put in a place by the gizmo: each is a solid, and sets say how large', () =>
-  withTwo(async (page) => {
+test('cut, kept common and moved away: each is a solid, and sets say how large', () =>
+  withTwo({}, async (page) => {
     const volumes = {};
     for (const kind of ['stick-together', 'cut', 'keep-common']) {
-      await run(page, kind, { parts: [1, 2] });
-      await idle(page);
+      await done(page, kind, { parts: [1, 2] });
       const step = await root(page);
       assert.equal(step.status, 'ready', `${kind}: ${step.sentence}`);
       volumes[kind] = step.volume;
@@ -147,17 +130,14 @@ test('cut, kept common and put in a place by the gizmo: each is a solid, and set
       if (kind !== 'keep-common') await run(page, 'undo');
     }
     await run(page, 'undo');
-    await run(page, 'cut', { parts: [2, 1] });
-    await idle(page);
+    await done(page, 'cut', { parts: [2, 1] });
     const other = (await root(page)).volume;
     const sum = volumes.cut + volumes['keep-common'] + other;
     assert.ok(Math.abs(sum / volumes['stick-together'] - 1) < 1e-4, `${sum} and ${volumes['stick-together']}`);
     // Away from each other nothing is cut, and nothing is shared.
-    await run(page, 'move-parts', { parts: [1], mm: [0, 0, 500] });
-    await idle(page);
+    await done(page, 'move-parts', { parts: [1], mm: [0, 0, 500] });
     assert.ok((await root(page)).volume > other);
-    await run(page, 'set-step', { kind: 'common' });
-    await idle(page);
+    await done(page, 'set-step', { kind: 'common' });
     const none = await root(page);
     assert.deepEqual([none.status, none.failure], ['failed', 'SolidEmpty']);
     assert.match(none.sentence, /Nothing is left/);
@@ -165,12 +145,11 @@ test('cut, kept common and put in a place by the gizmo: each is a solid, and set
   }));
 
 test('a scooped out part is as thin as its wall, open at its end, and says when the wall is too thick', () =>
-  withTwo(async (page) => {
+  withTwo({ alone: true }, async (page) => {
     await run(page, 'select-part', { id: 2 });
     await run(page, 'delete-part');
     await run(page, 'select-part', { id: 1 });
-    await run(page, 'set-caps', { part: 1, start: 'flat', end: 'flat' });
-    await idle(page);
+    await done(page, 'set-caps', { part: 1, start: 'flat', end: 'flat' });
     const full = measureStl(await exported(page, 'stl')).volume;
     const {
       parts: [{ ribs }],
@@ -180,8 +159,7 @@ test('a scooped out part is as thin as its wall, open at its end, and says when 
       ({ left, right }) => Math.hypot(left[0] - right[0], left[1] - right[1]) / Math.max(picture.width, picture.height),
     );
     const wall = Math.min(0.02, widths.sort((a, b) => a - b)[widths.length >> 1] / 6);
-    await run(page, 'scoop-out', { part: 1, wall, opening: 'start' });
-    await idle(page);
+    await done(page, 'scoop-out', { part: 1, wall, opening: 'start' });
     const hollow = await root(page);
     assert.deepEqual([hollow.kind, hollow.status], ['hollow', 'ready'], hollow.sentence);
     const found = await lawful(page);
@@ -192,98 +170,18 @@ test('a scooped out part is as thin as its wall, open at its end, and says when 
     const mm = wall * Math.cbrt(found.volume / hollow.volume);
     assert.ok(Math.abs(print.thinnest / mm - 1) < 0.1, `thinnest ${print.thinnest}, wall ${mm}`);
 
-    await run(page, 'set-step', { wall: 0.4 });
-    await idle(page);
+    await done(page, 'set-step', { wall: 0.4 });
     const thick = await root(page);
     assert.deepEqual([thick.status, thick.failure, thick.faulty], ['failed', 'WallTooThick', 1]);
     assert.equal(thick.at.length, 3);
     assert.match(await toastText(page), /wall is too thick.*The thickest that fits is [\d.]+ [cm]m\./);
     assert.equal(thick.triangles, hollow.triangles, 'the last good one stays');
-    await run(page, 'show-trouble');
-    await idle(page);
+    await done(page, 'show-trouble');
     assert.equal((await state(page)).selection, 1);
   }));
 
-/** The middle of what a line across the solid view meets first, in client pixels. */
-async function onSolid(page) {
-  await run(page, 'move');
-  await idle(page);
-  const box = await page.locator('canvas').first().boundingBox(),
-    { gizmo } = await state(page),
-    y = box.y + gizmo.at[1];
-  await run(page, 'draw');
-  await idle(page);
-  const met = [];
-  for (let x = box.x + gizmo.at[0] - 140; x < box.x + gizmo.at[0] + 140; x += 4) {
-    await page.mouse.move(x, y);
-    if ((await state(page)).hover.part === 1) met.push(x);
-    else if (met.length > 2) break;
-  }
-  assert.ok(met.length > 2, 'the solid is in view');
-  return { x: met[met.length >> 1], y };
-}
-
-test('a tap on the solid says where it is open, by mouse and by finger; a drag only turns it, Esc leaves it', () =>
-  withTwo(async (page) => {
-    await run(page, 'select-part', { id: 2 });
-    await run(page, 'delete-part');
-    await run(page, 'select-part', { id: 1 });
-    await run(page, 'scoop-out', { part: 1, wall: 0.008, opening: 'none' });
-    await idle(page);
-    const box = await page.locator('canvas').first().boundingBox(),
-      middle = await onSolid(page);
-    assert.deepEqual([(await root(page)).opening, (await state(page)).pointing], ['none', false]);
-
-    // From the front, as the picture is seen.
-    await run(page, 'point-opening');
-    assert.equal((await state(page)).pointing, true);
-    const { undo } = await state(page);
-    await page.mouse.click(middle.x, middle.y);
-    await idle(page);
-    const open = await root(page);
-    assert.deepEqual(
-      [open.opening, open.status, (await state(page)).pointing, (await state(page)).undo],
-      ['front', 'ready', false, undo + 1],
-      open.sentence,
-    );
-    await lawful(page);
-    // The next tap chooses a part again.
-    await page.mouse.click(middle.x, middle.y);
-    await idle(page);
-    assert.equal((await root(page)).opening, 'front');
-
-    await run(page, 'point-opening');
-    await page.keyboard.press('Escape');
-    assert.equal((await state(page)).pointing, false);
-
-    // Beside the solid there is nothing to open; a drag turns it until its back is seen.
-    await run(page, 'point-opening');
-    await page.mouse.click(middle.x + 3, box.y + box.height - 12);
-    await idle(page);
-    assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front']);
-    for (let turned = 0; turned < 40 && Math.cos((await state(page)).camera.yaw) > -0.97; turned += 1) {
-      await page.mouse.move(middle.x, middle.y);
-      await page.mouse.down();
-      await page.mouse.move(middle.x + 20, middle.y);
-      await page.mouse.move(middle.x + 40, middle.y);
-      await page.mouse.up();
-      await idle(page);
-    }
-    assert.deepEqual([(await state(page)).pointing, (await root(page)).opening], [true, 'front'], 'it was only turned');
-    await tapWith(page, 1, await onSolid(page));
-    const back = await root(page);
-    assert.deepEqual(
-      [back.opening, back.status, (await state(page)).pointing],
-      ['back', 'ready', false],
-      back.sentence,
-    );
-    await run(page, 'undo');
-    await idle(page);
-    assert.equal((await root(page)).opening, 'front');
-  }));
-
-test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', async () => {
-  await onPage(kit, { isolated: false }, async (page) => {
+test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', () =>
+  onPage(kit, { alone: true }, async (page) => {
     await page.addInitScript(() => {
       const Plain = window.Worker;
       window.endNext = false;
@@ -307,8 +205,7 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
     await idle(page);
     const dead = await root(page);
     assert.deepEqual([dead.status, dead.failure, dead.triangles], ['failed', 'SolverStopped', good.triangles]);
-    await run(page, 'solve-again');
-    await idle(page);
+    await done(page, 'solve-again');
     assert.equal((await root(page)).status, 'ready');
 
     // Stopped by hand.
@@ -324,8 +221,7 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
       stopped.failure === 'Cancelled' ? stopped.triangles === before.triangles : stopped.status === 'ready',
       JSON.stringify(stopped),
     );
-    await run(page, 'solve-again').catch(() => {});
-    await idle(page);
+    await done(page, 'solve-again').catch(() => {});
     assert.equal((await root(page)).status, 'ready');
 
     // A part that goes while it is put together.
@@ -338,15 +234,13 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
     await idle(page);
     const { parts, steps: none, busy } = await state(page);
     assert.deepEqual([parts.length, none.length, busy], [1, 0, false]);
-    await run(page, 'undo');
-    await idle(page);
+    await done(page, 'undo');
     assert.equal((await root(page)).status, 'ready');
     await lawful(page);
-  });
-});
+  }));
 
-test('a mesh that arrives damaged names its part, and one that breaks the solver down leaves the model whole', async () => {
-  await onPage(kit, { isolated: false }, async (page, { troubles }) => {
+test('a mesh that arrives damaged names its part, and one that breaks the solver down leaves the model whole', () =>
+  onPage(kit, { alone: true }, async (page, { troubles }) => {
     await page.addInitScript(() => {
       const Plain = window.Worker;
       window.damage = null;
@@ -397,14 +291,15 @@ test('a mesh that arrives damaged names its part, and one that breaks the solver
     await lawful(page);
     // Of its end the browser writes to the console.
     troubles.splice(0);
-  });
-});
+  }));
 
-test('opening and closing a model with solids fifty times leaves the memory as it was', () =>
-  withTwo(async (page) => {
+/** A first share of what a model is opened and closed; in all it is five of them. */
+const kOpenings = Math.min(10, 4 * kRounds);
+
+test(`opening and closing a model with solids ${5 * kOpenings} times leaves the memory as it was`, () =>
+  withTwo({ alone: true }, async (page) => {
     await run(page, 'stick-together');
-    await run(page, 'scoop-out', { step: 1, wall: 0.01 });
-    await idle(page);
+    await done(page, 'scoop-out', { step: 1, wall: 0.01 });
     const session = await page.context().newCDPSession(page);
     /** Bytes that the page's JavaScript holds on to, once everything that can go has gone. */
     const heap = async () => {
@@ -434,124 +329,12 @@ test('opening and closing a model with solids fifty times leaves the memory as i
     };
     // What is kept for undo and for the next edit fills in the first rounds; from then on nothing may grow. What JavaScript
     // runs and remembers of it settles later, and every round keeps one more model in the browser: its list has a line more.
-    const before = await after(10),
-      settled = await after(10),
-      last = await after(30);
+    const before = await after(kOpenings),
+      settled = await after(kOpenings),
+      last = await after(3 * kOpenings);
     const isSame = (what, from) =>
       assert.ok(last[what] <= 1.05 * from[what], `${what}: ${from[what]} to ${last[what]} bytes`);
     isSame('engine', before);
     isSame('solver', before);
     isSame('heap', settled);
   }));
-
-test('the solver is there and quick before it is asked, in a model of two parts that is worked at; not for one part, nor where one only looks', async () => {
-  for (const isolated of [true, false]) {
-    await onPage(kit, { isolated }, async (page) => {
-      const workers = () => page.workers().filter((worker) => worker.url().includes('solids'));
-      const warm = () => page.evaluate(() => performance.getEntriesByName('spineloft-solids-warm').length);
-      await openPicture(page, lemur.bytes, 'lemur');
-      await drawWithMouse(page, lemur.spine);
-      await idle(page);
-      await page.waitForTimeout(500);
-      assert.deepEqual(workers(), [], 'there is nothing to stick together');
-      await page.keyboard.press('n');
-      await drawWithMouse(page, beside(lemur.spine));
-      await page.waitForFunction(() => performance.getEntriesByName('spineloft-solids-warm').length === 1, null, {
-        timeout: 60000,
-      });
-      const [first, ...others] = workers();
-      assert.ok(first && others.length === 0);
-      await run(page, 'stick-together');
-      await idle(page);
-      assert.equal((await root(page)).status, 'ready');
-      await lawful(page);
-      assert.ok(workers().includes(first) && (await warm()) === 1, 'it is the one that was made ready');
-      await run(page, 'undo');
-      await idle(page);
-      await page.waitForTimeout(400);
-
-      await reopened(page);
-      await page.waitForTimeout(500);
-      assert.deepEqual(workers(), [], 'the model is only looked at');
-    });
-  }
-});
-
-test('parts are put together before anything is ticked, while the page stands still; the solid at the button is that one', async () => {
-  await onPage(kit, { isolated: true }, async (page) => {
-    await page.addInitScript(() => {
-      const Plain = window.Worker;
-      window.asked = [];
-      window.Worker = class extends Plain {
-        constructor(...given) {
-          super(...given);
-          this.addEventListener('message', ({ data }) => {
-            if (data?.type === 'solid') window.asked.push('solid');
-            if (data?.type === 'done') window.asked.push('done');
-          });
-        }
-        postMessage(message, ...more) {
-          if (message.nodes) window.asked.push(message.wanted.length, Object.keys(message.meshes).length);
-          super.postMessage(message, ...more);
-        }
-      };
-    });
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    await drawTwo(page);
-    await idle(page);
-    await page.waitForFunction(() => window.asked.at(-1) === 'done', null, { timeout: 20000 });
-    assert.deepEqual(
-      await page.evaluate(() => window.asked),
-      [0, 2, 'done'],
-      'both meshes go there, and nothing comes back',
-    );
-    assert.deepEqual(await steps(page), [], 'nothing shows');
-    const { frames } = await state(page);
-    await page.waitForTimeout(3000);
-    assert.equal((await state(page)).frames, frames, 'nothing is drawn');
-    assert.equal(await page.evaluate(() => window.asked.length), 3, 'it is made once');
-    await run(page, 'stick-together');
-    await idle(page);
-    assert.deepEqual(
-      await page.evaluate(() => window.asked.slice(3)),
-      [1, 0, 'solid', 'done'],
-      'no mesh is sent again',
-    );
-    await lawful(page);
-  });
-});
-
-test('parts that are ticked are put together while nobody waits: at the button the solid is there, as it would be without', async () => {
-  await onPage(kit, { isolated: true }, async (page) => {
-    await page.addInitScript(() => {
-      const Plain = window.Worker;
-      window.solids = 0;
-      window.Worker = class extends Plain {
-        constructor(...given) {
-          super(...given);
-          this.addEventListener('message', ({ data }) => {
-            window.solids += data?.type === 'solid' ? 1 : 0;
-          });
-        }
-      };
-    });
-    const good = await stuckAnew(page),
-      found = await lawful(page);
-    await run(page, 'release');
-    await idle(page);
-    await page.waitForTimeout(1000);
-    // Once more from what is kept: nothing is known of the solid.
-    await reopened(page);
-    assert.deepEqual(await steps(page), []);
-    const before = await page.evaluate(() => window.solids);
-    for (const part of [1, 2]) await run(page, 'pick', { part, on: true });
-    await page.waitForFunction((count) => window.solids > count, before, { timeout: 20000 });
-    assert.deepEqual(await steps(page), [], 'nothing shows before');
-    await run(page, 'stick-together');
-    const ahead = await root(page);
-    assert.deepEqual([ahead.status, ahead.triangles], ['ready', good.triangles]);
-    const again = await lawful(page);
-    assert.ok(Math.abs(again.volume - found.volume) <= 1e-6 * found.volume);
-  });
-});

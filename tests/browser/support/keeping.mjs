@@ -39,6 +39,7 @@ export function startKeptBrowser(folder, options = {}) {
     args: browserFlags,
     headless: true,
     viewport: { width: 560, height: 400 },
+    deviceScaleFactor: 0.5,
     ...options,
   });
 }

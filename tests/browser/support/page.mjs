@@ -1,29 +1,55 @@
-// Driving the page as a visitor does: real files, real pointers, real keys.
+// The page as a visitor has it: the built site, pages that tests share, what the page shows and what it saves.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
+import { chromium } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs';
 
 /** Window of the tests: wide enough for the side panel. */
 export const kWindow = { width: 1100, height: 720 };
+/** One device pixel for four of the window: drawing is what costs. Tests that look at pixels are `kSharp`. */
+const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
+export const kSharp = { deviceScaleFactor: 1 };
+export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+export const kTablet = { viewport: { width: 1024, height: 768 }, hasTouch: true };
 
-/** The two engines, each served as it would be chosen. */
+/** The two engines, each served as it would be chosen; the first one is that of the tests, $SPINELOFT_ENGINE. */
 export const kEngines = [
   { name: 'threads', isolated: true },
   { name: 'single thread', isolated: false },
 ];
+if (process.env.SPINELOFT_ENGINE === 'single') kEngines.reverse();
+
+/** How much longer random tests go on than in `npm test`. */
+export const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
+
+/** In the page: an empty board, no models, nothing said; true when that is so. */
+async function beginAnew() {
+  const api = window.spineloft;
+  await api.idle();
+  await api.run('new-model').catch(() => undefined); // refused where the board is empty
+  await api.idle();
+  for (const { id } of await api.models()) await api.run('delete-model', { id });
+  await api.idle();
+  for (const close of document.querySelectorAll('#toasts .toast-close')) close.click();
+  localStorage.clear();
+  const { picture, parts, undo, tool } = api.state();
+  const isOpen = document.querySelector('dialog[open], [role=menu], #banners .banner') !== null;
+  return picture === null && parts.length === 0 && undo === 0 && tool === 'draw' && !isOpen;
+}
 
 /**
- * One browser and the site with and without isolation for a test file. `open(options)` opens a ready page;
- * pages are closed, and checked for troubles, by `check(page)`.
+ * One browser and the site with and without isolation for a test file. A browser that is there already is used where
+ * $SPINELOFT_BROWSER_WS names it.
  */
 export function useSite() {
-  const kit = { browser: null, sites: {}, folder: null };
+  const kit = { browser: null, sites: {}, folder: null, shared: new Map() };
   before(async () => {
-    kit.browser = await startBrowser();
+    const address = process.env.SPINELOFT_BROWSER_WS;
+    kit.browser = await (address ? chromium.connect(address) : startBrowser());
     kit.sites.true = await startSite({ isolated: true });
     kit.sites.false = await startSite({ isolated: false });
     kit.folder = mkdtempSync(join(tmpdir(), 'spineloft-'));
@@ -33,10 +59,27 @@ export function useSite() {
     for (const site of Object.values(kit.sites)) await site.close();
     if (kit.folder) rmSync(kit.folder, { recursive: true });
   });
-  kit.open = async ({ isolated = true, query = '', ...context } = {}) => {
-    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, { viewport: kWindow, ...context });
+  /** A ready page in a context of its own; options are Playwright's, and `isolated` and `query` of the address. */
+  kit.open = async ({ isolated = kEngines[0].isolated, query = '', ...context } = {}) => {
+    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, { ...kQuick, ...context });
     await opened.page.evaluate(() => window.spineloft.ready);
     return opened;
+  };
+  /** The page that the tests with these options share, begun anew; settings that outlast a model stay as they are. */
+  kit.page = async (options) => {
+    const key = JSON.stringify(options);
+    const known = kit.shared.get(key);
+    if (known) {
+      if (await known.page.evaluate(beginAnew)) return known;
+      await kit.close(known);
+    }
+    const opened = await kit.open(options);
+    kit.shared.set(key, opened);
+    return opened;
+  };
+  kit.close = async (opened) => {
+    for (const [key, one] of kit.shared) if (one === opened) kit.shared.delete(key);
+    await opened.close();
   };
   kit.file = (name, bytes) => {
     const path = join(kit.folder, name);
@@ -46,14 +89,19 @@ export function useSite() {
   return kit;
 }
 
-/** Runs `work(page, opened)` on a fresh page and asserts that nothing went wrong behind its back. */
-export async function onPage(kit, options, work) {
-  const opened = await kit.open(options);
+/**
+ * Runs `work(page, opened)` and asserts that nothing went wrong behind its back: on the page that the file's tests with
+ * these options share, or, with `alone`, on a fresh one, for what concerns starting, storage, tabs and lasting settings.
+ */
+export async function onPage(kit, { alone = false, ...options }, work) {
+  const opened = await (alone ? kit.open(options) : kit.page(options));
+  let isGood = false;
   try {
     await work(opened.page, opened);
     assert.deepEqual(opened.troubles, []);
+    isGood = true;
   } finally {
-    await opened.close();
+    if (alone || !isGood) await kit.close(opened);
   }
 }
 
@@ -64,8 +112,39 @@ export const pictureSize = (page) =>
     return picture && { width: picture.width, height: picture.height };
   });
 export const idle = (page) => page.evaluate(() => window.spineloft.idle());
+/** Runs a command; what it began goes on: `idle`, or `done`. */
 export const run = (page, id, args) =>
   page.evaluate(([name, values]) => window.spineloft.run(name, values), [id, args]);
+/** Runs a command and waits until all that it began is done. */
+export const done = (page, id, args) =>
+  page.evaluate(
+    async ([name, values]) => {
+      await window.spineloft.run(name, values);
+      await window.spineloft.idle();
+    },
+    [id, args],
+  );
+/** The error code of a call that must be refused; null where it was not. */
+export const refusal = (page, id, args) =>
+  page.evaluate(
+    ([name, values]) =>
+      window.spineloft.run(name, values).then(
+        () => null,
+        (error) => error.code,
+      ),
+    [id, args],
+  );
+
+/** Two frames have been drawn: what was pressed has reached the model. */
+export const framed = (page) =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+
+/** Loads the page again and waits until it runs. */
+export async function reload(page) {
+  await page.reload();
+  await page.evaluate(() => window.spineloft.ready);
+  await idle(page);
+}
 
 /** Opens a picture through the API and waits for its edges. */
 export async function openPicture(page, bytes, name = 'picture.png') {
@@ -79,74 +158,15 @@ export async function openPicture(page, bytes, name = 'picture.png') {
   );
 }
 
+/** A picture, and a part by the command that a pen's stroke becomes. */
+export async function openWithPart(page, bytes, stroke, name = 'tube.png') {
+  await openPicture(page, bytes, name);
+  await done(page, 'draw-spine', { stroke });
+}
+
 /** Client positions of picture points now. */
 export function toClient(page, points) {
   return page.evaluate((list) => list.map(([x, y]) => window.spineloft.imageToClient(x, y)), points);
-}
-
-/** At most `count` of the points, ends included: enough for a stroke, quick on a machine that draws in software. */
-function thinned(points, count = 18) {
-  if (points.length <= count) return points;
-  return Array.from({ length: count }, (_, i) => points[Math.round((i * (points.length - 1)) / (count - 1))]);
-}
-
-/** Draws with the mouse; `midway(page)` is called with the button still down. */
-export async function drawWithMouse(page, points, midway) {
-  const path = await toClient(page, thinned(points));
-  await page.mouse.move(path[0].x, path[0].y);
-  await page.mouse.down();
-  for (const [i, at] of path.entries()) {
-    await page.mouse.move(at.x, at.y);
-    if (midway && i === Math.floor(path.length * 0.7)) await midway(page);
-  }
-  await page.mouse.up();
-  await idle(page);
-}
-
-/** Draws with a finger: real touch events. */
-export async function drawWithTouch(page, points) {
-  const path = await toClient(page, thinned(points));
-  const session = await page.context().newCDPSession(page);
-  const touch = (type, at) =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: at ? [{ x: at.x, y: at.y, id: 1 }] : [] });
-  await touch('touchStart', path[0]);
-  for (const at of path.slice(1)) await touch('touchMove', at);
-  await touch('touchEnd');
-  await session.detach();
-  await idle(page);
-}
-
-/** Draws with a pen and its pressure. */
-export async function drawWithPen(page, points, midway) {
-  const path = await toClient(page, thinned(points));
-  const session = await page.context().newCDPSession(page);
-  const pen = (type, at, force) =>
-    session.send('Input.dispatchMouseEvent', {
-      type,
-      x: at.x,
-      y: at.y,
-      button: 'left',
-      buttons: type === 'mouseReleased' ? 0 : 1,
-      clickCount: 1,
-      pointerType: 'pen',
-      force,
-    });
-  await pen('mousePressed', path[0], 0.4);
-  for (const at of path.slice(1)) await pen('mouseMoved', at, 0.6);
-  if (midway) await midway(page);
-  await pen('mouseReleased', path.at(-1), 0);
-  await session.detach();
-  await idle(page);
-}
-
-/** Taps with several fingers at once. */
-export async function tapWith(page, fingers, at) {
-  const session = await page.context().newCDPSession(page);
-  const touchPoints = Array.from({ length: fingers }, (_, id) => ({ x: at.x + 70 * id, y: at.y, id }));
-  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
-  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  await session.detach();
-  await idle(page);
 }
 
 /** Drops files from the system on the page. */
@@ -161,14 +181,14 @@ export async function dropFiles(page, paths, at = { x: 300, y: 300 }) {
 
 /** Waits until the page shows a picture, then until its work is done. */
 export async function waitForPicture(page) {
-  await page.waitForFunction(() => window.spineloft.state().picture !== null, undefined, { timeout: 15000 });
+  await page.waitForFunction(() => window.spineloft.state().picture !== null);
   await idle(page);
 }
 
 /** The text of the toast that appears with this role. */
 export async function toastText(page, role = 'alert') {
   const toast = page.locator(`#toasts [role=${role}]`).last();
-  await toast.waitFor({ timeout: 15000 });
+  await toast.waitFor();
   return toast.locator('p').innerText();
 }
 
@@ -229,78 +249,10 @@ export async function downloaded(page, work) {
   return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
 }
 
-/** Points of the canvas in client pixels. */
-export async function onCanvas(page, ...points) {
-  const box = await page.locator('#canvas').boundingBox();
-  return points.map(([x, y]) => ({ x: box.x + x, y: box.y + y }));
-}
-
-const middleOf = ({ at: [x, y, width, height] }) => [x + width / 2, y + height / 2];
-
-/**
- * What a panel on the canvas shows with these words, of this kind (button, row, grip, field, slider, section, tab) where
- * one is given; `row`: beside the row with that name. Null when there is none.
- */
-export async function findControl(page, words, { kind, row } = {}) {
-  await idle(page);
-  const { controls } = await state(page);
-  const beside = row && controls.find((one) => one.kind === 'row' && one.words === row);
-  const level = (one) => beside === undefined || Math.abs(middleOf(one)[1] - middleOf(beside)[1]) < 2;
-  const found = controls.filter(
-    (one) => one.words === words && one.kind !== 'words' && (!kind || one.kind === kind) && level(one),
-  );
-  return found.find((one) => one.inSight) ?? found[0] ?? null;
-}
-
-/** The same, scrolled into sight by the wheel. */
-export async function control(page, words, which = {}) {
-  const box = await page.locator('#canvas').boundingBox();
-  for (let turns = 0; turns < 40; turns += 1) {
-    const found = await findControl(page, words, which);
-    const { controls } = await state(page);
-    assert.ok(found, `"${words}" is on the canvas, among ${controls.map((one) => one.words).join(' | ')}`);
-    if (found.inSight) return found;
-    const [x, y] = middleOf(found);
-    const [panel] = await onCanvas(page, [x, Math.min(Math.max(y, 60), box.height - 60)]);
-    await page.mouse.move(panel.x, panel.y);
-    await page.mouse.wheel(0, y > box.height / 2 ? 120 : -120);
-    await page.waitForTimeout(30);
-  }
-  throw new Error(`"${words}" does not come into sight`);
-}
-
-/** Where to press it, in client pixels. */
-export async function placeOf(page, words, which) {
-  const [at] = await onCanvas(page, middleOf(await control(page, words, which)));
-  return at;
-}
-
-/** Presses what the canvas shows with these words, with the mouse or, where `touch` is true, with a finger. */
-export async function press(page, words, { touch = false, ...which } = {}) {
-  const found = await control(page, words, which);
-  assert.ok(found.enabled, `"${words}" can be pressed`);
-  const [at] = await onCanvas(page, middleOf(found));
-  if (touch) await page.touchscreen.tap(at.x, at.y);
-  else await page.mouse.click(at.x, at.y);
-  await idle(page);
-}
-
 /** Answers the question that the page asks. */
 export async function answer(page, text) {
   await page.getByRole('textbox').fill(text);
   await page.keyboard.press('Enter');
   await page.locator('dialog').waitFor({ state: 'detached' });
   await idle(page);
-}
-
-/** Pairs of words above the views and of what they cover; none where all is well. */
-export async function wordsInTheWay(page) {
-  await idle(page);
-  const shown = (await state(page)).controls.filter(({ inSight }) => inSight);
-  const meet = ([ax, ay, aw, ah], [bx, by, bw, bh]) => ax < bx + bw && bx < ax + aw && ay < by + bh && by < ay + ah;
-  return shown
-    .filter(({ kind }) => kind === 'words')
-    .flatMap((words) =>
-      shown.filter((other) => other !== words && meet(words.at, other.at)).map((other) => [words.words, other.words]),
-    );
 }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
-import { crossingScene } from './support/crossing_scenes.mjs';
+import { crossingScene } from '../browser/support/crossing_scenes.mjs';
 import {
   deepest,
   depthOf,
@@ -24,7 +24,7 @@ import {
   solve,
   turned,
   unsoundByPlace,
-} from './support/solids.mjs';
+} from '../browser/support/solids.mjs';
 
 const { SolidKernel, DistanceField, gridOver, sample, surfaceWhere, Solver, findCrossings, ringsOf } = shell;
 test('join, cut and common of two parts hold what sets say', () => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { build } from 'esbuild';
 import { root } from '../../.ci/lib/paths.mjs';
-import { greyPng, samples, tubePicture } from './support/pictures.mjs';
+import { greyPng, samples, tubePicture } from '../browser/support/pictures.mjs';
 
 async function load(file) {
   const result = await build({

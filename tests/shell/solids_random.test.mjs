@@ -2,8 +2,19 @@
 // out and with round seams: what comes out is a solid that holds what sets say, or says which part is at fault.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { puff, sheet } from './support/regions.mjs';
-import { fresh, identity, lawful, loft, measure, node, seeded, shifted, solve, turned } from './support/solids.mjs';
+import { puff, sheet } from '../browser/support/regions.mjs';
+import {
+  fresh,
+  identity,
+  lawful,
+  loft,
+  measure,
+  node,
+  seeded,
+  shifted,
+  solve,
+  turned,
+} from '../browser/support/solids.mjs';
 
 const times = (a, b) =>
   Array.from({ length: 16 }, (_, i) =>

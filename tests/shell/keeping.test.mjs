@@ -4,7 +4,7 @@ import 'fake-indexeddb/auto';
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { IDBFactory } from 'fake-indexeddb';
-import { loadShell } from './support/shell.mjs';
+import { loadShell } from '../browser/support/shell.mjs';
 
 const { JournalWriter, ModelStore, packPhoto, unpackPhoto, whenText } = await loadShell(`
   export { JournalWriter } from './keep/journal_writer.ts';

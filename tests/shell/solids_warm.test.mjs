@@ -1,7 +1,7 @@
 // A solver that is likely to be needed makes itself quick beforehand, and nothing of that is left.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { fresh, library, loft, near, node, rod, seeded, shell, solve, turned } from './support/solids.mjs';
+import { fresh, library, loft, near, node, rod, seeded, shell, solve, turned } from '../browser/support/solids.mjs';
 
 const { Helper, SolidKernel, SolidWarmUp, Solver, rehearse, solidWorkersFor, wasWorkedAt } = shell;
 

@@ -16,7 +16,7 @@ import {
   solve,
   solveWithHelp,
   turned,
-} from './support/solids.mjs';
+} from '../browser/support/solids.mjs';
 
 const { Helper, SolidKernel, countOf, halvesOf } = shell;
 
