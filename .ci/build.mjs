@@ -20,7 +20,7 @@ function printSizes() {
 /** Builds the site; assumes that set-up has been done. */
 export async function buildSite() {
   const started = Date.now();
-  await buildTargets('wasm-release', ['spineloft_web']);
+  await buildTargets('wasm-release', ['spineloft_self_crossing', 'spineloft_web']);
   await buildTargets('wasm-release-st', ['spineloft_web']);
   await assembleSite();
   say(`dist: the site is ready (${duration(Date.now() - started)})`);

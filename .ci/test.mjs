@@ -122,7 +122,7 @@ async function node() {
 
 async function browser() {
   await buildSite();
-  return nodeTests('browser', ['tests/browser'], 1);
+  return nodeTests('browser', ['tests/shell', 'tests/browser'], 1);
 }
 
 const kStages = {

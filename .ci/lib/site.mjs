@@ -96,6 +96,9 @@ const iconFont = {
   },
 };
 
+/** The engine's test for meshes that go through themselves, which the worker of solids loads. */
+export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
+
 async function bundle(folder, entryPoints, define) {
   const esbuild = await import('esbuild');
   const result = await esbuild
@@ -123,6 +126,7 @@ async function bundle(folder, entryPoints, define) {
         '.glsl': 'text',
       },
       define,
+      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
       plugins: [iconFont],

@@ -112,7 +112,6 @@ interface Module {
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
   _spl_warmUp(): number;
-  _spl_prepareSolids(): void;
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
@@ -135,9 +134,6 @@ interface Outcome {
   sentence?: string;
   dropped?: number;
 }
-
-/** What `performance` holds when the solver of solids is as quick as it gets. */
-const kSolidsWarmMark = 'spineloft-solids-warm';
 
 /** True where worker threads can share memory and the address does not ask for the other build. */
 export function wantsThreads(): boolean {
@@ -191,7 +187,6 @@ function solverOf(engine: Engine, module: Module): Solver {
       const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
       const worker = new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module', name });
       worker.addEventListener('message', ({ data }) => {
-        if (data.type === 'warm') performance.mark(kSolidsWarmMark);
         if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
       });
       return worker as unknown as SolidWorker;
@@ -342,11 +337,6 @@ export class Engine {
   /** One round of the stages of a stroke on a tiny picture; false when there was no memory for it. */
   warmUp(): boolean {
     return this.module._spl_warmUp() === 1;
-  }
-
-  /** Has the solver of solids put together what is likely to be asked for, where that is little. */
-  prepareSolids(): void {
-    this.module._spl_prepareSolids();
   }
 
   /** A file is wanted: the solver of solids mends the parts that go through themselves; idle when it has. */
