@@ -21,16 +21,14 @@ const memory = (workers, answers) => ({
     workers.push(new FakeWorker());
     return workers.at(-1);
   },
-  floats: (at, count) => new Float32Array(count).fill(at),
-  integers: (at, count) => new Uint32Array(count).fill(at),
   answer: (json, bytes) => answers.push({ ...JSON.parse(json), bytes }),
 });
 /** What a worker was asked to solve. */
 const requestsOf = ({ asked }) => asked.filter(({ meshes }) => meshes);
+/** A mesh in the engine's memory, which changes afterwards. */
 const solveEvent = (id, key = 'a') => ({
-  type: 'solve',
   id,
-  meshes: [{ key, vertices: 4, triangles: 4, positions: 8, uv: 0, corners: 16 }],
+  meshes: [{ key, mesh: { positions: new Float32Array(12), uv: new Float32Array(8), triangles: new Uint32Array(12) } }],
   nodes: [],
   wanted: [],
 });
@@ -46,8 +44,16 @@ test('meshes go to the worker once, and again after it was stopped', () => {
   );
   solver.stop();
   assert.ok(workers[0].ended);
+  const again = solveEvent(4, 'b');
   solver.ask(solveEvent(3));
-  assert.deepEqual(Object.keys(requestsOf(workers[1])[0].meshes), ['a']);
+  solver.ask(again);
+  const [first, second] = requestsOf(workers[1]);
+  assert.deepEqual(Object.keys(first.meshes), ['a']);
+  again.meshes[0].mesh.positions.fill(7);
+  assert.ok(
+    second.meshes.b.positions.every((x) => x === 0),
+    'it is copied while the engine asks',
+  );
 });
 
 test('a worker hears which part is chosen before it is asked, and again when another one is', () => {

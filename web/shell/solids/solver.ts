@@ -1,13 +1,12 @@
 // The solver of solids as the page has it: one worker, which is started when a solid is likely to be asked for and
 // again, by a request, after it died or was stopped. What is asked for is the engine's to know (SolidWork in web);
 // answers go to it as they come.
-import type { ExpectRequest, SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
+import type { ExpectRequest, MeshData, SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
 
-/** What the engine asks: {type: 'solve'}; addresses are of its memory, valid while the event is delivered. */
+/** What the engine asks; meshes are its own arrays, and theirs only while it asks. */
 export interface SolveEvent {
-  type: 'solve';
   id: number;
-  meshes: { key: string; vertices: number; triangles: number; positions: number; uv: number; corners: number }[];
+  meshes: { key: string; mesh: MeshData }[];
   nodes: SolidNode[];
   wanted: string[];
 }
@@ -22,9 +21,6 @@ export interface SolidWorker {
 
 export interface SolverHost {
   start(): SolidWorker;
-  /** Floats and whole numbers of the engine's memory, copied. */
-  floats(address: number, count: number): Float32Array;
-  integers(address: number, count: number): Uint32Array;
   /** Hands an answer on; see SolidWork::take. */
   answer(json: string, bytes: Uint8Array | null): void;
 }
@@ -48,20 +44,15 @@ export class Solver {
     return this.worker ? this.bytes : 0;
   }
 
-  /** Called while the event is delivered: what is not copied now may be gone. */
+  /** Called while the engine asks: what is not copied now may be gone. */
   ask({ id, nodes, wanted, meshes: named }: SolveEvent): void {
     this.requests += 1;
     for (const [key, request] of this.known) if (request + kKnownRequests < this.requests) this.known.delete(key);
     const meshes: SolveRequest['meshes'] = {};
-    for (const mesh of named) {
-      if (!this.known.has(mesh.key) || !this.worker) {
-        meshes[mesh.key] = {
-          positions: this.host.floats(mesh.positions, 3 * mesh.vertices),
-          uv: mesh.uv === 0 ? new Float32Array() : this.host.floats(mesh.uv, 2 * mesh.vertices),
-          triangles: this.host.integers(mesh.corners, 3 * mesh.triangles),
-        };
-      }
-      this.known.set(mesh.key, this.requests);
+    for (const { key, mesh } of named) {
+      if (!this.known.has(key) || !this.worker)
+        meshes[key] = { positions: mesh.positions.slice(), uv: mesh.uv.slice(), triangles: mesh.triangles.slice() };
+      this.known.set(key, this.requests);
     }
     const arrays = Object.values(meshes).flatMap(({ positions, uv, triangles }) => [positions, uv, triangles]);
     try {
