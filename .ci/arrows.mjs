@@ -39,6 +39,7 @@ const kArrows = {
   'web/tools': ['web/commands'],
   'web/panels': ['web/commands'],
   'web/page': ['web/tools', 'web/panels', 'web/scene'],
+  'web/self_crossing': ['engine/mesh'],
   'web/main': ['web/page'],
 };
 

@@ -208,7 +208,7 @@ await mainProgram(async () => {
     stages: await stageTimes(),
     sizes: siteSizes(),
     // Its libraries are there only after the set-up.
-    solids: await (await import('../tests/bench/solids.mjs')).solidTimes(),
+    solids: (await import('../tests/bench/solids.mjs')).solidTimes(),
     solidsOnPage: await (await import('../tests/bench/solids_page.mjs')).solidPageTimes(),
     editing: await editingTimes(),
   };

@@ -2,7 +2,7 @@
 import { pathToFileURL } from 'node:url';
 import { buildTargets } from './lib/cmake.mjs';
 import { duration, mainProgram, say } from './lib/run.mjs';
-import { assembleSite, enginePrograms, siteSizes } from './lib/site.mjs';
+import { assembleSite, siteSizes, siteTargets } from './lib/site.mjs';
 import { setup } from './setup.mjs';
 
 function kilobytes(bytes) {
@@ -20,7 +20,7 @@ function printSizes() {
 /** Builds the site; assumes that set-up has been done. */
 export async function buildSite() {
   const started = Date.now();
-  await buildTargets('wasm-release', Object.values(enginePrograms));
+  await buildTargets('wasm-release', siteTargets());
   await assembleSite();
   say(`dist: the site is ready (${duration(Date.now() - started)})`);
 }

@@ -5,7 +5,7 @@ import { buildTargets } from './lib/cmake.mjs';
 import { distDir } from './lib/paths.mjs';
 import { mainProgram, say, Stop } from './lib/run.mjs';
 import { serveFolder } from './lib/server.mjs';
-import { assembleSite, enginePrograms, laterPath } from './lib/site.mjs';
+import { assembleSite, enginePrograms, laterPath, siteTargets } from './lib/site.mjs';
 import { setup } from './setup.mjs';
 
 function options() {
@@ -29,11 +29,11 @@ function options() {
  */
 async function buildAndServe(first, serve) {
   const second = Object.keys(enginePrograms).find((engine) => engine !== first);
-  await buildTargets('wasm-release', [enginePrograms[first]]);
+  await buildTargets('wasm-release', siteTargets([first]));
   await assembleSite({ engines: [first], twins: false });
   let begin;
   const rest = new Promise((resolve) => (begin = resolve)).then(async () => {
-    await buildTargets('wasm-release', [enginePrograms[second]]);
+    await buildTargets('wasm-release', siteTargets([second]));
     return assembleSite({ keep: true });
   });
   const site = await serve(new Map([[laterPath(second), rest.then((whole) => whole[second].js).catch(() => null)]]));

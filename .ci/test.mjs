@@ -120,7 +120,7 @@ const kStages = {
   wasm: { title: 'Engine as WebAssembly, single thread, under Node', builds: ['wasm'], work: wasmSingle },
   threads: { title: 'Engine as WebAssembly with threads, under Node', builds: ['wasm'], work: wasmThreads },
   native: { title: 'Engine, native and optimised', builds: ['native'], work: native },
-  shell: { title: 'The shell without a browser', needs: ['node'], work: shell },
+  shell: { title: 'The shell without a browser', needs: ['node'], builds: ['site'], work: shell },
   node: {
     title: 'Command line and scripts',
     needs: ['node', 'readers'],

@@ -62,6 +62,12 @@ function replaceName(text, from, to) {
 /** The programs of the page's two engines. */
 export const enginePrograms = { threads: 'spineloft_web', single: 'spineloft_web_single' };
 
+/** What CMake builds for a site with these engines. */
+export const siteTargets = (engines = Object.keys(enginePrograms)) => [
+  'spineloft_self_crossing',
+  ...engines.map((engine) => enginePrograms[engine]),
+];
+
 /** Where a page asks for an engine that was not linked when the page was put together; the server lets it wait. */
 export const laterPath = (engine) => `assets/spineloft-${engine}-later.js`;
 
@@ -102,6 +108,9 @@ const iconFont = {
   },
 };
 
+/** The engine's test for meshes that go through themselves, which the worker of solids loads. */
+export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
+
 async function bundle(folder, entryPoints, define) {
   const esbuild = await import('esbuild');
   const result = await esbuild
@@ -129,6 +138,7 @@ async function bundle(folder, entryPoints, define) {
         '.glsl': 'text',
       },
       define,
+      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
       plugins: [iconFont],

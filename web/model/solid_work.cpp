@@ -11,8 +11,6 @@ namespace spineloft::app {
 namespace {
 
 constexpr std::size_t kMostFailures = 256, kMostLooked = 256;
-/// What the solver makes for itself: no more than this many parts, of no more triangles.
-constexpr std::size_t kMostLikelyParts = 16, kMostLikelyTriangles = 160000;
 
 Error errorNamed(std::string_view name) {
   for (int i = 0; i < static_cast<int>(Error::kCount); ++i) {
@@ -21,15 +19,11 @@ Error errorNamed(std::string_view name) {
   return Error::SolidFailed;
 }
 
-double address(const void* data) { return static_cast<double>(reinterpret_cast<std::uintptr_t>(data)); }
-
-void writeMesh(JsonWriter& json, const publish::SolidPlan::Mesh& mesh) {
-  json.beginObject().key("key").text(io::hashKey(mesh.key));
-  json.key("vertices").number(static_cast<double>(mesh.mesh->positions.size()));
-  json.key("triangles").number(static_cast<double>(mesh.mesh->triangles.size()));
-  json.key("positions").number(address(mesh.mesh->positions.data()));
-  json.key("uv").number(mesh.mesh->uv.empty() ? 0 : address(mesh.mesh->uv.data()));
-  json.key("corners").number(address(mesh.mesh->triangles.data())).endObject();
+platform::SolverMesh meshOf(const mesh::TriMesh& mesh) {
+  return {static_cast<std::uint32_t>(mesh.positions.size()), static_cast<std::uint32_t>(mesh.triangles.size()),
+          reinterpret_cast<const float*>(mesh.positions.data()),
+          mesh.uv.empty() ? nullptr : reinterpret_cast<const float*>(mesh.uv.data()),
+          reinterpret_cast<const std::uint32_t*>(mesh.triangles.data())};
 }
 
 void writeNode(JsonWriter& json, const publish::SolidPlan& plan, const publish::SolidPlan::Node& node, bool coarse) {
@@ -143,11 +137,8 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
     if (document.steps.empty() && busy()) cancel();
     return;
   }
-  if (asked_ && asked_->purpose != Purpose::Preview && asked_->keys == missing) {
-    asked_->purpose = Purpose::Document;
-  } else {
-    ask(plan, std::move(missing), Purpose::Document);
-  }
+  const bool isAsked = asked_ && asked_->purpose == Purpose::Document && asked_->keys == missing;
+  if (!isAsked) ask(plan, std::move(missing), Purpose::Document);
 }
 
 void SolidWork::updateSteps(const document::Document& document, pipeline::Derived& derived,
@@ -161,7 +152,7 @@ void SolidWork::updateSteps(const document::Document& document, pipeline::Derive
     if (last != latest_.end()) result.solid = last->second;
     if (root != plan.roots.end()) {
       const std::uint64_t key = plan.nodes[*root].key;
-      const Trouble* trouble = stepFailureWords(key);
+      const StepFailure* failed = failureOf(key);
       if (auto known = solids_.find(key)) {
         result.solid = known;
         if (last == latest_.end()) {
@@ -169,11 +160,11 @@ void SolidWork::updateSteps(const document::Document& document, pipeline::Derive
         } else {
           last->second = known;
         }
-      } else if (trouble != nullptr) {
-        result.failure = trouble->failure;
-        result.faulty = trouble->faulty;
-        result.thickest = trouble->thickest;
-        result.at = trouble->at;
+      } else if (failed != nullptr) {
+        result.failure = failed->failure;
+        result.faulty = failed->faulty;
+        result.thickest = failed->thickest;
+        result.at = failed->at;
       } else {
         result.waiting = true;
         missing.push_back(key);
@@ -198,15 +189,15 @@ void SolidWork::updateAlone(const document::Document& document, pipeline::Derive
     const Looked* looked = lookOver(*part.shape, alone);
     if (looked == nullptr || !looked->crosses) continue;
     const std::uint64_t key = publish::aloneKey(part.id, *part.shape);
-    const Trouble* trouble = stepFailureWords(key);
+    const StepFailure* failed = failureOf(key);
     part.mended = solids_.find(key);
     if (part.mended) continue;
-    if (trouble == nullptr && alone == Alone::All) {
+    if (failed == nullptr && alone == Alone::All) {
       publish::planAlone(plan, part.id, *part.shape);
       missing.push_back(key);
-    } else if (trouble != nullptr && trouble->failure.error != Error::Cancelled) {
+    } else if (failed != nullptr && failed->failure.error != Error::Cancelled) {
       part.crossesAt = looked->crosses;
-      if (trouble->at) part.crossesAt = ModelPoint{trouble->at->x, trouble->at->y, trouble->at->z};
+      if (failed->at) part.crossesAt = ModelPoint{failed->at->x, failed->at->y, failed->at->z};
     }
   }
 }
@@ -227,37 +218,11 @@ const SolidWork::Looked* SolidWork::lookOver(const pipeline::PartShape& shape, A
 void SolidWork::refineLabels(const pipeline::Derived& derived) {
   for (const pipeline::DerivedPart& part : derived.parts) {
     if (!part.shape) continue;
-    std::erase_if(failures_, [key = publish::aloneKey(part.id, *part.shape)](const Trouble& trouble) {
-      const Error error = trouble.failure.error;
-      return trouble.key == key && (error == Error::Cancelled || error == Error::SolverStopped);
+    std::erase_if(failures_, [key = publish::aloneKey(part.id, *part.shape)](const StepFailure& failed) {
+      const Error error = failed.failure.error;
+      return failed.key == key && (error == Error::Cancelled || error == Error::SolverStopped);
     });
   }
-}
-
-void SolidWork::prepare(const document::Document& likely, const pipeline::Derived& derived) {
-  if (busy() || likely.steps.empty()) return;
-  const publish::SolidPlan plan = publish::planSolids(likely, derived);
-  const auto root = std::ranges::find_if(
-      plan.roots, [&](std::size_t node) { return plan.nodes[node].step == likely.steps.back()->id; });
-  if (root == plan.roots.end()) return;
-  const std::uint64_t key = plan.nodes[*root].key;
-  if (key == prepared_ || solids_.find(key) || stepFailureWords(key) != nullptr) return;
-  prepared_ = key;
-  ask(plan, {key}, Purpose::Ahead);
-}
-
-void SolidWork::prepareParts(const document::Document& likely, const pipeline::Derived& derived) {
-  if (asked_) return;
-  const publish::SolidPlan plan = publish::planSolids(likely, derived);
-  if (plan.nodes.empty()) return;
-  const publish::SolidPlan::Node& node = plan.nodes.back();
-  std::size_t triangles = 0;
-  for (const publish::SolidPlan::Operand& each : node.operands)
-    triangles += plan.meshes[each.mesh].mesh->triangles.size();
-  const bool isLittle = node.operands.size() <= kMostLikelyParts && triangles <= kMostLikelyTriangles;
-  if (!isLittle || node.key == likely_ || solids_.find(node.key)) return;
-  likely_ = node.key;
-  ask(plan, {}, Purpose::Ahead);
 }
 
 void SolidWork::preview(const document::Document& document, pipeline::Derived& derived,
@@ -274,7 +239,7 @@ void SolidWork::preview(const document::Document& document, pipeline::Derived& d
       continue;
     }
     if (!known) known = solids_.find(previewKey(node.key));
-    if (!known && stepFailureWords(node.key) == nullptr && stepFailureWords(previewKey(node.key)) == nullptr) {
+    if (!known && failureOf(node.key) == nullptr && failureOf(previewKey(node.key)) == nullptr) {
       missing.push_back(node.key);
     }
     if (known && at != derived.steps.end()) at->solid = known;
@@ -286,16 +251,18 @@ void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> k
   JsonWriter json;
   json.beginObject().key("type").text("solve").key("id").number(static_cast<double>(++lastId_));
   json.key("meshes").beginArray();
-  for (const publish::SolidPlan::Mesh& mesh : plan.meshes) writeMesh(json, mesh);
+  std::vector<platform::SolverMesh> meshes;
+  for (const publish::SolidPlan::Mesh& mesh : plan.meshes) {
+    json.text(io::hashKey(mesh.key));
+    meshes.push_back(meshOf(*mesh.mesh));
+  }
   json.endArray().key("nodes").beginArray();
   for (const publish::SolidPlan::Node& node : plan.nodes) writeNode(json, plan, node, purpose == Purpose::Preview);
   json.endArray().key("wanted").beginArray();
   for (const std::uint64_t key : keys) json.text(io::hashKey(key));
   json.endArray().endObject();
-  // What it was at for what may come is given up, and worth another try.
-  if (asked_ && asked_->purpose == Purpose::Ahead && purpose != Purpose::Ahead) prepared_ = likely_ = 0;
   asked_ = Asked{static_cast<double>(lastId_), std::move(keys), purpose, 0};
-  host_.send(json.json());
+  host_.solve(json.json(), meshes);
 }
 
 void SolidWork::expect(PartId part) {
@@ -325,36 +292,36 @@ void SolidWork::forget() {
   solids_ = pipeline::Shelf<pipeline::Solid>(kMostBytes);
   latest_.clear();
   failures_.clear();
-  prepared_ = likely_ = 0;
 }
 
-const SolidWork::Trouble* SolidWork::stepFailureWords(std::uint64_t key) const {
-  const auto at = std::ranges::find(failures_, key, &Trouble::key);
+const SolidWork::StepFailure* SolidWork::failureOf(std::uint64_t key) const {
+  const auto at = std::ranges::find(failures_, key, &StepFailure::key);
   return at == failures_.end() ? nullptr : &*at;
 }
 
-void SolidWork::keepFailure(Trouble trouble) {
+void SolidWork::keepFailure(StepFailure failed) {
   if (failures_.size() >= kMostFailures) failures_.erase(failures_.begin());
-  failures_.push_back(std::move(trouble));
+  failures_.push_back(std::move(failed));
 }
 
 bool SolidWork::take(const Json& answer, std::span<const std::uint8_t> bytes) {
-  const bool current = asked_ && answer.number("id") == asked_->id;
-  const bool shows = !current || busy();
-  if (answer.text("key") != nullptr) return takeSolid(answer, bytes) && shows;
-  if (!current) return false;
+  if (answer.flag("lost").value_or(false)) return takeLoss();
+  if (answer.text("key") != nullptr) return takeSolid(answer, bytes);
+  if (!asked_ || answer.number("id") != asked_->id) return false;
   if (const auto done = answer.number("progress")) asked_->done = std::clamp(*done, 0.0, 1.0);
-  if (answer.flag("lost").value_or(false)) {
-    const bool isWanted = asked_->purpose == Purpose::Document;
-    for (const std::uint64_t key : asked_->keys) {
-      if (isWanted && !solids_.find(key)) keepFailure({key, {Error::SolverStopped, {}}, {}, {}});
-    }
-    if (isWanted) sendError(host_, errorSentence(Error::SolverStopped));
-    asked_.reset();
-  } else if (answer.flag("done").value_or(false)) {
-    asked_.reset();
+  if (answer.flag("done").value_or(false)) asked_.reset();
+  return true;
+}
+
+bool SolidWork::takeLoss() {
+  if (!asked_) return false;
+  const Asked lost = *std::exchange(asked_, std::nullopt);
+  if (lost.purpose != Purpose::Document) return true;
+  for (const std::uint64_t key : lost.keys) {
+    if (!solids_.find(key)) keepFailure({key, {Error::SolverStopped, {}}, {}, {}});
   }
-  return shows;
+  sendError(host_, errorSentence(Error::SolverStopped));
+  return true;
 }
 
 bool SolidWork::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) {
@@ -367,15 +334,15 @@ bool SolidWork::takeSolid(const Json& answer, std::span<const std::uint8_t> byte
     const Json* failure = answer.find("failure");
     if (failure == nullptr) return false;
     const std::string* name = failure->text("error");
-    Trouble trouble{key, {name ? errorNamed(*name) : Error::SolidFailed, {}}, {}, {}};
-    trouble.faulty = PartId{static_cast<std::uint32_t>(countOf(*failure, "part"))};
-    trouble.thickest = failure->number("thickest");
+    StepFailure failed{key, {name ? errorNamed(*name) : Error::SolidFailed, {}}, {}, {}};
+    failed.faulty = PartId{static_cast<std::uint32_t>(countOf(*failure, "part"))};
+    failed.thickest = failure->number("thickest");
     const Json* at = failure->find("at");
     if (at != nullptr && at->array() != nullptr && at->array()->size() == 3) {
       const Json::Array& xyz = *at->array();
-      trouble.at = WorldPoint{xyz[0].number().value_or(0), xyz[1].number().value_or(0), xyz[2].number().value_or(0)};
+      failed.at = WorldPoint{xyz[0].number().value_or(0), xyz[1].number().value_or(0), xyz[2].number().value_or(0)};
     }
-    keepFailure(std::move(trouble));
+    keepFailure(std::move(failed));
     return true;
   }
   Bytes from(bytes);

@@ -37,25 +37,17 @@ class SolidWork {
   /// joined show themselves meanwhile: that looks the same, and costs nothing.
   void preview(const document::Document& document, pipeline::Derived& derived, const publish::Substitute* instead);
 
-  /// Asks for the outermost solid that was made last in `likely`, a document as it may soon be, unless the solver is at
-  /// something that is waited for: when the document comes to be so, the solid is there. Nothing of it shows before.
-  void prepare(const document::Document& likely, const pipeline::Derived& derived);
-
-  /// Has the solver make what is newest in `likely` for itself, unless it is at something: nothing of it comes back,
-  /// but whatever is asked for next finds the parts and their union there. Not where that is more than a little.
-  void prepareParts(const document::Document& likely, const pipeline::Derived& derived);
-
   /// The part that is likely to be edited next, or none: told to the solver when it is another one than before, so
   /// that it makes ready while nothing else is asked for.
   void expect(PartId part);
 
-  /// What the solver says: {id, done}, {id, progress}, {id, lost} or {id, step, key, ms, mesh | failure}, with the
+  /// What the solver says: {id, done}, {id, progress}, {lost} or {id, step, key, ms, mesh | failure}, with the
   /// arrays of the mesh as bytes: positions, uv, corners, both lists of merged vertices. True when something
   /// changed.
   bool take(const Json& answer, std::span<const std::uint8_t> bytes);
 
-  /// Whether something is asked for that is waited for.
-  bool busy() const { return asked_ && asked_->purpose != Purpose::Ahead; }
+  /// Whether something is asked for.
+  bool busy() const { return asked_.has_value(); }
   double done() const { return busy() ? asked_->done : 1; }
   /// Stops the solver; what it was at is not asked for again before it changes, or `again`.
   void cancel();
@@ -65,15 +57,15 @@ class SolidWork {
   void forget();
 
  private:
-  /// For the document as it is, for a gesture, or for what may come.
-  enum class Purpose { Document, Preview, Ahead };
+  /// For the document as it is, or for a gesture.
+  enum class Purpose { Document, Preview };
   struct Asked {
     double id = 0;
     std::vector<std::uint64_t> keys;
     Purpose purpose = Purpose::Document;
     double done = 0;
   };
-  struct Trouble {
+  struct StepFailure {
     std::uint64_t key = 0;
     Failure failure;
     PartId faulty;
@@ -91,21 +83,20 @@ class SolidWork {
                    publish::SolidPlan& plan, std::vector<std::uint64_t>& missing);
   const Looked* lookOver(const pipeline::PartShape& shape, Alone alone);
   void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose);
-  void keepFailure(Trouble trouble);
-  const Trouble* stepFailureWords(std::uint64_t key) const;
+  void keepFailure(StepFailure failed);
+  const StepFailure* failureOf(std::uint64_t key) const;
+  bool takeLoss();
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
 
   platform::Host& host_;
   static constexpr std::size_t kMostBytes = std::size_t{96} << 20;
   pipeline::Shelf<pipeline::Solid> solids_{kMostBytes};
   std::vector<std::pair<StepId, std::shared_ptr<const pipeline::Solid>>> latest_;  ///< last good ones
-  std::vector<Trouble> failures_;
+  std::vector<StepFailure> failures_;
   std::vector<Looked> looked_;
   std::optional<Asked> asked_;
   std::uint64_t lastId_ = 0;
-  PartId expected_;             ///< as told
-  std::uint64_t prepared_ = 0;  ///< asked for ahead, once
-  std::uint64_t likely_ = 0;    ///< made by the solver for itself, once
+  PartId expected_;  ///< as told
 };
 
 }  // namespace spineloft::app

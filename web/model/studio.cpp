@@ -169,7 +169,6 @@ void Studio::noteTimes(const pipeline::Derived& before) {
 void Studio::updateSolids() {
   previewing_ = false;
   solids_.update(document(), derived_, finishing_ ? SolidWork::Alone::All : SolidWork::Alone::AsKnown);
-  prepareUnion();
   reportSolids();
 }
 
@@ -243,30 +242,6 @@ void Studio::previewPlaced(const document::PlaceParts& places) {
 void Studio::expectEdit(PartId part) {
   const bool isInSolid = part && document::rootOf(document(), {part, {}}) != nullptr;
   solids_.expect(isInSolid ? part : PartId{});
-}
-
-void Studio::expectUnion(const std::vector<document::Operand>& picked) {
-  if (picked == picked_) return;
-  picked_ = picked;
-  if (!stale_ && !previewing_) prepareUnion();
-}
-
-void Studio::prepareUnion() {
-  if (picked_.size() < 2) return;
-  document::CombineParts action;
-  action.operands = picked_;
-  if (const Result<document::Document> likely = document::update(document(), action))
-    solids_.prepare(likely.value(), derived_);
-}
-
-void Studio::prepareParts() {
-  if (stale_ || previewing_ || !document().steps.empty() || picked_.size() >= 2) return;
-  document::CombineParts action;
-  for (const document::Part& part : document().parts) {
-    if (part.visible) action.operands.push_back({part.id, {}});
-  }
-  if (const Result<document::Document> likely = document::update(document(), action))
-    solids_.prepareParts(likely.value(), derived_);
 }
 
 void Studio::endPreview() {

@@ -98,10 +98,6 @@ class Studio {
 
   /// The chosen part, or none: what an edit of it needs of the solid that it is in is made ready.
   void expectEdit(PartId part);
-  /// What is ticked: several are likely to be stuck together, so that is made ready.
-  void expectUnion(const std::vector<document::Operand>& picked);
-  /// Parts of a model without solids are likely to be stuck together: the solver does that for itself.
-  void prepareParts();
   /// What the solver of solids says (SolidWork::take). True when something changed.
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
   /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.
@@ -131,7 +127,6 @@ class Studio {
   void keepShown(const pipeline::Derived& before);
   void noteTimes(const pipeline::Derived& before);
   void updateSolids();
-  void prepareUnion();
   void reportSolids();
   void takeTrace(const pipeline::TraceJob& making);
   void takeTexture(const pipeline::TextureJob& making);
@@ -165,7 +160,6 @@ class Studio {
   std::vector<Search> searching_;  ///< whose edges a worker seeks
   std::vector<std::pair<PartId, Error>> reported_;
   std::vector<std::pair<StepId, Error>> reportedSteps_;
-  std::vector<document::Operand> picked_;
   SolidWork solids_;
   bool previewing_ = false;
   bool finishing_ = false;                ///< of parts in no step all is to be known

@@ -94,7 +94,6 @@ void App::settle() {
   settleCut(env());
   settleSolids(document, ui_);
   studio_.expectEdit(ui_.selection);
-  studio_.expectUnion(ui_.solids.picked);
   const bool orphaned = ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||
                                         (ui_.preview->part && !document::findPart(document, ui_.preview->part)));
   if (orphaned) {

@@ -55,7 +55,6 @@ class App final : public platform::Page {
   bool idle() override;
   void cancelWork() override;
   void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
-  void prepareSolids() override { studio_.prepareParts(); }
   void finishParts() override { studio_.finishParts(); }
   void markSaved() override;
   const std::string& history() override;

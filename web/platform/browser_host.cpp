@@ -14,6 +14,11 @@ EM_JS(void, splSend, (const char* json), {
   if (host && host.onEvent) host.onEvent(UTF8ToString(json));
 });
 
+EM_JS(void, splSolve, (const char* json, const void* meshes), {
+  const host = Module['host'];
+  if (host) host.onSolve(UTF8ToString(json), meshes);
+});
+
 EM_JS(int, splReducedMotion, (), {
   return window.matchMedia('(prefers-reduced-motion: reduce)').matches ? 1 : 0;
 });
@@ -115,6 +120,12 @@ void BrowserHost::wakeAfter(double milliseconds) {
 }
 
 void BrowserHost::send(std::string_view json) { splSend(std::string(json).c_str()); }
+
+void BrowserHost::solve(std::string_view json, std::span<const SolverMesh> meshes) {
+  // The shell reads five numbers a mesh (web/shell/engine.ts).
+  static_assert(sizeof(SolverMesh) == 5 * sizeof(std::uint32_t));
+  splSolve(std::string(json).c_str(), meshes.data());
+}
 
 void BrowserHost::sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) {
   std::string json = R"({"type":"file","name":)";

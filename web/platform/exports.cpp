@@ -140,9 +140,6 @@ EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* byt
   if (page() == nullptr) return;
   page()->solved(text(answer), {bytes, bytes == nullptr ? 0 : length});
 }
-EMSCRIPTEN_KEEPALIVE void spl_prepareSolids() {
-  if (page() != nullptr) page()->prepareSolids();
-}
 EMSCRIPTEN_KEEPALIVE void spl_finishParts() {
   if (page() != nullptr) page()->finishParts();
 }

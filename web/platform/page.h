@@ -83,8 +83,6 @@ class Page {
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
   /// web/model/solid_work.h).
   virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;
-  /// Nobody waits for anything: the solver may get ready what is likely to be stuck together.
-  virtual void prepareSolids() = 0;
   /// A file is wanted: the solver mends what goes through itself; `idle` when it has.
   virtual void finishParts() = 0;
 

@@ -24,7 +24,6 @@ export type EngineEvent =
   | { type: 'stopSolving' }
   /** The part of a solid that is chosen, and so the likely one to be edited next. */
   | { type: 'expectEdit'; part: number | null }
-  | SolveEvent
   | TurntableEvent
   | JournalEvent
   | KeepEvent;
@@ -112,7 +111,6 @@ interface Module {
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
   _spl_warmUp(): number;
-  _spl_prepareSolids(): void;
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
   _spl_markSaved(): void;
@@ -135,9 +133,6 @@ interface Outcome {
   sentence?: string;
   dropped?: number;
 }
-
-/** What `performance` holds when the solver of solids is as quick as it gets. */
-const kSolidsWarmMark = 'spineloft-solids-warm';
 
 /** True where worker threads can share memory and the address does not ask for the other build. */
 export function wantsThreads(): boolean {
@@ -163,10 +158,8 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
         onEvent(raw);
         return;
       }
-      if (raw.type === 'solve' || raw.type === 'stopSolving') {
-        // At once: the meshes are only there now. Answers come later, never from within.
-        if (raw.type === 'solve') solver?.ask(raw);
-        else solver?.stop();
+      if (raw.type === 'stopSolving') {
+        solver?.stop();
         return;
       }
       if (raw.type === 'expectEdit') {
@@ -176,28 +169,55 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
       if (queue.length === 0) queueMicrotask(deliver);
       queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
     },
+    /** At once: the meshes are only there now. Answers come later, never from within. */
+    onSolve(json: string, meshes: number) {
+      const { meshes: keys, ...rest } = JSON.parse(json) as SolveRequestText;
+      if (module) solver?.ask({ ...rest, meshes: meshesAt(module.wasmMemory.buffer, meshes, keys) });
+    },
   };
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
   module = await create({ canvas, host, sharp });
   const engine = new Engine(module);
-  solver = engine.solver = solverOf(engine, module);
+  solver = engine.solver = solverOf(engine);
   return engine;
 }
 
-function solverOf(engine: Engine, module: Module): Solver {
+/** What the engine asks of the solver of solids, with the keys of its meshes. */
+type SolveRequestText = Omit<SolveEvent, 'meshes'> & { meshes: string[] };
+
+/** The engine's arrays of these meshes: platform::SolverMesh of web/platform/host.h, five numbers each. */
+function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): SolveEvent['meshes'] {
+  const table = new Uint32Array(memory, at, 5 * keys.length);
+  return keys.map((key, i) => {
+    const [vertices, triangles, positions, uv, corners] = [...table.subarray(5 * i, 5 * i + 5)] as [
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    return {
+      key,
+      mesh: {
+        positions: new Float32Array(memory, positions, 3 * vertices),
+        uv: new Float32Array(memory, uv, uv === 0 ? 0 : 2 * vertices),
+        triangles: new Uint32Array(memory, corners, 3 * triangles),
+      },
+    };
+  });
+}
+
+function solverOf(engine: Engine): Solver {
   return new Solver({
     start: () => {
       const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
       const worker = new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module', name });
       worker.addEventListener('message', ({ data }) => {
-        if (data.type === 'warm') performance.mark(kSolidsWarmMark);
         if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
       });
       return worker as unknown as SolidWorker;
     },
-    floats: (at, count) => new Float32Array(module.wasmMemory.buffer, at, count).slice(),
-    integers: (at, count) => new Uint32Array(module.wasmMemory.buffer, at, count).slice(),
     answer: (json, bytes) => engine.solved(json, bytes),
   });
 }
@@ -342,11 +362,6 @@ export class Engine {
   /** One round of the stages of a stroke on a tiny picture; false when there was no memory for it. */
   warmUp(): boolean {
     return this.module._spl_warmUp() === 1;
-  }
-
-  /** Has the solver of solids put together what is likely to be asked for, where that is little. */
-  prepareSolids(): void {
-    this.module._spl_prepareSolids();
   }
 
   /** A file is wanted: the solver of solids mends the parts that go through themselves; idle when it has. */

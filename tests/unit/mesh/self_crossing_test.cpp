@@ -136,7 +136,7 @@ TriMesh boxes(Seeded& random) {
 
 }  // namespace
 
-TEST_CASE("the engine and the solver of solids give the same answers, which are those of trying every pair") {
+TEST_CASE("the answers are those of trying every pair") {
   const auto bytes = testing::testFile("golden/crossing_verdicts.txt");
   std::string verdicts(bytes.begin(), bytes.end());
   std::erase(verdicts, '\n');

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,10 @@ class FakeHost final : public platform::Host {
   void requestFrame() override { frameAsked = true; }
   void wakeAfter(double) override { ++wakesAsked; }
   void send(std::string_view json) override { sent.emplace_back(json); }
+  void solve(std::string_view json, std::span<const platform::SolverMesh> meshes) override {
+    sent.emplace_back(json);
+    given.assign(meshes.begin(), meshes.end());
+  }
   void sendFile(std::string_view name, std::string_view, std::span<const std::uint8_t> b) override {
     files.emplace_back(std::string(name), b.size());
   }
@@ -36,6 +41,7 @@ class FakeHost final : public platform::Host {
   bool frameAsked = false, reduced = false;
   int wakesAsked = 0;
   std::vector<std::string> sent;
+  std::vector<platform::SolverMesh> given;  ///< to the solver, last
   std::vector<std::pair<std::string, std::size_t>> files;
 };
 

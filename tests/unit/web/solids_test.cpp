@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -19,6 +20,13 @@ TEST_CASE("what is stuck together is asked for once, and the answer becomes the 
   REQUIRE(rig.asked() == 1);
   const Json request = rig.lastAsked();
   CHECK(request.find("meshes")->array()->size() == 2);
+  REQUIRE(rig.host.given.size() == 2);
+  for (const platform::SolverMesh& mesh : rig.host.given) {
+    CHECK(mesh.vertices > 0);
+    CHECK(*std::max_element(mesh.corners, mesh.corners + 3 * mesh.triangles) == mesh.vertices - 1);
+    CHECK(std::all_of(mesh.positions, mesh.positions + 3 * mesh.vertices, [](float x) { return std::isfinite(x); }));
+    CHECK(std::all_of(mesh.uv, mesh.uv + 2 * mesh.vertices, [](float x) { return x >= 0 && x <= 1; }));
+  }
   CHECK(rig.status() == "waiting");
   CHECK(rig.state().flag("busy").value_or(false));
   rig.answer(request);
@@ -137,7 +145,7 @@ TEST_CASE("a file in which a solid is not as it should be is saved with a word a
   CHECK_FALSE(told("stl"));
   rig.run("set-section", R"({"part": 1, "section": "square"})");
   rig.state();
-  rig.lost(rig.lastAsked());
+  rig.lost();
   rig.settle();
   CHECK(told("glb"));
   CHECK(rig.host.said("Solid 1 is as it was before: "));
@@ -173,7 +181,7 @@ TEST_CASE("when the solver dies it is said, the last good solid stays, and one c
   rig.settle();
   rig.run("set-section", R"({"part": 1, "section": "square"})");
   rig.state();
-  rig.lost(rig.lastAsked());
+  rig.lost();
   CHECK(rig.settle());
   CHECK(rig.status() == "failed");
   CHECK(*rig.step().text("failure") == "SolverStopped");
