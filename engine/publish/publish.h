@@ -26,6 +26,8 @@ enum class Format : std::uint8_t { Glb, Obj, Stl, Project, ObjZip, ThreeMf };
 std::optional<Format> formatFromKey(std::string_view key);
 std::string_view formatKey(Format format);
 std::string_view mediaType(Format format);
+/// Whether a model can be opened again from a file of this format: the editable document is inside.
+bool holdsDocument(Format format);
 
 // How parts come to the world is the pipeline's (world.h).
 using pipeline::worldBounds;

@@ -31,6 +31,8 @@ std::string_view formatKey(Format format) {
   return {};
 }
 
+bool holdsDocument(Format format) { return format == Format::Glb || format == Format::Project; }
+
 std::string_view mediaType(Format format) {
   switch (format) {
     case Format::Glb:

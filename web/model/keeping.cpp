@@ -54,7 +54,6 @@ Result<std::string> Keeping::openProject(std::span<const std::uint8_t> file) {
   Result<document::Document> document = io::readProject(file, &notes);
   if (!document) return document.failure();
   studio_.open(io::DocumentHistory(std::move(document).value()));
-  studio_.markSaved();
   if (notes.clean()) return std::string();
   if (notes.dropped == 0) return std::string("Some numbers of this file were damaged and have been mended.");
   return "This file is damaged: " + std::to_string(notes.dropped) +

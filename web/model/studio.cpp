@@ -449,7 +449,7 @@ void Studio::finishSave(Result<publish::Bytes> bytes, publish::Format format, co
     return;
   }
   host_.sendFile(publish::fileName(written, format), publish::mediaType(format), bytes.value());
-  saved_ = written;
+  if (publish::holdsDocument(format)) saved_ = written;
 }
 
 Result<publish::Bytes> Studio::publishNow(publish::Format format) {

@@ -110,9 +110,8 @@ class Studio {
   void solveAgain();
 
   const pipeline::StageMs& lastMs() const { return lastMs_; }
-  /// There are parts that are in no file yet.
+  /// There are parts, and no file that a model can be opened from holds the document as it is.
   bool unsaved() const;
-  void markSaved() { saved_ = document(); }
   /// Counts the changes of the document and of what is derived from it.
   std::uint64_t revision() const { return revision_; }
 

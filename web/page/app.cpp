@@ -573,9 +573,4 @@ void App::growSolid() {
   studio_.previewSolid({preview.part, key, &preview.shape->mesh});
 }
 
-void App::markSaved() {
-  studio_.markSaved();
-  touch();
-}
-
 }  // namespace spineloft::app

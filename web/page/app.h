@@ -56,7 +56,6 @@ class App final : public platform::Page {
   void cancelWork() override;
   void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
   void finishParts() override { studio_.finishParts(); }
-  void markSaved() override;
   const std::string& history() override;
   const std::string& photos() override;
   std::shared_ptr<const image::Picture> photo(std::string_view hash) override;

@@ -143,9 +143,6 @@ EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* byt
 EMSCRIPTEN_KEEPALIVE void spl_finishParts() {
   if (page() != nullptr) page()->finishParts();
 }
-EMSCRIPTEN_KEEPALIVE void spl_markSaved() {
-  if (page() != nullptr) page()->markSaved();
-}
 
 EMSCRIPTEN_KEEPALIVE const char* spl_history() { return page() ? page()->history().c_str() : ""; }
 EMSCRIPTEN_KEEPALIVE const char* spl_photos() { return page() ? page()->photos().c_str() : "[]"; }

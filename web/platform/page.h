@@ -79,7 +79,6 @@ class Page {
   virtual void answer(std::string_view id, std::string_view text) = 0;
   virtual bool idle() = 0;
   virtual void cancelWork() = 0;
-  virtual void markSaved() = 0;
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
   /// web/model/solid_work.h).
   virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;

@@ -113,7 +113,6 @@ interface Module {
   _spl_warmUp(): number;
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
-  _spl_markSaved(): void;
   _spl_solved(answer: number, bytes: number, length: number): void;
   _spl_history(): number;
   _spl_photos(): number;
@@ -371,10 +370,6 @@ export class Engine {
 
   cancelWork(): void {
     this.module._spl_cancelWork();
-  }
-
-  markSaved(): void {
-    this.module._spl_markSaved();
   }
 
   /** What the solver of solids says, with the arrays of a mesh. */

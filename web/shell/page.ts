@@ -103,7 +103,6 @@ export class Page {
         break;
       case 'file':
         download(event.name, event.mediaType, event.bytes);
-        this.engine?.markSaved();
         toast(`Saved ${event.name}.`);
         break;
       case 'pickPicture':

@@ -310,16 +310,47 @@ TEST_CASE("saving works beside the page and hands over one file; until then the 
     CHECK(rig.state().flag("unsaved") == false);
     rig.drawBar();
     CHECK(rig.state().flag("unsaved") == true);
-    CHECK(rig.run("save-stl").flag("ok") == true);
+    CHECK(rig.run("save-glb").flag("ok") == true);
     REQUIRE(rig.settle());
     REQUIRE(rig.host.files.size() == 1);
-    CHECK(rig.host.files[0].first.ends_with(".stl"));
+    CHECK(rig.host.files[0].first.ends_with(".glb"));
     CHECK(rig.host.files[0].second > 1000);
     CHECK(rig.state().flag("unsaved") == false);
     rig.run("set-section", R"({"section":"gear"})");
     CHECK(rig.state().flag("unsaved") == true);
     rig.run("undo");
     CHECK(rig.state().flag("unsaved") == false);
+  }
+}
+
+TEST_CASE(
+    "only a file that holds the model as it is now makes it saved: not another format, not one of before an edit") {
+  struct Save {
+    const char* command;
+    bool holdsDocument;
+  };
+  constexpr Save kSaves[] = {
+      {"save-project", true}, {"save-glb", true}, {"save-obj", false}, {"save-stl", false}, {"save-3mf", false}};
+  for (const int threads : {0, 2}) {
+    for (const auto& [command, holdsDocument] : kSaves) {
+      for (const bool edited : {false, true}) {
+        CAPTURE(threads);
+        CAPTURE(command);
+        CAPTURE(edited);
+        Rig rig({1200, 700, 1}, threads);
+        rig.openBar();
+        rig.drawBar();
+        CHECK(rig.run(command).flag("ok") == true);
+        CHECK(rig.host.files.empty());
+        if (edited) rig.run("set-section", R"({"section":"gear"})");
+        REQUIRE(rig.settle());
+        REQUIRE(rig.host.files.size() == 1);
+        CHECK(rig.state().flag("unsaved") == (edited || !holdsDocument));
+        if (!edited) continue;
+        rig.run("undo");
+        CHECK(rig.state().flag("unsaved") == !holdsDocument);
+      }
+    }
   }
 }
 
