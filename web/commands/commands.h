@@ -2,10 +2,12 @@
 // the shell's command bar, the public API and the tests.
 #pragma once
 
+#include <cassert>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/base/result.h"
 #include "web/edit/command_env.h"
@@ -19,7 +21,21 @@ namespace spineloft::app {
 struct Refusal {
   std::string error, sentence;
 };
-using Outcome = std::optional<Refusal>;  ///< none: it was done
+/// What came of a command: it was done (true), or it was refused.
+class [[nodiscard]] Outcome {
+ public:
+  Outcome() = default;  ///< done
+  Outcome(Refusal refusal) : refusal_(std::move(refusal)) {}
+  bool ok() const { return !refusal_; }
+  explicit operator bool() const { return ok(); }
+  const Refusal& refusal() const {
+    assert(!ok() && "refusal() of what was done");
+    return *refusal_;
+  }
+
+ private:
+  std::optional<Refusal> refusal_;
+};
 
 /// What a command can be told.
 struct Argument {

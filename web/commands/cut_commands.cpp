@@ -43,7 +43,7 @@ Outcome take(Env env) {
   Json::Object args{{"contours", contoursJson(draft.shape.contours)}};
   if (draft.part) args.emplace_back("part", draft.part.value);
   const std::string_view id = draft.part ? "redraw-region" : draft.flat ? "draw-sheet" : "draw-puff";
-  if (Outcome refused = runCommand(env, id, args)) return refused;
+  if (Outcome done = runCommand(env, id, args); !done) return done;
   env.ui.cut.reset();
   if (!atOnce) sendStatus(env.host, {});
   return {};
@@ -66,8 +66,8 @@ void settleSearch(Env env, Result<CutShape> found) {
   draft.shape = std::move(found).value();
   draft.shownMarks = draft.hints.marks.size();
   if (!draft.atOnce) return;
-  if (const Outcome refused = take(env)) {
-    sendError(env.host, refused->sentence);
+  if (const Outcome done = take(env); !done) {
+    sendError(env.host, done.refusal().sentence);
     env.ui.cut.reset();
   }
 }
@@ -150,7 +150,7 @@ Outcome begin(Env env, const Json& args, bool atOnce) {
 Outcome cutOut(Env env, const Json& args) { return begin(env, args, true); }
 
 Outcome cutStart(Env env, const Json& args) {
-  if (Outcome refused = begin(env, args, false)) return refused;
+  if (Outcome done = begin(env, args, false); !done) return done;
   if (env.ui.tool != ToolKind::Inflate && env.ui.tool != ToolKind::Extrude) env.ui.tool = ToolKind::Inflate;
   sendStatus(env.host, "Draw over what is missing; with \"Take away\" over what is too much. Then \"Use this\".");
   return {};

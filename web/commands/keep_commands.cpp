@@ -47,7 +47,7 @@ Outcome saveProjectAs(Env env, const Json& args) {
     sendQuestion(env.host, {"save-project-as", "Save as", "A name for the model and its file", old});
     return {};
   }
-  if (Outcome refused = renameTo(env, *name)) return refused;
+  if (Outcome done = renameTo(env, *name); !done) return done;
   return saveProject(env, args);
 }
 

@@ -76,7 +76,7 @@ Outcome add(Env env, const Json&) {
   if (!added) return refuse({Error::ValueOutOfRange, "point"});
   const OutlinePoint at = added->at;
   if (!(added->region == region)) {
-    if (Outcome refused = change(env, std::move(added->region), {})) return refused;
+    if (Outcome done = change(env, std::move(added->region), {}); !done) return done;
   }
   env.ui.chosen.outline = at;
   return {};
@@ -90,7 +90,7 @@ Outcome remove(Env env, const Json&) {
     return Refusal{"NotNow", "An outline keeps at least three points. Delete the part instead."};
   }
   const std::optional<OutlinePoint> before = neighbourHandle(region, at, -1);
-  if (Outcome refused = change(env, std::move(*left), {})) return refused;
+  if (Outcome done = change(env, std::move(*left), {}); !done) return done;
   // What comes before the point keeps its number, unless the outline begins anew.
   env.ui.chosen.outline =
       before && before->contour == at.contour && before->point < at.point ? before : OutlinePoint{at.contour, 0};

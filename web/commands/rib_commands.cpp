@@ -150,7 +150,7 @@ Outcome addRib(Env env, const Json& args) {
   if (!p) p = ribs[end ? end->rib : ribs.size() / 2].center;
   const std::vector<ribs::Rib> before = ribs;
   const PartId id = subject.part->id;
-  if (Outcome outcome = edit(env, subject, ribs::addRib(sceneOf(subject), *p))) return outcome;
+  if (Outcome done = edit(env, subject, ribs::addRib(sceneOf(subject), *p)); !done) return done;
   const Subject after = subjectOf(env.studio.document(), env.studio.derived(), id);
   if (!after || id != env.ui.selection) return {};
   // The new one is chosen, to be moved next.

@@ -86,7 +86,7 @@ Outcome done(Env env, const Json&) {
   env.ui.section = shape;
   closeBoard(env.ui);
   sendStatus(env.host, "The slice is done, and on your shelf.");
-  if (Outcome full = keepOnShelf(env, shape, nullptr)) sendHint(env.host, full->sentence);
+  if (const Outcome kept = keepOnShelf(env, shape, nullptr); !kept) sendHint(env.host, kept.refusal().sentence);
   return {};
 }
 
@@ -96,14 +96,20 @@ Outcome leave(Env env, const Json&) {
   return {};
 }
 
-Outcome undo(Env env, const Json&) {
+void undo(Env env) {
   undoBoard(*boardOf(env));
   previewBoard(env.ui, env.studio.document());
-  return {};
 }
-Outcome redo(Env env, const Json&) {
+void redo(Env env) {
   redoBoard(*boardOf(env));
   previewBoard(env.ui, env.studio.document());
+}
+Outcome takeBack(Env env, const Json&) {
+  undo(env);
+  return {};
+}
+Outcome onceMore(Env env, const Json&) {
+  redo(env);
   return {};
 }
 
@@ -345,7 +351,7 @@ constexpr std::array kTable = {
             "Take the last change of the drawing back (Ctrl+Z)",
             canUndo,
             nullptr,
-            undo},
+            takeBack},
     Command{"slice-redo",
             "Once more",
             "redo-2",
@@ -355,7 +361,7 @@ constexpr std::array kTable = {
             "Do what was taken back again (Ctrl+Y)",
             canRedo,
             nullptr,
-            redo},
+            onceMore},
     Command{"slice-tool",
             "Drawing with",
             "pencil",
@@ -504,13 +510,13 @@ constexpr std::array kTable = {
 
 Status undoOnBoard(const CommandEnv& env) {
   if (!canUndo(env)) return Error::NothingToUndo;
-  undo(env, {});
+  undo(env);
   return Done{};
 }
 
 Status redoOnBoard(const CommandEnv& env) {
   if (!canRedo(env)) return Error::NothingToRedo;
-  redo(env, {});
+  redo(env);
   return Done{};
 }
 

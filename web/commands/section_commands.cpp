@@ -85,7 +85,7 @@ Outcome addSection(Env env, const Json& args) {
   SectionKeys stops = withSectionKey(document::loftIn(*part).loft.sections, *at,
                                      shape.value().value_or(pickedShape(env.ui, part)), added);
   env.ui.sections.placing = false;
-  if (Outcome outcome = setSectionKeys(env, id, std::move(stops))) return outcome;
+  if (Outcome done = setSectionKeys(env, id, std::move(stops)); !done) return done;
   env.ui.selection = id;
   pick(env, id, added);
   return {};
@@ -101,7 +101,7 @@ Outcome moveSection(Env env, const Json& args) {
   if (!(*to >= 0 && *to <= 1)) return refuse({Error::ValueOutOfRange, "to"});
   const PartId id = part->id;
   Outcome outcome = setSectionKeys(env, id, withMovedSectionKey(document::loftIn(*part).loft.sections, *stop, *to));
-  if (!outcome) pick(env, id, *stop);
+  if (outcome) pick(env, id, *stop);
   return outcome;
 }
 
@@ -126,7 +126,7 @@ Outcome removeSection(Env env, const Json& args) {
   }
   const PartId id = part->id;
   Outcome outcome = setSectionKeys(env, id, withoutSectionKey(document::loftIn(*part).loft.sections, *stop));
-  if (!outcome) pick(env, id, *stop > 0 ? *stop - 1 : 0);
+  if (outcome) pick(env, id, *stop > 0 ? *stop - 1 : 0);
   return outcome;
 }
 

@@ -104,7 +104,7 @@ Outcome setThicker(Env env, const std::vector<Thickening>& thin) {
 Outcome thicken(Env env, const Json&) {
   if (!isPutTogether(env) || !env.studio.finishParts()) return notYet();
   if (!env.ui.print || !(env.ui.print->of == env.studio.document())) {
-    if (const Outcome refused = reportPrint(env)) return refused;
+    if (Outcome done = reportPrint(env); !done) return done;
   }
   const double thinnest = env.ui.print->check.thinnest;
   if (!(thinnest > 0)) return refuse({Error::NothingToExport, {}});

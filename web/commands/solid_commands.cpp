@@ -173,7 +173,7 @@ Outcome scoopOut(Env env, const Json& args) {
   const document::Part* part = step == nullptr ? partOf(env, args) : nullptr;
   if (step == nullptr && part == nullptr) return noPart();
   action.operands = {step ? Operand{{}, step->id} : Operand{part->id, {}}};
-  if (Outcome bad = readHollow(env, args, action.wall, action.opening)) return bad;
+  if (Outcome read = readHollow(env, args, action.wall, action.opening); !read) return read;
   return choose(env, env.studio.act(action));
 }
 
@@ -188,7 +188,7 @@ Outcome setStep(Env env, const Json& args) {
   if (step == nullptr) return noStep();
   document::SetStep action{step->id, step->kind, step->blend, step->wall, step->opening};
   action.blend = lengthOf(env, args, "blend").value_or(action.blend);
-  if (Outcome bad = readHollow(env, args, action.wall, action.opening)) return bad;
+  if (Outcome read = readHollow(env, args, action.wall, action.opening); !read) return read;
   if (const std::string* name = args.text("kind")) {
     action.kind = StepKind::kCount;
     for (int i = 0; i < static_cast<int>(StepKind::kCount); ++i) {
@@ -310,7 +310,7 @@ Outcome showFailure(Env env, const Json& args) {
   if (at == steps.end()) return noStep();
   if (at->faulty) {
     const Json which = Json::Object{{"id", at->faulty.value}};
-    if (Outcome bad = selectPart(env, which)) return bad;
+    if (Outcome done = selectPart(env, which); !done) return done;
   }
   if (!at->at) return {};
   Camera to = env.ui.camera;

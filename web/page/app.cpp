@@ -136,7 +136,7 @@ void App::settleChosen() {
 
 void App::runCalls() {
   for (const CommandCall& call : sink_.take()) {
-    if (Outcome outcome = runCommand(env(), call.id, call.args)) refused(*outcome);
+    if (const Outcome done = runCommand(env(), call.id, call.args); !done) refused(done.refusal());
   }
   settle();
 }
@@ -437,11 +437,11 @@ const std::string& App::run(std::string_view id, std::string_view argsJson) {
 
 const std::string& App::answerWith(const Outcome& outcome) {
   json_.clear();
-  json_.beginObject().key("ok").flag(!outcome);
-  if (outcome) json_.key("error").text(outcome->error).key("sentence").text(outcome->sentence);
+  json_.beginObject().key("ok").flag(outcome.ok());
+  if (!outcome) json_.key("error").text(outcome.refusal().error).key("sentence").text(outcome.refusal().sentence);
   json_.endObject();
   text_ = json_.json();
-  if (outcome) lastError_ = text_;
+  if (!outcome) lastError_ = text_;
   return text_;
 }
 
@@ -555,7 +555,7 @@ void App::solved(std::string_view answerJson, std::span<const std::uint8_t> byte
 void App::reportWaitingPrint() {
   if (!ui_.printWaits || !studio_.shapesMade()) return;
   ui_.printWaits = false;
-  if (Outcome outcome = reportPrint(env())) refused(*outcome);
+  if (const Outcome done = reportPrint(env()); !done) refused(done.refusal());
 }
 
 /// A gesture on a part of a solid changes the solid, as far as the solver keeps up.
