@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { shell } from '../browser/support/solids.mjs';
 
-const { Solver, isSolidLikely } = shell;
+const { Solver, isSolidLikely, meshesAt } = shell;
 
 /** A worker that answers when it is told to. */
 class FakeWorker {
@@ -54,6 +54,31 @@ test('meshes go to the worker once, and again after it was stopped', () => {
     second.meshes.b.positions.every((x) => x === 0),
     'it is copied while the engine asks',
   );
+});
+
+test('meshes are read from the memory of the engine as it lays them out; one without uv has none', () => {
+  const buffer = new ArrayBuffer(256),
+    floats = new Float32Array(buffer),
+    numbers = new Uint32Array(buffer);
+  // Two meshes: vertices, triangles, and where positions, uv and corners are.
+  numbers.set([2, 1, 64, 96, 128, 1, 1, 160, 0, 176], 2);
+  floats.set([1, 2, 3, 4, 5, 6], 16);
+  floats.set([0.1, 0.2, 0.3, 0.4], 24);
+  numbers.set([1, 0, 1], 32);
+  floats.set([7, 8, 9], 40);
+  numbers.set([0, 0, 0], 44);
+  const [first, second, ...others] = meshesAt(buffer, 8, ['a', 'b']);
+  assert.deepEqual(first, {
+    key: 'a',
+    mesh: {
+      positions: Float32Array.of(1, 2, 3, 4, 5, 6),
+      uv: Float32Array.of(0.1, 0.2, 0.3, 0.4),
+      triangles: Uint32Array.of(1, 0, 1),
+    },
+  });
+  assert.deepEqual([second.key, [...second.mesh.positions], second.mesh.uv.length], ['b', [7, 8, 9], 0]);
+  assert.deepEqual(others, []);
+  assert.deepEqual(meshesAt(buffer, 0, []), []);
 });
 
 test('a worker hears which part is chosen before it is asked, and again when another one is', () => {

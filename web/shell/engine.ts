@@ -186,7 +186,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
 type SolveRequestText = Omit<SolveEvent, 'meshes'> & { meshes: string[] };
 
 /** The engine's arrays of these meshes: platform::SolverMesh of web/platform/host.h, five numbers each. */
-function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): SolveEvent['meshes'] {
+export function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): SolveEvent['meshes'] {
   const table = new Uint32Array(memory, at, 5 * keys.length);
   return keys.map((key, i) => {
     const [vertices, triangles, positions, uv, corners] = [...table.subarray(5 * i, 5 * i + 5)] as [
