@@ -6,7 +6,7 @@ const of = (path, text) => houseErrors([{ path, text }]);
 
 test('an include against the arrows is caught with its file, line and reason', () => {
   assert.deepEqual(of('engine/base/hash.h', '#pragma once\n#include "engine/ribs/field/d2.h"\n'), [
-    'engine/base/hash.h:2: engine/base may not include engine/ribs',
+    'engine/base/hash.h:2: engine/base may not include engine/ribs/field',
   ]);
 });
 

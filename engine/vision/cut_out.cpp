@@ -153,7 +153,7 @@ struct Flood {
 };
 
 /// The copy's colours as Lab, without their grain.
-std::vector<image::PixelLook> calmColours(const Copy& copy) {
+std::vector<image::PixelFeature> calmColours(const Copy& copy) {
   image::Image pixels{copy.bgr.cols, copy.bgr.rows, {}};
   pixels.pixels.reserve(4 * copy.bgr.total());
   for (const cv::Vec3b& bgr : cv::Mat_<cv::Vec3b>(copy.bgr)) {
@@ -167,12 +167,12 @@ std::vector<image::PixelLook> calmColours(const Copy& copy) {
 }
 
 /// What has the colour under `at` and hangs together with it.
-Flood floodFrom(const std::vector<image::PixelLook>& colours, cv::Size size, cv::Point at) {
+Flood floodFrom(const std::vector<image::PixelFeature>& colours, cv::Size size, cv::Point at) {
   Flood out{at, plainMask(size)};
   const int from = at.y * size.width + at.x;
-  const image::PixelLook mine = colours[static_cast<std::size_t>(from)];
+  const image::PixelFeature mine = colours[static_cast<std::size_t>(from)];
   out.area = flood(size, from, [&](int pixel) {
-    const image::PixelLook& other = colours[static_cast<std::size_t>(pixel)];
+    const image::PixelFeature& other = colours[static_cast<std::size_t>(pixel)];
     const auto near = [&](std::size_t channel, float most) { return std::abs(other[channel] - mine[channel]) <= most; };
     if (out.mask.data[pixel] != 0 || !near(0, kNearLight) || !near(1, kNearColour) || !near(2, kNearColour)) {
       return false;
@@ -189,7 +189,7 @@ std::vector<Flood> floodsOf(const Copy& copy, const CutHints& hints) {
   constexpr std::size_t kMany = 5;
   constexpr int kFar = 4, kNoSmallShare = 30;  // times the median; one of so many pixels of the picture
   if (hints.inside.empty()) return {};
-  const std::vector<image::PixelLook> colours = calmColours(copy);
+  const std::vector<image::PixelFeature> colours = calmColours(copy);
   std::vector<Flood> floods;
   for (const PicturePoint hint : hints.inside) {
     const cv::Point at = copy.at(hint);
