@@ -25,7 +25,7 @@ async function cppErrors() {
 
 async function scriptErrors() {
   const prettier = join(root, 'node_modules/prettier/bin/prettier.cjs');
-  const places = ['.ci', 'web/shell', 'tests'].map((folder) => `${folder}/**/*.{ts,mjs,css,html}`);
+  const places = ['.ci', 'web/shell', 'tests'].map((folder) => `${folder}/**/*.{ts,mjs,css}`);
   const options = { cwd: root, allowFailure: true, log: 'format' };
   const args = [prettier, '--list-different', ...places];
   const { text, status } = await run('prettier', process.execPath, args, options);

@@ -2,7 +2,7 @@
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { cached } from './cache.mjs';
-import { OtherSuite } from './debian.mjs';
+import { pinnedSuite } from './debian.mjs';
 import { lock, root, shortHash } from './paths.mjs';
 import { output, run, Stop } from './run.mjs';
 
@@ -11,13 +11,12 @@ const flags = lock.wasmFlags;
 
 /** The pinned source of `name`, or those `parts` of it, in a folder within `folder`. */
 async function unpackSource(folder, name, parts = []) {
-  const suite = await new OtherSuite(join(folder, 'apt'), lock.emscripten.debianSuite).open();
+  const suite = await pinnedSuite();
   const tarball = await suite.tarball(name, lock.sources[name]);
   const source = join(folder, 'source');
   mkdirSync(source);
   const wanted = parts.length ? ['--wildcards', ...parts.map((part) => `*/${part}/*`)] : [];
   await run(`unpacking ${basename(tarball)}`, 'tar', ['-xf', tarball, '-C', source, '--strip-components=1', ...wanted]);
-  rmSync(join(folder, 'apt'), { recursive: true });
   return source;
 }
 

@@ -61,7 +61,8 @@ class Profile {
 
 }  // namespace
 
-Result<mesh::TriMesh> extrudeRegion(const geometry::Contours& contours, image::Size picture, const ExtrudeParams& params) {
+Result<mesh::TriMesh> extrudeRegion(const geometry::Contours& contours, image::Size picture,
+                                    const ExtrudeParams& params) {
   if (!isValid(params)) return Error::ValueOutOfRange;
   const double area = geometry::areaOf(contours);
   if (!(area > 0)) return Error::RegionEmpty;

@@ -15,6 +15,7 @@ namespace spineloft::extrude {
 /// by at most an eighth of its size (geometry/steady.h). ModelSpace; UV as seen from the front; closed, with a
 /// handle for every hole. `contours` as geometry::cleanRegion gives them; `picture` in original pixels.
 /// Errors: RegionEmpty, RegionTooFine, ValueOutOfRange.
-Result<mesh::TriMesh> extrudeRegion(const geometry::Contours& contours, image::Size picture, const ExtrudeParams& params);
+Result<mesh::TriMesh> extrudeRegion(const geometry::Contours& contours, image::Size picture,
+                                    const ExtrudeParams& params);
 
 }  // namespace spineloft::extrude

@@ -147,7 +147,8 @@ void relax(Cushion& cushion, double height, double least) {
 
 }  // namespace
 
-Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture, const InflateParams& params) {
+Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
+                                    const InflateParams& params) {
   if (!isValid(params)) return Error::ValueOutOfRange;
   const double area = geometry::areaOf(contours);
   if (!(area > 0)) return Error::RegionEmpty;

@@ -14,6 +14,7 @@ namespace spineloft::inflate {
 /// UV as seen from the front; closed, with a handle for every hole. `contours` as geometry::cleanRegion
 /// gives them; `picture` in original pixels. The mesh has about params.points corners, even on the
 /// surface. Errors: RegionEmpty, RegionTooFine, ValueOutOfRange.
-Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture, const InflateParams& params);
+Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
+                                    const InflateParams& params);
 
 }  // namespace spineloft::inflate

@@ -5,9 +5,12 @@
 
 namespace spineloft::testing {
 
-std::uint64_t rounds(std::uint64_t few) {
-  const char* times = std::getenv("SPINELOFT_ROUNDS");
-  return few * static_cast<std::uint64_t>(times == nullptr ? 1 : std::clamp(std::atoi(times), 1, 1000));
+int rounds(int few) {
+  static const int kTimes = [] {
+    const char* times = std::getenv("SPINELOFT_ROUNDS");
+    return times == nullptr ? 1 : std::clamp(std::atoi(times), 1, 1000);
+  }();
+  return few * kTimes;
 }
 
 }  // namespace spineloft::testing

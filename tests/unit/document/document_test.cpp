@@ -9,6 +9,7 @@
 #include "engine/document/params.h"
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -219,7 +220,7 @@ TEST_CASE("long names are cut between characters and empty ones replaced") {
 
 TEST_CASE("undo all and redo all give back every document of hundreds of random sessions") {
   int applied = 0, refused = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 200)) {
     Rng rng(seed);
     History<Document> history;
     std::vector<Document> states = {history.present()};

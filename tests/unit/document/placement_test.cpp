@@ -5,6 +5,7 @@
 
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -174,7 +175,7 @@ TEST_CASE("what cannot be placed, grouped or moved is refused with its reason") 
 }
 
 TEST_CASE("groups of random sessions have parts, and parts of groups have their group") {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
     Rng rng(seed);
     Document document;
     for (int i = 0; i < 120; ++i) {

@@ -8,6 +8,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/project_file.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 #include "tests/support/step_documents.h"
 
@@ -101,7 +102,7 @@ TEST_CASE("measures, name, order and look of a solid are set, within their limit
 
 TEST_CASE("steps of hundreds of random sessions are forests of sound steps") {
   std::size_t most = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 200)) {
     Document document = withParts(6);
     Rng rng(seed);
     for (int i = 0; i < 60; ++i) {

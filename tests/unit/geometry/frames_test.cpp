@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::geometry;
@@ -52,7 +53,7 @@ double turnBetween(const Frame& a, const Frame& b) {
 
 TEST_CASE("frames are orthonormal on any line, also one that turns back") {
   Rng rng(5);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     Line line;
     ModelPoint at;
     for (std::uint32_t i = 2 + rng.below(60); i > 0; --i) {

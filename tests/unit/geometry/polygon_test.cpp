@@ -9,6 +9,7 @@
 
 #include "engine/base/rng.h"
 #include "engine/geometry/triangulate.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::geometry;
@@ -54,7 +55,7 @@ bool simpleBySearch(const Points& p) {
 
 TEST_CASE("triangles fill a polygon: all corners used, none flat, areas add up") {
   Rng rng(3);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < testing::rounds(400); ++round) {
     Points points = randomPolygon(rng);
     const double area = signedArea(view(points));
     if (!isSimple(points) || area <= 0) continue;
@@ -93,7 +94,7 @@ TEST_CASE("straight stretches, spirals and combs are filled without flat triangl
 TEST_CASE("simplicity agrees with a search over all pairs of edges") {
   Rng rng(4);
   int simple = 0, crossing = 0;
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < testing::rounds(2000); ++round) {
     Points points;
     const int corners = 3 + static_cast<int>(rng.below(6));
     for (int i = 0; i < corners; ++i) points.push_back({rng.uniform(-1, 1), rng.uniform(-1, 1)});
@@ -171,7 +172,7 @@ Pierced randomPierced(Rng& rng) {
 TEST_CASE("triangles fill polygons with holes and several pieces: all corners used, areas add up") {
   Rng rng(31);
   int pierced = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < testing::rounds(600); ++round) {
     Pierced shape = randomPierced(rng);
     if (round % 5 == 0) {  // a second piece far away
       for (const SectionPoint p : {SectionPoint{20, 0}, {21, 0}, {20, 1}}) shape.points.push_back(p);
@@ -208,7 +209,7 @@ TEST_CASE("triangles fill polygons with holes and several pieces: all corners us
 
 TEST_CASE("the centre of the kernel sees every edge, and a spiral has none") {
   Rng rng(32);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < testing::rounds(300); ++round) {
     const Points points = randomPolygon(rng);  // star-shaped from the origin
     const auto centre = kernelCentre(points);
     REQUIRE(centre.has_value());

@@ -10,6 +10,7 @@
 
 #include "tests/support/mesh_laws.h"
 #include "tests/support/outlines.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::inflate;
@@ -131,7 +132,7 @@ TEST_CASE("an ellipse becomes an ellipsoid") {
 TEST_CASE("sampling the same outline differently changes the solid by less than 1 %") {
   constexpr double kRadius = 110;
   double worst = 180, farthestOff = 0;
-  for (std::uint64_t seed = 100; seed < 112; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(100, 112)) {
     const auto sampled = [&](int points) {
       Rng rng(seed);
       return blob(rng, {250, 200}, kRadius, points);
@@ -223,7 +224,7 @@ TEST_CASE("thin, sharp, tiny, tangled and full-picture regions are lawful too") 
   comb.insert(comb.end(), {{440, 350}, {40, 350}});
   puffed({comb});
   Rng rng(21);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < testing::rounds(10); ++round) {
     Outline scribble;
     for (int i = 0; i < 8; ++i) scribble.push_back({rng.uniform(20, 480), rng.uniform(20, 380)});
     puffed({scribble}, {rng.uniform(0.1, 3), InflateSides::Both, 600});

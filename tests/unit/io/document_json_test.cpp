@@ -13,6 +13,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/project_file.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 
 using namespace spineloft;
@@ -91,7 +92,7 @@ void spoil(Json& json, Rng& rng, int& countdown) {
 
 TEST_CASE("every document of hundreds of random sessions comes back equal from its JSON") {
   ActionCounts succeeded{};
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 200)) {
     const std::vector<Document> documents = randomSession(seed, 40, &succeeded);
     for (std::size_t i = 0; i < documents.size(); i += 1 + seed % 4) {
       ReadNotes notes;

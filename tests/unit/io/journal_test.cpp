@@ -9,6 +9,7 @@
 #include "engine/base/rng.h"
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 
 using namespace spineloft;
@@ -75,7 +76,7 @@ struct Wandering {
 }  // namespace
 
 TEST_CASE("a journal played back gives the same documents, undo and redo after every record") {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
     const Wandering session(seed);
     const auto photos = photosOfAll(session.documents);
     const std::string base = writeHistory(DocumentHistory());
@@ -89,7 +90,7 @@ TEST_CASE("a journal played back gives the same documents, undo and redo after e
 }
 
 TEST_CASE("a history written anew at any moment is the same history, and records go on from it") {
-  for (std::uint64_t seed = 100; seed < 160; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(100, 160)) {
     const Wandering session(seed);
     if (session.records.size() < 2) continue;
     const auto photos = photosOfAll(session.documents);
@@ -107,7 +108,7 @@ TEST_CASE("a history written anew at any moment is the same history, and records
 }
 
 TEST_CASE("a damaged record ends the play with everything before it") {
-  for (std::uint64_t seed = 200; seed < 230; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(200, 230)) {
     const Wandering session(seed);
     if (session.records.empty()) continue;
     const auto photos = photosOfAll(session.documents);
@@ -145,7 +146,7 @@ TEST_CASE("records that do not belong to a history end its play without harm") {
 
 TEST_CASE("a damaged step in the base shortens undo and redo and leaves the present as it is") {
   int shortened = 0;
-  for (std::uint64_t seed = 400; seed < 440; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(400, 440)) {
     const Wandering session(seed);
     const auto photos = photosOfAll(session.documents);
     std::string base = writeHistory(session.history);

@@ -14,6 +14,7 @@
 #include "engine/io/glb_container.h"
 #include "engine/io/picture_file.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 
 using namespace spineloft;
@@ -66,7 +67,7 @@ std::shared_ptr<const image::Picture> noise(Rng& rng, int width, int height, ima
 }  // namespace
 
 TEST_CASE("a project file gives back the document, its photos pixel by pixel") {
-  for (std::uint64_t seed = 500; seed < 530; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(500, 530)) {
     const Document document = randomSession(seed, 60).back();
     const Bytes file = projectOf(document);
     CHECK(file == projectOf(document));
@@ -206,7 +207,7 @@ TEST_CASE("ten thousand flipped bits give a sound document or a reason, and its 
   const Bytes file = projectOf(document);
   Rng rng(2024);
   int opened = 0, refused = 0;
-  for (int round = 0; round < 10000; ++round) {
+  for (int round = 0; round < testing::rounds(10000); ++round) {
     Bytes bad = file;
     for (std::uint32_t flips = 1 + rng.below(3); flips > 0; --flips) {
       bad[rng.below(static_cast<std::uint32_t>(bad.size()))] ^= static_cast<std::uint8_t>(1 << rng.below(8));

@@ -8,6 +8,7 @@
 #include "engine/loft/loft.h"
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 #include "tests/support/scarce_memory.h"
 
 using namespace spineloft;
@@ -67,7 +68,7 @@ TEST_CASE("a loft in memory that was used for others is the loft from scratch") 
   Rng rng(91);
   LoftWorkspace memory;
   mesh::TriMesh mesh;
-  for (int round = 0; round < 120; ++round) {
+  for (int round = 0; round < testing::rounds(120); ++round) {
     const double to = rng.uniform(200, 900);
     const ribs::RibSet set = growing(to);
     const PosedSpine spine = spineOf(to);

@@ -8,6 +8,7 @@
 #include "engine/vision/edges.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -65,7 +66,7 @@ TEST_CASE("a look, a name or a height changes no shape") {
 }
 
 TEST_CASE("dropping every cache changes nothing that is seen") {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 12)) {
     Rng rng(seed);
     Document document;
     for (int step = 0; step < 25; ++step) {

@@ -8,6 +8,7 @@
 #include "engine/loft/loft.h"
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::testing;
@@ -52,7 +53,7 @@ TEST_CASE("what lies outside the picture is cut off, and nothing covers an empty
 
 TEST_CASE("a loft covers the polygon through its rib ends and no gap is left between triangles") {
   Rng rng(5);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     const double angle = rng.uniform(0, 6.28), width = rng.uniform(8, 60);
     const PicturePoint middle{160 + rng.uniform(), 120 + rng.uniform()};
     const PicturePoint along = PicturePoint{std::cos(angle), std::sin(angle)} * 50;

@@ -8,6 +8,7 @@
 #include "engine/mesh/laws.h"
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::printing;
@@ -74,7 +75,7 @@ TEST_CASE("a chain is one piece, whatever the order of its links") {
   std::vector<mesh::TriMesh> links;
   for (int i = 0; i < 7; ++i) links.push_back(meshOf({{9.0 * i, 0, 0}, {10, 4, 4}}));
   Rng rng(3);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < testing::rounds(10); ++round) {
     for (std::size_t i = links.size() - 1; i > 0; --i) std::swap(links[i], links[rng.below(i + 1)]);
     CHECK(countPieces(links) == 1);
     CHECK(countPieces(std::span(links).first(1)) == 1);
@@ -94,7 +95,7 @@ TEST_CASE("what is inside material is part of it; what rattles in a hollow is no
 
 TEST_CASE("random blocks come in as many pieces as their boxes say") {
   Rng rng(11);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     // On a lattice of 4 mm, so that what does not touch is clearly apart.
     const std::size_t count = 2 + rng.below(9);
     std::vector<Block> blocks;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -68,9 +69,12 @@ TEST_CASE("levels grow from the spine to the farthest radius, evenly where they 
 
 TEST_CASE("every point of a curve lies on its level set of d2") {
   Rng rng(41);
-  for (int round = 0; round < 12; ++round) {
+  const int rounds = testing::rounds(12);
+  int seen = 0;
+  for (int round = 0; round < rounds; ++round) {
     const auto spine = cleanSpine(fixtures::wander(rng, 40, 8), kPicture, {});
     if (!spine.ok()) continue;
+    ++seen;
     const D2Field field(spine.value().points);
     const Levels levels = makeLevels(96, 1, 250, field.length());
     const GradientCurves curves = curvesOf(spine.value(), levels, 7);
@@ -81,13 +85,14 @@ TEST_CASE("every point of a curve lies on its level set of d2") {
       }
     }
   }
+  CHECK(seen > rounds / 2);
 }
 
 TEST_CASE("curves end within a tenth of a pixel of where the flow of d2 goes") {
   Rng rng(43);
   int seen = 0;
   double worst = 0;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < testing::rounds(6); ++round) {
     const auto spine = cleanSpine(fixtures::wander(rng, 40, 8), kPicture, {});
     if (!spine.ok()) continue;
     const D2Field field(spine.value().points);
@@ -128,9 +133,12 @@ TEST_CASE("steps of curves grow with their number, not faster") {
 
 TEST_CASE("curves never cross, neither on one side nor around the ends") {
   Rng rng(42);
-  for (int round = 0; round < 12; ++round) {
+  const int rounds = testing::rounds(12);
+  int seen = 0;
+  for (int round = 0; round < rounds; ++round) {
     const auto spine = cleanSpine(fixtures::wander(rng, 60, 8), kPicture, {.ribs = 60});
     if (!spine.ok()) continue;
+    ++seen;
     const Levels levels = makeLevels(48, 2, 200, D2Field(spine.value().points).length());
     const GradientCurves curves = curvesOf(spine.value(), levels, 9);
     int occludedStretches = 0;
@@ -148,6 +156,7 @@ TEST_CASE("curves never cross, neither on one side nor around the ends") {
     }
     CHECK(occludedStretches == 0);
   }
+  CHECK(seen > rounds / 2);
 }
 
 TEST_CASE("from a straight spine the middle curves go straight out, left as the screen sees it") {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -40,7 +41,7 @@ double nearest(const Points& p, PicturePoint x) {
 
 TEST_CASE("d2 is the integral of its definition, over random polylines and points") {
   Rng rng(11);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < testing::rounds(40); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(30), 9);
     const D2Field field(p);
     for (int i = 0; i < 20; ++i) {
@@ -54,7 +55,7 @@ TEST_CASE("d2 is the integral of its definition, over random polylines and point
 TEST_CASE("the gradient of d2 is what finite differences say") {
   Rng rng(12);
   const double h = 1e-4;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(40), 7);
     const D2Field field(p);
     const PicturePoint x{rng.uniform(100, 700), rng.uniform(100, 700)};
@@ -85,7 +86,7 @@ TEST_CASE("on a segment d2 is 0, on its line beyond the ends it joins smoothly")
 
 TEST_CASE("d2 moves with a rigid motion, turns its gradient, and grows with scale") {
   Rng rng(13);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     const Points p = fixtures::wander(rng, 20, 9);
     const double turn = rng.uniform(0, 6.28), scale = rng.uniform(0.2, 5);
     const PicturePoint shift{rng.uniform(-500, 500), rng.uniform(-500, 500)};
@@ -113,7 +114,7 @@ TEST_CASE("far away d2 is the Euclidean distance, and repeated points change not
 
 TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyond one pixel") {
   Rng rng(14);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(200), 4);
     const D2Field field(p);
     for (int i = 0; i < 30; ++i) {
@@ -133,7 +134,7 @@ TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyo
 TEST_CASE("far stretches by their moments change d2 and its gradient by less than 2e-3") {
   Rng rng(15);
   double worst = 0, turned = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(300), 5);
     const D2Field field(p);
     for (int i = 0; i < 30; ++i) {

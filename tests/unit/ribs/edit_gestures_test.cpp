@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/edited_ribs.h"
 
 using namespace spineloft;
@@ -237,7 +238,7 @@ TEST_CASE("another place is taken by the end alone, or with the neighbours that 
 }
 
 TEST_CASE("hundreds of random gestures keep the edits valid and every rib finite") {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 12)) {
     Rng rng(seed);
     Work work(bandOf(20 + static_cast<int>(rng.below(60))));
     for (int step = 0; step < 60; ++step) {

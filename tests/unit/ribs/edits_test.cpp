@@ -8,6 +8,7 @@
 #include "engine/loft/loft.h"
 #include "engine/ribs/edit/places.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/edited_ribs.h"
 
 using namespace spineloft;
@@ -92,7 +93,7 @@ TEST_CASE("ends within reach follow less the farther away they are") {
 }
 
 TEST_CASE("seeded random edits: finite ends, the count of ribs, and two ribs that stay") {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 300)) {
     Rng rng(seed);
     const int count = 2 + static_cast<int>(rng.below(seed % 10 == 0 ? 4 : 120));
     const Band band = bandOf(count);
@@ -136,7 +137,7 @@ TEST_CASE("added and left-out ribs are counted exactly and lie between their nei
 }
 
 TEST_CASE("a locked rib end never moves, whatever is edited later") {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 100)) {
     Rng rng(seed);
     const Band band = bandOf(80);
     RibEdits edits = fixtures::randomEdits(rng);
@@ -156,7 +157,7 @@ TEST_CASE("a locked rib end never moves, whatever is edited later") {
 
 TEST_CASE("the shape of an edit does not depend on the number of ribs") {
   // Soft edits, and a whole row of single ends as a stroke makes them at 100 ribs.
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 40)) {
     Rng rng(seed);
     RibEdits edits;
     const Band fine = bandOf(400);
@@ -225,7 +226,7 @@ TEST_CASE("a mirrored part under mirrored edits is the mirrored result") {
   const double about = 900;
   const auto mirror = [&](PicturePoint p) { return PicturePoint{about - p.x, p.y}; };
   const Band band = bandOf(90), twin = bandOf(90, 40, about);
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 40)) {
     Rng rng(seed);
     const RibEdits edits = fixtures::randomEdits(rng, 1e-4);
     RibEdits swapped = edits;
@@ -271,7 +272,7 @@ TEST_CASE("the fan of an end follows its rib by the same similarity") {
 }
 
 TEST_CASE("lofts of edited ribs obey the mesh laws") {
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 150)) {
     Rng rng(seed);
     const Band band = bandOf(2 + static_cast<int>(rng.below(90)));
     const RibSet set = band.edited(fixtures::randomEdits(rng, seed % 3 ? 1e-4 : 1));

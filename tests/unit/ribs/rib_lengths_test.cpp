@@ -8,6 +8,7 @@
 #include "engine/base/rng.h"
 #include "engine/ribs/labels/algorithm_one.h"
 #include "engine/ribs/labels/pair_search.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::ribs;
@@ -97,7 +98,7 @@ double leastByTrying(const LengthProblem& p) {
 TEST_CASE("the optimum is what trying every combination of labels finds") {
   Rng rng(31);
   LengthWorkspace workspace;
-  for (int round = 0; round < 120; ++round) {
+  for (int round = 0; round < testing::rounds(120); ++round) {
     const int ribs = 1 + static_cast<int>(rng.below(3)), levels = 2 + static_cast<int>(rng.below(4));
     const LengthProblem p = randomProblem(ribs, levels, round % 3 != 0, rng);
     const double found = energyOf(p, optimalLabels(p, workspace)).total();
@@ -131,7 +132,7 @@ TEST_CASE("chains side by side have the energies that each has alone") {
 TEST_CASE("without opposite costs the pair search and the side search agree") {
   Rng rng(32);
   LengthWorkspace workspace;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     LengthProblem p = randomProblem(30, 24, false, rng);
     const double apart = energyOf(p, optimalLabels(p, workspace)).total();
     p.opposite.assign(24 * 24, 0.f);
@@ -143,7 +144,7 @@ TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") 
   Rng rng(33);
   LengthWorkspace workspace;
   int strictlyBetter = 0;
-  for (int round = 0; round < 24; ++round) {
+  for (int round = 0; round < testing::rounds(24); ++round) {
     const LengthProblem p = round % 2 == 0 ? pictureLikeProblem(40, 32, rng) : randomProblem(25, 20, true, rng);
     const double ours = energyOf(p, optimalLabels(p, workspace)).total();
     const double theirs = energyOf(p, algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
@@ -157,7 +158,7 @@ TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") 
 TEST_CASE("swapping the sides swaps the labels' energy for the same value") {
   Rng rng(34);
   LengthWorkspace workspace;
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < testing::rounds(20); ++round) {
     LengthProblem p = randomProblem(20, 16, true, rng);
     const double before = energyOf(p, optimalLabels(p, workspace)).total();
     std::swap(p.left, p.right);
@@ -191,7 +192,7 @@ TEST_CASE("a gap in the edges is bridged at the level of its neighbours") {
 TEST_CASE("min-marginals are the least energy of the side through every label") {
   Rng rng(36);
   LengthWorkspace workspace;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     const LengthProblem p = randomProblem(4, 5, round % 2 == 0, rng);
     const LengthLabels best = optimalLabels(p, workspace);
     std::vector<float> marginals;
@@ -232,7 +233,7 @@ TEST_CASE("dropping labels by their bounds loses no optimum, and most pairs need
   Rng rng(38);
   LengthWorkspace workspace, unbounded;
   double kept = 0, all = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < testing::rounds(40); ++round) {
     const int ribs = 2 + static_cast<int>(rng.below(40));
     LengthProblem p = pictureLikeProblem(ribs, 40, rng);
     if (round % 2 == 0) p.neighbourCap = 5;
@@ -261,7 +262,7 @@ TEST_CASE("a search with a limit gives up only where nothing lies below it") {
   Rng rng(39);
   LengthWorkspace workspace;
   int givenUp = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const LengthProblem p = pictureLikeProblem(20, 30, rng);
     const double least = energyOf(p, optimalLabels(p, workspace)).total();
     LengthLabels labels;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 #include "tests/unit/web/rig.h"
 
 using namespace spineloft;
@@ -400,7 +401,7 @@ TEST_CASE("two pictures: each part belongs to the one it was drawn on") {
 
 TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws") {
   Rng rng(2026);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < testing::rounds(6); ++round) {
     const platform::CanvasSize sizes[] = {{1200, 700, 1}, {390, 760, 2}, {820, 600, 1.5}};
     Rig rig(sizes[round % 3]);
     rig.openBar();
