@@ -19,7 +19,6 @@ const kManyRounds = 20;
 
 const lanes = new Lanes();
 
-const kUnits = { shell: /^tests\/shell\/|_units\.test\.mjs$/, page: /^(?!.*_units)tests\/browser\// };
 const nativeProgram = join(presetDir('native-release'), 'spineloft');
 
 async function arrows() {
@@ -83,7 +82,7 @@ const wasmThreads = (env) =>
 const cli = (env) =>
   nodeTests('node', testFiles(['.ci/tests', 'tests/cli']), lanes, { ...env, SPINELOFT_CLI: nativeProgram });
 
-const shell = (env) => nodeTests('shell', testFiles(['tests/shell', 'tests/browser'], kUnits.shell), lanes, env);
+const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), lanes, env);
 
 /** The page tests, on one Chromium for all of them. */
 async function page(env) {
@@ -91,7 +90,7 @@ async function page(env) {
   const { browserFlags, browserPath } = await import('./lib/browser.mjs');
   const server = await chromium.launchServer({ executablePath: browserPath(), args: browserFlags, headless: true });
   try {
-    return await nodeTests('browser', testFiles(['tests/browser'], kUnits.page), lanes, {
+    return await nodeTests('browser', testFiles(['tests/browser']), lanes, {
       ...env,
       SPINELOFT_CLI: nativeProgram,
       SPINELOFT_BROWSER_WS: server.wsEndpoint(),

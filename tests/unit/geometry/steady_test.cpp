@@ -83,7 +83,7 @@ TEST_CASE("polygons keep their corners and their straight sides") {
   }
 }
 
-TEST_CASE("what is steadied is still a region, however it was drawn") {
+TEST_CASE("what is steadied is still a region, however it was drawn" * doctest::test_suite("slow")) {
   Rng rng(12);
   for (int round = 0; round < 40; ++round) {
     std::vector<PicturePoint> scribble;

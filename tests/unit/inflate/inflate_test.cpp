@@ -129,7 +129,7 @@ TEST_CASE("an ellipse becomes an ellipsoid") {
   }
 }
 
-TEST_CASE("sampling the same outline differently changes the solid by less than 1 %") {
+TEST_CASE("sampling the same outline differently changes the solid by less than 1 %" * doctest::test_suite("slow")) {
   constexpr double kRadius = 110;
   double worst = 180, farthestOff = 0;
   for (const std::uint64_t seed : testing::seeds(100, 112)) {

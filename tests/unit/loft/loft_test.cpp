@@ -142,7 +142,8 @@ TEST_CASE("slanted ribs across a straight bar give the bar its true depth") {
   }
 }
 
-TEST_CASE("seen from the front the outline passes through every rib end of well-formed ribs") {
+TEST_CASE("seen from the front the outline passes through every rib end of well-formed ribs" *
+          doctest::test_suite("slow")) {
   Rng rng(7);
   for (int round = 0; round < 60; ++round) {
     const ribs::RibSet set = randomRibs(rng);

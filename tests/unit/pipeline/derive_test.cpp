@@ -65,7 +65,7 @@ TEST_CASE("a look, a name or a height changes no shape") {
   CHECK(derive(other, cache).parts[0].shape == shape);
 }
 
-TEST_CASE("dropping every cache changes nothing that is seen") {
+TEST_CASE("dropping every cache changes nothing that is seen" * doctest::test_suite("slow")) {
   for (const std::uint64_t seed : testing::seeds(0, 12)) {
     Rng rng(seed);
     Document document;
@@ -161,7 +161,8 @@ TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke an
   CHECK_FALSE(reuses(IgnoreForPicture{PictureId{1}, {{{{10, 10}}, 4}}}));
 }
 
-TEST_CASE("marks of the picture and of the part reach the ribs alike, and are kept within a budget") {
+TEST_CASE("marks of the picture and of the part reach the ribs alike, and are kept within a budget" *
+          doctest::test_suite("slow")) {
   const Document document = ellipseDocument();
   Cache cache;
   const auto plain = deriveWithEdges(document, cache, {}).value().parts[0].shape;
@@ -298,7 +299,7 @@ TEST_CASE("a preview before the edges are known is guessed, and not kept") {
   CHECK(previewShape(document, elsewhere, cache).error() == Error::NoSuchPicture);
 }
 
-TEST_CASE("a thousand previews leave the cache small and the document's ribs in it") {
+TEST_CASE("a thousand previews leave the cache small and the document's ribs in it" * doctest::test_suite("slow")) {
   const Document document = ellipseDocument();
   Cache cache;
   const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;

@@ -163,7 +163,7 @@ Points pointsOf(const Bytes& bytes, Format format) {
 
 }  // namespace
 
-TEST_CASE("a typed height is that height in every file, to a hundredth of a millimetre") {
+TEST_CASE("a typed height is that height in every file, to a hundredth of a millimetre" * doctest::test_suite("slow")) {
   for (const double mm : {40.0, 12.5, 999.0}) {
     std::size_t before = 0;
     // As they were traced, and mirrored, moved, turned and copied: all of them count.

@@ -155,7 +155,7 @@ TEST_CASE("a locked rib end never moves, whatever is edited later") {
   }
 }
 
-TEST_CASE("the shape of an edit does not depend on the number of ribs") {
+TEST_CASE("the shape of an edit does not depend on the number of ribs" * doctest::test_suite("slow")) {
   // Soft edits, and a whole row of single ends as a stroke makes them at 100 ribs.
   for (const std::uint64_t seed : testing::seeds(0, 40)) {
     Rng rng(seed);
