@@ -116,7 +116,7 @@ async function nodeTests(name, folders, concurrency) {
 }
 
 async function node() {
-  await buildTargets('native-release', ['spineloft']);
+  await buildTargets('native-release', ['spineloft', 'spineloft_accuracy']);
   return nodeTests('node', ['.ci/tests', 'tests/cli'], 2);
 }
 

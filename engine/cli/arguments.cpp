@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "engine/cli/files.h"
-#include "engine/cli/variations.h"
 #include "engine/document/document.h"
 
 namespace spineloft::cli {
@@ -251,18 +250,6 @@ Arguments parseOpen(std::span<const std::string_view> rest) {
   return open;
 }
 
-/// A number from 0 to `most`, where the option is given.
-std::optional<UsageProblem> readShare(const Words& words, std::string_view option, std::string_view what, int most,
-                                      double& share) {
-  if (!words.has(option)) return std::nullopt;
-  const auto value = numberOf(words.option(option));
-  if (!value || !(*value >= 0 && *value <= most)) {
-    return UsageProblem{std::string(what) + " must be a number from 0 to " + std::to_string(most) + "."};
-  }
-  share = *value;
-  return std::nullopt;
-}
-
 struct Range {
   int least, most;
 };
@@ -281,9 +268,7 @@ std::optional<UsageProblem> readWhole(const Words& words, std::string_view optio
 }
 
 Arguments parseBench(std::span<const std::string_view> rest) {
-  static constexpr std::array<std::string_view, 10> kKnown{
-      "--json",          "--jobs",  "--overlays",  "--ablation", "--variation",
-      "--leave-one-out", "--erase", "--overshoot", "--redraw",   "--live"};
+  static constexpr std::array<std::string_view, 3> kKnown{"--json", "--jobs", "--overlays"};
   const Words words = sortWords(rest, kKnown);
   if (!words.problem.empty()) return UsageProblem{words.problem};
   if (words.files.size() != 1) return oneFile(words, "the folder with the cases");
@@ -291,24 +276,8 @@ Arguments parseBench(std::span<const std::string_view> rest) {
   bench.folder = words.files[0];
   bench.json = words.option("--json");
   bench.overlays = words.option("--overlays");
-  bench.ablation = words.option("--ablation");
-  bench.leaveOneOut = words.option("--leave-one-out");
-  if (words.has("--variation")) bench.variation = words.option("--variation");
   if (const auto problem = needsEndingIfAny(bench.json, "json")) return *problem;
-  for (const std::string& text : {bench.ablation, bench.leaveOneOut}) {
-    if (const auto problem = needsEndingIfAny(text, "md")) return *problem;
-  }
-  if (variationFromKey(bench.variation) == nullptr) {
-    return UsageProblem{"There is no variation " + bench.variation + "; there are " + keysOf(variations()) + "."};
-  }
-  if (const auto problem = clash({}, std::array{bench.json, bench.ablation, bench.leaveOneOut})) return *problem;
   if (const auto problem = readWhole(words, "--jobs", "The number of jobs", {1, 64}, bench.jobs)) return *problem;
-  if (const auto problem = readWhole(words, "--live", "The number of moves of a live stroke", {10, 1000}, bench.live))
-    return *problem;
-  if (const auto problem = readWhole(words, "--redraw", "The seed of strokes drawn anew", {1, 1000000}, bench.redraw))
-    return *problem;
-  if (const auto problem = readShare(words, "--erase", "The share to erase", 1, bench.erase)) return *problem;
-  if (const auto problem = readShare(words, "--overshoot", "The overshoot", 3, bench.overshoot)) return *problem;
   return bench;
 }
 
@@ -362,9 +331,7 @@ std::string usageText() {
           "  derives a saved model again and writes it in any of the forms of loft\n\n"
           "spineloft edges IMAGE --out FILE.png\n"
           "  the edges that were found, as large as the picture\n\n"
-          "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR] [--variation KEY]\n"
-          "                [--ablation FILE.md] [--leave-one-out FILE.md] [--erase SHARE]\n"
-          "                [--overshoot HALF_WIDTHS] [--redraw SEED] [--live MOVES]\n"
+          "spineloft bench DATA_DIR [--json FILE] [--jobs N] [--overlays DIR]\n"
           "  accuracy and stage times of every case below a data folder\n\n"
           "spineloft --help | --version\n\n"
           "Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n";

@@ -44,15 +44,8 @@ struct OpenArguments {
 
 struct BenchArguments {
   std::string folder;
-  std::string json, overlays;         ///< empty where not wanted
-  std::string ablation;               ///< Markdown of all variations (variations.h); empty where not wanted
-  std::string leaveOneOut;            ///< Markdown of leave_one_out.h; empty where not wanted
-  std::string variation = "product";  ///< which of them the rows and overlays are of
-  int jobs = 1;                       ///< 1…64
-  int live = 0;          ///< moves in which every stroke is drawn once more (live_score.h), 10…1000; 0: none
-  int redraw = 0;        ///< seed of strokes drawn anew (redrawn_strokes.h), 1…1,000,000; 0: the case's own
-  double overshoot = 0;  ///< how far strokes go past the thing's ends (overshot_stroke.h), 0…3
-  double erase = 0;      ///< share of every outline to blur away first (erased_outline.h), 0…1
+  std::string json, overlays;  ///< empty where not wanted
+  int jobs = 1;                ///< 1…64
 };
 
 /// What is wrong with the words, in one sentence.

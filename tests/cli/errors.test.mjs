@@ -48,8 +48,6 @@ test('wrong usage ends with 2 and says what is wrong', (t) => {
     [['open', folder.path('bar.glb'), '--document', folder.path('d.png')], /\.json/],
     [['open', folder.path('bar.glb'), '--report', folder.path('d.png')], /\.json/],
     [['bench', folder.folder, '--json', folder.path('b.md')], /\.json/],
-    [['bench', folder.folder, '--ablation', folder.path('b.json')], /\.md/],
-    [['bench', folder.folder, '--leave-one-out', folder.path('b.html')], /\.md/],
     [['bench'], /folder/],
     ...['0', '1.5', '65', 'x'].map((jobs) => [['bench', folder.folder, '--jobs', jobs], /jobs/]),
   ];

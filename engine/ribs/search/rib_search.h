@@ -17,7 +17,6 @@
 #include "engine/ribs/labels/rib_lengths.h"
 #include "engine/ribs/labels/runner_up.h"
 #include "engine/ribs/search/ribs.h"
-#include "engine/ribs/search/trace_variant.h"
 
 namespace spineloft::ribs {
 
@@ -25,7 +24,6 @@ namespace spineloft::ribs {
 struct RibWorkspace::Search {
   Spine spine;
   RibParams params;
-  TraceVariant variant;
   D2Field field;
   Levels levels;
   GradientCurves curves;
@@ -65,7 +63,7 @@ using Search = RibWorkspace::Search;
 /// A rib end with at least this share of a full edge under it stands on one.
 inline constexpr float kOnEdge = 0.5f;
 
-/// Field, levels and curves, which end at `farthest` (picture pixels) at the latest. `s.variant` is set.
+/// Field, levels and curves, which end at `farthest` (picture pixels) at the latest.
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params, double farthest,
                    Search& s);
@@ -81,10 +79,14 @@ void fillProblem(Search& s);
 void fitWidthHypotheses(Search& s);
 /// Holds the opposite ends of each rib to the lean of the part.
 void assumeWidth(const WidthHypothesis& even, Search& s);
+/// Supposes the `i`-th even part, with its inner colours as the object's where colours count.
+void adoptHypothesis(std::size_t i, bool withColours, Search& s);
 /// Gives one even part its turn in `s.contest`, which begins as {}: with its inner colours as the
 /// object's where they count, for only then the energies of parts can be compared. `s.labels` are those
 /// of the best so far.
 void tryHypothesis(std::size_t i, bool withColours, Search& s);
+/// The labels of least energy under the best of the even parts, which is supposed in the end.
+void bestLabels(bool withColours, Search& s);
 /// After all parts had their turn, with the chosen one supposed: looks for the best part that reaches farther out on
 /// both sides, and for the one after it, and takes the first that, as a whole, differs clearly more in its colours from
 /// what is around it, if no great cost speaks against it (farther_part.h).

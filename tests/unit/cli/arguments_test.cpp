@@ -77,14 +77,6 @@ TEST_CASE("outputs may not fall on an input or on one another, however their pat
         std::string::npos);
 }
 
-TEST_CASE("the share of an outline to erase is a number from 0 to 1") {
-  const auto bench = std::get<BenchArguments>(parse({"bench", "x", "--erase", "0.5"}));
-  CHECK(bench.erase == 0.5);
-  for (const std::string_view wrong : {"--erase=2", "--erase=-0.1", "--erase=half", "--erase=nan"}) {
-    CHECK(problemOf({"bench", "x", wrong}).find("from 0 to 1") != std::string::npos);
-  }
-}
-
 TEST_CASE("any words are understood or refused in a sentence") {
   const std::vector<std::string_view> pool{"loft",           "edges", "bench",  "a.png",  "--stroke",
                                            "s.json",         "--out", "x.glb",  "--caps", "flat",

@@ -1,20 +1,20 @@
-#include "engine/cli/overshot_stroke.h"
+#include "tests/bench/accuracy/overshot_stroke.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 namespace {
 
-std::optional<std::size_t> pixelAt(const Truth& truth, PicturePoint p) {
+std::optional<std::size_t> pixelAt(const cli::Truth& truth, PicturePoint p) {
   const long x = std::lround(p.x), y = std::lround(p.y);
   if (x < 0 || y < 0 || x >= truth.width() || y >= truth.height()) return std::nullopt;
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width()) + static_cast<std::size_t>(x);
 }
 
 // Where a line goes on from its last point; `line` may run either way.
-std::vector<PicturePoint> goneOn(const Truth& truth, std::vector<PicturePoint> line, double share) {
+std::vector<PicturePoint> goneOn(const cli::Truth& truth, std::vector<PicturePoint> line, double share) {
   constexpr double kMostWidths = 3;  // of part that may still lie before the end
   const PicturePoint last = line.back();
   const double width = truth.widthAt(truth.arcAt(last));
@@ -38,7 +38,7 @@ std::vector<PicturePoint> goneOn(const Truth& truth, std::vector<PicturePoint> l
 
 }  // namespace
 
-std::vector<PicturePoint> overshot(const Truth& truth, std::span<const PicturePoint> stroke, double share) {
+std::vector<PicturePoint> overshot(const cli::Truth& truth, std::span<const PicturePoint> stroke, double share) {
   std::vector<PicturePoint> out(stroke.begin(), stroke.end());
   if (!(share > 0)) return out;
   for (int end = 0; end < 2; ++end) {
@@ -48,4 +48,4 @@ std::vector<PicturePoint> overshot(const Truth& truth, std::span<const PicturePo
   return out;
 }
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

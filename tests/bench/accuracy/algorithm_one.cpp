@@ -1,4 +1,4 @@
-#include "engine/ribs/labels/algorithm_one.h"
+#include "tests/bench/accuracy/algorithm_one.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,10 @@
 #include "engine/base/rng.h"
 #include "engine/ribs/labels/min_plus_step.h"
 
-namespace spineloft::ribs {
+namespace spineloft::accuracy {
 namespace {
+
+using ribs::LengthLabels, ribs::LengthProblem, ribs::SideCosts;
 
 // Ends are numbered left 0 … n−1, right n … 2n−1; −1 marks an end that is not in the set.
 using Chosen = std::vector<int>;
@@ -76,7 +78,7 @@ double added(const LengthProblem& p, const Chosen& set, const Candidate& c) {
       spacing += side.spacing[static_cast<std::size_t>(std::min(e, e - step) - first)];
       if (set[static_cast<std::size_t>(e)] < 0) continue;
       const float there = side.place[at(p, e, set[static_cast<std::size_t>(e)])];
-      sum += static_cast<double>(neighbourCost(p, here, there, spacing));
+      sum += static_cast<double>(ribs::neighbourCost(p, here, there, spacing));
       break;
     }
   }
@@ -87,7 +89,7 @@ double added(const LengthProblem& p, const Chosen& set, const Candidate& c) {
       const int k = labelAt(p, other, place);
       const int l = c.end < p.ribs ? c.label : k, r = c.end < p.ribs ? k : c.label;
       sum += static_cast<double>(
-          oppositeCost(p, c.end % p.ribs, static_cast<std::size_t>(l), static_cast<std::size_t>(r)));
+          ribs::oppositeCost(p, c.end % p.ribs, static_cast<std::size_t>(l), static_cast<std::size_t>(r)));
     }
   }
   return sum;
@@ -145,4 +147,4 @@ LengthLabels algorithmOne(const LengthProblem& p, const AlgorithmOneParams& para
   return best.left.empty() ? largest : best;
 }
 
-}  // namespace spineloft::ribs
+}  // namespace spineloft::accuracy

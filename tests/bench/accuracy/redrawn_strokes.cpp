@@ -1,4 +1,4 @@
-#include "engine/cli/redrawn_strokes.h"
+#include "tests/bench/accuracy/redrawn_strokes.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include "engine/base/rng.h"
 #include "engine/base/vec.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 namespace {
 
 constexpr int kPoints = 80;
@@ -129,4 +129,4 @@ void redrawStrokes(io::BenchCase& one, std::uint64_t seed) {
   redraw("offcentre", from, to, {side, kAsideWander, 0});
 }
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

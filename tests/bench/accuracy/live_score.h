@@ -8,7 +8,7 @@
 #include "engine/image/image.h"
 #include "engine/ribs/base/rib_params.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 
 /// Distances between the rib ends of a live trace (live_trace.h) and those of a whole trace of the same
 /// stroke, in % of the local width.
@@ -24,4 +24,4 @@ struct LiveScore {
 LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& edges, image::Size size,
                     const ribs::RibParams& params, int moves);
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

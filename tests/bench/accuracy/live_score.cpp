@@ -1,11 +1,11 @@
-#include "engine/cli/live_score.h"
+#include "tests/bench/accuracy/live_score.h"
 
 #include <algorithm>
 
 #include "engine/ribs/search/ensemble.h"
 #include "engine/ribs/search/live_trace.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 namespace {
 
 constexpr int kMoments = 10;
@@ -51,4 +51,4 @@ LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& 
   return score;
 }
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

@@ -1,4 +1,4 @@
-#include "engine/cli/erased_outline.h"
+#include "tests/bench/accuracy/erased_outline.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "engine/vision/blur.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 namespace {
 
 // Run of the outline and half breadth of what is faded, in mean local widths.
@@ -46,7 +46,7 @@ std::array<std::uint8_t, 3> mostFrequent(const image::Image& image) {
 }
 
 // How much of every pixel is faded, 0…1.
-std::vector<float> fades(const Truth& truth, double share, double width, image::Size size) {
+std::vector<float> fades(const cli::Truth& truth, double share, double width, image::Size size) {
   std::vector<float> fade(index(size.width) * index(size.height), 0.f);
   const double reach = std::max(3.0, kReach * width);
   const double scale = static_cast<double>(size.width) / truth.width();
@@ -71,7 +71,7 @@ std::vector<float> fades(const Truth& truth, double share, double width, image::
 
 }  // namespace
 
-Status eraseOutline(const Truth& truth, double share, bool paper, image::Image& image) {
+Status eraseOutline(const cli::Truth& truth, double share, bool paper, image::Image& image) {
   if (!(share > 0) || image.pixels.empty()) return Done{};
   const double width = truth.meanWidth();
   const double scale = static_cast<double>(image.width) / truth.width();
@@ -96,4 +96,4 @@ Status eraseOutline(const Truth& truth, double share, bool paper, image::Image& 
   return Done{};
 }
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

@@ -1,28 +1,25 @@
-#include "engine/cli/leave_one_out.h"
+#include "tests/bench/accuracy/leave_one_out.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <vector>
 
-#include "engine/cli/bench_cases.h"
+#include "engine/cli/bench_rows.h"
 #include "engine/cli/files.h"
-#include "engine/cli/score.h"
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
-#include "engine/vision/edges.h"
+#include "tests/bench/accuracy/tables.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 namespace {
 
+using cli::ReadyCase;
 using ribs::RibParams;
 
 struct Weight {
@@ -55,50 +52,28 @@ RibParams paramsOf(const Choice& choice) {
   return params;
 }
 
-/// A case with all that does not depend on the weights.
-struct ReadyCase {
-  io::BenchCase text;
-  image::Size size;
-  image::EdgeMap edges;
-  Truth truth;
-};
-
-Result<std::unique_ptr<ReadyCase>> makeReady(const std::filesystem::path& folder) {
-  Result<LoadedCase> loaded = loadCase(folder);
+Result<std::unique_ptr<ReadyCase>> readCase(const std::filesystem::path& folder) {
+  Result<cli::LoadedCase> loaded = cli::loadCase(folder);
   if (!loaded.ok()) return loaded.failure();
-  LoadedCase one = std::move(loaded).value();
-  Result<image::EdgeMap> edges = vision::detectEdges(one.picture, {}, Progress());
-  if (!edges.ok()) return {edges.error(), folder.string()};
-  Truth truth({std::move(one.mask), one.text.axis, one.text.boundaryTolerance});
-  const image::Size size{one.picture.width, one.picture.height};
-  return std::make_unique<ReadyCase>(ReadyCase{std::move(one.text), size, std::move(edges).value(), std::move(truth)});
-}
-
-/// Does `work` for 0 … count − 1, on `jobs` threads.
-void inParallel(int jobs, std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> threads;
-  for (int i = 1; i < jobs; ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
+  cli::Truth truth = cli::truthOf(loaded.value());
+  Result<ReadyCase> ready = cli::makeReady(std::move(loaded).value(), std::move(truth));
+  if (!ready.ok()) return ready.failure();
+  return std::make_unique<ReadyCase>(std::move(ready).value());
 }
 
 /// Mean iou_body of a case's strokes; a part that cannot be made counts as empty.
 double scoreCase(const ReadyCase& one, const RibParams& params) {
   double sum = 0;
-  for (const auto& [name, stroke] : one.text.strokes) {
+  for (const auto& [name, stroke] : one.loaded.text.strokes) {
     document::LoftRecipe recipe;
     recipe.stroke = stroke;
     recipe.ribs = params;
-    const auto made = pipeline::shapePart(recipe, one.edges, one.size, Progress(), {});
+    const auto made = pipeline::shapePart(recipe, one.edges, one.size(), Progress(), {});
     image::Mask part;
-    if (made.ok()) part = pipeline::rasteriseSilhouette(made.value().mesh, one.size);
-    sum += scorePart(one.truth, part, stroke, {}).iouBody;
+    if (made.ok()) part = pipeline::rasteriseSilhouette(made.value().mesh, one.size());
+    sum += cli::scorePart(one.truth, part, stroke, {}).iouBody;
   }
-  return sum / static_cast<double>(std::max<std::size_t>(1, one.text.strokes.size()));
+  return sum / static_cast<double>(std::max<std::size_t>(1, one.loaded.text.strokes.size()));
 }
 
 /// The cases and what has been measured on them; every choice is measured once.
@@ -109,7 +84,7 @@ class Cases {
   Status read(std::span<const std::filesystem::path> folders) {
     std::vector<Result<std::unique_ptr<ReadyCase>>> read;
     for (std::size_t i = 0; i < folders.size(); ++i) read.emplace_back(Error::Cancelled);
-    inParallel(jobs_, folders.size(), [&](std::size_t i) { read[i] = makeReady(folders[i]); });
+    cli::inParallel(jobs_, folders.size(), [&](std::size_t i) { read[i] = readCase(folders[i]); });
     for (auto& one : read) {
       if (!one.ok()) return one.failure();
       cases_.push_back(std::move(one).value());
@@ -120,7 +95,7 @@ class Cases {
   std::vector<std::string> categories() const {
     std::vector<std::string> all;
     for (const auto& one : cases_) {
-      if (std::ranges::find(all, one->text.category) == all.end()) all.push_back(one->text.category);
+      if (std::ranges::find(all, one->loaded.text.category) == all.end()) all.push_back(one->loaded.text.category);
     }
     return all;
   }
@@ -130,7 +105,7 @@ class Cases {
     const std::vector<double>& scores = scoresOf(choice);
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < cases_.size(); ++i) {
-      if ((cases_[i]->text.category == category) != inside) continue;
+      if ((cases_[i]->loaded.text.category == category) != inside) continue;
       sum += scores[i];
       ++count;
     }
@@ -138,7 +113,7 @@ class Cases {
   }
   double countOf(const std::string& category) const {
     return static_cast<double>(
-        std::ranges::count_if(cases_, [&](const auto& one) { return one->text.category == category; }));
+        std::ranges::count_if(cases_, [&](const auto& one) { return one->loaded.text.category == category; }));
   }
 
   /// The best weights that the search finds without a category; none is called "".
@@ -166,7 +141,7 @@ class Cases {
     if (known != scores_.end()) return known->second;
     const RibParams params = paramsOf(choice);
     std::vector<double> scores(cases_.size());
-    inParallel(jobs_, cases_.size(), [&](std::size_t i) { scores[i] = scoreCase(*cases_[i], params); });
+    cli::inParallel(jobs_, cases_.size(), [&](std::size_t i) { scores[i] = scoreCase(*cases_[i], params); });
     return scores_.emplace(choice, std::move(scores)).first->second;
   }
 
@@ -182,11 +157,12 @@ void addWeights(const Choice& choice, io::NamedNumbers& line) {
 
 }  // namespace
 
-Status leaveOneOut(const BenchArguments& arguments, std::span<const std::filesystem::path> folders,
+Status leaveOneOut(std::span<const std::filesystem::path> folders, int jobs, const std::string& markdown,
                    io::BenchReport& report) {
-  Cases cases(arguments.jobs);
+  Cases cases(jobs);
   if (Status status = cases.read(folders); !status.ok()) return status.failure();
   const Choice defaults = chosenHypothesis(kDefault), all = cases.chooseWithout("");
+  io::NamedLines lines;
   double unseen = 0, seen = 0, chosen = 0, count = 0;
   for (const std::string& category : cases.categories()) {
     const Choice without = cases.chooseWithout(category);
@@ -199,15 +175,16 @@ Status leaveOneOut(const BenchArguments& arguments, std::span<const std::filesys
     seen += size * line[2].second;
     count += size;
     addWeights(without, line);
-    report.leaveOneOut.emplace_back(category, std::move(line));
+    lines.emplace_back(category, std::move(line));
   }
   count = std::max(1.0, count);
   io::NamedNumbers line{
       {"iou_body, never seen", unseen / count}, {"chosen on all", chosen / count}, {"as it is", seen / count}};
   addWeights(all, line);
-  report.leaveOneOut.emplace_back("all", std::move(line));
-  const std::string text = markdownOf(report.leaveOneOut);
-  return writeAll({{arguments.leaveOneOut, Bytes(text.begin(), text.end())}});
+  lines.emplace_back("all", std::move(line));
+  const std::string text = markdownOf(lines);
+  report.tables.emplace_back("leave_one_out", std::move(lines));
+  return cli::writeAll({{markdown, cli::bytesOf(text)}});
 }
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

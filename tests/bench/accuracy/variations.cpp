@@ -1,9 +1,9 @@
-#include "engine/cli/variations.h"
+#include "tests/bench/accuracy/variations.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 namespace {
 
 using ribs::EvidenceParams;
@@ -81,4 +81,4 @@ const Variation* variationFromKey(std::string_view key) {
   return at == all.end() ? nullptr : &*at;
 }
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

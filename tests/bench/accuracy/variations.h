@@ -6,15 +6,15 @@
 #include <string_view>
 
 #include "engine/ribs/base/rib_params.h"
-#include "engine/ribs/search/trace_variant.h"
+#include "tests/bench/accuracy/trace_variant.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 
 struct Variation {
   std::string_view key;    ///< on the command line: --variation KEY
   std::string_view title;  ///< what is different, for people
   ribs::RibParams params;
-  ribs::TraceVariant variant;
+  TraceVariant variant;
 };
 
 /// All of them; the first is the product as it is.
@@ -22,4 +22,4 @@ std::span<const Variation> variations();
 /// nullptr when there is none of that name.
 const Variation* variationFromKey(std::string_view key);
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy

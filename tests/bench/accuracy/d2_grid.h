@@ -8,7 +8,7 @@
 
 #include "engine/base/vec.h"
 
-namespace spineloft::ribs {
+namespace spineloft::accuracy {
 
 /// Grid points `first` + (column, row) · `step`, row-major. Picture pixels; `columns`, `rows` ≥ 1,
 /// `step` > 0.
@@ -35,4 +35,4 @@ GridWork d2OnGrid(std::span<const PicturePoint> polyline, const GridPlan& plan, 
 /// is near is passed on to the tile's quarters, and on the smallest tiles summed at every point.
 GridWork quickD2OnGrid(std::span<const PicturePoint> polyline, const GridPlan& plan, std::vector<float>& d2);
 
-}  // namespace spineloft::ribs
+}  // namespace spineloft::accuracy

@@ -1,4 +1,4 @@
-#include "engine/cli/erased_outline.h"
+#include "tests/bench/accuracy/erased_outline.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 using namespace spineloft;
-using namespace spineloft::cli;
+using namespace spineloft::accuracy;
 
 namespace {
 
@@ -17,12 +17,12 @@ constexpr int kLeft = 40, kRight = 60;  // the bar's columns are kLeft … kRigh
 constexpr int kTop = 20;
 
 /// An upright bar 20 px wide on its axis from top to bottom, so that a run of the outline is 20 px.
-Truth truthOfBar() {
+cli::Truth truthOfBar() {
   image::Mask mask{kWidth, kHeight, std::vector<std::uint8_t>(kWidth * kHeight)};
   for (int y = kTop; y < 140; ++y) {
     for (int x = kLeft; x < kRight; ++x) mask.pixels[static_cast<std::size_t>(y * kWidth + x)] = 255;
   }
-  return Truth({mask, {{49.5, kTop, 20}, {49.5, 139, 20}}, 1.0});
+  return cli::Truth({mask, {{49.5, kTop, 20}, {49.5, 139, 20}}, 1.0});
 }
 
 image::Image picture() {
@@ -49,7 +49,7 @@ int steepest(const image::Image& image, int border, int y) {
 }  // namespace
 
 TEST_CASE("a point is left of the axis where a walker along it has it to the left on the screen") {
-  const Truth truth = truthOfBar();  // downwards: the left hand points to the right of the screen
+  const cli::Truth truth = truthOfBar();  // downwards: the left hand points to the right of the screen
   CHECK(truth.isLeft({60, 80}));
   CHECK_FALSE(truth.isLeft({40, 80}));
   CHECK(truth.meanWidth() == doctest::Approx(20));

@@ -1,4 +1,4 @@
-#include "engine/ribs/field/d2_grid.h"
+#include "tests/bench/accuracy/d2_grid.h"
 
 #include <doctest/doctest.h>
 
@@ -9,6 +9,7 @@
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
+using namespace spineloft::accuracy;
 using namespace spineloft::ribs;
 using fixtures::Points;
 

@@ -1,4 +1,4 @@
-#include "engine/ribs/field/d2_grid.h"
+#include "tests/bench/accuracy/d2_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "engine/base/lanes.h"
 #include "engine/base/limits.h"
 
-namespace spineloft::ribs {
+namespace spineloft::accuracy {
 namespace {
 
 constexpr int kLanes = 4;
@@ -426,4 +426,4 @@ GridWork quickD2OnGrid(std::span<const PicturePoint> polyline, const GridPlan& p
   return work;
 }
 
-}  // namespace spineloft::ribs
+}  // namespace spineloft::accuracy

@@ -1,4 +1,4 @@
-#include "engine/cli/redrawn_strokes.h"
+#include "tests/bench/accuracy/redrawn_strokes.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 using namespace spineloft;
-using namespace spineloft::cli;
+using namespace spineloft::accuracy;
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "engine/ribs/labels/rib_lengths.h"
 
-namespace spineloft::ribs {
+namespace spineloft::accuracy {
 
 struct AlgorithmOneParams {
   int iterations = 100;     ///< random subsets drawn
@@ -19,6 +19,6 @@ struct AlgorithmOneParams {
 /// The labels that Algorithm 1 finds: candidate ribs are the local minima of the unary costs along
 /// each curve; a grown set is completed by interpolating labels along its side. Falls back to the
 /// largest set grown when none passes the threshold. Labels are always reachable ones.
-LengthLabels algorithmOne(const LengthProblem& problem, const AlgorithmOneParams& params);
+ribs::LengthLabels algorithmOne(const ribs::LengthProblem& problem, const AlgorithmOneParams& params);
 
-}  // namespace spineloft::ribs
+}  // namespace spineloft::accuracy

@@ -6,7 +6,7 @@
 
 #include "engine/io/json_values.h"
 
-namespace spineloft::cli {
+namespace spineloft::accuracy {
 
 /// Replaces the strokes named careful, sloppy and offcentre (others stay) by lines along the true middle line, between
 /// the ends of the careful one: careful wanders by up to 3 % of the local width; sloppy by up to 12 % with a tremor of
@@ -15,4 +15,4 @@ namespace spineloft::cli {
 /// case without a careful stroke stays as it is.
 void redrawStrokes(io::BenchCase& one, std::uint64_t seed);
 
-}  // namespace spineloft::cli
+}  // namespace spineloft::accuracy
