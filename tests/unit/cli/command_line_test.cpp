@@ -1,4 +1,4 @@
-#include "engine/cli/arguments.h"
+#include "engine/cli/command_line.h"
 
 #include <doctest/doctest.h>
 
