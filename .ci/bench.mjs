@@ -186,9 +186,9 @@ async function stageTimes() {
 
 async function accuracy(data, withAblation) {
   const file = join(buildDir, 'bench-accuracy.json');
-  const program = join(presetDir('native-release'), 'spineloft');
+  const program = join(presetDir('native-release'), 'spineloft_accuracy');
   const table = withAblation ? ['--ablation', join(buildDir, 'bench-ablation.md')] : [];
-  await run('spineloft bench', program, ['bench', data, '--json', file, '--live', '80', ...table], {
+  await run('spineloft_accuracy', program, [data, '--json', file, '--live', '80', ...table], {
     log: 'bench',
     timeout: 30 * kMinutes,
   });
@@ -199,7 +199,7 @@ await mainProgram(async () => {
   const { json, markdown: page, data, ablation } = options();
   talkOnStderr();
   await setup(['native', 'wasm', 'node', 'browser']);
-  await buildTargets('native-release', ['spineloft', 'spineloft_bench']);
+  await buildTargets('native-release', ['spineloft_accuracy', 'spineloft_bench']);
   await buildTargets('wasm-release', ['spineloft_bench', 'spineloft_bench_single']);
   await buildSite();
   const result = {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
-#include <sstream>
 #include <system_error>
 
 #include "engine/cli/files.h"
@@ -79,21 +77,5 @@ std::vector<std::string> difficultyNames(const std::optional<io::BenchDifficulty
 }
 
 std::span<const std::string_view> difficultyOrder() { return kDifficulties; }
-
-std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines) {
-  std::ostringstream out;
-  out << "| |";
-  for (const auto& [name, value] : lines.front().second) out << ' ' << name << " |";
-  out << "\n|:--|";
-  for (std::size_t i = 0; i < lines.front().second.size(); ++i) out << "--:|";
-  for (const auto& [title, numbers] : lines) {
-    out << "\n| " << title << " |" << std::fixed;
-    for (const auto& [name, value] : numbers) {
-      out << ' ' << std::setprecision(name.back() == '%' ? 1 : 3) << value << " |";
-    }
-  }
-  out << '\n';
-  return out.str();
-}
 
 }  // namespace spineloft::cli

@@ -170,8 +170,6 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
   return io::writeObj({&part, 1}, io::ObjSpace::Image);
 }
 
-Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
-
 /// Of one part an object, of several a list of them; the times are those of all.
 std::string reportOf(const Model& model) {
   std::string text;

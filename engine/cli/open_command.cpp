@@ -65,8 +65,6 @@ std::string reportOf(const Opened& opened) {
                            {"derive_ms", opened.deriveMs}});
 }
 
-Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
-
 }  // namespace
 
 Status runOpen(const OpenArguments& arguments, Console console) {

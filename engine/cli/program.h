@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/base/result.h"
-#include "engine/cli/arguments.h"
+#include "engine/cli/command_line.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 

@@ -81,4 +81,23 @@ const ParamInfo* findParam(PartKind kind, std::string_view key) {
   return at == table.end() ? nullptr : &*at;
 }
 
+geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
+  switch (kind) {
+    case AlongKind::Twist:
+      return params.twist;
+    case AlongKind::Squash:
+      return params.squash;
+    case AlongKind::Tilt:
+      return params.tilt;
+    case AlongKind::Bulge:
+    case AlongKind::kCount:
+      break;
+  }
+  return params.bulge;
+}
+
+const geometry::AlongCurve& alongOf(const loft::LoftParams& params, AlongKind kind) {
+  return alongOf(const_cast<loft::LoftParams&>(params), kind);
+}
+
 }  // namespace spineloft::document

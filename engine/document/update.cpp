@@ -13,21 +13,6 @@ namespace {
 
 bool known(loft::CapStyle cap) { return cap < loft::CapStyle::kCount; }
 
-geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
-  switch (kind) {
-    case AlongKind::Twist:
-      return params.twist;
-    case AlongKind::Squash:
-      return params.squash;
-    case AlongKind::Tilt:
-      return params.tilt;
-    case AlongKind::Bulge:
-    case AlongKind::kCount:
-      break;
-  }
-  return params.bulge;
-}
-
 /// Changes the element with this id: `change` gets a copy and says whether it may replace the
 /// original.
 template <class T, class Id, class Change>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/polyline.h"
+
 namespace spineloft::geometry {
 namespace {
 
@@ -14,13 +16,6 @@ constexpr double kFinestCell = 0.5;
 constexpr double kFromCorner = 0.02;
 /// Nodes lie off the whole pixels, where hands and masks put their points.
 constexpr double kOffGrid = 0.2137;
-
-double toSegment(PicturePoint p, PicturePoint a, PicturePoint b) {
-  const PicturePoint along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
-}
 
 /// Signed distances at the nodes of a grid, positive inside; exact near outlines, large elsewhere.
 class Field {
@@ -61,7 +56,7 @@ class Field {
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
         double& value = at(x, y);
-        value = std::min(value, toSegment(node(x, y), a, b));
+        value = std::min(value, distanceToSegment(node(x, y), a, b));
       }
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/polyline.h"
+
 namespace spineloft::geometry {
 namespace {
 
@@ -106,13 +108,6 @@ std::vector<double> crossingsAt(double y, std::span<const SectionPoint> rim, std
   return cuts;
 }
 
-double toSegment(SectionPoint p, SectionPoint a, SectionPoint b) {
-  const SectionPoint along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
-}
-
 }  // namespace
 
 RimDistance::RimDistance(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes) {
@@ -167,7 +162,7 @@ double RimDistance::inCell(int x, int y, SectionPoint p) const {
   if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return nearest;
   const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
   for (std::uint32_t e = first_[cell]; e < first_[cell + 1]; ++e) {
-    nearest = std::min(nearest, toSegment(p, edges_[e].a, edges_[e].b));
+    nearest = std::min(nearest, distanceToSegment(p, edges_[e].a, edges_[e].b));
   }
   return nearest;
 }

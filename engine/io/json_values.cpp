@@ -213,8 +213,7 @@ std::string writeBench(const BenchReport& report) {
     cases.push_back(std::move(line));
   }
   Json all = {{"summary", groups(report.summary)}, {"cases", std::move(cases)}};
-  if (!report.ablation.empty()) all["ablation"] = groups(report.ablation);
-  if (!report.leaveOneOut.empty()) all["leave_one_out"] = groups(report.leaveOneOut);
+  for (const auto& [name, lines] : report.tables) all[name] = groups(lines);
   return textOf(all, 1);
 }
 

@@ -31,6 +31,8 @@ std::string writeRibs(const ribs::RibSet& ribs);
 
 /// Names with numbers, in order: milliseconds of stages, counts, means.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
+/// The lines of a table, each with its name.
+using NamedLines = std::vector<std::pair<std::string, NamedNumbers>>;
 
 /// What one run of `spineloft loft` made.
 struct LoftReport {
@@ -70,13 +72,12 @@ struct BenchRow {
   std::string failure;                  ///< empty when the part was made
   std::vector<std::string> difficulty;  ///< names of what makes the case hard
 };
-/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke","difficulty",…}]}; with an
-/// ablation also "ablation":[{"name",…}], and so "leave_one_out".
+/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke","difficulty",…}]}; further
+/// tables stand beside them under their names, written as the summary is.
 struct BenchReport {
-  std::vector<std::pair<std::string, NamedNumbers>> summary;
+  NamedLines summary;
   std::vector<BenchRow> rows;
-  std::vector<std::pair<std::string, NamedNumbers>> ablation;
-  std::vector<std::pair<std::string, NamedNumbers>> leaveOneOut;
+  std::vector<std::pair<std::string, NamedLines>> tables;
 };
 std::string writeBench(const BenchReport& report);
 

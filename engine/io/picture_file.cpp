@@ -54,6 +54,13 @@ Failure decoderFailure() {
 }
 
 /// Decodes with `channels` 1 (grey) or 4 (RGBA); the declared size is known to be acceptable.
+/// probePicture, of formats that are decoded here.
+Result<PictureInfo> probeDecoded(ByteView file) {
+  Result<PictureInfo> info = probePicture(file);
+  if (info.ok() && !isDecoded(info.value().format)) return Error::PictureUnreadable;
+  return info;
+}
+
 Result<Decoded> decodePixels(ByteView file, const PictureInfo& info, int channels) {
   if (file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     return Error::PictureTooLarge;
@@ -135,7 +142,7 @@ Status checkPictureSize(image::Size size) {
 
 Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
   if (!progress.advance(0)) return Error::Cancelled;
-  const Result<PictureInfo> info = probePicture(file);
+  const Result<PictureInfo> info = probeDecoded(file);
   if (!info.ok()) return info.failure();
   if (const Status accepted = checkPictureSize(info.value().size); !accepted.ok()) {
     return accepted.failure();
@@ -156,7 +163,7 @@ Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
 }
 
 Result<image::Image> decodeImage(ByteView file, long long mostPixels) {
-  const Result<PictureInfo> info = probePicture(file);
+  const Result<PictureInfo> info = probeDecoded(file);
   if (!info.ok()) return info.failure();
   const auto [width, height] = info.value().size;
   if (width <= 0 || height <= 0) return Error::PictureEmpty;
@@ -174,7 +181,7 @@ Result<image::Image> decodeImage(ByteView file, long long mostPixels) {
 }
 
 Result<image::Mask> decodeMask(ByteView file) {
-  const Result<PictureInfo> info = probePicture(file);
+  const Result<PictureInfo> info = probeDecoded(file);
   if (!info.ok()) return info.failure();
   if (const Status accepted = checkPictureSize(info.value().size); !accepted.ok()) {
     return accepted.failure();

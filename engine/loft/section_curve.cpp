@@ -61,12 +61,8 @@ void flatten(const Cubic& c, int depth, std::vector<SectionPoint>& out) {
 
 double distanceTo(std::span<const SectionPoint> line, SectionPoint p) {
   double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const SectionPoint a = line[i - 1], along = line[i] - a;
-    const double length2 = dot(along, along);
-    const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-    best = std::min(best, distance(p, a + along * t));
-  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+    best = std::min(best, geometry::distanceToSegment(p, line[i - 1], line[i]));
   return best;
 }
 

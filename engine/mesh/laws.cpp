@@ -10,13 +10,6 @@
 namespace spineloft::mesh {
 namespace {
 
-using Point = Vec3<struct MeshSpace>;
-
-Point pointAt(const TriMesh& mesh, std::uint32_t v) {
-  const std::array<float, 3>& p = mesh.positions[v];
-  return {p[0], p[1], p[2]};
-}
-
 bool allFinite(const TriMesh& mesh) {
   const auto finite = [](const auto& p) {
     return std::all_of(p.begin(), p.end(), [](float c) { return std::isfinite(c); });

@@ -10,13 +10,6 @@
 namespace spineloft::mesh {
 namespace {
 
-using Point = Vec3<struct MeshSpace>;
-
-Point pointAt(const TriMesh& mesh, std::uint32_t v) {
-  const std::array<float, 3>& p = mesh.positions[v];
-  return {p[0], p[1], p[2]};
-}
-
 /// What a triangle gives to the normals of its corners.
 struct Facet {
   Point normal;

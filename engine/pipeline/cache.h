@@ -15,11 +15,11 @@
 namespace spineloft::pipeline {
 
 /// Values by key, each with its size; when they are more than `budget` bytes those used longest ago
-/// go. Finding one counts as using it.
+/// go (least recently used). Finding one counts as using it.
 template <class Value>
-class Shelf {
+class LruCache {
  public:
-  explicit Shelf(std::size_t budget) : budget_(budget) {}
+  explicit LruCache(std::size_t budget) : budget_(budget) {}
   std::shared_ptr<const Value> find(std::uint64_t key) {
     for (Slot& slot : slots_) {
       if (slot.key != key) continue;
@@ -117,8 +117,8 @@ class Cache {
     std::shared_ptr<const image::Picture> picture;
   };
   std::vector<EdgeSlot> edges_;
-  Shelf<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
-  Shelf<TracedRibs> traced_{kTraceBytes}, byStroke_{kStrokeBytes};
+  LruCache<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
+  LruCache<TracedRibs> traced_{kTraceBytes}, byStroke_{kStrokeBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

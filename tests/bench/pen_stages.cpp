@@ -17,8 +17,8 @@
 #include "engine/document/document.h"
 #include "engine/document/update.h"
 #include "engine/pipeline/derive.h"
-#include "engine/ribs/field/d2_grid.h"
 #include "engine/vision/edges.h"
+#include "tests/bench/accuracy/d2_grid.h"
 #include "tests/bench/scene.h"
 
 #ifdef __EMSCRIPTEN__
@@ -226,9 +226,10 @@ void reportTwoWorkers(const image::Picture& picture, Report& report) {
   if (pool.threads() < 2) return;
   const std::vector<PicturePoint> line = tubeStroke({300, 300}, 1000);
   std::vector<float> halves[2];
-  TwoJobs all[] = {{"edges", [&](int) { must(vision::detectEdges(picture, {}, Progress())); }},
-                   {"field", [&](int half) { ribs::d2OnGrid(line, {{0, 150.0 * half}, 1, 300, 150}, halves[half]); }},
-                   {"arithmetic alone", [](int) { fillCore(); }}};
+  TwoJobs all[] = {
+      {"edges", [&](int) { must(vision::detectEdges(picture, {}, Progress())); }},
+      {"field", [&](int half) { accuracy::d2OnGrid(line, {{0, 150.0 * half}, 1, 300, 150}, halves[half]); }},
+      {"arithmetic alone", [](int) { fillCore(); }}};
   // In turn: what a machine gives changes by the second.
   for (int round = 0; round < kRounds; ++round) {
     for (TwoJobs& jobs : all) jobs.run(pool);

@@ -9,9 +9,9 @@
 #include "engine/base/rng.h"
 #include "engine/ribs/evidence/evidence.h"
 #include "engine/ribs/field/curves.h"
-#include "engine/ribs/field/d2_grid.h"
 #include "engine/ribs/labels/rib_lengths.h"
 #include "engine/ribs/search/ribs.h"
+#include "tests/bench/accuracy/d2_grid.h"
 #include "tests/bench/scene.h"
 
 namespace spineloft::bench {
@@ -136,10 +136,11 @@ void reportFieldStages(Report& report) {
     const double turn = 3.2 * std::numbers::pi * i / 1999, radius = 40 + 8 * turn + 6 * std::sin(9 * turn);
     line.push_back({150 + radius * std::cos(turn), 150 + radius * std::sin(turn)});
   }
-  const ribs::GridPlan plan{{0, 0}, 1, 300, 300};
+  const accuracy::GridPlan plan{{0, 0}, 1, 300, 300};
   std::vector<float> exact, quick;
-  report.stage("d2, 2000 segments on 300x300, exact", 5, [&](int) { ribs::d2OnGrid(line, plan, exact); });
-  report.stage("d2, 2000 segments on 300x300, hierarchical", 41, [&](int) { ribs::quickD2OnGrid(line, plan, quick); });
+  report.stage("d2, 2000 segments on 300x300, exact", 5, [&](int) { accuracy::d2OnGrid(line, plan, exact); });
+  report.stage("d2, 2000 segments on 300x300, hierarchical", 41,
+               [&](int) { accuracy::quickD2OnGrid(line, plan, quick); });
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i)
     worst = std::max(worst, std::abs(static_cast<double>(quick[i] / exact[i]) - 1));

@@ -34,17 +34,10 @@ std::string_view stateWords(ribs::RibState state) {
   return "";
 }
 
-double toSegment(PicturePoint p, PicturePoint a, PicturePoint b) {
-  const PicturePoint along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
-}
-
 bool holds(const ribs::IgnoreMark& mark, PicturePoint p, double reach) {
   for (std::size_t i = 0; i < mark.stroke.size(); ++i) {
     const PicturePoint from = mark.stroke[i > 0 ? i - 1 : 0];
-    if (toSegment(p, from, mark.stroke[i]) <= mark.radius + reach) return true;
+    if (geometry::distanceToSegment(p, from, mark.stroke[i]) <= mark.radius + reach) return true;
   }
   return false;
 }

@@ -131,25 +131,6 @@ SectionKeys withoutSectionKey(std::span<const loft::SectionKey> stops, std::size
   return out;
 }
 
-const geometry::AlongCurve& alongOf(const loft::LoftParams& params, AlongKind kind) {
-  switch (kind) {
-    case AlongKind::Twist:
-      return params.twist;
-    case AlongKind::Squash:
-      return params.squash;
-    case AlongKind::Tilt:
-      return params.tilt;
-    case AlongKind::Bulge:
-    case AlongKind::kCount:
-      break;
-  }
-  return params.bulge;
-}
-
-geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
-  return const_cast<geometry::AlongCurve&>(alongOf(std::as_const(params), kind));
-}
-
 std::span<const AlongInfo> alongTable() { return kAlong; }
 
 const AlongInfo& alongInfo(AlongKind kind) { return kAlong[static_cast<std::size_t>(kind)]; }

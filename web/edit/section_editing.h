@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/document/action.h"
+#include "engine/document/params.h"
 #include "engine/pipeline/derive.h"
 #include "web/ui/ui_state.h"
 
@@ -59,10 +59,6 @@ std::vector<loft::SectionKey> withMovedSectionKey(std::span<const loft::SectionK
 std::vector<loft::SectionKey> withoutSectionKey(std::span<const loft::SectionKey> stops, std::size_t index);
 inline constexpr double kSectionKeyGap = 0.02;  ///< least way between two sections, share of the spine
 inline constexpr double kNearEnd = 0.15;        ///< a place this near an end means the end's side
-
-/// A curve of the loft by its kind.
-const geometry::AlongCurve& alongOf(const loft::LoftParams& loft, document::AlongKind kind);
-geometry::AlongCurve& alongOf(loft::LoftParams& loft, document::AlongKind kind);
 
 /// What a curve is called and measured in.
 struct AlongInfo {

@@ -289,7 +289,7 @@ void SolidWork::cancel() {
 }
 
 void SolidWork::forget() {
-  solids_ = pipeline::Shelf<pipeline::Solid>(kMostBytes);
+  solids_ = pipeline::LruCache<pipeline::Solid>(kMostBytes);
   latest_.clear();
   failures_.clear();
 }

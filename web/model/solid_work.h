@@ -90,7 +90,7 @@ class SolidWork {
 
   platform::Host& host_;
   static constexpr std::size_t kMostBytes = std::size_t{96} << 20;
-  pipeline::Shelf<pipeline::Solid> solids_{kMostBytes};
+  pipeline::LruCache<pipeline::Solid> solids_{kMostBytes};
   std::vector<std::pair<StepId, std::shared_ptr<const pipeline::Solid>>> latest_;  ///< last good ones
   std::vector<StepFailure> failures_;
   std::vector<Looked> looked_;

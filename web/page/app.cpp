@@ -8,6 +8,7 @@
 
 #include "engine/base/hash.h"
 #include "engine/base/limits.h"
+#include "engine/io/picture_probe.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/state_json.h"
 #include "web/edit/editing.h"
@@ -446,6 +447,8 @@ const std::string& App::answerWith(const Outcome& outcome) {
 }
 
 const std::string& App::lastError() { return text_ = lastError_; }
+
+const std::string& App::probePicture(std::span<const std::uint8_t> file) { return text_ = io::probeJson(file); }
 
 const std::string& App::sentence(std::string_view name) {
   text_.clear();

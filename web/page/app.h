@@ -42,6 +42,7 @@ class App final : public platform::Page {
   void wheel(const platform::WheelEvent& event) override;
   bool key(const platform::KeyEvent& event) override;
   const std::string& addPicture(image::Picture picture, std::string_view name) override;
+  const std::string& probePicture(std::span<const std::uint8_t> file) override;
   const std::string& state() override;
   const std::string& commands() override;
   const std::string& run(std::string_view id, std::string_view argsJson) override;

@@ -95,7 +95,7 @@ void kinds(const PanelEnv& env, const loft::LoftParams& params, float width, int
     if (tile(env, {id.c_str(), labels ? info.label : std::string_view(), info.hint, size, on}, paint)) {
       env.sink.run("show-along", app::Json::Object{{"kind", info.key}});
     }
-    if (!app::alongOf(params, info.kind).empty()) {  // it is in use
+    if (!document::alongOf(params, info.kind).empty()) {  // it is in use
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size.x - 8, at.y + 8}, 3.5f, kAccent, 12);
     }
   }
@@ -194,7 +194,7 @@ void alongPanel(const PanelEnv& env, float width) {
   const app::Preview* preview = app::previewOf(env.ui(), part->id);
   const loft::LoftParams& params = preview ? preview->loft().loft : document::loftIn(*part).loft;
   const app::AlongInfo& info = app::alongInfo(env.ui().sections.along);
-  geometry::AlongCurve curve = app::alongOf(document::loftIn(*part).loft, info.kind);
+  geometry::AlongCurve curve = document::alongOf(document::loftIn(*part).loft, info.kind);
   for (geometry::AlongPoint& p : curve.points) p.value /= info.unit;
   const auto [low, high] = rangeOf(info, curve);  // steady while a point is dragged
   const bool blending = env.ui().sections.graph && !env.ui().sections.graphs.empty() &&
@@ -214,7 +214,7 @@ void alongPanel(const PanelEnv& env, float width) {
     kinds(env, params, width, 4);
     curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width, 116}}, curve);
   }
-  shapes(env, info, !app::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
+  shapes(env, info, !document::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
 }
 
 }  // namespace spineloft::panels

@@ -98,6 +98,11 @@ EMSCRIPTEN_KEEPALIVE const char* spl_addPicture(const std::uint8_t* rgba, int wi
   return page()->addPicture(std::move(picture), text(name)).c_str();
 }
 
+EMSCRIPTEN_KEEPALIVE const char* spl_probe(const std::uint8_t* bytes, std::uint32_t length) {
+  if (page() == nullptr || bytes == nullptr) return "";
+  return page()->probePicture({bytes, length}).c_str();
+}
+
 EMSCRIPTEN_KEEPALIVE const char* spl_state() { return page() ? page()->state().c_str() : "null"; }
 EMSCRIPTEN_KEEPALIVE const char* spl_commands() { return page() ? page()->commands().c_str() : "[]"; }
 EMSCRIPTEN_KEEPALIVE const char* spl_run(const char* id, const char* args) {

@@ -63,6 +63,8 @@ class Page {
   virtual bool key(const KeyEvent& event) = 0;
   /// As `run` answers.
   virtual const std::string& addPicture(image::Picture picture, std::string_view name) = 0;
+  /// What is to be known of a picture file before it is decoded (io::probeJson).
+  virtual const std::string& probePicture(std::span<const std::uint8_t> file) = 0;
   /// Texts stay valid until the next call that returns one.
   virtual const std::string& state() = 0;
   virtual const std::string& commands() = 0;

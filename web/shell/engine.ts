@@ -6,7 +6,7 @@ import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
 import type { TurntableEvent } from './turntable.ts';
-import type { WorkingCopy } from './picture.ts';
+import type { Probe, WorkingCopy } from './picture.ts';
 import { waitForEnd } from './solids/lifeline.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
@@ -99,6 +99,7 @@ interface Module {
     originalHeight: number,
     name: number,
   ): number;
+  _spl_probe(bytes: number, length: number): number;
   _spl_state(): number;
   _spl_commands(): number;
   _spl_run(id: number, args: number): number;
@@ -294,6 +295,16 @@ export class Engine {
       this.check(this.text(outcome));
     } finally {
       this.module._free(pixels);
+    }
+  }
+
+  /** What the engine says of a picture file before it is decoded. */
+  probe(bytes: Uint8Array): Probe {
+    const at = this.put(bytes);
+    try {
+      return JSON.parse(this.text(this.module._spl_probe(at, bytes.length))) as Probe;
+    } finally {
+      this.module._free(at);
     }
   }
 

@@ -207,7 +207,7 @@ export class Page {
     this.opening.add(aborter);
     this.showProgress();
     try {
-      const picture = await decodePicture(blob, (code) => engine.sentence(code));
+      const picture = await decodePicture(blob, engine);
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
       this.sayUntilNext(`${name} is open: ${picture.originalWidth} by ${picture.originalHeight} pixels.`);

@@ -28,7 +28,7 @@ geometry::AlongCurve DragGraph::current(const ToolEnv& env) const {
   if (part == nullptr) return curve;
   const loft::LoftParams& params = document::loftIn(*part).loft;
   if (isBlend()) return params.sections[app::pickedSectionKey(env.ui, *part)].blend.custom;
-  curve = app::alongOf(params, env.ui.sections.along);
+  curve = document::alongOf(params, env.ui.sections.along);
   for (AlongPoint& p : curve.points) p.value /= app::alongInfo(env.ui.sections.along).unit;
   return curve;
 }
@@ -106,7 +106,7 @@ void DragGraph::show(const ToolEnv& env) {
     for (AlongPoint& p : curve.points) {
       p.value = std::clamp(p.value, info.low, info.high) * info.unit;
     }
-    app::alongOf(params, info.kind) = std::move(curve);
+    document::alongOf(params, info.kind) = std::move(curve);
   }
   if (loft::checkParams(params)) app::previewLoft(env.ui, *part, std::move(params));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/geometry/polyline.h"
 #include "engine/ribs/edit/places.h"
 
 namespace spineloft::ribs {
@@ -27,13 +28,6 @@ double tolerance(double reach) { return kSameEnd * reach; }
 PicturePoint endOf(const Rib& rib, Side side) { return side == Side::Left ? rib.left : rib.right; }
 RibState stateOf(const Rib& rib, Side side) { return side == Side::Left ? rib.leftState : rib.rightState; }
 const OtherPlaces& othersOf(const Rib& rib, Side side) { return side == Side::Left ? rib.leftOthers : rib.rightOthers; }
-
-double distanceTo(PicturePoint p, PicturePoint a, PicturePoint b) {
-  const PicturePoint u = b - a;
-  const double squared = dot(u, u);
-  const double t = squared > 0 ? std::clamp(dot(p - a, u) / squared, 0.0, 1.0) : 0;
-  return distance(p, a + u * t);
-}
 
 // A scene with the places of its ribs.
 class Bench {
@@ -153,7 +147,8 @@ std::optional<std::size_t> nearestRib(const RibSet& ribs, PicturePoint p, double
   double nearest = within;
   for (std::size_t i = 0; i < ribs.ribs.size(); ++i) {
     const Rib& rib = ribs.ribs[i];
-    const double away = std::min(distanceTo(p, rib.left, rib.center), distanceTo(p, rib.center, rib.right));
+    const double away = std::min(geometry::distanceToSegment(p, rib.left, rib.center),
+                                 geometry::distanceToSegment(p, rib.center, rib.right));
     if (!(best ? away < nearest : away <= nearest)) continue;
     nearest = away;
     best = i;

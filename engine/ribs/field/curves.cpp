@@ -261,28 +261,4 @@ PicturePoint GradientCurves::pointAlong(int curve, double length) const {
   return pointAlong(curve, length, k);
 }
 
-void traceStraightCurves(const Spine& spine, const Levels& levels, int fan, image::Size picture,
-                         GradientCurves& curves) {
-  allocate(spine, levels, fan, curves);
-  placeSeeds(spine, curves);
-  curves.steps = 0;
-  // How much nearer another part may be, as a share, before the medial axis is taken to be crossed.
-  constexpr double kNearer = 0.99;
-  for (std::size_t c = 0; c < curves.seeds.size(); ++c) {
-    const Point base = curves.seeds[c][0], out = normalized(curves.seeds[c][1] - base);
-    int k = 0;
-    for (; k < curves.levels; ++k) {
-      const double radius = levels.radius[static_cast<std::size_t>(k)];
-      const Point p = base + out * radius;
-      const bool nearer = std::ranges::any_of(spine.points, [&](Point q) { return distance(p, q) < kNearer * radius; });
-      if (k > 0 && (nearer || !inFrame(p, picture))) break;
-      const std::size_t at = curves.at(static_cast<int>(c), k);
-      curves.x[at] = static_cast<float>(p.x);
-      curves.y[at] = static_cast<float>(p.y);
-      curves.along[at] = static_cast<float>(radius);
-    }
-    curves.reached[c] = k;
-  }
-}
-
 }  // namespace spineloft::ribs

@@ -84,10 +84,4 @@ inline PicturePoint GradientCurves::pointAlong(int curve, double length, int& k)
 void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan, image::Size picture,
                  GradientCurves& curves);
 
-/// The rival of d2 in the ablation (SpineLoft's figure 17): gradient curves of the Euclidean distance
-/// d∞, straight lines along the normals and around the ends, which stop where another part of the
-/// spine is nearer, for there d∞ has no gradient. Labels stand for distances `levels.radius`.
-void traceStraightCurves(const Spine& spine, const Levels& levels, int fan, image::Size picture,
-                         GradientCurves& curves);
-
 }  // namespace spineloft::ribs

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "engine/ribs/search/ribs.h"
-#include "engine/ribs/search/trace_variant.h"
 
 namespace spineloft::ribs {
 
@@ -18,14 +17,10 @@ namespace spineloft::ribs {
 Result<RibSet> ensembleRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                             const Progress& progress, RibWorkspace& memory);
 
-/// The same with parts of every search exchanged (trace_variant.h).
-Result<RibSet> ensembleRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                            const Progress& progress, TraceVariant variant, RibWorkspace& memory);
-
 /// ensembleRibs in steps of one search each, so that a page is drawn in between. Any thread may take the next step.
 class EnsembleTrace {
  public:
-  EnsembleTrace(Spine spine, const RibParams& params, TraceVariant variant = {});
+  EnsembleTrace(Spine spine, const RibParams& params);
   ~EnsembleTrace();
   EnsembleTrace(EnsembleTrace&&) noexcept;
   EnsembleTrace& operator=(EnsembleTrace&&) noexcept;

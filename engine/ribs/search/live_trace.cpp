@@ -148,7 +148,6 @@ bool LiveTrace::changed(const Spine& spine) const {
 
 Status LiveTrace::follow(const Spine& spine, const PictureEvidence& picture, const RibParams& params, RibSet& set) {
   Search& s = now_.search();
-  s.variant = {};
   const double farthest =
       static_cast<double>(std::max(std::ranges::max(learned_.left), std::ranges::max(learned_.right)));
   const double margin = kFarOutMargin * std::max(picture.edges.scaleX, picture.edges.scaleY);
@@ -175,7 +174,6 @@ Status LiveTrace::study(const Spine& spine, const PictureEvidence& picture, cons
   if (step_ == kIdle && !changed(spine)) return Done{};
   switch (++step_) {
     case kCurves:
-      s.variant = {};
       return beginSearch(spine, picture, withShare(params, kRefineLabels), std::numeric_limits<double>::infinity(), s);
     case kStrip:
       unwrapImage(s.curves, picture.edges, picture.ignored, s.strip);
@@ -218,7 +216,6 @@ Result<bool> LiveTrace::move(const Spine& spine, const PictureEvidence& picture,
     return false;
   }
   Search& s = now_.search();
-  s.variant = {};
   step_ = 0;
   learned_.spine.points.clear();
   const Status searched = searchRibs(spine, picture, params, unwatched_, s, set);

@@ -173,7 +173,6 @@ Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& p
                                     RibWorkspace& memory) {
   if (picture.edges.empty()) return SpineStretch{};
   Search& s = memory.search();
-  s.variant = {};
   RibSet set;
   const Status found = searchRibs(spine, picture, params, Progress(), s, set);
   if (!found.ok()) return found.failure();

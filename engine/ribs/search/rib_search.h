@@ -17,7 +17,6 @@
 #include "engine/ribs/labels/rib_lengths.h"
 #include "engine/ribs/labels/runner_up.h"
 #include "engine/ribs/search/ribs.h"
-#include "engine/ribs/search/trace_variant.h"
 
 namespace spineloft::ribs {
 
@@ -25,7 +24,6 @@ namespace spineloft::ribs {
 struct RibWorkspace::Search {
   Spine spine;
   RibParams params;
-  TraceVariant variant;
   D2Field field;
   Levels levels;
   GradientCurves curves;
@@ -65,7 +63,7 @@ using Search = RibWorkspace::Search;
 /// A rib end with at least this share of a full edge under it stands on one.
 inline constexpr float kOnEdge = 0.5f;
 
-/// Field, levels and curves, which end at `farthest` (picture pixels) at the latest. `s.variant` is set.
+/// Field, levels and curves, which end at `farthest` (picture pixels) at the latest.
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params, double farthest,
                    Search& s);
@@ -81,10 +79,14 @@ void fillProblem(Search& s);
 void fitWidthHypotheses(Search& s);
 /// Sets the opposite costs of `s.problem` to the medial offset and the widths of a hypothesis.
 void assumeWidth(const WidthHypothesis& even, Search& s);
+/// Assumes width hypothesis `i`, with its inner colours as the object's where colours count.
+void adoptHypothesis(std::size_t i, bool withColours, Search& s);
 /// Pass 2 for hypothesis `i`: solves the chain with its inner colours as the object's (where colours count: only then
 /// are the energies of hypotheses comparable). Keeps the labels in `s.labels` if their energy is the least so far.
 /// `s.contest` starts as {}.
 void tryHypothesis(std::size_t i, bool withColours, Search& s);
+/// The labels of least energy over all width hypotheses; the best hypothesis is assumed in the end.
+void bestLabels(bool withColours, Search& s);
 /// Call after tryHypothesis for all hypotheses, with the best one assumed. Searches the best part that is farther out
 /// on both sides, then the next one beyond it. Takes the first whose colours as a whole differ clearly more from
 /// those around it, at a bounded cost (outer_hypothesis.h).

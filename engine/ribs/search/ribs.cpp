@@ -7,7 +7,6 @@
 
 #include "engine/base/lanes.h"
 #include "engine/ribs/evidence/edge_strength.h"
-#include "engine/ribs/labels/algorithm_one.h"
 #include "engine/ribs/search/rib_search.h"
 
 namespace spineloft::ribs {
@@ -188,9 +187,6 @@ void assumeWidth(const WidthHypothesis& even, Search& s) {
   }
 }
 
-namespace {
-
-// Assumes hypothesis `i`, with its inner colours as the object's where colours count.
 void adoptHypothesis(std::size_t i, bool withColours, Search& s) {
   const WidthHypothesis& part = s.parts.all[i];
   assumeWidth(part, s);
@@ -202,15 +198,9 @@ void adoptHypothesis(std::size_t i, bool withColours, Search& s) {
   s.contest.last = i;
 }
 
-}  // namespace
-
 void tryHypothesis(std::size_t i, bool withColours, Search& s) {
   adoptHypothesis(i, withColours, s);
-  if (s.variant.sampled) {
-    s.trial = algorithmOne(s.problem, {});
-  } else if (!findLabels(s.problem, s.contest.least, s.workspace, s.trial)) {
-    return;
-  }
+  if (!findLabels(s.problem, s.contest.least, s.workspace, s.trial)) return;
   const double energy = energyOf(s.problem, s.trial).total();
   if (energy >= s.contest.least) return;
   s.contest.least = energy;
@@ -218,17 +208,12 @@ void tryHypothesis(std::size_t i, bool withColours, Search& s) {
   s.labels = s.trial;
 }
 
-namespace {
-
-// The labels of least energy over all width hypotheses.
 void bestLabels(bool withColours, Search& s) {
   s.contest = {};
   for (std::size_t i = 0; i < s.parts.count; ++i) tryHypothesis(i, withColours, s);
   // States and fans are read from the evidence of the chosen hypothesis.
   if (s.contest.last != s.contest.chosen) adoptHypothesis(s.contest.chosen, withColours, s);
 }
-
-}  // namespace
 
 const std::vector<float>& strengthsOf(const std::vector<int>& labels, bool leftSide, Search& s) {
   const auto& differences = s.terms.scratch.differences;
@@ -309,11 +294,7 @@ Status beginSearch(const Spine& spine, const PictureEvidence& picture, const Rib
   s.field.assign(spine.points);
   if (!(s.field.length() > 0)) return Error::StrokeTooShort;
   chooseLevels(edges, picture.size, s);
-  if (s.variant.euclidean) {
-    traceStraightCurves(spine, s.levels, kFanCurves, picture.size, s.curves);
-  } else {
-    traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
-  }
+  traceCurves(spine, s.field, s.levels, kFanCurves, picture.size, s.curves);
   return Done{};
 }
 
@@ -339,8 +320,8 @@ Status searchLabels(const Spine& spine, const PictureEvidence& picture, const Ri
   if (!progress.advance(0.5)) return Error::Cancelled;
   const bool withColours = usesColours(picture, params);
   bestLabels(withColours, s);
-  if (withColours && !s.variant.sampled && !s.variant.nearest) tryOuterHypothesis(s);
-  if (withColours && params.evidence.rimWeight > 0 && !s.variant.sampled) {
+  if (withColours) tryOuterHypothesis(s);
+  if (withColours && params.evidence.rimWeight > 0) {
     stiffLengths(s);
     thirdEvidence(s);
     findLabels(s.problem, std::numeric_limits<double>::infinity(), s.workspace, s.labels);
@@ -381,7 +362,6 @@ Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture, con
 
 Result<RibSet> traceRibs(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
                          const Progress& progress, RibWorkspace& memory) {
-  memory.search().variant = {};
   RibSet set;
   const Status found = searchRibs(spine, picture, params, progress, memory.search(), set);
   if (!found.ok()) return found.failure();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ribs/search/ensemble.h"
 #include "engine/ribs/search/ribs.h"
 #include "tests/unit/ribs/fixtures.h"
 
@@ -121,21 +120,4 @@ TEST_CASE("a part goes on to the object's end beyond the stroke, whatever its sh
     CHECK(x > kEnd - 6);
     CHECK(x < kEnd + 6);
   }
-}
-
-TEST_CASE("a variant with nothing exchanged is the product") {
-  const auto map = fixtures::mapOf(kPicture, [](PicturePoint p) { return inBar(p, round); });
-  const Spine spine = cleanSpine(fixtures::Points{{90, 150}, {kLast, 150}}, kPicture, {.ribs = 60}).value();
-  RibWorkspace memory;
-  const PictureEvidence picture{map, kPicture};
-  const RibSet product = traceRibs(spine, picture, {}, Progress(), memory).value();
-  const RibSet straight =
-      ensembleRibs(spine, picture, {}, Progress(), {.euclidean = true, .alone = true}, memory).value();
-  const RibSet sampled = ensembleRibs(spine, picture, {}, Progress(), {.sampled = true, .alone = true}, memory).value();
-  CHECK(ensembleRibs(spine, picture, {}, Progress(), {.alone = true}, memory).value() == product);
-  CHECK(traceRibs(spine, picture, {}, Progress(), memory).value() == product);
-  CHECK(straight.ribs.size() == product.ribs.size());
-  CHECK(sampled.energy.total() >= product.energy.total() - 1e-3);
-  // Along a straight stroke the normals of d∞ stay upright.
-  for (const Rib& rib : straight.ribs) CHECK(std::abs(rib.left.x - rib.center.x) < 1e-3);
 }
