@@ -24,6 +24,8 @@ TEST_CASE("ids and keys of the command table are unique, and every command has w
       rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 2);
     }
   }
+  // A CommandId that compiles has its row.
+  CHECK(ids == std::set<std::string_view>(app::kCommandIds.begin(), app::kCommandIds.end()));
 }
 
 TEST_CASE("every key of the table reaches its command and no other") {
