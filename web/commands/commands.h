@@ -41,7 +41,7 @@ class [[nodiscard]] Outcome {
 
 /// What a command can be told.
 struct Argument {
-  std::string_view key;  ///< of the one that a menu offers; empty: a plain button
+  std::string_view key = {};  ///< of the one that a menu offers; empty: a plain button
   /// Writes the choices of a menu, as objects {value, label, toggled}; null: only programs give it.
   void (*choices)(const CommandEnv&, JsonWriter&) = nullptr;
 };
@@ -59,13 +59,13 @@ struct Condition {
 };
 
 struct Command {
-  CommandId id;
-  std::string_view label, icon;
+  CommandId id = {};
+  std::string_view label = {}, icon = {};
   /// Such as "Shift+Ctrl+Z" (Ctrl means Cmd as well), or several: "Delete, Backspace".
-  std::string_view shortcut;
-  std::string_view group;  ///< file, tool, edit, part, view
-  Argument argument;
-  std::string_view hint;
+  std::string_view shortcut = {};
+  std::string_view group = {};  ///< file, tool, edit, part, view
+  Argument argument = {};
+  std::string_view hint = {};
   Condition enabled = nullptr;
   bool (*toggled)(const CommandEnv&) = nullptr;  ///< null: it is no toggle
   Outcome (*run)(const CommandEnv&, const Json& args) = nullptr;

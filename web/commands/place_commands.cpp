@@ -156,12 +156,12 @@ Outcome setPlace(Env env, const Json& args) {
 /// What was typed for one of the numbers; with a comma or a point.
 Outcome placeTyped(Env env, std::string_view key, std::string typed) {
   std::ranges::replace(typed, ',', '.');
-  const std::optional<Json> value = Json::parse(typed);
-  if (!value || !value->number()) return Refusal{"ValueOutOfRange", "That is no number. Type one such as 12.5."};
+  const std::optional<double> value = numberFrom(typed);
+  if (!value) return Refusal{"ValueOutOfRange", "That is no number. Type one such as 12.5."};
   const document::Part* lead = document::findPart(documentOf(env), env.ui.selection);
   if (lead == nullptr) return noPart();
   return placeBy(env, *lead, selectedParts(documentOf(env), env.ui),
-                 [&](std::string_view each) { return each == key ? value->number() : std::nullopt; });
+                 [&](std::string_view each) { return each == key ? value : std::nullopt; });
 }
 
 struct Field {
