@@ -48,7 +48,7 @@ const kLibraries = [
   { name: 'OpenCV', pattern: /^opencv2\//, folders: ['engine/vision'] },
   { name: 'tinygltf', pattern: /^tiny_?gltf/, folders: ['engine/io'] },
   { name: 'stb', pattern: /^(stb\/|stb_)/, folders: ['engine/io'] },
-  { name: 'nlohmann json', pattern: /^nlohmann\//, folders: ['engine/io', 'engine/cli'] },
+  { name: 'nlohmann json', pattern: /^nlohmann\//, folders: ['engine/io', 'engine/cli', 'web/model'] },
   { name: 'CLI11', pattern: /^CLI\//, folders: ['engine/cli'] },
   { name: 'Emscripten', pattern: /^emscripten/, folders: ['web'] },
   { name: 'OpenGL', pattern: /^(GL|GLES\d?|EGL|KHR)\//, folders: ['web/gl', 'web/platform', 'web/main'] },

@@ -5,15 +5,13 @@
 
 namespace spineloft::app {
 
+/// Rows whose functions are not beside them.
+namespace rows {
 // Board and files.
 Outcome openPicture(const CommandEnv& env, const Json& args);
 Outcome clearBoard(const CommandEnv& env, const Json& args);
 Outcome saveGlb(const CommandEnv& env, const Json& args);
 Outcome saveStl(const CommandEnv& env, const Json& args);
-
-// Printing.
-/// Checks the model as it is, and says what it found; when the solver had to be waited for.
-Outcome reportPrint(const CommandEnv& env);
 
 // Parts.
 Outcome drawSpine(const CommandEnv& env, const Json& args);
@@ -42,6 +40,11 @@ Outcome turnUp(const CommandEnv& env, const Json& args);
 Outcome turnDown(const CommandEnv& env, const Json& args);
 Outcome focusPicture(const CommandEnv& env, const Json& args);
 Outcome focusSolid(const CommandEnv& env, const Json& args);
+}  // namespace rows
+
+// Printing.
+/// Checks the model as it is, and says what it found; when the solver had to be waited for.
+Outcome reportPrint(const CommandEnv& env);
 
 // Cutting out.
 /// Leaves the thing that is being cut out; nothing without one.
@@ -66,7 +69,7 @@ Status redoOnBoard(const CommandEnv& env);
 bool canUndoOnBoard(const CommandEnv& env);
 bool canRedoOnBoard(const CommandEnv& env);
 /// The command of a key while the board is open; null: the board has no use for it.
-const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event);
+const Command* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event);
 
 /// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other
 /// parts of its picture, or beside what is there (pipeline::standBeside). One step.
@@ -74,28 +77,40 @@ std::vector<document::Action> standingActions(const CommandEnv& env, document::A
                                               const document::Recipe& recipe);
 /// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
 const document::Part* partOf(const CommandEnv& env, const Json& args);
-/// A part is selected: what makes commands about a part possible without naming one.
-bool hasSelection(const CommandEnv& env);
-/// It is a loft: has a spine, ribs and sections.
-bool hasSpine(const CommandEnv& env);
 /// The lofted part that `args` name, else the selected one; null when there is none.
 const document::Part* loftPartOf(const CommandEnv& env, const Json& args);
-/// One of its ribs is chosen.
-bool hasChosenRib(const CommandEnv& env);
-/// It stands in a pose.
-bool isPosed(const CommandEnv& env);
-/// It is a puff or a flat piece.
-bool hasRegion(const CommandEnv& env);
-/// More than one part is in hand; the selected part is in a group.
-bool severalSelected(const CommandEnv& env);
-bool groupSelected(const CommandEnv& env);
-/// A solid is chosen; there is something to scoop out.
-bool hasStep(const CommandEnv& env);
-bool canHollow(const CommandEnv& env);
+
+// What commands need. A part is selected; it is a loft (has a spine, ribs and sections); one of its ribs is chosen; it
+// stands in a pose; it is a puff or a flat piece; it is in a group. More than one part is in hand. A solid is chosen;
+// there is something to scoop out.
+bool partIsSelected(const CommandEnv& env);
+bool spineIsSelected(const CommandEnv& env);
+bool ribIsChosen(const CommandEnv& env);
+bool poseIsSelected(const CommandEnv& env);
+bool regionIsSelected(const CommandEnv& env);
+bool groupIsSelected(const CommandEnv& env);
+bool severalInHand(const CommandEnv& env);
+bool stepIsChosen(const CommandEnv& env);
+bool somethingToHollow(const CommandEnv& env);
+inline constexpr Condition hasSelection{partIsSelected, Condition::Part};
+inline constexpr Condition hasSpine{spineIsSelected, Condition::Part, Error::NotABone};
+inline constexpr Condition hasChosenRib{ribIsChosen, Condition::Part};
+inline constexpr Condition isPosed{poseIsSelected, Condition::Part};
+inline constexpr Condition hasRegion{regionIsSelected, Condition::Part};
+inline constexpr Condition groupSelected{groupIsSelected, Condition::Part | Condition::Group};
+inline constexpr Condition severalSelected{severalInHand, Condition::Parts};
+inline constexpr Condition hasStep{stepIsChosen, Condition::Step};
+inline constexpr Condition canHollow{somethingToHollow, Condition::Part | Condition::Step};
+
 /// Saves the model in this form, as a download.
 Outcome saveAs(const CommandEnv& env, publish::Format format);
-/// Gives a new look to the part that is meant, or to the next part.
-Outcome setLook(const CommandEnv& env, const Json& args, const document::Look& look);
+/// Gives a new look to the part, or to the next part.
+Outcome setLook(const CommandEnv& env, PartId part, const document::Look& look);
+/// The look of the part, or of the next part.
+document::Look lookOf(const CommandEnv& env, PartId part);
+/// The part that `args.part` (or `args.id`) names, else the selected one; no id without one. None: the one that is
+/// named is not there.
+std::optional<PartId> meantPart(const CommandEnv& env, const Json& args);
 /// Its look, or the look of the next part when none is selected.
 document::Look currentLook(const CommandEnv& env);
 /// Turns the camera so that it sees every part, from home or from where it looks.

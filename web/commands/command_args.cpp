@@ -21,11 +21,11 @@ Outcome missing(std::string_view what) { return Refusal{"ArgumentMissing", "This
 
 Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
 
-Outcome noSpine(const CommandEnv& env, const Json& args) {
-  const document::Part* part = partOf(env, args);
+Outcome noSpine(const document::Part* part) {
   const bool other = part != nullptr && document::loftOf(*part) == nullptr;
   return refuse({other ? Error::NotABone : Error::NoSuchPart, {}});
 }
+Outcome noSpine(const CommandEnv& env, const Json& args) { return noSpine(partOf(env, args)); }
 
 std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_view key) {
   const Json* list = args.find(key);

@@ -16,6 +16,7 @@ namespace spineloft::app {
 Outcome missing(std::string_view what);
 Outcome noPart();
 /// Why a part that is meant cannot be worked on as a loft: it is none, or it is not there.
+Outcome noSpine(const document::Part* part);
 Outcome noSpine(const CommandEnv& env, const Json& args);
 
 /// [[x, y], …] under `key`; none when it is anything else. Numbers that are no numbers become NaN, so

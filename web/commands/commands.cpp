@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <initializer_list>
 #include <vector>
 
 #include "web/commands/command_actions.h"
@@ -64,15 +63,11 @@ bool matches(std::string_view shortcuts, const platform::KeyEvent& event) {
 /// Commands about a part, a solid or a group may name one that is not selected.
 bool namesWhatItNeeds(const Command& command, const CommandEnv& env, const Json& args) {
   const document::Document& document = env.studio.document();
-  const auto needs = [&](std::initializer_list<bool (*)(const CommandEnv&)> about) {
-    return std::ranges::count(about, command.enabled) > 0;
-  };
-  if (namesPart(args) && partOf(env, args) != nullptr) {
-    return needs({hasSelection, hasSpine, hasChosenRib, isPosed, hasRegion, groupSelected, canHollow});
-  }
-  if (findStep(document, StepId{idFrom(args, "step").value}) != nullptr) return needs({hasStep, canHollow});
-  if (findGroup(document, GroupId{idFrom(args, "group").value}) != nullptr) return needs({groupSelected});
-  return args.find("parts") != nullptr && needs({severalSelected});
+  const auto may = [&](Condition::Names what) { return (command.enabled.instead & what) != 0; };
+  if (may(Condition::Part) && namesPart(args) && partOf(env, args) != nullptr) return true;
+  if (may(Condition::Step) && findStep(document, StepId{idFrom(args, "step").value}) != nullptr) return true;
+  if (may(Condition::Group) && findGroup(document, GroupId{idFrom(args, "group").value}) != nullptr) return true;
+  return may(Condition::Parts) && args.find("parts") != nullptr;
 }
 
 }  // namespace
@@ -84,28 +79,29 @@ std::span<const Command> commandTable() {
 
 const Command* findCommand(std::string_view id) {
   const std::span<const Command> table = commandTable();
-  const auto at = std::ranges::find(table, id, &Command::id);
+  const auto at = std::ranges::find_if(table, [&](const Command& command) { return id == command.id; });
   return at == table.end() ? nullptr : &*at;
 }
 
-bool enabled(const Command& command, const CommandEnv& env) {
-  return command.enabled == nullptr || command.enabled(env);
+const Command& commandOf(CommandId id) { return *findCommand(id); }
+
+bool enabled(const Command& command, const CommandEnv& env) { return command.enabled(env); }
+
+Outcome runCommand(const CommandEnv& env, const Command& command, const Json& args) {
+  if (!enabled(command, env) && !namesWhatItNeeds(command, env, args)) {
+    const Error other = command.enabled.ofOtherKind;
+    if (other != Error::kCount && hasSelection(env)) return refuse({other, {}});
+    return Refusal{"NotNow", std::string(command.label) + " is not possible right now."};
+  }
+  // What the tool before said is over; a command may say more.
+  const bool isTool = command.group == "tool" && command.toggled != nullptr;
+  if (isTool) sendStatus(env.host, std::string(command.hint) + ".");
+  return command.run(env, args);
 }
 
 Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args) {
-  const Command* command = findCommand(id);
-  if (command == nullptr) {
-    return Refusal{"NoSuchCommand", "There is no command called " + std::string(id) + "."};
-  }
-  if (!enabled(*command, env) && !namesWhatItNeeds(*command, env, args)) {
-    const bool other = command->enabled == hasSpine && hasSelection(env);
-    if (other) return refuse({Error::NotABone, {}});
-    return Refusal{"NotNow", std::string(command->label) + " is not possible right now."};
-  }
-  // What the tool before said is over; a command may say more.
-  const bool isTool = command->group == "tool" && command->toggled != nullptr;
-  if (isTool) sendStatus(env.host, std::string(command->hint) + ".");
-  return command->run(env, args);
+  if (const Command* command = findCommand(id)) return runCommand(env, *command, args);
+  return Refusal{"NoSuchCommand", "There is no command called " + std::string(id) + "."};
 }
 
 const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env) {
@@ -152,6 +148,19 @@ void writeCommands(const CommandEnv& env, JsonWriter& json) {
     json.key("hint").text(command.hint).endObject();
   }
   json.endArray();
+}
+
+Outcome ask(const CommandEnv& env, const Question& question, Answers::mapped_type then) {
+  env.ui.answers[std::string(question.id)] = std::move(then);
+  sendQuestion(env.host, question);
+  return {};
+}
+
+Outcome answerQuestion(const CommandEnv& env, std::string_view id, const std::string& text) {
+  const auto asked = env.ui.answers.find(id);
+  if (asked == env.ui.answers.end()) return {};
+  const Answers::mapped_type then = asked->second;
+  return then(env, text);
 }
 
 Outcome refuse(const Failure& failure) {

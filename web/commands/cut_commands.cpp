@@ -8,6 +8,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 #include "web/model/messages.h"
 
@@ -26,24 +27,15 @@ bool cutsBy(Env env) {
   return env.ui.cutBy == kWay;
 }
 
-Json contoursJson(const vision::CutContours& contours) {
-  Json::Array list;
-  for (const auto& contour : contours) {
-    Json::Array points;
-    for (const PicturePoint p : contour) points.push_back(Json::Array{p.x, p.y});
-    list.push_back(std::move(points));
-  }
-  return list;
-}
-
 /// The draft becomes a part, or the region of one. It stays when it cannot.
 Outcome take(Env env) {
   const CutDraft& draft = *env.ui.cut;
   const bool atOnce = draft.atOnce;
-  Json::Object args{{"contours", contoursJson(draft.shape.contours)}};
-  if (draft.part) args.emplace_back("part", draft.part.value);
-  const std::string_view id = draft.part ? "redraw-region" : draft.flat ? "draw-sheet" : "draw-puff";
-  if (Outcome done = runCommand(env, id, args); !done) return done;
+  const document::Region region{draft.picture, draft.shape.contours, 0};
+  const document::RegionSolid solid =
+      draft.flat ? document::RegionSolid(env.ui.extrude) : document::RegionSolid(env.ui.inflate);
+  Outcome done = draft.part ? redrawRegion(env, draft.part, region) : drawRegion(env, region, solid);
+  if (!done) return done;
   env.ui.cut.reset();
   if (!atOnce) sendStatus(env.host, {});
   return {};
@@ -98,19 +90,25 @@ bool allFinite(const std::vector<PicturePoint>& points) {
   return std::ranges::all_of(points, [](PicturePoint p) { return isFinite(p); });
 }
 
-/// Where the arguments say that the thing is. Errors: ValueOutOfRange, RegionOutside and RegionEmpty for a box.
-Result<vision::CutHints> hintsFrom(const Json& args, image::Size size) {
+/// Where the arguments say that the thing is.
+vision::CutHints hintsFrom(const Json& args) {
   vision::CutHints hints;
   if (const auto at = pointOf(args, "at")) hints.inside.push_back(*at);
   for (const PicturePoint p : hintsOf(args, "inside")) hints.inside.push_back(p);
   hints.outside = hintsOf(args, "outside");
+  if (const auto box = strokeOf(args, "box"); box && box->size() == 2) hints.box = {(*box)[0], (*box)[1]};
+  return hints;
+}
+
+/// With a box of any two corners put in order. Errors: ValueOutOfRange, RegionOutside and RegionEmpty for a box.
+Result<vision::CutHints> checkedHints(vision::CutHints hints, image::Size size) {
   const bool there =
       hints.inside.empty() || std::ranges::any_of(hints.inside, [&](PicturePoint p) { return onPicture(p, size); });
   if (!there || !allFinite(hints.inside)) {
     return {Error::ValueOutOfRange, "hint"};
   }
-  if (const auto box = strokeOf(args, "box"); box && box->size() == 2) {
-    const PicturePoint a = (*box)[0], b = (*box)[1];
+  if (hints.box) {
+    const auto [a, b] = *hints.box;
     if (!isFinite(a) || !isFinite(b)) return {Error::ValueOutOfRange, "box"};
     hints.box = {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
     const auto& [low, high] = *hints.box;
@@ -121,49 +119,72 @@ Result<vision::CutHints> hintsFrom(const Json& args, image::Size size) {
   return hints;
 }
 
-Outcome begin(Env env, const Json& args, bool atOnce) {
+/// What is to be cut out, and what becomes of it.
+struct Begin {
+  vision::CutHints hints;
+  PartId part;  ///< receives the outline; none: a new part
+  bool flat = false, atOnce = false;
+};
+
+Outcome begin(Env env, Begin wanted) {
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), env.ui.picture);
   if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
-  Result<vision::CutHints> hints = hintsFrom(args, entry->size);
+  Result<vision::CutHints> hints = checkedHints(std::move(wanted.hints), entry->size);
   if (!hints) return refuse(hints.failure());
   if (hints.value().inside.empty() && !hints.value().box) {
     return missing("where the thing is: at, inside, or a box");
   }
-  CutDraft draft;
-  if (namesPart(args)) {
-    const document::Part* part = partOf(env, args);
+  if (wanted.part) {
+    const document::Part* part = document::findPart(env.studio.document(), wanted.part);
     if (part == nullptr) return noPart();
     if (document::regionOf(part->recipe) == nullptr) return refuse({Error::NotARegion, {}});
-    draft.part = part->id;
   }
+  closeCut(env);
+  CutDraft& draft = env.ui.cut.emplace();
+  draft.part = wanted.part;
   draft.picture = entry->id;
   draft.hints = std::move(hints).value();
-  draft.atOnce = atOnce;
-  const std::string* as = args.text("as");
-  draft.flat = as ? *as == "sheet" : env.ui.tool == ToolKind::Extrude;
-  closeCut(env);
-  env.ui.cut = std::move(draft);
+  draft.atOnce = wanted.atOnce;
+  draft.flat = wanted.flat;
   search(env);
   return {};
 }
 
-Outcome cutOut(Env env, const Json& args) { return begin(env, args, true); }
-
-Outcome cutStart(Env env, const Json& args) {
-  if (Outcome done = begin(env, args, false); !done) return done;
+/// Begins to show what is cut out, for marks to correct.
+Outcome show(Env env, Begin wanted) {
+  if (Outcome done = begin(env, std::move(wanted)); !done) return done;
   if (env.ui.tool != ToolKind::Inflate && env.ui.tool != ToolKind::Extrude) env.ui.tool = ToolKind::Inflate;
   sendStatus(env.host, "Draw over what is missing; with \"Take away\" over what is too much. Then \"Use this\".");
   return {};
 }
 
-Outcome cutMark(Env env, const Json& args) {
+/// None: the part that is named is not there.
+std::optional<Begin> beginOf(Env env, const Json& args, bool atOnce) {
+  Begin wanted{hintsFrom(args), {}, env.ui.tool == ToolKind::Extrude, atOnce};
+  if (namesPart(args)) {
+    const document::Part* part = partOf(env, args);
+    if (part == nullptr) return std::nullopt;
+    wanted.part = part->id;
+  }
+  if (const std::string* as = args.text("as")) wanted.flat = *as == "sheet";
+  return wanted;
+}
+
+Outcome cutOut(Env env, const Json& args) {
+  std::optional<Begin> wanted = beginOf(env, args, true);
+  return wanted ? begin(env, std::move(*wanted)) : noPart();
+}
+
+Outcome cutStart(Env env, const Json& args) {
+  std::optional<Begin> wanted = beginOf(env, args, false);
+  return wanted ? show(env, std::move(*wanted)) : noPart();
+}
+
+Outcome mark(Env env, vision::CutMark mark) {
   CutDraft& draft = *env.ui.cut;
-  const auto line = strokeOf(args, "line");
-  if (!line || line->empty()) return missing("a line: a list of [x, y] picture pixels");
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), draft.picture);
   if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
   const double side = std::max(entry->size.width, entry->size.height);
-  vision::CutMark mark{*line, args.number("radius").value_or(0.012 * side), args.flag("inside").value_or(draft.adding)};
   if (!allFinite(mark.line) || !(mark.radius >= 0 && mark.radius <= side)) {
     return refuse({Error::ValueOutOfRange, "line"});
   }
@@ -173,6 +194,15 @@ Outcome cutMark(Env env, const Json& args) {
   draft.undone.clear();
   search(env);
   return {};
+}
+
+Outcome cutMark(Env env, const Json& args) {
+  const CutDraft& draft = *env.ui.cut;
+  const auto line = strokeOf(args, "line");
+  if (!line || line->empty()) return missing("a line: a list of [x, y] picture pixels");
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), draft.picture);
+  const double side = entry ? std::max(entry->size.width, entry->size.height) : 0;
+  return mark(env, {*line, args.number("radius").value_or(0.012 * side), args.flag("inside").value_or(draft.adding)});
 }
 
 template <bool kAdding>
@@ -242,6 +272,15 @@ CutShape filledShape(vision::CutContours contours, image::Size picture) {
     shape.fill.push_back({at(0), at(1), at(2)});
   }
   return shape;
+}
+
+Outcome startCutOut(Env env, const vision::CutHints& hints, PartId part) {
+  return show(env, {hints, part, env.ui.tool == ToolKind::Extrude, false});
+}
+
+Outcome markCutOut(Env env, const std::vector<PicturePoint>& line, double radius) {
+  if (!env.ui.cut) return Refusal{"NotNow", "Nothing is being cut out."};
+  return mark(env, {line, radius, env.ui.cut->adding});
 }
 
 void closeCut(const CommandEnv& env) {

@@ -17,38 +17,36 @@ bool hasWork(Env env) {
 }
 
 /// Asks the shell, with the model that `args` names.
-Outcome ask(Env env, std::string_view what, const Json& args) {
+Outcome tellShell(Env env, std::string_view what, const Json& args) {
   const std::string* id = args.text("id");
   sendKeep(env.host, what, id ? std::string_view(*id) : std::string_view());
   return {};
 }
 
-Outcome newModel(Env env, const Json& args) { return ask(env, "new-model", args); }
-Outcome openModel(Env env, const Json& args) { return ask(env, "open-model", args); }
-Outcome openFile(Env env, const Json& args) { return ask(env, "open-file", args); }
-Outcome duplicateModel(Env env, const Json& args) { return ask(env, "duplicate-model", args); }
-Outcome deleteModel(Env env, const Json& args) { return ask(env, "delete-model", args); }
+Outcome newModel(Env env, const Json& args) { return tellShell(env, "new-model", args); }
+Outcome openModel(Env env, const Json& args) { return tellShell(env, "open-model", args); }
+Outcome openFile(Env env, const Json& args) { return tellShell(env, "open-file", args); }
+Outcome duplicateModel(Env env, const Json& args) { return tellShell(env, "duplicate-model", args); }
+Outcome deleteModel(Env env, const Json& args) { return tellShell(env, "delete-model", args); }
 
 Outcome renameTo(Env env, const std::string& name) { return outcomeOf(env.studio.act(document::RenameDocument{name})); }
 
 Outcome renameModel(Env env, const Json& args) {
   if (const std::string* name = args.text("name")) return renameTo(env, *name);
-  const std::string& name = env.studio.document().name;
-  sendQuestion(env.host, {"rename-model", "Rename model", "A name for this model", name});
-  return {};
+  return app::ask(env, {"rename-model", "Rename model", "A name for this model", env.studio.document().name}, renameTo);
 }
 
 Outcome saveProject(Env env, const Json&) { return outcomeOf(env.studio.save(publish::Format::Project)); }
 
+Outcome saveUnder(Env env, const std::string& name) {
+  if (Outcome done = renameTo(env, name); !done) return done;
+  return saveProject(env, {});
+}
+
 Outcome saveProjectAs(Env env, const Json& args) {
-  const std::string& old = env.studio.document().name;
-  const std::string* name = args.text("name");
-  if (name == nullptr) {
-    sendQuestion(env.host, {"save-project-as", "Save as", "A name for the model and its file", old});
-    return {};
-  }
-  if (Outcome done = renameTo(env, *name); !done) return done;
-  return saveProject(env, args);
+  if (const std::string* name = args.text("name")) return saveUnder(env, *name);
+  return app::ask(env, {"save-project-as", "Save as", "A name for the model and its file", env.studio.document().name},
+                  saveUnder);
 }
 
 constexpr std::array kTable = {

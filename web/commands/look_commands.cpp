@@ -6,6 +6,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
 #include "web/model/swatches.h"
@@ -19,39 +20,28 @@ bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool faceted(Env env) { return currentLook(env).faceted; }
 
-/// The look that `args` means: the named part's, else the current one.
-document::Look lookOf(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  return part ? part->look : env.ui.look;
-}
-
-Outcome setPaint(Env env, const Json& args) {
+Outcome setPaintRow(Env env, const Json& args) {
   const std::string* key = args.text("paint");
   if (key == nullptr) return missing("a paint: plain, two-tone, clay, glaze or metal");
   const std::optional<surface::Paint> paint = surface::paintFromKey(*key);
   if (!paint) return refuse({Error::ValueOutOfRange, *key});
-  document::Look look = lookOf(env, args);
-  look.textured = false;
-  look.paint = *paint;
-  return setLook(env, args, look);
+  const std::optional<PartId> part = meantPart(env, args);
+  return part ? setPaint(env, *part, *paint) : noPart();
 }
 
-Outcome setSecondColour(Env env, const Json& args) {
+Outcome setSecondColourRow(Env env, const Json& args) {
   const std::string* text = args.text("colour");
   if (text == nullptr) return missing("a colour such as #f1ede4");
   const auto colour = colourFrom(*text);
   if (!colour) return refuse({Error::ValueOutOfRange, *text});
-  document::Look look = lookOf(env, args);
-  look.textured = false;
-  look.paint = surface::Paint::TwoTone;
-  look.second = *colour;
-  return setLook(env, args, look);
+  const std::optional<PartId> part = meantPart(env, args);
+  return part ? setSecondColour(env, *part, *colour) : noPart();
 }
 
 Outcome toggleFacets(Env env, const Json& args) {
-  document::Look look = lookOf(env, args);
-  look.faceted = args.flag("faceted").value_or(!look.faceted);
-  return setLook(env, args, look);
+  const std::optional<PartId> part = meantPart(env, args);
+  if (!part) return noPart();
+  return setFaceted(env, *part, args.flag("faceted").value_or(!lookOf(env, *part).faceted));
 }
 
 Outcome saveObjZip(Env env, const Json&) { return saveAs(env, publish::Format::ObjZip); }
@@ -91,7 +81,7 @@ constexpr std::array kTable = {
             "Plain, two colours, clay, glaze or metal",
             hasPicture,
             nullptr,
-            setPaint},
+            setPaintRow},
     Command{"set-second-colour",
             "Colour below",
             "palette",
@@ -101,7 +91,7 @@ constexpr std::array kTable = {
             "The second of two colours",
             hasPicture,
             nullptr,
-            setSecondColour},
+            setSecondColourRow},
     Command{"toggle-facets",
             "Facets",
             "diamond",
@@ -155,6 +145,27 @@ constexpr std::array kTable = {
 };
 
 }  // namespace
+
+Outcome setPaint(Env env, PartId part, surface::Paint paint) {
+  document::Look look = lookOf(env, part);
+  look.textured = false;
+  look.paint = paint;
+  return setLook(env, part, look);
+}
+
+Outcome setSecondColour(Env env, PartId part, const Colour& colour) {
+  document::Look look = lookOf(env, part);
+  look.textured = false;
+  look.paint = surface::Paint::TwoTone;
+  look.second = colour;
+  return setLook(env, part, look);
+}
+
+Outcome setFaceted(Env env, PartId part, bool faceted) {
+  document::Look look = lookOf(env, part);
+  look.faceted = faceted;
+  return setLook(env, part, look);
+}
 
 std::span<const Command> lookCommands() { return kTable; }
 

@@ -6,6 +6,7 @@
 
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
+#include "web/commands/intents.h"
 #include "web/edit/editing.h"
 #include "web/edit/placing.h"
 #include "web/edit/region_editing.h"
@@ -70,18 +71,26 @@ const document::Part* loftPartOf(const CommandEnv& env, const Json& args) {
   return part != nullptr && document::loftOf(*part) != nullptr ? part : nullptr;
 }
 
-Outcome setLook(const CommandEnv& env, const Json& args, const document::Look& look) {
+std::optional<PartId> meantPart(const CommandEnv& env, const Json& args) {
   const document::Part* part = partOf(env, args);
-  if (part == nullptr && namesPart(args)) return noPart();
-  env.ui.look = look;
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::SetLook{part->id, look}));
+  if (part == nullptr && namesPart(args)) return std::nullopt;
+  return part ? part->id : PartId{};
 }
 
-document::Look currentLook(const CommandEnv& env) {
-  const document::Part* part = partOf(env, Json());
+Outcome setLook(const CommandEnv& env, PartId part, const document::Look& look) {
+  env.ui.look = look;
+  if (!part) return {};
+  return outcomeOf(env.studio.act(document::SetLook{part, look}));
+}
+
+document::Look lookOf(const CommandEnv& env, PartId id) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
   return part ? part->look : env.ui.look;
 }
+
+document::Look currentLook(const CommandEnv& env) { return lookOf(env, env.ui.selection); }
+
+namespace {
 
 constexpr std::string_view kCutSentence =
     "Your line went past the end, so it stops where the thing does. Pull the end of the bone to go on.";
@@ -98,31 +107,22 @@ bool foundNothing(Env env) {
   });
 }
 
-Outcome drawSpine(Env env, const Json& args) {
-  std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
-  if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
-  document::DrawSpine draw{
-      env.ui.picture, std::move(*stroke), env.ui.section, env.ui.startCap, env.ui.endCap, env.ui.look, {}};
-  if (args.find("depth") != nullptr) {
-    std::optional<geometry::AlongCurve> depth = curveOf(args, "depth");
-    if (!depth) return missing("a depth: a list of [place, pixels], places from 0 to 1 in order");
-    draw.depth = std::move(*depth);
-  }
-  if (const std::string* key = args.text("section")) {
-    const auto section = loft::sectionFromKey(*key);
-    if (!section) return refuse({Error::ValueOutOfRange, *key});
-    draw.section = *section;
-  }
-  const auto start = capOf(args, "start", draw.startCap), end = capOf(args, "end", draw.endCap);
-  if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
-  draw.startCap = *start;
-  draw.endCap = *end;
+}  // namespace
+
+Outcome drawSpine(Env env, const DrawSpineIntent& intent) {
+  document::DrawSpine draw{env.ui.picture,
+                           intent.stroke,
+                           intent.section.value_or(env.ui.section),
+                           intent.startCap.value_or(env.ui.startCap),
+                           intent.endCap.value_or(env.ui.endCap),
+                           env.ui.look,
+                           intent.depth};
   document::LoftRecipe recipe;
   recipe.picture = draw.picture;
   recipe.stroke = draw.stroke;
   // Depths belong to the places of the whole line; and where there are parts, a line may well be meant to reach into
   // one.
-  const bool cut = args.flag("cut").value_or(false) && draw.depth.empty() && env.studio.document().parts.empty();
+  const bool cut = intent.cut && draw.depth.empty() && env.studio.document().parts.empty();
   if (cut) draw.stroke = env.studio.strokeOnThing(recipe);
   const bool shorter = draw.stroke != recipe.stroke;
   recipe.stroke = draw.stroke;
@@ -143,19 +143,48 @@ Outcome drawSpine(Env env, const Json& args) {
   return {};
 }
 
-Outcome redrawSpine(Env env, const Json& args) {
-  const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr) return noSpine(env, args);
-  std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
-  if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
-  const PartId id = part->id;
-  const Status status = env.studio.act(spineActions(*part, std::move(*stroke), false));
+Outcome redrawSpine(Env env, PartId id, const std::vector<PicturePoint>& stroke) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
+  const Status status = env.studio.act(spineActions(*part, stroke, false));
   if (!status) return refuse(status.failure());
   env.ui.selection = id;
   env.ui.redraw = {};
   env.ui.framePending = true;
   sendStatus(env.host, {});
   return {};
+}
+
+namespace rows {
+
+Outcome drawSpine(Env env, const Json& args) {
+  DrawSpineIntent intent;
+  std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
+  if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
+  intent.stroke = std::move(*stroke);
+  if (args.find("depth") != nullptr) {
+    std::optional<geometry::AlongCurve> depth = curveOf(args, "depth");
+    if (!depth) return missing("a depth: a list of [place, pixels], places from 0 to 1 in order");
+    intent.depth = std::move(*depth);
+  }
+  if (const std::string* key = args.text("section")) {
+    const auto section = loft::sectionFromKey(*key);
+    if (!section) return refuse({Error::ValueOutOfRange, *key});
+    intent.section = *section;
+  }
+  intent.startCap = capOf(args, "start", env.ui.startCap);
+  intent.endCap = capOf(args, "end", env.ui.endCap);
+  if (!intent.startCap || !intent.endCap) return refuse({Error::ValueOutOfRange, "start or end"});
+  intent.cut = args.flag("cut").value_or(false);
+  return app::drawSpine(env, intent);
+}
+
+Outcome redrawSpine(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::optional<std::vector<PicturePoint>> stroke = strokeOf(args);
+  if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
+  return app::redrawSpine(env, part->id, *stroke);
 }
 
 Outcome newPart(Env env, const Json&) {
@@ -180,6 +209,10 @@ Outcome redrawMode(Env env, const Json& args) {
   return {};
 }
 
+}  // namespace rows
+
+namespace {
+
 /// What becomes of the solids that the deleted parts were in: nothing, where all of a solid was deleted.
 void reportSolidSaving(Env env, const document::Document& before) {
   const document::Document& now = env.studio.document();
@@ -196,32 +229,27 @@ void reportSolidSaving(Env env, const document::Document& before) {
   if (!text.empty()) sendInfo(env.host, text + " Undo brings it back.");
 }
 
-Outcome deletePart(Env env, const Json& args) {
-  if (partOf(env, args) == nullptr) return noPart();
+Outcome deleteParts(Env env, const std::vector<PartId>& parts) {
   std::vector<document::Action> actions;
-  if (namesPart(args)) {
-    actions.push_back(document::DeletePart{partOf(env, args)->id});
-  } else {
-    for (const PartId id : selectedParts(env.studio.document(), env.ui)) {
-      actions.push_back(document::DeletePart{id});
-    }
-  }
+  for (const PartId id : parts) actions.push_back(document::DeletePart{id});
   const document::Document before = env.studio.document();
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
   reportSolidSaving(env, before);
   return {};
 }
 
-Outcome selectPart(Env env, const Json& args) {
-  const Json* id = args.find("id");
-  const bool add = args.flag("add").value_or(false);
-  if (id != nullptr && (id->isNull() || id->number() == 0)) {
+}  // namespace
+
+Outcome deletePart(Env env, PartId part) { return deleteParts(env, {part}); }
+
+Outcome selectPart(Env env, PartId id, bool add) {
+  if (!id) {
     if (add) return {};  // beside the parts: what is in hand stays there
     env.ui.selection = {};
     env.ui.alsoSelected.clear();
     return {};
   }
-  const document::Part* part = namesPart(args) ? partOf(env, args) : nullptr;
+  const document::Part* part = document::findPart(env.studio.document(), id);
   if (part == nullptr) return noPart();
   if (add && env.ui.selection) {
     addToSelection(env.studio.document(), env.ui, part->id);
@@ -229,6 +257,69 @@ Outcome selectPart(Env env, const Json& args) {
   }
   select(env, *part);
   return {};
+}
+
+Outcome askPartName(Env env, PartId id) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr) return noPart();
+  const std::string question = "rename-part:" + std::to_string(id.value);
+  return ask(env, {question, "Rename", "A name for this part", part->name}, [id](Env later, const std::string& name) {
+    return outcomeOf(later.studio.act(document::RenamePart{id, name}));
+  });
+}
+
+Outcome showPart(Env env, PartId id, bool visible) {
+  const document::Document& document = env.studio.document();
+  const document::Part* part = document::findPart(document, id);
+  if (part == nullptr) return noPart();
+  if (visible == pipeline::isVisible(document, *part)) return {};  // nothing that could be seen or undone
+  if (const document::Step* whole = rootOf(document, {id, {}})) {
+    return outcomeOf(env.studio.act(document::ShowStep{whole->id, visible}));
+  }
+  return outcomeOf(env.studio.act(document::ShowPart{id, visible}));
+}
+
+Outcome setCaps(Env env, PartId id, std::optional<loft::CapStyle> start, std::optional<loft::CapStyle> end) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (id && (part == nullptr || document::loftOf(*part) == nullptr)) return noSpine(part);
+  env.ui.startCap = start.value_or(part ? document::loftIn(*part).loft.startCap : env.ui.startCap);
+  env.ui.endCap = end.value_or(part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::SetCaps{id, env.ui.startCap, env.ui.endCap}));
+}
+
+Outcome setTextured(Env env, PartId part, bool textured) {
+  document::Look look = lookOf(env, part);
+  look.textured = textured;
+  return setLook(env, part, look);
+}
+
+Outcome setColour(Env env, PartId part, const Colour& colour) {
+  document::Look look = lookOf(env, part);
+  look.textured = false;
+  look.colour = colour;
+  return setLook(env, part, look);
+}
+
+Outcome setParameter(Env env, PartId part, const std::string& key, double value) {
+  return outcomeOf(env.studio.act(document::SetParameter{part, key, value}));
+}
+
+namespace rows {
+
+Outcome deletePart(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  if (namesPart(args)) return app::deletePart(env, part->id);
+  return deleteParts(env, selectedParts(env.studio.document(), env.ui));
+}
+
+Outcome selectPart(Env env, const Json& args) {
+  const Json* id = args.find("id");
+  const bool add = args.flag("add").value_or(false);
+  if (id != nullptr && (id->isNull() || id->number() == 0)) return app::selectPart(env, {}, add);
+  const document::Part* part = namesPart(args) ? partOf(env, args) : nullptr;
+  return part ? app::selectPart(env, part->id, add) : noPart();
 }
 
 Outcome nextPart(Env env, const Json&) {
@@ -243,24 +334,15 @@ Outcome nextPart(Env env, const Json&) {
 Outcome renamePart(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  if (const std::string* name = args.text("name")) {
-    return outcomeOf(env.studio.act(document::RenamePart{part->id, *name}));
-  }
-  const std::string id = "rename-part:" + std::to_string(part->id.value);
-  sendQuestion(env.host, {id, "Rename", "A name for this part", part->name});
-  return {};
+  const std::string* name = args.text("name");
+  return name ? outcomeOf(env.studio.act(document::RenamePart{part->id, *name})) : askPartName(env, part->id);
 }
 
 Outcome showPart(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  const document::Document& document = env.studio.document();
-  const bool visible = args.flag("visible").value_or(!pipeline::isVisible(document, *part));
-  if (visible == pipeline::isVisible(document, *part)) return {};  // nothing that could be seen or undone
-  if (const document::Step* whole = rootOf(document, {part->id, {}})) {
-    return outcomeOf(env.studio.act(document::ShowStep{whole->id, visible}));
-  }
-  return outcomeOf(env.studio.act(document::ShowPart{part->id, visible}));
+  const bool visible = args.flag("visible").value_or(!pipeline::isVisible(env.studio.document(), *part));
+  return app::showPart(env, part->id, visible);
 }
 
 Outcome setCaps(Env env, const Json& args) {
@@ -270,17 +352,13 @@ Outcome setCaps(Env env, const Json& args) {
   auto end = capOf(args, "end", part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
   if (args.text("both") != nullptr) start = end = capOf(args, "both", {});
   if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
-  env.ui.startCap = *start;
-  env.ui.endCap = *end;
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::SetCaps{part->id, *start, *end}));
+  return app::setCaps(env, part ? part->id : PartId{}, start, end);
 }
 
 Outcome toggleTexture(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  document::Look look = part ? part->look : env.ui.look;
-  look.textured = args.flag("textured").value_or(!look.textured);
-  return setLook(env, args, look);
+  const std::optional<PartId> part = meantPart(env, args);
+  if (!part) return noPart();
+  return setTextured(env, *part, args.flag("textured").value_or(!lookOf(env, *part).textured));
 }
 
 Outcome setColour(Env env, const Json& args) {
@@ -288,11 +366,8 @@ Outcome setColour(Env env, const Json& args) {
   if (text == nullptr) return missing("a colour such as #ec9e5c");
   const auto colour = colourFrom(*text);
   if (!colour) return refuse({Error::ValueOutOfRange, *text});
-  const document::Part* part = partOf(env, args);
-  document::Look look = part ? part->look : env.ui.look;
-  look.textured = false;
-  look.colour = *colour;
-  return setLook(env, args, look);
+  const std::optional<PartId> part = meantPart(env, args);
+  return part ? app::setColour(env, *part, *colour) : noPart();
 }
 
 Outcome setParameter(Env env, const Json& args) {
@@ -301,7 +376,9 @@ Outcome setParameter(Env env, const Json& args) {
   const std::optional<double> value = args.number("value");
   if (part == nullptr) return noPart();
   if (key == nullptr || !value) return missing("a key and a value");
-  return outcomeOf(env.studio.act(document::SetParameter{part->id, *key, *value}));
+  return app::setParameter(env, part->id, *key, *value);
 }
+
+}  // namespace rows
 
 }  // namespace spineloft::app

@@ -71,6 +71,10 @@ void flyTo(const CommandEnv& env, bool home) {
   }
 }
 
+Outcome saveAs(const CommandEnv& env, publish::Format format) { return outcomeOf(env.studio.save(format)); }
+
+namespace rows {
+
 Outcome openPicture(Env env, const Json&) {
   sendPickPicture(env.host);
   return {};
@@ -86,7 +90,6 @@ Outcome clearBoard(Env env, const Json&) {
   return {};
 }
 
-Outcome saveAs(const CommandEnv& env, publish::Format format) { return outcomeOf(env.studio.save(format)); }
 Outcome saveGlb(Env env, const Json&) { return saveAs(env, publish::Format::Glb); }
 Outcome saveStl(Env env, const Json&) { return saveAs(env, publish::Format::Stl); }
 
@@ -125,4 +128,5 @@ Outcome focusSolid(Env env, const Json&) {
   return {};
 }
 
+}  // namespace rows
 }  // namespace spineloft::app

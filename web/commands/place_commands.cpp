@@ -9,6 +9,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/depth_order.h"
 #include "web/edit/gizmo.h"
 #include "web/edit/placing.h"
@@ -96,7 +97,7 @@ Outcome toggleSnap(Env env, const Json& args) {
   return {};
 }
 
-Outcome moveParts(Env env, const Json& args) {
+Outcome movePartsRow(Env env, const Json& args) {
   const Parts parts = partsFrom(env, args);
   if (parts.empty()) return noPart();
   document::Motion motion;
@@ -110,30 +111,26 @@ Outcome moveParts(Env env, const Json& args) {
     if (scale > 0) motion.move = WorldPoint{(*mm)[0], (*mm)[1], (*mm)[2]} / scale;
   }
   if (const auto turn = numbersOf<4>(args, "turn")) {
-    motion.turn = geometry::normalized({(*turn)[0], (*turn)[1], (*turn)[2], (*turn)[3]});
+    motion.turn = {(*turn)[0], (*turn)[1], (*turn)[2], (*turn)[3]};
   }
   if (const auto degrees = numbersOf<3>(args, "degrees")) {
     motion.turn = geometry::turnOf({(*degrees)[0] * kDegree, (*degrees)[1] * kDegree, (*degrees)[2] * kDegree});
   }
   motion.scale = args.number("scale").value_or(1);
-  if (!(motion.scale >= document::kLeastScale && motion.scale <= document::kMostScale)) {
-    return refuse({Error::ValueOutOfRange, "scale"});
-  }
-  return act(env, parts, motion);
+  return moveParts(env, parts, motion);
 }
 
-/// The lead part's own numbers; the others of the selection go along with it.
-Outcome setPlace(Env env, const Json& args) {
-  const document::Part* lead = partOf(env, args);
-  if (lead == nullptr) return noPart();
+/// The lead part's own numbers as far as `given` has them by their keys; the others of the selection go along with it.
+template <class Given>
+Outcome placeBy(Env env, const document::Part& lead, const Parts& parts, const Given& given) {
   const pipeline::Derived& derived = env.studio.derived();
-  const Parts own{lead->id}, parts = partsFrom(env, args);
+  const Parts own{lead.id};
   const double mm = mmPerUnit(documentOf(env), derived);
   const document::Placement from = movedParts(documentOf(env), derived, own, {}).front().placement;
   document::Placement to = from;
   const auto number = [&](std::string_view key, double unit, double& value) {
-    const std::optional<double> given = args.number(key);
-    if (given && unit != 0) value = *given * unit;
+    const std::optional<double> wanted = given(key);
+    if (wanted && unit != 0) value = *wanted * unit;
   };
   const double unit = mm > 0 ? 1 / mm : 0;
   number("x", unit, to.move.x);
@@ -150,6 +147,23 @@ Outcome setPlace(Env env, const Json& args) {
   return act(env, parts, document::between(from, to));
 }
 
+Outcome setPlace(Env env, const Json& args) {
+  const document::Part* lead = partOf(env, args);
+  if (lead == nullptr) return noPart();
+  return placeBy(env, *lead, partsFrom(env, args), [&](std::string_view key) { return args.number(key); });
+}
+
+/// What was typed for one of the numbers; with a comma or a point.
+Outcome placeTyped(Env env, std::string_view key, std::string typed) {
+  std::ranges::replace(typed, ',', '.');
+  const std::optional<double> value = numberFrom(typed);
+  if (!value) return Refusal{"ValueOutOfRange", "That is no number. Type one such as 12.5."};
+  const document::Part* lead = document::findPart(documentOf(env), env.ui.selection);
+  if (lead == nullptr) return noPart();
+  return placeBy(env, *lead, selectedParts(documentOf(env), env.ui),
+                 [&](std::string_view each) { return each == key ? value : std::nullopt; });
+}
+
 struct Field {
   std::string_view key, title, text;
 };
@@ -161,18 +175,21 @@ constexpr std::array kFields = {Field{"x", "Left and right", "Millimetres to the
                                 Field{"lean", "Lean", "Degrees, -180 to 180"},
                                 Field{"size", "Size", "Percent of the size it was drawn in"}};
 
-/// Asks for one of the numbers of setPlace.
-Outcome askPlace(Env env, const Json& args) {
-  const document::Part* lead = partOf(env, args);
-  if (lead == nullptr) return noPart();
-  const std::string* key = args.text("field");
-  const auto field = std::ranges::find_if(kFields, [&](const Field& one) { return key != nullptr && one.key == *key; });
+/// Asks for one of the part's numbers.
+Outcome askNumber(Env env, const document::Part& lead, const std::string& key) {
+  const auto field = std::ranges::find(kFields, key, &Field::key);
   if (field == kFields.end()) return missing("which number: x, y, z, tip, turn, lean or size");
   char text[32];
   std::snprintf(text, sizeof text, "%.4g",
-                placeNumber(*lead, field->key, mmPerUnit(documentOf(env), env.studio.derived())));
-  sendQuestion(env.host, {"place:" + std::string(field->key), field->title, field->text, text});
-  return {};
+                placeNumber(lead, field->key, mmPerUnit(documentOf(env), env.studio.derived())));
+  return ask(env, {"place:" + key, field->title, field->text, text},
+             [key](Env later, const std::string& typed) { return placeTyped(later, key, typed); });
+}
+Outcome askPlaceRow(Env env, const Json& args) {
+  const document::Part* lead = partOf(env, args);
+  if (lead == nullptr) return noPart();
+  const std::string* key = args.text("field");
+  return askNumber(env, *lead, key ? *key : std::string());
 }
 
 void fieldChoices(Env, JsonWriter& json) {
@@ -333,23 +350,28 @@ Outcome mirrorCopy(Env env, const Json& args) {
   return outcomeOf(status);
 }
 
-Outcome symmetry(Env env, const Json& args) {
-  const Parts parts = partsFrom(env, args);
+/// No axis: the parts have no other side.
+Outcome mirrorAcross(Env env, const Parts& parts, const MirrorAxis* axis) {
   if (parts.empty()) return noPart();
-  const std::string* name = args.text("axis");
-  const bool off = name != nullptr ? *name == "off" : symmetric(env);
-  const MirrorAxis* axis = off ? nullptr : axisFrom(args);
-  if (!off && axis == nullptr) return missing("an axis: x, y, z or off");
   const pipeline::Derived& derived = env.studio.derived();
   auto ones = movedParts(documentOf(env), derived, parts, {});
   std::optional<document::MirrorPlane> plane;
   if (axis != nullptr) plane = planeFor(documentOf(env), derived, parts, *axis);
   for (document::PlaceParts::One& one : ones) one.mirror = plane;
-  const Status status = env.studio.act(placeActions(documentOf(env), derived, std::move(ones)));
-  if (status && !off && name == nullptr) {
+  return outcomeOf(env.studio.act(placeActions(documentOf(env), derived, std::move(ones))));
+}
+
+Outcome symmetry(Env env, const Json& args) {
+  const std::string* name = args.text("axis");
+  const bool off = name != nullptr ? *name == "off" : symmetric(env);
+  const MirrorAxis* axis = off ? nullptr : axisFrom(args);
+  const Parts parts = partsFrom(env, args);
+  if (!parts.empty() && !off && axis == nullptr) return missing("an axis: x, y, z or off");
+  Outcome done = mirrorAcross(env, parts, axis);
+  if (done && !off && name == nullptr) {
     sendStatus(env.host, "Left and right are alike now. Under \"Place\" it can be front and back.");
   }
-  return outcomeOf(status);
+  return done;
 }
 
 Outcome group(Env env, const Json& args) {
@@ -359,7 +381,7 @@ Outcome group(Env env, const Json& args) {
   return outcomeOf(env.studio.act(document::GroupParts{parts, name ? *name : std::string()}));
 }
 
-Outcome ungroup(Env env, const Json& args) {
+Outcome ungroupRow(Env env, const Json& args) {
   std::vector<GroupId> groups;
   for (const PartId id : partsFrom(env, args)) {
     const GroupId of = document::findPart(documentOf(env), id)->group;
@@ -371,17 +393,15 @@ Outcome ungroup(Env env, const Json& args) {
   return outcomeOf(env.studio.act(actions));
 }
 
+Outcome noGroup() { return Refusal{"NotNow", "This part is in no group."}; }
+
 Outcome renameGroup(Env env, const Json& args) {
   GroupId id{idFrom(args, "group").value};
   const document::Part* part = partOf(env, {});
   if (!id && part != nullptr) id = part->group;
-  const document::Group* group = document::findGroup(documentOf(env), id);
-  if (group == nullptr) return Refusal{"NotNow", "This part is in no group."};
-  if (const std::string* name = args.text("name")) {
-    return outcomeOf(env.studio.act(document::RenameGroup{id, *name}));
-  }
-  sendQuestion(env.host, {"rename-group:" + std::to_string(id.value), "Rename", "A name for this group", group->name});
-  return {};
+  if (document::findGroup(documentOf(env), id) == nullptr) return noGroup();
+  const std::string* name = args.text("name");
+  return name ? outcomeOf(env.studio.act(document::RenameGroup{id, *name})) : askGroupName(env, id);
 }
 
 Outcome selectAll(Env env, const Json&) {
@@ -414,7 +434,7 @@ Outcome moveTo(Env env, const Parts& parts, PartId before, bool inDepth = true) 
   return outcomeOf(status);
 }
 
-Outcome moveInList(Env env, const Json& args) {
+Outcome moveInListRow(Env env, const Json& args) {
   const Parts parts = partsFrom(env, args);
   if (parts.empty()) return noPart();
   return moveTo(env, parts, idFrom(args, "before"), args.flag("depth").value_or(true));
@@ -462,7 +482,7 @@ constexpr std::array kTable = {
     Command{"group", "Group", "group", "Ctrl+G", "place", kNone, "Take these parts in hand together", severalSelected,
             nullptr, group},
     Command{"ungroup", "Ungroup", "ungroup", "Shift+Ctrl+G", "place", kNone, "Each part by itself again", groupSelected,
-            nullptr, ungroup},
+            nullptr, ungroupRow},
     Command{"rename-group", "Rename group", "pencil-line", "", "place", kGroup, "Give the group a name", groupSelected,
             nullptr, renameGroup},
     Command{"select-all", "Select all parts", "square-stack", "Ctrl+A", "part", kNone, "Take all parts in hand",
@@ -470,24 +490,57 @@ constexpr std::array kTable = {
     Command{"nudge-part", "Move by keys", "move", kKeys, "place", kKey,
             "Arrows move the part by a millimetre, with Shift by ten", hasSelection, nullptr, nudgePart, holdsParts},
     Command{"ask-place", "Place by numbers", "ruler", "", "place", kField,
-            "Type a place in millimetres, a turn in degrees, a size in percent", hasSelection, nullptr, askPlace},
+            "Type a place in millimetres, a turn in degrees, a size in percent", hasSelection, nullptr, askPlaceRow},
     Command{"set-place", "Set a place by numbers", "ruler", "", "place", kPlace, "Millimetres, degrees and percent",
             hasSelection, nullptr, setPlace},
     Command{"move-parts", "Move parts by numbers", "move", "", "place", kMotion, "Millimetres, degrees and a factor",
-            hasParts, nullptr, moveParts},
+            hasParts, nullptr, movePartsRow},
     Command{"list-up", "Up in the list", "chevron-up", "Shift+PageUp", "part", kNone,
             "Before the part above it, and in front of it", hasSelection, nullptr, listUp},
     Command{"list-down", "Down in the list", "chevron-down", "Shift+PageDown", "part", kNone,
             "After the part below it, and behind it", hasSelection, nullptr, listDown},
     Command{"move-in-list", "Move in the list by number", "list", "", "part", kParts,
             "Parts, and the one before which they go: in front of what they pass upwards", hasParts, nullptr,
-            moveInList},
+            moveInListRow},
 };
 
 }  // namespace
 
-bool severalSelected(const CommandEnv& env) { return selectedParts(documentOf(env), env.ui).size() > 1; }
-bool groupSelected(const CommandEnv& env) {
+Outcome moveParts(Env env, const std::vector<PartId>& parts, const document::Motion& motion) {
+  const auto isThere = [&](PartId id) { return document::findPart(documentOf(env), id) != nullptr; };
+  if (parts.empty() || !std::ranges::all_of(parts, isThere)) return noPart();
+  if (!(motion.scale >= document::kLeastScale && motion.scale <= document::kMostScale)) {
+    return refuse({Error::ValueOutOfRange, "scale"});
+  }
+  document::Motion sound = motion;
+  sound.turn = geometry::normalized(motion.turn);
+  return act(env, parts, sound);
+}
+
+Outcome askPlace(Env env, const std::string& field) {
+  const document::Part* lead = document::findPart(documentOf(env), env.ui.selection);
+  return lead ? askNumber(env, *lead, field) : noPart();
+}
+
+Outcome setSymmetry(Env env, const MirrorAxis* axis) {
+  return mirrorAcross(env, selectedParts(documentOf(env), env.ui), axis);
+}
+
+Outcome askGroupName(Env env, GroupId id) {
+  const document::Group* group = document::findGroup(documentOf(env), id);
+  if (group == nullptr) return noGroup();
+  const std::string question = "rename-group:" + std::to_string(id.value);
+  return ask(env, {question, "Rename", "A name for this group", group->name}, [id](Env later, const std::string& name) {
+    return outcomeOf(later.studio.act(document::RenameGroup{id, name}));
+  });
+}
+
+Outcome ungroup(Env env, GroupId group) { return outcomeOf(env.studio.act(document::Ungroup{group})); }
+
+Outcome moveInList(Env env, const std::vector<PartId>& parts, PartId before) { return moveTo(env, parts, before); }
+
+bool severalInHand(const CommandEnv& env) { return selectedParts(documentOf(env), env.ui).size() > 1; }
+bool groupIsSelected(const CommandEnv& env) {
   const auto parts = selectedParts(documentOf(env), env.ui);
   return std::ranges::any_of(
       parts, [&](PartId id) { return static_cast<bool>(document::findPart(documentOf(env), id)->group); });

@@ -12,6 +12,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 #include "web/edit/region_editing.h"
 #include "web/model/messages.h"
@@ -118,29 +119,6 @@ Result<geometry::Contours> outlinesOf(Env env, const document::Region& region) {
                                {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
 }
 
-Outcome addRegion(Env env, document::Region region, document::RegionSolid solid) {
-  const Result<geometry::Contours> made = outlinesOf(env, region);
-  if (!made) return refuse(made.failure());
-  const document::DrawRegion draw{std::move(region), solid, env.ui.look};
-  const document::Recipe recipe = std::visit(
-      [&]<class Params>(const Params& params) -> document::Recipe {
-        if constexpr (std::is_same_v<Params, inflate::InflateParams>) {
-          return document::InflateRecipe{draw.region, params};
-        } else {
-          return document::ExtrudeRecipe{draw.region, params};
-        }
-      },
-      solid);
-  const Status status = env.studio.act(standingActions(env, draw, recipe));
-  if (!status) return refuse(status.failure());
-  reportChanges(env, draw.region, made.value());
-  env.ui.selection = env.studio.document().parts.back()->id;
-  env.ui.alsoSelected.clear();
-  env.ui.redraw = {};
-  env.ui.framePending = true;
-  return {};
-}
-
 Result<inflate::InflateParams> inflateFrom(const Json& args, inflate::InflateParams params) {
   params.height = args.number("height").value_or(params.height);
   if (const std::string* sides = args.text("sides")) {
@@ -163,47 +141,31 @@ Outcome drawInflated(Env env, const Json& args) {
   if (!region) return missingRegion();
   const Result<inflate::InflateParams> params = inflateFrom(args, env.ui.inflate);
   if (!params) return refuse(params.failure());
-  return addRegion(env, std::move(*region), params.value());
+  return drawRegion(env, *region, params.value());
 }
 Outcome drawExtruded(Env env, const Json& args) {
   auto region = regionFrom(env, args, env.ui.picture);
   if (!region) return missingRegion();
   const Result<extrude::ExtrudeParams> params = extrudeFrom(args, env.ui.extrude);
   if (!params) return refuse(params.failure());
-  return addRegion(env, std::move(*region), params.value());
+  return drawRegion(env, *region, params.value());
 }
 
-Outcome redraw(Env env, PartId part, document::Region region) {
-  const Result<geometry::Contours> made = outlinesOf(env, region);
-  if (!made) return refuse(made.failure());
-  reportChanges(env, region, made.value());
-  const Status status = env.studio.act(document::RedrawRegion{part, std::move(region)});
-  if (!status) return refuse(status.failure());
-  env.ui.selection = part;
-  env.ui.redraw = {};
-  return {};
-}
-Outcome redrawRegion(Env env, const Json& args) {
+Outcome redrawRegionRow(Env env, const Json& args) {
   const document::Part* part = regionPart(env, args);
   if (part == nullptr) return noRegion(env, args);
-  auto region = regionFrom(env, args, document::pictureOf(*part));
-  if (!region) return missingRegion();
-  return redraw(env, part->id, std::move(*region));
+  const auto region = regionFrom(env, args, document::pictureOf(*part));
+  return region ? redrawRegion(env, part->id, *region) : missingRegion();
 }
 
-Outcome movePoint(Env env, const Json& args) {
+Outcome movePointRow(Env env, const Json& args) {
   const document::Part* part = regionPart(env, args);
   if (part == nullptr) return noRegion(env, args);
-  const document::Region& region = *document::regionOf(part->recipe);
   const std::optional<PicturePoint> to = pointOf(args, "to");
   const double contour = args.number("contour").value_or(0), point = args.number("point").value_or(-1);
   if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
-  if (!(contour >= 0 && contour < static_cast<double>(region.contours.size())) || !(point >= 0)) {
-    return refuse({Error::ValueOutOfRange, "point"});
-  }
-  const OutlinePoint at{static_cast<std::size_t>(contour), static_cast<std::size_t>(point)};
-  if (at.point >= region.contours[at.contour].size()) return refuse({Error::ValueOutOfRange, "point"});
-  return redraw(env, part->id, withMovedPoint(region, at, *to));
+  if (!(contour >= 0 && contour < 1e6 && point >= 0 && point < 1e6)) return refuse({Error::ValueOutOfRange, "point"});
+  return moveOutlinePoint(env, part->id, {static_cast<std::size_t>(contour), static_cast<std::size_t>(point)}, *to);
 }
 
 /// The way of the selected part, or of the next one, with a change; another kind becomes this one.
@@ -314,14 +276,61 @@ constexpr std::array kTable = {
     Command{"draw-sheet", "Flat piece by numbers", "puzzle", "", "part", kLine, "A line in picture pixels", hasPicture,
             nullptr, drawExtruded},
     Command{"redraw-region", "New outline by numbers", "lasso", "", "part", kLine, "A line in picture pixels",
-            hasRegion, nullptr, redrawRegion},
+            hasRegion, nullptr, redrawRegionRow},
     Command{"move-outline-point", "Move an outline point by numbers", "move", "", "part", kPoint,
-            "A point of the outline and where it goes", hasRegion, nullptr, movePoint},
+            "A point of the outline and where it goes", hasRegion, nullptr, movePointRow},
 };
 
 }  // namespace
 
-bool hasRegion(const CommandEnv& env) { return regionPart(env, {}) != nullptr; }
+bool regionIsSelected(const CommandEnv& env) { return regionPart(env, {}) != nullptr; }
+
+Outcome drawRegion(Env env, const document::Region& region, const document::RegionSolid& solid) {
+  const Result<geometry::Contours> made = outlinesOf(env, region);
+  if (!made) return refuse(made.failure());
+  const document::DrawRegion draw{region, solid, env.ui.look};
+  const document::Recipe recipe = std::visit(
+      [&]<class Params>(const Params& params) -> document::Recipe {
+        if constexpr (std::is_same_v<Params, inflate::InflateParams>) {
+          return document::InflateRecipe{region, params};
+        } else {
+          return document::ExtrudeRecipe{region, params};
+        }
+      },
+      solid);
+  const Status status = env.studio.act(standingActions(env, draw, recipe));
+  if (!status) return refuse(status.failure());
+  reportChanges(env, region, made.value());
+  env.ui.selection = env.studio.document().parts.back()->id;
+  env.ui.alsoSelected.clear();
+  env.ui.redraw = {};
+  env.ui.framePending = true;
+  return {};
+}
+
+Outcome redrawRegion(Env env, PartId id, const document::Region& region) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr) return noPart();
+  if (document::regionOf(part->recipe) == nullptr) return refuse({Error::NotARegion, {}});
+  const Result<geometry::Contours> made = outlinesOf(env, region);
+  if (!made) return refuse(made.failure());
+  reportChanges(env, region, made.value());
+  const Status status = env.studio.act(document::RedrawRegion{id, region});
+  if (!status) return refuse(status.failure());
+  env.ui.selection = id;
+  env.ui.redraw = {};
+  return {};
+}
+
+Outcome moveOutlinePoint(Env env, PartId id, OutlinePoint at, PicturePoint to) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
+  if (region == nullptr) return refuse({part ? Error::NotARegion : Error::NoSuchPart, {}});
+  if (at.contour >= region->contours.size() || at.point >= region->contours[at.contour].size()) {
+    return refuse({Error::ValueOutOfRange, "point"});
+  }
+  return redrawRegion(env, id, withMovedPoint(*region, at, to));
+}
 
 std::span<const Command> regionCommands() { return kTable; }
 

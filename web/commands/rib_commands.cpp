@@ -8,6 +8,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/editing.h"
 #include "web/model/messages.h"
 
@@ -22,10 +23,10 @@ constexpr double kDefaultWithin = 0.12;  // of the picture's longer side, for a 
 constexpr double kDefaultRadius = 8;     // picture pixels, of a scribble by numbers
 constexpr std::array kReaches = {0.0, 0.03, 0.06, 0.1, 0.16, 0.25, 0.35, kMostReach};
 
+Subject subjectFor(Env env, PartId part) { return subjectOf(env.studio.document(), env.studio.derived(), part); }
 Subject subjectFor(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
-  if (part == nullptr) return {};
-  return subjectOf(env.studio.document(), env.studio.derived(), part->id);
+  return part ? subjectFor(env, part->id) : Subject{};
 }
 
 bool ribsTool(Env env) { return env.ui.tool == ToolKind::Ribs; }
@@ -43,7 +44,7 @@ bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasMarks(Env env) { return marksOf(env.studio.document(), env.ui.picture, env.ui.selection).count() > 0; }
 
 bool locked(Env env) {
-  const Subject subject = subjectFor(env, {});
+  const Subject subject = subjectFor(env, env.ui.selection);
   if (!subject || !env.ui.chosen.end) return false;
   const auto& ribs = subject.shape->ribs.ribs;
   const std::size_t rib = env.ui.chosen.end->rib;
@@ -69,7 +70,15 @@ Outcome edit(Env env, const Subject& subject, ribs::RibEdits edits) {
   return outcomeOf(env.studio.act(document::EditRibs{subject.part->id, std::move(edits)}));
 }
 
-/// Runs `change(scene, end)` on the rib end that is meant.
+/// Runs `change(scene, end)` on a rib end.
+template <class Change>
+Outcome editEnd(Env env, PartId part, ribs::EndRef end, const Change& change) {
+  const Subject subject = subjectFor(env, part);
+  if (!subject) return noSpine(document::findPart(env.studio.document(), part));
+  if (end.rib >= subject.shape->ribs.ribs.size()) return noRib();
+  return edit(env, subject, change(sceneOf(subject), end));
+}
+/// The same on the one that is meant.
 template <class Change>
 Outcome editEnd(Env env, const Json& args, const Change& change) {
   const Subject subject = subjectFor(env, args);
@@ -104,7 +113,7 @@ Outcome useIgnore(Env env, const Json&) {
   return {};
 }
 
-Outcome moveRibEnd(Env env, const Json& args) {
+Outcome moveRibEndRow(Env env, const Json& args) {
   const std::optional<PicturePoint> to = pointOf(args, "to");
   if (!to) return missing("where to: [x, y] in picture pixels");
   if (!isFinite(*to)) return refuse({Error::ValueOutOfRange, "to"});
@@ -113,7 +122,7 @@ Outcome moveRibEnd(Env env, const Json& args) {
                  [&](const ribs::EditScene& scene, ribs::EndRef end) { return ribs::dragEnd(scene, end, *to, reach); });
 }
 
-Outcome shapeRibs(Env env, const Json& args) {
+Outcome shapeRibsRow(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
   if (!subject) return noSpine(env, args);
   const auto stroke = strokeOf(args);
@@ -123,14 +132,10 @@ Outcome shapeRibs(Env env, const Json& args) {
   const int side = entry ? std::max(entry->size.width, entry->size.height) : 0;
   const double within = args.number("within").value_or(kDefaultWithin * side);
   const bool both = args.flag("both").value_or(env.ui.edit.bothSides);
-  ribs::StrokeDeform deform = ribs::deformByStroke(sceneOf(subject), *stroke, within, both);
-  if (deform.touched.empty()) {
-    return Refusal{"NoRibThere", "That line crosses no ribs. Draw it across the ribs, where their ends should be."};
-  }
-  return edit(env, subject, std::move(deform.edits));
+  return shapeRibs(env, {subject.part->id, *stroke, within, both});
 }
 
-Outcome takePlace(Env env, const Json& args) {
+Outcome takePlaceRow(Env env, const Json& args) {
   const int place = static_cast<int>(std::clamp(args.number("place").value_or(0), -1.0, 9.0));
   const bool like = args.flag("like").value_or(true);
   return editEnd(env, args, [&](const ribs::EditScene& scene, ribs::EndRef end) {
@@ -234,21 +239,16 @@ Outcome toggleBoth(Env env, const Json& args) {
   return {};
 }
 
-Outcome chooseRib(Env env, const Json& args) {
+Outcome chooseRibRow(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
   if (!subject) return noSpine(env, args);
   const std::optional<ribs::EndRef> end = endFor(env, args, subject);
-  if (!end) return noRib();
-  env.ui.selection = subject.part->id;
-  featureAt(env.ui, document::pictureOf(*subject.part));
-  env.ui.tool = ToolKind::Ribs;
-  env.ui.chosen = {end, -1};
-  return {};
+  return end ? chooseRib(env, subject.part->id, *end) : noRib();
 }
 
 /// The next rib end of the same side, or the next handle of the spine.
 Outcome step(Env env, int by) {
-  const Subject subject = subjectFor(env, {});
+  const Subject subject = subjectFor(env, env.ui.selection);
   if (!subject) return noSpine(env, {});
   Chosen& chosen = env.ui.chosen;
   if (env.ui.tool == ToolKind::Spine) {
@@ -274,6 +274,8 @@ Outcome otherEnd(Env env, const Json&) {
   return {};
 }
 
+Outcome noScribble() { return Refusal{"ValueOutOfRange", "There is no such scribble."}; }
+
 Outcome ignore(Env env, const Json& args) {
   const auto stroke = strokeOf(args);
   if (!stroke) return missing("a stroke: a list of [x, y] picture pixels");
@@ -282,33 +284,15 @@ Outcome ignore(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (args.flag("picture").value_or(env.ui.edit.wholePicture || part == nullptr)) {
     const PictureId picture = part && namesPart(args) ? document::pictureOf(*part) : env.ui.picture;
-    const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
-    if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
-    std::vector<ribs::IgnoreMark> marks = entry->ignored;
-    marks.push_back(mark);
-    return outcomeOf(env.studio.act(document::IgnoreForPicture{entry->id, std::move(marks)}));
+    return ignoreForPicture(env, picture, mark);
   }
-  if (part == nullptr) return noPart();
-  std::vector<ribs::IgnoreMark> marks = document::loftIn(*part).ignored;
-  marks.push_back(mark);
-  return outcomeOf(env.studio.act(document::IgnoreForPart{part->id, std::move(marks)}));
+  return part ? ignoreForPart(env, part->id, mark) : noPart();
 }
 
-Outcome removeIgnore(Env env, const Json& args) {
-  const Marks marks = marksOf(env.studio.document(), env.ui.picture, env.ui.selection);
+Outcome removeIgnoreRow(Env env, const Json& args) {
   const std::optional<double> mark = args.number("mark");
-  if (!mark || !(*mark >= 0) || *mark >= marks.count()) {
-    return Refusal{"ValueOutOfRange", "There is no such scribble."};
-  }
-  const auto i = static_cast<std::size_t>(*mark);
-  if (i < marks.part.size()) {
-    std::vector<ribs::IgnoreMark> left(marks.part.begin(), marks.part.end());
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-    return outcomeOf(env.studio.act(document::IgnoreForPart{env.ui.selection, std::move(left)}));
-  }
-  std::vector<ribs::IgnoreMark> left(marks.picture.begin(), marks.picture.end());
-  left.erase(left.begin() + static_cast<std::ptrdiff_t>(i - marks.part.size()));
-  return outcomeOf(env.studio.act(document::IgnoreForPicture{env.ui.picture, std::move(left)}));
+  if (!mark || !(*mark >= 0) || *mark > 1e6) return noScribble();
+  return removeIgnored(env, static_cast<std::size_t>(*mark));
 }
 
 Outcome clearIgnore(Env env, const Json&) {
@@ -383,22 +367,85 @@ constexpr std::array kTable = {
     Command{"clear-ignored", "Remove scribbles", "trash-2", "", "ribs", kNone, "All edges count again", hasMarks,
             nullptr, clearIgnore},
     Command{"choose-rib", "Choose a rib by number", "crosshair", "", "ribs", kEnd, "A rib and a side", hasSpine,
-            nullptr, chooseRib},
+            nullptr, chooseRibRow},
     Command{"move-rib-end", "Move a rib end by numbers", "move", "", "ribs", kEnd, "A rib end and where it goes",
-            hasSpine, nullptr, moveRibEnd},
+            hasSpine, nullptr, moveRibEndRow},
     Command{"shape-ribs", "Shape by numbers", "line-squiggle", "", "ribs", kLine, "A stroke in picture pixels",
-            hasSpine, nullptr, shapeRibs},
+            hasSpine, nullptr, shapeRibsRow},
     Command{"take-place", "Take another edge", "crosshair", "", "ribs", kEnd, "One of the other places of a rib end",
-            hasSpine, nullptr, takePlace},
+            hasSpine, nullptr, takePlaceRow},
     Command{"ignore", "Ignore edges by numbers", "ban", "", "ribs", kLine, "A stroke in picture pixels", hasPicture,
             nullptr, ignore},
     Command{"remove-ignore", "Remove a scribble by number", "x", "", "ribs", kMark, "The number of a scribble",
-            hasMarks, nullptr, removeIgnore},
+            hasMarks, nullptr, removeIgnoreRow},
 };
 
 }  // namespace
 
-bool hasChosenRib(const CommandEnv& env) { return hasSpine(env) && env.ui.chosen.end.has_value(); }
+bool ribIsChosen(const CommandEnv& env) { return hasSpine(env) && env.ui.chosen.end.has_value(); }
+
+Outcome chooseRib(Env env, PartId part, ribs::EndRef end) {
+  const Subject subject = subjectFor(env, part);
+  if (!subject) return noSpine(document::findPart(env.studio.document(), part));
+  if (end.rib >= subject.shape->ribs.ribs.size()) return noRib();
+  env.ui.selection = part;
+  featureAt(env.ui, document::pictureOf(*subject.part));
+  env.ui.tool = ToolKind::Ribs;
+  env.ui.chosen = {end, -1};
+  return {};
+}
+
+Outcome moveRibEnd(Env env, PartId part, ribs::EndRef end, PicturePoint to, double reach) {
+  return editEnd(env, part, end,
+                 [&](const ribs::EditScene& scene, ribs::EndRef of) { return ribs::dragEnd(scene, of, to, reach); });
+}
+
+Outcome takePlace(Env env, PartId part, ribs::EndRef end, int place) {
+  return editEnd(env, part, end, [&](const ribs::EditScene& scene, ribs::EndRef of) {
+    return ribs::takeOtherPlace(scene, of, place, true);
+  });
+}
+
+Outcome shapeRibs(Env env, const ShapeRibsIntent& intent) {
+  const Subject subject = subjectFor(env, intent.part);
+  if (!subject) return noSpine(document::findPart(env.studio.document(), intent.part));
+  ribs::StrokeDeform deform = ribs::deformByStroke(sceneOf(subject), intent.stroke, intent.within, intent.both);
+  if (deform.touched.empty()) {
+    return Refusal{"NoRibThere", "That line crosses no ribs. Draw it across the ribs, where their ends should be."};
+  }
+  return edit(env, subject, std::move(deform.edits));
+}
+
+Outcome ignoreForPart(Env env, PartId id, const ribs::IgnoreMark& mark) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr) return noPart();
+  std::vector<ribs::IgnoreMark> marks = document::loftIn(*part).ignored;
+  marks.push_back(mark);
+  return outcomeOf(env.studio.act(document::IgnoreForPart{id, std::move(marks)}));
+}
+
+Outcome ignoreForPicture(Env env, PictureId picture, const ribs::IgnoreMark& mark) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
+  if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
+  std::vector<ribs::IgnoreMark> marks = entry->ignored;
+  marks.push_back(mark);
+  return outcomeOf(env.studio.act(document::IgnoreForPicture{picture, std::move(marks)}));
+}
+
+Outcome removeIgnored(Env env, std::size_t mark) {
+  const Marks marks = marksOf(env.studio.document(), env.ui.picture, env.ui.selection);
+  const auto without = [](std::span<const ribs::IgnoreMark> all, std::size_t i) {
+    std::vector<ribs::IgnoreMark> left(all.begin(), all.end());
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+    return left;
+  };
+  if (mark < marks.part.size()) {
+    return outcomeOf(env.studio.act(document::IgnoreForPart{env.ui.selection, without(marks.part, mark)}));
+  }
+  const std::size_t ofPicture = mark - marks.part.size();
+  if (ofPicture >= marks.picture.size()) return noScribble();
+  return outcomeOf(env.studio.act(document::IgnoreForPicture{env.ui.picture, without(marks.picture, ofPicture)}));
+}
 
 std::span<const Command> ribCommands() { return kTable; }
 

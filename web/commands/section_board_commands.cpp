@@ -4,7 +4,9 @@
 #include <string>
 
 #include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/commands/section_json.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
@@ -15,10 +17,9 @@ namespace {
 using Env = const CommandEnv&;
 using loft::Drawing;
 
-Outcome missing(std::string_view what) { return Refusal{"ArgumentMissing", "This needs " + std::string(what) + "."}; }
-
 SectionBoard* boardOf(Env env) { return env.ui.sections.board ? &*env.ui.sections.board : nullptr; }
 bool isOpen(Env env) { return boardOf(env) != nullptr; }
+Outcome notOpen() { return Refusal{"NotNow", "No slice is being drawn."}; }
 bool canUndo(Env env) {
   const SectionBoard* board = boardOf(env);
   return board && (!board->past.empty() || !board->corners.empty());
@@ -123,39 +124,53 @@ Outcome clear(Env env, const Json&) {
   return change(env, {});
 }
 
+struct StrokeKey {
+  std::string_view key;
+  BoardStroke::Kind kind;
+  std::size_t least;  ///< points
+};
+constexpr std::array kStrokes = {
+    StrokeKey{"stroke", BoardStroke::Kind::Freehand, 0}, StrokeKey{"outline", BoardStroke::Kind::Outline, 0},
+    StrokeKey{"corners", BoardStroke::Kind::Corners, 3}, StrokeKey{"box", BoardStroke::Kind::Box, 2},
+    StrokeKey{"ellipse", BoardStroke::Kind::Ellipse, 2}};
+
 /// New curves on the board: {stroke}, {outline}, {corners}, {box: [a, b]} or {ellipse: [a, b]}.
 Outcome draw(Env env, const Json& args) {
-  SectionBoard& board = *boardOf(env);
-  Result<Drawing> curves = Error::SectionInvalid;
+  for (const auto& [key, kind, least] : kStrokes) {
+    auto points = pointsFrom(args.find(key));
+    const bool corners = kind == BoardStroke::Kind::Box || kind == BoardStroke::Kind::Ellipse;
+    if (!points || points->size() < least || (corners && points->size() > least)) continue;
+    return drawOnBoard(env, {kind, std::move(*points)});
+  }
+  return missing("a stroke, an outline, corners, a box or an ellipse");
+}
+
+bool isThere(const SectionBoard& board, loft::PointRef ref) {
+  return ref.curve < board.drawing.size() && ref.point < board.drawing[ref.curve].points.size();
+}
+/// As far off as the board lets a point go.
+SectionPoint within(SectionPoint p) { return {std::clamp(p.x, -2.0, 2.0), std::clamp(p.y, -2.0, 2.0)}; }
+
+/// What a stroke draws, by the symmetry of the board. Errors: as of loft::drawFreehand and drawOutline.
+Result<Drawing> curvesOf(const BoardStroke& stroke, const loft::Symmetry& symmetry) {
   const auto shape = [&](const loft::DrawnCurve& curve) {
-    if (board.symmetry.none()) return Result<Drawing>(Drawing{curve});
-    return loft::drawOutline(loft::outlineOf(curve), board.symmetry);
+    if (symmetry.none()) return Result<Drawing>(Drawing{curve});
+    return loft::drawOutline(loft::outlineOf(curve), symmetry);
   };
-  const auto corners = pointsFrom(args.find("corners"));
-  const auto box = pointsFrom(args.find("box")), ellipse = pointsFrom(args.find("ellipse"));
-  if (const auto stroke = pointsFrom(args.find("stroke"))) {
-    curves = loft::drawFreehand(*stroke, board.symmetry);
-  } else if (const auto outline = pointsFrom(args.find("outline"))) {
-    curves = loft::drawOutline(*outline, board.symmetry);
-  } else if (corners && corners->size() >= 3) {
-    curves = shape(loft::polygonCurve(*corners));
-  } else if (box && box->size() == 2) {
-    curves = shape(loft::boxCurve((*box)[0], (*box)[1]));
-  } else if (ellipse && ellipse->size() == 2) {
-    curves = shape(loft::ellipseCurve((*ellipse)[0], (*ellipse)[1]));
-  } else {
-    return missing("a stroke, an outline, corners, a box or an ellipse");
+  const std::vector<SectionPoint>& points = stroke.points;
+  switch (stroke.kind) {
+    case BoardStroke::Kind::Freehand:
+      return loft::drawFreehand(points, symmetry);
+    case BoardStroke::Kind::Outline:
+      return loft::drawOutline(points, symmetry);
+    case BoardStroke::Kind::Corners:
+      return shape(loft::polygonCurve(points));
+    case BoardStroke::Kind::Box:
+      return shape(loft::boxCurve(points.front(), points.back()));
+    case BoardStroke::Kind::Ellipse:
+      return shape(loft::ellipseCurve(points.front(), points.back()));
   }
-  if (!curves) {
-    return Refusal{std::string(errorName(curves.error())),
-                   curves.failure().detail.empty() ? failureSentence(curves.failure()) : curves.failure().detail};
-  }
-  board.corners.clear();
-  board.point.reset();
-  for (const loft::DrawnCurve& curve : curves.value()) {
-    if (&curve == &curves.value().front()) keepTrace(env.ui.sections, loft::outlineOf(curve));
-  }
-  return change(env, withCurves(board.drawing, curves.value()));
+  return Error::SectionInvalid;
 }
 
 std::optional<loft::PointRef> pointOf(Env env, const Json& args) {
@@ -166,8 +181,7 @@ std::optional<loft::PointRef> pointOf(Env env, const Json& args) {
     if (!(*curve >= 0 && *point >= 0 && *curve < 1e6 && *point < 1e6)) return std::nullopt;
     ref = {static_cast<std::size_t>(*curve), static_cast<std::size_t>(*point)};
   }
-  const bool there = ref.curve < board.drawing.size() && ref.point < board.drawing[ref.curve].points.size();
-  return there ? std::optional(ref) : std::nullopt;
+  return isThere(board, ref) ? std::optional(ref) : std::nullopt;
 }
 Outcome noPoint() { return Refusal{"NoSuchPoint", "There is no such point. Tap one first."}; }
 
@@ -176,21 +190,14 @@ std::optional<SectionPoint> placeOf(const Json& args, std::string_view key = "to
   const Json::Array wrapped{args.find(key) ? *args.find(key) : Json()};
   const Json list(wrapped);
   const auto to = pointsFrom(&list);
-  if (!to || to->empty() || !isFinite(to->front())) return std::nullopt;
-  const auto within = [](double v) { return std::clamp(v, -2.0, 2.0); };
-  return SectionPoint{within(to->front().x), within(to->front().y)};
+  return to && !to->empty() && isFinite(to->front()) ? std::optional(to->front()) : std::nullopt;
 }
 
 Outcome movePoint(Env env, const Json& args) {
   const auto ref = pointOf(env, args);
   const auto to = placeOf(args);
   if (!ref) return noPoint();
-  if (!to) return missing("a place [x, y]");
-  SectionBoard& board = *boardOf(env);
-  Drawing next = board.drawing;
-  loft::movePoint(next, *ref, *to, board.symmetry);
-  board.point = ref;
-  return change(env, std::move(next));
+  return to ? moveBoardPoint(env, *ref, *to) : missing("a place [x, y]");
 }
 
 Outcome addPoint(Env env, const Json& args) {
@@ -198,23 +205,13 @@ Outcome addPoint(Env env, const Json& args) {
   const auto to = placeOf(args);
   if (!ref) return noPoint();
   if (!to) return missing("a place [x, y]");
-  SectionBoard& board = *boardOf(env);
-  Drawing next = board.drawing;
-  const loft::PointRef added = loft::addPoint(next, *ref, placeOf(args, "from").value_or(*to), board.symmetry);
-  if (args.find("from") != nullptr) loft::movePoint(next, added, *to, board.symmetry);
-  Outcome outcome = change(env, std::move(next));
-  board.point = added;
-  return outcome;
+  if (args.find("from") == nullptr) return addBoardPoint(env, *ref, *to, std::nullopt);
+  return addBoardPoint(env, *ref, placeOf(args, "from").value_or(*to), *to);
 }
 
 Outcome removePoint(Env env, const Json& args) {
   const auto ref = pointOf(env, args);
-  if (!ref) return noPoint();
-  SectionBoard& board = *boardOf(env);
-  Drawing next = board.drawing;
-  loft::removePoint(next, *ref, board.symmetry);
-  board.point.reset();
-  return change(env, std::move(next));
+  return ref ? removeBoardPoint(env, *ref) : noPoint();
 }
 
 Outcome setCorner(Env env, const Json& args) {
@@ -230,12 +227,7 @@ Outcome setCorner(Env env, const Json& args) {
 Outcome useTool(Env env, const Json& args) {
   const std::string* key = args.text("tool");
   const std::optional<BoardTool> tool = key ? boardToolFromKey(*key) : std::nullopt;
-  if (!tool) return missing("a tool: pen, line, box, ellipse or points");
-  SectionBoard& board = *boardOf(env);
-  board.tool = *tool;
-  board.corners.clear();
-  if (*tool != BoardTool::Points) board.point.reset();
-  return {};
+  return tool ? useBoardTool(env, *tool) : missing("a tool: pen, line, box, ellipse or points");
 }
 
 void toolChoices(Env env, JsonWriter& json) {
@@ -257,9 +249,15 @@ int foldAfter(int fold) {
 }
 bool likeAWheel(Env env) { return isOpen(env) && boardOf(env)->symmetry.fold > 1; }
 
-Outcome setSymmetry(Env env, const Json& args) {
+Outcome setSymmetry(Env env, const loft::Symmetry& symmetry) {
   SectionBoard& board = *boardOf(env);
-  loft::Symmetry next = board.symmetry;
+  board.symmetry = symmetry;
+  board.point.reset();
+  if (board.drawing.empty()) return {};
+  return change(env, loft::symmetric(board.drawing, symmetry));
+}
+Outcome setSymmetryRow(Env env, const Json& args) {
+  loft::Symmetry next = boardOf(env)->symmetry;
   next.leftRight = args.flag("leftRight").value_or(next.leftRight);
   next.frontBack = args.flag("frontBack").value_or(next.frontBack);
   const auto stated = args.number("fold");
@@ -267,13 +265,18 @@ Outcome setSymmetry(Env env, const Json& args) {
   const double fold = stated ? *stated : sides ? next.fold : foldAfter(next.fold);
   if (!(fold >= 1 && fold <= loft::kMostFold)) return refuse({Error::ValueOutOfRange, "fold"});
   next.fold = static_cast<int>(fold);
-  board.symmetry = next;
-  board.point.reset();
-  if (board.drawing.empty()) return {};
-  return change(env, loft::symmetric(board.drawing, next));
+  return setSymmetry(env, next);
 }
-Outcome toggleLeftRight(Env env, const Json&) { return setSymmetry(env, Json::Object{{"leftRight", !leftRight(env)}}); }
-Outcome toggleFrontBack(Env env, const Json&) { return setSymmetry(env, Json::Object{{"frontBack", !frontBack(env)}}); }
+Outcome toggleLeftRight(Env env, const Json&) {
+  loft::Symmetry next = boardOf(env)->symmetry;
+  next.leftRight = !next.leftRight;
+  return setSymmetry(env, next);
+}
+Outcome toggleFrontBack(Env env, const Json&) {
+  loft::Symmetry next = boardOf(env)->symmetry;
+  next.frontBack = !next.frontBack;
+  return setSymmetry(env, next);
+}
 void foldChoices(Env env, JsonWriter& json) {
   for (const int fold : kFolds) {
     json.beginObject().key("value").number(fold).key("label");
@@ -293,26 +296,23 @@ Outcome toggleTraces(Env env, const Json&) {
 }
 
 /// The board holds a preset, a section of the shelf or a trace from now on.
-Outcome startFrom(Env env, const Json& args) {
-  SectionBoard& board = *boardOf(env);
-  Result<Drawing> drawing = Error::SectionInvalid;
-  if (const std::optional<double> trace = args.number("trace")) {
-    const auto& lines = env.ui.sections.traces;
-    if (!(*trace >= 0 && *trace < static_cast<double>(lines.size()))) {
-      return refuse({Error::ValueOutOfRange, "trace"});
-    }
-    drawing = loft::drawOutline(lines[static_cast<std::size_t>(*trace)], {});
-  } else {
-    Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
-    if (!shape) return refuse(shape.failure());
-    if (!shape.value()) return missing("the name of a slice");
-    drawing = loft::drawingOf(*shape.value());
-  }
+Outcome start(Env env, const Result<Drawing>& drawing) {
   if (!drawing) return refuse(drawing.failure());
+  SectionBoard& board = *boardOf(env);
   board.corners.clear();
   board.point.reset();
   board.tool = BoardTool::Points;
   return change(env, loft::symmetric(drawing.value(), board.symmetry));
+}
+
+Outcome startFrom(Env env, const Json& args) {
+  if (const std::optional<double> trace = args.number("trace")) {
+    if (!(*trace >= 0 && *trace < static_cast<double>(kMostTraces))) return refuse({Error::ValueOutOfRange, "trace"});
+    return startBoardFromTrace(env, static_cast<std::size_t>(*trace));
+  }
+  const Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  if (!shape) return refuse(shape.failure());
+  return shape.value() ? startBoardFrom(env, *shape.value()) : missing("the name of a slice");
 }
 void startChoices(Env, JsonWriter& json) {
   for (const loft::SectionName& name : loft::sectionNames()) {
@@ -401,7 +401,7 @@ constexpr std::array kTable = {
             "The drawing repeats itself round the middle",
             isOpen,
             likeAWheel,
-            setSymmetry},
+            setSymmetryRow},
     Command{"slice-flip",
             "Flip left and right",
             "move-horizontal",
@@ -508,6 +508,72 @@ constexpr std::array kTable = {
 
 }  // namespace
 
+Outcome useBoardTool(Env env, BoardTool tool) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  board.tool = tool;
+  board.corners.clear();
+  if (tool != BoardTool::Points) board.point.reset();
+  return {};
+}
+
+Outcome drawOnBoard(Env env, const BoardStroke& stroke) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  const Result<Drawing> curves = curvesOf(stroke, board.symmetry);
+  if (!curves) {
+    return Refusal{std::string(errorName(curves.error())),
+                   curves.failure().detail.empty() ? failureSentence(curves.failure()) : curves.failure().detail};
+  }
+  board.corners.clear();
+  board.point.reset();
+  if (!curves.value().empty()) keepTrace(env.ui.sections, loft::outlineOf(curves.value().front()));
+  return change(env, withCurves(board.drawing, curves.value()));
+}
+
+Outcome startBoardFrom(Env env, const loft::SectionShape& shape) {
+  return isOpen(env) ? start(env, loft::drawingOf(shape)) : notOpen();
+}
+
+Outcome startBoardFromTrace(Env env, std::size_t trace) {
+  if (!isOpen(env)) return notOpen();
+  const auto& lines = env.ui.sections.traces;
+  if (trace >= lines.size()) return refuse({Error::ValueOutOfRange, "trace"});
+  return start(env, loft::drawOutline(lines[trace], {}));
+}
+
+Outcome moveBoardPoint(Env env, loft::PointRef point, SectionPoint to) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  if (!isThere(board, point)) return noPoint();
+  Drawing next = board.drawing;
+  loft::movePoint(next, point, within(to), board.symmetry);
+  board.point = point;
+  return change(env, std::move(next));
+}
+
+Outcome addBoardPoint(Env env, loft::PointRef after, SectionPoint at, std::optional<SectionPoint> to) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  if (!isThere(board, after)) return noPoint();
+  Drawing next = board.drawing;
+  const loft::PointRef added = loft::addPoint(next, after, within(at), board.symmetry);
+  if (to) loft::movePoint(next, added, within(*to), board.symmetry);
+  Outcome outcome = change(env, std::move(next));
+  board.point = added;
+  return outcome;
+}
+
+Outcome removeBoardPoint(Env env, loft::PointRef point) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  if (!isThere(board, point)) return noPoint();
+  Drawing next = board.drawing;
+  loft::removePoint(next, point, board.symmetry);
+  board.point.reset();
+  return change(env, std::move(next));
+}
+
 Status undoOnBoard(const CommandEnv& env) {
   if (!canUndo(env)) return Error::NothingToUndo;
   undo(env);
@@ -523,16 +589,17 @@ Status redoOnBoard(const CommandEnv& env) {
 bool canUndoOnBoard(const CommandEnv& env) { return canUndo(env); }
 bool canRedoOnBoard(const CommandEnv& env) { return canRedo(env); }
 
-const char* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event) {
+const Command* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event) {
   if (!isOpen(env)) return nullptr;
   const bool control = (event.modifiers & (platform::kControl | platform::kMeta)) != 0;
   const bool shift = (event.modifiers & platform::kShift) != 0;
-  if (control && (event.key == "z" || event.key == "Z")) return shift ? "slice-redo" : "slice-undo";
-  if (control && (event.key == "y" || event.key == "Y")) return "slice-redo";
+  if (control && (event.key == "z" || event.key == "Z"))
+    return &(shift ? commandOf("slice-redo") : commandOf("slice-undo"));
+  if (control && (event.key == "y" || event.key == "Y")) return &commandOf("slice-redo");
   if (control) return nullptr;
-  if (event.key == "Enter") return "slice-done";
-  if (event.key == "Escape") return "slice-cancel";
-  if (event.key == "Delete" || event.key == "Backspace") return "slice-remove-point";
+  if (event.key == "Enter") return &commandOf("slice-done");
+  if (event.key == "Escape") return &commandOf("slice-cancel");
+  if (event.key == "Delete" || event.key == "Backspace") return &commandOf("slice-remove-point");
   return nullptr;
 }
 

@@ -7,6 +7,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/commands/section_json.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
@@ -36,6 +37,13 @@ std::optional<std::size_t> sectionKeyOf(Env env, const Json& args, const documen
   return static_cast<std::size_t>(*index);
 }
 Outcome noSection() { return refuse({Error::ValueOutOfRange, "slice"}); }
+
+/// The sections along a part's spine; null when there is none of this number.
+const SectionKeys* sectionsOf(Env env, PartId id, std::size_t key) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  const document::LoftRecipe* loft = part ? document::loftOf(*part) : nullptr;
+  return loft && key < loft->loft.sections.size() ? &loft->loft.sections : nullptr;
+}
 
 void pick(Env env, PartId part, std::size_t stop) {
   env.ui.sections.part = part;
@@ -68,7 +76,7 @@ Outcome setSections(Env env, const Json& args) {
   return setSectionKeys(env, part->id, std::move(stops));
 }
 
-Outcome addSection(Env env, const Json& args) {
+Outcome addSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
   const std::optional<double> at = args.number("at");
@@ -77,32 +85,18 @@ Outcome addSection(Env env, const Json& args) {
     if (env.ui.sections.placing) sendStatus(env.host, "Tap the bone where the slice shall be.");
     return {};
   }
-  if (!(*at >= 0 && *at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
-  Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  const Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
   if (!shape) return refuse(shape.failure());
-  const PartId id = part->id;
-  std::size_t added = 0;
-  SectionKeys stops = withSectionKey(document::loftIn(*part).loft.sections, *at,
-                                     shape.value().value_or(pickedShape(env.ui, part)), added);
-  env.ui.sections.placing = false;
-  if (Outcome done = setSectionKeys(env, id, std::move(stops)); !done) return done;
-  env.ui.selection = id;
-  pick(env, id, added);
-  return {};
+  return addSection(env, part->id, *at, shape.value());
 }
 
-Outcome moveSection(Env env, const Json& args) {
+Outcome moveSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
   const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
   const std::optional<double> to = args.number("to");
   if (!stop) return noSection();
-  if (!to) return missing("a place from 0 to 1");
-  if (!(*to >= 0 && *to <= 1)) return refuse({Error::ValueOutOfRange, "to"});
-  const PartId id = part->id;
-  Outcome outcome = setSectionKeys(env, id, withMovedSectionKey(document::loftIn(*part).loft.sections, *stop, *to));
-  if (outcome) pick(env, id, *stop);
-  return outcome;
+  return to ? moveSection(env, part->id, *stop, *to) : missing("a place from 0 to 1");
 }
 
 Outcome nudge(Env env, double by) {
@@ -116,28 +110,18 @@ constexpr double kNudge = 0.02;
 Outcome nudgeOn(Env env, const Json&) { return nudge(env, kNudge); }
 Outcome nudgeBack(Env env, const Json&) { return nudge(env, -kNudge); }
 
-Outcome removeSection(Env env, const Json& args) {
+Outcome removeSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
   const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
-  if (!stop) return noSection();
-  if (document::loftIn(*part).loft.sections.size() < 2) {
-    return Refusal{"NotNow", "This is the part's only slice. Choose another one instead."};
-  }
-  const PartId id = part->id;
-  Outcome outcome = setSectionKeys(env, id, withoutSectionKey(document::loftIn(*part).loft.sections, *stop));
-  if (outcome) pick(env, id, *stop > 0 ? *stop - 1 : 0);
-  return outcome;
+  return stop ? removeSection(env, part->id, *stop) : noSection();
 }
 
-Outcome selectSection(Env env, const Json& args) {
+Outcome selectSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
   const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
-  if (!stop) return noSection();
-  env.ui.selection = part->id;
-  pick(env, part->id, *stop);
-  return {};
+  return stop ? selectSection(env, part->id, *stop) : noSection();
 }
 
 Outcome nextSection(Env env, const Json&) {
@@ -149,17 +133,14 @@ Outcome nextSection(Env env, const Json&) {
   return {};
 }
 
-Outcome setBlend(Env env, const Json& args) {
+Outcome setBlendRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
   const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
   if (!stop) return noSection();
   if (args.text("blend") == nullptr) return missing("a blend");
-  SectionKeys stops = document::loftIn(*part).loft.sections;
-  Result<loft::Blend> blend = blendFrom(args, stops[*stop].blend);
-  if (!blend) return refuse(blend.failure());
-  stops[*stop].blend = std::move(blend).value();
-  return setSectionKeys(env, part->id, std::move(stops));
+  const Result<loft::Blend> blend = blendFrom(args, document::loftIn(*part).loft.sections[*stop].blend);
+  return blend ? setBlend(env, part->id, *stop, blend.value()) : refuse(blend.failure());
 }
 
 void blendChoices(Env env, JsonWriter& json) {
@@ -175,20 +156,15 @@ void blendChoices(Env env, JsonWriter& json) {
 // ---- Curves along the spine
 // ------------------------------------------------------------------------
 
-Outcome setAlongCurve(Env env, PartId part, document::AlongKind kind, geometry::AlongCurve curve) {
-  return outcomeOf(env.studio.act(document::SetAlong{part, kind, std::move(curve)}));
-}
-
-Outcome setAlong(Env env, const Json& args) {
+Outcome setAlongRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
   const std::string* key = args.text("kind");
   const AlongInfo* info = key ? findAlong(*key) : nullptr;
   if (info == nullptr) return missing("a kind: twist, squash, tilt or bulge");
-  const std::optional<geometry::AlongCurve> curve = curveFrom(args.find("points"), info->unit);
+  const std::optional<geometry::AlongCurve> curve = curveFrom(args.find("points"));
   if (!curve) return missing("points: a list of [place, value]");
-  env.ui.sections.along = info->kind;
-  return setAlongCurve(env, part->id, info->kind, *curve);
+  return setAlong(env, part->id, info->kind, *curve);
 }
 
 Outcome alongShape(Env env, const Json& args) {
@@ -207,10 +183,8 @@ Outcome alongShape(Env env, const Json& args) {
         shapes, [&](const AlongShape& shape) { return shape.kind == info->kind && shape.key == rest; });
     if (at == shapes.end()) return refuse({Error::ValueOutOfRange, *name});
     curve.points = at->points;
-    for (geometry::AlongPoint& p : curve.points) p.value *= info->unit;
   }
-  env.ui.sections.along = info->kind;
-  return setAlongCurve(env, part->id, info->kind, std::move(curve));
+  return setAlong(env, part->id, info->kind, curve);
 }
 
 void alongChoices(Env, JsonWriter& json) {
@@ -226,17 +200,10 @@ void alongChoices(Env, JsonWriter& json) {
   }
 }
 
-Outcome showAlong(Env env, const Json& args) {
-  if (const std::string* key = args.text("kind")) {
-    const AlongInfo* info = findAlong(*key);
-    if (info == nullptr) return refuse({Error::ValueOutOfRange, *key});
-    env.ui.sections.along = info->kind;
-    env.ui.sections.alongOpen = true;
-  } else {
-    env.ui.sections.alongOpen = !env.ui.sections.alongOpen;
-  }
+Outcome openAlong(Env env, bool open) {
+  env.ui.sections.alongOpen = open;
   const unsigned section = 1u << static_cast<unsigned>(PanelTab::Along);
-  if (env.ui.sections.alongOpen) {
+  if (open) {
     env.ui.tab = PanelTab::Along;
     env.ui.folded &= ~section;
     env.ui.sections.revealGraph = true;
@@ -245,15 +212,21 @@ Outcome showAlong(Env env, const Json& args) {
   }
   return {};
 }
+
+Outcome showAlongRow(Env env, const Json& args) {
+  const std::string* key = args.text("kind");
+  if (key == nullptr) return openAlong(env, !env.ui.sections.alongOpen);
+  const AlongInfo* info = findAlong(*key);
+  return info ? showAlong(env, info->kind) : refuse({Error::ValueOutOfRange, *key});
+}
 bool alongShown(Env env) { return env.ui.sections.alongOpen; }
 
 // ---- The shelf
 // ------------------------------------------------------------------------------------
 
-/// The shelf, or null when there is no such section on it.
-ShelfSection* onShelf(Env env, const Json& args) {
+/// Null when there is no such section on the shelf.
+ShelfSection* onShelf(Env env, std::optional<double> id) {
   auto& shelf = env.ui.sections.shelf;
-  const std::optional<double> id = args.number("id");
   const auto at = std::ranges::find_if(shelf, [&](const ShelfSection& s) { return id && s.id == *id; });
   return at == shelf.end() ? nullptr : &*at;
 }
@@ -267,29 +240,27 @@ Outcome keepSection(Env env, const Json& args) {
   return keepOnShelf(env, kept, args.text("name"));
 }
 
-Outcome renameSection(Env env, const Json& args) {
-  ShelfSection* section = onShelf(env, args);
+Outcome renameTo(Env env, std::uint32_t id, const std::string& name) {
+  ShelfSection* section = onShelf(env, id);
   if (section == nullptr) return notOnShelf();
-  const std::string* name = args.text("name");
-  if (name == nullptr) {
-    const std::string id = "rename-slice:" + std::to_string(section->id);
-    sendQuestion(env.host, {id, "Rename", "A name for this slice", section->name});
-    return {};
-  }
-  if (name->empty() || name->size() > document::kMaxNameBytes) {
+  if (name.empty() || name.size() > document::kMaxNameBytes) {
     return refuse({Error::ValueOutOfRange, "name"});
   }
-  section->name = *name;
+  section->name = name;
   sendShelf(env);
   return {};
 }
 
-Outcome deleteSection(Env env, const Json& args) {
-  const ShelfSection* section = onShelf(env, args);
+Outcome renameSection(Env env, const Json& args) {
+  const ShelfSection* section = onShelf(env, args.number("id"));
   if (section == nullptr) return notOnShelf();
-  std::erase_if(env.ui.sections.shelf, [id = section->id](const ShelfSection& s) { return s.id == id; });
-  sendShelf(env);
-  return {};
+  const std::string* name = args.text("name");
+  return name ? renameTo(env, section->id, *name) : askSectionName(env, section->id);
+}
+
+Outcome deleteSectionRow(Env env, const Json& args) {
+  const ShelfSection* section = onShelf(env, args.number("id"));
+  return section ? deleteSection(env, section->id) : notOnShelf();
 }
 
 Outcome loadShelf(Env env, const Json& args) {
@@ -309,7 +280,7 @@ constexpr std::array kTable = {
             "Tap the bone where another slice shall be",
             hasSpine,
             placing,
-            addSection},
+            addSectionRow},
     Command{"next-slice",
             "Next slice",
             "arrow-right",
@@ -349,7 +320,7 @@ constexpr std::array kTable = {
             "Take the chosen slice off the bone",
             hasSeveral,
             nullptr,
-            removeSection},
+            removeSectionRow},
     Command{"set-blend",
             "Change between slices",
             "chart-spline",
@@ -359,7 +330,7 @@ constexpr std::array kTable = {
             "How one slice becomes the next",
             hasSeveral,
             nullptr,
-            setBlend},
+            setBlendRow},
     Command{"along-shape",
             "Along the bone",
             "tornado",
@@ -379,7 +350,7 @@ constexpr std::array kTable = {
             "Show the curves of twist, depth and lean",
             hasSpine,
             alongShown,
-            showAlong},
+            showAlongRow},
     Command{"keep-slice",
             "Keep slice",
             "bookmark-plus",
@@ -409,7 +380,7 @@ constexpr std::array kTable = {
             "Move a slice along the bone",
             hasSpine,
             nullptr,
-            moveSection},
+            moveSectionRow},
     Command{"select-slice",
             "Choose a slice",
             "circle-dot",
@@ -419,7 +390,7 @@ constexpr std::array kTable = {
             "Choose one of the slices along the bone",
             hasSpine,
             nullptr,
-            selectSection},
+            selectSectionRow},
     Command{"set-along",
             "Curve by numbers",
             "chart-spline",
@@ -429,7 +400,7 @@ constexpr std::array kTable = {
             "Twist, depth, lean or front along the bone",
             hasSpine,
             nullptr,
-            setAlong},
+            setAlongRow},
     Command{"rename-slice",
             "Rename a slice",
             "pencil-line",
@@ -449,7 +420,7 @@ constexpr std::array kTable = {
             "Take a slice off your shelf",
             hasShelf,
             nullptr,
-            deleteSection},
+            deleteSectionRow},
     Command{"load-shelf",
             "Fill the shelf",
             "bookmark",
@@ -486,23 +457,103 @@ Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, cons
   return {};
 }
 
-Outcome setSection(const CommandEnv& env, const Json& args) {
-  Result<std::optional<loft::SectionShape>> read = shapeFrom(args, env.ui.sections);
-  if (!read) return refuse(read.failure());
-  if (!read.value()) return missing("the name of a slice, or its contours");
-  const loft::SectionShape shape = *std::move(read).value();
-  const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noSpine(env, args);
+Outcome setSection(Env env, PartId id, std::optional<std::size_t> key, const loft::SectionShape& shape) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (id && (part == nullptr || document::loftOf(*part) == nullptr)) return noSpine(part);
   env.ui.section = shape;
   if (part == nullptr) return {};
-  if (args.find("slice") == nullptr) {
-    return outcomeOf(env.studio.act(document::SetSection{part->id, shape}));
-  }
-  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
-  if (!stop) return noSection();
+  if (!key) return outcomeOf(env.studio.act(document::SetSection{id, shape}));
   SectionKeys stops = document::loftIn(*part).loft.sections;
-  stops[*stop].shape = shape;
-  return setSectionKeys(env, part->id, std::move(stops));
+  if (*key >= stops.size()) return noSection();
+  stops[*key].shape = shape;
+  return setSectionKeys(env, id, std::move(stops));
+}
+
+Outcome addSection(Env env, PartId id, double at, const std::optional<loft::SectionShape>& shape) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
+  if (!(at >= 0 && at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
+  std::size_t added = 0;
+  SectionKeys stops =
+      withSectionKey(document::loftIn(*part).loft.sections, at, shape.value_or(pickedShape(env.ui, part)), added);
+  env.ui.sections.placing = false;
+  if (Outcome done = setSectionKeys(env, id, std::move(stops)); !done) return done;
+  env.ui.selection = id;
+  pick(env, id, added);
+  return {};
+}
+
+Outcome moveSection(Env env, PartId id, std::size_t key, double to) {
+  const SectionKeys* stops = sectionsOf(env, id, key);
+  if (stops == nullptr) return noSection();
+  if (!(to >= 0 && to <= 1)) return refuse({Error::ValueOutOfRange, "to"});
+  Outcome outcome = setSectionKeys(env, id, withMovedSectionKey(*stops, key, to));
+  if (outcome) pick(env, id, key);
+  return outcome;
+}
+
+Outcome removeSection(Env env, PartId id, std::size_t key) {
+  const SectionKeys* stops = sectionsOf(env, id, key);
+  if (stops == nullptr) return noSection();
+  if (stops->size() < 2) return Refusal{"NotNow", "This is the part's only slice. Choose another one instead."};
+  Outcome outcome = setSectionKeys(env, id, withoutSectionKey(*stops, key));
+  if (outcome) pick(env, id, key > 0 ? key - 1 : 0);
+  return outcome;
+}
+
+Outcome selectSection(Env env, PartId id, std::size_t key) {
+  if (sectionsOf(env, id, key) == nullptr) return noSection();
+  env.ui.selection = id;
+  pick(env, id, key);
+  return {};
+}
+
+Outcome setBlend(Env env, PartId id, std::size_t key, const loft::Blend& blend) {
+  const SectionKeys* stops = sectionsOf(env, id, key);
+  if (stops == nullptr) return noSection();
+  SectionKeys changed = *stops;
+  changed[key].blend = blend;
+  return setSectionKeys(env, id, std::move(changed));
+}
+
+Outcome setAlong(Env env, PartId part, document::AlongKind kind, const geometry::AlongCurve& shown) {
+  geometry::AlongCurve curve = shown;
+  for (geometry::AlongPoint& p : curve.points) p.value *= alongInfo(kind).unit;
+  env.ui.sections.along = kind;
+  return outcomeOf(env.studio.act(document::SetAlong{part, kind, std::move(curve)}));
+}
+
+Outcome showAlong(Env env, document::AlongKind kind) {
+  env.ui.sections.along = kind;
+  return openAlong(env, true);
+}
+
+Outcome askSectionName(Env env, std::uint32_t id) {
+  const ShelfSection* section = onShelf(env, id);
+  if (section == nullptr) return notOnShelf();
+  const std::string question = "rename-slice:" + std::to_string(id);
+  return ask(env, {question, "Rename", "A name for this slice", section->name},
+             [id](Env later, const std::string& name) { return renameTo(later, id, name); });
+}
+
+Outcome deleteSection(Env env, std::uint32_t id) {
+  if (std::erase_if(env.ui.sections.shelf, [&](const ShelfSection& s) { return s.id == id; }) == 0) return notOnShelf();
+  sendShelf(env);
+  return {};
+}
+
+Outcome rows::setSection(const CommandEnv& env, const Json& args) {
+  const Result<std::optional<loft::SectionShape>> read = shapeFrom(args, env.ui.sections);
+  if (!read) return refuse(read.failure());
+  if (!read.value()) return missing("the name of a slice, or its contours");
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noSpine(env, args);
+  std::optional<std::size_t> key;
+  if (part && args.find("slice") != nullptr) {
+    key = sectionKeyOf(env, args, *part);
+    if (!key) return noSection();
+  }
+  return app::setSection(env, part ? part->id : PartId{}, key, *read.value());
 }
 
 std::span<const Command> sectionCommands() { return kTable; }

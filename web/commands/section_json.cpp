@@ -67,11 +67,11 @@ std::optional<std::vector<SectionPoint>> pointsFrom(const Json* list) {
   return points;
 }
 
-std::optional<geometry::AlongCurve> curveFrom(const Json* list, double unit) {
+std::optional<geometry::AlongCurve> curveFrom(const Json* list) {
   const std::optional<std::vector<SectionPoint>> points = pointsFrom(list);
   if (!points) return std::nullopt;
   geometry::AlongCurve curve;
-  for (const SectionPoint p : *points) curve.points.push_back({p.x, p.y * unit});
+  for (const SectionPoint p : *points) curve.points.push_back({p.x, p.y});
   return curve;
 }
 
@@ -100,18 +100,13 @@ Result<loft::Blend> blendFrom(const Json& args, const loft::Blend& fallback) {
   if (key == nullptr) return fallback;
   const std::optional<loft::BlendKind> kind = loft::blendFromKey(*key);
   if (!kind) return {Error::ValueOutOfRange, *key};
-  loft::Blend blend;
-  blend.kind = *kind;
-  if (*kind != loft::BlendKind::Custom) return blend;
-  if (args.find("points") != nullptr) {
+  loft::Blend before = fallback;
+  if (*kind == loft::BlendKind::Custom && args.find("points") != nullptr) {
     const std::optional<geometry::AlongCurve> curve = curveFrom(args.find("points"));
     if (!curve) return {Error::ValueOutOfRange, "points: [[t, value], …]"};
-    blend.custom = *curve;
-  } else {
-    blend.custom = fallback.custom;
+    before.custom = *curve;
   }
-  if (blend.custom.empty()) blend.custom.points = {{0, 0}, {0.5, 0.5}, {1, 1}};
-  return blend;
+  return blendOf(*kind, before);
 }
 
 Json shapeJson(const loft::SectionShape& shape) {
@@ -119,24 +114,6 @@ Json shapeJson(const loft::SectionShape& shape) {
   Json::Array contours;
   for (const auto& contour : shape.contours) contours.push_back(pointsJson(contour));
   return Json::Object{{"contours", std::move(contours)}};
-}
-
-Json sectionKeyJson(const loft::SectionKey& stop) {
-  Json::Object out = *shapeJson(stop.shape).object();
-  out.emplace_back("at", stop.at);
-  out.emplace_back("blend", blendKey(stop.blend.kind));
-  if (stop.blend.kind == loft::BlendKind::Custom) {
-    out.emplace_back("points", curveJson(stop.blend.custom));
-  }
-  return out;
-}
-
-Json curveJson(const geometry::AlongCurve& curve, double unit) {
-  Json::Array list;
-  for (const geometry::AlongPoint& p : curve.points) {
-    list.push_back(Json::Array{p.at, p.value / unit});
-  }
-  return list;
 }
 
 Json shelfJson(const SectionUi& sections) {

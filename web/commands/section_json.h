@@ -14,8 +14,8 @@ namespace spineloft::app {
 
 /// [[x, y], …]; none when it is anything else. Numbers that are no numbers become NaN.
 std::optional<std::vector<SectionPoint>> pointsFrom(const Json* list);
-/// [[at, value], …] as a curve, values times `unit`; none when it is anything else.
-std::optional<geometry::AlongCurve> curveFrom(const Json* list, double unit = 1);
+/// [[at, value], …] as a curve; none when it is anything else.
+std::optional<geometry::AlongCurve> curveFrom(const Json* list);
 
 /// The section that `args` names: {section: "star"}, {shelf: id}, or {contours: [[[x, y], …], …]},
 /// which may be in any order, direction and size. None when it names none. Errors: ValueOutOfRange
@@ -27,8 +27,6 @@ Result<loft::Blend> blendFrom(const Json& args, const loft::Blend& fallback);
 
 /// {section: key} or {contours: …}: what shapeFrom reads.
 Json shapeJson(const loft::SectionShape& shape);
-Json sectionKeyJson(const loft::SectionKey& stop);
-Json curveJson(const geometry::AlongCurve& curve, double unit = 1);
 
 /// The shelf as one text for the browser's storage, and back: what is not sound is left out.
 Json shelfJson(const SectionUi& sections);

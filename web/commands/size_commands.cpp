@@ -11,6 +11,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/solid_editing.h"
 #include "web/model/messages.h"
 #include "web/model/print_report.h"
@@ -24,35 +25,22 @@ using Env = const CommandEnv&;
 
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 
-/// What stands beside the solid stays in sight.
-Outcome makeTall(Env env, double mm) {
-  const Status status = env.studio.act(document::SetHeight{Millimetres{mm}});
-  if (!status && status.error() == Error::ValueOutOfRange) {
-    return Refusal{"ValueOutOfRange", "A model can be from 1 mm to 10 m tall. Type a size such as 4 cm or 40 mm."};
-  }
-  if (!status) return refuse(status.failure());
-  if (env.ui.beside) flyTo(env, false);
-  return {};
+Outcome setTyped(Env env, const std::string& typed) {
+  const std::optional<double> mm = millimetresFrom(typed);
+  return mm ? setHeight(env, *mm) : Refusal{"ValueOutOfRange", "Type a size such as 4 cm or 40 mm."};
 }
 
-Outcome setHeight(Env env, const Json& args) {
-  if (const std::optional<double> mm = args.number("mm")) return makeTall(env, *mm);
-  if (const std::string* typed = args.text("typed")) {
-    const std::optional<double> mm = millimetresFrom(*typed);
-    if (!mm) return Refusal{"ValueOutOfRange", "Type a size such as 4 cm or 40 mm."};
-    return makeTall(env, *mm);
-  }
-  sendQuestion(env.host,
-               {"set-height", "How tall?", "Such as 4 cm or 40 mm", spokenLength(env.studio.document().height.value)});
-  return {};
+Outcome setHeightRow(Env env, const Json& args) {
+  if (const std::optional<double> mm = args.number("mm")) return setHeight(env, *mm);
+  if (const std::string* typed = args.text("typed")) return setTyped(env, *typed);
+  const std::string now = spokenLength(env.studio.document().height.value);
+  return ask(env, {"set-height", "How tall?", "Such as 4 cm or 40 mm", now}, setTyped);
 }
 
-Outcome sizeLike(Env env, const Json& args) {
+Outcome sizeLikeRow(Env env, const Json& args) {
   const std::string* key = args.text("thing");
   const std::optional<std::size_t> thing = key ? findThing(*key) : std::nullopt;
-  if (!thing) return missing("a thing: coin, cupcake or hand");
-  env.ui.beside = thing;
-  return makeTall(env, things()[*thing].mm);
+  return thing ? sizeLike(env, *thing) : missing("a thing: coin, cupcake or hand");
 }
 
 void likeChoices(Env env, JsonWriter& json) {
@@ -61,14 +49,12 @@ void likeChoices(Env env, JsonWriter& json) {
   }
 }
 
-Outcome showBeside(Env env, const Json& args) {
+Outcome showBesideRow(Env env, const Json& args) {
   const std::string* key = args.text("thing");
   if (key == nullptr) return missing("a thing: coin, cupcake, hand, or none");
   const std::optional<std::size_t> thing = findThing(*key);
   if (!thing && *key != "none") return refuse({Error::ValueOutOfRange, *key});
-  env.ui.beside = thing;
-  flyTo(env, false);
-  return {};
+  return showBeside(env, thing);
 }
 
 void besideChoices(Env env, JsonWriter& json) {
@@ -223,7 +209,7 @@ constexpr Argument kNone{};
 
 constexpr std::array kTable = {
     Command{"set-height", "How tall?", "ruler", "", "file", kNone, "Height of the finished model", hasParts, nullptr,
-            setHeight},
+            setHeightRow},
     Command{"size-like",
             "As tall as",
             "ruler",
@@ -233,7 +219,7 @@ constexpr std::array kTable = {
             "As tall as a coin, a cupcake or a hand",
             hasParts,
             nullptr,
-            sizeLike},
+            sizeLikeRow},
     Command{"show-beside",
             "Show beside it",
             "ruler",
@@ -243,7 +229,7 @@ constexpr std::array kTable = {
             "A coin, a cupcake or a hand beside the solid, as large as it is",
             hasParts,
             nullptr,
-            showBeside},
+            showBesideRow},
     Command{"check-print", "Check for printing", "scan-search", "", "file", kNone,
             "Closed, size, thinnest wall, and whether it stands", hasParts, nullptr, checkPrint},
     Command{"thicken", "Make it thick enough", "maximize", "", "file", kNone,
@@ -271,6 +257,28 @@ Outcome reportPrint(const CommandEnv& env) {
   } else {
     sendWarning(env.host, message.text);
   }
+  return {};
+}
+
+/// What stands beside the solid stays in sight.
+Outcome setHeight(Env env, double mm) {
+  const Status status = env.studio.act(document::SetHeight{Millimetres{mm}});
+  if (!status && status.error() == Error::ValueOutOfRange) {
+    return Refusal{"ValueOutOfRange", "A model can be from 1 mm to 10 m tall. Type a size such as 4 cm or 40 mm."};
+  }
+  if (!status) return refuse(status.failure());
+  if (env.ui.beside) flyTo(env, false);
+  return {};
+}
+
+Outcome sizeLike(Env env, std::size_t thing) {
+  env.ui.beside = thing;
+  return setHeight(env, things()[thing].mm);
+}
+
+Outcome showBeside(Env env, const std::optional<std::size_t>& thing) {
+  env.ui.beside = thing;
+  flyTo(env, false);
   return {};
 }
 

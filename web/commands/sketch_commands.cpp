@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
 
@@ -79,28 +80,19 @@ Outcome useEraser(Env env, const Json&) {
 }
 
 Outcome penSize(Env env, const Json& args) {
-  env.ui.sketching.menu = PenMenu::None;
-  std::size_t& size = sizeInHand(env.ui);
-  if (args.find("size") == nullptr) {
-    size = (size + 1) % kPenSizes.size();
-    return {};
-  }
+  if (args.find("size") == nullptr) return setPenSize(env, (sizeInHand(env.ui) + 1) % kPenSizes.size());
   const std::string* key = args.text("size");
   const auto at = key ? std::ranges::find(kPenSizes, *key) : kPenSizes.end();
   if (at == kPenSizes.end()) return refuse({Error::ValueOutOfRange, "size: fine, medium or bold"});
-  size = static_cast<std::size_t>(at - kPenSizes.begin());
-  return {};
+  return setPenSize(env, static_cast<std::size_t>(at - kPenSizes.begin()));
 }
 
 Outcome penColour(Env env, const Json& args) {
-  env.ui.sketching.menu = PenMenu::None;
   const std::string* text = args.text("colour");
   if (text == nullptr) return Refusal{"ArgumentMissing", "This needs a colour such as #1f2430."};
   const auto colour = colourFrom(*text);
   if (!colour) return refuse({Error::ValueOutOfRange, *text});
-  env.ui.sketching.colour = *colour;
-  env.ui.tool = ToolKind::Pen;
-  return {};
+  return setPenColour(env, *colour);
 }
 
 /// [[x, y, pressure?], …] of `args.stroke`; numbers that are none become NaN, for the engine to refuse.
@@ -119,7 +111,7 @@ bool readStroke(const Json& args, image::SketchStroke& stroke) {
   return true;
 }
 
-Outcome drawOnSketch(Env env, const Json& args) {
+Outcome drawOnSketchRow(Env env, const Json& args) {
   image::SketchStroke stroke;
   if (!readStroke(args, stroke)) {
     return Refusal{"ArgumentMissing",
@@ -137,13 +129,7 @@ Outcome drawOnSketch(Env env, const Json& args) {
     if (!colour) return refuse({Error::ValueOutOfRange, *text});
     stroke.colour = *colour;
   }
-  const bool wasFinished = looksFinished(*shownSketch(env.studio.document(), env.ui));
-  const Status status = env.studio.act(document::DrawOnSketch{env.ui.picture, std::move(stroke)});
-  if (!status) return refuse(status.failure());
-  if (!wasFinished && looksFinished(*shownSketch(env.studio.document(), env.ui))) {
-    sendStatus(env.host, "Now draw a bone through it.");
-  }
-  return {};
+  return drawOnSketch(env, stroke);
 }
 
 /// The picture that `args.picture` or `args.id` names, else the one in view; null when there is none.
@@ -159,11 +145,9 @@ const document::PictureEntry* pictureOf(Env env, const Json& args) {
 
 Outcome noPicture() { return refuse({Error::NoSuchPicture, {}}); }
 
-Outcome selectPicture(Env env, const Json& args) {
+Outcome selectPictureRow(Env env, const Json& args) {
   const document::PictureEntry* entry = pictureOf(env, args);
-  if (entry == nullptr) return noPicture();
-  show(env, entry->id);
-  return {};
+  return entry ? selectPicture(env, entry->id) : noPicture();
 }
 
 Outcome step(Env env, std::size_t by) {
@@ -184,28 +168,12 @@ Outcome renamePicture(Env env, const Json& args) {
   if (const std::string* name = args.text("name")) {
     return outcomeOf(env.studio.act(document::RenamePicture{entry->id, *name}));
   }
-  const std::string id = "rename-picture:" + std::to_string(entry->id.value);
-  sendQuestion(env.host, {id, "Rename", "A name for this picture", entry->name});
-  return {};
+  return askPictureName(env, entry->id);
 }
 
-/// Nothing is asked: what went is said, and Undo brings it back.
-Outcome removePicture(Env env, const Json& args) {
+Outcome removePictureRow(Env env, const Json& args) {
   const document::PictureEntry* entry = pictureOf(env, args);
-  if (entry == nullptr) return noPicture();
-  env.ui.pictureMenu = {};
-  const auto parts = std::ranges::count_if(
-      env.studio.document().parts, [&](const document::Part& part) { return document::pictureOf(part) == entry->id; });
-  const std::string name = entry->name;
-  const Status status = env.studio.act(document::RemovePicture{entry->id});
-  if (!status) return refuse(status.failure());
-  if (parts == 0) {
-    sendInfo(env.host, "Removed " + name + ". Undo brings it back.");
-  } else {
-    const std::string what = parts == 1 ? "its part" : "its " + std::to_string(parts) + " parts";
-    sendInfo(env.host, "Removed " + name + " and " + what + ". Undo brings them back.");
-  }
-  return {};
+  return entry ? removePicture(env, entry->id) : noPicture();
 }
 
 void sizeChoices(Env env, JsonWriter& json) {
@@ -279,7 +247,7 @@ constexpr std::array kTable = {
             "A pen stroke in picture pixels",
             onPaper,
             nullptr,
-            drawOnSketch},
+            drawOnSketchRow},
     Command{"select-picture",
             "Show picture",
             "images",
@@ -289,7 +257,7 @@ constexpr std::array kTable = {
             "Choose the picture to draw on",
             hasPictures,
             nullptr,
-            selectPicture},
+            selectPictureRow},
     Command{"next-picture",
             "Next picture",
             "chevron-right",
@@ -329,10 +297,71 @@ constexpr std::array kTable = {
             "Takes the picture and its parts away",
             hasPicture,
             nullptr,
-            removePicture},
+            removePictureRow},
 };
 
 }  // namespace
+
+Outcome drawOnSketch(Env env, const image::SketchStroke& stroke) {
+  const document::PictureEntry* sketch = shownSketch(env.studio.document(), env.ui);
+  if (sketch == nullptr) return noPicture();
+  const bool wasFinished = looksFinished(*sketch);
+  const Status status = env.studio.act(document::DrawOnSketch{env.ui.picture, stroke});
+  if (!status) return refuse(status.failure());
+  if (!wasFinished && looksFinished(*shownSketch(env.studio.document(), env.ui))) {
+    sendStatus(env.host, "Now draw a bone through it.");
+  }
+  return {};
+}
+
+Outcome setPenSize(Env env, std::size_t size) {
+  env.ui.sketching.menu = PenMenu::None;
+  sizeInHand(env.ui) = size;
+  return {};
+}
+
+Outcome setPenColour(Env env, const Colour& colour) {
+  env.ui.sketching.menu = PenMenu::None;
+  env.ui.sketching.colour = colour;
+  env.ui.tool = ToolKind::Pen;
+  return {};
+}
+
+Outcome selectPicture(Env env, PictureId picture) {
+  if (document::findPicture(env.studio.document(), picture) == nullptr) return noPicture();
+  show(env, picture);
+  return {};
+}
+
+Outcome askPictureName(Env env, PictureId picture) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
+  if (entry == nullptr) return noPicture();
+  env.ui.pictureMenu = {};
+  const std::string id = "rename-picture:" + std::to_string(picture.value);
+  return ask(env, {id, "Rename", "A name for this picture", entry->name},
+             [picture](Env later, const std::string& name) {
+               return outcomeOf(later.studio.act(document::RenamePicture{picture, name}));
+             });
+}
+
+/// Nothing is asked: what went is said, and Undo brings it back.
+Outcome removePicture(Env env, PictureId picture) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
+  if (entry == nullptr) return noPicture();
+  env.ui.pictureMenu = {};
+  const auto parts = std::ranges::count_if(
+      env.studio.document().parts, [&](const document::Part& part) { return document::pictureOf(part) == entry->id; });
+  const std::string name = entry->name;
+  const Status status = env.studio.act(document::RemovePicture{entry->id});
+  if (!status) return refuse(status.failure());
+  if (parts == 0) {
+    sendInfo(env.host, "Removed " + name + ". Undo brings it back.");
+  } else {
+    const std::string what = parts == 1 ? "its part" : "its " + std::to_string(parts) + " parts";
+    sendInfo(env.host, "Removed " + name + " and " + what + ". Undo brings them back.");
+  }
+  return {};
+}
 
 std::span<const Command> sketchCommands() { return kTable; }
 

@@ -7,6 +7,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/solid_editing.h"
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
@@ -140,14 +141,19 @@ std::optional<OpeningSide> sideFrom(const std::string& name) {
   return std::nullopt;
 }
 
-/// `wall`, `opening` and `depth` as args say, over what is there. Why not, when they cannot be read.
-Outcome readHollow(Env env, const Json& args, double& wall, document::Opening& opening) {
-  wall = lengthOf(env, args, "wall").value_or(wall);
+Outcome checkWall(Env env, double wall) {
   const double scale = millimetresPerUnit(env);
   if (scale > 0 && !(wall >= document::kLeastWall && wall <= document::kMostWall)) {
     return Refusal{"ValueOutOfRange", "A wall can be " + spokenWall(document::kLeastWall * scale + 0.01) + " to " +
                                           spokenWall(document::kMostWall * scale) + " thick at this size."};
   }
+  return {};
+}
+
+/// `wall`, `opening` and `depth` as args say, over what is there. Why not, when they cannot be read.
+Outcome readHollow(Env env, const Json& args, double& wall, document::Opening& opening) {
+  wall = lengthOf(env, args, "wall").value_or(wall);
+  if (Outcome good = checkWall(env, wall); !good) return good;
   opening.depth = args.number("depth").value_or(opening.depth);
   if (const std::string* name = args.text("opening")) {
     const auto side = sideFrom(*name);
@@ -183,7 +189,7 @@ Outcome release(Env env, const Json& args) {
   return outcomeOf(env.studio.act(document::ReleaseStep{step->id}));
 }
 
-Outcome setStep(Env env, const Json& args) {
+Outcome setStepRow(Env env, const Json& args) {
   const Step* step = stepOf(env, args);
   if (step == nullptr) return noStep();
   document::SetStep action{step->id, step->kind, step->blend, step->wall, step->opening};
@@ -200,9 +206,7 @@ Outcome setStep(Env env, const Json& args) {
     action.opening.side = publish::sideFacing(env.studio.document(), env.studio.derived(), *step, *towards);
     env.ui.solids.pointing = false;
   }
-  const std::string burst = "set-step:" + std::to_string(step->id.value);
-  const document::Action actions[] = {action};
-  return outcomeOf(env.studio.act(actions, burst));
+  return setStep(env, action);
 }
 
 Outcome orderOperands(Env env, const Json& args) {
@@ -216,21 +220,17 @@ Outcome orderOperands(Env env, const Json& args) {
   return outcomeOf(env.studio.act(document::OrderOperands{step->id, std::move(*operands)}));
 }
 
-Outcome showStep(Env env, const Json& args) {
+Outcome showStepRow(Env env, const Json& args) {
   const Step* step = stepOf(env, args);
   if (step == nullptr) return noStep();
-  return outcomeOf(env.studio.act(document::ShowStep{step->id, args.flag("visible").value_or(!step->visible)}));
+  return showStep(env, step->id, args.flag("visible").value_or(!step->visible));
 }
 
 Outcome renameStep(Env env, const Json& args) {
   const Step* step = stepOf(env, args);
   if (step == nullptr) return noStep();
-  if (const std::string* name = args.text("name")) {
-    return outcomeOf(env.studio.act(document::RenameStep{step->id, *name}));
-  }
-  const std::string id = "rename-step:" + std::to_string(step->id.value);
-  sendQuestion(env.host, {id, "Rename", "A name for this solid", step->name});
-  return {};
+  const std::string* name = args.text("name");
+  return name ? outcomeOf(env.studio.act(document::RenameStep{step->id, *name})) : askStepName(env, step->id);
 }
 
 Outcome deleteStep(Env env, const Json& args) {
@@ -255,7 +255,7 @@ Outcome stepColour(Env env, const Json& args) {
   return outcomeOf(env.studio.act(action));
 }
 
-Outcome selectStep(Env env, const Json& args) {
+Outcome selectStepRow(Env env, const Json& args) {
   const Json* id = args.find("id");
   if (id != nullptr && (id->isNull() || id->number() == 0)) {
     env.ui.solids.step = {};
@@ -263,10 +263,7 @@ Outcome selectStep(Env env, const Json& args) {
     return {};
   }
   const Step* step = stepOf(env, args);
-  if (step == nullptr) return noStep();
-  if (env.ui.solids.step != step->id) env.ui.solids.pointing = false;
-  choose(env, *step);
-  return {};
+  return step ? selectStep(env, step->id) : noStep();
 }
 
 Outcome pointOpening(Env env, const Json& args) {
@@ -275,24 +272,14 @@ Outcome pointOpening(Env env, const Json& args) {
 }
 
 /// Ticks or unticks a part or solid for the next command.
-Outcome pick(Env env, const Json& args) {
-  const document::Document& document = env.studio.document();
+Outcome pickRow(Env env, const Json& args) {
   const Operand operand{idFrom(args, "part"), stepFrom(args, "step")};
-  if (operand.part && !findPart(document, operand.part)) return noPart();
-  if (operand.step && !findStep(document, operand.step)) return noStep();
-  if (!operand.part && !operand.step) return missing("a part or a solid");
-  if (holderOf(document, operand) != nullptr) return refuse({Error::AlreadyUsed, {}});
-  const bool on = args.flag("on").value_or(!isPicked(env.ui, operand));
-  std::erase(env.ui.solids.picked, operand);
-  if (on) env.ui.solids.picked.push_back(operand);
-  return {};
+  return pick(env, operand, args.flag("on").value_or(!isPicked(env.ui, operand)));
 }
 
-Outcome foldStep(Env env, const Json& args) {
+Outcome foldStepRow(Env env, const Json& args) {
   const Step* step = stepOf(env, args);
-  if (step == nullptr) return noStep();
-  if (std::erase(env.ui.solids.folded, step->id) == 0) env.ui.solids.folded.push_back(step->id);
-  return {};
+  return step ? foldStep(env, step->id) : noStep();
 }
 
 Outcome tryAgain(Env env, const Json&) {
@@ -300,29 +287,8 @@ Outcome tryAgain(Env env, const Json&) {
   return {};
 }
 
-/// Takes the part at fault in hand and looks at the place.
-Outcome showFailure(Env env, const Json& args) {
-  const auto& steps = env.studio.derived().steps;
-  const StepId id = args.find("step") != nullptr ? stepFrom(args, "step") : StepId{};
-  const auto at = std::ranges::find_if(steps, [&](const pipeline::DerivedStep& step) {
-    return step.failure && (!id || step.id == id) && (step.at || step.faulty);
-  });
-  if (at == steps.end()) return noStep();
-  if (at->faulty) {
-    const Json which = Json::Object{{"id", at->faulty.value}};
-    if (Outcome done = selectPart(env, which); !done) return done;
-  }
-  if (!at->at) return {};
-  Camera to = env.ui.camera;
-  to.target = *at->at;
-  env.ui.cameraTouched = true;
-  if (env.host.reducedMotion()) {
-    env.ui.camera = to;
-    env.ui.flight.reset();
-  } else {
-    env.ui.flight = CameraFlight{env.ui.camera, to, env.host.nowMs()};
-  }
-  return {};
+Outcome showFailureRow(Env env, const Json& args) {
+  return showFailure(env, args.find("step") != nullptr ? stepFrom(args, "step") : StepId{});
 }
 
 void openings(Env env, JsonWriter& json) {
@@ -404,7 +370,7 @@ constexpr std::array kTable = {
             "Where the hollow solid is open",
             hasStep,
             nullptr,
-            setStep},
+            setStepRow},
     Command{"point-opening",
             "Tap the opening",
             "crosshair",
@@ -434,7 +400,7 @@ constexpr std::array kTable = {
             "Hide the solid, or show it again",
             hasStep,
             nullptr,
-            showStep},
+            showStepRow},
     Command{"rename-step",
             "Rename solid",
             "pencil-line",
@@ -474,7 +440,7 @@ constexpr std::array kTable = {
             "Choose a solid to change it",
             hasSteps,
             nullptr,
-            selectStep},
+            selectStepRow},
     Command{"pick",
             "Tick a part",
             "check",
@@ -484,7 +450,7 @@ constexpr std::array kTable = {
             "Tick what is to be put together",
             severalRoots,
             nullptr,
-            pick},
+            pickRow},
     Command{"fold-step",
             "Fold solid",
             "chevron-down",
@@ -494,7 +460,7 @@ constexpr std::array kTable = {
             "Hide or show what the solid is made of",
             hasStep,
             nullptr,
-            foldStep},
+            foldStepRow},
     Command{"show-trouble",
             "Show where",
             "crosshair",
@@ -504,7 +470,7 @@ constexpr std::array kTable = {
             "Show the place where the parts could not be put together",
             hasTrouble,
             nullptr,
-            showFailure},
+            showFailureRow},
     Command{"solve-again",
             "Try again",
             "refresh-cw",
@@ -519,8 +485,82 @@ constexpr std::array kTable = {
 
 }  // namespace
 
-bool hasStep(const CommandEnv& env) { return chosenStep(env) != nullptr; }
-bool canHollow(const CommandEnv& env) { return hasStep(env) || hasSelection(env); }
+Outcome pick(Env env, const Operand& operand, bool on) {
+  const document::Document& document = env.studio.document();
+  if (operand.part && !findPart(document, operand.part)) return noPart();
+  if (operand.step && !findStep(document, operand.step)) return noStep();
+  if (!operand.part && !operand.step) return missing("a part or a solid");
+  if (holderOf(document, operand) != nullptr) return refuse({Error::AlreadyUsed, {}});
+  std::erase(env.ui.solids.picked, operand);
+  if (on) env.ui.solids.picked.push_back(operand);
+  return {};
+}
+
+Outcome selectStep(Env env, StepId id) {
+  const Step* step = findStep(env.studio.document(), id);
+  if (step == nullptr) return noStep();
+  if (env.ui.solids.step != id) env.ui.solids.pointing = false;
+  choose(env, *step);
+  return {};
+}
+
+Outcome setStep(Env env, const document::SetStep& action) {
+  if (Outcome good = checkWall(env, action.wall); !good) return good;
+  const document::Action actions[] = {action};
+  return outcomeOf(env.studio.act(actions, "set-step:" + std::to_string(action.step.value)));
+}
+
+Outcome openTowards(Env env, StepId id, WorldPoint way) {
+  const Step* step = findStep(env.studio.document(), id);
+  if (step == nullptr) return noStep();
+  document::SetStep action{id, step->kind, step->blend, step->wall, step->opening};
+  action.opening.side = publish::sideFacing(env.studio.document(), env.studio.derived(), *step, way);
+  env.ui.solids.pointing = false;
+  return setStep(env, action);
+}
+
+Outcome showStep(Env env, StepId step, bool visible) {
+  return outcomeOf(env.studio.act(document::ShowStep{step, visible}));
+}
+
+Outcome foldStep(Env env, StepId step) {
+  if (std::erase(env.ui.solids.folded, step) == 0) env.ui.solids.folded.push_back(step);
+  return {};
+}
+
+Outcome askStepName(Env env, StepId id) {
+  const Step* step = findStep(env.studio.document(), id);
+  if (step == nullptr) return noStep();
+  const std::string question = "rename-step:" + std::to_string(id.value);
+  return ask(env, {question, "Rename", "A name for this solid", step->name}, [id](Env later, const std::string& name) {
+    return outcomeOf(later.studio.act(document::RenameStep{id, name}));
+  });
+}
+
+Outcome showFailure(Env env, StepId id) {
+  const auto& steps = env.studio.derived().steps;
+  const auto at = std::ranges::find_if(steps, [&](const pipeline::DerivedStep& step) {
+    return step.failure && (!id || step.id == id) && (step.at || step.faulty);
+  });
+  if (at == steps.end()) return noStep();
+  if (at->faulty) {
+    if (Outcome done = selectPart(env, at->faulty, false); !done) return done;
+  }
+  if (!at->at) return {};
+  Camera to = env.ui.camera;
+  to.target = *at->at;
+  env.ui.cameraTouched = true;
+  if (env.host.reducedMotion()) {
+    env.ui.camera = to;
+    env.ui.flight.reset();
+  } else {
+    env.ui.flight = CameraFlight{env.ui.camera, to, env.host.nowMs()};
+  }
+  return {};
+}
+
+bool stepIsChosen(const CommandEnv& env) { return chosenStep(env) != nullptr; }
+bool somethingToHollow(const CommandEnv& env) { return hasStep(env) || hasSelection(env); }
 
 std::span<const Command> solidCommands() { return kTable; }
 

@@ -9,6 +9,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
 #include "web/edit/editing.h"
 #include "web/model/messages.h"
 
@@ -21,11 +22,12 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kFirstCoil = 3;  // turns
 constexpr double kFarNudge = 10;  // picture pixels, with shift
 
+Subject subjectFor(Env env, PartId part) { return subjectOf(env.studio.document(), env.studio.derived(), part); }
 Subject subjectFor(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr) return {};
-  return subjectOf(env.studio.document(), env.studio.derived(), part->id);
+  return part ? subjectFor(env, part->id) : Subject{};
 }
+Outcome noSpineIn(Env env, PartId part) { return noSpine(document::findPart(env.studio.document(), part)); }
 
 bool spineTool(Env env) { return env.ui.tool == ToolKind::Spine; }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
@@ -67,28 +69,27 @@ Outcome putLine(Env env, const Subject& subject, std::vector<PicturePoint> line,
 
 bool keepFor(Env env, const Json& args) { return args.flag("keep").value_or(env.ui.edit.keepRibs); }
 
-Outcome bendSpine(Env env, const Json& args) {
+Outcome bendSpineRow(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
   if (!subject) return noSpine(env, args);
   const std::optional<PicturePoint> to = pointOf(args, "to");
   if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
   const double reach = std::clamp(args.number("reach").value_or(env.ui.edit.spineReach), 0.0, 1.0);
-  const std::vector<PicturePoint> line = spineLine(subject);
   if (const std::optional<double> handle = args.number("handle")) {
     if (!(*handle >= 0) || *handle >= kSpineHandles) return refuse({Error::ValueOutOfRange, "handle"});
-    return putLine(env, subject, moveHandle(line, static_cast<int>(*handle), *to, reach), keepFor(env, args));
+    return bendSpine(env, {subject.part->id, static_cast<int>(*handle), *to, reach, keepFor(env, args)});
   }
   const double at = args.number("at").value_or(0.5);
   if (!(at >= 0 && at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
-  return putLine(env, subject, ribs::bendStroke(line, at, *to, reach), keepFor(env, args));
+  return putLine(env, subject, ribs::bendStroke(spineLine(subject), at, *to, reach), keepFor(env, args));
 }
 
-Outcome moveSpine(Env env, const Json& args) {
+Outcome moveSpineRow(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
   if (!subject) return noSpine(env, args);
   const std::optional<PicturePoint> by = pointOf(args, "by");
   if (!by || !isFinite(*by)) return missing("how far: [x, y] in picture pixels");
-  return putLine(env, subject, ribs::shiftStroke(spineLine(subject), *by), keepFor(env, args));
+  return moveSpine(env, subject.part->id, *by, keepFor(env, args));
 }
 
 Outcome extendSpine(Env env, const Json& args) {
@@ -102,22 +103,21 @@ Outcome extendSpine(Env env, const Json& args) {
 
 /// Changes the pose of the part that is meant.
 template <class Change>
-Outcome editPose(Env env, const Json& args, const Change& change) {
-  const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr) return noSpine(env, args);
+Outcome editPose(Env env, const document::Part* part, const Change& change) {
+  if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
   document::PoseSpine pose{part->id, document::loftIn(*part).pose};
-  change(pose.pose, *part);
+  change(pose.pose);
   return outcomeOf(env.studio.act(pose));
 }
 
-Outcome poseSpine(Env env, const Json& args) {
+Outcome poseSpineRow(Env env, const Json& args) {
   const auto stroke = strokeOf(args);
   const auto depth = curveOf(args, "depth");
   const Json* given = args.find("stroke");
   if (given && !stroke && !given->isNull()) {
     return missing("a stroke: a list of [x, y] picture pixels");
   }
-  return editPose(env, args, [&](loft::Pose& pose, const document::Part&) {
+  return editPose(env, partOf(env, args), [&](loft::Pose& pose) {
     if (given) pose.stroke = stroke.value_or(std::vector<PicturePoint>{});
     if (depth) pose.depth = *depth;
     pose.coilTurns = args.number("turns").value_or(pose.coilTurns);
@@ -127,19 +127,19 @@ Outcome poseSpine(Env env, const Json& args) {
 }
 
 Outcome resetPose(Env env, const Json& args) {
-  return editPose(env, args, [](loft::Pose& pose, const document::Part&) { pose = {}; });
+  return editPose(env, partOf(env, args), [](loft::Pose& pose) { pose = {}; });
 }
 
-Outcome setDepth(Env env, const Json& args) {
+Outcome setDepthRow(Env env, const Json& args) {
   const auto depth = curveOf(args, "points");
   if (!depth) return missing("points: a list of [place, depth], places from 0 to 1 in order");
-  return editPose(env, args, [&](loft::Pose& pose, const document::Part&) { pose.depth = *depth; });
+  const document::Part* part = partOf(env, args);
+  return part ? setDepth(env, part->id, *depth) : noPart();
 }
 
 Outcome joinEnds(Env env, const Json& args) {
-  return editPose(env, args, [&](loft::Pose& pose, const document::Part&) {
-    pose.closed = args.flag("closed").value_or(!pose.closed);
-  });
+  return editPose(env, partOf(env, args),
+                  [&](loft::Pose& pose) { pose.closed = args.flag("closed").value_or(!pose.closed); });
 }
 
 /// Twice the mean length of its ribs: a coil whose turns do not touch.
@@ -152,7 +152,7 @@ double fittingRadius(const Subject& subject) {
 
 Outcome coil(Env env, const Json& args) {
   const Subject subject = subjectFor(env, args);
-  return editPose(env, args, [&](loft::Pose& pose, const document::Part&) {
+  return editPose(env, partOf(env, args), [&](loft::Pose& pose) {
     const bool told = args.number("turns") || args.number("radius");
     if (!told && pose.coilTurns != 0) {
       pose.coilTurns = pose.coilRadius = 0;
@@ -164,22 +164,21 @@ Outcome coil(Env env, const Json& args) {
   });
 }
 
-Outcome toggleKeep(Env env, const Json& args) {
-  env.ui.edit.keepRibs = args.flag("keep").value_or(!env.ui.edit.keepRibs);
+Outcome setKeep(Env env, bool keep) {
+  env.ui.edit.keepRibs = keep;
   return {};
 }
-Outcome keepRibs(Env env, const Json&) { return toggleKeep(env, Json::Object{{"keep", true}}); }
-Outcome findEdges(Env env, const Json&) { return toggleKeep(env, Json::Object{{"keep", false}}); }
+Outcome keepRibs(Env env, const Json&) { return setKeep(env, true); }
+Outcome findEdges(Env env, const Json&) { return setKeep(env, false); }
 Outcome togglePressure(Env env, const Json&) {
   env.ui.edit.depthByPressure = !env.ui.edit.depthByPressure;
   return {};
 }
 
-Outcome chooseHandle(Env env, const Json& args) {
+Outcome chooseHandleRow(Env env, const Json& args) {
   const std::optional<double> handle = args.number("handle");
   if (!handle || !(*handle >= 0) || *handle >= kSpineHandles) return missing("a handle");
-  env.ui.chosen = {std::nullopt, static_cast<int>(*handle)};
-  return {};
+  return chooseHandle(env, static_cast<int>(*handle));
 }
 
 /// From the side for an upright spine, from above for a lying one: where its depth is seen best.
@@ -227,7 +226,7 @@ std::optional<PicturePoint> nudgeOf(const Json& args) {
 /// Arrow keys on the chosen rib end or spine point; pressed one after the other they are one step.
 Outcome nudge(Env env, const Json& args) {
   const std::optional<PicturePoint> by = nudgeOf(args);
-  const Subject subject = subjectFor(env, {});
+  const Subject subject = subjectFor(env, env.ui.selection);
   if (!subject) return noSpine(env, args);
   if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
   const Chosen& chosen = env.ui.chosen;
@@ -276,24 +275,57 @@ constexpr std::array kTable = {
     Command{"nudge", "Move the chosen point", "move", kArrows, "bone", kBy,
             "Arrows move it by one pixel, with Shift by ten", pointChosen, nullptr, nudge, pointChosen},
     Command{"bend-spine", "Bend a bone by numbers", "spline", "", "bone", kPoint,
-            "A place on the bone and where it goes", hasSpine, nullptr, bendSpine},
+            "A place on the bone and where it goes", hasSpine, nullptr, bendSpineRow},
     Command{"move-spine", "Move a bone by numbers", "move", "", "bone", kBy, "How far, in picture pixels", hasSpine,
-            nullptr, moveSpine},
+            nullptr, moveSpineRow},
     Command{"extend-spine", "Lengthen a bone by numbers", "spline", "", "bone", kPoint, "Where its end or start goes",
             hasSpine, nullptr, extendSpine},
     Command{"pose-spine", "Pose a bone by numbers", "bone", "", "bone", kLine, "Another line for the same ribs",
-            hasSpine, nullptr, poseSpine},
+            hasSpine, nullptr, poseSpineRow},
     Command{"set-depth", "Depth by numbers", "move-3d", "", "bone", kPoints, "Places along the bone and their depth",
-            hasSpine, nullptr, setDepth},
+            hasSpine, nullptr, setDepthRow},
     Command{"choose-handle", "Choose a bone point by number", "crosshair", "", "bone", kHandle,
-            "The number of a point of the bone", hasSpine, nullptr, chooseHandle},
+            "The number of a point of the bone", hasSpine, nullptr, chooseHandleRow},
 };
 
 }  // namespace
 
-bool isPosed(const CommandEnv& env) {
+bool poseIsSelected(const CommandEnv& env) {
   const document::Part* part = loftPartOf(env, {});
   return part != nullptr && !document::loftIn(*part).pose.isRest();
+}
+
+Outcome bendSpine(Env env, const BendSpineIntent& intent) {
+  const Subject subject = subjectFor(env, intent.part);
+  if (!subject) return noSpineIn(env, intent.part);
+  return putLine(env, subject, moveHandle(spineLine(subject), intent.handle, intent.to, intent.reach), intent.keep);
+}
+
+Outcome moveSpine(Env env, PartId part, PicturePoint by, bool keep) {
+  const Subject subject = subjectFor(env, part);
+  if (!subject) return noSpineIn(env, part);
+  return putLine(env, subject, ribs::shiftStroke(spineLine(subject), by), keep);
+}
+
+Outcome poseAlong(Env env, PartId part, const std::vector<PicturePoint>& stroke) {
+  return editPose(env, document::findPart(env.studio.document(), part),
+                  [&](loft::Pose& pose) { pose.stroke = stroke; });
+}
+
+Outcome setDepth(Env env, PartId part, const geometry::AlongCurve& depth) {
+  return editPose(env, document::findPart(env.studio.document(), part), [&](loft::Pose& pose) { pose.depth = depth; });
+}
+
+Outcome setCoil(Env env, PartId part, double turns, double radius) {
+  return editPose(env, document::findPart(env.studio.document(), part), [&](loft::Pose& pose) {
+    pose.coilTurns = turns;
+    pose.coilRadius = radius;
+  });
+}
+
+Outcome chooseHandle(Env env, int handle) {
+  env.ui.chosen = {std::nullopt, handle};
+  return {};
 }
 
 std::span<const Command> spineCommands() { return kTable; }

@@ -123,6 +123,15 @@ SectionKeys withMovedSectionKey(std::span<const loft::SectionKey> stops, std::si
   return out;
 }
 
+loft::Blend blendOf(loft::BlendKind kind, const loft::Blend& before) {
+  loft::Blend blend;
+  blend.kind = kind;
+  if (kind != loft::BlendKind::Custom) return blend;
+  blend.custom = before.custom;
+  if (blend.custom.empty()) blend.custom.points = {{0, 0}, {0.5, 0.5}, {1, 1}};
+  return blend;
+}
+
 SectionKeys withoutSectionKey(std::span<const loft::SectionKey> stops, std::size_t index) {
   SectionKeys out(stops.begin(), stops.end());
   if (out.size() > 1 && index < out.size()) {

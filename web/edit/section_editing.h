@@ -57,6 +57,8 @@ std::vector<loft::SectionKey> withMovedSectionKey(std::span<const loft::SectionK
                                                   double at);
 /// Without a section. The last one stays.
 std::vector<loft::SectionKey> withoutSectionKey(std::span<const loft::SectionKey> stops, std::size_t index);
+/// A blend of this kind; a custom one keeps the curve that `before` has, or begins as a straight line.
+loft::Blend blendOf(loft::BlendKind kind, const loft::Blend& before);
 inline constexpr double kSectionKeyGap = 0.02;  ///< least way between two sections, share of the spine
 inline constexpr double kNearEnd = 0.15;        ///< a place this near an end means the end's side
 

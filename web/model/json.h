@@ -1,4 +1,5 @@
-// JSON as the page's contract needs it: a small value type, a bounded reader and a writer.
+// JSON as the page's contract needs it: a small value type with lenient readers, and a writer that builds no tree. The
+// library reads and writes the texts.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,7 @@
 
 namespace spineloft::app {
 
-/// A JSON value. Objects keep their order; of equal keys the first counts.
+/// A JSON value.
 class Json {
  public:
   using Array = std::vector<Json>;
@@ -28,8 +29,8 @@ class Json {
   Json(Object value) : value_(std::move(value)) {}
   bool operator==(const Json&) const;
 
-  /// The value of a text; none for anything that is not exactly one JSON value, for nesting deeper
-  /// than 32 and for texts longer than 16 MiB. Escapes are decoded, lone surrogates become U+FFFD.
+  /// The value of a text; none for anything that is not exactly one JSON value (a number too large for a double is
+  /// none), for nesting deeper than 32 and for texts longer than 16 MiB.
   static std::optional<Json> parse(std::string_view text);
 
   bool isNull() const { return value_.index() == 0; }
@@ -49,8 +50,11 @@ class Json {
   std::variant<std::monostate, bool, double, std::string, Array, Object> value_;
 };
 
-/// Writes JSON into one growing text; commas are its business. Numbers that are not finite become
-/// null.
+/// A number as people type it: as in JSON, with zeros before it if they like. None for anything else.
+std::optional<double> numberFrom(std::string_view typed);
+
+/// Writes JSON into one growing text; commas are its business. Every number reads back exactly; those that are not
+/// finite become null. Bytes that are no UTF-8 become U+FFFD.
 class JsonWriter {
  public:
   JsonWriter& beginObject() { return open('{'); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace spineloft::app {
@@ -10,6 +11,11 @@ struct Swatch {
   unsigned hex;
   std::string_view value, label;
 };
+
+constexpr std::array<std::uint8_t, 3> rgbOf(const Swatch& swatch) {
+  const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>((swatch.hex >> shift) & 0xff); };
+  return {byte(16), byte(8), byte(0)};
+}
 
 inline constexpr std::array kSwatches = {
     Swatch{0xec9e5c, "#ec9e5c", "Apricot"}, Swatch{0xe4572e, "#e4572e", "Orange red"},

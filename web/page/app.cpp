@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "engine/base/hash.h"
@@ -136,8 +135,8 @@ void App::settleChosen() {
 }
 
 void App::runCalls() {
-  for (const CommandCall& call : sink_.take()) {
-    if (const Outcome done = runCommand(env(), call.id, call.args); !done) refused(done.refusal());
+  for (const ActionSink::Action& action : sink_.take()) {
+    if (const Outcome done = action(env()); !done) refused(done.refusal());
   }
   settle();
 }
@@ -352,9 +351,8 @@ bool App::key(const platform::KeyEvent& event) {
     touch(2);
     return true;
   }
-  if (const char* id = boardCommandForKey(env(), event)) {
-    const Command* onBoard = findCommand(id);
-    if (enabled(*onBoard, env())) sink_.run(id);
+  if (const Command* onBoard = boardCommandForKey(env(), event)) {
+    if (enabled(*onBoard, env())) sink_.run(*onBoard);
     runCalls();
     touch(2);
     return true;
@@ -363,17 +361,18 @@ bool App::key(const platform::KeyEvent& event) {
   const Command* command = commandForKey(event, &now);
   if (command == nullptr) return false;
   // What is in hand is the last thing done, and all that is taken back.
-  if (inHand && std::string_view(command->id) == "undo") {
+  if (inHand && command->id == CommandId("undo")) {
     cancelGesture();
     touch(2);
     return true;
   }
   if (!enabled(*command, env())) return (event.modifiers & ~platform::kShift) != 0;
   // Keys that mean something only now also say which one they are.
-  sink_.run(command->id, command->when == nullptr
-                             ? Json()
-                             : Json::Object{{"key", event.key}, {"far", (event.modifiers & platform::kShift) != 0}});
-  runCalls();
+  const Json args = command->when == nullptr
+                        ? Json()
+                        : Json::Object{{"key", event.key}, {"far", (event.modifiers & platform::kShift) != 0}};
+  if (const Outcome done = runCommand(env(), *command, args); !done) refused(done.refusal());
+  settle();
   gestures_.again(toolEnv());
   nameRib();
   touch(2);
@@ -498,39 +497,7 @@ void App::contextRestored() {
 }
 
 void App::answer(std::string_view id, std::string_view text) {
-  constexpr std::string_view kRename = "rename-part:", kRenamePicture = "rename-picture:",
-                             kRenameSlice = "rename-slice:", kPlace = "place:", kRenameGroup = "rename-group:",
-                             kRenameStep = "rename-step:";
-  const auto numberAfter = [&](std::string_view prefix) {
-    std::uint32_t number = 0;
-    const std::string_view digits = id.substr(prefix.size());
-    std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return number;
-  };
-  if (id == "set-height") {
-    sink_.run("set-height", Json::Object{{"typed", text}});
-  } else if (id.starts_with(kPlace)) {
-    std::string number(text);
-    std::ranges::replace(number, ',', '.');
-    const std::optional<Json> value = Json::parse(number);
-    if (value && value->number()) {
-      sink_.run("set-place", Json::Object{{std::string(id.substr(kPlace.size())), *value}});
-    } else {
-      sendError(host_, "That is no number. Type one such as 12.5.");
-    }
-  } else if (id.starts_with(kRenameGroup)) {
-    sink_.run("rename-group", Json::Object{{"group", numberAfter(kRenameGroup)}, {"name", std::string(text)}});
-  } else if (id.starts_with(kRename)) {
-    sink_.run("rename-part", Json::Object{{"part", numberAfter(kRename)}, {"name", text}});
-  } else if (id.starts_with(kRenamePicture)) {
-    sink_.run("rename-picture", Json::Object{{"picture", numberAfter(kRenamePicture)}, {"name", text}});
-  } else if (id.starts_with(kRenameSlice)) {
-    sink_.run("rename-slice", Json::Object{{"id", numberAfter(kRenameSlice)}, {"name", text}});
-  } else if (id.starts_with(kRenameStep)) {
-    sink_.run("rename-step", Json::Object{{"step", numberAfter(kRenameStep)}, {"name", text}});
-  } else if (id == "rename-model" || id == "save-project-as") {
-    sink_.run(id, Json::Object{{"name", text}});
-  }
+  if (const Outcome done = answerQuestion(env(), id, std::string(text)); !done) refused(done.refusal());
   runCalls();
   touch(2);
 }

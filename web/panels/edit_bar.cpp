@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/theme.h"
@@ -20,7 +21,7 @@ constexpr double kColumnRoom = 58;  // of the buttons at the side of a low view
 constexpr float kMostTurns = 8;
 
 struct Item {
-  std::string_view id;
+  app::CommandId id;
   bool words = false;  ///< says what it does where there is room
 };
 
@@ -105,7 +106,7 @@ Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, flo
   }
   for (Cell& cell : cells) {
     if (!cell.item.words) continue;
-    const double own = wordButtonWidth(env, app::findCommand(cell.item.id)->label, side);
+    const double own = wordButtonWidth(env, app::commandOf(cell.item.id).label, side);
     if (width + own - side > room) continue;
     cell.width = own;
     width += own - side;
@@ -140,8 +141,7 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
   env.ui().preview.reset();
-  env.sink.run("coil",
-               app::Json::Object{{"part", part.id.value}, {"turns", pose.coilTurns}, {"radius", pose.coilRadius}});
+  env.sink.run(app::setCoil, part.id, pose.coilTurns, pose.coilRadius);
 }
 
 /// The card below the buttons.
@@ -176,12 +176,12 @@ struct Split {
 
 /// One row where the view is small, else as many as are needed.
 Split fold(const PanelEnv& env, std::span<const Item> items, bool small, double room, float side) {
-  ShortList<std::string_view> ids;
+  ShortList<app::CommandId> ids;
   for (const Item& item : items) ids.push_back(item.id);
   const double cells = small ? (room + kGap) / (side + kGap) : static_cast<double>(ids.size());
   Split out;
-  out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](std::string_view id) { return isToolInUse(env, id); });
-  for (const std::string_view id : out.bar.shown) out.shown.push_back(*std::ranges::find(items, id, &Item::id));
+  out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](app::CommandId id) { return isToolInUse(env, id); });
+  for (const app::CommandId id : out.bar.shown) out.shown.push_back(*std::ranges::find(items, id, &Item::id));
   return out;
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/surface/finish.h"
 #include "web/commands/command_actions.h"
+#include "web/commands/intents.h"
 #include "web/model/swatches.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -60,7 +61,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
 void pictureOrColour(const PanelEnv& env, bool textured, float width) {
   const std::array choices = {Choice{"picture", "Picture", textured}, Choice{"colour", "Colour", !textured}};
   if (const auto pressed = pill(env, choices, width)) {
-    env.sink.run("toggle-texture", app::Json::Object{{"textured", *pressed == 0}});
+    env.sink.run(app::setTextured, env.ui().selection, *pressed == 0);
   }
 }
 
@@ -122,7 +123,7 @@ void paints(const PanelEnv& env, const document::Look& look, float width) {
     const bool pressed =
         tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) { ball(list, centre, radius * 0.95f, shown); });
-    if (pressed) env.sink.run("set-paint", app::Json::Object{{"paint", finishes[i].key}});
+    if (pressed) env.sink.run(app::setPaint, env.ui().selection, finishes[i].paint);
   }
   ImGui::PopStyleVar();
 }
@@ -164,7 +165,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
       list.AddCircle(centre, radius + 2.5f, kLine, 36, 2);
     }
     if (pressed) {
-      env.sink.run(second ? "set-second-colour" : "set-colour", app::Json::Object{{"colour", swatch.value}});
+      env.sink.run(second ? app::setSecondColour : app::setColour, env.ui().selection, app::rgbOf(swatch));
     }
   }
   ImGui::PopStyleVar();
@@ -173,7 +174,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
 void smoothOrFaceted(const PanelEnv& env, bool faceted, float width) {
   const std::array choices = {Choice{"smooth", "Smooth", !faceted}, Choice{"faceted", "Facets", faceted}};
   if (const auto pressed = pill(env, choices, width)) {
-    env.sink.run("toggle-facets", app::Json::Object{{"faceted", *pressed == 1}});
+    env.sink.run(app::setFaceted, env.ui().selection, *pressed == 1);
   }
 }
 

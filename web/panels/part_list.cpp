@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/panels/solid_list.h"
 #include "web/panels/theme.h"
@@ -86,14 +87,13 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   }
   if (pressed) {
     if (takesMore(env)) {
-      env.sink.run("select-part", app::Json::Object{{"id", part.id.value}, {"add", true}});
+      env.sink.run(app::selectPart, part.id, true);
     } else if (selected && ImGui::IsMouseDoubleClicked(0)) {
-      env.sink.run("rename-part", app::Json::Object{{"part", part.id.value}});
+      env.sink.run(app::askPartName, part.id);
     } else {
-      env.sink.run("select-part", app::Json::Object{{"id", part.id.value}});
+      env.sink.run(app::selectPart, part.id, false);
     }
   }
-  const app::Json::Object which{{"part", part.id.value}};
   if (ticks) {
     ImGui::SameLine(0, 0);
     tickButton(env, {part.id, {}}, height);
@@ -102,12 +102,14 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const std::string_view tip = part.visible ? "Hide" : "Show";
   if (free) {
     ImGui::SameLine(0, 0);
-    if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-part", which);
+    if (iconButton(env, {"eye", eye, tip, false, true, height})) {
+      env.sink.run(app::showPart, part.id, !pipeline::isVisible(env.document(), part));
+    }
   }
   if (bins) {
     ImGui::SameLine(0, 0);
     if (iconButton(env, {"trash", "trash-2", "Delete  (Delete)", false, true, height})) {
-      env.sink.run("delete-part", which);
+      env.sink.run(app::deletePart, part.id);
     }
   }
   ImGui::PopID();
@@ -131,13 +133,13 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   list.AddText(env.fonts.bold, size, {at.x + 30, at.y + (height - size) / 2}, kInk, group.name.c_str());
   list.PopClipRect();
   if (pressed && ImGui::IsMouseDoubleClicked(0)) {
-    env.sink.run("rename-group", app::Json::Object{{"group", group.id.value}});
+    env.sink.run(app::askGroupName, group.id);
   } else if (pressed) {
-    env.sink.run("select-part", app::Json::Object{{"id", place.parts.front().value}});
+    env.sink.run(app::selectPart, place.parts.front(), false);
   }
   ImGui::SameLine(0, 0);
   if (iconButton(env, {"ungroup", "ungroup", "Each part by itself again", false, true, height})) {
-    env.sink.run("ungroup", app::Json::Object{{"part", place.parts.front().value}});
+    env.sink.run(app::ungroup, group.id);
   }
   ImGui::PopID();
   ImGui::PopID();
@@ -162,16 +164,14 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
   if (ImGui::IsMouseDown(0)) return;
   env.ui().listDrag.reset();
   if (!draggedFar()) {
-    if (dragged->step) return env.sink.run("select-step", app::Json::Object{{"step", dragged->step.value}});
-    env.sink.run("select-part", app::Json::Object{{"id", dragged->part.value}, {"add", takesMore(env)}});
+    if (dragged->step) return env.sink.run(app::selectStep, dragged->step);
+    env.sink.run(app::selectPart, dragged->part, takesMore(env));
     return;
   }
   if (own == places.end()) return;
   const PartId before = next == places.end() ? PartId{} : next->parts.front();
   if (std::ranges::count(own->parts, before) > 0) return;
-  app::Json::Array ids;
-  for (const PartId id : own->parts) ids.push_back(id.value);
-  env.sink.run("move-in-list", app::Json::Object{{"parts", std::move(ids)}, {"before", before.value}});
+  env.sink.run(app::moveInList, own->parts, before);
 }
 
 }  // namespace

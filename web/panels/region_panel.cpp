@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/document/params.h"
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -34,7 +35,7 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
   const double chosen = std::clamp(static_cast<double>(value), info.low, info.high);
   env.ui().preview.reset();
-  env.sink.run("set-parameter", app::Json::Object{{"part", part.id.value}, {"key", info.key}, {"value", chosen}});
+  env.sink.run(app::setParameter, part.id, std::string(info.key), chosen);
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   constexpr float kGap = 6;
   const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 44.f : 54.f;
   const struct {
-    const char* id;
+    app::CommandId id;
     const char* text;
   } puffs[] = {{"puff-both", "Both"}, {"puff-front", "Front"}, {"puff-back", "Back"}},
     edges[] = {{"edge-sharp", "Sharp"}, {"edge-bevel", "Cut"}, {"edge-round", "Round"}};
@@ -56,7 +57,7 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   for (const document::ParamInfo& info : document::paramTable(document::kindOf(part))) {
     slider(env, part, info, width);
   }
-  const std::string_view other = isInflated ? "make-sheet" : "make-puff";
+  const app::CommandId other = isInflated ? app::CommandId("make-sheet") : app::CommandId("make-puff");
   wordButton(env, {other, width, buttonSide(env), kAccent});
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "web/commands/intents.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
@@ -52,7 +53,7 @@ void toolButtons(const PanelEnv& env, Flow& flow, float side) {
     flow.next(side);
     const bool on = env.ui().sections.board->tool == entry.tool;
     if (iconButton(env, {entry.icon, entry.icon, entry.tip, on, true, side})) {
-      env.sink.run("slice-tool", app::Json::Object{{"tool", app::boardToolKey(entry.tool)}});
+      env.sink.run(app::useBoardTool, entry.tool);
     }
   }
 }
@@ -82,9 +83,9 @@ void divider(Flow& flow, float side) {
 
 /// On a phone: the tools in one row, all else in a menu. (Undo and redo are in the row above.)
 void smallToolbar(const PanelEnv& env, float width) {
-  constexpr std::string_view kMore[] = {"slice-corner",     "slice-remove-point", "slice-left-right",
-                                        "slice-front-back", "slice-symmetry",     "slice-flip",
-                                        "slice-turn",       "slice-traces",       "slice-clear"};
+  constexpr app::CommandId kMore[] = {"slice-corner",     "slice-remove-point", "slice-left-right",
+                                      "slice-front-back", "slice-symmetry",     "slice-flip",
+                                      "slice-turn",       "slice-traces",       "slice-clear"};
   const float side = buttonSide(env);
   const bool points = env.ui().sections.board->tool == app::BoardTool::Points;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -93,9 +94,8 @@ void smallToolbar(const PanelEnv& env, float width) {
   toolButtons(env, flow, side);
   const auto room =
       static_cast<std::size_t>(std::max(1.f, (width + 2) / (side + 2) - static_cast<float>(app::BoardTool::kCount)));
-  const BarSplit split =
-      splitBar(std::span(kMore).subspan(points ? 0 : 2), room, [](std::string_view) { return false; });
-  for (const std::string_view id : split.shown) {
+  const BarSplit split = splitBar(std::span(kMore).subspan(points ? 0 : 2), room, [](app::CommandId) { return false; });
+  for (const app::CommandId id : split.shown) {
     flow.next(side);
     commandButton(env, id, side);
   }
@@ -112,7 +112,7 @@ void toolbar(const PanelEnv& env, float width) {
   const float side = buttonSide(env) - (env.ui().touch ? 0.f : 2.f);
   Flow flow(width);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
-  const auto button = [&](std::string_view id) {
+  const auto button = [&](app::CommandId id) {
     flow.next(side);
     commandButton(env, id, side);
   };
@@ -254,14 +254,14 @@ void startRow(const PanelEnv& env, float width) {
   for (const app::ShelfSection& section : env.ui().sections.shelf) {
     const std::string id = "shelf" + std::to_string(section.id);
     if (put(id.c_str(), section.name, section.shape)) {
-      env.sink.run("slice-start-from", app::Json::Object{{"shelf", section.id}});
+      env.sink.run(app::startBoardFrom, section.shape);
     }
     ImGui::SameLine();
   }
   for (const loft::SectionName& name : loft::sectionNames()) {
     const std::string id(name.key);
     if (put(id.c_str(), name.label, name.preset)) {
-      env.sink.run("slice-start-from", app::Json::Object{{"section", name.key}});
+      env.sink.run(app::startBoardFrom, loft::SectionShape(name.preset));
     }
     ImGui::SameLine();
   }
@@ -270,7 +270,7 @@ void startRow(const PanelEnv& env, float width) {
     loft::SectionShape shape;
     shape.contours = {env.ui().sections.traces[i]};
     if (put(id.c_str(), "An earlier line", shape)) {
-      env.sink.run("slice-start-from", app::Json::Object{{"trace", static_cast<double>(i)}});
+      env.sink.run(app::startBoardFromTrace, i);
     }
     ImGui::SameLine();
   }
@@ -300,7 +300,7 @@ void titleRow(const PanelEnv& env, float width) {
   ImGui::AlignTextToFramePadding();
   label(env.fonts.bold, kInk, "Your slice");
   if (env.ui().layout.stacked) {
-    for (const std::string_view id : {"slice-undo", "slice-redo"}) {
+    for (const app::CommandId id : {app::CommandId("slice-undo"), app::CommandId("slice-redo")}) {
       ImGui::SameLine(0, 2);
       commandButton(env, id, height);
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "web/commands/section_json.h"
+#include "web/commands/intents.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
@@ -15,16 +15,15 @@ namespace spineloft::panels {
 namespace {
 
 /// Chooses a section for the picked place of the part, or as the start of the one on the board.
-void choose(const PanelEnv& env, app::Json::Object args) {
+void choose(const PanelEnv& env, const loft::SectionShape& shape) {
   if (env.ui().sections.board) {
-    env.sink.run("slice-start-from", std::move(args));
+    env.sink.run(app::startBoardFrom, shape);
     return;
   }
   const document::Part* part = env.selected();
-  if (part && document::loftIn(*part).loft.sections.size() > 1) {
-    args.emplace_back("slice", static_cast<double>(app::pickedSectionKey(env.ui(), *part)));
-  }
-  env.sink.run("set-section", std::move(args));
+  std::optional<std::size_t> key;
+  if (part && document::loftIn(*part).loft.sections.size() > 1) key = app::pickedSectionKey(env.ui(), *part);
+  env.sink.run(app::setSection, part ? part->id : PartId{}, key, shape);
 }
 
 /// The tiles, in rows.
@@ -88,13 +87,12 @@ void ownSection(const PanelEnv& env, const loft::SectionShape& chosen) {
     commandButton(env, "keep-slice", side);
     return;
   }
-  const app::Json::Object which{{"id", kept->id}};
   if (iconButton(env, {"name", "pencil-line", "Rename " + kept->name, false, true, side})) {
-    env.sink.run("rename-slice", which);
+    env.sink.run(app::askSectionName, kept->id);
   }
   ImGui::SameLine(0, 0);
   if (iconButton(env, {"drop", "trash-2", "Take it off your shelf", false, true, side})) {
-    env.sink.run("delete-slice", which);
+    env.sink.run(app::deleteSection, kept->id);
   }
 }
 
@@ -112,19 +110,19 @@ void sectionChooser(const PanelEnv& env, float width) {
   for (const loft::SectionName& name : loft::sectionNames()) {
     const std::string key(name.key);
     const bool on = !chosen.drawn() && name.preset == chosen.preset;
-    if (grid.section(key.c_str(), name.label, name.preset, on)) choose(env, {{"section", name.key}});
+    if (grid.section(key.c_str(), name.label, name.preset, on)) choose(env, name.preset);
   }
   for (const app::ShelfSection& section : env.ui().sections.shelf) {
     const std::string id = "shelf" + std::to_string(section.id);
     if (grid.section(id.c_str(), section.name, section.shape, section.shape == chosen)) {
-      choose(env, {{"shelf", section.id}});
+      choose(env, section.shape);
     }
   }
   int recent = 0;
   for (const loft::SectionShape* shape : recentOf(env)) {
     const std::string id = "recent" + std::to_string(recent++);
     if (grid.section(id.c_str(), "In model", *shape, *shape == chosen)) {
-      choose(env, *app::shapeJson(*shape).object());
+      choose(env, *shape);
     }
   }
   if (!env.ui().layout.strip) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/curve_graph.h"
@@ -93,7 +94,7 @@ void kinds(const PanelEnv& env, const loft::LoftParams& params, float width, int
     const ImVec2 size{std::floor(side), labels ? 50.f : 44.f};
     const auto paint = [&](ImDrawList& list, ImVec2 c, float r, ImU32 ink) { paintKind(list, info.kind, c, r, ink); };
     if (tile(env, {id.c_str(), labels ? info.label : std::string_view(), info.hint, size, on}, paint)) {
-      env.sink.run("show-along", app::Json::Object{{"kind", info.key}});
+      env.sink.run(app::showAlong, info.kind);
     }
     if (!document::alongOf(params, info.kind).empty()) {  // it is in use
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size.x - 8, at.y + 8}, 3.5f, kAccent, 12);
@@ -105,7 +106,7 @@ void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float wi
   const float height = env.ui().touch ? 44.f : 30.f;
   float room = width;
   bool first = true;
-  const auto chip = [&](std::string_view key, std::string_view text, bool enabled) {
+  const auto chip = [&](std::string_view key, std::string_view text, const geometry::AlongCurve& curve, bool enabled) {
     const float wide = textButtonWidth(env, text);
     if (!first && room >= wide + 4) {
       ImGui::SameLine(0, 4);
@@ -116,14 +117,13 @@ void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float wi
     first = false;
     const std::string id = "shape-" + std::string(key);
     if (textButton(env, {id.c_str(), text, false, enabled, height})) {
-      const std::string name = std::string(info.key) + "/" + std::string(key);
-      env.sink.run("along-shape", app::Json::Object{{"shape", name}});
+      env.sink.run(app::setAlong, env.ui().selection, info.kind, curve);
     }
   };
   for (const app::AlongShape& shape : app::alongShapes()) {
-    if (shape.kind == info.kind) chip(shape.key, shape.label, true);
+    if (shape.kind == info.kind) chip(shape.key, shape.label, {shape.points}, true);
   }
-  chip("none", "Reset", used);
+  chip("none", "Reset", {}, used);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/curve_graph.h"
@@ -37,7 +38,7 @@ void bar(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, floa
       ImGui::SetCursorScreenPos({c.x - r, c.y - r});
       ImGui::PushID(static_cast<int>(i));
       if (ImGui::InvisibleButton("stop", {2 * r, 2 * r})) {
-        env.sink.run("select-slice", app::Json::Object{{"slice", static_cast<double>(i)}});
+        env.sink.run(app::selectSection, env.ui().selection, i);
       }
       registerControl(env, app::Control::Kind::Button, "Slice " + std::to_string(i + 1), true, i == picked);
       ImGui::PopID();
@@ -78,7 +79,7 @@ void blends(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, f
               {std::floor(side), strip ? 44.f : 50.f},
               on},
              paint)) {
-      env.sink.run("set-blend", app::Json::Object{{"blend", name.key}, {"slice", static_cast<double>(picked)}});
+      env.sink.run(app::setBlend, env.ui().selection, picked, app::blendOf(name.kind, stops[picked].blend));
     }
   }
 }

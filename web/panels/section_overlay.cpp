@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "web/commands/section_json.h"
+#include "web/commands/intents.h"
 #include "web/edit/drop_place.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
@@ -36,10 +36,7 @@ void carriedTile(const PanelEnv& env) {
     if (sections.carried) {
       const app::DropPlace place = app::dropPlace(env.document(), env.derived, env.ui(), sections.carriedTo);
       if (place.part) {
-        app::Json::Object args = *app::shapeJson(*sections.carried).object();
-        args.emplace_back("part", place.part.value);
-        args.emplace_back("at", place.at);
-        env.sink.run("add-slice", std::move(args));
+        env.sink.run(app::addSection, place.part, place.at, *sections.carried);
       }
       sections.marked.reset();
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/publish/publish.h"
+#include "web/commands/intents.h"
 #include "web/model/print_report.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -32,9 +33,7 @@ void howTall(const PanelEnv& env, float width) {
   const double mm = env.document().height.value;
   const bool can = !env.document().parts.empty();
   const float side = buttonSide(env);
-  const auto step = [&](int direction) {
-    env.sink.run("set-height", app::Json::Object{{"mm", nextHeight(mm, direction)}});
-  };
+  const auto step = [&](int direction) { env.sink.run(app::setHeight, nextHeight(mm, direction)); };
   if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
   ImGui::SameLine(0, 4);
   const std::string text = app::spokenLength(mm);
@@ -68,9 +67,11 @@ void likeThings(const PanelEnv& env, float width) {
     };
     const bool pressed = tile(env, {thing.key.data(), thing.label, tip, {wide, 60}, on}, paint);
     if (!pressed || env.document().parts.empty()) continue;
-    const bool away = on && mm == thing.mm;
-    env.sink.run(away ? "show-beside" : "size-like",
-                 app::Json::Object{{"thing", away ? std::string_view("none") : thing.key}});
+    if (on && mm == thing.mm) {
+      env.sink.run(app::showBeside, std::nullopt);
+    } else {
+      env.sink.run(app::sizeLike, i);
+    }
   }
 }
 
@@ -83,7 +84,7 @@ void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
   ImGui::PopTextWrapPos();
   const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);
   if (fix == nullptr) return;
-  if (textButton(env, {line.fix.data(), fix->label, true, true, buttonSide(env), width})) env.sink.run(line.fix);
+  if (textButton(env, {line.fix.data(), fix->label, true, true, buttonSide(env), width})) env.sink.run(*fix);
 }
 
 void printing(const PanelEnv& env, float width) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "web/commands/intents.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -70,7 +71,7 @@ void sizes(const PanelEnv& env) {
     const std::string id(app::kPenSizes[i]);
     const char* words = i == 0 ? "Fine" : i == 1 ? "Medium" : "Bold";
     if (dotButton(env, {id.c_str(), words, kDotRadii[i], colour, chosen == i})) {
-      env.sink.run("pen-size", app::Json::Object{{"size", id}});
+      env.sink.run(app::setPenSize, i);
     }
   }
 }
@@ -82,7 +83,7 @@ void inks(const PanelEnv& env, std::size_t columns = app::kInks.size()) {
     if (at++ % columns != 0) ImGui::SameLine();
     const bool on = !erasing(env) && env.ui().sketching.colour == ink.colour;
     if (dotButton(env, {ink.value.data(), ink.label, 8, colourOf(ink.colour), on})) {
-      env.sink.run("pen-colour", app::Json::Object{{"colour", ink.value}});
+      env.sink.run(app::setPenColour, ink.colour);
     }
   }
 }

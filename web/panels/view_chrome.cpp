@@ -31,7 +31,7 @@ struct Bar {
   app::BarMenu menu;
   const char* name;
   app::Rect view;
-  std::span<const std::string_view> ids;  ///< the most used first
+  std::span<const app::CommandId> ids;  ///< the most used first
   app::Focus focus;
   double taken = 0;  ///< of the view's width, from the left
 };
@@ -45,8 +45,8 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   const bool column = app::buttonsAtSide(view);
   const double room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
   if (room < cell || bar.ids.empty()) return {};
-  const BarSplit split = splitBar(bar.ids, static_cast<std::size_t>(room / cell),
-                                  [&](std::string_view id) { return isToolInUse(env, id); });
+  const BarSplit split =
+      splitBar(bar.ids, static_cast<std::size_t>(room / cell), [&](app::CommandId id) { return isToolInUse(env, id); });
   const double length = static_cast<double>(split.cells()) * cell + edge, breadth = cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
   const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
@@ -275,14 +275,14 @@ void drawViewChrome(const PanelEnv& env) {
     chip(env, layout.solid, solid.c_str(), !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
-  constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
-  constexpr std::string_view kPictureFew[] = {"draw",  "puff", "ribs",         "bone", "sheet",
-                                              "shape", "hand", "ignore-edges", "fit"};
-  constexpr std::string_view kPictureAll[] = {"draw", "puff",         "sheet", "hand",     "ribs",   "shape",
-                                              "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
-  constexpr std::string_view kSolidFew[] = {"move", "home-view"};
-  constexpr std::string_view kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
-  using Ids = std::span<const std::string_view>;
+  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
+  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",         "bone", "sheet",
+                                            "shape", "hand", "ignore-edges", "fit"};
+  constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "hand",     "ribs",   "shape",
+                                            "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
+  constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
+  constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
+  using Ids = std::span<const app::CommandId>;
   const bool few = layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
   const bool bare = env.document().parts.empty();

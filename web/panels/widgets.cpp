@@ -143,16 +143,15 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   return pressed && button.enabled;
 }
 
-void commandButton(const PanelEnv& env, std::string_view id, float size) {
-  const app::Command* command = app::findCommand(id);
-  if (command == nullptr) return;
-  const std::string name(id);
-  const bool active = command->toggled != nullptr && command->toggled(env.env);
-  const bool can = app::enabled(*command, env.env);
-  const ImU32 colour = command->group == "tool" ? toolColour(env.ui().tool) : 0;
-  const std::string tip = tipOf(*command);
-  if (iconButton(env, {name.c_str(), command->icon, tip, active, can, size, colour, command->label})) {
-    env.sink.run(id);
+void commandButton(const PanelEnv& env, app::CommandId id, float size) {
+  const app::Command& command = app::commandOf(id);
+  const std::string name{std::string_view(id)};
+  const bool active = command.toggled != nullptr && command.toggled(env.env);
+  const bool can = app::enabled(command, env.env);
+  const ImU32 colour = command.group == "tool" ? toolColour(env.ui().tool) : 0;
+  const std::string tip = tipOf(command);
+  if (iconButton(env, {name.c_str(), command.icon, tip, active, can, size, colour, command.label})) {
+    env.sink.run(command);
   }
 }
 
@@ -162,14 +161,14 @@ float wordButtonWidth(const PanelEnv& env, std::string_view text, float height) 
 }
 
 void wordButton(const PanelEnv& env, const WordButton& button) {
-  const app::Command* command = app::findCommand(button.id);
-  if (command == nullptr) return;
-  const bool active = command->toggled != nullptr && command->toggled(env.env);
-  const bool can = app::enabled(*command, env.env);
+  const app::Command& command = app::commandOf(button.id);
+  const bool active = command.toggled != nullptr && command.toggled(env.env);
+  const bool can = app::enabled(command, env.env);
   ImGui::BeginDisabled(!can);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton(std::string(button.id).c_str(), {button.width, button.height});
-  registerControl(env, app::Control::Kind::Button, command->label, can, active);
+  const bool pressed =
+      ImGui::InvisibleButton(std::string(std::string_view(button.id)).c_str(), {button.width, button.height});
+  registerControl(env, app::Control::Kind::Button, command.label, can, active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.width, at.y + button.height};
@@ -179,19 +178,19 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   const ImU32 ink = active ? button.colour : can ? kInk : rgb(0x5c6474, 110);
   ImFont* icons = env.fonts.icons;
   const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
-  const char* text = iconText(command->icon);
+  const char* text = iconText(command.icon);
   const ImVec2 extent = icons->CalcTextSizeA(size, FLT_MAX, 0, text);
   list.AddText(icons, size, {at.x + (button.height - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink, text);
   if (button.width > button.height + 8) {
     ImFont* font = env.fonts.small;
     const float height = font->FontSize * scale;
-    const std::string_view label = command->label;
+    const std::string_view label = command.label;
     list.AddText(font, height, {at.x + button.height - 4, at.y + (button.height - height) / 2}, ink, label.data(),
                  label.data() + label.size());
   }
   ImGui::EndDisabled();
-  tooltip(button.width > button.height + 8 ? command->hint : std::string_view(tipOf(*command)));
-  if (pressed && can) env.sink.run(button.id);
+  tooltip(button.width > button.height + 8 ? command.hint : std::string_view(tipOf(command)));
+  if (pressed && can) env.sink.run(command);
 }
 
 float textButtonWidth(const PanelEnv& env, std::string_view text) {
@@ -259,22 +258,21 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   return pressed;
 }
 
-void commandTile(const PanelEnv& env, std::string_view id, std::string_view text, ImVec2 size) {
-  const app::Command* command = app::findCommand(id);
-  if (command == nullptr) return;
-  const std::string name(id);
-  const bool on = command->toggled != nullptr && command->toggled(env.env);
+void commandTile(const PanelEnv& env, app::CommandId id, std::string_view text, ImVec2 size) {
+  const app::Command& command = app::commandOf(id);
+  const std::string name{std::string_view(id)};
+  const bool on = command.toggled != nullptr && command.toggled(env.env);
   const std::string_view below = size.y < 50 ? std::string_view() : text;
-  const bool can = app::enabled(*command, env.env);
-  const bool pressed = tile(env, {name.c_str(), below, command->hint, size, on, command->label, can},
+  const bool can = app::enabled(command, env.env);
+  const bool pressed = tile(env, {name.c_str(), below, command.hint, size, on, command.label, can},
                             [&](ImDrawList& list, ImVec2 c, float, ImU32) {
-                              const char* icon = iconText(command->icon);
+                              const char* icon = iconText(command.icon);
                               ImFont* font = env.fonts.icons;
                               const float side = font->FontSize * ImGui::GetIO().FontGlobalScale;
                               const ImVec2 extent = font->CalcTextSizeA(side, FLT_MAX, 0, icon);
                               list.AddText(font, side, {c.x - extent.x / 2, c.y - extent.y / 2}, kAccent, icon);
                             });
-  if (pressed && can) env.sink.run(id);
+  if (pressed && can) env.sink.run(command);
 }
 
 void dragScroll() {

@@ -47,7 +47,7 @@ struct IconButton {
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);
 /// The button of a command; runs it when pressed. Tools have their own colours.
-void commandButton(const PanelEnv& env, std::string_view id, float size);
+void commandButton(const PanelEnv& env, app::CommandId id, float size);
 
 /// A button with words; `primary` is the one that ends the work.
 struct TextButton {
@@ -75,7 +75,7 @@ class WordButtons {
 /// A button of a command that says its word beside the icon when it is wider than high; what is
 /// switched on has `colour`.
 struct WordButton {
-  std::string_view id;
+  app::CommandId id;
   float width = 36, height = 36;
   ImU32 colour = 0;
 };
@@ -97,7 +97,7 @@ using TilePaint = std::function<void(ImDrawList&, ImVec2, float, ImU32)>;
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
 
 /// A tile that runs a command, with its icon and a word.
-void commandTile(const PanelEnv& env, std::string_view id, std::string_view text, ImVec2 size);
+void commandTile(const PanelEnv& env, app::CommandId id, std::string_view text, ImVec2 size);
 
 /// Scrolls the current window when a finger or the mouse drags its content.
 void dragScroll();

@@ -1,5 +1,6 @@
 #include "web/tools/depth_tool.h"
 
+#include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 
@@ -50,12 +51,12 @@ void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
 void DepthTool::commit(const ToolEnv& env) {
   env.ui.inHand = {};
   if (!env.ui.preview) {
-    if (handle_ >= 0) env.sink.run("choose-handle", app::Json::Object{{"handle", handle_}});
+    if (handle_ >= 0) env.sink.run(app::chooseHandle, handle_);
     return;
   }
   const PartId part = env.ui.preview->part;
   env.ui.preview.reset();
-  env.sink.run("set-depth", app::Json::Object{{"part", part.value}, {"points", curveJson(depth_)}});
+  env.sink.run(app::setDepth, part, depth_);
 }
 
 void DepthTool::cancel(const ToolEnv& env) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "web/commands/section_json.h"
+#include "web/commands/intents.h"
 #include "web/edit/section_editing.h"
 #include "web/tools/section_tools.h"
 
@@ -118,16 +118,16 @@ void DragGraph::commit(const ToolEnv& env) {
   if (remove && point_ < curve.points.size()) {
     curve.points.erase(curve.points.begin() + static_cast<std::ptrdiff_t>(point_));
   }
-  const double stop = static_cast<double>(env.ui.sections.stop);
   cancel(env);
-  if (curve == current(env)) return;
+  const document::Part* part = document::findPart(env.document, env.ui.selection);
+  if (part == nullptr || curve == current(env)) return;
   if (isBlend()) {
-    env.sink.run("set-blend",
-                 app::Json::Object{{"blend", "custom"}, {"slice", stop}, {"points", app::curveJson(curve)}});
+    env.sink.run(app::setBlend, part->id, app::pickedSectionKey(env.ui, *part),
+                 loft::Blend{loft::BlendKind::Custom, curve});
   } else {
     const app::AlongInfo& info = app::alongInfo(env.ui.sections.along);
     for (AlongPoint& p : curve.points) p.value = std::clamp(p.value, info.low, info.high);
-    env.sink.run("set-along", app::Json::Object{{"kind", info.key}, {"points", app::curveJson(curve)}});
+    env.sink.run(app::setAlong, part->id, info.kind, curve);
   }
 }
 

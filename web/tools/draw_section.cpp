@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "web/commands/intents.h"
 #include "web/edit/section_editing.h"
 #include "web/tools/section_tools.h"
 
@@ -11,18 +12,7 @@ namespace {
 constexpr double kPointSpacing = 1.5;  // CSS pixels between the points of a stroke
 
 using app::BoardTool;
-
-app::Json pair(SectionPoint p) { return app::Json::Array{p.x, p.y}; }
-
-app::Json list(std::span<const SectionPoint> points) {
-  app::Json::Array out;
-  for (const SectionPoint p : points) out.push_back(pair(p));
-  return out;
-}
-
-app::Json::Object naming(loft::PointRef ref) {
-  return {{"curve", static_cast<double>(ref.curve)}, {"point", static_cast<double>(ref.point)}};
-}
+using Kind = app::BoardStroke::Kind;
 
 /// How far a place on the canvas is from the outline after a point of a curve.
 double distanceToStretch(const app::SectionBoard& board, const loft::DrawnCurve& curve, std::size_t i,
@@ -122,7 +112,7 @@ void DrawSection::commit(const ToolEnv& env) {
   switch (board.tool) {
     case BoardTool::Pen:
       board.live.reset();
-      if (moved) env.sink.run("slice-draw", app::Json::Object{{"stroke", list(stroke)}});
+      if (moved) env.sink.run(app::drawOnBoard, app::BoardStroke{Kind::Freehand, std::move(stroke)});
       break;
     case BoardTool::Line:
       commitLine(env);
@@ -130,9 +120,8 @@ void DrawSection::commit(const ToolEnv& env) {
     case BoardTool::Box:
     case BoardTool::Ellipse: {
       board.live.reset();
-      const char* key = board.tool == BoardTool::Box ? "box" : "ellipse";
-      const app::Json::Array corners{pair(from_), pair(to_)};
-      if (moved) env.sink.run("slice-draw", app::Json::Object{{key, corners}});
+      const Kind kind = board.tool == BoardTool::Box ? Kind::Box : Kind::Ellipse;
+      if (moved) env.sink.run(app::drawOnBoard, app::BoardStroke{kind, {from_, to_}});
       break;
     }
     case BoardTool::Points:
@@ -151,7 +140,7 @@ void DrawSection::commitLine(const ToolEnv& env) {
   const bool back = board.corners.size() >= 3 && distance(first, last_.at) < reachOf(last_);
   if (back || (doubled_ && !watch_.moved())) {
     if (board.corners.size() < 3) return;
-    env.sink.run("slice-draw", app::Json::Object{{"corners", list(board.corners)}});
+    env.sink.run(app::drawOnBoard, app::BoardStroke{Kind::Corners, board.corners});
     return;
   }
   const app::ClientPoint before = app::toCanvas(board, board.corners.back());
@@ -162,29 +151,20 @@ void DrawSection::commitPoint(const ToolEnv& env) {
   app::SectionBoard& board = *env.ui.sections.board;
   if (!watch_.moved()) {
     board.point = held_;
-    if (held_ && doubled_) env.sink.run("slice-remove-point", naming(*held_));
-    if (!held_ && after_) {
-      app::Json::Object args = naming(*after_);
-      args.emplace_back("to", pair(from_));
-      env.sink.run("slice-add-point", std::move(args));
-    }
+    if (held_ && doubled_) env.sink.run(app::removeBoardPoint, *held_);
+    if (!held_ && after_) env.sink.run(app::addBoardPoint, *after_, from_, std::nullopt);
     return;
   }
   if (!board.live) return;
   loft::Drawing next = *std::exchange(board.live, std::nullopt);
   if (!held_) return;
   // One step even where a point was pulled out of the curve.
-  app::Json::Object args = naming(*held_);
-  args.emplace_back("to", pair(to_));
   if (after_ && next.size() == board.drawing.size() &&
       next[held_->curve].points.size() != board.drawing[held_->curve].points.size()) {
-    args = naming(*after_);
-    args.emplace_back("from", pair(from_));
-    args.emplace_back("to", pair(to_));
-    env.sink.run("slice-add-point", std::move(args));
+    env.sink.run(app::addBoardPoint, *after_, from_, to_);
     return;
   }
-  env.sink.run("slice-move-point", std::move(args));
+  env.sink.run(app::moveBoardPoint, *held_, to_);
 }
 
 void DrawSection::cancel(const ToolEnv& env) {

@@ -1,5 +1,6 @@
 #include "web/tools/draw_spine.h"
 
+#include "web/commands/intents.h"
 #include "web/edit/outline.h"
 #include "web/edit/preview.h"
 
@@ -50,12 +51,12 @@ void DrawSpine::commit(const ToolEnv& env) {
   }
   const document::LoftRecipe& recipe = env.ui.preview->loft();
   const PartId redraw = env.ui.redraw;
-  app::Json::Object args{{"stroke", strokeJson(recipe.stroke)}};
-  if (redraw) args.emplace_back("part", redraw.value);
-  if (!redraw) args.emplace_back("cut", true);
-  if (!redraw && !recipe.pose.depth.empty()) args.emplace_back("depth", curveJson(recipe.pose.depth));
+  if (redraw) {
+    env.sink.run(app::redrawSpine, redraw, recipe.stroke);
+  } else {
+    env.sink.run(app::drawSpine, app::DrawSpineIntent{recipe.stroke, recipe.pose.depth, true});
+  }
   env.ui.preview.reset();
-  env.sink.run(redraw ? "redraw-spine" : "draw-spine", std::move(args));
 }
 
 void DrawSpine::cancel(const ToolEnv& env) { env.ui.preview.reset(); }

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "web/commands/intents.h"
 #include "web/edit/outline.h"
 #include "web/edit/picker.h"
 #include "web/edit/placing.h"
@@ -76,26 +77,11 @@ app::Subject editedPart(const ToolEnv& env) {
 
 void selectTapped(const ToolEnv& env, PartId part, bool add) {
   if (env.document.parts.empty()) return;  // nothing to take, nothing to let go of
-  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", add}});
+  env.sink.run(app::selectPart, part, add);
 }
 
 PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at) {
   return env.ui.pictureView.toPicture(at, env.ui.layout.picture);
-}
-
-app::Json pointJson(PicturePoint p) { return app::Json::Array{p.x, p.y}; }
-
-app::Json strokeJson(const std::vector<PicturePoint>& stroke) {
-  app::Json::Array list;
-  list.reserve(stroke.size());
-  for (const PicturePoint p : stroke) list.push_back(pointJson(p));
-  return list;
-}
-
-app::Json curveJson(const geometry::AlongCurve& curve) {
-  app::Json::Array list;
-  for (const auto& [at, value] : curve.points) list.push_back(app::Json::Array{at, value});
-  return list;
 }
 
 bool extend(const ToolEnv& env, std::vector<PicturePoint>& stroke, app::ClientPoint at) {

@@ -22,9 +22,6 @@ app::Subject editedPart(const ToolEnv& env);
 /// A tap: takes the part in hand, or lets go of all where there is none; `add`: besides what is in hand.
 void selectTapped(const ToolEnv& env, PartId part, bool add = false);
 PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at);
-app::Json pointJson(PicturePoint p);
-app::Json strokeJson(const std::vector<PicturePoint>& stroke);
-app::Json curveJson(const geometry::AlongCurve& curve);
 /// Adds a point unless it is too close to the last one to matter. True when it was added.
 bool extend(const ToolEnv& env, std::vector<PicturePoint>& stroke, app::ClientPoint at);
 

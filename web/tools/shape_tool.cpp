@@ -1,5 +1,6 @@
 #include "web/tools/shape_tool.h"
 
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 
 namespace spineloft::tools {
@@ -36,10 +37,8 @@ void ShapeTool::commit(const ToolEnv& env) {
   }
   const PartId part = env.ui.preview->part;
   env.ui.preview.reset();
-  env.sink.run("shape-ribs", app::Json::Object{{"part", part.value},
-                                               {"stroke", strokeJson(hand.stroke)},
-                                               {"both", env.ui.edit.bothSides},
-                                               {"within", kLineReach / env.ui.pictureView.zoom}});
+  env.sink.run(app::shapeRibs,
+               app::ShapeRibsIntent{part, hand.stroke, kLineReach / env.ui.pictureView.zoom, env.ui.edit.bothSides});
 }
 
 void ShapeTool::cancel(const ToolEnv& env) {

@@ -1,5 +1,6 @@
 #include "web/tools/slide_section.h"
 
+#include "web/commands/intents.h"
 #include "web/edit/drop_place.h"
 #include "web/edit/outline.h"
 #include "web/edit/section_editing.h"
@@ -38,11 +39,10 @@ void SlideSection::commit(const ToolEnv& env) {
   env.ui.sections.marked.reset();
   if (!watch_.moved()) return;
   env.ui.preview.reset();
-  const auto stop = static_cast<double>(stop_);
   if (off_) {
-    env.sink.run("remove-slice", app::Json::Object{{"slice", stop}});
+    env.sink.run(app::removeSection, env.ui.selection, stop_);
   } else {
-    env.sink.run("move-slice", app::Json::Object{{"slice", stop}, {"to", at_}});
+    env.sink.run(app::moveSection, env.ui.selection, stop_, at_);
   }
 }
 
@@ -66,7 +66,7 @@ void PlaceSection::commit(const ToolEnv& env) {
     env.ui.sections.placing = false;
     return;
   }
-  env.sink.run("add-slice", app::Json::Object{{"part", place.part.value}, {"at", place.at}});
+  env.sink.run(app::addSection, place.part, place.at, std::nullopt);
 }
 
 void PlaceSection::cancel(const ToolEnv& env) { env.ui.sections.marked.reset(); }

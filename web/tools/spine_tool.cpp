@@ -1,6 +1,7 @@
 #include "web/tools/spine_tool.h"
 
 #include "engine/ribs/edit/spine_gestures.h"
+#include "web/commands/intents.h"
 #include "web/edit/preview.h"
 
 namespace spineloft::tools {
@@ -40,7 +41,7 @@ void SpineTool::move(const ToolEnv& env, const ToolEvent& event) {
 
 void SpineTool::tap(const ToolEnv& env) const {
   if (under_.handle >= 0) {
-    env.sink.run("choose-handle", app::Json::Object{{"handle", under_.handle}});
+    env.sink.run(app::chooseHandle, under_.handle);
   } else if (!under_.spine) {
     selectTapped(env, under_.part);
   }
@@ -50,19 +51,17 @@ void SpineTool::commit(const ToolEnv& env) {
   const app::InHand hand = std::exchange(env.ui.inHand, {});
   if (!watch_.moved()) return tap(env);
   if (!env.ui.preview) return;
-  app::Json::Object args{{"part", env.ui.preview->part.value}, {"keep", env.ui.edit.keepRibs}};
+  const PartId part = env.ui.preview->part;
+  const bool keep = env.ui.edit.keepRibs;
   env.ui.preview.reset();
   if (under_.handle >= 0) {
-    args.emplace_back("handle", under_.handle);
-    args.emplace_back("to", pointJson(to_));
-    args.emplace_back("reach", env.ui.edit.spineReach);
-    env.sink.run("bend-spine", std::move(args));
+    env.sink.run(app::bendSpine, app::BendSpineIntent{part, under_.handle, to_, env.ui.edit.spineReach, keep});
   } else if (under_.spine) {
-    args.emplace_back("by", pointJson(to_ - from_));
-    env.sink.run("move-spine", std::move(args));
+    env.sink.run(app::moveSpine, part, to_ - from_, keep);
+  } else if (keep) {
+    env.sink.run(app::poseAlong, part, hand.stroke);
   } else {
-    args.emplace_back("stroke", strokeJson(hand.stroke));
-    env.sink.run(env.ui.edit.keepRibs ? "pose-spine" : "redraw-spine", std::move(args));
+    env.sink.run(app::redrawSpine, part, hand.stroke);
   }
 }
 

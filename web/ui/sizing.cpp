@@ -112,14 +112,14 @@ std::optional<double> millimetresFrom(std::string_view text) {
   const std::size_t unitAt =
       std::min(plain.size(), plain.find_first_not_of("+-.0123456789", std::min(first, plain.size())));
   if (first >= unitAt) return std::nullopt;
-  const std::optional<Json> value = Json::parse(std::string_view(plain).substr(first, unitAt - first));
-  if (!value || !value->number()) return std::nullopt;
+  const std::optional<double> value = numberFrom(std::string_view(plain).substr(first, unitAt - first));
+  if (!value) return std::nullopt;
   std::string_view unit = std::string_view(plain).substr(unitAt);
   while (!unit.empty() && std::isspace(static_cast<unsigned char>(unit.front()))) unit.remove_prefix(1);
   while (!unit.empty() && std::isspace(static_cast<unsigned char>(unit.back()))) unit.remove_suffix(1);
-  if (unit == "mm") return *value->number();
-  if (unit.empty() || unit == "cm") return *value->number() * 10;
-  if (unit == "m") return *value->number() * 1000;
+  if (unit == "mm") return *value;
+  if (unit.empty() || unit == "cm") return *value * 10;
+  if (unit == "m") return *value * 1000;
   return std::nullopt;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +25,11 @@
 #include "web/ui/views.h"
 
 namespace spineloft::app {
+
+class Outcome;
+struct CommandEnv;
+/// What the answer to a question does, by the question's id.
+using Answers = std::map<std::string, std::function<Outcome(const CommandEnv&, const std::string&)>, std::less<>>;
 
 enum class ToolKind : std::uint8_t {
   Draw,     ///< a new part, or a new line for one
@@ -249,6 +256,8 @@ struct UiState {
   std::vector<document::PlaceParts::One> placing;
   std::optional<ListRow> listDrag;       ///< the row of the part list that is dragged
   GizmoHandle held = GizmoHandle::None;  ///< by the gesture in hand
+
+  Answers answers;  ///< to what was asked so far
 
   Reusable<Preview> preview;
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews

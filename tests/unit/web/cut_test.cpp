@@ -187,7 +187,7 @@ TEST_CASE("by command a cut-out becomes a part at once, or the region of one; ba
   rig.settle();
   CHECK(rig.parts() == 1);
   CHECK(shownArea(*part().find("contours")) == doctest::Approx(kBar).epsilon(0.05));
-  for (const char* bad : {R"({"at":[-40,10]})", R"({"at":[1e999,10]})", R"({"box":[[null,3],[4,4]]})"}) {
+  for (const char* bad : {R"({"at":[-40,10]})", R"({"at":[null,10]})", R"({"box":[[null,3],[4,4]]})"}) {
     CHECK_MESSAGE(*rig.run("cut-out", bad).text("error") == "ValueOutOfRange", bad);
   }
   // A hand that slips says no number.
