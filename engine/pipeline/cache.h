@@ -93,7 +93,8 @@ class Cache {
   /// For shapeStage, likewise from frame to frame.
   ShapeMemory& shapeMemory() { return shapeMemory_; }
 
-  static constexpr std::uint64_t kKeptRounds = 32;
+  /// A step of undo has up to three rounds: its shapes, their ribs, their textures.
+  static constexpr std::uint64_t kKeptRounds = 96;
   /// About 400 parts of 100 ribs; 25 strokes by themselves; 60 parts of usual size with their textures besides those
   /// shown; the marks of 4 pictures.
   static constexpr std::size_t kTraceBytes = 16u << 20, kStrokeBytes = 1u << 20, kShapeBytes = 64u << 20,

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/base/hash.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_texture.h"
 #include "engine/ribs/search/overshoot.h"
@@ -152,7 +153,7 @@ std::shared_ptr<TextureJob> makeTexture(const document::Document& document, cons
 namespace {
 
 // Shapes that their stroke alone decided on are kept under keys of their own.
-std::uint64_t keyBefore(std::uint64_t key) { return key ^ 0x3c6ef372fe94f82bu; }
+std::uint64_t keyBefore(std::uint64_t key) { return Hasher().text("by its stroke").number(key).value(); }
 
 DerivedPart derivePart(const document::Part& part, const document::PictureEntry& entry, Cache& cache,
                        const Clock& clock, Finish finish) {

@@ -146,6 +146,112 @@ test('the command bar mirrors the command table', () =>
     }
   }));
 
+/** Controls of commands, in the bar and in the open menu, that do not say what the table says; [] is right. */
+const differing = (page) =>
+  page.evaluate(() => {
+    const commands = new Map(window.spineloft.commands().map((command) => [command.id, command]));
+    const controls = document.querySelectorAll('#bar [data-command], .menu [data-command]:not([data-value])');
+    return [...controls]
+      .filter((element) => {
+        const command = commands.get(element.dataset.command);
+        const isOn = element.getAttribute('aria-checked') ?? element.getAttribute('aria-pressed');
+        const saysOn = typeof command?.toggled === 'boolean' && isOn !== null ? isOn : String(command?.toggled);
+        const isOff = element.getAttribute('aria-disabled') === 'true';
+        return !command || isOff === command.enabled || saysOn !== String(command.toggled);
+      })
+      .map((element) => element.dataset.command);
+  });
+
+test('menus say what the command table says, whatever was done, also while they are open', () =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [x, y + 6]) });
+    const steps = [
+      ['select-part', { id: 1 }],
+      ['snap-to-surface'],
+      ['select-all'],
+      ['scoop-out', { part: 1 }],
+      ['point-opening'],
+      ['cancel'],
+      ['undo'],
+    ];
+    const item = (id) => page.locator(`.menu [data-command=${id}]`);
+    for (const [id, args] of steps) {
+      await run(page, id, args);
+      await page.locator('#bar-more').click();
+      assert.deepEqual(await differing(page), [], id);
+      if (id === 'snap-to-surface') assert.equal(await item(id).getAttribute('aria-checked'), 'true');
+      if (id === 'select-all') assert.equal(await item('group').getAttribute('aria-disabled'), null);
+      await page.keyboard.press('Escape');
+    }
+    await page.locator('#bar-more').click();
+    for (const isOn of ['false', 'true']) {
+      await run(page, 'snap-to-surface');
+      assert.equal(await item('snap-to-surface').getAttribute('aria-checked'), isOn);
+      assert.deepEqual(await differing(page), []);
+    }
+    await run(page, 'snap-to-surface');
+    await page.keyboard.press('Escape');
+  }));
+
+/** Buttons that run no command of the table: they open a menu or a dialog, close one, or open what is no command. */
+const kNoCommand = [
+  '#bar-more',
+  '#bar-save',
+  '#camera',
+  '#progress-cancel',
+  '.sample-open',
+  '.model-more',
+  '.dialog-close',
+  '.toast-close',
+  'dialog [value=cancel]',
+].join();
+
+test('every button and menu item that runs a command carries its id, and no other', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    const check = async (where) => {
+      const found = await page.evaluate((others) => {
+        const ids = new Set(window.spineloft.commands().map(({ id }) => id));
+        const buttons = [...document.querySelectorAll('button, [role^=menuitem]')];
+        const isHelp = (element) => element.textContent.startsWith('Keys and gestures');
+        return {
+          count: document.querySelectorAll('[data-command]').length,
+          unknown: [...document.querySelectorAll('[data-command]')]
+            .map(({ dataset }) => dataset.command)
+            .filter((id) => !ids.has(id)),
+          without: buttons
+            .filter((element) => !element.dataset.command && !element.matches(others) && !isHelp(element))
+            .map((element) => element.outerHTML.slice(0, 120)),
+        };
+      }, kNoCommand);
+      assert.ok(found.count > 0, where);
+      assert.deepEqual(found.unknown, [], where);
+      assert.deepEqual(found.without, [], where);
+    };
+    await check('start page');
+    await openWithPart(page, tube.png, tube.middle);
+    await check('at work');
+    for (const button of ['#bar-more', '#bar-save', '#bar-items [data-command=set-section]']) {
+      await page.locator(button).click();
+      await check(button);
+      await page.keyboard.press('Escape');
+    }
+    await run(page, 'rename-model');
+    await page.locator('dialog').waitFor();
+    await check('a question');
+    assert.equal(await page.locator('dialog [type=submit]').getAttribute('data-command'), 'rename-model');
+    await page.keyboard.press('Escape');
+    await run(page, 'open-model');
+    await page.locator('dialog.models-dialog .model').first().waitFor();
+    await check('your models');
+    await page.locator('dialog .model-more').first().click();
+    await check('more about a model');
+    assert.deepEqual(
+      await page.locator('.menu [data-command]').evaluateAll((list) => list.map(({ dataset }) => dataset.command)),
+      ['open-model', 'duplicate-model', 'rename-model', 'delete-model'],
+    );
+  }));
+
 test('every icon the table names is drawn', () =>
   onPage(kit, {}, async (page) => {
     await openPicture(page, tube.png, 'tube.png');

@@ -539,11 +539,16 @@ Outcome ungroup(Env env, GroupId group) { return outcomeOf(env.studio.act(docume
 
 Outcome moveInList(Env env, const std::vector<PartId>& parts, PartId before) { return moveTo(env, parts, before); }
 
-bool severalInHand(const CommandEnv& env) { return selectedParts(documentOf(env), env.ui).size() > 1; }
-bool groupIsSelected(const CommandEnv& env) {
-  const auto parts = selectedParts(documentOf(env), env.ui);
+bool severalInHand(const CommandEnv& env) {
+  const document::Document& document = documentOf(env);
+  std::size_t count = 0;
   return std::ranges::any_of(
-      parts, [&](PartId id) { return static_cast<bool>(document::findPart(documentOf(env), id)->group); });
+      document.parts, [&](const document::Part& part) { return isSelected(document, env.ui, part.id) && ++count > 1; });
+}
+bool groupIsSelected(const CommandEnv& env) {
+  const document::Document& document = documentOf(env);
+  return std::ranges::any_of(
+      document.parts, [&](const document::Part& part) { return part.group && isSelected(document, env.ui, part.id); });
 }
 
 std::span<const Command> placeCommands() { return kTable; }

@@ -21,7 +21,6 @@ void sendToast(platform::Host& host, std::string_view level, std::string_view se
 
 }  // namespace
 
-void sendChanged(platform::Host& host) { host.send(R"({"type":"changed"})"); }
 void sendError(platform::Host& host, std::string_view sentence) { sendToast(host, "error", sentence); }
 void sendInfo(platform::Host& host, std::string_view sentence) { sendToast(host, "info", sentence); }
 void sendHint(platform::Host& host, std::string_view sentence) { sendToast(host, "hint", sentence); }

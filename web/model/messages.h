@@ -11,7 +11,6 @@
 
 namespace spineloft::app {
 
-void sendChanged(platform::Host& host);
 void sendError(platform::Host& host, std::string_view sentence);
 void sendInfo(platform::Host& host, std::string_view sentence);
 /// Nothing failed, and what was done may not be what was meant.

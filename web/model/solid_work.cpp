@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "engine/base/hash.h"
 #include "engine/io/json_fields.h"
 #include "engine/mesh/self_crossing.h"
 #include "web/model/messages.h"
@@ -79,7 +80,7 @@ void waitForParts(const document::Document& document, const pipeline::Derived& d
 }
 
 /// A preview's solid is coarser: it must not be taken for the real one.
-std::uint64_t previewKey(std::uint64_t key) { return key ^ 0x5b1d9ac3e7f20861u; }
+std::uint64_t previewKey(std::uint64_t key) { return Hasher().text("preview").number(key).value(); }
 
 /// Takes arrays of numbers off the front of the bytes.
 class Bytes {

@@ -1,4 +1,4 @@
-// The document with its history, everything derived from it, and the work going on about it. No
+// The open model: its session, what is derived from it, and what is saved of it, on one pool of workers. No
 // drawing, no input: commands and tests talk to it.
 #pragma once
 
@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/base/worker_pool.h"
@@ -19,8 +18,9 @@
 #include "engine/pipeline/derive.h"
 #include "engine/publish/publish.h"
 #include "web/model/cut_draft.h"
-#include "web/model/solid_work.h"
-#include "web/model/wanted_jobs.h"
+#include "web/model/derivation.h"
+#include "web/model/saver.h"
+#include "web/model/session.h"
 #include "web/platform/host.h"
 
 namespace spineloft::app {
@@ -30,51 +30,64 @@ class Studio {
   /// `threads` of the worker pool; 0 works between frames.
   Studio(platform::Host& host, int threads);
 
-  const document::Document& document() const { return history_.present(); }
-  std::size_t undoSteps() const { return history_.undoSteps(); }
-  std::size_t redoSteps() const { return history_.redoSteps(); }
-
-  /// All actions or none, as one step of undo. Errors: those of document::update.
-  /// Equal bursts (not empty) shortly after each other, with nothing in between, are one step.
-  Status act(std::span<const document::Action> actions, std::string_view burst = {});
+  // The session; see session.h.
+  const document::Document& document() const { return session_.document(); }
+  const document::History<document::Document>& history() const { return session_.history(); }
+  std::size_t undoSteps() const { return history().undoSteps(); }
+  std::size_t redoSteps() const { return history().redoSteps(); }
+  Status act(std::span<const document::Action> actions, std::string_view burst = {}) {
+    return changed(session_.act(actions, burst));
+  }
   Status act(const document::Action& action) { return act({&action, 1}); }
-  Status undo();
-  Status redo();
+  Status undo() { return changed(session_.undo()); }
+  Status redo() { return changed(session_.redo()); }
   /// An empty board; undo brings the old one back.
   void clear();
-
-  /// Every step with its past and future. Each commit, undo and redo is told to the host as a record
-  /// of the journal (engine/io/journal.h), in order.
-  const document::History<document::Document>& history() const { return history_; }
   /// Another model: its history takes the place of this one. No record of it is told.
   void open(document::History<document::Document> history);
   /// Tells the record of a burst that goes on (amends), once its time has come or `now`.
-  void sendAmends(bool now = false);
+  void sendAmends(bool now = false) { session_.sendAmends(now); }
 
-  /// Up to date with the document: derives now if it has to. Starts the search for edges that are
-  /// missing and the making of textures, and reports parts that failed, each once.
+  // What is derived; see derivation.h.
+  /// What is shown: up to date with the document, derived now if it has to be.
   const pipeline::Derived& derived();
-
   /// What a recipe would become, with the edges known so far (pipeline::previewShape).
-  Status preview(const document::Recipe& recipe, pipeline::PartShape& shape);
+  Status preview(const document::Recipe& recipe, pipeline::PartShape& shape) {
+    return derivation_.preview(recipe, shape);
+  }
   /// The same while its stroke is being drawn (pipeline::liveShape).
-  Status previewLive(const document::Recipe& recipe, pipeline::PartShape& shape);
-
+  Status previewLive(const document::Recipe& recipe, pipeline::PartShape& shape) {
+    return derivation_.previewLive(recipe, shape);
+  }
   /// A stroke as far as it lies on the thing under it (pipeline::strokeOnThing).
-  std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
-
+  std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe) {
+    return derivation_.strokeOnThing(recipe);
+  }
   /// A file or a check is wanted: parts in no step that go through themselves are mended by the solver, as far as they
   /// can be (DerivedPart::mended). False: it is at it, or shapes are still searched for, until `shapesMade`.
-  bool finishParts();
+  bool finishParts() { return derivation_.finishParts(); }
   /// Every shape and every solid is what it is going to be; pictures on them may still be made.
-  bool shapesMade() const { return !stale_ && searching_.empty() && !traces_.busy() && !solids_.busy(); }
+  bool shapesMade() const { return derivation_.shapesMade(); }
   /// What goes through itself and could not be mended.
-  std::vector<PartId> crossingParts();
+  std::vector<PartId> crossingParts() { return derivation_.crossingParts(); }
+  /// The chosen part, or none: what an edit of it needs of the solid that it is in is made ready.
+  void expectEdit(PartId part) { derivation_.expectEdit(part); }
+  /// What the solver of solids says (SolidWork::take). True when something changed.
+  bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
+  /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.
+  void previewSolid(const publish::Substitute& instead) { derivation_.previewSolid(instead); }
+  /// The same while parts are being placed.
+  void previewPlaced(const document::PlaceParts& places) { derivation_.previewPlaced(places); }
+  /// Back to the solids of the document, after a preview.
+  void endPreview() { derivation_.endPreview(); }
+  /// Asks once more for solids that failed or were cancelled.
+  void solveAgain() { derivation_.solveAgain(); }
+  const pipeline::StageMs& lastMs() const { return derivation_.lastMs(); }
 
-  /// Writes the model on a worker and hands the file to the shell. Errors: NothingToExport.
-  Status save(publish::Format format);
-  /// The file, now and here.
-  Result<publish::Bytes> publishNow(publish::Format format);
+  // Files; see saver.h.
+  Status save(publish::Format format) { return saver_.save(format); }
+  Result<publish::Bytes> publishNow(publish::Format format) { return saver_.publishNow(format); }
+  bool unsaved() const { return saver_.unsaved(); }
 
   /// Looks for a thing in a picture (vision::CutOutSearch) on a worker, a round a job, so that without
   /// threads the page is drawn in between. `done` is called once, unless another search or stopCutOut
@@ -84,7 +97,7 @@ class Studio {
 
   /// Takes in what the workers finished. True when something changed.
   bool pump();
-  bool busy() const { return works() || solids_.busy(); }
+  bool busy() const { return works() || derivation_.solids().busy(); }
   /// Threads of its own are at something; the solver of solids speaks up by itself.
   bool works() const { return !pool_.idle(); }
   int threads() const { return pool_.threads(); }
@@ -96,78 +109,17 @@ class Studio {
   std::optional<Activity> activity() const;
   void cancelWork();
 
-  /// The chosen part, or none: what an edit of it needs of the solid that it is in is made ready.
-  void expectEdit(PartId part);
-  /// What the solver of solids says (SolidWork::take). True when something changed.
-  bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
-  /// A part of a solid with the mesh that a gesture makes: its solid follows, as fast as the solver is.
-  void previewSolid(const publish::Substitute& instead);
-  /// The same while parts are being placed.
-  void previewPlaced(const document::PlaceParts& places);
-  /// Back to the solids of the document, after a preview.
-  void endPreview();
-  /// Asks once more for solids that failed or were cancelled.
-  void solveAgain();
-
-  const pipeline::StageMs& lastMs() const { return lastMs_; }
-  /// There are parts, and no file that a model can be opened from holds the document as it is.
-  bool unsaved() const;
-  /// Counts the changes of the document and of what is derived from it.
-  std::uint64_t revision() const { return revision_; }
-
  private:
   struct CutSearch;
   void nextCutRound(const std::shared_ptr<CutSearch>& search);
-  void changed();
-  /// Tells what was just committed.
-  void tell(document::Committed committed, const document::Document& before);
-  void sendRecord(std::string record, const document::Document& before);
-  void findEdges(PictureId id);
-  void keepShown(const pipeline::Derived& before);
-  void noteTimes(const pipeline::Derived& before);
-  void updateSolids();
-  void reportSolids();
-  void takeTrace(const pipeline::TraceJob& making);
-  void takeTexture(const pipeline::TextureJob& making);
-  /// Nothing that a file is to hold is still being made.
-  bool allMade() const { return shapesMade() && !textures_.busy(); }
-  /// Saves what waited for it, when all is there.
-  void saveWaiting();
-  Status saveNow(publish::Format format);
-  /// Says what of the model a file in this format does not hold as it should be.
-  void reportFaults(publish::Format format);
-  void report(const pipeline::Derived& derived);
-  void finishSave(Result<publish::Bytes> bytes, publish::Format format, const document::Document& written);
+  /// The document is another one, if that went well.
+  Status changed(Status status);
 
-  platform::Host& host_;
-  document::History<document::Document> history_;
-  document::Document saved_;
-  std::optional<document::Document> amendedFrom_;  ///< amends since this one are not told yet
-  double amendedMs_ = 0;                           ///< when the first of them was
-  pipeline::Cache cache_;
-  pipeline::Derived derived_;
-  bool stale_ = false;
-  std::string burst_;
-  double burstMs_ = 0;
-  document::Gesture gesture_ = 0;  ///< of the history: counts the bursts
-  pipeline::StageMs lastMs_;
-  std::uint64_t revision_ = 0;
-  struct Search {
-    PictureId picture;
-    std::uint64_t contentHash;
-  };
-  std::vector<Search> searching_;  ///< whose edges a worker seeks
-  std::vector<std::pair<PartId, Error>> reported_;
-  std::vector<std::pair<StepId, Error>> reportedSteps_;
-  SolidWork solids_;
-  bool previewing_ = false;
-  bool finishing_ = false;                ///< of parts in no step all is to be known
+  Session session_;
+  Derivation derivation_;
+  Saver saver_;
   std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
-  /// Waits for the ribs, solids and textures it is to hold.
-  std::optional<publish::Format> saveWaiting_;
-  TraceWork traces_;
-  TextureWork textures_;
-  WorkerPool pool_;  ///< last: its jobs end before the rest goes
+  WorkerPool pool_;                       ///< last: its jobs end before the rest goes
 };
 
 }  // namespace spineloft::app

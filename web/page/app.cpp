@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/base/hash.h"
 #include "engine/base/limits.h"
@@ -14,7 +13,6 @@
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/edit/solid_editing.h"
-#include "web/model/colour_text.h"
 #include "web/model/messages.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -43,11 +41,12 @@ App::App(Parts parts, const platform::CanvasSize& size)
   panels::applyTheme();
   ui_.camera = homeCamera({{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}}, {0, 0, 400, 400});
   resize(size);
+  announce();
 }
 
 void App::touch(int frames) {
   framesWanted_ = std::max(framesWanted_, frames);
-  if (!lost_) host_.requestFrame();
+  host_.requestFrame();
 }
 
 void App::resize(const platform::CanvasSize& size) {
@@ -144,7 +143,11 @@ void App::runCalls() {
 void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); }
 
 void App::frame() {
-  if (lost_) return;
+  if (lost_) {
+    framesWanted_ = 0;
+    announce();
+    return;
+  }
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
@@ -217,41 +220,16 @@ void App::wake() {
     studio_.derived();
   }
   watchWork();
-  announce();
+  if (!penDown) announce();
   touch(studio_.busy() && !studio_.works() ? 1 : 2);
 }
 
-/// Tells the shell when something it shows has changed; cheap to compare, at most once a frame.
+/// Tells the shell what it shows, when that is not what it was told last.
 void App::announce() {
-  json_.clear();
-  json_.beginArray().number(static_cast<double>(studio_.revision()));
-  json_.number(ui_.solids.step.value).number(static_cast<double>(ui_.solids.picked.size()));
-  json_.number(ui_.selection.value).number(ui_.redraw.value).number(ui_.picture.value);
-  json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
-  json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
-  json_.text(colourText(ui_.sketching.colour)).flag(ui_.sketching.menu != PenMenu::None);
-  json_.number(ui_.chosen.end ? static_cast<double>(ui_.chosen.end->rib) : -1);
-  json_.number(ui_.chosen.outline ? static_cast<double>(ui_.chosen.outline->point) : -1);
-  json_.number(ui_.chosen.handle).number(ui_.edit.ribReach).number(ui_.edit.spineReach);
-  json_.flag(ui_.edit.bothSides).flag(ui_.edit.keepRibs).flag(ui_.edit.wholePicture).flag(ui_.edit.paintOver);
-  json_.flag(ui_.edit.depthByPressure).flag(ui_.penSeen).number(ui_.edit.brush);
-  const PictureView& view = ui_.pictureView;
-  json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
-  json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
-  json_.flag(studio_.unsaved()).flag(studio_.busy()).flag(ui_.look.textured);
-  json_.number(static_cast<int>(ui_.look.paint)).flag(ui_.look.faceted).text(colourText(ui_.look.second));
-  json_.number(static_cast<double>(ui_.sections.stop)).flag(ui_.sections.board.has_value());
-  if (ui_.sections.board) json_.number(static_cast<double>(ui_.sections.board->past.size()));
-  json_.number(static_cast<double>(ui_.cutBy)).flag(ui_.cut.has_value());
-  if (ui_.cut)
-    json_.flag(ui_.cut->searching).flag(ui_.cut->adding).number(static_cast<double>(ui_.cut->hints.marks.size()));
-  json_.flag(ui_.sections.placing).number(static_cast<double>(ui_.sections.shelf.size()));
-  const std::optional<Studio::Activity> activity = studio_.activity();
-  json_.flag(activity.has_value()).number(activity ? std::floor(activity->done * 20) : 0);
-  json_.endArray();
-  if (json_.json() == announced_) return;
-  announced_ = json_.json();
-  sendChanged(host_);
+  viewOf(env(), view_);
+  if (view_ == told_) return;
+  std::swap(view_, told_);
+  sendView(host_, told_);
 }
 
 void App::feedPanels(const platform::PointerEvent& event) {
@@ -403,6 +381,7 @@ const std::string& App::addPicture(image::Picture picture, std::string_view name
   settle();
   studio_.derived();
   watchWork();
+  announce();
   touch(3);
   return answerWith({});
 }
@@ -428,6 +407,7 @@ const std::string& App::run(std::string_view id, std::string_view argsJson) {
     settle();
     studio_.derived();
     watchWork();
+    announce();
     touch(2);
   } else {
     outcome = refuse({Error::JsonInvalid, {}});

@@ -9,6 +9,7 @@
 
 #include "web/commands/action_sink.h"
 #include "web/commands/commands.h"
+#include "web/commands/shell_view.h"
 #include "web/gl/renderer.h"
 #include "web/model/json.h"
 #include "web/model/keeping.h"
@@ -114,7 +115,7 @@ class App final : public platform::Page {
   std::string cursor_;
   PartId chosenOf_;        ///< the part that ui_.chosen is about
   std::string named_;      ///< the rib end that the status names
-  std::string announced_;  ///< the state that the shell knows of, in short
+  ShellView told_, view_;  ///< what the shell knows, and what it is compared with
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;
   bool wakePending_ = false, tooltipPending_ = false;

@@ -97,6 +97,7 @@ void App::showOtherModel() {
   settle();
   studio_.derived();
   watchWork();
+  announce();
   touch(3);
 }
 

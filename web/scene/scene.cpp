@@ -13,8 +13,11 @@ namespace {
 
 gl::Viewport viewport(const Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
 
+/// What lies on the GPU under the key 0 is nothing.
+std::uint64_t gpuKey(std::uint64_t hash) { return hash == 0 ? 1 : hash; }
+
 gl::SceneTexture textureOf(const document::PictureEntry& entry, const image::Picture& pixels) {
-  return {entry.contentHash | 1u, &pixels.working};
+  return {gpuKey(entry.contentHash), &pixels.working};
 }
 
 gl::Mat4 matrixOf(const pipeline::ToWorld& toWorld) {
@@ -55,7 +58,7 @@ Source sourceOf(const document::Document& document, const pipeline::Derived& der
 void useTexture(const Source& source, const pipeline::PartShape& shape, gl::SceneMesh& mesh) {
   if (shape.texture) {
     const surface::UvArea& area = shape.texture->area;
-    mesh.texture = {Hasher().text("texture").number(shape.textureKey).value() | 1u, &shape.texture->pixels};
+    mesh.texture = {gpuKey(Hasher().text("texture").number(shape.textureKey).value()), &shape.texture->pixels};
     mesh.textureArea = {static_cast<float>(area.left), static_cast<float>(area.top),
                         static_cast<float>(area.right - area.left), static_cast<float>(area.bottom - area.top)};
   } else if (!isDressed(shape) && source.pixels) {
@@ -104,7 +107,7 @@ gl::SceneMesh meshOf(const Source& source, const document::Look& look, const pip
 
 /// Of the mesh as it lies on the GPU.
 std::uint64_t keyOf(std::uint64_t shape, const document::Look& look) {
-  return Hasher().text("mesh").number(shape).number(look.faceted).value() | 1u;
+  return gpuKey(Hasher().text("mesh").number(shape).number(look.faceted).value());
 }
 
 void addParts(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
@@ -157,7 +160,7 @@ void addSolids(const document::Document& document, const pipeline::Derived& deri
     for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
       gl::SceneMesh mesh = pieceOf(document, derived, step, piece);
       const std::uint64_t key = Hasher().text("piece").number(shown->solid->key).number(number++).value();
-      mesh.key = Hasher().number(key).number(mesh.faceted).value() | 1u;
+      mesh.key = gpuKey(Hasher().number(key).number(mesh.faceted).value());
       const bool chosen = piece.part && piece.part == ui.selection;
       mesh.glow = chosen ? 0.7f : piece.part && piece.part == ui.hover.part ? 0.35f : 0.f;
       scene.meshes.push_back(mesh);

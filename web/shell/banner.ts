@@ -6,7 +6,8 @@ export interface Banner {
   /** A banner of the same id takes its place. */
   id: string;
   text: string;
-  actions: { label: string; run(): void }[];
+  /** With the command of the table that one runs, if it does. */
+  actions: { label: string; command?: string; run(): void }[];
   canDismiss: boolean;
 }
 
@@ -24,7 +25,7 @@ export function showBanner(banner: Banner): void {
   );
   const buttons = make('div', { class: 'banner-buttons' });
   for (const action of banner.actions) {
-    const button = make('button', { type: 'button', class: 'button' }, action.label);
+    const button = make('button', { type: 'button', class: 'button', 'data-command': action.command }, action.label);
     button.addEventListener('click', () => action.run());
     buttons.append(button);
   }

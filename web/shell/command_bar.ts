@@ -3,7 +3,7 @@
 import type { Command } from './api.ts';
 import { ariaShortcut, byId, firstShortcut, make, setAttribute, shortcutText } from './dom.ts';
 import { icon } from './icons.ts';
-import { toggleMenu } from './menu.ts';
+import { hasOpenMenu, toggleMenu, updateMenu } from './menu.ts';
 import type { MenuGroup, MenuItem } from './menu.ts';
 
 type Run = (id: string, args?: Record<string, unknown>) => void;
@@ -65,6 +65,8 @@ export class CommandBar {
   constructor(
     private readonly run: Run,
     private readonly showShortcuts: () => void,
+    /** The table with the choices as they are now. */
+    private readonly allNow: () => Command[],
   ) {
     this.more.append(icon('ellipsis'), make('span', { class: 'bar-label' }, 'More'));
     this.save.append(icon('download'), make('span', {}, 'Save'), icon('chevron-down'));
@@ -75,7 +77,7 @@ export class CommandBar {
     new ResizeObserver(() => this.fit()).observe(this.toolbar);
   }
 
-  /** Shows the table as it is now; focus and open menus stay. */
+  /** Shows the table as it is now; focus stays, and so does an open menu. */
   update(commands: Command[]): void {
     this.commands = commands;
     const ids = kBar.filter(
@@ -87,6 +89,7 @@ export class CommandBar {
     const savable = this.saveCommands().some((command) => command.enabled);
     setAttribute(this.save, 'aria-disabled', savable ? null : 'true');
     setAttribute(this.save, 'data-tip', savable ? 'Save the model as a file' : 'Draw a part first, then save it');
+    if (hasOpenMenu(this.toolbar)) updateMenu(this.menuItems());
     this.fit();
   }
 
@@ -135,13 +138,25 @@ export class CommandBar {
   private press(button: HTMLElement, id: string): void {
     const command = this.find(id);
     if (!command?.enabled) return;
-    if (command.argument?.choices) toggleMenu(button, command.label, [{ title: '', items: this.choiceItems(command) }]);
+    if (command.argument?.choices)
+      toggleMenu(button, command.label, [{ title: '', items: this.choiceItems(this.withChoices(command)) }]);
     else this.run(id);
+  }
+
+  private withChoices(command: Command): Command {
+    return this.allNow().find(({ id }) => id === command.id) ?? command;
+  }
+
+  /** All items of all menus, as they are now. */
+  private menuItems(): MenuItem[] {
+    return this.allNow().flatMap((command) => [this.plainItem(command, false), ...this.choiceItems(command)]);
   }
 
   private choiceItems(command: Command): MenuItem[] {
     const argument = command.argument;
     return (argument?.choices ?? []).map((choice) => ({
+      command: command.id,
+      value: String(choice.value),
       label: choice.label,
       swatch: /^#[0-9a-f]{6}$/i.test(String(choice.value)) ? String(choice.value) : undefined,
       kind: typeof choice.toggled === 'boolean' ? ('radio' as const) : undefined,
@@ -170,6 +185,7 @@ export class CommandBar {
   private plainItem(command: Command, withHint: boolean): MenuItem {
     const toggled = typeof command.toggled === 'boolean';
     return {
+      command: command.id,
       label: command.label,
       icon: command.icon,
       detail: withHint ? command.hint : undefined,
@@ -184,8 +200,17 @@ export class CommandBar {
   /** A command with choices as one item that leads to them. */
   private leadingItem(command: Command): MenuItem {
     const choices = () =>
-      toggleMenu(this.more, command.label, [{ title: command.label, items: this.choiceItems(command) }]);
-    return { label: command.label, icon: command.icon, disabled: !command.enabled, leads: true, run: choices };
+      toggleMenu(this.more, command.label, [
+        { title: command.label, items: this.choiceItems(this.withChoices(command)) },
+      ]);
+    return {
+      command: command.id,
+      label: command.label,
+      icon: command.icon,
+      disabled: !command.enabled,
+      leads: true,
+      run: choices,
+    };
   }
 
   /** Everything that has no visible button, by group. */

@@ -23,8 +23,8 @@ export function openDialog(title: string, body: Node[], className: string): HTML
   return dialog;
 }
 
-/** Asks for a line of text; null when it was closed without an answer. */
-export function askText(title: string, text: string, value = ''): Promise<string | null> {
+/** Asks for a line of text, for a command; null when it was closed without an answer. */
+export function askText(title: string, text: string, value = '', command?: string): Promise<string | null> {
   const input = make('input', { type: 'text', id: 'dialog-input', value, autocomplete: 'off', maxlength: '200' });
   const form = make(
     'form',
@@ -35,7 +35,7 @@ export function askText(title: string, text: string, value = ''): Promise<string
       'div',
       { class: 'dialog-buttons' },
       make('button', { type: 'button', class: 'button', value: 'cancel' }, 'Cancel'),
-      make('button', { type: 'submit', class: 'button button-primary' }, 'OK'),
+      make('button', { type: 'submit', class: 'button button-primary', 'data-command': command }, 'OK'),
     ),
   );
   const dialog = openDialog(title, [form], 'dialog');
@@ -54,11 +54,12 @@ export function askText(title: string, text: string, value = ''): Promise<string
 export function askChoice(
   title: string,
   text: string,
-  choices: { value: string; label: string }[],
+  choices: { value: string; label: string; command?: string }[],
 ): Promise<string | null> {
-  const buttons = choices.map(({ value, label }, i) =>
-    make('button', { type: 'button', class: i === 0 ? 'button button-primary' : 'button', value }, label),
-  );
+  const buttons = choices.map(({ value, label, command }, i) => {
+    const look = i === 0 ? 'button button-primary' : 'button';
+    return make('button', { type: 'button', class: look, value, 'data-command': command }, label);
+  });
   const dialog = openDialog(
     title,
     [make('p', {}, text), make('div', { class: 'dialog-buttons' }, ...buttons.reverse())],

@@ -5,6 +5,7 @@ import { Failure } from './failure.ts';
 import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
+import type { ShellView } from './shell_view.ts';
 import type { TurntableEvent } from './turntable.ts';
 import type { Probe, WorkingCopy } from './picture.ts';
 import { waitForEnd } from './solids/lifeline.ts';
@@ -13,7 +14,7 @@ import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 
 /** What the engine tells the shell; see `Host`. */
 export type EngineEvent =
-  | { type: 'changed' }
+  | { type: 'changed'; view: ShellView }
   | { type: 'toast'; level: 'info' | 'hint' | 'warning' | 'error'; text: string }
   | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
   | { type: 'pickPicture' }
@@ -147,6 +148,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   const queue: EngineEvent[] = [];
   let module: Module | null = null;
   let solver: Solver | null = null;
+  let view: ShellView | null = null;
   const deliver = () => {
     for (let event = queue.shift(); event; event = queue.shift()) onEvent(event);
   };
@@ -166,6 +168,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
         solver?.expect(raw.part);
         return;
       }
+      if (raw.type === 'changed') view = raw.view;
       if (queue.length === 0) queueMicrotask(deliver);
       queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
     },
@@ -178,7 +181,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
   module = await create({ canvas, host, sharp });
-  const engine = new Engine(module);
+  const engine = new Engine(module, () => view);
   solver = engine.solver = solverOf(engine);
   return engine;
 }
@@ -234,7 +237,10 @@ export class Engine {
   /** The solver of solids, once there is one. */
   solver: Solver | null = null;
 
-  constructor(private readonly module: Module) {}
+  constructor(
+    private readonly module: Module,
+    private readonly told: () => ShellView | null,
+  ) {}
 
   start(fonts: Fonts, size: Size): boolean {
     const parts = [fonts.text, fonts.bold, fonts.icons].map((bytes) => ({ at: this.put(bytes), length: bytes.length }));
@@ -306,6 +312,13 @@ export class Engine {
     } finally {
       this.module._free(at);
     }
+  }
+
+  /** What the DOM shows, as the engine told it last: what a call changes is told before the call returns. */
+  get view(): ShellView {
+    const view = this.told();
+    if (!view) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    return view;
   }
 
   state(): State {
@@ -432,8 +445,8 @@ export class Engine {
 
   /** Name and size of the document. */
   about(): About {
-    const { documentName, pictures, parts } = this.state();
-    return { name: documentName, pictures, parts: parts.length };
+    const { documentName, pictures, parts } = this.view;
+    return { name: documentName, pictures, parts };
   }
 
   /** Lays a photo by for the next `restore`; its content hash. */

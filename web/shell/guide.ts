@@ -1,7 +1,7 @@
 // What a newcomer sees over the canvas: one line of advice, and on the first sample the ghost hand.
-import type { State } from './api.ts';
 import { byId } from './dom.ts';
 import { ghostHand } from './ghost_hand.ts';
+import type { ShellView } from './shell_view.ts';
 import type { Sample } from './start_page.ts';
 
 /** CSS pixels: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
@@ -13,15 +13,13 @@ const kGap = 12,
 const kCompactWidth = 1000;
 
 /** One line about what to do next; '' where none is needed. */
-function adviceFor({ picture, parts, tool, pen }: State): string {
-  if (!picture || parts.length > 0 || pen.menu) return ''; // a menu needs the room
+function adviceFor({ picture, parts, tool, penMenu }: ShellView): string {
+  if (!picture || parts > 0 || penMenu) return ''; // a menu needs the room
   if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
   if (picture.sketch && tool !== 'draw') return picture.finished ? 'Now draw a bone through it' : '';
   if (tool === 'puff' || tool === 'sheet') return ''; // the bar of the tool is there
   return 'Draw a line through the middle of the thing';
 }
-
-type ToCanvas = (x: number, y: number) => { x: number; y: number };
 
 export class Guide {
   private readonly hint = byId('hint');
@@ -42,18 +40,16 @@ export class Guide {
   }
 
   /** Follows the picture while there is no part; then it is gone for good. */
-  update(state: State, toCanvas: ToCanvas): void {
-    const advice = adviceFor(state);
+  update(view: ShellView): void {
+    const advice = adviceFor(view);
     this.hint.hidden = advice === '';
-    if (advice === '' || !state.picture) {
+    if (advice === '' || !view.picture) {
       this.offer(null);
       return;
     }
     if (this.hint.textContent !== advice) this.hint.textContent = advice;
-    const { width, height } = state.picture;
-    const topLeft = toCanvas(-0.5, -0.5);
-    const bottomRight = toCanvas(width - 0.5, height - 0.5);
-    this.placeHint(topLeft, bottomRight, state.pictures > 1 ? kStripRoom : 0);
+    const { width, height, topLeft, bottomRight } = view.picture;
+    this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
     const fits = this.sample?.width === width && this.sample.height === height;
     if (this.sample && fits) this.placeGhost(this.sample, topLeft, bottomRight);
   }

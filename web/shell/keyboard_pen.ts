@@ -56,9 +56,10 @@ export class KeyboardPen {
   }
 
   private take(): boolean {
-    const { picture } = this.page.engine.state();
+    const { picture } = this.page.engine.view;
     if (!picture) return false;
-    this.at = this.page.engine.imageToCanvas((picture.width - 1) / 2, (picture.height - 1) / 2);
+    const { topLeft, bottomRight } = picture;
+    this.at = { x: (topLeft.x + bottomRight.x) / 2, y: (topLeft.y + bottomRight.y) / 2 };
     this.show();
     this.page.say('Pen in the middle of the picture. Arrows move it, Space puts it down, Escape puts it away.');
     return true;

@@ -1,9 +1,12 @@
 // A popup menu after the ARIA menu-button pattern: arrows, Home, End, first letters, Escape.
-import { firstShortcut, make, shortcutText } from './dom.ts';
+import { firstShortcut, make, setAttribute, shortcutText } from './dom.ts';
 import { icon } from './icons.ts';
 
 export interface MenuItem {
   label: string;
+  /** Id of the command that it runs, and which of its choices it gives; both are on the element. */
+  command?: string | undefined;
+  value?: string | undefined;
   icon?: string | undefined;
   detail?: string | undefined;
   shortcut?: string | undefined;
@@ -24,11 +27,27 @@ export interface MenuGroup {
   items: MenuItem[];
 }
 
-let openMenu: { close(refocus: boolean): void; anchor: HTMLElement } | null = null;
+let openMenu: { close(refocus: boolean): void; anchor: HTMLElement; element: HTMLElement } | null = null;
 
 /** Closes the open menu, if any. */
 export function closeMenu(): void {
   openMenu?.close(false);
+}
+
+/** Whether a menu of a button in this element is open. */
+export function hasOpenMenu(bar: HTMLElement): boolean {
+  return openMenu !== null && bar.contains(openMenu.anchor);
+}
+
+/** Brings the open menu up to date with these items; focus stays. */
+export function updateMenu(items: Pick<MenuItem, 'command' | 'value' | 'disabled' | 'checked'>[]): void {
+  for (const element of openMenu?.element.querySelectorAll<HTMLElement>('[data-command]') ?? []) {
+    const { command, value } = element.dataset;
+    const item = items.find((candidate) => candidate.command === command && candidate.value === value);
+    if (!item) continue;
+    setAttribute(element, 'aria-disabled', item.disabled ? 'true' : null);
+    if (element.hasAttribute('aria-checked')) setAttribute(element, 'aria-checked', String(item.checked === true));
+  }
 }
 
 function itemElement(item: MenuItem): HTMLElement {
@@ -37,6 +56,8 @@ function itemElement(item: MenuItem): HTMLElement {
     class: 'menu-item',
     role,
     tabindex: '-1',
+    'data-command': item.command,
+    'data-value': item.value,
     'aria-haspopup': item.leads ? 'menu' : undefined,
     'aria-disabled': item.disabled ? 'true' : undefined,
     'aria-checked': item.kind ? String(item.checked === true) : undefined,
@@ -127,7 +148,7 @@ export function toggleMenu(anchor: HTMLElement, label: string, groups: MenuGroup
     for (const item of group.items) {
       const element = itemElement(item);
       element.addEventListener('click', () => {
-        if (item.disabled) return;
+        if (element.getAttribute('aria-disabled') === 'true') return;
         close(true);
         item.run();
       });
@@ -143,6 +164,6 @@ export function toggleMenu(anchor: HTMLElement, label: string, groups: MenuGroup
   place(menu, anchor);
   anchor.setAttribute('aria-expanded', 'true');
   document.addEventListener('pointerdown', outside, true);
-  openMenu = { close, anchor };
+  openMenu = { close, anchor, element: menu };
   (elements.find((element) => element.getAttribute('aria-checked') === 'true') ?? elements[0])?.focus();
 }

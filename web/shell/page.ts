@@ -1,5 +1,5 @@
 // The page around the running engine: keeps the DOM in step with the document.
-import type { State } from './api.ts';
+import type { Command } from './api.ts';
 import { CommandBar } from './command_bar.ts';
 import { askChoice, askText, showShortcutSheet } from './dialogs.ts';
 import { byId } from './dom.ts';
@@ -12,6 +12,8 @@ import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
+import { commandsNow } from './shell_view.ts';
+import type { ShellView } from './shell_view.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
 import type { Sample } from './start_page.ts';
 import { toast } from './toasts.ts';
@@ -21,7 +23,8 @@ import { isSolidLikely, startSolver } from './warm_up.ts';
 
 export class Page {
   private engine: Engine | null = null;
-  private state: State | null = null;
+  private view: ShellView | null = null;
+  private table: readonly Command[] = [];
   private keeper: Keeper | null = null;
   private readOnly = false;
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
@@ -46,12 +49,14 @@ export class Page {
     this.bar = new CommandBar(
       (id, args) => this.run(id, args),
       () => this.showShortcuts(),
+      () => this.engine?.commands() ?? [],
     );
   }
 
   /** The engine runs: from now on the DOM follows it. */
   async attach(engine: Engine): Promise<void> {
     this.engine = engine;
+    this.table = engine.commands();
     engine.run('load-shelf', { slices: readShelf() });
     watchShelf((slices) => this.run('load-shelf', { slices }));
     this.keeper = new Keeper(engine, {
@@ -90,13 +95,13 @@ export class Page {
   }
 
   get isOnStartPage(): boolean {
-    return this.state?.picture == null;
+    return this.view?.picture == null;
   }
 
   handle(event: EngineEvent): void {
     switch (event.type) {
       case 'changed':
-        this.refresh();
+        this.refresh(event.view);
         break;
       case 'toast':
         toast(event.text, event.level);
@@ -195,7 +200,7 @@ export class Page {
   /** Something that is said until the next thing is done. */
   private sayUntilNext(text: string): void {
     this.say(text);
-    if (this.engine) this.passing = placeOf(this.engine.state());
+    if (this.engine) this.passing = placeOf(this.engine.view);
   }
 
   /** Decodes and opens one picture; rejects when it cannot be opened, and then nothing has changed. */
@@ -287,7 +292,7 @@ export class Page {
       'This model is not kept',
       'This device does not keep the model that is open. Save a file of it first, or it will be gone.',
       [
-        { value: 'save', label: 'Save a file' },
+        { value: 'save', label: 'Save a file', command: 'save-project' },
         { value: 'leave', label: 'Let it go' },
       ],
     );
@@ -296,14 +301,16 @@ export class Page {
   }
 
   private async ask(event: Extract<EngineEvent, { type: 'ask' }>): Promise<void> {
-    const text = await askText(event.title, event.text, event.value);
+    const command = event.id.split(':')[0]!;
+    const isOne = this.table.some(({ id }) => id === command);
+    const text = await askText(event.title, event.text, event.value, isOne ? command : undefined);
     if (text !== null) this.engine?.answer(event.id, text);
   }
 
   private showProgress(): void {
     // Every stroke on paper has its edges looked for; nobody who draws needs to know.
-    const drawing = this.state?.tool === 'pen' || this.state?.tool === 'eraser';
-    const activity = drawing ? null : (this.state?.activity ?? null);
+    const drawing = this.view?.tool === 'pen' || this.view?.tool === 'eraser';
+    const activity = drawing ? null : (this.view?.activity ?? null);
     if (this.opening.size > 0) {
       const cancel = () => this.opening.forEach((aborter) => aborter.abort());
       this.progress.set({ label: 'Opening the picture', done: null, cancel });
@@ -314,49 +321,47 @@ export class Page {
     }
   }
 
-  private refresh(): void {
-    if (!this.engine) return;
-    const before = this.state,
-      state = (this.state = this.engine.state());
-    if (!this.readOnly && isSolidLikely(before, state)) startSolver(this.engine);
-    if (this.passing !== null && this.passing !== placeOf(state)) this.say('');
-    const hasPicture = state.picture !== null;
+  /** Brings the DOM in step with what the engine told. */
+  private refresh(view = this.engine?.view): void {
+    if (!this.engine || !view) return;
+    if (!this.readOnly && isSolidLikely(this.view, view)) startSolver(this.engine);
+    this.view = view;
+    if (this.passing !== null && this.passing !== placeOf(view)) this.say('');
+    const hasPicture = view.picture !== null;
     document.body.dataset.stage = hasPicture ? 'work' : 'start';
     byId('start').hidden = hasPicture;
     // A board that was emptied can still be undone.
-    byId('bar').hidden = !hasPicture && state.undo + state.redo === 0;
+    byId('bar').hidden = !hasPicture && view.undo + view.redo === 0;
     this.canvas.inert = !hasPicture || this.readOnly;
     void this.models.update();
-    this.bar.update(this.engine.commands());
-    this.guide.update(state, (x, y) => this.engine!.imageToCanvas(x, y));
-    byId('status-end').textContent = hasPicture ? summary(state) : '';
-    byId('status-history').textContent = state.undo + state.redo > 0 ? historyText(state) : '';
+    this.bar.update(commandsNow(this.table, view));
+    this.guide.update(view);
+    byId('status-end').textContent = hasPicture ? summary(view) : '';
+    byId('status-history').textContent = view.undo + view.redo > 0 ? historyText(view) : '';
     this.showProgress();
   }
 
   /** True when closing the page would lose something: work that is neither in a file nor kept on this device. */
   get hasUnsavedWork(): boolean {
-    return this.engine !== null && this.keeper?.isSafe !== true && this.engine.state().unsaved;
+    return this.engine !== null && this.keeper?.isSafe !== true && this.engine.view.unsaved;
   }
 }
 
 /** Changes with whatever the visitor does to the model, or takes in hand. */
-function placeOf({ undo, redo, selection, tool }: State): string {
-  return [undo, redo, selection, tool].join();
+function placeOf({ undo, redo, selected, tool }: ShellView): string {
+  return [undo, redo, selected?.id, tool].join();
 }
 
-function summary(state: State): string {
-  const count = state.parts.length;
-  if (count === 0) return 'No part yet';
-  const selected = state.parts.find((part) => part.id === state.selection);
-  const parts = count === 1 ? '1 part' : `${count} parts`;
-  if (!selected) return parts;
-  const what = { loft: `${selected.ribs.length} ribs`, puff: 'puff', sheet: 'flat piece' }[selected.kind];
-  return `${parts} · ${selected.name}: ${what}`;
+function summary({ parts, selected }: ShellView): string {
+  if (parts === 0) return 'No part yet';
+  const count = parts === 1 ? '1 part' : `${parts} parts`;
+  if (!selected) return count;
+  const what = { loft: `${selected.ribs} ribs`, puff: 'puff', sheet: 'flat piece' }[selected.kind];
+  return `${count} · ${selected.name}: ${what}`;
 }
 
 /** "Undo history: 12 KB of 64 MB". */
-function historyText({ history: { bytes, budget } }: State): string {
+function historyText({ history: { bytes, budget } }: ShellView): string {
   const megabyte = 1_048_576;
   const taken = bytes < megabyte ? `${Math.ceil(bytes / 1024)} KB` : `${(bytes / megabyte).toFixed(1)} MB`;
   return `Undo history: ${taken} of ${Math.round(budget / megabyte)} MB`;

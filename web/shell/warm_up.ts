@@ -1,7 +1,7 @@
 // Browsers run WebAssembly first in a slow tier: the stages of a stroke are run here a few times while nobody waits, so that the
 // first stroke meets fast code.
-import type { State } from './api.ts';
 import type { Engine } from './engine.ts';
+import type { ShellView } from './shell_view.ts';
 
 /** Rounds after which what matters has been called often enough. */
 const kRounds = 12;
@@ -32,15 +32,15 @@ export function warmUpWhenIdle(engine: Engine): void {
   requestAnimationFrame(() => setTimeout(later, kPause));
 }
 
-type Seen = Pick<State, 'picked' | 'undo'> & { parts: readonly unknown[] };
+type Seen = Pick<ShellView, 'parts' | 'picked' | 'undo'>;
 
 /**
  * Whether a solid is likely to be asked for soon: parts are ticked, or a step was taken in a model of two parts. A model
  * that is only opened and looked at brings its own steps, and all its parts at once.
  */
 export function isSolidLikely(before: Seen | null, { parts, picked, undo }: Seen): boolean {
-  if (parts.length < 2) return false;
-  return picked.length > 0 || (before !== null && before.parts.length > 0 && undo === before.undo + 1);
+  if (parts < 2) return false;
+  return picked > 0 || (before !== null && before.parts > 0 && undo === before.undo + 1);
 }
 
 /** Starts the worker of solids in an idle moment. */

@@ -350,7 +350,7 @@ export class Keeper {
       id: 'elsewhere',
       text: `${name} is open in another tab. To keep both from writing over each other, only one tab can change it.`,
       actions: [
-        { label: 'Open a copy', run: () => this.complainOf(this.openCopyOf(id)) },
+        { label: 'Open a copy', command: 'duplicate-model', run: () => this.complainOf(this.openCopyOf(id)) },
         { label: 'Take over here', run: () => this.complainOf(this.takeOver(id)) },
       ],
       canDismiss: true,
@@ -435,8 +435,9 @@ export class Keeper {
       return;
     }
     const real = failure.code === 'missing' ? (this.trouble ?? failure) : failure;
-    const actions = [{ label: 'Save a file', run: () => this.engine.run('save-project') }];
-    if (real.code === 'full') actions.push({ label: 'Your models', run: () => this.page.showModels() });
+    const actions = [{ label: 'Save a file', command: 'save-project', run: () => this.engine.run('save-project') }];
+    if (real.code === 'full')
+      actions.push({ label: 'Your models', command: 'open-model', run: () => this.page.showModels() });
     showBanner({ id: 'trouble', text: real.message, actions, canDismiss: true });
     this.page.changed();
   }

@@ -117,7 +117,7 @@ export class ModelsView {
     const detail = `${countText(model)} · ${whenText(model.modified, Date.now())}`;
     const button = make(
       'button',
-      { type: 'button', class: 'model-open' },
+      { type: 'button', class: 'model-open', 'data-command': 'open-model' },
       frame,
       make('span', { class: 'model-name' }, model.name),
       make('span', { class: 'model-detail' }, detail),
@@ -147,10 +147,22 @@ export class ModelsView {
       this.actions.open(id);
     };
     return [
-      { label: 'Open', icon: 'folder-open', run: open },
-      { label: 'Duplicate', icon: 'copy', run: () => this.actions.duplicate(id) },
-      { label: 'Rename', icon: 'pencil-line', disabled: isElsewhere, run: () => this.actions.rename(id) },
-      { label: 'Delete', icon: 'trash-2', disabled: isElsewhere, run: () => this.actions.remove(id) },
+      { command: 'open-model', label: 'Open', icon: 'folder-open', run: open },
+      { command: 'duplicate-model', label: 'Duplicate', icon: 'copy', run: () => this.actions.duplicate(id) },
+      {
+        command: 'rename-model',
+        label: 'Rename',
+        icon: 'pencil-line',
+        disabled: isElsewhere,
+        run: () => this.actions.rename(id),
+      },
+      {
+        command: 'delete-model',
+        label: 'Delete',
+        icon: 'trash-2',
+        disabled: isElsewhere,
+        run: () => this.actions.remove(id),
+      },
     ];
   }
 

@@ -1,0 +1,63 @@
+// What the shell shows of the page in the DOM, as one value: it is made anew for every frame, and told when it differs
+// from what was told last. The whole state is for programs (state_json.h).
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "engine/document/document.h"
+#include "engine/image/image.h"
+#include "web/edit/command_env.h"
+#include "web/platform/host.h"
+#include "web/ui/space.h"
+
+namespace spineloft::app {
+
+struct ShellView {
+  /// The picture in view.
+  struct Picture {
+    image::Size size;  ///< original pixels
+    std::size_t strokes = 0;
+    bool sketch = false, finished = false;  ///< as looksFinished
+    ClientPoint topLeft, bottomRight;       ///< its corners on the canvas
+    bool operator==(const Picture&) const = default;
+  };
+  struct Selected {
+    PartId id;
+    std::string name;
+    document::PartKind kind = document::PartKind::Loft;
+    std::size_t ribs = 0;
+    bool operator==(const Selected&) const = default;
+  };
+  struct Activity {
+    std::string label;
+    int done = 0;  ///< of kActivitySteps
+    bool operator==(const Activity&) const = default;
+  };
+  static constexpr int kActivitySteps = 20;
+  /// More than the command table has rows.
+  static constexpr std::size_t kMostCommands = 256;
+
+  std::string documentName;
+  std::size_t pictures = 0, parts = 0, picked = 0;  ///< `picked`: ticked for the next solid
+  std::optional<Picture> picture;
+  std::optional<Selected> selected;
+  ToolKind tool = ToolKind::Draw;
+  bool penMenu = false;  ///< a menu of the pen is open
+  std::size_t undo = 0, redo = 0, historyBytes = 0, historyBudget = 0;
+  bool unsaved = false;
+  std::optional<Activity> activity;
+  /// By place in the command table. A command that is no toggle is never toggled.
+  std::bitset<kMostCommands> enabled, toggled;
+  bool operator==(const ShellView&) const = default;
+};
+
+/// The page as it is, in place of what `view` held: a view like the one before asks for no memory.
+void viewOf(const CommandEnv& env, ShellView& view);
+
+/// Tells the shell: {type: 'changed', view}, as ShellView of web/shell/shell_view.ts.
+void sendView(platform::Host& host, const ShellView& view);
+
+}  // namespace spineloft::app

@@ -1,0 +1,258 @@
+#include "web/model/derivation.h"
+
+#include <algorithm>
+
+#include "engine/document/update.h"
+#include "engine/vision/edges.h"
+#include "web/model/messages.h"
+#include "web/model/solid_faults.h"
+
+namespace spineloft::app {
+namespace {
+
+struct EdgeSearch {
+  Result<image::EdgeMap> edges;
+  double ms = 0;
+};
+
+/// While the edges of a sketch with a new stroke are sought, its parts stay as they were.
+void keepEarlierShapes(const pipeline::Derived& before, pipeline::Derived& now) {
+  for (pipeline::DerivedPart& part : now.parts) {
+    if (!part.waiting || part.shape) continue;
+    const auto was = std::ranges::find(before.parts, part.id, &pipeline::DerivedPart::id);
+    if (was != before.parts.end()) part.shape = was->shape;
+  }
+}
+
+}  // namespace
+
+Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool& pool)
+    : session_(session),
+      host_(host),
+      pool_(pool),
+      solids_(host),
+      traces_(pool_,
+              [this](const pipeline::TraceJob& job) {
+                pipeline::takeTrace(job, cache_);
+                stale_ = true;
+              }),
+      textures_(pool_, [this](const pipeline::TextureJob& job) {
+        cache_.assignTextures(job.key(), job.texture());
+        stale_ = true;
+      }) {}
+
+void Derivation::documentChanged() {
+  stale_ = true;
+  preview_.reset();
+}
+
+void Derivation::forget() {
+  solids_.forget();
+  reported_.clear();
+  reportedSteps_.clear();
+  documentChanged();
+}
+
+const pipeline::Derived& Derivation::shown() {
+  if (stale_) refresh();
+  return preview_ ? *preview_ : derived_;
+}
+
+const pipeline::Derived& Derivation::settled() {
+  if (stale_ || behind_) refresh();
+  return derived_;
+}
+
+pipeline::Derived Derivation::make(const pipeline::Derived& before) {
+  const auto clock = [this] { return host_.nowMs(); };
+  pipeline::Derived now = pipeline::derive(document(), cache_, clock, pipeline::Finish::Later);
+  keepEarlierShapes(before, now);
+  keepEarlierTextures(before, now);
+  solids_.update(document(), now, finishing_ ? SolidWork::Alone::All : SolidWork::Alone::AsKnown);
+  return now;
+}
+
+void Derivation::refresh() {
+  stale_ = behind_ = false;
+  pipeline::Derived now = make(derived_);
+  const pipeline::Derived before = std::exchange(derived_, std::move(now));
+  if (preview_) {
+    std::vector<pipeline::DerivedStep> steps = std::move(preview_->steps);
+    preview_ = derived_;
+    preview_->steps = std::move(steps);
+  }
+  for (const PictureId id : derived_.wantedEdges) findEdges(id);
+  traces_.update(wantedTraces(document(), derived_, cache_));
+  textures_.update(wantedTextures(document(), derived_));
+  noteTimes(before);
+  report();
+  reportSolids();
+  if (allMade()) finishing_ = false;
+}
+
+// What a person waited for: where perturbed strokes were asked meanwhile, the time of the stroke stays.
+void Derivation::noteTimes(const pipeline::Derived& before) {
+  for (const pipeline::DerivedPart& part : derived_.parts) {
+    const bool known = std::ranges::any_of(before.parts, [&](const pipeline::DerivedPart& other) {
+      if (!part.shape || !other.shape) return false;
+      const bool asked = other.id == part.id && other.shape->quality != part.shape->quality &&
+                         part.shape->quality == pipeline::TraceQuality::Ensemble;
+      return asked || part.shape->key == other.shape->key;
+    });
+    if (!part.shape || known) continue;
+    lastMs_.ribs = part.shape->ms.ribs;
+    lastMs_.loft = part.shape->ms.loft;
+  }
+}
+
+void Derivation::report() {
+  for (const pipeline::DerivedPart& part : derived_.parts) {
+    if (!part.failure) continue;
+    const std::pair entry{part.id, part.failure->error};
+    if (std::ranges::count(reported_, entry)) continue;
+    reported_.push_back(entry);
+    sendError(host_, failureSentence(*part.failure));
+  }
+}
+
+void Derivation::reportSolids() {
+  for (const pipeline::DerivedStep& step : derived_.steps) {
+    const std::pair entry{step.id, step.failure ? step.failure->error : Error::kCount};
+    const auto told = std::ranges::find(reportedSteps_, step.id, &decltype(reportedSteps_)::value_type::first);
+    if (told != reportedSteps_.end() && *told == entry) continue;
+    if (told != reportedSteps_.end()) reportedSteps_.erase(told);
+    if (!step.failure) continue;
+    reportedSteps_.push_back(entry);
+    const Error error = step.failure->error;
+    if (error == Error::Cancelled || error == Error::SolverStopped) continue;  // told already
+    const bool toldOfPart = std::ranges::any_of(derived_.parts, [&](const pipeline::DerivedPart& derived) {
+      return derived.id == step.faulty && derived.failure && derived.failure->error == error;
+    });
+    if (toldOfPart) continue;
+    sendError(host_, solidFailureSentence(document(), derived_, step));
+  }
+}
+
+void Derivation::findEdges(PictureId id) {
+  const document::PictureEntry* entry = document::findPicture(document(), id);
+  if (entry == nullptr) return;
+  const std::uint64_t hash = entry->contentHash;
+  // A sketch changes faster than its edges are found: one search at a time, the next one begins with
+  // what is on the paper then.
+  const auto covered = [&](const Search& search) {
+    return search.contentHash == hash || (entry->isSketch() && search.picture == id);
+  };
+  if (std::ranges::any_of(searching_, covered)) return;
+  const Result<std::shared_ptr<const image::Picture>> pixels = cache_.pixels(*entry);
+  if (!pixels) {
+    sendError(host_, failureSentence(pixels.failure()));
+    return;
+  }
+  searching_.push_back({id, hash});
+  platform::Host* host = &host_;
+  pool_.submit(
+      "Looking for edges",
+      [picture = pixels.value(), host](const Progress& progress) {
+        const double start = host->nowMs();
+        Result<image::EdgeMap> edges = vision::detectEdges(*picture, {}, progress);
+        return EdgeSearch{std::move(edges), host->nowMs() - start};
+      },
+      [this, hash](EdgeSearch search) {
+        std::erase_if(searching_, [&](const Search& s) { return s.contentHash == hash; });
+        if (search.edges) {
+          lastMs_.edges = search.ms;
+          cache_.keepEdges(hash, std::make_shared<const image::EdgeMap>(std::move(search.edges).value()));
+        } else {
+          // An empty map means "no evidence": parts are made all the same, with guessed ribs.
+          cache_.keepEdges(hash, std::make_shared<const image::EdgeMap>());
+          sendError(host_, failureSentence(search.edges.failure()));
+        }
+        stale_ = true;
+      });
+}
+
+Status Derivation::preview(const document::Recipe& recipe, pipeline::PartShape& shape) {
+  return pipeline::previewShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); });
+}
+
+Status Derivation::previewLive(const document::Recipe& recipe, pipeline::PartShape& shape) {
+  return pipeline::liveShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); });
+}
+
+std::vector<PicturePoint> Derivation::strokeOnThing(const document::LoftRecipe& recipe) {
+  return pipeline::strokeOnThing(document(), recipe, cache_);
+}
+
+void Derivation::layPreview(const document::Document& document, const publish::Substitute* instead) {
+  shown();
+  if (!preview_) preview_ = derived_;
+  solids_.preview(document, *preview_, instead);
+}
+
+void Derivation::previewSolid(const publish::Substitute& instead) {
+  if (!document().steps.empty()) layPreview(document(), &instead);
+}
+
+void Derivation::previewPlaced(const document::PlaceParts& places) {
+  if (document().steps.empty()) return;
+  if (const Result<document::Document> placed = document::update(document(), places)) {
+    layPreview(placed.value(), nullptr);
+  }
+}
+
+void Derivation::endPreview() {
+  if (!preview_) return;
+  preview_.reset();
+  stale_ = true;
+}
+
+void Derivation::expectEdit(PartId part) {
+  const bool isInSolid = part && document::rootOf(document(), {part, {}}) != nullptr;
+  solids_.expect(isInSolid ? part : PartId{});
+}
+
+bool Derivation::takeSolid(const Json& answer, std::span<const std::uint8_t> bytes) {
+  if (!solids_.take(answer, bytes)) return false;
+  if (answer.find("progress") == nullptr) (preview_ ? behind_ : stale_) = true;
+  return true;
+}
+
+void Derivation::solveAgain() {
+  solids_.again();
+  reportedSteps_.clear();
+  documentChanged();
+}
+
+bool Derivation::finishParts() {
+  settled();
+  if (!finishing_) solids_.refineLabels(derived_);
+  finishing_ = true;
+  stale_ = true;
+  settled();
+  return shapesMade();
+}
+
+std::vector<PartId> Derivation::crossingParts() {
+  std::vector<PartId> parts;
+  for (const pipeline::DerivedPart& part : settled().parts) {
+    if (part.crossesAt) parts.push_back(part.id);
+  }
+  return parts;
+}
+
+void Derivation::finishNow() {
+  settled();
+  traces_.finish(wantedTraces(document(), derived_, cache_));
+  settled();
+  textures_.finish(wantedTextures(document(), derived_));
+  settled();
+}
+
+void Derivation::cancel() {
+  finishing_ = false;
+  if (!solids_.busy()) return;
+  solids_.cancel();
+  stale_ = true;
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,42 @@
+// What the DOM shows of the page: the engine sends it whenever it differs from what it sent last. Programs ask for the
+// whole state instead (api.ts).
+import type { Command, Part } from './api.ts';
+
+export interface ShellView {
+  documentName: string;
+  pictures: number;
+  parts: number;
+  /** Ticked for the next solid. */
+  picked: number;
+  /** The one in view, with its corners on the canvas; `finished`: something is drawn on it that a spine could go through. */
+  picture: {
+    width: number;
+    height: number;
+    sketch: boolean;
+    strokes: number;
+    finished: boolean;
+    topLeft: { x: number; y: number };
+    bottomRight: { x: number; y: number };
+  } | null;
+  selected: { id: number; name: string; kind: Part['kind']; ribs: number } | null;
+  tool: string;
+  /** A menu of the pen is open. */
+  penMenu: boolean;
+  undo: number;
+  redo: number;
+  history: { bytes: number; budget: number };
+  unsaved: boolean;
+  activity: { label: string; done: number } | null;
+  /** A sign for each row of the command table: '1', '0', or '-' for what is no switch. */
+  enabled: string;
+  toggled: string;
+}
+
+/** The rows of the table as they are now; their choices stay as they were. */
+export function commandsNow(table: readonly Command[], { enabled, toggled }: ShellView): Command[] {
+  return table.map((command, i) => ({
+    ...command,
+    enabled: enabled[i] === '1',
+    toggled: toggled[i] === '-' ? null : toggled[i] === '1',
+  }));
+}
