@@ -9,7 +9,6 @@
 
 #include "engine/base/rng.h"
 #include "engine/ribs/base/spine.h"
-#include "engine/ribs/search/ensemble.h"
 #include "engine/ribs/search/ribs.h"
 #include "engine/vision/edges.h"
 
@@ -170,12 +169,6 @@ TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half o
     const image::EdgeMap map = mapOf(striped);
     CHECK(missed(trace(stroke(120), map)) <= 0.05);
     CHECK(missed(trace(stroke(120, 8), map)) <= 0.05);
-    // Without a look beyond the part it is what lies between the stripes.
-    const auto spine = cleanSpine(stroke(120), kSize, {.ribs = 60});
-    RibWorkspace memory;
-    const auto narrow =
-        ensembleRibs(spine.value(), {map, kSize}, {}, Progress(), {.nearest = true, .alone = true}, memory);
-    CHECK(missed(narrow.value()) > 0.5);
   }
 }
 
