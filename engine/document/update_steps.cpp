@@ -82,13 +82,15 @@ Status applyStep(Document& document, const OrderOperands& action) {
 
 Status applyStep(Document& document, const ReleaseStep& action) {
   if (findStep(document, action.step) == nullptr) return Error::NoSuchStep;
-  // A hollow inside holds one operand, which may be all that comes out of it; a join within a hollow
-  // comes apart into more than a hollow can hold: then the hollow goes as well.
-  const Step* holder = holderOf(document, {{}, action.step});
-  const StepId above = holder == nullptr ? StepId{} : holder->id;
-  dissolve(document, action.step);
-  const Step* left = above ? findStep(document, above) : nullptr;
-  if (left != nullptr && !checkStep(*left)) dissolve(document, above);
+  // A hollow inside holds one operand, which may be all that comes out of it; a join within a hollow comes apart into
+  // more than a hollow can hold: then the hollow goes as well, and so does one that holds that one.
+  for (StepId next = action.step; next;) {
+    const Step* holder = holderOf(document, {{}, next});
+    const StepId above = holder == nullptr ? StepId{} : holder->id;
+    dissolve(document, next);
+    const Step* left = above ? findStep(document, above) : nullptr;
+    next = left != nullptr && !checkStep(*left) ? above : StepId{};
+  }
   return Done{};
 }
 

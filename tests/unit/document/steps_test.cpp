@@ -78,6 +78,8 @@ TEST_CASE("breaking apart gives back what was put together, and deleting takes a
   CHECK(after(joined, DeleteStep{StepId{1}}).parts.size() == 1);
   const Document hollow = after(joined, combine(StepKind::Hollow, {step(1)}));
   CHECK(after(hollow, ReleaseStep{StepId{1}}).steps.empty());
+  const Document twice = after(hollow, combine(StepKind::Hollow, {step(2)}));
+  CHECK(after(twice, ReleaseStep{StepId{1}}).steps.empty());
 }
 
 TEST_CASE("measures, name, order and look of a solid are set, within their limits") {
@@ -103,14 +105,20 @@ TEST_CASE("measures, name, order and look of a solid are set, within their limit
 TEST_CASE("steps of hundreds of random sessions are forests of sound steps") {
   std::size_t most = 0;
   for (const std::uint64_t seed : testing::seeds(0, 200)) {
+    CAPTURE(seed);
     Document document = withParts(6);
     Rng rng(seed);
     for (int i = 0; i < 60; ++i) {
+      CAPTURE(i);
       Action action = randomAction(rng, document);
       if (std::holds_alternative<RemovePicture>(action)) continue;
       if (Result<Document> next = update(document, action)) document = std::move(next).value();
       REQUIRE(isForest(document));
-      for (const Step& each : document.steps) REQUIRE(checkStep(each).ok());
+      for (const Step& each : document.steps) {
+        CAPTURE(static_cast<int>(each.kind));
+        CAPTURE(each.operands.size());
+        REQUIRE(checkStep(each).ok());
+      }
     }
     most = std::max(most, document.steps.size());
   }
