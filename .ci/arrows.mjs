@@ -13,22 +13,34 @@ const kArrows = {
   'engine/image': ['engine/base'],
   'engine/vision': ['engine/image'],
   'engine/surface': ['engine/image', 'engine/mesh'],
-  'engine/ribs': ['engine/geometry', 'engine/image'],
-  'engine/loft': ['engine/ribs', 'engine/mesh'],
+  'engine/ribs/base': ['engine/geometry', 'engine/image'],
+  'engine/ribs/field': ['engine/ribs/base'],
+  'engine/ribs/evidence': ['engine/ribs/field'],
+  'engine/ribs/labels': ['engine/ribs/base'],
+  'engine/ribs/ends': ['engine/ribs/evidence', 'engine/ribs/labels'],
+  'engine/ribs/search': ['engine/ribs/ends'],
+  'engine/ribs/edit': ['engine/ribs/field'],
+  'engine/loft': ['engine/ribs/base', 'engine/mesh'],
   'engine/inflate': ['engine/mesh', 'engine/image'],
-  'engine/sheet': ['engine/mesh', 'engine/image'],
-  'engine/document': ['engine/loft', 'engine/inflate', 'engine/sheet', 'engine/surface'],
+  'engine/extrude': ['engine/mesh', 'engine/image'],
+  'engine/document': ['engine/ribs/edit', 'engine/loft', 'engine/inflate', 'engine/extrude', 'engine/surface'],
   'engine/printing': ['engine/mesh'],
   'engine/io': ['engine/document'],
-  'engine/pipeline': ['engine/document', 'engine/vision', 'engine/surface'],
+  'engine/pipeline': ['engine/ribs/search', 'engine/document', 'engine/vision', 'engine/surface'],
   'engine/publish': ['engine/pipeline', 'engine/io', 'engine/printing'],
   'engine/cli': ['engine/publish'],
   'web/gl': ['engine/mesh', 'engine/image'],
   'web/platform': ['engine/image'],
-  'web/app': ['engine/publish', 'web/gl', 'web/platform', 'web/tools', 'web/panels'],
-  'web/tools': ['engine/publish', 'web/app'],
-  'web/panels': ['engine/publish', 'web/app'],
-  'web/main': ['web/app', 'web/tools', 'web/panels', 'web/gl', 'web/platform'],
+  'web/model': ['engine/publish', 'web/platform'],
+  'web/ui': ['web/model', 'web/gl'],
+  'web/edit': ['web/ui'],
+  'web/scene': ['web/edit', 'web/gl'],
+  'web/commands': ['web/edit'],
+  'web/tools': ['web/commands'],
+  'web/panels': ['web/commands'],
+  'web/page': ['web/tools', 'web/panels', 'web/scene'],
+  'web/self_crossing': ['engine/mesh'],
+  'web/main': ['web/page'],
 };
 
 /** Libraries, and the only folders whose files may include them. */
@@ -36,7 +48,8 @@ const kLibraries = [
   { name: 'OpenCV', pattern: /^opencv2\//, folders: ['engine/vision'] },
   { name: 'tinygltf', pattern: /^tiny_?gltf/, folders: ['engine/io'] },
   { name: 'stb', pattern: /^(stb\/|stb_)/, folders: ['engine/io'] },
-  { name: 'nlohmann json', pattern: /^nlohmann\//, folders: ['engine/io', 'engine/cli'] },
+  { name: 'nlohmann json', pattern: /^nlohmann\//, folders: ['engine/io', 'engine/cli', 'web/model'] },
+  { name: 'CLI11', pattern: /^CLI\//, folders: ['engine/cli'] },
   { name: 'Emscripten', pattern: /^emscripten/, folders: ['web'] },
   { name: 'OpenGL', pattern: /^(GL|GLES\d?|EGL|KHR)\//, folders: ['web/gl', 'web/platform', 'web/main'] },
   { name: 'Dear ImGui', pattern: /^(imgui|backends\/imgui|imconfig|imstb)/, folders: ['web'] },
@@ -52,9 +65,10 @@ const kLibraries = [
 const kLongestFile = 600;
 const kCounted = /^(engine|web|shaders|tests|\.ci)\/.*\.(h|hpp|cpp|c|ts|js|mjs|css|html|vert|frag|glsl|cmake)$/;
 
-/** The folder of kArrows a repository path belongs to: `engine/ribs/d2.h` is in `engine/ribs`, `web/main.cpp` in `web/main`. */
+/** The folder of kArrows a repository path belongs to: `engine/ribs/field/d2.h` is in `engine/ribs/field`, `web/main.cpp` in `web/main`. */
 function folderOf(path) {
-  const [top, second] = path.split('/');
+  const [top, second, third] = path.split('/');
+  if (kArrows[`${top}/${second}/${third}`]) return `${top}/${second}/${third}`;
   return `${top}/${(second ?? '').replace(/\.[a-z]+$/, '')}`;
 }
 

@@ -163,22 +163,22 @@ async function stageTimes() {
       ...parsed(photo.text, 'The native benchmark with a photo'),
     },
   };
-  for (const [name, preset] of [
-    ['wasm threads', 'wasm-release'],
-    ['wasm single', 'wasm-release-st'],
+  for (const [name, file] of [
+    ['wasm threads', 'spineloft_bench.js'],
+    ['wasm single', 'spineloft_bench_single.js'],
   ]) {
-    const program = join(presetDir(preset), 'spineloft_bench.js');
-    const done = await run(`the benchmark of ${preset}`, process.execPath, [program], {
+    const program = join(presetDir('wasm-release'), file);
+    const done = await run(`the benchmark of ${name}`, process.execPath, [program], {
       log: 'bench',
       timeout: 20 * kMinutes,
     });
-    const large = await run(`a large photo, ${preset}`, process.execPath, [program, '--photo'], {
+    const large = await run(`a large photo, ${name}`, process.execPath, [program, '--photo'], {
       log: 'bench',
       timeout: 5 * kMinutes,
     });
     columns[name] = {
-      ...parsed(done.text, `The benchmark of ${preset}`),
-      ...parsed(large.text, `The benchmark of ${preset} with a photo`),
+      ...parsed(done.text, `The benchmark of ${name}`),
+      ...parsed(large.text, `The benchmark of ${name} with a photo`),
     };
   }
   return columns;
@@ -186,9 +186,9 @@ async function stageTimes() {
 
 async function accuracy(data, withAblation) {
   const file = join(buildDir, 'bench-accuracy.json');
-  const program = join(presetDir('native-release'), 'spineloft');
+  const program = join(presetDir('native-release'), 'spineloft_accuracy');
   const table = withAblation ? ['--ablation', join(buildDir, 'bench-ablation.md')] : [];
-  await run('spineloft bench', program, ['bench', data, '--json', file, '--live', '80', ...table], {
+  await run('spineloft_accuracy', program, [data, '--json', file, '--live', '80', ...table], {
     log: 'bench',
     timeout: 30 * kMinutes,
   });
@@ -199,9 +199,8 @@ await mainProgram(async () => {
   const { json, markdown: page, data, ablation } = options();
   talkOnStderr();
   await setup(['native', 'wasm', 'node', 'browser']);
-  await buildTargets('native-release', ['spineloft', 'spineloft_bench']);
-  await buildTargets('wasm-release', ['spineloft_bench']);
-  await buildTargets('wasm-release-st', ['spineloft_bench']);
+  await buildTargets('native-release', ['spineloft_accuracy', 'spineloft_bench']);
+  await buildTargets('wasm-release', ['spineloft_bench', 'spineloft_bench_single']);
   await buildSite();
   const result = {
     commit: output('git', ['rev-parse', '--short', 'HEAD'], { cwd: root }),
@@ -209,7 +208,7 @@ await mainProgram(async () => {
     stages: await stageTimes(),
     sizes: siteSizes(),
     // Its libraries are there only after the set-up.
-    solids: await (await import('../tests/bench/solids.mjs')).solidTimes(),
+    solids: (await import('../tests/bench/solids.mjs')).solidTimes(),
     solidsOnPage: await (await import('../tests/bench/solids_page.mjs')).solidPageTimes(),
     editing: await editingTimes(),
   };

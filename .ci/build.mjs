@@ -1,8 +1,8 @@
-// npm run build: set-up, both wasm variants, and the self-contained static site in dist/.
+// npm run build: set-up, both engines, and the self-contained static site in dist/.
 import { pathToFileURL } from 'node:url';
 import { buildTargets } from './lib/cmake.mjs';
 import { duration, mainProgram, say } from './lib/run.mjs';
-import { assembleSite, siteSizes } from './lib/site.mjs';
+import { assembleSite, siteSizes, siteTargets } from './lib/site.mjs';
 import { setup } from './setup.mjs';
 
 function kilobytes(bytes) {
@@ -20,8 +20,7 @@ function printSizes() {
 /** Builds the site; assumes that set-up has been done. */
 export async function buildSite() {
   const started = Date.now();
-  await buildTargets('wasm-release', ['spineloft_web']);
-  await buildTargets('wasm-release-st', ['spineloft_web']);
+  await buildTargets('wasm-release', siteTargets());
   await assembleSite();
   say(`dist: the site is ready (${duration(Date.now() - started)})`);
 }

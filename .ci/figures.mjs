@@ -12,7 +12,7 @@ import { setup } from './setup.mjs';
 const kMostBytes = 150000;
 const kMinutes = 60000;
 
-/** What a figure shows: [case, stroke, variation of `spineloft bench`, words below]. */
+/** What a figure shows: [case, stroke, variation of `spineloft_accuracy`, words below]. */
 const kFigures = {
   'fig-08-09-energy': [
     ['sketch_bat_noisy', 'sloppy', 'separate', 'every rib end to itself'],
@@ -64,8 +64,8 @@ async function drawOverlays(data, folder) {
     if (!existsSync(at)) throw new Stop(`There is no case ${name} in ${data}.`);
     await run(
       `${name}, ${variation}`,
-      join(presetDir('native-release'), 'spineloft'),
-      ['bench', at, '--variation', variation, '--overlays', join(folder, variation)],
+      join(presetDir('native-release'), 'spineloft_accuracy'),
+      [at, '--variation', variation, '--overlays', join(folder, variation)],
       { log: 'figures', timeout: 5 * kMinutes },
     );
   }
@@ -98,7 +98,7 @@ async function shoot(page) {
 await mainProgram(async () => {
   if (!dataFolder) throw new Stop('There is no data folder beside the project: set SPINELOFT_DATA.');
   await setup(['native', 'node', 'browser']);
-  await buildTargets('native-release', ['spineloft']);
+  await buildTargets('native-release', ['spineloft_accuracy']);
   const folder = mkdtempSync(join(tmpdir(), 'spineloft-figures-'));
   const out = join(root, 'assets/docs/figures');
   mkdirSync(out, { recursive: true });

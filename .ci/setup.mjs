@@ -4,12 +4,12 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
-import { installGroups, installIfPossible } from './lib/debian.mjs';
+import { closePinnedSuite, installGroups, installIfPossible } from './lib/debian.mjs';
 import { findEmscripten } from './lib/emscripten.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
-import { buildDir } from './lib/paths.mjs';
+import { buildDir, lock } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
-import { headers, imguiSources, toolchainFile, wasmLibraries } from './lib/libraries.mjs';
+import { headers, imguiSources, opencv, toolchainFile } from './lib/libraries.mjs';
 
 function writeIfChanged(file, text) {
   if (!existsSync(file) || readFileSync(file, 'utf8') !== text) writeFileSync(file, text);
@@ -38,6 +38,20 @@ function writeFacts(facts) {
   }
 }
 
+/** Where the libraries are, which are made if they are not there yet. */
+async function findFacts(parts) {
+  const facts = { DEPS_INCLUDE: await headers(), IMGUI_DIR: await imguiSources() };
+  if (!parts.includes('wasm')) return facts;
+  const emscripten = await findEmscripten();
+  return {
+    ...facts,
+    EMSCRIPTEN_ROOT: emscripten,
+    EMSCRIPTEN_TOOLCHAIN: toolchainFile(emscripten),
+    OPENCV_WASM_DIR: await opencv(emscripten),
+    WASM_FLAGS: lock.wasmFlags,
+  };
+}
+
 /**
  * Prepares the machine for the given parts: native, wasm, browser, node (npm packages), readers (programs that some tests
  * have read what was saved, where they can be installed).
@@ -52,17 +66,11 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
     await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'node' && part !== 'readers')]);
     if (parts.includes('readers')) await installIfPossible('readers');
     if (parts.includes('node')) await installNodePackages();
-    const facts = { DEPS_INCLUDE: await headers() };
-    facts.IMGUI_DIR = await imguiSources();
-    if (parts.includes('wasm')) {
-      const emscripten = await findEmscripten();
-      const libraries = await wasmLibraries(emscripten);
-      facts.EMSCRIPTEN_ROOT = emscripten;
-      facts.EMSCRIPTEN_TOOLCHAIN = toolchainFile(emscripten);
-      facts.ZLIB_WASM_DIR = libraries.zlib;
-      facts.OPENCV_WASM_DIR = libraries.opencv;
+    try {
+      writeFacts(await findFacts(parts));
+    } finally {
+      closePinnedSuite();
     }
-    writeFacts(facts);
   });
   say(`Set-up is complete (${duration(Date.now() - started)}).`);
 }

@@ -1,197 +1,213 @@
 // npm test: set-up, then every check and test program of the project. The last line is the sum of all runners.
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
+// npm run test:all (--all): every suite on every build, both engines on the page, and random tests many times as long.
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { houseErrors, houseFiles } from './arrows.mjs';
 import { buildSite } from './build.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
-import { doctestCounts, doctestTotal, nodeTestCounts, stretchCounts, sumCounts, testStretches } from './lib/counts.mjs';
-import { buildDir, dataFolder, root } from './lib/paths.mjs';
+import { countsLine, nothing, sumCounts } from './lib/counts.mjs';
+import { doctest } from './lib/doctest.mjs';
+import { formatErrors } from './lib/format.mjs';
+import { Lanes } from './lib/lanes.mjs';
+import { nodeTests, testFiles } from './lib/node_tests.mjs';
+import { buildDir, root } from './lib/paths.mjs';
 import { duration, mainProgram, output, run, say, Stop } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
-const kMinutes = 60000;
+/** How many times as long `npm run test:all` runs what is random. */
+const kManyRounds = 20;
+
+const lanes = new Lanes();
+
+const nativeProgram = join(presetDir('native-release'), 'spineloft');
 
 async function arrows() {
-  const errors = houseErrors(houseFiles());
+  const errors = [...houseErrors(houseFiles()), ...(await formatErrors())];
   for (const error of errors) say(error);
-  return { passed: errors.length ? 0 : 1, failed: errors.length ? 1 : 0, note: '' };
+  return { ...nothing, passed: errors.length ? 0 : 1, failed: errors.length ? 1 : 0 };
 }
 
 async function types() {
   const tsc = join(root, 'node_modules/typescript/bin/tsc');
-  const done = await run('tsc', process.execPath, [tsc, '--noEmit', '-p', 'web/shell'], {
-    cwd: root,
-    show: true,
-    allowFailure: true,
-  });
-  return { passed: done.problem ? 0 : 1, failed: done.problem ? 1 : 0, note: '' };
+  const options = { cwd: root, show: true, allowFailure: true };
+  const done = await run('tsc', process.execPath, [tsc, '--noEmit', '-p', 'web/shell'], options);
+  return { ...nothing, passed: done.problem ? 0 : 1, failed: done.problem ? 1 : 0 };
 }
 
-/**
- * Runs a doctest program over its test cases in stretches, as many side by side as there are processors. A stretch
- * that breaks off is a failure by itself.
- */
-async function doctest(preset, command, args, env = {}) {
-  const options = {
-    cwd: root,
-    env: { ...(dataFolder ? { SPINELOFT_DATA: dataFolder } : {}), ...env },
-    allowFailure: true,
-    log: `${preset}-tests`,
-    timeout: 20 * kMinutes,
+const kSanitizers = {
+  ASAN_OPTIONS: 'detect_stack_use_after_return=1:strict_string_checks=1',
+  UBSAN_OPTIONS: 'print_stacktrace=1:halt_on_error=1',
+};
+
+const underNode = (name) => ({
+  name,
+  command: process.execPath,
+  args: [join(presetDir('wasm-release'), `${name}.js`)],
+});
+
+/** Under the sanitizers, but for what takes minutes there and only reads numbers. */
+function asan(env) {
+  const symbolizer = output('sh', ['-c', 'command -v llvm-symbolizer-19']) ?? '';
+  const program = {
+    name: 'native-asan',
+    command: join(presetDir('native-asan'), 'spineloft_tests'),
+    args: [],
+    env: { ...kSanitizers, ASAN_SYMBOLIZER_PATH: symbolizer, ...env },
   };
-  const listed = await run(
-    `the list of tests of ${preset}`,
-    command,
-    [...args, '--count', '--no-colors', '--no-version'],
-    options,
+  return doctest(program, env.SPINELOFT_ROUNDS > 1 ? {} : { but: ['data', 'slow'] }, lanes);
+}
+
+/** What ships, and on the data once: the other builds give the same numbers (tests/cli/agree). */
+function native(env) {
+  const program = {
+    name: 'native-release',
+    command: join(presetDir('native-release'), 'spineloft_tests'),
+    args: [],
+    env,
+  };
+  return doctest(program, env.SPINELOFT_ROUNDS > 1 ? {} : { only: ['data', 'slow'] }, lanes);
+}
+
+/** Optimised, with the numbers of WebAssembly. */
+const wasmSingle = (env) => doctest({ ...underNode('spineloft_tests_single'), env }, { but: ['data'] }, lanes);
+
+/** The same objects with threads. */
+const wasmThreads = (env) =>
+  doctest(
+    { ...underNode('spineloft_tests'), env },
+    env.SPINELOFT_ROUNDS > 1 ? { but: ['data'] } : { only: ['threads'] },
+    lanes,
   );
-  const total = doctestTotal(listed.text);
-  if (!total) return doctestCounts(listed);
-  const stretches = testStretches(total, 3 * availableParallelism());
-  const results = [];
-  const work = async () => {
-    for (let next = stretches.shift(); next; next = stretches.shift()) {
-      const { first, last } = next;
-      const label = `the tests ${first} to ${last} of ${preset}`;
-      const done = await run(
-        label,
-        command,
-        [...args, `--first=${first}`, `--last=${last}`, '--no-colors', '--no-version'],
-        { ...options, show: true },
-      );
-      const counts = stretchCounts(done, last - first + 1);
-      if (done.status === null) counts.note = `${label} were ${done.problem}`;
-      results.push(counts);
-    }
-  };
-  await Promise.all(Array.from({ length: availableParallelism() }, work));
-  return sumCounts(results);
+
+const cli = (env) =>
+  nodeTests('node', testFiles(['.ci/tests', 'tests/cli']), lanes, { ...env, SPINELOFT_CLI: nativeProgram });
+
+const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), lanes, env);
+
+/** The page tests, on one Chromium for all of them. */
+async function page(env) {
+  const { chromium } = await import('playwright-core');
+  const { browserFlags, browserPath } = await import('./lib/browser.mjs');
+  const server = await chromium.launchServer({ executablePath: browserPath(), args: browserFlags, headless: true });
+  try {
+    return await nodeTests('browser', testFiles(['tests/browser']), lanes, {
+      ...env,
+      SPINELOFT_CLI: nativeProgram,
+      SPINELOFT_BROWSER_WS: server.wsEndpoint(),
+    });
+  } finally {
+    await server.close();
+  }
 }
 
-async function native() {
-  await buildTargets('native-release', ['spineloft_tests', 'spineloft', 'spineloft_bench']);
-  return doctest('native-release', join(presetDir('native-release'), 'spineloft_tests'), []);
-}
-
-async function asan() {
-  await buildTargets('native-asan', ['spineloft_tests']);
-  return doctest('native-asan', join(presetDir('native-asan'), 'spineloft_tests'), [], {
-    ASAN_OPTIONS: 'detect_stack_use_after_return=1:strict_string_checks=1',
-    UBSAN_OPTIONS: 'print_stacktrace=1:halt_on_error=1',
-    ASAN_SYMBOLIZER_PATH: output('sh', ['-c', 'command -v llvm-symbolizer-19']) ?? '',
-  });
-}
-
-async function wasm(preset) {
-  await buildTargets(preset, ['spineloft_tests', 'spineloft_bench']);
-  return doctest(preset, process.execPath, [join(presetDir(preset), 'spineloft_tests.js')]);
-}
-
-/** Runs `folders`' *.mjs files with node:test; the readable report goes to the screen, the TAP one is counted. */
-async function nodeTests(name, folders, concurrency) {
-  const files = folders
-    .filter((folder) => existsSync(join(root, folder)))
-    .flatMap((folder) => readdirSync(join(root, folder)).map((file) => join(folder, file)))
-    .filter((file) => file.endsWith('.mjs'))
-    .sort();
-  if (!files.length) return { passed: 0, failed: 1, note: `no test file in ${folders.join(', ')}` };
-  const tap = join(buildDir, 'logs', `${name}.tap`);
-  mkdirSync(join(buildDir, 'logs'), { recursive: true });
-  rmSync(tap, { force: true });
-  const args = [
-    '--test',
-    `--test-concurrency=${concurrency}`,
-    '--test-reporter=spec',
-    '--test-reporter-destination=stdout',
-    '--test-reporter=tap',
-    `--test-reporter-destination=${tap}`,
-    ...files,
-  ];
-  const env = { SPINELOFT_CLI: join(presetDir('native-release'), 'spineloft'), NODE_OPTIONS: '' };
-  const options = { cwd: root, env, show: true, allowFailure: true, log: `${name}-tests`, timeout: 50 * kMinutes };
-  const done = await run(`the ${name} tests`, process.execPath, args, options);
-  return nodeTestCounts({ text: existsSync(tap) ? readFileSync(tap, 'utf8') : '', status: done.status });
-}
-
-async function node() {
-  await buildTargets('native-release', ['spineloft']);
-  return nodeTests('node', ['.ci/tests', 'tests/cli'], 2);
-}
-
-async function browser() {
-  await buildSite();
-  return nodeTests('browser', ['tests/browser'], 1);
-}
-
-const kStages = {
-  arrows: { title: 'House rules: include arrows, file lengths', needs: [], work: arrows },
-  types: { title: 'TypeScript types', needs: ['node'], work: types },
-  native: { title: 'Engine, native and optimised', needs: ['native'], work: native },
-  asan: { title: 'Engine under AddressSanitizer and UndefinedBehaviorSanitizer', needs: ['native'], work: asan },
-  wasm: { title: 'Engine as WebAssembly with threads, under Node', needs: ['wasm'], work: () => wasm('wasm-release') },
-  'wasm-st': {
-    title: 'Engine as WebAssembly, single thread, under Node',
+const kBuilds = {
+  native: { needs: ['native'], build: () => buildTargets('native-release', ['spineloft_tests', 'spineloft']) },
+  command: { needs: ['native'], build: () => buildTargets('native-release', ['spineloft', 'spineloft_accuracy', 'spineloft_bench']) },
+  asan: { needs: ['native'], build: () => buildTargets('native-asan', ['spineloft_tests']) },
+  wasm: {
     needs: ['wasm'],
-    work: () => wasm('wasm-release-st'),
+    build: () => buildTargets('wasm-release', ['spineloft_tests', 'spineloft_tests_single', 'spineloft_bench_single']),
   },
-  node: { title: 'Command line and scripts', needs: ['native', 'node', 'readers'], work: node },
+  site: { needs: ['wasm', 'node'], build: buildSite },
+};
+
+// In the order in which they begin: each waits for its builds, and builds go before tests.
+const kStages = {
+  arrows: { title: 'House rules: include arrows, file lengths, format', needs: ['node', 'format'], work: arrows },
+  types: { title: 'TypeScript types', needs: ['node'], work: types },
+  asan: { title: 'Engine under AddressSanitizer and UndefinedBehaviorSanitizer', builds: ['asan'], work: asan },
+  wasm: { title: 'Engine as WebAssembly, single thread, under Node', builds: ['wasm'], work: wasmSingle },
+  threads: { title: 'Engine as WebAssembly with threads, under Node', builds: ['wasm'], work: wasmThreads },
+  native: { title: 'Engine, native and optimised', builds: ['native'], work: native },
+  shell: { title: 'The shell without a browser', needs: ['node'], builds: ['site'], work: shell },
+  node: {
+    title: 'Command line and scripts',
+    needs: ['node', 'readers'],
+    builds: ['command', 'wasm'],
+    work: cli,
+  },
   browser: {
     title: 'The page in headless Chromium',
-    needs: ['native', 'wasm', 'browser', 'node', 'readers'],
-    work: browser,
+    needs: ['browser', 'node', 'readers'],
+    builds: ['site', 'command'],
+    work: (env) => page({ SPINELOFT_ENGINE: 'threads', ...env }),
+  },
+  'browser-single': {
+    title: 'The page in headless Chromium, its engine without threads',
+    needs: ['browser', 'node', 'readers'],
+    builds: ['site', 'command'],
+    onlyInAll: true,
+    work: (env) => page({ ...env, SPINELOFT_ENGINE: 'single' }),
   },
 };
 
-function chosenStages() {
-  let only;
+function options() {
+  let values;
   try {
-    only = parseArgs({ options: { only: { type: 'string' } } }).values.only;
+    values = parseArgs({ options: { only: { type: 'string' }, all: { type: 'boolean', default: false } } }).values;
   } catch (error) {
-    throw new Stop(`${error.message}\nUsage: npm test -- [--only ${Object.keys(kStages).join(',')}]`);
+    throw new Stop(`${error.message}\nUsage: npm test -- [--all] [--only ${Object.keys(kStages).join(',')}]`);
   }
-  const names = only ? only.split(',') : Object.keys(kStages);
+  const every = Object.keys(kStages).filter((name) => values.all || !kStages[name].onlyInAll);
+  const names = values.only ? values.only.split(',') : every;
   const unknown = names.find((name) => !kStages[name]);
   if (unknown !== undefined)
     throw new Stop(`There is no stage '${unknown}'; there are ${Object.keys(kStages).join(', ')}.`);
-  return names;
+  const rounds = process.env.SPINELOFT_ROUNDS ?? String(values.all ? kManyRounds : 1);
+  return { names, env: { SPINELOFT_ROUNDS: rounds } };
 }
 
-async function runStage(name) {
+/**
+ * What the stages' builds are, each a promise: the set-up first, then one after the other on all processors. WebAssembly's
+ * set-up, which mostly waits for downloads at first, goes on beside the native builds.
+ */
+function startBuilds(names) {
+  const wanted = [...new Set(names.flatMap((name) => kStages[name].builds ?? []))];
+  const needs = new Set([
+    ...names.flatMap((name) => kStages[name].needs ?? []),
+    ...wanted.flatMap((name) => kBuilds[name].needs),
+  ]);
+  const first = setup([...needs].filter((part) => part !== 'wasm'));
+  const second = needs.has('wasm') ? first.then(() => setup(['wasm'])) : first;
+  const builds = wanted.map((name) => {
+    const { needs: parts, build } = kBuilds[name];
+    const ready = parts.includes('wasm') ? second : first;
+    return [name, ready.then(() => lanes.alone(build))];
+  });
+  for (const [, built] of builds) built.catch(() => {}); // told by the stages that wait for it
+  return { first, builds: Object.fromEntries(builds) };
+}
+
+async function runStage(name, { first, builds }, env) {
   const { title, work } = kStages[name];
-  say(`\n== ${title} (${name})`);
-  const started = Date.now();
   let counts;
+  let started = Date.now();
   try {
-    counts = await work();
+    await first;
+    await Promise.all((kStages[name].builds ?? []).map((build) => builds[build]));
+    say(`== ${title} (${name})`);
+    started = Date.now();
+    counts = await work(env);
   } catch (error) {
     say(error instanceof Stop ? error.message : error.stack);
-    counts = { passed: 0, failed: 1, note: 'could not be run' };
+    counts = { ...nothing, failed: 1, note: 'could not be run' };
   }
   const time = duration(Date.now() - started);
-  say(
-    `-- ${name}: ${counts.passed} passed, ${counts.failed} failed${counts.note ? ` (${counts.note})` : ''} in ${time}`,
-  );
+  say(`-- ${name}: ${countsLine(counts)}${counts.note ? ` (${counts.note})` : ''} in ${time}`);
   return { name, time, ...counts };
 }
 
 await mainProgram(async () => {
   const started = Date.now();
-  const names = chosenStages();
-  say('== Set-up');
-  const parts = [...new Set(names.flatMap((name) => kStages[name].needs))];
-  if (parts.length) await setup(parts);
-  const results = [];
-  for (const name of names) results.push(await runStage(name));
-  say('\n== Summary');
-  for (const { name, passed, failed, note, time } of results) {
-    say(
-      `${name.padEnd(9)} ${String(passed).padStart(5)} passed ${String(failed).padStart(4)} failed  ${time}${note ? `  ${note}` : ''}`,
-    );
-  }
+  const { names, env } = options();
+  say('== Set-up and builds');
+  const prepared = startBuilds(names);
+  const results = await Promise.all(names.map((name) => runStage(name, prepared, env)));
+  say('\n== Summary: stages share the processors, so their times overlap');
+  for (const { name, note, time, ...counts } of results)
+    say(`${name.padEnd(15)} ${countsLine(counts).padEnd(36)} ${time.padStart(12)}${note ? `  ${note}` : ''}`);
   const all = sumCounts(results);
   say(`All stages took ${duration(Date.now() - started)}; their logs are in ${join(buildDir, 'logs')}.`);
-  say(`${all.passed} passed, ${all.failed} failed`);
+  say(countsLine(all));
   return all.failed ? 1 : 0;
 });

@@ -3,19 +3,15 @@
 #include <imgui.h>
 
 #include "engine/pipeline/warm_up.h"
-#include "web/app/app.h"
 #include "web/gl/webgl_renderer.h"
+#include "web/page/app.h"
 #include "web/platform/page.h"
 #include "web/platform/warm_up.h"
 
 namespace spineloft::platform {
 namespace {
 
-#ifdef SPINELOFT_THREADS
-constexpr int kThreads = 2;
-#else
-constexpr int kThreads = 0;
-#endif
+constexpr int kThreads = 2;  // none in a program that was linked without threads
 
 }  // namespace
 

@@ -1,12 +1,16 @@
-// Reading how many tests passed and failed from what the runners print. A runner that crashed, or ran nothing, failed.
+// Reading how many tests passed, failed and were skipped from what the runners print. A runner that crashed, or ran
+// nothing, failed.
 
-function outcome(passed, failed, status, what) {
-  if (passed + failed === 0) {
+export const nothing = { passed: 0, failed: 0, skipped: 0, note: '' };
+
+function outcome({ passed, failed, skipped = 0 }, status, what) {
+  if (passed + failed + skipped === 0) {
     const why = status === 0 ? 'ran no test' : `ended with exit code ${status} before its summary`;
-    return { passed: 0, failed: 1, note: `${what} ${why}` };
+    return { ...nothing, failed: 1, note: `${what} ${why}` };
   }
-  if (status !== 0 && failed === 0) return { passed, failed: 1, note: `${what} ended with exit code ${status}` };
-  return { passed, failed, note: '' };
+  if (status !== 0 && failed === 0)
+    return { passed, failed: 1, skipped, note: `${what} ended with exit code ${status}` };
+  return { passed, failed, skipped, note: '' };
 }
 
 /** How many test cases doctest's `--count` announces; 0 if it says nothing. */
@@ -23,14 +27,13 @@ export function testStretches(total, count) {
 
 /** doctest's summary: `[doctest] test cases: 6 | 6 passed | 0 failed | 0 skipped`. */
 export function doctestCounts({ text, status }) {
-  const { passed, failed } = doctestSummary(text);
-  return outcome(passed, failed, status, 'the test program');
+  return outcome(doctestSummary(text), status, 'the test program');
 }
 
 /** The same for a run over a stretch of `length` test cases: doctest counts all those outside it as passed. */
 export function stretchCounts({ text, status }, length) {
   const { passed, failed } = doctestSummary(text);
-  return outcome(passed + failed ? length - failed : 0, failed, status, 'the test program');
+  return outcome({ passed: passed + failed ? length - failed : 0, failed }, status, 'the test program');
 }
 
 function doctestSummary(text) {
@@ -41,12 +44,18 @@ function doctestSummary(text) {
 
 export function sumCounts(results) {
   const sum = (key) => results.reduce((total, counts) => total + counts[key], 0);
-  const notes = results.map((counts) => counts.note).filter(Boolean);
-  return { passed: sum('passed'), failed: sum('failed'), note: notes.join('; ') };
+  const notes = [...new Set(results.map((counts) => counts.note).filter(Boolean))];
+  return { passed: sum('passed'), failed: sum('failed'), skipped: sum('skipped'), note: notes.join('; ') };
 }
 
-/** node:test's TAP summary: `# pass 9`, `# fail 0`, `# cancelled 0`. */
+/** `9 passed, 0 failed`, and `, 2 skipped` where there are any. */
+export function countsLine({ passed, failed, skipped }) {
+  return `${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ''}`;
+}
+
+/** node:test's TAP summary: `# pass 9`, `# fail 0`, `# cancelled 0`, `# skipped 1`. */
 export function nodeTestCounts({ text, status }) {
   const count = (key) => Number(text.match(new RegExp(`^# ${key} (\\d+)$`, 'm'))?.[1] ?? 0);
-  return outcome(count('pass'), count('fail') + count('cancelled'), status, 'node --test');
+  const counts = { passed: count('pass'), failed: count('fail') + count('cancelled'), skipped: count('skipped') };
+  return outcome(counts, status, 'node --test');
 }

@@ -1,8 +1,8 @@
 // Debian packages: those this machine needs installed, and single files taken from a newer Debian without installing.
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { lock } from './paths.mjs';
+import { cacheDir, lock } from './paths.mjs';
 import { output, run, say, Stop } from './run.mjs';
 
 /** `{id, codename, major}` of this machine; major is NaN where it is not a numbered release. */
@@ -173,6 +173,20 @@ export class OtherSuite {
     verify(to, sha256);
     return to;
   }
+}
+
+let pinned = null;
+
+/** The suite that the lock names, opened once for a whole set-up; closePinnedSuite removes what it downloaded. */
+export function pinnedSuite() {
+  const folder = () => mkdtempSync(join(cacheDir, '.making-apt-'));
+  pinned ??= new OtherSuite(folder(), lock.emscripten.debianSuite);
+  return (pinned.opening ??= pinned.open());
+}
+
+export function closePinnedSuite() {
+  if (pinned) rmSync(pinned.folder, { recursive: true, force: true });
+  pinned = null;
 }
 
 /** Throws Stop unless the file's SHA-256 is the pinned one. */

@@ -13,7 +13,7 @@ import {
 } from 'node:fs';
 import { join } from 'node:path';
 import { cached } from './cache.mjs';
-import { OtherSuite, release, verify } from './debian.mjs';
+import { pinnedSuite, release, verify } from './debian.mjs';
 import { lock, shortHash } from './paths.mjs';
 import { output, run, say, Stop } from './run.mjs';
 
@@ -103,7 +103,7 @@ int main() {
 }
 
 async function compose(prefix, place) {
-  const suite = await new OtherSuite(join(prefix, 'apt'), pin.debianSuite).open();
+  const suite = await pinnedSuite();
   const arch = architecture();
   const pinned = Object.entries(pin.debs);
   const unsupported = pinned.find(([, deb]) => !deb.all && !deb[arch]);
@@ -118,12 +118,7 @@ async function compose(prefix, place) {
     await run(`unpacking ${deb}`, 'dpkg', ['-x', deb, join(prefix, 'rt')]);
   }
   const emscripten = join(prefix, 'usr/share/emscripten');
-  for (const unused of [
-    join(prefix, 'apt'),
-    join(emscripten, 'test'),
-    join(prefix, 'usr/share/doc'),
-    join(prefix, 'usr/share/man'),
-  ]) {
+  for (const unused of [join(emscripten, 'test'), join(prefix, 'usr/share/doc'), join(prefix, 'usr/share/man')]) {
     rmSync(unused, { recursive: true, force: true });
   }
   mkdirSync(join(emscripten, 'node_modules'), { recursive: true });

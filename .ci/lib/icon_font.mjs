@@ -6,8 +6,8 @@ import { root } from './paths.mjs';
 
 const kKept = ['cmap', 'glyf', 'head', 'hhea', 'hmtx', 'loca', 'maxp'];
 
-/** The codepoints of web/app/icons.h, which is the list of icons of the canvas. */
-export function usedIconCodes(text = readFileSync(join(root, 'web/app/icons.h'), 'utf8')) {
+/** The codepoints of web/ui/icons.h, which is the list of icons of the canvas. */
+export function usedIconCodes(text = readFileSync(join(root, 'web/ui/icons.h'), 'utf8')) {
   return [...text.matchAll(/Icon\{"[a-z0-9-]+",\s*(\d+)\}/g)].map(([, code]) => Number(code));
 }
 

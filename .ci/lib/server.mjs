@@ -63,7 +63,7 @@ function accepts(request, encoding) {
   });
 }
 
-function answer(request, response, { folder, basePath, isolated }) {
+async function answer(request, response, { folder, basePath, isolated, later }) {
   const finish = (status, text) => {
     response.writeHead(status, { 'Content-Type': 'text/plain; charset=utf-8', 'Cache-Control': 'no-cache' });
     response.end(request.method === 'HEAD' ? undefined : text);
@@ -77,7 +77,15 @@ function answer(request, response, { folder, basePath, isolated }) {
   if (request.method !== 'GET' && request.method !== 'HEAD') return finish(405, 'Only GET and HEAD are answered.\n');
   // Not the URL class: it would resolve `..` before it can be refused.
   const path = request.url.replace(/[?#].*$/, '');
-  const file = path.startsWith(basePath) ? fileFor(folder, path.slice(basePath.length - 1)) : null;
+  const inside = path.startsWith(basePath) ? path.slice(basePath.length - 1) : null;
+  const made = later?.get(inside?.slice(1));
+  if (made) {
+    const place = await made;
+    if (!place) return finish(503, 'This file could not be made.\n');
+    response.writeHead(302, { Location: `${basePath}${place}`, 'Cache-Control': 'no-store' });
+    return response.end();
+  }
+  const file = inside === null ? null : fileFor(folder, inside);
   if (!file) return finish(404, 'There is no such file.\n');
   const extension = extname(file);
   const twin = kEncodings.find(([encoding, suffix]) => accepts(request, encoding) && fileStat(`${file}.${suffix}`));
@@ -116,11 +124,15 @@ function listen(server, port, host) {
 /**
  * Serves `folder` and resolves to `{url, port, close()}`. With `port` 0 any free port is used, otherwise the first
  * free one from `port` on. `isolated` sends the two headers that make threads possible; `basePath` ("/" or "/a/b/")
- * is where the site hangs.
+ * is where the site hangs. `later`, a map from paths to promises of paths (null: it failed), names files that are still being
+ * made: who asks for one waits and is sent on to where it is then.
  */
-export async function serveFolder(folder, { port = 0, host = 'localhost', isolated = true, basePath = '/' } = {}) {
+export async function serveFolder(folder, options = {}) {
+  const { port = 0, host = 'localhost', isolated = true, basePath = '/', later } = options;
   const base = normalize(folder);
-  const server = createServer((request, response) => answer(request, response, { folder: base, basePath, isolated }));
+  const server = createServer((request, response) =>
+    answer(request, response, { folder: base, basePath, isolated, later }),
+  );
   const tries = port === 0 ? [0] : Array.from({ length: 20 }, (_, index) => port + index);
   for (const candidate of tries) {
     try {

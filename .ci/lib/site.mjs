@@ -59,17 +59,29 @@ function replaceName(text, from, to) {
   return parts.join(to);
 }
 
-/** Copies one wasm variant under hashed names; the loader's own references follow. Returns the loader's path. */
-function putVariant(folder, preset, variant) {
-  const places = [join(presetDir(preset), 'web'), presetDir(preset)];
-  const place = places.find((candidate) => existsSync(join(candidate, 'spineloft_web.js')));
-  if (!place) throw new Stop(`${preset} has not built spineloft_web.js.`);
-  const wasm = readFileSync(join(place, 'spineloft_web.wasm'));
-  const wasmName = hashedName(`spineloft-${variant}.wasm`, wasm);
-  let loader = replaceName(readFileSync(join(place, 'spineloft_web.js'), 'utf8'), 'spineloft_web.wasm', wasmName);
-  const loaderName = hashedName(`spineloft-${variant}.js`, loader);
-  // The threads build starts its workers from its own address; the single-thread build does not name itself.
-  if (variant === 'threads') loader = replaceName(loader, 'spineloft_web.js', loaderName);
+/** The programs of the page's two engines. */
+export const enginePrograms = { threads: 'spineloft_web', single: 'spineloft_web_single' };
+
+/** What CMake builds for a site with these engines. */
+export const siteTargets = (engines = Object.keys(enginePrograms)) => [
+  'spineloft_self_crossing',
+  ...engines.map((engine) => enginePrograms[engine]),
+];
+
+/** Where a page asks for an engine that was not linked when the page was put together; the server lets it wait. */
+export const laterPath = (engine) => `assets/spineloft-${engine}-later.js`;
+
+/** Copies one engine under hashed names; the loader's own references follow. Returns the loader's path. */
+function putEngine(folder, engine) {
+  const name = enginePrograms[engine];
+  const place = join(presetDir('wasm-release'), 'web');
+  if (!existsSync(join(place, `${name}.js`))) throw new Stop(`${name}.js is not built.`);
+  const wasm = readFileSync(join(place, `${name}.wasm`));
+  const wasmName = hashedName(`spineloft-${engine}.wasm`, wasm);
+  let loader = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, wasmName);
+  const loaderName = hashedName(`spineloft-${engine}.js`, loader);
+  // The engine with threads starts its workers from its own address; the other one does not name itself.
+  if (engine === 'threads') loader = replaceName(loader, `${name}.js`, loaderName);
   put(folder, `assets/${wasmName}`, wasm);
   return { js: put(folder, `assets/${loaderName}`, loader), wasm: `assets/${wasmName}` };
 }
@@ -95,6 +107,9 @@ const iconFont = {
     }));
   },
 };
+
+/** The engine's test for meshes that go through themselves, which the worker of solids loads. */
+export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
 
 async function bundle(folder, entryPoints, define) {
   const esbuild = await import('esbuild');
@@ -123,6 +138,7 @@ async function bundle(folder, entryPoints, define) {
         '.glsl': 'text',
       },
       define,
+      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
       plugins: [iconFont],
@@ -188,8 +204,12 @@ export function siteSizes(folder = distDir) {
     });
 }
 
-/** Assembles dist/ from the built variants, web/shell and assets/. The old site stays until the new one is whole. */
-export async function assembleSite() {
+/**
+ * Assembles dist/ from the linked `engines`, web/shell and assets/; the old site stays until the new one is whole. With
+ * `keep` its files stay in the new one too, for pages that are open; `twins`: with compressed ones. Returns what the page
+ * is told of the site.
+ */
+export async function assembleSite({ engines = Object.keys(enginePrograms), keep = false, twins = true } = {}) {
   const shell = join(root, 'web/shell');
   const fresh = join(buildDir, 'site');
   rmSync(fresh, { recursive: true, force: true });
@@ -198,8 +218,12 @@ export async function assembleSite() {
   const assets = putAssets(fresh);
   const site = {
     version,
-    threads: putVariant(fresh, 'wasm-release', 'threads'),
-    single: putVariant(fresh, 'wasm-release-st', 'single'),
+    ...Object.fromEntries(
+      Object.keys(enginePrograms).map((engine) => [
+        engine,
+        engines.includes(engine) ? putEngine(fresh, engine) : { js: laterPath(engine), wasm: '' },
+      ]),
+    ),
     assets,
     workers: {},
   };
@@ -214,9 +238,11 @@ export async function assembleSite() {
   }
   const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
   put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
-  await compress(fresh);
+  if (twins) await compress(fresh);
+  if (keep && existsSync(distDir)) cpSync(distDir, fresh, { recursive: true, force: false });
   const old = join(buildDir, `site-old-${shortHash(Date.now())}`);
   if (existsSync(distDir)) renameSync(distDir, old);
   renameSync(fresh, distDir);
   rmSync(old, { recursive: true, force: true });
+  return site;
 }

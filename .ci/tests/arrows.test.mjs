@@ -5,8 +5,8 @@ import { houseErrors, houseFiles } from '../arrows.mjs';
 const of = (path, text) => houseErrors([{ path, text }]);
 
 test('an include against the arrows is caught with its file, line and reason', () => {
-  assert.deepEqual(of('engine/base/hash.h', '#pragma once\n#include "engine/ribs/d2.h"\n'), [
-    'engine/base/hash.h:2: engine/base may not include engine/ribs',
+  assert.deepEqual(of('engine/base/hash.h', '#pragma once\n#include "engine/ribs/field/d2.h"\n'), [
+    'engine/base/hash.h:2: engine/base may not include engine/ribs/field',
   ]);
 });
 
@@ -16,25 +16,25 @@ test('an include along the arrows, over several steps or within a folder, is all
     of('engine/pipeline/derive.cpp', '#include "engine/vision/edges.h"\n#include "engine/mesh/laws.h"\n'),
     [],
   );
-  assert.deepEqual(of('web/main.cpp', '#include "web/app/app.h"\n#include "engine/base/result.h"\n'), []);
+  assert.deepEqual(of('web/main.cpp', '#include "web/page/app.h"\n#include "engine/base/result.h"\n'), []);
 });
 
 test('siblings without an arrow between them are apart', () => {
   assert.equal(of('engine/io/glb.cpp', '#include "engine/pipeline/derive.h"\n').length, 1);
-  assert.equal(of('engine/ribs/ribs.cpp', '#include "engine/vision/edges.h"\n').length, 1);
+  assert.equal(of('engine/ribs/search/ribs.cpp', '#include "engine/vision/edges.h"\n').length, 1);
   assert.equal(of('engine/mesh/laws.cpp', '#include "engine/image/image.h"\n').length, 1);
-  assert.equal(of('web/gl/mesh.cpp', '#include "web/app/app.h"\n').length, 1);
+  assert.equal(of('web/gl/mesh.cpp', '#include "web/page/app.h"\n').length, 1);
 });
 
 test('nothing in the engine includes the page', () => {
-  assert.equal(of('engine/cli/main.cpp', '#include "web/app/app.h"\n').length, 1);
+  assert.equal(of('engine/cli/main.cpp', '#include "web/page/app.h"\n').length, 1);
 });
 
 test('heavy libraries stay in their box', () => {
-  assert.equal(of('engine/ribs/ribs.cpp', '#include <opencv2/core.hpp>\n').length, 1);
+  assert.equal(of('engine/ribs/search/ribs.cpp', '#include <opencv2/core.hpp>\n').length, 1);
   assert.deepEqual(of('engine/vision/edges.cpp', '#include <opencv2/core.hpp>\n'), []);
   assert.equal(of('engine/document/document.cpp', '#include <tiny_gltf.h>\n').length, 1);
-  assert.equal(of('web/app/app.cpp', '#include <stb_image.h>\n').length, 1);
+  assert.equal(of('web/page/app.cpp', '#include <stb_image.h>\n').length, 1);
   assert.deepEqual(of('engine/io/glb.cpp', '#include <tiny_gltf.h>\n#include <stb_image.h>\n'), []);
 });
 

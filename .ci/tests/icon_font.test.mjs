@@ -13,7 +13,7 @@ const codes = usedIconCodes();
 test('the list of icons of the canvas is found, and its codes are those of the font', () => {
   assert.ok(codes.length >= 20);
   const names = JSON.parse(readFileSync(join(folder, 'codepoints.json'), 'utf8'));
-  const text = readFileSync(join(root, 'web/app/icons.h'), 'utf8');
+  const text = readFileSync(join(root, 'web/ui/icons.h'), 'utf8');
   for (const [, name, code] of text.matchAll(/Icon\{"([a-z0-9-]+)",\s*(\d+)\}/g))
     assert.equal(names[name], Number(code), name);
 });

@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import {
+  countsLine,
   doctestCounts,
   doctestTotal,
   nodeTestCounts,
@@ -13,6 +14,7 @@ import {
   testStretches,
 } from '../lib/counts.mjs';
 import { ownDebianSource } from '../lib/debian.mjs';
+import { Lanes } from '../lib/lanes.mjs';
 import { lock, root } from '../lib/paths.mjs';
 
 function inFolder(files, work) {
@@ -28,10 +30,10 @@ function inFolder(files, work) {
 
 test('doctest summaries are counted, with and without colours', () => {
   const line = '[doctest] test cases:  12 |  10 passed | 2 failed | 3 skipped';
-  assert.deepEqual(doctestCounts({ text: line, status: 1 }), { passed: 10, failed: 2, note: '' });
+  assert.deepEqual(doctestCounts({ text: line, status: 1 }), { passed: 10, failed: 2, skipped: 0, note: '' });
   const coloured =
     '\x1b[0;36m[doctest] \x1b[0mtest cases:     6 | \x1b[0;32m    6 passed\x1b[0m | \x1b[0m0 failed\x1b[0m |';
-  assert.deepEqual(doctestCounts({ text: coloured, status: 0 }), { passed: 6, failed: 0, note: '' });
+  assert.deepEqual(doctestCounts({ text: coloured, status: 0 }), { passed: 6, failed: 0, skipped: 0, note: '' });
 });
 
 test('a test program that crashed, or ran nothing, counts as a failure', () => {
@@ -67,7 +69,7 @@ test('stretches of a test program hold every test case once, whatever the number
 test('what ran outside a stretch is not counted in it, and a stretch that broke off has failed', () => {
   assert.equal(doctestTotal('[doctest] unskipped test cases passing the current filters: 773\n'), 773);
   const ofAll = '[doctest] test cases: 773 | 772 passed | 1 failed | 0 skipped';
-  assert.deepEqual(stretchCounts({ text: ofAll, status: 1 }, 100), { passed: 99, failed: 1, note: '' });
+  assert.deepEqual(stretchCounts({ text: ofAll, status: 1 }, 100), { passed: 99, failed: 1, skipped: 0, note: '' });
   const brokenOff = stretchCounts({ text: 'Segmentation fault', status: null }, 100);
   assert.equal(brokenOff.failed, 1);
   const sum = sumCounts([stretchCounts({ text: ofAll, status: 1 }, 100), brokenOff]);
@@ -75,9 +77,28 @@ test('what ran outside a stretch is not counted in it, and a stretch that broke 
   assert.match(sum.note, /before its summary/);
 });
 
-test('node:test summaries are counted; a cancelled test has failed', () => {
-  const text = '# tests 5\n# pass 3\n# fail 1\n# cancelled 1\n# skipped 0\n';
-  assert.deepEqual(nodeTestCounts({ text, status: 1 }), { passed: 3, failed: 2, note: '' });
+test('node:test summaries are counted; a cancelled test has failed, a skipped one has not passed', () => {
+  const text = '# tests 7\n# pass 3\n# fail 1\n# cancelled 1\n# skipped 2\n';
+  const counts = nodeTestCounts({ text, status: 1 });
+  assert.deepEqual(counts, { passed: 3, failed: 2, skipped: 2, note: '' });
+  assert.equal(countsLine(counts), '3 passed, 2 failed, 2 skipped');
+  assert.equal(countsLine({ ...counts, skipped: 0 }), '3 passed, 2 failed');
+});
+
+test('jobs share the lanes out in the order in which they came; one that wants all of them runs alone', async () => {
+  const lanes = new Lanes(2);
+  const log = [];
+  const job = (name) => async () => {
+    log.push(`+${name}`);
+    await new Promise((resolve) => setTimeout(resolve, 5));
+    log.push(`-${name}`);
+  };
+  const failing = lanes.run(() => Promise.reject(new Error('no')));
+  const rest = [lanes.run(job('a')), lanes.alone(job('all')), lanes.run(job('b')), lanes.run(job('c'))];
+  await assert.rejects(failing, /no/);
+  await Promise.all(rest);
+  assert.deepEqual(log.slice(0, 4), ['+a', '-a', '+all', '-all']);
+  assert.deepEqual(log.slice(4, 6), ['+b', '+c']);
 });
 
 test("the machine's own Debian is found in either format of its sources", () => {

@@ -121,3 +121,30 @@ test('a sub-path and a plain host can be imitated; a taken port moves on to the 
     await other.close();
   }
 });
+
+test('who asks for a file that is still being made waits, and is sent on to it; where it cannot be made that is said', async () => {
+  let finish;
+  const whole = new Promise((resolve) => (finish = resolve));
+  const later = new Map([
+    ['assets/whole-later.js', whole],
+    ['assets/broken-later.js', Promise.resolve(null)],
+  ]);
+  const other = await serveFolder(site, { basePath: '/deep/', later });
+  try {
+    let answered = false;
+    const waiting = ask('/deep/assets/whole-later.js', {}, other.port).then((answer) => {
+      answered = true;
+      return answer;
+    });
+    assert.equal((await ask('/deep/', {}, other.port)).status, 200);
+    assert.equal(answered, false);
+    finish('assets/main-0123456789.js');
+    const { status, headers } = await waiting;
+    assert.equal(status, 302);
+    assert.equal(headers.location, '/deep/assets/main-0123456789.js');
+    assert.equal((await ask(headers.location, {}, other.port)).body.toString(), script);
+    assert.equal((await ask('/deep/assets/broken-later.js', {}, other.port)).status, 503);
+  } finally {
+    await other.close();
+  }
+});

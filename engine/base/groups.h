@@ -11,9 +11,7 @@ namespace spineloft {
 /// A union-find forest over 0 … count − 1, each by itself at first. A group goes by its least member.
 class Groups {
  public:
-  explicit Groups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
   /// The group of `i` (< count): its least member. Paths are halved on the way, so that many calls are
   /// nearly linear.
   std::uint32_t of(std::uint32_t i) {

@@ -93,8 +93,7 @@ inline float quickExp(float x) {
   const float low = x < -87 ? -87.f : x, held = low > 87 ? 87.f : low;
   const float sum = held * 1.44269504f + kRounder, n = sum - kRounder;
   const float r = (held - n * 0.693145752f) - n * 1.42860677e-6f;
-  const float series =
-      1 + r * (1 + r * (1.f / 2 + r * (1.f / 6 + r * (1.f / 24 + r * (1.f / 120 + r * (1.f / 720))))));
+  const float series = 1 + r * (1 + r * (1.f / 2 + r * (1.f / 6 + r * (1.f / 24 + r * (1.f / 120 + r * (1.f / 720))))));
   const std::int32_t power = std::bit_cast<std::int32_t>(sum) - std::bit_cast<std::int32_t>(kRounder);
   return series * std::bit_cast<float>((power + 127) << 23);
 }

@@ -17,10 +17,10 @@ namespace spineloft {
 /// Every expected failure of the engine. `errorSentence` puts each into words for a visitor.
 enum class Error {
   // strokes
-  StrokeTooShort,       ///< fewer than 2 distinct points
-  StrokeNotFinite,      ///< NaN or infinite coordinates
-  StrokeOutsidePicture, ///< no part of the stroke lies on the picture
-  StrokeLoops,          ///< the stroke crosses itself in a loop that is more than a pen hook
+  StrokeTooShort,        ///< fewer than 2 distinct points
+  StrokeNotFinite,       ///< NaN or infinite coordinates
+  StrokeOutsidePicture,  ///< no part of the stroke lies on the picture
+  StrokeLoops,           ///< the stroke crosses itself in a loop that is more than a pen hook
   // pictures
   PictureEmpty,       ///< zero bytes, or zero pixels
   PictureUnreadable,  ///< not a picture format that we know
@@ -28,40 +28,40 @@ enum class Error {
   PictureTooSmall,    ///< shorter than kMinPictureSide on a side
   PictureTooLarge,    ///< header declares more pixels than we accept; refused before decoding
   // shapes
-  RegionEmpty,     ///< an outline without an area, or with less than a few pixels
-  RegionOutside,   ///< no part of a region lies on its picture
-  RegionTooFine,   ///< an outline with more detail than a solid can be made of
-  NothingCutOut,   ///< no thing was found where a hint said
-  NotABone,        ///< only for parts that were lofted along a spine
-  NotARegion,      ///< only for puffs and flat pieces
-  TooFewRibs,     ///< a loft needs at least 2 ribs
-  SectionInvalid, ///< cross-section with fewer than 3 distinct points, or not finite
-  MeshInvalid,    ///< a mesh given for export breaks a mesh law
-  NothingToExport, ///< no part to write
+  RegionEmpty,      ///< an outline without an area, or with less than a few pixels
+  RegionOutside,    ///< no part of a region lies on its picture
+  RegionTooFine,    ///< an outline with more detail than a solid can be made of
+  NothingCutOut,    ///< no thing was found where a hint said
+  NotABone,         ///< only for parts that were lofted along a spine
+  NotARegion,       ///< only for puffs and flat pieces
+  TooFewRibs,       ///< a loft needs at least 2 ribs
+  SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
+  MeshInvalid,      ///< a mesh given for export breaks a mesh law
+  NothingToExport,  ///< no part to write
   // document
   NoSuchPart,
   NoSuchPicture,
   NoSuchStep,
-  AlreadyUsed,    ///< a part or solid that is inside another solid already
-  ValueOutOfRange, ///< a parameter outside the range of the parameter table
+  AlreadyUsed,      ///< a part or solid that is inside another solid already
+  ValueOutOfRange,  ///< a parameter outside the range of the parameter table
   NothingToUndo,
   NothingToRedo,
   // solids of steps
-  SolidEmpty,        ///< nothing is left of it
-  WallTooThick,      ///< no room inside for a hollow, or none at its opening
-  PartCrossesItself, ///< a part goes through itself in a way that cannot be mended
-  SolidFailed,       ///< the solver refused it
-  SolverStopped,     ///< the solver's worker died or could not be loaded
+  SolidEmpty,         ///< nothing is left of it
+  WallTooThick,       ///< no room inside for a hollow, or none at its opening
+  PartCrossesItself,  ///< a part goes through itself in a way that cannot be mended
+  SolidFailed,        ///< the solver refused it
+  SolverStopped,      ///< the solver's worker died or could not be loaded
   // files and work
-  FileUnreadable, ///< cannot be opened or read
-  FileUnwritable, ///< cannot be written
-  JsonInvalid,    ///< not the JSON that was asked for
+  FileUnreadable,   ///< cannot be opened or read
+  FileUnwritable,   ///< cannot be written
+  JsonInvalid,      ///< not the JSON that was asked for
   ProjectInvalid,   ///< a project file that is damaged
   ProjectTooNew,    ///< a project file of a later version of this program
   NoProjectInside,  ///< a 3D file without an editable model inside
-  Cancelled,      ///< the work was cancelled; nothing changed
+  Cancelled,        ///< the work was cancelled; nothing changed
   OutOfMemory,
-  kCount ///< number of errors, for tables and tests
+  kCount  ///< number of errors, for tables and tests
 };
 
 /// One sentence for a person, in plain words: what happened and what to do. Never empty.
@@ -86,8 +86,7 @@ class [[nodiscard]] Result {
  public:
   Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
   Result(Failure failure) : state_(std::in_place_index<1>, std::move(failure)) {}
-  Result(Error error, std::string detail = {})
-      : state_(std::in_place_index<1>, Failure{error, std::move(detail)}) {}
+  Result(Error error, std::string detail = {}) : state_(std::in_place_index<1>, Failure{error, std::move(detail)}) {}
 
   bool ok() const { return state_.index() == 0; }
   explicit operator bool() const { return ok(); }

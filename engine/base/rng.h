@@ -21,9 +21,7 @@ class Rng {
   /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in 0 … count−1; count ≥ 1.
-  std::uint32_t below(std::uint32_t count) {
-    return static_cast<std::uint32_t>(((next() >> 32) * count) >> 32);
-  }
+  std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>(((next() >> 32) * count) >> 32); }
 
  private:
   std::uint64_t state_;

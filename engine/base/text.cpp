@@ -16,8 +16,8 @@ std::size_t utf8CharacterAt(std::string_view text, std::size_t at) {
   }
   // Overlong forms, surrogates and what lies beyond Unicode.
   const unsigned second = byte(at + 1);
-  if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
-      (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f)) {
+  if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) ||
+      (lead == 0xf4 && second > 0x8f)) {
     return 0;
   }
   return length;

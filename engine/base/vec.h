@@ -45,20 +45,30 @@ struct Vec3 {
 };
 
 template <class S>
-constexpr double dot(Vec2<S> a, Vec2<S> b) { return a.x * b.x + a.y * b.y; }
+constexpr double dot(Vec2<S> a, Vec2<S> b) {
+  return a.x * b.x + a.y * b.y;
+}
 /// z of the 3D cross product: positive when b lies clockwise of a on the screen if y is down.
 template <class S>
-constexpr double cross(Vec2<S> a, Vec2<S> b) { return a.x * b.y - a.y * b.x; }
+constexpr double cross(Vec2<S> a, Vec2<S> b) {
+  return a.x * b.y - a.y * b.x;
+}
 template <class S>
-constexpr double dot(Vec3<S> a, Vec3<S> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr double dot(Vec3<S> a, Vec3<S> b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 template <class S>
 constexpr Vec3<S> cross(Vec3<S> a, Vec3<S> b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class V>
-double norm(V v) { return std::sqrt(dot(v, v)); }
+double norm(V v) {
+  return std::sqrt(dot(v, v));
+}
 template <class V>
-double distance(V a, V b) { return norm(a - b); }
+double distance(V a, V b) {
+  return norm(a - b);
+}
 /// Unit vector along v; the zero vector stays zero.
 template <class V>
 V normalized(V v) {
@@ -66,11 +76,17 @@ V normalized(V v) {
   return n > 0 ? v / n : V{};
 }
 template <class V>
-constexpr V lerp(V a, V b, double t) { return a + (b - a) * t; }
+constexpr V lerp(V a, V b, double t) {
+  return a + (b - a) * t;
+}
 template <class S>
-bool isFinite(Vec2<S> v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool isFinite(Vec2<S> v) {
+  return std::isfinite(v.x) && std::isfinite(v.y);
+}
 template <class S>
-bool isFinite(Vec3<S> v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool isFinite(Vec3<S> v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 using PicturePoint = Vec2<PictureSpace>;
 using SectionPoint = Vec2<SectionSpace>;

@@ -92,8 +92,7 @@ WorkerPool::~WorkerPool() {
 #endif
 }
 
-Progress WorkerPool::enqueue(std::string label, std::function<void(const Progress&)> work,
-                             std::function<void()> done) {
+Progress WorkerPool::enqueue(std::string label, std::function<void(const Progress&)> work, std::function<void()> done) {
   auto job = std::make_shared<Job>();
   job->label = std::move(label);
   job->work = std::move(work);
@@ -119,8 +118,8 @@ int WorkerPool::pump() {
   {
     const Shared::Lock lock(shared_->mutex);
     auto& jobs = shared_->jobs;
-    const auto first = std::stable_partition(
-        jobs.begin(), jobs.end(), [](const auto& job) { return job->state != JobState::Finished; });
+    const auto first = std::stable_partition(jobs.begin(), jobs.end(),
+                                             [](const auto& job) { return job->state != JobState::Finished; });
     finished.assign(first, jobs.end());
     jobs.erase(first, jobs.end());
   }

@@ -32,8 +32,7 @@ class WorkerPool {
     using Value = decltype(work(std::declval<const Progress&>()));
     auto slot = std::make_shared<std::optional<Value>>();
     return enqueue(
-        std::move(label),
-        [slot, work = std::move(work)](const Progress& progress) { slot->emplace(work(progress)); },
+        std::move(label), [slot, work = std::move(work)](const Progress& progress) { slot->emplace(work(progress)); },
         [slot, done = std::move(done)]() mutable { done(std::move(**slot)); });
   }
 
@@ -54,8 +53,7 @@ class WorkerPool {
   void cancelAll();
 
  private:
-  Progress enqueue(std::string label, std::function<void(const Progress&)> work,
-                   std::function<void()> done);
+  Progress enqueue(std::string label, std::function<void(const Progress&)> work, std::function<void()> done);
   struct Shared;
   std::unique_ptr<Shared> shared_;
 };

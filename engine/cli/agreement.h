@@ -19,7 +19,8 @@ struct Agreement {
 };
 
 /// `parts` are the strokes' silhouettes (every value > 0 is the part), of the case's size, or empty for no part: that
-/// one has nothing in common with any. `strokes` are named, ≥ 2 points each, picture pixels. One part agrees with itself.
+/// one has nothing in common with any. `strokes` are named, ≥ 2 points each, picture pixels. One part agrees with
+/// itself.
 Agreement agreementOf(const Truth& truth, std::span<const image::Mask> parts,
                       std::span<const std::pair<std::string, std::vector<PicturePoint>>> strokes);
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iomanip>
-#include <sstream>
 #include <system_error>
 
 #include "engine/cli/files.h"
@@ -17,8 +15,13 @@ namespace {
 
 // From where on a case is hard in one way: % of its outline or pixels, edges every 1,000 px, and grey levels.
 constexpr double kPartlyErased = 10, kHalfErased = 40, kFaint = 40, kHidden = 5, kBusy = 50, kNoisy = 6;
-constexpr std::array<std::string_view, 7> kDifficulties{"outline complete", "outline partly erased", "outline half erased", "outline faint",
-                                                        "partly hidden", "edges inside", "noise"};
+constexpr std::array<std::string_view, 7> kDifficulties{"outline complete",
+                                                        "outline partly erased",
+                                                        "outline half erased",
+                                                        "outline faint",
+                                                        "partly hidden",
+                                                        "edges inside",
+                                                        "noise"};
 
 }  // namespace
 
@@ -58,13 +61,14 @@ Result<LoadedCase> loadCase(const fs::path& folder) {
 std::vector<std::string> difficultyNames(const std::optional<io::BenchDifficulty>& difficulty) {
   if (!difficulty) return {};
   const io::BenchDifficulty& d = *difficulty;
-  const std::array<bool, kDifficulties.size()> is{d.missingOutlinePct < kPartlyErased,
-                                                  d.missingOutlinePct >= kPartlyErased && d.missingOutlinePct < kHalfErased,
-                                                  d.missingOutlinePct >= kHalfErased,
-                                                  d.faintOutlinePct >= kFaint,
-                                                  d.hiddenPct >= kHidden,
-                                                  d.innerEdges >= kBusy,
-                                                  d.noise >= kNoisy};
+  const std::array<bool, kDifficulties.size()> is{
+      d.missingOutlinePct < kPartlyErased,
+      d.missingOutlinePct >= kPartlyErased && d.missingOutlinePct < kHalfErased,
+      d.missingOutlinePct >= kHalfErased,
+      d.faintOutlinePct >= kFaint,
+      d.hiddenPct >= kHidden,
+      d.innerEdges >= kBusy,
+      d.noise >= kNoisy};
   std::vector<std::string> names;
   for (std::size_t i = 0; i < is.size(); ++i) {
     if (is[i]) names.emplace_back(kDifficulties[i]);
@@ -73,21 +77,5 @@ std::vector<std::string> difficultyNames(const std::optional<io::BenchDifficulty
 }
 
 std::span<const std::string_view> difficultyOrder() { return kDifficulties; }
-
-std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines) {
-  std::ostringstream out;
-  out << "| |";
-  for (const auto& [name, value] : lines.front().second) out << ' ' << name << " |";
-  out << "\n|:--|";
-  for (std::size_t i = 0; i < lines.front().second.size(); ++i) out << "--:|";
-  for (const auto& [title, numbers] : lines) {
-    out << "\n| " << title << " |" << std::fixed;
-    for (const auto& [name, value] : numbers) {
-      out << ' ' << std::setprecision(name.back() == '%' ? 1 : 3) << value << " |";
-    }
-  }
-  out << '\n';
-  return out.str();
-}
 
 }  // namespace spineloft::cli

@@ -1,4 +1,4 @@
-// The cases of a data folder, read and ready to be scored; tables in Markdown.
+// The cases of a data folder, read and ready to be scored.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -33,8 +32,5 @@ std::vector<std::string> difficultyNames(const std::optional<io::BenchDifficulty
 
 /// All those names.
 std::span<const std::string_view> difficultyOrder();
-
-/// One line each, with the columns of the first; numbers named "… %" get one decimal, others three.
-std::string markdownOf(const std::vector<std::pair<std::string, io::NamedNumbers>>& lines);
 
 }  // namespace spineloft::cli

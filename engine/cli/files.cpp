@@ -78,8 +78,7 @@ fs::path resolved(const std::string& path) {
 Result<Bytes> readFile(const std::string& path) {
   std::error_code problem;
   const fs::file_status status = fs::status(path, problem);
-  if (problem || !fs::exists(status) || fs::is_directory(status))
-    return {Error::FileUnreadable, path};
+  if (problem || !fs::exists(status) || fs::is_directory(status)) return {Error::FileUnreadable, path};
   std::ifstream file(path, std::ios::binary);
   if (!file) return {Error::FileUnreadable, path};
   try {

@@ -16,6 +16,8 @@ using Bytes = std::vector<std::uint8_t>;
 Result<Bytes> readFile(const std::string& path);
 Result<std::string> readText(const std::string& path);
 
+inline Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
+
 /// One file to write; a file of that name is replaced.
 struct OutputFile {
   std::string path;

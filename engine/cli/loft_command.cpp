@@ -60,8 +60,7 @@ Result<document::Document> author(const LoftArguments& arguments, image::Picture
   const double height = arguments.heightMm.value_or(document::Document{}.height.value);
   const std::vector<document::Action> actions{
       document::AddPicture{name, std::make_shared<const image::Picture>(std::move(picture))},
-      document::RenameDocument{name}, document::SetHeight{Millimetres{height}},
-      std::move(draw)};
+      document::RenameDocument{name}, document::SetHeight{Millimetres{height}}, std::move(draw)};
   document::Document document;
   for (const document::Action& action : actions) {
     Result<document::Document> next = document::update(document, action);
@@ -106,8 +105,7 @@ Result<Model> deriveModel(document::Document document, bool cut, io::NamedNumber
   if (document.parts.empty()) return Error::NothingToExport;
   pipeline::Cache cache;
   double edgesMs = 0;
-  Result<pipeline::Derived> derived =
-      pipeline::deriveWithEdges(document, cache, Progress(), nowMs, &edgesMs);
+  Result<pipeline::Derived> derived = pipeline::deriveWithEdges(document, cache, Progress(), nowMs, &edgesMs);
   if (!derived.ok()) return derived.failure();
   if (cut) {
     Result<document::Document> shorter = onThing(document, cache);
@@ -145,8 +143,7 @@ Result<Model> makeModel(const LoftArguments& arguments) {
   Result<document::Document> document =
       arguments.recipe.empty()
           ? author(arguments, std::move(picture).value(), std::move(stroke))
-          : follow(arguments, arguments.image.empty() ? nullptr : &picture.value(),
-                   std::move(stroke));
+          : follow(arguments, arguments.image.empty() ? nullptr : &picture.value(), std::move(stroke));
   if (!document.ok()) {
     if (!arguments.recipe.empty()) return document.failure();
     return {document.error(), arguments.stroke};
@@ -159,8 +156,7 @@ Result<Model> makeModel(const LoftArguments& arguments) {
 Status checkOutputs(const LoftArguments& arguments, const Model& model) {
   const bool forOne = !arguments.mask.empty() || !arguments.ribs.empty() || arguments.objInPicture;
   if (!forOne || model.document.parts.size() == 1) return Done{};
-  return {Error::JsonInvalid, arguments.recipe + ": it has " +
-                                  std::to_string(model.document.parts.size()) +
+  return {Error::JsonInvalid, arguments.recipe + ": it has " + std::to_string(model.document.parts.size()) +
                                   " parts; --mask, --ribs and --obj-space image are for one"};
 }
 
@@ -173,8 +169,6 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
   part.mesh = &model.shape(0).mesh;
   return io::writeObj({&part, 1}, io::ObjSpace::Image);
 }
-
-Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
 
 /// Of one part an object, of several a list of them; the times are those of all.
 std::string reportOf(const Model& model) {
@@ -209,8 +203,7 @@ Status runLoft(const LoftArguments& arguments, Console console) {
   };
   const double started = nowMs();
   if (!arguments.out.empty()) {
-    if (Status status = add(arguments.out, modelFile(arguments, model)); !status.ok())
-      return status;
+    if (Status status = add(arguments.out, modelFile(arguments, model)); !status.ok()) return status;
   }
   if (!arguments.mask.empty()) {
     const image::Mask mask = pipeline::rasteriseSilhouette(model.shape(0).mesh, model.picture(0));
@@ -223,8 +216,8 @@ Status runLoft(const LoftArguments& arguments, Console console) {
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(model))});
   if (Status status = writeAll(files); !status.ok()) return status;
   if (!arguments.out.empty()) {
-    tellSeparateParts(model.document, console.err);
-    tellCrossingParts(model.document, model.derived, console.err);
+    reportSeparateParts(model.document, console.err);
+    reportCrossingParts(model.document, model.derived, console.err);
   }
 
   std::ostream& out = console.out;
@@ -258,8 +251,7 @@ Status runEdges(const EdgesArguments& arguments, std::ostream& out) {
   }
   Result<Bytes> png = io::encodeMaskPng(mask);
   if (!png.ok()) return png.failure();
-  if (Status status = writeAll({{arguments.out, std::move(png).value()}}); !status.ok())
-    return status;
+  if (Status status = writeAll({{arguments.out, std::move(png).value()}}); !status.ok()) return status;
   out << mask.width << " x " << mask.height << " pixels of edges: " << arguments.out << '\n';
   return Done{};
 }

@@ -34,8 +34,7 @@ Result<Opened> openProject(const std::string& path) {
   opened.document = std::move(document).value();
   const double read = nowMs();
   pipeline::Cache cache;
-  Result<pipeline::Derived> derived =
-      pipeline::deriveWithEdges(opened.document, cache, Progress());
+  Result<pipeline::Derived> derived = pipeline::deriveWithEdges(opened.document, cache, Progress());
   if (!derived.ok()) return derived.failure();
   opened.derived = std::move(derived).value();
   opened.readMs = read - started;
@@ -44,19 +43,19 @@ Result<Opened> openProject(const std::string& path) {
 }
 
 std::string reportOf(const Opened& opened) {
-  double shaped = 0, vertices = 0, triangles = 0, lawful = 0;
+  double shaped = 0, vertices = 0, triangles = 0, valid = 0;
   for (const pipeline::DerivedPart& part : opened.derived.parts) {
     if (!part.shape) continue;
     ++shaped;
     vertices += static_cast<double>(part.shape->mesh.positions.size());
     triangles += static_cast<double>(part.shape->mesh.triangles.size());
-    lawful += mesh::brokenLaw(mesh::inspect(part.shape->mesh)).empty();
+    valid += mesh::brokenLaw(mesh::inspect(part.shape->mesh)).empty();
   }
   return io::writeNumbers({{"pictures", static_cast<double>(opened.document.pictures.size())},
                            {"parts", static_cast<double>(opened.document.parts.size())},
                            {"solids", static_cast<double>(opened.document.steps.size())},
                            {"shaped", shaped},
-                           {"lawful", lawful},
+                           {"lawful", valid},
                            {"vertices", vertices},
                            {"triangles", triangles},
                            {"height_mm", opened.document.height.value},
@@ -66,8 +65,6 @@ std::string reportOf(const Opened& opened) {
                            {"derive_ms", opened.deriveMs}});
 }
 
-Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
-
 }  // namespace
 
 Status runOpen(const OpenArguments& arguments, Console console) {
@@ -76,8 +73,7 @@ Status runOpen(const OpenArguments& arguments, Console console) {
   const Opened& opened = read.value();
   std::vector<OutputFile> files;
   if (!arguments.out.empty()) {
-    Result<Bytes> bytes =
-        publish::publish(opened.document, opened.derived, arguments.format, Progress());
+    Result<Bytes> bytes = publish::publish(opened.document, opened.derived, arguments.format, Progress());
     if (!bytes.ok()) return bytes.failure();
     files.push_back({arguments.out, std::move(bytes).value()});
   }
@@ -87,16 +83,15 @@ Status runOpen(const OpenArguments& arguments, Console console) {
   if (!arguments.report.empty()) files.push_back({arguments.report, bytesOf(reportOf(opened))});
   if (Status status = writeAll(files); !status.ok()) return status;
   if (!arguments.out.empty()) {
-    tellSeparateParts(opened.document, console.err);
-    tellCrossingParts(opened.document, opened.derived, console.err);
+    reportSeparateParts(opened.document, console.err);
+    reportCrossingParts(opened.document, opened.derived, console.err);
   }
 
   std::ostream& out = console.out;
   out << opened.document.name << ": " << opened.document.pictures.size() << " pictures, "
       << opened.document.parts.size() << " parts";
   if (!opened.notes.clean()) {
-    out << " (damaged: " << opened.notes.dropped << " left out, " << opened.notes.repaired
-        << " mended)";
+    out << " (damaged: " << opened.notes.dropped << " left out, " << opened.notes.repaired << " mended)";
   }
   for (const OutputFile& file : files) out << (&file == &files.front() ? ": " : ", ") << file.path;
   out << '\n';

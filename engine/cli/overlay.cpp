@@ -41,15 +41,12 @@ class Canvas {
     const long y = std::lround((p.y + 0.5) / scaleY_ - 0.5);
     if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return;
     const std::size_t at =
-        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) +
-             static_cast<std::size_t>(x));
-    std::copy(colour.begin(), colour.end(),
-              image_.pixels.begin() + static_cast<std::ptrdiff_t>(at));
+        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width) + static_cast<std::size_t>(x));
+    std::copy(colour.begin(), colour.end(), image_.pixels.begin() + static_cast<std::ptrdiff_t>(at));
   }
   void line(PicturePoint a, PicturePoint b, const Colour& colour) {
     if (!isFinite(a) || !isFinite(b)) return;
-    const int steps =
-        1 + static_cast<int>(std::min(20000.0, distance(a, b) / std::min(scaleX_, scaleY_)));
+    const int steps = 1 + static_cast<int>(std::min(20000.0, distance(a, b) / std::min(scaleX_, scaleY_)));
     for (int i = 0; i <= steps; ++i) dot(lerp(a, b, static_cast<double>(i) / steps), colour);
   }
   image::Image take() { return std::move(image_); }

@@ -6,7 +6,7 @@
 #include "engine/base/vec.h"
 #include "engine/cli/score.h"
 #include "engine/image/image.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/base/rib_set.h"
 
 namespace spineloft::cli {
 

@@ -78,7 +78,7 @@ std::string sentenceOf(const Failure& failure) {
   return sentence + '.';
 }
 
-void tellSeparateParts(const document::Document& document, std::ostream& err) {
+void reportSeparateParts(const document::Document& document, std::ostream& err) {
   std::string names;
   for (const document::Step& step : document.steps) {
     if (holderOf(document, {{}, step.id}) == nullptr && step.visible) addName(step.name, names);
@@ -89,7 +89,7 @@ void tellSeparateParts(const document::Document& document, std::ostream& err) {
       << names << ").\n";
 }
 
-void tellCrossingParts(const document::Document& document, const pipeline::Derived& derived, std::ostream& err) {
+void reportCrossingParts(const document::Document& document, const pipeline::Derived& derived, std::ostream& err) {
   std::string names;
   for (const pipeline::DerivedPart& made : derived.parts) {
     const document::Part* part = document::findPart(document, made.id);
@@ -97,7 +97,8 @@ void tellCrossingParts(const document::Document& document, const pipeline::Deriv
     if (mesh::selfCrossing(made.shape->mesh)) addName(part->name, names);
   }
   if (names.empty()) return;
-  err << "spineloft: These parts go through themselves and are written as they are; the page mends most such parts when it saves ("
+  err << "spineloft: These parts go through themselves and are written as they are; the page mends most such parts "
+         "when it saves ("
       << names << ").\n";
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "engine/base/result.h"
-#include "engine/cli/arguments.h"
+#include "engine/cli/command_line.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 
@@ -29,10 +29,11 @@ std::string sentenceOf(const Failure& failure);
 
 /// Says on `err` which solids of the document this program writes as the parts they are made of: it has no solver.
 /// Nothing where there are none.
-void tellSeparateParts(const document::Document& document, std::ostream& err);
+void reportSeparateParts(const document::Document& document, std::ostream& err);
 
-/// Says on `err` which visible parts go through themselves: a page with a solver would mend them. Nothing where none does.
-void tellCrossingParts(const document::Document& document, const pipeline::Derived& derived, std::ostream& err);
+/// Says on `err` which visible parts go through themselves: a page with a solver would mend them. Nothing where none
+/// does.
+void reportCrossingParts(const document::Document& document, const pipeline::Derived& derived, std::ostream& err);
 
 /// Milliseconds from a steady clock.
 double nowMs();

@@ -27,14 +27,11 @@ class Enlarged {
   }
   int width() const { return width_; }
   int height() const { return height_; }
-  bool at(int x, int y) const {
-    return x >= 0 && y >= 0 && x < width_ && y < height_ && bits_[index(x, y)];
-  }
+  bool at(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_ && bits_[index(x, y)]; }
 
  private:
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
   int pixel(int x, int y) const {
     x -= 2, y -= 2;
@@ -129,16 +126,15 @@ constexpr std::array<ChamferStep, 8> kForward{{{-1, -2, kKnight},
                                                {-1, 0, kSide}}};
 
 /// Spreads labels from the pixels at distance 0; forward over rows, then back.
-void spreadLabels(int width, int height, std::vector<std::int64_t>& distances,
-                  std::vector<float>& labels) {
+void spreadLabels(int width, int height, std::vector<std::int64_t>& distances, std::vector<float>& labels) {
   const auto visit = [&](int x, int y, int sign) {
     const std::size_t here =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     for (const ChamferStep& step : kForward) {
       const int u = x + sign * step.dx, v = y + sign * step.dy;
       if (u < 0 || v < 0 || u >= width || v >= height) continue;
-      const std::size_t there = static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
-                                static_cast<std::size_t>(u);
+      const std::size_t there =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
       if (distances[there] + step.cost < distances[here]) {
         distances[here] = distances[there] + step.cost;
         labels[here] = labels[there];
@@ -160,9 +156,7 @@ struct Overlap {
     both += part && truth;
     either += part || truth;
   }
-  double iou() const {
-    return either ? static_cast<double>(both) / static_cast<double>(either) : 1.0;
-  }
+  double iou() const { return either ? static_cast<double>(both) / static_cast<double>(either) : 1.0; }
 };
 
 RibScore scoreRibs(const Truth& truth, std::span<const PicturePoint> ends) {
@@ -180,8 +174,7 @@ RibScore scoreRibs(const Truth& truth, std::span<const PicturePoint> ends) {
   }
   if (pct.empty()) return {};
   const double count = static_cast<double>(pct.size());
-  return {static_cast<int>(pct.size()), pctSum / count, percentile(pct, 0.95), pxSum / count,
-          within / count};
+  return {static_cast<int>(pct.size()), pctSum / count, percentile(pct, 0.95), pxSum / count, within / count};
 }
 
 }  // namespace
@@ -192,8 +185,8 @@ std::vector<PicturePoint> outline(const image::Mask& mask) {
   const Enlarged large(mask);
   for (int y = 0; y < large.height(); ++y) {
     for (int x = 0; x < large.width(); ++x) {
-      const bool border = large.at(x, y) && !(large.at(x - 1, y) && large.at(x + 1, y) &&
-                                              large.at(x, y - 1) && large.at(x, y + 1));
+      const bool border =
+          large.at(x, y) && !(large.at(x - 1, y) && large.at(x + 1, y) && large.at(x, y - 1) && large.at(x, y + 1));
       if (border) points.push_back({(x - 1) / 3.0 - 2, (y - 1) / 3.0 - 2});
     }
   }
@@ -220,8 +213,7 @@ void Truth::resampleAxis(std::span<const std::array<double, 3>> axis) {
   for (std::size_t i = 1; i < axis.size(); ++i) {
     arc[i] = arc[i - 1] + std::hypot(axis[i][0] - axis[i - 1][0], axis[i][1] - axis[i - 1][1]);
   }
-  const std::size_t count =
-      std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(arc.back())) + 1);
+  const std::size_t count = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(arc.back())) + 1);
   std::size_t segment = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double at = arc.back() * static_cast<double>(i) / static_cast<double>(count - 1);
@@ -239,12 +231,9 @@ void Truth::resampleAxis(std::span<const std::array<double, 3>> axis) {
 }
 
 std::size_t Truth::pixelAt(PicturePoint p) const {
-  const int x =
-      std::clamp(static_cast<int>(std::nearbyint(std::clamp(p.x, -1e9, 1e9))), 0, mask_.width - 1);
-  const int y =
-      std::clamp(static_cast<int>(std::nearbyint(std::clamp(p.y, -1e9, 1e9))), 0, mask_.height - 1);
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(mask_.width) +
-         static_cast<std::size_t>(x);
+  const int x = std::clamp(static_cast<int>(std::nearbyint(std::clamp(p.x, -1e9, 1e9))), 0, mask_.width - 1);
+  const int y = std::clamp(static_cast<int>(std::nearbyint(std::clamp(p.y, -1e9, 1e9))), 0, mask_.height - 1);
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(mask_.width) + static_cast<std::size_t>(x);
 }
 
 void Truth::labelPixels() {
@@ -263,8 +252,7 @@ void Truth::markCuts() {
   constexpr int kReach = 3;
   nearCut_.assign(countOf(mask_), 0);
   const auto index = [this](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(mask_.width) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(mask_.width) + static_cast<std::size_t>(x);
   };
   for (int y = 0; y < mask_.height; ++y) {
     for (int x = 0; x < mask_.width; ++x) {
@@ -284,8 +272,7 @@ void Truth::findBoundary() {
   image::Mask part = mask_;
   for (std::size_t i = 0; i < part.pixels.size(); ++i) part.pixels[i] = isPart(i) ? 255 : 0;
   for (const PicturePoint& p : outline(part)) {
-    const bool inFrame =
-        p.x > 0.6 && p.y > 0.6 && p.x < mask_.width - 1.6 && p.y < mask_.height - 1.6;
+    const bool inFrame = p.x > 0.6 && p.y > 0.6 && p.x < mask_.width - 1.6 && p.y < mask_.height - 1.6;
     if (inFrame && nearCut_[pixelAt(p)] < 2) boundary_.push_back(p);
   }
 }
@@ -336,8 +323,7 @@ Score scorePart(const Truth& truth, const image::Mask& part, std::span<const Pic
     truthPixels += inTruth;
     const double arc = truth.arcOfPixels()[i];
     // Arc lengths of pixels are floats: both ends are compared as such.
-    if (arc >= static_cast<float>(low) && arc <= static_cast<float>(high))
-      body.add(inPart, inTruth);
+    if (arc >= static_cast<float>(low) && arc <= static_cast<float>(high)) body.add(inPart, inTruth);
   }
   Score score;
   score.iou = all.iou();

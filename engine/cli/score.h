@@ -37,9 +37,7 @@ class Truth {
   const std::vector<PicturePoint>& boundary() const { return boundary_; }
 
   bool isPart(std::size_t pixel) const { return mask_.pixels[pixel] > 200; }
-  bool isCare(std::size_t pixel) const {
-    return mask_.pixels[pixel] <= 60 || mask_.pixels[pixel] > 200;
-  }
+  bool isCare(std::size_t pixel) const { return mask_.pixels[pixel] <= 60 || mask_.pixels[pixel] > 200; }
   /// Arc length along the axis of the axis point nearest to the pixel (5 × 5 chamfer distance).
   const std::vector<float>& arcOfPixels() const { return arcOfPixels_; }
   /// Whether the point lies in or within 3 px of do-not-care.
@@ -65,8 +63,7 @@ class Truth {
   double tolerance_ = 1;
   std::vector<PicturePoint> axis_;  ///< about every pixel
   std::vector<double> arc_, width_;
-  std::vector<std::uint8_t>
-      nearCut_;  ///< of every pixel, 2 within 2 px of do-not-care, 1 within 3 px, else 0
+  std::vector<std::uint8_t> nearCut_;  ///< of every pixel, 2 within 2 px of do-not-care, 1 within 3 px, else 0
   std::vector<PicturePoint> boundary_;
   std::vector<float> arcOfPixels_;
 };

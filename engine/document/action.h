@@ -71,7 +71,7 @@ struct IgnoreForPicture {
   std::vector<ribs::IgnoreMark> marks;
 };
 /// What a region becomes, and how.
-using RegionSolid = std::variant<inflate::PuffParams, sheet::SheetParams>;
+using RegionSolid = std::variant<inflate::InflateParams, extrude::ExtrudeParams>;
 /// A new part from a region.
 struct DrawRegion {
   Region region;
@@ -96,7 +96,7 @@ struct SetSection {
 /// Several sections along the spine.
 struct SetSections {
   PartId part;
-  std::vector<loft::SectionStop> sections;
+  std::vector<loft::SectionKey> sections;
 };
 enum class AlongKind : std::uint8_t { Twist, Squash, Tilt, Bulge, kCount };
 /// One of the curves of loft::LoftParams.
@@ -217,12 +217,10 @@ struct SetStepLook {
 };
 
 using Action =
-    std::variant<AddPicture, RemovePicture, DrawSpine, RedrawSpine, SetSection, SetCaps, SetLook,
-                 SetParameter, RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument,
-                 PoseSpine, EditRibs, IgnoreForPart, IgnoreForPicture, SetSections, SetAlong,
-                 AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep, OrderOperands,
-                 ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook,
-                 DrawRegion, RedrawRegion, ShapeRegion, PlaceParts, DuplicateParts, GroupParts, Ungroup,
-                 RenameGroup, MoveInList>;
+    std::variant<AddPicture, RemovePicture, DrawSpine, RedrawSpine, SetSection, SetCaps, SetLook, SetParameter,
+                 RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument, PoseSpine, EditRibs, IgnoreForPart,
+                 IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
+                 OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
+                 ShapeRegion, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList>;
 
 }  // namespace spineloft::document

@@ -104,8 +104,8 @@ Status copySteps(Document& document, const Copies& copies, const std::optional<M
   std::map<StepId, StepId> ids;
   std::vector<Step> added;
   for (const Step& step : document.steps) {
-    const bool whole = std::ranges::all_of(partsIn(document, {{}, step.id}),
-                                           [&](PartId id) { return copies.contains(id); });
+    const bool whole =
+        std::ranges::all_of(partsIn(document, {{}, step.id}), [&](PartId id) { return copies.contains(id); });
     if (!whole) continue;
     ids[step.id] = StepId{++document.lastStepId};
     added.push_back(step);
@@ -143,8 +143,7 @@ void settleGroup(Document& document, PartId id) {
 
 void dropEmptyGroups(Document& document) {
   std::erase_if(document.groups, [&](const Group& group) {
-    return std::ranges::none_of(document.parts,
-                                [&](const Part& part) { return part.group == group.id; });
+    return std::ranges::none_of(document.parts, [&](const Part& part) { return part.group == group.id; });
   });
 }
 
@@ -176,9 +175,8 @@ Status arrange(Document& document, const DuplicateParts& action) {
   const std::vector<Group> before = document.groups;
   for (const Group& group : before) {
     const std::vector<PartId> members = partsOfGroup(document, group.id);
-    const bool whole = std::ranges::all_of(members, [&](PartId id) {
-      return std::ranges::find(action.parts, id) != action.parts.end();
-    });
+    const bool whole = std::ranges::all_of(
+        members, [&](PartId id) { return std::ranges::find(action.parts, id) != action.parts.end(); });
     if (whole) groups.emplace_back(group.id, addGroup(document, copyName(group.name)));
   }
   Parts parts;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/spine.h"
 
 namespace spineloft::document {
 namespace {
@@ -34,9 +34,8 @@ std::string tidyName(std::string name, std::string_view fallback) {
 
 bool isValid(const ribs::IgnoreMark& mark) {
   constexpr double kLeastRadius = 0.5, kMostRadius = 500;  // picture pixels
-  return !mark.stroke.empty() && mark.stroke.size() <= loft::kMostStrokePoints &&
-         mark.radius >= kLeastRadius && mark.radius <= kMostRadius &&
-         std::ranges::all_of(mark.stroke, [](PicturePoint p) { return isFinite(p); });
+  return !mark.stroke.empty() && mark.stroke.size() <= loft::kMostStrokePoints && mark.radius >= kLeastRadius &&
+         mark.radius <= kMostRadius && std::ranges::all_of(mark.stroke, [](PicturePoint p) { return isFinite(p); });
 }
 
 bool isValid(std::span<const ribs::IgnoreMark> marks) {
@@ -77,8 +76,8 @@ Status checkRegion(const Document& document, const Region& region) {
   }
   if (points > kMostRegionPoints) return {Error::ValueOutOfRange, "too many points"};
   if (!any) return Error::RegionEmpty;
-  const bool onPicture = high.x >= -0.5 && high.y >= -0.5 && low.x <= entry->size.width - 0.5 &&
-                         low.y <= entry->size.height - 0.5;
+  const bool onPicture =
+      high.x >= -0.5 && high.y >= -0.5 && low.x <= entry->size.width - 0.5 && low.y <= entry->size.height - 0.5;
   if (!onPicture) return Error::RegionOutside;
   return Done{};
 }

@@ -36,22 +36,21 @@ std::size_t bytesOf(const Region& region) {
 
 // What a recipe holds beyond its own size.
 std::size_t heldBy(const LoftRecipe& recipe) {
-  std::size_t bytes = bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) +
-                      bytesOf(recipe.edits.added) + bytesOf(recipe.edits.removed) +
-                      bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) +
+  std::size_t bytes = bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) + bytesOf(recipe.edits.added) +
+                      bytesOf(recipe.edits.removed) + bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) +
                       bytesOf(recipe.pose.depth.points);
   const loft::LoftParams& loft = recipe.loft;
   for (const auto* curve : {&loft.twist, &loft.squash, &loft.tilt, &loft.bulge}) {
     bytes += bytesOf(curve->points);
   }
-  for (const loft::SectionStop& stop : loft.sections) {
+  for (const loft::SectionKey& stop : loft.sections) {
     bytes += sizeof(stop) + bytesOf(stop.blend.custom.points);
     for (const auto& contour : stop.shape.contours) bytes += sizeof(contour) + bytesOf(contour);
   }
   return bytes;
 }
-std::size_t heldBy(const PuffRecipe& recipe) { return bytesOf(recipe.region); }
-std::size_t heldBy(const SheetRecipe& recipe) { return bytesOf(recipe.region); }
+std::size_t heldBy(const InflateRecipe& recipe) { return bytesOf(recipe.region); }
+std::size_t heldBy(const ExtrudeRecipe& recipe) { return bytesOf(recipe.region); }
 
 std::size_t bytesOf(const Part& part) {
   return sizeof(Part) + part.name.size() + part.extra.size() +
@@ -67,15 +66,14 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
   }
   // Strokes are only ever appended, so that an old one stands where it stood.
   for (std::size_t i = 0; i < entry.sketch.size(); ++i) {
-    const bool shared = before != nullptr && i < before->sketch.size() &&
-                        before->sketch[i].shares(entry.sketch[i]);
+    const bool shared = before != nullptr && i < before->sketch.size() && before->sketch[i].shares(entry.sketch[i]);
     if (!shared) bytes += bytesOf(entry.sketch[i].get());
   }
   return bytes;
 }
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {
-    "loft", "puff", "sheet"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {"loft", "puff",
+                                                                                                "sheet"};
 
 }  // namespace
 
@@ -89,8 +87,8 @@ PartKind kindFromKey(std::string_view key) {
 }
 
 Recipe emptyRecipe(PartKind kind) {
-  if (kind == PartKind::Puff) return PuffRecipe{};
-  if (kind == PartKind::Sheet) return SheetRecipe{};
+  if (kind == PartKind::Inflate) return InflateRecipe{};
+  if (kind == PartKind::Extrude) return ExtrudeRecipe{};
   return LoftRecipe{};
 }
 
@@ -101,8 +99,8 @@ const LoftRecipe& loftIn(const Part& part) {
 }
 
 const Region* regionOf(const Recipe& recipe) {
-  if (const auto* puff = std::get_if<PuffRecipe>(&recipe)) return &puff->region;
-  if (const auto* sheet = std::get_if<SheetRecipe>(&recipe)) return &sheet->region;
+  if (const auto* inflate = std::get_if<InflateRecipe>(&recipe)) return &inflate->region;
+  if (const auto* extrude = std::get_if<ExtrudeRecipe>(&recipe)) return &extrude->region;
   return nullptr;
 }
 Region* regionOf(Recipe& recipe) {
@@ -120,14 +118,12 @@ void setPicture(Recipe& recipe, PictureId picture) {
 }
 
 const PictureEntry* findPicture(const Document& document, PictureId id) {
-  const auto at = std::ranges::find_if(
-      document.pictures, [&](const PictureEntry& entry) { return entry.id == id; });
+  const auto at = std::ranges::find_if(document.pictures, [&](const PictureEntry& entry) { return entry.id == id; });
   return at == document.pictures.end() ? nullptr : &at->get();
 }
 
 const Part* findPart(const Document& document, PartId id) {
-  const auto at = std::ranges::find_if(document.parts,
-                                       [&](const Part& part) { return part.id == id; });
+  const auto at = std::ranges::find_if(document.parts, [&](const Part& part) { return part.id == id; });
   return at == document.parts.end() ? nullptr : &at->get();
 }
 

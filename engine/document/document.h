@@ -18,14 +18,15 @@
 #include "engine/document/look.h"
 #include "engine/document/placement.h"
 #include "engine/document/step.h"
+#include "engine/extrude/extrude_params.h"
 #include "engine/image/image.h"
 #include "engine/image/sketch.h"
-#include "engine/inflate/puff_params.h"
+#include "engine/inflate/inflate_params.h"
 #include "engine/loft/loft.h"
 #include "engine/loft/pose.h"
-#include "engine/ribs/edits.h"
-#include "engine/ribs/ribs.h"
-#include "engine/sheet/sheet_params.h"
+#include "engine/ribs/base/rib_params.h"
+#include "engine/ribs/base/rib_set.h"
+#include "engine/ribs/edit/edits.h"
 
 namespace spineloft::document {
 
@@ -34,18 +35,17 @@ namespace spineloft::document {
 /// entries with equal content hashes show equal pixels.
 struct PictureEntry {
   PictureId id;
-  std::string name;  ///< file name or title, UTF-8
-  image::Size size;  ///< original pixels; what strokes and ribs are measured in
+  std::string name;                               ///< file name or title, UTF-8
+  image::Size size;                               ///< original pixels; what strokes and ribs are measured in
   std::shared_ptr<const image::Picture> picture;  ///< null for a sketch
   std::vector<Box<image::SketchStroke>> sketch;   ///< of a sketch, in order
   std::uint64_t contentHash = 0;
   std::vector<ribs::IgnoreMark> ignored;  ///< edges that count for no part
-  std::string extra;  ///< what a file said beyond all this, as JSON; written back as it came
+  std::string extra;                      ///< what a file said beyond all this, as JSON; written back as it came
   bool isSketch() const { return picture == nullptr; }
   bool operator==(const PictureEntry& other) const {
-    return id == other.id && name == other.name && size == other.size &&
-           contentHash == other.contentHash && isSketch() == other.isSketch() &&
-           sketch == other.sketch && ignored == other.ignored && extra == other.extra;
+    return id == other.id && name == other.name && size == other.size && contentHash == other.contentHash &&
+           isSketch() == other.isSketch() && sketch == other.sketch && ignored == other.ignored && extra == other.extra;
   }
 };
 
@@ -72,22 +72,22 @@ struct Region {
 };
 
 /// Recipe of a part that swells from a region.
-struct PuffRecipe {
+struct InflateRecipe {
   Region region;
-  inflate::PuffParams puff;
-  bool operator==(const PuffRecipe&) const = default;
+  inflate::InflateParams inflate;
+  bool operator==(const InflateRecipe&) const = default;
 };
 
 /// Recipe of a flat piece: a region with thickness.
-struct SheetRecipe {
+struct ExtrudeRecipe {
   Region region;
-  sheet::SheetParams sheet;
-  bool operator==(const SheetRecipe&) const = default;
+  extrude::ExtrudeParams extrude;
+  bool operator==(const ExtrudeRecipe&) const = default;
 };
 
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using Recipe = std::variant<LoftRecipe, PuffRecipe, SheetRecipe>;
-enum class PartKind : std::uint8_t { Loft, Puff, Sheet, kCount };
+using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe>;
+enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, kCount };
 static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
 
 struct Part {
@@ -99,7 +99,7 @@ struct Part {
   Placement placement;
   std::optional<MirrorPlane> mirror;  ///< it shows a second time, mirrored over this plane
   GroupId group;                      ///< none: it stands alone
-  std::string extra;  ///< as PictureEntry::extra
+  std::string extra;                  ///< as PictureEntry::extra
   bool operator==(const Part&) const = default;
 };
 
@@ -116,7 +116,7 @@ struct Document {
   std::vector<Box<Part>> parts;             ///< in the order of the part list
   std::vector<Box<Step>> steps;             ///< solids made from them: a forest (step.h)
   std::vector<Group> groups;                ///< in the order they were made
-  Millimetres height{100};             ///< "How tall?": of the whole model when exported
+  Millimetres height{100};                  ///< "How tall?": of the whole model when exported
   /// Ids are never reused.
   std::uint32_t lastPictureId = 0, lastPartId = 0, lastStepId = 0, lastGroupId = 0;
   std::string extra;  ///< as PictureEntry::extra
@@ -135,10 +135,10 @@ Recipe emptyRecipe(PartKind kind);
 /// The recipe of this kind, or null.
 inline const LoftRecipe* loftOf(const Part& part) { return std::get_if<LoftRecipe>(&part.recipe); }
 inline LoftRecipe* loftOf(Part& part) { return std::get_if<LoftRecipe>(&part.recipe); }
-inline const PuffRecipe* puffOf(const Part& part) { return std::get_if<PuffRecipe>(&part.recipe); }
-inline PuffRecipe* puffOf(Part& part) { return std::get_if<PuffRecipe>(&part.recipe); }
-inline const SheetRecipe* sheetOf(const Part& part) { return std::get_if<SheetRecipe>(&part.recipe); }
-inline SheetRecipe* sheetOf(Part& part) { return std::get_if<SheetRecipe>(&part.recipe); }
+inline const InflateRecipe* inflateOf(const Part& part) { return std::get_if<InflateRecipe>(&part.recipe); }
+inline InflateRecipe* inflateOf(Part& part) { return std::get_if<InflateRecipe>(&part.recipe); }
+inline const ExtrudeRecipe* extrudeOf(const Part& part) { return std::get_if<ExtrudeRecipe>(&part.recipe); }
+inline ExtrudeRecipe* extrudeOf(Part& part) { return std::get_if<ExtrudeRecipe>(&part.recipe); }
 /// The loft that a part is, or an empty one for other kinds: for what is only looked at.
 const LoftRecipe& loftIn(const Part& part);
 /// The region of a puff or a flat piece, or null.

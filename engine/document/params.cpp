@@ -34,39 +34,35 @@ std::span<const ParamInfo> loftTable() {
   constexpr auto kLoft = &LoftRecipe::loft;
   static const std::array kTable = {
       entry<LoftRecipe, kSpine, &SpineParams::ribs>({"ribs", "Ribs", "ribs", 2, 400, 1}),
-      entry<LoftRecipe, kSpine, &SpineParams::smoothness>(
-          {"smoothness", "Smoothing of the bone", "", 0, 0.2, 0.005}),
-      entry<LoftRecipe, kLoft, &LoftParams::sectionPoints>(
-          {"sides", "Corners around", "", 12, 128, 4}),
-      entry<LoftRecipe, kLoft, &LoftParams::capRings>(
-          {"cap-rings", "Rings of round ends", "", 1, 32, 1}),
+      entry<LoftRecipe, kSpine, &SpineParams::smoothness>({"smoothness", "Smoothing of the bone", "", 0, 0.2, 0.005}),
+      entry<LoftRecipe, kLoft, &LoftParams::sectionPoints>({"sides", "Corners around", "", 12, 128, 4}),
+      entry<LoftRecipe, kLoft, &LoftParams::capRings>({"cap-rings", "Rings of round ends", "", 1, 32, 1}),
   };
   return kTable;
 }
 
-std::span<const ParamInfo> puffTable() {
-  using inflate::PuffParams;
-  constexpr auto kPuff = &PuffRecipe::puff;
+std::span<const ParamInfo> inflateTable() {
+  using inflate::InflateParams;
+  constexpr auto kPuff = &InflateRecipe::inflate;
   static const std::array kTable = {
-      entry<PuffRecipe, kPuff, &PuffParams::height>(
+      entry<InflateRecipe, kPuff, &InflateParams::height>(
           {"height", "Height", "times", inflate::kLeastHeight, inflate::kMostHeight, 0.05}),
-      entry<PuffRecipe, kPuff, &PuffParams::points>(
+      entry<InflateRecipe, kPuff, &InflateParams::points>(
           {"points", "Points", "", inflate::kLeastPoints, inflate::kMostPoints, 100}),
   };
   return kTable;
 }
 
-std::span<const ParamInfo> sheetTable() {
-  using sheet::SheetParams;
-  constexpr auto kSheet = &SheetRecipe::sheet;
+std::span<const ParamInfo> extrudeTable() {
+  using extrude::ExtrudeParams;
+  constexpr auto kSheet = &ExtrudeRecipe::extrude;
   static const std::array kTable = {
-      entry<SheetRecipe, kSheet, &SheetParams::thickness>(
-          {"thickness", "Thickness", "of the picture", sheet::kLeastThickness,
-           sheet::kMostThickness, 0.002}),
-      entry<SheetRecipe, kSheet, &SheetParams::edgeSize>(
+      entry<ExtrudeRecipe, kSheet, &ExtrudeParams::thickness>(
+          {"thickness", "Thickness", "of the picture", extrude::kLeastThickness, extrude::kMostThickness, 0.002}),
+      entry<ExtrudeRecipe, kSheet, &ExtrudeParams::edgeSize>(
           {"edge-size", "Size of the edge", "of half the thickness", 0, 1, 0.05}),
-      entry<SheetRecipe, kSheet, &SheetParams::depth>(
-          {"depth", "Nearer", "of the picture", -sheet::kMostDepth, sheet::kMostDepth, 0.005}),
+      entry<ExtrudeRecipe, kSheet, &ExtrudeParams::depth>(
+          {"depth", "Nearer", "of the picture", -extrude::kMostDepth, extrude::kMostDepth, 0.005}),
   };
   return kTable;
 }
@@ -74,8 +70,8 @@ std::span<const ParamInfo> sheetTable() {
 }  // namespace
 
 std::span<const ParamInfo> paramTable(PartKind kind) {
-  if (kind == PartKind::Puff) return puffTable();
-  if (kind == PartKind::Sheet) return sheetTable();
+  if (kind == PartKind::Inflate) return inflateTable();
+  if (kind == PartKind::Extrude) return extrudeTable();
   return loftTable();
 }
 
@@ -83,6 +79,25 @@ const ParamInfo* findParam(PartKind kind, std::string_view key) {
   const auto table = paramTable(kind);
   const auto at = std::ranges::find(table, key, &ParamInfo::key);
   return at == table.end() ? nullptr : &*at;
+}
+
+geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
+  switch (kind) {
+    case AlongKind::Twist:
+      return params.twist;
+    case AlongKind::Squash:
+      return params.squash;
+    case AlongKind::Tilt:
+      return params.tilt;
+    case AlongKind::Bulge:
+    case AlongKind::kCount:
+      break;
+  }
+  return params.bulge;
+}
+
+const geometry::AlongCurve& alongOf(const loft::LoftParams& params, AlongKind kind) {
+  return alongOf(const_cast<loft::LoftParams&>(params), kind);
 }
 
 }  // namespace spineloft::document

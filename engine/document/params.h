@@ -1,9 +1,11 @@
-// The parameter tables, one a kind of recipe: they feed sliders, files, validation and test generators.
+// The parameter tables, one a kind of recipe: they feed sliders, files, validation and test generators. The curves of a
+// loft by their kind.
 #pragma once
 
 #include <span>
 #include <string_view>
 
+#include "engine/document/action.h"
 #include "engine/document/document.h"
 
 namespace spineloft::document {
@@ -23,5 +25,9 @@ struct ParamInfo {
 std::span<const ParamInfo> paramTable(PartKind kind);
 /// The entry with this key, or null.
 const ParamInfo* findParam(PartKind kind, std::string_view key);
+
+/// A curve of the loft by its kind.
+geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind);
+const geometry::AlongCurve& alongOf(const loft::LoftParams& params, AlongKind kind);
 
 }  // namespace spineloft::document

@@ -20,9 +20,7 @@ bool isValid(const Placement& placement) {
          placement.scale >= kLeastScale && placement.scale <= kMostScale;
 }
 
-bool isValid(const MirrorPlane& plane) {
-  return isNear(plane.point) && std::abs(norm(plane.normal) - 1) <= kUnitSlack;
-}
+bool isValid(const MirrorPlane& plane) { return isNear(plane.point) && std::abs(norm(plane.normal) - 1) <= kUnitSlack; }
 
 Placement moved(const Placement& placement, const Motion& motion) {
   Placement out = placement;

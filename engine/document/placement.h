@@ -21,9 +21,7 @@ struct Placement {
   bool operator==(const Placement&) const = default;
 
   /// It stands where it was traced, whatever the pivot.
-  bool isRest() const {
-    return move == WorldPoint{} && turn.isRest() && scale == 1 && !mirrored;
-  }
+  bool isRest() const { return move == WorldPoint{} && turn.isRest() && scale == 1 && !mirrored; }
   WorldPoint operator()(WorldPoint p) const {
     const WorldPoint from = (p - pivot) * scale;
     return pivot + move + geometry::turned(turn, mirrored ? WorldPoint{-from.x, from.y, from.z} : from);
@@ -36,9 +34,7 @@ struct MirrorPlane {
   WorldPoint normal{1, 0, 0};
   bool operator==(const MirrorPlane&) const = default;
 
-  WorldPoint operator()(WorldPoint p) const {
-    return p - normal * (2 * dot(normal, p - point));
-  }
+  WorldPoint operator()(WorldPoint p) const { return p - normal * (2 * dot(normal, p - point)); }
 };
 
 /// What a gesture does to all it holds: p ↦ centre + move + turn(scale · (p − centre)).
@@ -47,9 +43,7 @@ struct Motion {
   WorldPoint move;
   geometry::Turn turn;
   double scale = 1;
-  WorldPoint operator()(WorldPoint p) const {
-    return centre + move + geometry::turned(turn, (p - centre) * scale);
-  }
+  WorldPoint operator()(WorldPoint p) const { return centre + move + geometry::turned(turn, (p - centre) * scale); }
 };
 
 /// The longer side of a picture is 1: this is far and large enough for every model.

@@ -10,16 +10,15 @@
 namespace spineloft::document {
 namespace {
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(StepKind::kCount)> kKinds = {
-    "join", "cut", "common", "hollow"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(StepKind::kCount)> kKinds = {"join", "cut", "common",
+                                                                                             "hollow"};
 constexpr std::array<std::string_view, static_cast<std::size_t>(OpeningSide::kCount)> kSides = {
     "none", "start", "end", "up", "down", "left", "right", "front", "back"};
 
 bool namesOne(const Operand& operand) { return bool(operand.part) != bool(operand.step); }
 
 bool exists(const Document& document, const Operand& operand) {
-  return operand.part ? findPart(document, operand.part) != nullptr
-                      : findStep(document, operand.step) != nullptr;
+  return operand.part ? findPart(document, operand.part) != nullptr : findStep(document, operand.step) != nullptr;
 }
 
 /// Whether the step can be reached from itself by going up; every way up ends after as many steps as
@@ -46,8 +45,7 @@ void change(Document& document, StepId id, const Change& to) {
   }
 }
 
-void collect(const Document& document, const Operand& operand, std::size_t depth,
-             std::vector<PartId>& parts) {
+void collect(const Document& document, const Operand& operand, std::size_t depth, std::vector<PartId>& parts) {
   if (operand.part) parts.push_back(operand.part);
   const Step* step = operand.step ? findStep(document, operand.step) : nullptr;
   if (step == nullptr || depth > document.steps.size()) return;
@@ -67,8 +65,7 @@ std::string_view openingKey(OpeningSide side) {
 }
 
 const Step* findStep(const Document& document, StepId id) {
-  const auto at =
-      std::ranges::find_if(document.steps, [&](const Step& step) { return step.id == id; });
+  const auto at = std::ranges::find_if(document.steps, [&](const Step& step) { return step.id == id; });
   return at == document.steps.end() ? nullptr : &at->get();
 }
 
@@ -100,8 +97,7 @@ Status checkStep(const Step& step) {
   if (step.kind >= StepKind::kCount) return {Error::ValueOutOfRange, "kind"};
   if (!(step.blend >= 0 && step.blend <= kMostBlend)) return {Error::ValueOutOfRange, "blend"};
   if (!(step.wall >= kLeastWall && step.wall <= kMostWall)) return {Error::ValueOutOfRange, "wall"};
-  if (step.opening.side >= OpeningSide::kCount ||
-      !(step.opening.depth >= 0 && step.opening.depth <= kMostOpening)) {
+  if (step.opening.side >= OpeningSide::kCount || !(step.opening.depth >= 0 && step.opening.depth <= kMostOpening)) {
     return {Error::ValueOutOfRange, "opening"};
   }
   const std::size_t count = step.operands.size();
@@ -125,9 +121,7 @@ bool isForest(const Document& document) {
       if (!held.insert({operand.part.value, operand.step.value}).second) return false;
     }
   }
-  return std::ranges::none_of(document.steps, [&](const Step& step) {
-    return isInsideItself(document, step.id);
-  });
+  return std::ranges::none_of(document.steps, [&](const Step& step) { return isInsideItself(document, step.id); });
 }
 
 std::size_t mendForest(Document& document) {
@@ -143,9 +137,7 @@ std::size_t mendForest(Document& document) {
     mended += gone;
     box = std::move(step);
   }
-  const auto unsound = [&](const Step& step) {
-    return !checkStep(step) || isInsideItself(document, step.id);
-  };
+  const auto unsound = [&](const Step& step) { return !checkStep(step) || isInsideItself(document, step.id); };
   for (auto at = std::ranges::find_if(document.steps, unsound); at != document.steps.end();
        at = std::ranges::find_if(document.steps, unsound)) {
     dissolve(document, (*at)->id);

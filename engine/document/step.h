@@ -16,10 +16,10 @@ namespace spineloft::document {
 struct Document;
 
 enum class StepKind : std::uint8_t {
-  Join,    ///< all operands as one solid
-  Cut,     ///< the first without the others
-  Common,  ///< what all share
-  Hollow,  ///< one operand as a shell with an opening
+  Join,          ///< all operands as one solid
+  Cut,           ///< the first without the others
+  Intersection,  ///< what all share
+  Hollow,        ///< one operand as a shell with an opening
   kCount
 };
 
@@ -30,11 +30,9 @@ struct Operand {
   bool operator==(const Operand&) const = default;
 };
 
-/// Where a hollow solid is open: nowhere, at an end of the bone of its first loft, or at the side of the
+/// Where a hollow solid is open: nowhere, at an end of the spine of its first loft, or at the side of the
 /// world that it turns there.
-enum class OpeningSide : std::uint8_t {
-  None, Start, End, Up, Down, Left, Right, Front, Back, kCount
-};
+enum class OpeningSide : std::uint8_t { None, Start, End, Up, Down, Left, Right, Front, Back, kCount };
 struct Opening {
   OpeningSide side = OpeningSide::Up;
   double depth = 0;  ///< how much is cut off there, as a share of the solid's length that way, 0…kMostOpening
@@ -46,13 +44,13 @@ struct Step {
   std::string name;  ///< UTF-8, at most kMaxNameBytes
   StepKind kind = StepKind::Join;
   std::vector<Operand> operands;  ///< Hollow: one; else at least two
-  double blend = 0;     ///< radius at the seams of Join and Cut, WorldSpace, 0…kMostBlend; 0: sharp
-  double wall = 0.02;   ///< thickness of Hollow, WorldSpace, kLeastWall…kMostWall
+  double blend = 0;               ///< radius at the seams of Join and Cut, WorldSpace, 0…kMostBlend; 0: sharp
+  double wall = 0.02;             ///< thickness of Hollow, WorldSpace, kLeastWall…kMostWall
   Opening opening;
-  bool ownLook = false; ///< `look` everywhere, else every face looks as the part it comes from
+  bool ownLook = false;  ///< `look` everywhere, else every face looks as the part it comes from
   Look look;
   bool visible = true;
-  std::string extra;    ///< as PictureEntry::extra
+  std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Step&) const = default;
 };
 

@@ -13,21 +13,6 @@ namespace {
 
 bool known(loft::CapStyle cap) { return cap < loft::CapStyle::kCount; }
 
-geometry::AlongCurve& alongOf(loft::LoftParams& params, AlongKind kind) {
-  switch (kind) {
-    case AlongKind::Twist:
-      return params.twist;
-    case AlongKind::Squash:
-      return params.squash;
-    case AlongKind::Tilt:
-      return params.tilt;
-    case AlongKind::Bulge:
-    case AlongKind::kCount:
-      break;
-  }
-  return params.bulge;
-}
-
 /// Changes the element with this id: `change` gets a copy and says whether it may replace the
 /// original.
 template <class T, class Id, class Change>
@@ -41,8 +26,8 @@ Status edit(std::vector<Box<T>>& list, Id id, Error missing, const Change& chang
 }
 
 Recipe recipeOf(const Region& region, const RegionSolid& solid) {
-  if (const auto* puff = std::get_if<inflate::PuffParams>(&solid)) return PuffRecipe{region, *puff};
-  return SheetRecipe{region, *std::get_if<sheet::SheetParams>(&solid)};
+  if (const auto* inflate = std::get_if<inflate::InflateParams>(&solid)) return InflateRecipe{region, *inflate};
+  return ExtrudeRecipe{region, *std::get_if<extrude::ExtrudeParams>(&solid)};
 }
 
 /// Applies one action to a copy of the document; every action has its overload, or this does not
@@ -65,9 +50,8 @@ struct Apply {
   /// And for what only a region has. Error: NotARegion.
   template <class Change>
   Status editRegion(PartId id, const Change& change) const {
-    return editPart(id, [&](Part& part) -> Status {
-      return regionOf(part.recipe) ? change(part) : Status(Error::NotARegion);
-    });
+    return editPart(
+        id, [&](Part& part) -> Status { return regionOf(part.recipe) ? change(part) : Status(Error::NotARegion); });
   }
   Status roomForPart() const {
     if (document.parts.size() < kMostParts) return Done{};
@@ -109,9 +93,7 @@ struct Apply {
     return Done{};
   }
   Status operator()(const AddSketch& a) const {
-    const auto fits = [](int side) {
-      return side >= image::kLeastSketchSide && side <= image::kMostSketchSide;
-    };
+    const auto fits = [](int side) { return side >= image::kLeastSketchSide && side <= image::kMostSketchSide; };
     if (!fits(a.size.width) || !fits(a.size.height)) return {Error::ValueOutOfRange, "paper size"};
     if (Status room = roomForPicture(); !room) return room;
     PictureEntry entry;
@@ -229,13 +211,13 @@ struct Apply {
   Status operator()(const SetSection& a) const {
     if (Status shape = loft::checkShape(a.section); !shape) return shape;
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
-      loft.loft.sections = {loft::SectionStop{}};
+      loft.loft.sections = {loft::SectionKey{}};
       loft.loft.sections.front().shape = a.section;
       return Done{};
     });
   }
   Status operator()(const SetSections& a) const {
-    if (Status stops = loft::checkStops(a.sections); !stops) return stops;
+    if (Status stops = loft::checkSectionKeys(a.sections); !stops) return stops;
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
       loft.loft.sections = a.sections;
       return Done{};

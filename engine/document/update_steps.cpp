@@ -10,8 +10,7 @@ namespace {
 /// Changes the step: `change` gets a copy and says whether it may replace the original.
 template <class Change>
 Status edit(Document& document, StepId id, const Change& change) {
-  const auto at =
-      std::ranges::find_if(document.steps, [&](const Step& step) { return step.id == id; });
+  const auto at = std::ranges::find_if(document.steps, [&](const Step& step) { return step.id == id; });
   if (at == document.steps.end()) return Error::NoSuchStep;
   Step copy = *at;
   if (Status status = change(copy); !status) return status;
@@ -52,9 +51,8 @@ Status applyStep(Document& document, const CombineParts& action) {
     if (box->id != above) continue;
     Step copy = *box;
     *std::ranges::find(copy.operands, step.operands.front()) = self;
-    std::erase_if(copy.operands, [&](const Operand& operand) {
-      return std::ranges::count(step.operands, operand) > 0;
-    });
+    std::erase_if(copy.operands,
+                  [&](const Operand& operand) { return std::ranges::count(step.operands, operand) > 0; });
     box = std::move(copy);
   }
   const Step* left = findStep(document, above);

@@ -6,9 +6,7 @@
 namespace spineloft::geometry {
 namespace {
 
-double slope(const AlongPoint& a, const AlongPoint& b) {
-  return (b.value - a.value) / (b.at - a.at);
-}
+double slope(const AlongPoint& a, const AlongPoint& b) { return (b.value - a.value) / (b.at - a.at); }
 
 /// Tangent at point i: the weighted harmonic mean of the slopes beside it, 0 at an extremum, so that
 /// the cubic stays between its points; 0 at both ends.
@@ -36,8 +34,7 @@ double valueAt(const AlongCurve& curve, double at, double fallback) {
   const double h = p[j].at - p[i].at, t = (at - p[i].at) / h;
   const double m0 = tangent(p, i) * h, m1 = tangent(p, j) * h;
   const double t2 = t * t, t3 = t2 * t;
-  return (2 * t3 - 3 * t2 + 1) * p[i].value + (t3 - 2 * t2 + t) * m0 +
-         (3 * t2 - 2 * t3) * p[j].value + (t3 - t2) * m1;
+  return (2 * t3 - 3 * t2 + 1) * p[i].value + (t3 - 2 * t2 + t) * m0 + (3 * t2 - 2 * t3) * p[j].value + (t3 - t2) * m1;
 }
 
 bool isValid(const AlongCurve& curve, double low, double high) {

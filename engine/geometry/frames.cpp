@@ -46,16 +46,14 @@ ModelPoint slopeAtEnd(ModelPoint a, ModelPoint b, ModelPoint c) {
 /// Takes back evenly what the frames have turned by after one round.
 void spreadHolonomy(std::vector<Frame>& frames) {
   const Frame first = frames.front(), last = frames.back();
-  const double angle = std::atan2(dot(cross(last.across, first.across), first.tangent),
-                                  dot(last.across, first.across));
+  const double angle = std::atan2(dot(cross(last.across, first.across), first.tangent), dot(last.across, first.across));
   std::vector<double> along(frames.size(), 0.0);
   for (std::size_t i = 1; i < frames.size(); ++i) {
     along[i] = along[i - 1] + distance(frames[i - 1].at, frames[i].at);
   }
   for (std::size_t i = 0; i < frames.size(); ++i) {
     Frame& frame = frames[i];
-    frame = frameOf(frame.at, frame.tangent,
-                    turned(frame.across, frame.tangent, angle * along[i] / along.back()));
+    frame = frameOf(frame.at, frame.tangent, turned(frame.across, frame.tangent, angle * along[i] / along.back()));
   }
   frames.back() = frames.front();
 }
@@ -88,8 +86,7 @@ void tangentsOf(std::span<const ModelPoint> line, bool closed, std::vector<Model
   }
 }
 
-std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross,
-                                 bool closed) {
+std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross, bool closed) {
   std::vector<ModelPoint> tangents;
   std::vector<Frame> frames;
   minimalFrames(line, firstAcross, closed, tangents, frames);

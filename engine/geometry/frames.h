@@ -29,8 +29,7 @@ void tangentsOf(std::span<const ModelPoint> line, bool closed, std::vector<Model
 /// tangentsOf. The first `across` is the direction given, made square to the first tangent; a given
 /// direction along the tangent is replaced by any other. On a closed line what the frame has turned by
 /// after one round is taken back evenly along the length, so that the last frame is the first.
-std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross,
-                                 bool closed);
+std::vector<Frame> minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross, bool closed);
 /// The same into `frames`; `tangents` is memory.
 void minimalFrames(std::span<const ModelPoint> line, ModelPoint firstAcross, bool closed,
                    std::vector<ModelPoint>& tangents, std::vector<Frame>& frames);

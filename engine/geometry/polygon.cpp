@@ -21,14 +21,12 @@ bool touch(SectionPoint a, SectionPoint b, SectionPoint c, SectionPoint d) {
   if (((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) && ((ca > 0 && cb < 0) || (ca < 0 && cb > 0))) {
     return true;
   }
-  return (ac == 0 && between(a, b, c)) || (ad == 0 && between(a, b, d)) ||
-         (ca == 0 && between(c, d, a)) || (cb == 0 && between(c, d, b));
+  return (ac == 0 && between(a, b, c)) || (ad == 0 && between(a, b, d)) || (ca == 0 && between(c, d, a)) ||
+         (cb == 0 && between(c, d, b));
 }
 
 /// Neighbours a→b→c fold back onto each other.
-bool foldsBack(SectionPoint a, SectionPoint b, SectionPoint c) {
-  return side(a, b, c) == 0 && dot(b - a, c - b) < 0;
-}
+bool foldsBack(SectionPoint a, SectionPoint b, SectionPoint c) { return side(a, b, c) == 0 && dot(b - a, c - b) < 0; }
 
 }  // namespace
 
@@ -50,7 +48,7 @@ SectionPoint centroid(std::span<const SectionPoint> polygon) {
 bool areSimple(std::span<const SectionPoint> points, std::span<const std::size_t> sizes) {
   struct Edge {
     SectionPoint a, b;
-    double low, high;  // of x
+    double low, high;             // of x
     std::size_t at, first, size;  // its place in its polygon, and which polygon
   };
   std::vector<Edge> edges;

@@ -72,9 +72,7 @@ struct Extent {
     lowY = std::min({lowY, a.y, b.y});
     highY = std::max({highY, a.y, b.y});
   }
-  bool meets(const Extent& o) const {
-    return o.highX >= lowX && o.lowX <= highX && o.highY >= lowY && o.lowY <= highY;
-  }
+  bool meets(const Extent& o) const { return o.highX >= lowX && o.lowX <= highX && o.highY >= lowY && o.lowY <= highY; }
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Open polylines in a plane: length, even resampling, smoothing, nearest points, self-crossings.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -44,8 +45,8 @@ void resample(std::span<const V> points, std::size_t count, std::vector<double>&
   arcLengths(points, s);
   out.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    out[i] = pointAt(points, std::span<const double>(s),
-                     s.back() * static_cast<double>(i) / static_cast<double>(count - 1));
+    out[i] =
+        pointAt(points, std::span<const double>(s), s.back() * static_cast<double>(i) / static_cast<double>(count - 1));
   }
   if (count >= 2) {
     out.front() = points.front();
@@ -74,6 +75,15 @@ std::vector<V> dropRepeats(std::span<const V> points, double tolerance) {
   std::vector<V> out(points.begin(), points.end());
   dropRepeats(out, tolerance);
   return out;
+}
+
+/// From a point to a segment, which may be a point itself.
+template <class V>
+double distanceToSegment(V p, V a, V b) {
+  const V along = b - a;
+  const double squared = dot(along, along);
+  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+  return distance(p, a + along * t);
 }
 
 /// Minimises Σ|x_i − p_i|² + (weight · second differences)², ends fixed: a discrete smoothing spline

@@ -49,9 +49,7 @@ PlaneMesh::PlaneMesh(std::span<const SectionPoint> points, std::span<const std::
 void PlaneMesh::pairUp() {
   twins_.assign(3 * triangles_.size(), kNone);
   std::unordered_map<std::uint64_t, std::uint32_t> open;
-  const auto key = [](std::uint32_t a, std::uint32_t b) {
-    return (static_cast<std::uint64_t>(a) << 32) | b;
-  };
+  const auto key = [](std::uint32_t a, std::uint32_t b) { return (static_cast<std::uint64_t>(a) << 32) | b; };
   for (std::uint32_t h = 0; h < twins_.size(); ++h) {
     const std::uint32_t a = from(h), b = from(next(h));
     const auto other = open.find(key(b, a));
@@ -218,9 +216,7 @@ std::optional<std::uint32_t> PlaneMesh::insert(SectionPoint p) {
   const std::optional<std::uint32_t> t = find(p);
   if (!t) return std::nullopt;
   const auto index = static_cast<std::uint32_t>(points_.size());
-  const auto sound = [&](std::uint32_t h) {
-    return isSound(points_[from(h)], points_[from(next(h))], p);
-  };
+  const auto sound = [&](std::uint32_t h) { return isSound(points_[from(h)], points_[from(next(h))], p); };
   std::uint32_t flat = kNone;
   for (std::uint32_t h = 3 * *t; h < 3 * *t + 3; ++h) {
     if (sound(h)) continue;
@@ -232,8 +228,7 @@ std::optional<std::uint32_t> PlaneMesh::insert(SectionPoint p) {
     splitTriangle(*t, index);
   } else {
     const std::uint32_t twin = twins_[flat];
-    if (twin == kNone || !sound(next(twin)) || !sound(last(twin)) || !sound(next(flat)) ||
-        !sound(last(flat))) {
+    if (twin == kNone || !sound(next(twin)) || !sound(last(twin)) || !sound(next(flat)) || !sound(last(flat))) {
       return std::nullopt;
     }
     points_.push_back(p);

@@ -90,7 +90,7 @@ class PlaneMesh {
 
   std::vector<SectionPoint> points_;
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> twins_;  ///< by half-edge 3 · triangle + corner; kNone on the rim
+  std::vector<std::uint32_t> twins_;     ///< by half-edge 3 · triangle + corner; kNone on the rim
   std::vector<std::uint32_t> doubtful_;  ///< half-edges that a flip might improve
   std::size_t rim_ = 0;
   SectionPoint low_{};

@@ -85,8 +85,7 @@ PicturePoint onContour(std::span<const PicturePoint> closed, std::span<const dou
 
 /// Arc lengths of the corners: where the outline turns by kCorner within one spacing, the sharpest of
 /// its neighbourhood.
-std::vector<double> cornersOf(std::span<const PicturePoint> closed, std::span<const double> s,
-                              double spacing) {
+std::vector<double> cornersOf(std::span<const PicturePoint> closed, std::span<const double> s, double spacing) {
   const double w = std::min(spacing / 2, s.back() / 8);
   std::vector<std::pair<double, double>> turns;  // how sharp, where
   for (std::size_t i = 0; i + 1 < closed.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geometry/polyline.h"
+
 namespace spineloft::geometry {
 namespace {
 
@@ -14,13 +16,6 @@ constexpr double kFinestCell = 0.5;
 constexpr double kFromCorner = 0.02;
 /// Nodes lie off the whole pixels, where hands and masks put their points.
 constexpr double kOffGrid = 0.2137;
-
-double toSegment(PicturePoint p, PicturePoint a, PicturePoint b) {
-  const PicturePoint along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
-}
 
 /// Signed distances at the nodes of a grid, positive inside; exact near outlines, large elsewhere.
 class Field {
@@ -35,8 +30,7 @@ class Field {
       }
     }
     low = {std::max(low.x - margin, -0.5), std::max(low.y - margin, -0.5)};
-    high = {std::min(high.x + margin, frame.width - 0.5),
-            std::min(high.y + margin, frame.height - 0.5)};
+    high = {std::min(high.x + margin, frame.width - 0.5), std::min(high.y + margin, frame.height - 0.5)};
     const double width = high.x - low.x, height = high.y - low.y;
     if (!(width > 0 && height > 0)) return;
     cell_ = std::max({kFinestCell, std::sqrt(width * height / static_cast<double>(kRegionCells)),
@@ -62,21 +56,21 @@ class Field {
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
         double& value = at(x, y);
-        value = std::min(value, toSegment(node(x, y), a, b));
+        value = std::min(value, distanceToSegment(node(x, y), a, b));
       }
     }
   }
 
   /// Distances become negative outside, by even-odd along each row.
   void sign(const Contours& contours) {
-    std::vector<std::vector<double>> crossings(static_cast<std::size_t>(ny_));
+    std::vector<std::vector<double>> occludedStretches(static_cast<std::size_t>(ny_));
     for (const auto& contour : contours) {
       for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
-        cross(contour[j], contour[i], crossings);
+        cross(contour[j], contour[i], occludedStretches);
       }
     }
     for (int y = 0; y < ny_; ++y) {
-      auto& row = crossings[static_cast<std::size_t>(y)];
+      auto& row = occludedStretches[static_cast<std::size_t>(y)];
       std::ranges::sort(row);
       std::size_t passed = 0;
       for (int x = 0; x < nx_; ++x) {
@@ -96,8 +90,7 @@ class Field {
     for (int y = 0; y < ny_; ++y) {
       for (int x = 0; x < nx_; ++x) {
         const PicturePoint p = node(x, y);
-        const double in = std::min({p.x + 0.5, p.y + 0.5, frame_.width - 0.5 - p.x,
-                                    frame_.height - 0.5 - p.y});
+        const double in = std::min({p.x + 0.5, p.y + 0.5, frame_.width - 0.5 - p.x, frame_.height - 0.5 - p.y});
         at(x, y) = std::clamp(std::min(at(x, y), in), -4 * cell_, 4 * cell_);
         if (x == 0 || y == 0 || x == nx_ - 1 || y == ny_ - 1) at(x, y) = -cell_;
       }
@@ -109,13 +102,12 @@ class Field {
  private:
   PicturePoint node(int x, int y) const { return {low_.x + x * cell_, low_.y + y * cell_}; }
   double& at(int x, int y) {
-    return value_[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
-                  static_cast<std::size_t>(x)];
+    return value_[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x)];
   }
   double at(int x, int y) const { return const_cast<Field*>(this)->at(x, y); }
   bool in(int x, int y) const { return at(x, y) > 0; }
 
-  void cross(PicturePoint a, PicturePoint b, std::vector<std::vector<double>>& crossings) const {
+  void cross(PicturePoint a, PicturePoint b, std::vector<std::vector<double>>& occludedStretches) const {
     if (a.y > b.y) std::swap(a, b);
     if (!(b.y > a.y)) return;
     const double first = std::ceil((a.y - low_.y) / cell_);
@@ -124,8 +116,7 @@ class Field {
       const double level = node(0, y).y;
       if (level < a.y) continue;
       if (level >= b.y) break;
-      crossings[static_cast<std::size_t>(y)].push_back(a.x +
-                                                       (b.x - a.x) * (level - a.y) / (b.y - a.y));
+      occludedStretches[static_cast<std::size_t>(y)].push_back(a.x + (b.x - a.x) * (level - a.y) / (b.y - a.y));
     }
   }
 
@@ -134,10 +125,8 @@ class Field {
     const double from = at(x, y), to = down ? at(x, y + 1) : at(x + 1, y);
     const double t = std::clamp(from / (from - to), kFromCorner, 1 - kFromCorner);
     const PicturePoint p = node(x, y);
-    const PicturePoint clipped = down ? PicturePoint{p.x, p.y + t * cell_}
-                                      : PicturePoint{p.x + t * cell_, p.y};
-    return {std::clamp(clipped.x, -0.5, frame_.width - 0.5),
-            std::clamp(clipped.y, -0.5, frame_.height - 0.5)};
+    const PicturePoint clipped = down ? PicturePoint{p.x, p.y + t * cell_} : PicturePoint{p.x + t * cell_, p.y};
+    return {std::clamp(clipped.x, -0.5, frame_.width - 0.5), std::clamp(clipped.y, -0.5, frame_.height - 0.5)};
   }
 
   PictureFrame frame_;
@@ -155,23 +144,30 @@ Contours Field::outlines() const {
   constexpr std::array<std::array<int, 2>, 4> kStep = {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
   const auto sideSplits = [&](int x, int y, int side) {
     switch (side) {
-      case 0: return in(x, y) != in(x + 1, y);
-      case 1: return in(x + 1, y) != in(x + 1, y + 1);
-      case 2: return in(x, y + 1) != in(x + 1, y + 1);
-      default: return in(x, y) != in(x, y + 1);
+      case 0:
+        return in(x, y) != in(x + 1, y);
+      case 1:
+        return in(x + 1, y) != in(x + 1, y + 1);
+      case 2:
+        return in(x, y + 1) != in(x + 1, y + 1);
+      default:
+        return in(x, y) != in(x, y + 1);
     }
   };
   const auto sidePoint = [&](int x, int y, int side) {
     switch (side) {
-      case 0: return crossing(x, y, false);
-      case 1: return crossing(x + 1, y, true);
-      case 2: return crossing(x, y + 1, false);
-      default: return crossing(x, y, true);
+      case 0:
+        return crossing(x, y, false);
+      case 1:
+        return crossing(x + 1, y, true);
+      case 2:
+        return crossing(x, y + 1, false);
+      default:
+        return crossing(x, y, true);
     }
   };
   const auto mark = [&](int x, int y) -> std::uint8_t& {
-    return done[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
-                static_cast<std::size_t>(x)];
+    return done[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x)];
   };
   for (int y0 = 1; y0 + 1 < ny_; ++y0) {
     for (int x0 = 0; x0 + 1 < nx_; ++x0) {
@@ -182,8 +178,7 @@ Contours Field::outlines() const {
       do {
         if (side == 0 && !in(x, y)) mark(x, y) = 1;
         contour.push_back(sidePoint(x, y, side));
-        const bool saddle = sideSplits(x, y, 0) && sideSplits(x, y, 1) && sideSplits(x, y, 2) &&
-                            sideSplits(x, y, 3);
+        const bool saddle = sideSplits(x, y, 0) && sideSplits(x, y, 1) && sideSplits(x, y, 2) && sideSplits(x, y, 3);
         int out = side;
         if (saddle) {
           // Inside corners are kept apart: the walk turns round the inside corner that it passes.

@@ -23,10 +23,7 @@ Corner cornerOf(std::span<const SectionPoint> polygon, std::size_t i) {
   const std::size_t size = polygon.size();
   const SectionPoint before = normalized(polygon[i] - polygon[(i + size - 1) % size]);
   const SectionPoint after = normalized(polygon[(i + 1) % size] - polygon[i]);
-  return {polygon[i],
-          {-before.y, before.x},
-          {-after.y, after.x},
-          std::atan2(cross(before, after), dot(before, after))};
+  return {polygon[i], {-before.y, before.x}, {-after.y, after.x}, std::atan2(cross(before, after), dot(before, after))};
 }
 
 /// How far a point may go from the corner along its middle until another side is nearer, at most
@@ -34,9 +31,7 @@ Corner cornerOf(std::span<const SectionPoint> polygon, std::size_t i) {
 double reachOf(const Corner& corner, const RimDistance& distances, double most) {
   constexpr double kSlack = 1e-3;
   const SectionPoint middle = corner.middle();
-  const auto isOwn = [&](double away) {
-    return distances.to(corner.at + middle * away) >= (1 - kSlack) * away;
-  };
+  const auto isOwn = [&](double away) { return distances.to(corner.at + middle * away) >= (1 - kSlack) * away; };
   if (isOwn(most)) return most;
   double low = 0, high = most;
   constexpr int kHalvings = 12;
@@ -73,8 +68,7 @@ void addArcs(const Corner& corner, const RimDistance& distances, std::span<const
 
 }  // namespace
 
-std::vector<SectionPoint> ridgePoints(std::span<const SectionPoint> rim,
-                                      std::span<const std::size_t> sizes,
+std::vector<SectionPoint> ridgePoints(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes,
                                       const RimDistance& distances, const RidgeWish& wish) {
   std::vector<SectionPoint> points;
   std::size_t first = 0;
@@ -102,8 +96,7 @@ std::vector<SectionPoint> ridgePoints(std::span<const SectionPoint> rim,
   return points;
 }
 
-void flipToSurface(PlaneMesh& mesh, const std::function<double(SectionPoint)>& height, double top,
-                   double tolerance) {
+void flipToSurface(PlaneMesh& mesh, const std::function<double(SectionPoint)>& height, double top, double tolerance) {
   std::vector<double> heights;
   for (const SectionPoint p : mesh.points()) heights.push_back(height(p));
   const auto off = [&](std::uint32_t a, std::uint32_t b) {
@@ -116,8 +109,7 @@ void flipToSurface(PlaneMesh& mesh, const std::function<double(SectionPoint)>& h
   // Height over longest side of a triangle on the surface.
   const auto shape = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto pa = at(a), pb = at(b), pc = at(c);
-    const double longest =
-        std::max({dot(pb - pa, pb - pa), dot(pc - pb, pc - pb), dot(pa - pc, pa - pc)});
+    const double longest = std::max({dot(pb - pa, pb - pa), dot(pc - pb, pc - pb), dot(pa - pc, pa - pc)});
     return longest > 0 ? norm(cross(pb - pa, pc - pa)) / longest : 0;
   };
   constexpr int kRounds = 3;

@@ -18,8 +18,7 @@ struct RidgeWish {
   double reach = 0, spacing = 1;
   std::span<const double> rows;
 };
-std::vector<SectionPoint> ridgePoints(std::span<const SectionPoint> rim,
-                                      std::span<const std::size_t> sizes,
+std::vector<SectionPoint> ridgePoints(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes,
                                       const RimDistance& distances, const RidgeWish& wish);
 
 inline constexpr double kSharpTurn = 0.35;  ///< radians
@@ -27,7 +26,6 @@ inline constexpr double kSharpTurn = 0.35;  ///< radians
 /// Flips edges of the mesh where the other diagonal lies nearer to the surface `height`, so that
 /// edges run along its ridges instead of across them. `tolerance`: a smaller gain is none. Edges
 /// between points of equal height `top` are left alone: there the surface is flat.
-void flipToSurface(PlaneMesh& mesh, const std::function<double(SectionPoint)>& height, double top,
-                   double tolerance);
+void flipToSurface(PlaneMesh& mesh, const std::function<double(SectionPoint)>& height, double top, double tolerance);
 
 }  // namespace spineloft::geometry

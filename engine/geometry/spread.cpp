@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/polyline.h"
+
 namespace spineloft::geometry {
 namespace {
 
@@ -57,15 +59,10 @@ class Neighbours {
 
  private:
   static constexpr double kMostCells = 1e6;
-  int column(double x) const {
-    return static_cast<int>(std::clamp((x - low_.x) / cell_, 0.0, nx_ - 1.0));
-  }
-  int row(double y) const {
-    return static_cast<int>(std::clamp((y - low_.y) / cell_, 0.0, ny_ - 1.0));
-  }
+  int column(double x) const { return static_cast<int>(std::clamp((x - low_.x) / cell_, 0.0, nx_ - 1.0)); }
+  int row(double y) const { return static_cast<int>(std::clamp((y - low_.y) / cell_, 0.0, ny_ - 1.0)); }
   std::size_t cellAt(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
   }
   SectionPoint low_{};
   double cell_ = 1;
@@ -76,8 +73,7 @@ class Neighbours {
 
 /// The normal into the region at every corner of the rim, as long as takes it one unit away from both
 /// edges.
-std::vector<SectionPoint> inwardNormals(std::span<const SectionPoint> rim,
-                                        std::span<const std::size_t> sizes) {
+std::vector<SectionPoint> inwardNormals(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes) {
   std::vector<SectionPoint> normals;
   std::size_t first = 0;
   for (const std::size_t size : sizes) {
@@ -97,8 +93,7 @@ std::vector<SectionPoint> inwardNormals(std::span<const SectionPoint> rim,
 
 /// Where a level line crosses the outlines, from left to right: between the first and the second it is
 /// within, between the second and the third outside, and so on.
-std::vector<double> crossingsAt(double y, std::span<const SectionPoint> rim,
-                                std::span<const std::size_t> sizes) {
+std::vector<double> crossingsAt(double y, std::span<const SectionPoint> rim, std::span<const std::size_t> sizes) {
   std::vector<double> cuts;
   std::size_t first = 0;
   for (const std::size_t size : sizes) {
@@ -111,13 +106,6 @@ std::vector<double> crossingsAt(double y, std::span<const SectionPoint> rim,
   }
   std::ranges::sort(cuts);
   return cuts;
-}
-
-double toSegment(SectionPoint p, SectionPoint a, SectionPoint b) {
-  const SectionPoint along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
 }
 
 }  // namespace
@@ -145,8 +133,8 @@ RimDistance::RimDistance(std::span<const SectionPoint> rim, std::span<const std:
         const Cell a = cellOf(edge.a), b = cellOf(edge.b);
         for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y) {
           for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x) {
-            const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
-                                     static_cast<std::size_t>(x);
+            const std::size_t cell =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
             if (counting) {
               ++first_[cell + 1];
             } else {
@@ -165,19 +153,16 @@ RimDistance::RimDistance(std::span<const SectionPoint> rim, std::span<const std:
 }
 
 RimDistance::Cell RimDistance::cellOf(SectionPoint p) const {
-  const auto step = [&](double v, int count) {
-    return static_cast<int>(std::clamp(v / cell_, 0.0, count - 1.0));
-  };
+  const auto step = [&](double v, int count) { return static_cast<int>(std::clamp(v / cell_, 0.0, count - 1.0)); };
   return {step(p.x - low_.x, nx_), step(p.y - low_.y, ny_)};
 }
 
 double RimDistance::inCell(int x, int y, SectionPoint p) const {
   double nearest = INFINITY;
   if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return nearest;
-  const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) +
-                           static_cast<std::size_t>(x);
+  const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
   for (std::uint32_t e = first_[cell]; e < first_[cell + 1]; ++e) {
-    nearest = std::min(nearest, toSegment(p, edges_[e].a, edges_[e].b));
+    nearest = std::min(nearest, distanceToSegment(p, edges_[e].a, edges_[e].b));
   }
   return nearest;
 }
@@ -198,11 +183,9 @@ double RimDistance::to(SectionPoint p) const {
   return nearest;
 }
 
-void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing spacing,
-                  const SurfaceOver& surface) {
+void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing spacing, const SurfaceOver& surface) {
   const std::vector<SectionPoint> rim(mesh.points().begin(),
-                                      mesh.points().begin() +
-                                          static_cast<std::ptrdiff_t>(mesh.rim()));
+                                      mesh.points().begin() + static_cast<std::ptrdiff_t>(mesh.rim()));
   const std::vector<SectionPoint> normals = inwardNormals(rim, sizes);
   const RimDistance distances(rim, sizes);
   Neighbours neighbours(kNearest * spacing.lattice, rim);

@@ -26,8 +26,7 @@ struct Spacing {
 /// Adds points to a mesh of a region that has only its rim: its features, rows along it, then a triangular
 /// lattice, each only where it is the spacing · kNearest away from all others, measured on the surface. Ends with
 /// splitChords. `sizes`: corners of each outline, as the mesh was made of.
-void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing spacing,
-                  const SurfaceOver& surface);
+void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing spacing, const SurfaceOver& surface);
 
 inline constexpr double kNearest = 0.62;
 

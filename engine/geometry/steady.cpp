@@ -26,8 +26,7 @@ class Loop {
   double length() const { return s_.back(); }
   PicturePoint at(double s) const {
     s = std::fmod(s, length());
-    return pointAt(std::span<const PicturePoint>(points_), std::span<const double>(s_),
-                   s < 0 ? s + length() : s);
+    return pointAt(std::span<const PicturePoint>(points_), std::span<const double>(s_), s < 0 ? s + length() : s);
   }
   /// Where the corners are, growing.
   std::vector<double> corners(double reach) const {
@@ -67,8 +66,7 @@ Samples sampled(const Loop& loop, double reach) {
   Samples out;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, corners.size()); ++i) {
     const double from = smooth ? 0 : corners[i];
-    const double to =
-        i + 1 < corners.size() ? corners[i + 1] : (smooth ? 0 : corners[0]) + loop.length();
+    const double to = i + 1 < corners.size() ? corners[i + 1] : (smooth ? 0 : corners[0]) + loop.length();
     const int pieces = std::max(1, static_cast<int>(std::round((to - from) * kTaps / reach)));
     for (int k = 0; k < pieces; ++k) {
       out.points.push_back(loop.at(from + (to - from) * k / pieces));
@@ -79,8 +77,7 @@ Samples sampled(const Loop& loop, double reach) {
 }
 
 /// The mean of what is round every point, nearer ones counting more.
-std::vector<PicturePoint> means(const std::vector<PicturePoint>& points,
-                                const std::vector<int>& taps) {
+std::vector<PicturePoint> means(const std::vector<PicturePoint>& points, const std::vector<int>& taps) {
   const int count = static_cast<int>(points.size());
   std::vector<PicturePoint> out;
   out.reserve(points.size());
@@ -96,8 +93,7 @@ std::vector<PicturePoint> means(const std::vector<PicturePoint>& points,
   return out;
 }
 
-std::vector<PicturePoint> steadyLoop(const std::vector<PicturePoint>& contour,
-                                     const Steadiness& steadiness) {
+std::vector<PicturePoint> steadyLoop(const std::vector<PicturePoint>& contour, const Steadiness& steadiness) {
   const double reach = steadiness.reach;
   const Loop loop(contour);
   constexpr double kLeastReaches = 12, kMostSamples = 1e4;

@@ -76,9 +76,7 @@ class EarClipper {
     bool operator<(const Candidate& other) const { return shape < other.shape; }
   };
 
-  Triangle triangle(std::uint32_t i) const {
-    return {name_[last_[i]], name_[i], name_[next_[i]]};
-  }
+  Triangle triangle(std::uint32_t i) const { return {name_[last_[i]], name_[i], name_[next_[i]]}; }
 
   void markTwins() {
     Ring sorted = name_;
@@ -108,16 +106,13 @@ class EarClipper {
     const SectionPoint a = points_[before], b = points_[i], c = points_[after];
     if (twin_[before] && !inCone(points_[last_[before]], a, b, c)) return false;
     if (twin_[after] && !inCone(b, c, points_[next_[after]], a)) return false;
-    const double slack =
-        -kStraight * std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
+    const double slack = -kStraight * std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
     return std::none_of(obstacles_.begin(), obstacles_.end(), [&](std::uint32_t k) {
-      if (age_[k] == kGone || name_[k] == name_[before] || name_[k] == name_[i] ||
-          name_[k] == name_[after]) {
+      if (age_[k] == kGone || name_[k] == name_[before] || name_[k] == name_[i] || name_[k] == name_[after]) {
         return false;
       }
       const SectionPoint p = points_[k];
-      return cross(b - a, p - a) >= slack && cross(c - b, p - b) >= slack &&
-             cross(a - c, p - c) >= slack;
+      return cross(b - a, p - a) >= slack && cross(c - b, p - b) >= slack && cross(a - c, p - c) >= slack;
     });
   }
 
@@ -157,9 +152,8 @@ class Bridges {
   /// One ring round outer polygon and holes; empty when a hole finds no way out.
   Ring run() {
     for (Ring& hole : holes_) std::ranges::rotate(hole, rightmost(hole));
-    std::ranges::sort(holes_, [&](const Ring& a, const Ring& b) {
-      return points_[a.front()].x < points_[b.front()].x;
-    });
+    std::ranges::sort(holes_,
+                      [&](const Ring& a, const Ring& b) { return points_[a.front()].x < points_[b.front()].x; });
     while (!holes_.empty()) {
       const std::size_t at = wayOut(holes_.back().front());
       if (at == ring_.size()) return {};
@@ -174,8 +168,8 @@ class Bridges {
 
  private:
   Ring::iterator rightmost(Ring& ring) const {
-    return std::ranges::max_element(
-        ring, [&](std::uint32_t a, std::uint32_t b) { return points_[a].x < points_[b].x; });
+    return std::ranges::max_element(ring,
+                                    [&](std::uint32_t a, std::uint32_t b) { return points_[a].x < points_[b].x; });
   }
 
   /// The nearest corner of the ring that `from` sees, as a place in the ring.
@@ -232,8 +226,7 @@ std::vector<Triangle> triangulate(std::span<const SectionPoint> polygon) {
   return EarClipper(polygon, ring).run();
 }
 
-std::vector<Triangle> triangulate(std::span<const SectionPoint> points,
-                                  std::span<const std::size_t> sizes) {
+std::vector<Triangle> triangulate(std::span<const SectionPoint> points, std::span<const std::size_t> sizes) {
   if (sizes.size() == 1) return triangulate(points);
   std::vector<Ring> outers, holes;
   std::uint32_t first = 0;

@@ -7,15 +7,13 @@
 namespace spineloft::geometry {
 namespace {
 
-constexpr double kUnitSlack = 1e-6;     // how far from 1 the length may be
+constexpr double kUnitSlack = 1e-6;        // how far from 1 the length may be
 constexpr double kStraightUp = 1 - 1e-12;  // sine of a tip beyond which turn and roll are one
 
 /// The product p q of quaternions.
 Turn product(const Turn& p, const Turn& q) {
-  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z,
-          p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
-          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x,
-          p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
 double lengthOf(const Turn& q) { return std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z); }
@@ -54,8 +52,7 @@ Angles anglesOf(const Turn& q) {
     const double turn = std::atan2(2 * (q.w * q.y - q.x * q.z), 1 - 2 * (q.y * q.y + q.z * q.z));
     return {std::copysign(std::numbers::pi / 2, sine), turn, 0};
   }
-  return {std::asin(sine),
-          std::atan2(2 * (q.x * q.z + q.w * q.y), 1 - 2 * (q.x * q.x + q.y * q.y)),
+  return {std::asin(sine), std::atan2(2 * (q.x * q.z + q.w * q.y), 1 - 2 * (q.x * q.x + q.y * q.y)),
           std::atan2(2 * (q.x * q.y + q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z))};
 }
 

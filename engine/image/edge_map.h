@@ -15,16 +15,14 @@ namespace spineloft::image {
 /// What curves read at every one of their points, so it stands together: colour as CIE Lab (L 0…100), slightly
 /// smoothed, and last the nearness to a Canny edge. In eight bytes: curves wait for memory more than for
 /// arithmetic, and a picture's own colours are no finer than this.
-struct PixelLook {
+struct PixelFeature {
   /// Of one unit of Lab, and of a nearness of 1.
   static constexpr float kLab = 256, kNear = 16384;
   std::array<std::int16_t, 4> fixed{};
-  bool operator==(const PixelLook&) const = default;
+  bool operator==(const PixelFeature&) const = default;
 
   static constexpr float unitsOf(std::size_t channel) { return channel < 3 ? kLab : kNear; }
-  float operator[](std::size_t channel) const {
-    return static_cast<float>(fixed[channel]) / unitsOf(channel);
-  }
+  float operator[](std::size_t channel) const { return static_cast<float>(fixed[channel]) / unitsOf(channel); }
   /// To the nearest value there is; Lab within ±127, nearness 0 … 1.
   void set(std::size_t channel, float value) {
     const float held = std::clamp(value, channel < 3 ? -127.f : 0.f, channel < 3 ? 127.f : 1.f);
@@ -42,7 +40,7 @@ struct EdgeMap {
   std::vector<std::uint8_t> edges;
   /// Colour and nearness: 1 on an edge, falling linearly to 0 at `reach` map pixels (method: "Where is
   /// the boundary?"; SpineLoft 3.3.2, distance penalty).
-  std::vector<PixelLook> look;
+  std::vector<PixelFeature> look;
   double reach = 0;  ///< in map pixels
   /// Colour gradient in CIE Lab (the channel-wise derivatives' dominant direction), in Lab units per
   /// map pixel, x right and y down.

@@ -28,17 +28,14 @@ struct Axis {
 
 Axis axisOf(int source, int target) {
   const int common = std::gcd(source, target);
-  Axis axis{
-      {}, static_cast<std::uint32_t>(target / common), static_cast<std::uint32_t>(source / common)};
+  Axis axis{{}, static_cast<std::uint32_t>(target / common), static_cast<std::uint32_t>(source / common)};
   axis.spans.reserve(static_cast<std::size_t>(target));
   const long long inside = axis.inside, total = axis.total;
   for (long long i = 0; i < target; ++i) {
-    const long long low = i * total, high = low + total, first = low / inside,
-                    last = (high - 1) / inside;
-    axis.spans.push_back(
-        {static_cast<int>(first), static_cast<int>(last),
-         static_cast<std::uint32_t>(std::min(high, (first + 1) * inside) - low),
-         static_cast<std::uint32_t>(first == last ? high - low : high - last * inside)});
+    const long long low = i * total, high = low + total, first = low / inside, last = (high - 1) / inside;
+    axis.spans.push_back({static_cast<int>(first), static_cast<int>(last),
+                          static_cast<std::uint32_t>(std::min(high, (first + 1) * inside) - low),
+                          static_cast<std::uint32_t>(first == last ? high - low : high - last * inside)});
   }
   return axis;
 }
@@ -66,8 +63,7 @@ class RowSums {
     std::uint32_t* __restrict sums = sums_.data();
     const std::uint16_t weight = static_cast<std::uint16_t>(parts);
     if (opaque_) {
-      for (std::size_t i = 0; i < count; ++i)
-        sums[i] += static_cast<std::uint32_t>(weight) * row[i];
+      for (std::size_t i = 0; i < count; ++i) sums[i] += static_cast<std::uint32_t>(weight) * row[i];
       return;
     }
     std::uint16_t* __restrict weighted = weighted_.data();
@@ -113,23 +109,20 @@ class RowSums {
 
 bool hasAllPixels(ImageView image) {
   return image.width > 0 && image.height > 0 &&
-         image.pixels.size() >=
-             4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+         image.pixels.size() >= 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
 }  // namespace
 
 Image shrink(ImageView source, int width, int height) {
-  if (!hasAllPixels(source) || width < 1 || height < 1 || width > source.width ||
-      height > source.height) {
+  if (!hasAllPixels(source) || width < 1 || height < 1 || width > source.width || height > source.height) {
     return {};
   }
   Image out{width, height, {}};
   const std::size_t sourceRow = 4 * static_cast<std::size_t>(source.width);
   if (width == source.width && height == source.height) {
     const std::size_t count = sourceRow * static_cast<std::size_t>(height);
-    out.pixels.assign(source.pixels.begin(),
-                      source.pixels.begin() + static_cast<std::ptrdiff_t>(count));
+    out.pixels.assign(source.pixels.begin(), source.pixels.begin() + static_cast<std::ptrdiff_t>(count));
     return out;
   }
   const std::size_t targetRow = 4 * static_cast<std::size_t>(width);
@@ -139,9 +132,7 @@ Image shrink(ImageView source, int width, int height) {
   RowSums sums(static_cast<std::size_t>(source.width));
   std::uint8_t* target = out.pixels.data();
   for (const Span& span : rows.spans) {
-    const auto rowAt = [&](int y) {
-      return source.pixels.data() + sourceRow * static_cast<std::size_t>(y);
-    };
+    const auto rowAt = [&](int y) { return source.pixels.data() + sourceRow * static_cast<std::size_t>(y); };
     bool opaque = true;
     for (int y = span.first; y <= span.last && opaque; ++y) {
       opaque = isOpaque(rowAt(y), static_cast<std::size_t>(source.width));
@@ -158,8 +149,7 @@ Size fitSize(Size original, long long maxPixels, int maxSide) {
   if (original.width < 1 || original.height < 1) return {0, 0};
   const double w = original.width, h = original.height;
   const double pixels = static_cast<double>(std::max(1LL, maxPixels));
-  const double scale =
-      std::min({1.0, std::max(1, maxSide) / std::max(w, h), std::sqrt(pixels / (w * h))});
+  const double scale = std::min({1.0, std::max(1, maxSide) / std::max(w, h), std::sqrt(pixels / (w * h))});
   Size fit{std::max(1, static_cast<int>(std::lround(w * scale))),
            std::max(1, static_cast<int>(std::lround(h * scale)))};
   // A side that had to become 1 leaves less for the other; rounding up may be a row too many.
@@ -180,20 +170,16 @@ Image orient(Image stored, int exifOrientation) {
   const int w = stored.width, h = stored.height;
   Image out{swapped ? h : w, swapped ? w : h, std::vector<std::uint8_t>(stored.pixels.size())};
   // EXIF 2.3, tag 0x112: which side of the scene the stored row 0 and column 0 are.
-  const bool mirrorX =
-      exifOrientation == 2 || exifOrientation == 3 || exifOrientation == 7 || exifOrientation == 8;
-  const bool mirrorY =
-      exifOrientation == 3 || exifOrientation == 4 || exifOrientation == 6 || exifOrientation == 7;
+  const bool mirrorX = exifOrientation == 2 || exifOrientation == 3 || exifOrientation == 7 || exifOrientation == 8;
+  const bool mirrorY = exifOrientation == 3 || exifOrientation == 4 || exifOrientation == 6 || exifOrientation == 7;
   for (int y = 0; y < out.height; ++y) {
     for (int x = 0; x < out.width; ++x) {
       const int u = swapped ? y : x, v = swapped ? x : y;
       const int sx = mirrorX ? w - 1 - u : u, sy = mirrorY ? h - 1 - v : v;
       const auto index = [](int column, int row, int width) {
-        return 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                    static_cast<std::size_t>(column));
+        return 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
       };
-      std::copy_n(stored.pixels.data() + index(sx, sy, w), 4,
-                  out.pixels.data() + index(x, y, out.width));
+      std::copy_n(stored.pixels.data() + index(sx, sy, w), 4, out.pixels.data() + index(x, y, out.width));
     }
   }
   return out;
@@ -209,8 +195,7 @@ Picture makePicture(Image decoded) {
 Picture makePicture(ImageView decoded, int exifOrientation) {
   if (!hasAllPixels(decoded)) return {};
   const Size fit = fitSize({decoded.width, decoded.height}, kWorkingPixels, kMaxPictureSide);
-  Picture picture{orient(shrink(decoded, fit.width, fit.height), exifOrientation), decoded.width,
-                  decoded.height};
+  Picture picture{orient(shrink(decoded, fit.width, fit.height), exifOrientation), decoded.width, decoded.height};
   if (exifOrientation >= 5 && exifOrientation <= 8) std::swap(picture.width, picture.height);
   return picture;
 }

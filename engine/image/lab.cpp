@@ -8,9 +8,7 @@ namespace {
 /// Where the cube root's curve of L*a*b* turns into a line.
 constexpr double kBend = 6.0 / 29;
 
-double curve(double t) {
-  return t > kBend * kBend * kBend ? std::cbrt(t) : t / (3 * kBend * kBend) + 4.0 / 29;
-}
+double curve(double t) { return t > kBend * kBend * kBend ? std::cbrt(t) : t / (3 * kBend * kBend) + 4.0 / 29; }
 
 /// sRGB's decoding curve and the cube root of L*a*b*, tabulated: exact enough (1e-6 in f, so 1e-3
 /// in L, a and b) and the same on every platform.
@@ -29,16 +27,14 @@ struct Tables {
 
   Tables() {
     // Linear sRGB to XYZ over the D65 white, so that white is exactly (1, 1, 1).
-    constexpr double kXyz[3][3] = {{0.433953, 0.376219, 0.189828},
-                                   {0.212671, 0.715160, 0.072169},
-                                   {0.017758, 0.109477, 0.872765}};
+    constexpr double kXyz[3][3] = {
+        {0.433953, 0.376219, 0.189828}, {0.212671, 0.715160, 0.072169}, {0.017758, 0.109477, 0.872765}};
     for (std::size_t i = 0; i < 256; ++i) {
       const double v = static_cast<double>(i) / 255;
       const double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
       for (std::size_t from = 0; from < 3; ++from) {
         for (std::size_t to = 0; to < 3; ++to) {
-          light[from][i][to] =
-              static_cast<std::int32_t>(std::lround(kOne * linear * kXyz[to][from]));
+          light[from][i][to] = static_cast<std::int32_t>(std::lround(kOne * linear * kXyz[to][from]));
         }
       }
     }

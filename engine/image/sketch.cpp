@@ -15,14 +15,12 @@ constexpr std::array<std::uint8_t, 3> kPaper{255, 255, 255};
 constexpr double kFarthest = 16384;  // pixels: squares of distances stay within 64 bits
 constexpr Whole kThinnest = 90;      // a line thinner than this radius would fade into the paper
 constexpr Whole kPressureSteps = 1024;
-constexpr Whole kLightTouch = 256;   // of kPressureSteps: the share of the radius at no pressure
-constexpr Whole kFlatness = 24;      // how far the line may be from the smooth curve
-constexpr Whole kMostPieces = 48;    // of one bend
+constexpr Whole kLightTouch = 256;           // of kPressureSteps: the share of the radius at no pressure
+constexpr Whole kFlatness = 24;              // how far the line may be from the smooth curve
+constexpr Whole kMostPieces = 48;            // of one bend
 constexpr Whole kSharpReach = kInkUnit / 2;  // how far a sharp corner is rounded
 
-Whole wholeOf(double pixels) {
-  return std::llround(std::clamp(pixels, -kFarthest, kFarthest) * kInkUnit);
-}
+Whole wholeOf(double pixels) { return std::llround(std::clamp(pixels, -kFarthest, kFarthest) * kInkUnit); }
 
 /// Rounded division for a positive divisor.
 Whole divide(Whole a, Whole b) { return (a >= 0 ? a + b / 2 : a - b / 2) / b; }
@@ -33,9 +31,7 @@ struct Node {
   Node operator-(const Node& o) const { return {x - o.x, y - o.y, radius - o.radius}; }
   Node operator*(Whole s) const { return {x * s, y * s, radius * s}; }
 };
-Node divide(const Node& a, Whole b) {
-  return {divide(a.x, b), divide(a.y, b), divide(a.radius, b)};
-}
+Node divide(const Node& a, Whole b) { return {divide(a.x, b), divide(a.y, b), divide(a.radius, b)}; }
 Whole dot(const Node& a, const Node& b) { return a.x * b.x + a.y * b.y; }
 
 /// The points as drawn, without those that repeat the one before.
@@ -50,8 +46,7 @@ std::vector<Node> nodesOf(const SketchStroke& stroke) {
       const Whole share = kLightTouch * kPressureSteps + (kPressureSteps - kLightTouch) * pressed;
       radius = divide(full * share, kPressureSteps * kPressureSteps);
     }
-    const Node node{wholeOf(stroke.points[i].x), wholeOf(stroke.points[i].y),
-                    std::max(radius, kThinnest)};
+    const Node node{wholeOf(stroke.points[i].x), wholeOf(stroke.points[i].y), std::max(radius, kThinnest)};
     if (!nodes.empty() && node.x == nodes.back().x && node.y == nodes.back().y) {
       nodes.back().radius = std::max(nodes.back().radius, node.radius);
     } else {
@@ -122,9 +117,7 @@ Cover coverOf(Size size, std::span<const InkPoint> line) {
   box.right = std::min(box.right, size.width);
   box.bottom = std::min(box.bottom, size.height);
   if (!box.empty()) {
-    box.share.assign(static_cast<std::size_t>(box.width()) *
-                         static_cast<std::size_t>(box.bottom - box.top),
-                     0);
+    box.share.assign(static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.bottom - box.top), 0);
   }
   return box;
 }
@@ -155,8 +148,7 @@ class Piece {
     Whole x0 = a_.x, x1 = a_.x + dx_;
     if (dy_ != 0) {
       const auto at = [&](Whole height) {
-        const Whole along = std::clamp<Whole>(dy_ > 0 ? height - a_.y : a_.y - height, 0,
-                                              std::abs(dy_));
+        const Whole along = std::clamp<Whole>(dy_ > 0 ? height - a_.y : a_.y - height, 0, std::abs(dy_));
         return a_.x + divide(dx_ * along, std::abs(dy_));
       };
       x0 = at(y - reach_);
@@ -164,8 +156,8 @@ class Piece {
     }
     const int left = std::max(cover.left, pixelBelow(std::min(x0, x1) - reach_));
     const int right = std::min(cover.right, pixelBelow(std::max(x0, x1) + reach_) + 2);
-    std::uint8_t* share = cover.share.data() + static_cast<std::ptrdiff_t>(row - cover.top) *
-                                                   static_cast<std::ptrdiff_t>(cover.width());
+    std::uint8_t* share =
+        cover.share.data() + static_cast<std::ptrdiff_t>(row - cover.top) * static_cast<std::ptrdiff_t>(cover.width());
     for (int x = left; x < right; ++x) {
       std::uint8_t& known = share[x - cover.left];
       if (known < 255) known = std::max(known, covered(Whole{x} * kInkUnit, y));
@@ -198,12 +190,11 @@ class Piece {
 
 void blend(Image& paper, const Cover& cover, std::array<std::uint8_t, 3> colour) {
   for (int y = cover.top; y < cover.bottom; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y - cover.top) *
-                            static_cast<std::size_t>(cover.width());
+    const std::size_t row = static_cast<std::size_t>(y - cover.top) * static_cast<std::size_t>(cover.width());
     const std::uint8_t* share = cover.share.data() + row;
-    std::uint8_t* pixel = paper.pixels.data() + 4 * (static_cast<std::size_t>(y) *
-                                                         static_cast<std::size_t>(paper.width) +
-                                                     static_cast<std::size_t>(cover.left));
+    std::uint8_t* pixel =
+        paper.pixels.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(paper.width) +
+                                   static_cast<std::size_t>(cover.left));
     for (int i = 0; i < cover.width(); ++i, pixel += 4) {
       const int ink = share[i];
       if (ink == 0) continue;
@@ -231,8 +222,7 @@ bool isValid(const SketchStroke& stroke) {
   const auto sound = [](float p) { return p >= 0 && p <= 1; };
   return !stroke.points.empty() && stroke.points.size() <= kMostSketchPoints &&
          (stroke.pressure.empty() || stroke.pressure.size() == stroke.points.size()) &&
-         std::ranges::all_of(stroke.pressure, sound) && stroke.radius >= 0.5 &&
-         stroke.radius <= 100 &&
+         std::ranges::all_of(stroke.pressure, sound) && stroke.radius >= 0.5 && stroke.radius <= 100 &&
          std::ranges::all_of(stroke.points, [](PicturePoint p) { return isFinite(p); });
 }
 
@@ -260,9 +250,7 @@ Result<Picture> drawSketch(Size size, std::span<const Box<SketchStroke>> strokes
     Picture paper;
     paper.width = paper.working.width = size.width;
     paper.height = paper.working.height = size.height;
-    paper.working.pixels.assign(4 * static_cast<std::size_t>(size.width) *
-                                    static_cast<std::size_t>(size.height),
-                                255);
+    paper.working.pixels.assign(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), 255);
     return drawMore(std::move(paper), strokes);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;

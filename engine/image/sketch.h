@@ -14,10 +14,10 @@ namespace spineloft::image {
 
 /// One stroke of a pen or an eraser. Picture pixels.
 struct SketchStroke {
-  std::vector<PicturePoint> points;    ///< 1…kMostSketchPoints, finite
-  std::vector<float> pressure;         ///< empty, or one a point, 0…1: thins the line
-  double radius = 2;                   ///< at full pressure, 0.5…100
-  bool erase = false;                  ///< paper again
+  std::vector<PicturePoint> points;                ///< 1…kMostSketchPoints, finite
+  std::vector<float> pressure;                     ///< empty, or one a point, 0…1: thins the line
+  double radius = 2;                               ///< at full pressure, 0.5…100
+  bool erase = false;                              ///< paper again
   std::array<std::uint8_t, 3> colour{31, 36, 48};  ///< sRGB
   bool operator==(const SketchStroke&) const = default;
 };

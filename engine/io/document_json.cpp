@@ -60,14 +60,14 @@ void weed(std::vector<T>& values, std::size_t most, const Right& right, ReadNote
 }
 
 void mendMarks(std::vector<ribs::IgnoreMark>& marks, ReadNotes& notes) {
-  weed(marks, ribs::kMostIgnoreMarks,
-       [](const ribs::IgnoreMark& mark) { return document::isValid(mark); }, notes);
+  weed(marks, ribs::kMostIgnoreMarks, [](const ribs::IgnoreMark& mark) { return document::isValid(mark); }, notes);
 }
 
 void mendEdits(ribs::RibEdits& edits, ReadNotes& notes) {
   const auto share = [](double at) { return at >= 0 && at <= 1; };
-  weed(edits.ends, ribs::kMostEndEdits,
-       [](const ribs::EndEdit& end) { return ribs::isValid(ribs::RibEdits{{end}, {}, {}}); }, notes);
+  weed(
+      edits.ends, ribs::kMostEndEdits,
+      [](const ribs::EndEdit& end) { return ribs::isValid(ribs::RibEdits{{end}, {}, {}}); }, notes);
   weed(edits.added, ribs::kMostAddedRibs, share, notes);
   weed(edits.removed, ribs::kMostAddedRibs, share, notes);
   mend(ribs::isValid(edits), edits, {}, notes);
@@ -79,11 +79,11 @@ void mendLoft(loft::LoftParams& params, ReadNotes& notes) {
   mend(isValid(params.squash, loft::kLeastSquash, loft::kMostSquash), params.squash, {}, notes);
   mend(isValid(params.tilt, -kMostTilt, kMostTilt), params.tilt, {}, notes);
   mend(isValid(params.bulge, -1, 1), params.bulge, {}, notes);
-  mend(params.centring >= 0 && params.centring <= 10, params.centring, loft::LoftParams{}.centring,
-       notes);
-  weed(params.sections, loft::kMostStops,
-       [](const loft::SectionStop& stop) { return loft::checkStops({&stop, 1}).ok(); }, notes);
-  mend(loft::checkStops(params.sections).ok(), params.sections, loft::LoftParams{}.sections, notes);
+  mend(params.centring >= 0 && params.centring <= 10, params.centring, loft::LoftParams{}.centring, notes);
+  weed(
+      params.sections, loft::kMostSectionKeys,
+      [](const loft::SectionKey& stop) { return loft::checkSectionKeys({&stop, 1}).ok(); }, notes);
+  mend(loft::checkSectionKeys(params.sections).ok(), params.sections, loft::LoftParams{}.sections, notes);
   mend(loft::checkParams(params).ok(), params, {}, notes);
 }
 
@@ -97,11 +97,11 @@ void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
   mend(loft::isValid(recipe.pose), recipe.pose, {}, notes);
   mendLoft(recipe.loft, notes);
 }
-void mendRecipe(document::PuffRecipe& recipe, ReadNotes& notes) {
-  mend(isValid(recipe.puff), recipe.puff, {}, notes);
+void mendRecipe(document::InflateRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.inflate), recipe.inflate, {}, notes);
 }
-void mendRecipe(document::SheetRecipe& recipe, ReadNotes& notes) {
-  mend(isValid(recipe.sheet), recipe.sheet, {}, notes);
+void mendRecipe(document::ExtrudeRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.extrude), recipe.extrude, {}, notes);
 }
 
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
@@ -149,13 +149,14 @@ void mendIds(std::vector<Box<T>>& boxes, std::uint32_t& last, ReadNotes& notes) 
 /// Groups without a part go; a part of a group that is not there stands alone.
 void mendGroups(Document& document, ReadNotes& notes) {
   std::set<std::uint32_t> known;
-  weed(document.groups, document::kMostParts,
-       [&](const document::Group& group) {
-         const std::uint32_t id = group.id.value;
-         return id != 0 && id <= kMostId && !document::partsOfGroup(document, group.id).empty() &&
-                known.insert(id).second;
-       },
-       notes);
+  weed(
+      document.groups, document::kMostParts,
+      [&](const document::Group& group) {
+        const std::uint32_t id = group.id.value;
+        return id != 0 && id <= kMostId && !document::partsOfGroup(document, group.id).empty() &&
+               known.insert(id).second;
+      },
+      notes);
   for (document::Group& group : document.groups) {
     mendName(group.name, document::fallbackName(group), notes);
   }
@@ -204,9 +205,7 @@ Result<Json> parseJson(std::string_view text) {
   return json;
 }
 
-std::string textOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::span<const Migration> migrations() { return kMigrations; }
 
@@ -231,8 +230,8 @@ void readFrame(Json json, Document& document, const Reading& reading) {
   read(json, document, reading);
   mendName(document.name, document::kFallbackDocumentName, reading.notes);
   const double height = document.height.value;
-  mend(height >= document::kMinHeightMm && height <= document::kMaxHeightMm, document.height,
-       Document{}.height, reading.notes);
+  mend(height >= document::kMinHeightMm && height <= document::kMaxHeightMm, document.height, Document{}.height,
+       reading.notes);
 }
 
 Result<PictureEntry> pictureFrom(Json json, const Reading& reading) {
@@ -245,15 +244,13 @@ Result<PictureEntry> pictureFrom(Json json, const Reading& reading) {
     mend(entry.size == size, entry.size, size, reading.notes);
     mend(entry.sketch.empty(), entry.sketch, {}, reading.notes);
   } else {
-    const auto fits = [](int side) {
-      return side >= image::kLeastSketchSide && side <= image::kMostSketchSide;
-    };
+    const auto fits = [](int side) { return side >= image::kLeastSketchSide && side <= image::kMostSketchSide; };
     if (!fits(entry.size.width) || !fits(entry.size.height)) {
       return {Error::ProjectInvalid, "paper size"};
     }
-    weed(entry.sketch, image::kMostSketchStrokes,
-         [](const Box<image::SketchStroke>& stroke) { return image::isValid(*stroke); },
-         reading.notes);
+    weed(
+        entry.sketch, image::kMostSketchStrokes,
+        [](const Box<image::SketchStroke>& stroke) { return image::isValid(*stroke); }, reading.notes);
     entry.contentHash = document::contentHash(entry.size, entry.sketch);
   }
   mendName(entry.name, document::fallbackName(entry), reading.notes);
@@ -293,10 +290,8 @@ Result<document::Step> stepFrom(Json json, const Reading& reading) {
   read(json, step, reading);
   mendName(step.name, document::fallbackName(step), reading.notes);
   mend(step.blend >= 0 && step.blend <= document::kMostBlend, step.blend, 0.0, reading.notes);
-  mend(step.wall >= document::kLeastWall && step.wall <= document::kMostWall, step.wall,
-       standard.wall, reading.notes);
-  mend(step.opening.depth >= 0 && step.opening.depth <= document::kMostOpening, step.opening.depth,
-       0.0, reading.notes);
+  mend(step.wall >= document::kLeastWall && step.wall <= document::kMostWall, step.wall, standard.wall, reading.notes);
+  mend(step.opening.depth >= 0 && step.opening.depth <= document::kMostOpening, step.opening.depth, 0.0, reading.notes);
   if (!document::checkStep(step)) return {Error::ProjectInvalid, step.name};
   return step;
 }
@@ -352,14 +347,12 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
 
 std::string writeDocument(const Document& document) { return textOf(documentJson(document)); }
 
-Result<Document> readDocument(std::string_view json, const PictureSource& pictures,
-                              ReadNotes* notes) {
+Result<Document> readDocument(std::string_view json, const PictureSource& pictures, ReadNotes* notes) {
   ReadNotes found;
   try {
     Result<Json> parsed = parseJson(json);
     if (!parsed) return parsed.failure();
-    Result<Document> document =
-        documentFrom(std::move(parsed).value(), {found, pictures}, MissingPhoto::Fail);
+    Result<Document> document = documentFrom(std::move(parsed).value(), {found, pictures}, MissingPhoto::Fail);
     if (notes != nullptr) *notes = found;
     return document;
   } catch (const std::exception&) {  // the JSON library and the standard one only throw for memory

@@ -49,8 +49,7 @@ void readFrame(Json json, document::Document& document, const Reading& reading);
 Result<document::PictureEntry> pictureFrom(Json json, const Reading& reading);
 /// A part on one of `document`'s pictures. Errors: NoSuchPicture, ProjectInvalid (no usable stroke).
 /// Its id may be 0.
-Result<document::Part> partFrom(Json json, const document::Document& document,
-                                const Reading& reading);
+Result<document::Part> partFrom(Json json, const document::Document& document, const Reading& reading);
 /// A step; whether it fits into the forest is the caller's business (document::mendForest). Error:
 /// ProjectInvalid (no sound step). Its id may be 0.
 Result<document::Step> stepFrom(Json json, const Reading& reading);

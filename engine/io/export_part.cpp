@@ -16,8 +16,7 @@ bool inRange(const ExportPart& part) {
          std::all_of(placement.origin.begin(), placement.origin.end(),
                      [](double c) { return std::abs(c) <= kLargest; }) &&
          part.roughness >= 0 && part.roughness <= 1 && part.metallic >= 0 && part.metallic <= 1 &&
-         std::all_of(part.colour.begin(), part.colour.end(),
-                     [](float c) { return c >= 0 && c <= 1; });
+         std::all_of(part.colour.begin(), part.colour.end(), [](float c) { return c >= 0 && c <= 1; });
 }
 
 }  // namespace

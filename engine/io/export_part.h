@@ -36,8 +36,8 @@ struct ExportPart {
   std::array<float, 3> colour{0.8f, 0.8f, 0.8f};  ///< sRGB 0…1, where there is no picture
   double roughness = 0.8, metallic = 0;           ///< 0…1
   bool faceted = false;                           ///< every triangle flat, where the format has normals
-  bool ofSolid = false;  ///< some faces of a closed solid: open by itself
-  bool joins = false;    ///< belongs to the same node as the part before it
+  bool ofSolid = false;                           ///< some faces of a closed solid: open by itself
+  bool joins = false;                             ///< belongs to the same node as the part before it
 };
 
 /// An encoded picture file (PNG or JPEG) as it shall lie in the 3D file; bytes must outlive the
@@ -58,8 +58,7 @@ std::string cleanName(const std::string& text);
 
 /// A placed position before the format's own axes.
 inline std::array<double, 3> placed(const Placement& placement, const std::array<float, 3>& p) {
-  return {(p[0] - placement.origin[0]) * placement.scale,
-          (p[1] - placement.origin[1]) * placement.scale,
+  return {(p[0] - placement.origin[0]) * placement.scale, (p[1] - placement.origin[1]) * placement.scale,
           (p[2] - placement.origin[2]) * placement.scale};
 }
 

@@ -7,10 +7,10 @@
 namespace spineloft::io {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546c67;       // "glTF"
+constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kVersion = 2;
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;   // "JSON"
-constexpr std::uint32_t kBinaryChunk = 0x004e4942; // "BIN\0"
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;    // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004e4942;  // "BIN\0"
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
 
 std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at) {
@@ -76,16 +76,14 @@ std::string_view jsonOfGlb(std::span<const std::uint8_t> glb) {
 
 Result<Bytes> writeGlbChunks(const GlbChunks& chunks) {
   const std::size_t json = padded(chunks.json.size()), binary = padded(chunks.binary.size());
-  const std::uint64_t total = std::uint64_t{kHeader} + kChunkHeader + json +
-                              (binary > 0 ? kChunkHeader + binary : 0);
+  const std::uint64_t total = std::uint64_t{kHeader} + kChunkHeader + json + (binary > 0 ? kChunkHeader + binary : 0);
   if (total > std::numeric_limits<std::uint32_t>::max()) {
     return {Error::OutOfMemory, "GLB over 4 GiB"};
   }
   Bytes out;
   out.reserve(static_cast<std::size_t>(total));
   for (const std::uint32_t word :
-       {kMagic, kVersion, static_cast<std::uint32_t>(total), static_cast<std::uint32_t>(json),
-        kJsonChunk}) {
+       {kMagic, kVersion, static_cast<std::uint32_t>(total), static_cast<std::uint32_t>(json), kJsonChunk}) {
     append(out, word);
   }
   out.insert(out.end(), chunks.json.begin(), chunks.json.end());

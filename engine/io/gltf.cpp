@@ -141,9 +141,8 @@ class Writer {
     const int index = attribute(values, TINYGLTF_TYPE_VEC3);
     tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] =
-          std::minmax_element(values.begin(), values.end(),
-                              [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+      const auto [low, high] = std::minmax_element(values.begin(), values.end(),
+                                                   [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
       accessor.minValues.push_back(static_cast<double>((*low)[axis]));
       accessor.maxValues.push_back(static_cast<double>((*high)[axis]));
     }
@@ -154,8 +153,8 @@ class Writer {
     const std::size_t count = shaded.triangles.size() * 3;
     // 65535 restarts a primitive, so that many vertices still fit.
     if (shaded.positions.size() > 65535) {
-      const int bytes = view(shaded.triangles.data(), count * sizeof(std::uint32_t),
-                             TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+      const int bytes =
+          view(shaded.triangles.data(), count * sizeof(std::uint32_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
       return accessor(bytes, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
     }
     std::vector<std::uint16_t> small;
@@ -163,8 +162,7 @@ class Writer {
     for (const auto& t : shaded.triangles) {
       for (const std::uint32_t v : t) small.push_back(static_cast<std::uint16_t>(v));
     }
-    const int bytes =
-        view(small.data(), count * sizeof(std::uint16_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const int bytes = view(small.data(), count * sizeof(std::uint16_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     return accessor(bytes, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, count);
   }
 
@@ -176,8 +174,8 @@ class Writer {
     if (texture >= 0) {
       material.pbrMetallicRoughness.baseColorTexture.index = texture;
     } else {
-      material.pbrMetallicRoughness.baseColorFactor = {
-          linear(part.colour[0]), linear(part.colour[1]), linear(part.colour[2]), 1};
+      material.pbrMetallicRoughness.baseColorFactor = {linear(part.colour[0]), linear(part.colour[1]),
+                                                       linear(part.colour[2]), 1};
     }
     model_.materials.push_back(std::move(material));
     return static_cast<int>(model_.materials.size() - 1);

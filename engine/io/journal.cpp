@@ -78,8 +78,8 @@ const Json* memberOf(const Json& json, const char* key) {
 
 /// The list after a change; `make` reads one element. None when the change does not fit.
 template <class T, class Make>
-std::optional<std::vector<Box<T>>> changedList(const std::vector<Box<T>>& before,
-                                               const Json& change, const Make& make) {
+std::optional<std::vector<Box<T>>> changedList(const std::vector<Box<T>>& before, const Json& change,
+                                               const Make& make) {
   if (!change.is_object()) return std::nullopt;
   Json ids = idsOf(before);
   if (const Json* order = memberOf(change, "order")) {
@@ -132,8 +132,7 @@ bool isWhole(const Document& before, const Document& after) {
     if (group.id.value == 0 || group.id.value > after.lastGroupId) return false;
     if (document::partsOfGroup(after, group.id).empty()) return false;
   }
-  return after.lastPictureId <= kMostId && after.lastPartId <= kMostId &&
-         after.lastGroupId <= kMostId &&
+  return after.lastPictureId <= kMostId && after.lastPartId <= kMostId && after.lastGroupId <= kMostId &&
          std::ranges::all_of(after.parts, [&](const Part& part) {
            return part.id.value != 0 && part.id.value <= after.lastPartId &&
                   (!part.group || document::findGroup(after, part.group) != nullptr) &&
@@ -142,8 +141,7 @@ bool isWhole(const Document& before, const Document& after) {
 }
 
 /// None when the change is damaged or does not fit.
-std::optional<Document> changed(const Document& before, const Json& change,
-                                const PictureSource& photos) {
+std::optional<Document> changed(const Document& before, const Json& change, const PictureSource& photos) {
   if (!change.is_object()) return std::nullopt;
   ReadNotes notes;
   const Reading reading{notes, photos};
@@ -158,20 +156,18 @@ std::optional<Document> changed(const Document& before, const Json& change,
     after.steps = before.steps;
   }
   if (const Json* pictures = memberOf(change, "pictures")) {
-    auto list = changedList(before.pictures, *pictures,
-                            [&](Json json) { return pictureFrom(std::move(json), reading); });
+    auto list =
+        changedList(before.pictures, *pictures, [&](Json json) { return pictureFrom(std::move(json), reading); });
     if (!list) return std::nullopt;
     after.pictures = std::move(*list);
   }
   if (const Json* parts = memberOf(change, "parts")) {
-    auto list = changedList(before.parts, *parts,
-                            [&](Json json) { return partFrom(std::move(json), after, reading); });
+    auto list = changedList(before.parts, *parts, [&](Json json) { return partFrom(std::move(json), after, reading); });
     if (!list) return std::nullopt;
     after.parts = std::move(*list);
   }
   if (const Json* steps = memberOf(change, "steps")) {
-    auto list = changedList(before.steps, *steps,
-                            [&](Json json) { return stepFrom(std::move(json), reading); });
+    auto list = changedList(before.steps, *steps, [&](Json json) { return stepFrom(std::move(json), reading); });
     if (!list) return std::nullopt;
     after.steps = std::move(*list);
   }
@@ -204,8 +200,7 @@ bool play(DocumentHistory& history, std::string_view record, const PictureSource
 }
 
 /// Documents that follow one another from `present` on, as `changes` say, until one does not fit.
-std::vector<Document> follow(const Document& present, const Json* changes,
-                             const PictureSource& photos) {
+std::vector<Document> follow(const Document& present, const Json* changes, const PictureSource& photos) {
   std::vector<Document> documents;
   if (changes == nullptr || !changes->is_array()) return documents;
   const Document* before = &present;
@@ -225,8 +220,7 @@ Result<DocumentHistory> readBase(std::string_view base, const PictureSource& pho
   Json& json = parsed.value();
   if (!json.is_object() || !json.contains("present")) return {Error::ProjectInvalid, "no history"};
   ReadNotes notes;
-  Result<Document> present =
-      documentFrom(std::move(json["present"]), {notes, photos}, MissingPhoto::Fail);
+  Result<Document> present = documentFrom(std::move(json["present"]), {notes, photos}, MissingPhoto::Fail);
   if (!present) return present.failure();
   std::vector<Document> past = follow(present.value(), memberOf(json, "past"), photos);
   std::vector<Document> future = follow(present.value(), memberOf(json, "future"), photos);

@@ -33,8 +33,7 @@ Json listDifference(const Json& before, const Json& after) {
   const std::size_t most = std::min(before.size(), after.size());
   std::size_t head = 0, tail = 0;
   while (head < most && before[head] == after[head]) ++head;
-  while (tail < most - head &&
-         before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) {
+  while (tail < most - head && before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) {
     ++tail;
   }
   const bool one = before.size() == after.size() && head + tail + 1 == after.size();
@@ -43,8 +42,7 @@ Json listDifference(const Json& before, const Json& after) {
   }
   if (head + tail == 0) return replaced(after);
   const Json::array_t& all = after.get_ref<const Json::array_t&>();
-  Json::array_t middle(all.begin() + static_cast<std::ptrdiff_t>(head),
-                       all.end() - static_cast<std::ptrdiff_t>(tail));
+  Json::array_t middle(all.begin() + static_cast<std::ptrdiff_t>(head), all.end() - static_cast<std::ptrdiff_t>(tail));
   return Json::array({"+", head, tail, std::move(middle)});
 }
 

@@ -12,10 +12,10 @@ constexpr double kMostWhole = 9007199254740992;  // 2⁵³
 /// Longest text of unknown keys that one picture, part or document carries along, bytes.
 constexpr std::size_t kMostExtra = 1 << 18;
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(inflate::PuffSides::kCount)>
-    kSidesKeys = {"both", "front", "back"};
-constexpr std::array<std::string_view, static_cast<std::size_t>(sheet::EdgeKind::kCount)>
-    kEdgeKeys = {"sharp", "bevel", "round"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(inflate::InflateSides::kCount)> kSidesKeys = {
+    "both", "front", "back"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(extrude::EdgeKind::kCount)> kEdgeKeys = {
+    "sharp", "bevel", "round"};
 
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
@@ -62,22 +62,22 @@ std::string_view keyOf(loft::BlendKind value) {
 std::string_view keyOf(ribs::Side value) { return value == ribs::Side::Left ? "left" : "right"; }
 std::string_view keyOf(surface::Paint value) { return surface::finishOf(value).key; }
 
-std::string_view keyOf(inflate::PuffSides value) {
+std::string_view keyOf(inflate::InflateSides value) {
   const auto at = static_cast<std::size_t>(value);
   return at < kSidesKeys.size() ? kSidesKeys[at] : std::string_view();
 }
-std::string_view keyOf(sheet::EdgeKind value) {
+std::string_view keyOf(extrude::EdgeKind value) {
   const auto at = static_cast<std::size_t>(value);
   return at < kEdgeKeys.size() ? kEdgeKeys[at] : std::string_view();
 }
-bool fromKey(std::string_view key, inflate::PuffSides& value) {
+bool fromKey(std::string_view key, inflate::InflateSides& value) {
   const auto at = std::ranges::find(kSidesKeys, key);
-  if (at != kSidesKeys.end()) value = static_cast<inflate::PuffSides>(at - kSidesKeys.begin());
+  if (at != kSidesKeys.end()) value = static_cast<inflate::InflateSides>(at - kSidesKeys.begin());
   return at != kSidesKeys.end();
 }
-bool fromKey(std::string_view key, sheet::EdgeKind& value) {
+bool fromKey(std::string_view key, extrude::EdgeKind& value) {
   const auto at = std::ranges::find(kEdgeKeys, key);
-  if (at != kEdgeKeys.end()) value = static_cast<sheet::EdgeKind>(at - kEdgeKeys.begin());
+  if (at != kEdgeKeys.end()) value = static_cast<extrude::EdgeKind>(at - kEdgeKeys.begin());
   return at != kEdgeKeys.end();
 }
 
@@ -106,18 +106,10 @@ bool fromKeys(std::string_view key, T& value) {
 
 bool fromKey(std::string_view key, document::StepKind& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::OpeningSide& value) { return fromKeys(key, value); }
-bool fromKey(std::string_view key, loft::SectionPreset& value) {
-  return keep(loft::sectionFromKey(key), value);
-}
-bool fromKey(std::string_view key, loft::CapStyle& value) {
-  return keep(loft::capFromKey(key), value);
-}
-bool fromKey(std::string_view key, loft::BlendKind& value) {
-  return keep(loft::blendFromKey(key), value);
-}
-bool fromKey(std::string_view key, surface::Paint& value) {
-  return keep(surface::paintFromKey(key), value);
-}
+bool fromKey(std::string_view key, loft::SectionPreset& value) { return keep(loft::sectionFromKey(key), value); }
+bool fromKey(std::string_view key, loft::CapStyle& value) { return keep(loft::capFromKey(key), value); }
+bool fromKey(std::string_view key, loft::BlendKind& value) { return keep(loft::blendFromKey(key), value); }
+bool fromKey(std::string_view key, surface::Paint& value) { return keep(surface::paintFromKey(key), value); }
 bool fromKey(std::string_view key, ribs::Side& value) {
   if (key != "left" && key != "right") return false;
   value = key == "left" ? ribs::Side::Left : ribs::Side::Right;
@@ -161,8 +153,7 @@ Json toJson(const geometry::AlongCurve& curve) {
 
 Json toJson(const ribs::EndEdit& edit) {
   const auto& [at, side, along, out, reach, locked] = edit;
-  return Json::array(
-      {toJson(side), toJson(at), toJson(along), toJson(out), toJson(reach), locked});
+  return Json::array({toJson(side), toJson(at), toJson(along), toJson(out), toJson(reach), locked});
 }
 
 Json toJson(const ribs::IgnoreMark& mark) {
@@ -180,14 +171,13 @@ Json toJson(const geometry::Turn& turn) {
 Json toJson(const std::optional<document::MirrorPlane>& plane) {
   if (!plane) return nullptr;
   const auto& [point, normal] = *plane;
-  return Json::array({toJson(point.x), toJson(point.y), toJson(point.z), toJson(normal.x),
-                      toJson(normal.y), toJson(normal.z)});
+  return Json::array(
+      {toJson(point.x), toJson(point.y), toJson(point.z), toJson(normal.x), toJson(normal.y), toJson(normal.z)});
 }
 
 Json toJson(const image::SketchStroke& stroke) {
   const auto& [points, pressure, radius, erase, colour] = stroke;
-  return Json::array(
-      {toJson(radius), erase, toJson(colour), toJson(points), toJson(pressure)});
+  return Json::array({toJson(radius), erase, toJson(colour), toJson(points), toJson(pressure)});
 }
 
 std::string hashKey(std::uint64_t hash) {
@@ -233,8 +223,7 @@ bool get(const Json& from, bool& to) {
 
 bool get(const Json& from, int& to) {
   double value = 0;
-  if (!get(from, value) || value != std::trunc(value) ||
-      std::abs(value) > std::numeric_limits<int>::max()) {
+  if (!get(from, value) || value != std::trunc(value) || std::abs(value) > std::numeric_limits<int>::max()) {
     return false;
   }
   to = static_cast<int>(value);
@@ -274,8 +263,7 @@ bool get(const Json& from, std::array<std::uint8_t, 3>& to) {
   if (text.size() != 7 || text[0] != '#') return false;
   const auto [end, problem] = std::from_chars(text.data() + 1, text.data() + 7, rgb, 16);
   if (problem != std::errc() || end != text.data() + 7) return false;
-  to = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
-        static_cast<std::uint8_t>(rgb)};
+  to = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8), static_cast<std::uint8_t>(rgb)};
   return true;
 }
 
@@ -295,8 +283,8 @@ bool get(const Json& from, ribs::EndEdit& to) {
   ribs::EndEdit edit;
   auto& [at, side, along, out, reach, locked] = edit;
   if (!from.is_array() || from.size() != 6) return false;
-  if (!get(from[0], side) || !get(from[1], at) || !get(from[2], along) || !get(from[3], out) ||
-      !get(from[4], reach) || !get(from[5], locked)) {
+  if (!get(from[0], side) || !get(from[1], at) || !get(from[2], along) || !get(from[3], out) || !get(from[4], reach) ||
+      !get(from[5], locked)) {
     return false;
   }
   to = edit;
@@ -315,8 +303,8 @@ bool get(const Json& from, ribs::IgnoreMark& to) {
 
 bool get(const Json& from, geometry::Turn& to) {
   geometry::Turn turn;
-  const bool four = from.is_array() && from.size() == 4 && get(from[0], turn.w) &&
-                    get(from[1], turn.x) && get(from[2], turn.y) && get(from[3], turn.z);
+  const bool four = from.is_array() && from.size() == 4 && get(from[0], turn.w) && get(from[1], turn.x) &&
+                    get(from[2], turn.y) && get(from[3], turn.z);
   if (four) to = turn;
   return four;
 }
@@ -331,8 +319,7 @@ bool get(const Json& from, std::optional<document::MirrorPlane>& to) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!get(from[i], numbers[i])) return false;
   }
-  to = document::MirrorPlane{{numbers[0], numbers[1], numbers[2]},
-                             {numbers[3], numbers[4], numbers[5]}};
+  to = document::MirrorPlane{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
   return true;
 }
 
@@ -340,8 +327,8 @@ bool get(const Json& from, image::SketchStroke& to) {
   image::SketchStroke stroke;
   auto& [points, pressure, radius, erase, colour] = stroke;
   if (!from.is_array() || from.size() != 5) return false;
-  if (!get(from[0], radius) || !get(from[1], erase) || !get(from[2], colour) ||
-      !getPoints(from[3], points) || !from[4].is_array()) {
+  if (!get(from[0], radius) || !get(from[1], erase) || !get(from[2], colour) || !getPoints(from[3], points) ||
+      !from[4].is_array()) {
     return false;
   }
   pressure.resize(from[4].size());
@@ -361,8 +348,7 @@ std::string takeRest(Json& object, const Reading& reading) {
   return {};
 }
 
-void ReadMembers::photo(const char* key, std::shared_ptr<const image::Picture>& picture,
-                        std::uint64_t& hash) {
+void ReadMembers::photo(const char* key, std::shared_ptr<const image::Picture>& picture, std::uint64_t& hash) {
   const auto at = object_.find(key);
   if (at == object_.end()) return;
   if (at->is_string()) {

@@ -40,8 +40,8 @@ void members(V& v, T& value) {
 }
 template <class V, Is<ribs::EvidenceParams> T>
 void members(V& v, T& value) {
-  auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-         outsideWeight, rimWeight, contrastReach, knownShare, doubt, weight] = value;
+  auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight, outsideWeight, rimWeight,
+         contrastReach, knownShare, doubt, weight] = value;
   v("proximityWeight", proximityWeight);
   v("contrastWeight", contrastWeight);
   v("localContrastWeight", localContrastWeight);
@@ -64,15 +64,15 @@ void members(V& v, T& value) {
 }
 template <class V, Is<ribs::RibParams> T>
 void members(V& v, T& value) {
-  auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight,
-         leanCost, priorWeight, evidence, fairing] = value;
+  auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight, medialOffsetCost,
+         priorWeight, evidence, fairing] = value;
   v("levels", levels);
   v("maxLevelShare", maxLevelShare);
   v("neighbourWeight", neighbourWeight);
   v("neighbourFreedom", neighbourFreedom);
   v("neighbourCap", neighbourCap);
   v("oppositeWeight", oppositeWeight);
-  v("leanCost", leanCost);
+  v("leanCost", medialOffsetCost);
   v("priorWeight", priorWeight);
   v("evidence", evidence);
   v("fairing", fairing);
@@ -105,7 +105,7 @@ void members(V& v, T& value) {
   v("kind", kind);
   v("custom", custom);
 }
-template <class V, Is<loft::SectionStop> T>
+template <class V, Is<loft::SectionKey> T>
 void members(V& v, T& value) {
   auto& [at, shape, blend] = value;
   v("at", at);
@@ -114,8 +114,7 @@ void members(V& v, T& value) {
 }
 template <class V, Is<loft::LoftParams> T>
 void members(V& v, T& value) {
-  auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings,
-         centring] = value;
+  auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = value;
   v("sections", sections);
   v("twist", twist);
   v("squash", squash);
@@ -146,14 +145,14 @@ void members(V& v, T& value) {
   v("contours", contours);
   v("ribbon", ribbon);
 }
-template <class V, Is<inflate::PuffParams> T>
+template <class V, Is<inflate::InflateParams> T>
 void members(V& v, T& value) {
   auto& [height, sides, points] = value;
   v("height", height);
   v("sides", sides);
   v("points", points);
 }
-template <class V, Is<sheet::SheetParams> T>
+template <class V, Is<extrude::ExtrudeParams> T>
 void members(V& v, T& value) {
   auto& [thickness, edge, edgeSize, depth] = value;
   v("thickness", thickness);
@@ -161,17 +160,17 @@ void members(V& v, T& value) {
   v("edgeSize", edgeSize);
   v("depth", depth);
 }
-template <class V, Is<document::PuffRecipe> T>
+template <class V, Is<document::InflateRecipe> T>
 void members(V& v, T& value) {
-  auto& [region, puff] = value;
+  auto& [region, inflate] = value;
   v("region", region);
-  v("puff", puff);
+  v("puff", inflate);
 }
-template <class V, Is<document::SheetRecipe> T>
+template <class V, Is<document::ExtrudeRecipe> T>
 void members(V& v, T& value) {
-  auto& [region, sheet] = value;
+  auto& [region, extrude] = value;
   v("region", region);
-  v("sheet", sheet);
+  v("sheet", extrude);
 }
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
@@ -250,8 +249,8 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Document> T>
 void members(V& v, T& value) {
-  auto& [name, pictures, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId,
-         lastGroupId, extra] = value;
+  auto& [name, pictures, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId, lastGroupId, extra] =
+      value;
   v.always("name", name);
   v.elements("pictures", pictures);
   v.elements("parts", parts);
@@ -278,8 +277,8 @@ std::string_view keyOf(loft::BlendKind value);
 std::string_view keyOf(ribs::Side value);
 std::string_view keyOf(document::StepKind value);
 std::string_view keyOf(document::OpeningSide value);
-std::string_view keyOf(inflate::PuffSides value);
-std::string_view keyOf(sheet::EdgeKind value);
+std::string_view keyOf(inflate::InflateSides value);
+std::string_view keyOf(extrude::EdgeKind value);
 std::string_view keyOf(surface::Paint value);
 bool fromKey(std::string_view key, loft::SectionPreset& value);
 bool fromKey(std::string_view key, loft::CapStyle& value);
@@ -287,8 +286,8 @@ bool fromKey(std::string_view key, loft::BlendKind& value);
 bool fromKey(std::string_view key, ribs::Side& value);
 bool fromKey(std::string_view key, document::StepKind& value);
 bool fromKey(std::string_view key, document::OpeningSide& value);
-bool fromKey(std::string_view key, inflate::PuffSides& value);
-bool fromKey(std::string_view key, sheet::EdgeKind& value);
+bool fromKey(std::string_view key, inflate::InflateSides& value);
+bool fromKey(std::string_view key, extrude::EdgeKind& value);
 bool fromKey(std::string_view key, surface::Paint& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
@@ -313,13 +312,13 @@ template <Keyed T>
 Json toJson(T value) {
   return std::string(keyOf(value));
 }
-Json toJson(const std::array<std::uint8_t, 3>& colour);  ///< "#rrggbb"
-Json toJson(const geometry::AlongCurve& curve);          ///< [at, value, at, value, …]
-Json toJson(const ribs::EndEdit& edit);         ///< [side, at, along, out, reach, locked]
-Json toJson(const ribs::IgnoreMark& mark);      ///< [radius, [x, y, …]], and true if it covers
-Json toJson(const geometry::Turn& turn);                        ///< [w, x, y, z]
+Json toJson(const std::array<std::uint8_t, 3>& colour);          ///< "#rrggbb"
+Json toJson(const geometry::AlongCurve& curve);                  ///< [at, value, at, value, …]
+Json toJson(const ribs::EndEdit& edit);                          ///< [side, at, along, out, reach, locked]
+Json toJson(const ribs::IgnoreMark& mark);                       ///< [radius, [x, y, …]], and true if it covers
+Json toJson(const geometry::Turn& turn);                         ///< [w, x, y, z]
 Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or point and normal in one list
-Json toJson(const image::SketchStroke& stroke); ///< [radius, erase, colour, [x, y, …], [pressure, …]]
+Json toJson(const image::SketchStroke& stroke);                  ///< [radius, erase, colour, [x, y, …], [pressure, …]]
 template <Struct T>
 Json toJson(const T& value);
 template <class Space>
@@ -373,8 +372,7 @@ class WriteMembers {
     }
     std::visit([&](const auto& one) { (*this)(key, one); }, value);
   }
-  void photo(const char* key, const std::shared_ptr<const image::Picture>& picture,
-             std::uint64_t contentHash) {
+  void photo(const char* key, const std::shared_ptr<const image::Picture>& picture, std::uint64_t contentHash) {
     if (picture) out_[key] = hashKey(contentHash);
   }
   template <class T>
@@ -434,8 +432,7 @@ bool get(const Json& from, image::SketchStroke& to);
 template <class Space>
 bool get(const Json& from, Vec3<Space>& to) {
   Vec3<Space> p;
-  const bool three = from.is_array() && from.size() == 3 && get(from[0], p.x) &&
-                     get(from[1], p.y) && get(from[2], p.z);
+  const bool three = from.is_array() && from.size() == 3 && get(from[0], p.x) && get(from[1], p.y) && get(from[2], p.z);
   if (three) to = p;
   return three;
 }
@@ -532,8 +529,7 @@ class ReadMembers {
     const auto kind = object_.find(kindKey);
     if (kind != object_.end()) {
       const auto* name = kind->template get_ptr<const std::string*>();
-      const document::PartKind known =
-          name ? document::kindFromKey(*name) : document::PartKind::kCount;
+      const document::PartKind known = name ? document::kindFromKey(*name) : document::PartKind::kCount;
       value = document::emptyRecipe(known);
       object_.erase(kind);
       if (known == document::PartKind::kCount) return;

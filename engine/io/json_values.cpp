@@ -67,8 +67,7 @@ Result<std::vector<PicturePoint>> strokeIn(const Json& root, std::string_view na
   if (name.empty()) return pointsOf(spines->begin().value());
   const Json* chosen = member(*spines, std::string(name).c_str());
   if (chosen == nullptr) {
-    return {Error::JsonInvalid,
-            "no stroke is called " + std::string(name) + "; there are " + namesIn(*spines)};
+    return {Error::JsonInvalid, "no stroke is called " + std::string(name) + "; there are " + namesIn(*spines)};
   }
   return pointsOf(*chosen);
 }
@@ -111,24 +110,17 @@ std::optional<BenchDifficulty> difficultyIn(const Json& root) {
 
 Result<BenchCase> caseIn(const Json& root) {
   if (root.is_discarded()) return {Error::JsonInvalid, "not JSON"};
-  BenchCase out{stringIn(root, "id"),
-                stringIn(root, "category"),
-                stringIn(root, "image"),
-                stringIn(root, "mask"),
-                1,
-                {},
-                {},
-                difficultyIn(root)};
+  BenchCase out{
+      stringIn(root, "id"), stringIn(root, "category"), stringIn(root, "image"), stringIn(root, "mask"), 1, {}, {},
+      difficultyIn(root)};
   if (out.id.empty() || out.image.empty() || out.mask.empty()) {
     return {Error::JsonInvalid, "a case needs an id, an image and a mask"};
   }
   const Json* tolerance = member(root, "boundary_tolerance_px");
-  if (tolerance != nullptr && tolerance->is_number())
-    out.boundaryTolerance = tolerance->get<double>();
+  if (tolerance != nullptr && tolerance->is_number()) out.boundaryTolerance = tolerance->get<double>();
   const Json* axis = member(root, "axis");
   const Json* spines = member(root, "spines");
-  if (axis == nullptr || !axis->is_array() || axis->size() < 2 || spines == nullptr ||
-      !spines->is_object()) {
+  if (axis == nullptr || !axis->is_array() || axis->size() < 2 || spines == nullptr || !spines->is_object()) {
     return {Error::JsonInvalid, "a case needs an axis and spines"};
   }
   for (const Json& point : *axis) {
@@ -183,7 +175,7 @@ std::string writeReport(const LoftReport& report) {
                   {{"vertices", report.vertices},
                    {"triangles", report.triangles},
                    {"closed", mesh.closed},
-                   {"lawful", mesh.lawful()},
+                   {"lawful", mesh.valid()},
                    {"genus", mesh.genus},
                    {"volume", mesh.volume},
                    {"area", mesh.area}}},
@@ -221,8 +213,7 @@ std::string writeBench(const BenchReport& report) {
     cases.push_back(std::move(line));
   }
   Json all = {{"summary", groups(report.summary)}, {"cases", std::move(cases)}};
-  if (!report.ablation.empty()) all["ablation"] = groups(report.ablation);
-  if (!report.leaveOneOut.empty()) all["leave_one_out"] = groups(report.leaveOneOut);
+  for (const auto& [name, lines] : report.tables) all[name] = groups(lines);
   return textOf(all, 1);
 }
 

@@ -13,7 +13,7 @@
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
 #include "engine/mesh/laws.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/base/rib_set.h"
 
 namespace spineloft::io {
 
@@ -31,6 +31,8 @@ std::string writeRibs(const ribs::RibSet& ribs);
 
 /// Names with numbers, in order: milliseconds of stages, counts, means.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
+/// The lines of a table, each with its name.
+using NamedLines = std::vector<std::pair<std::string, NamedNumbers>>;
 
 /// What one run of `spineloft loft` made.
 struct LoftReport {
@@ -57,9 +59,8 @@ struct BenchCase {
   std::string id, category, image, mask;    ///< image and mask are file names beside case.json
   double boundaryTolerance = 1;             ///< px
   std::vector<std::array<double, 3>> axis;  ///< true middle line: x, y, local width
-  std::vector<std::pair<std::string, std::vector<PicturePoint>>>
-      strokes;  ///< `spines`, in file order
-  std::optional<BenchDifficulty> difficulty;  ///< none where the file says nothing of it
+  std::vector<std::pair<std::string, std::vector<PicturePoint>>> strokes;  ///< `spines`, in file order
+  std::optional<BenchDifficulty> difficulty;                               ///< none where the file says nothing of it
 };
 /// Errors: JsonInvalid, StrokeNotFinite, OutOfMemory.
 Result<BenchCase> readBenchCase(std::string_view json);
@@ -68,16 +69,15 @@ Result<BenchCase> readBenchCase(std::string_view json);
 struct BenchRow {
   std::string name, category, stroke;
   NamedNumbers numbers;
-  std::string failure;  ///< empty when the part was made
+  std::string failure;                  ///< empty when the part was made
   std::vector<std::string> difficulty;  ///< names of what makes the case hard
 };
-/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke","difficulty",…}]}; with an
-/// ablation also "ablation":[{"name",…}], and so "leave_one_out".
+/// Group means and rows: {"summary":[{"name",…}],"cases":[{"name","category","stroke","difficulty",…}]}; further
+/// tables stand beside them under their names, written as the summary is.
 struct BenchReport {
-  std::vector<std::pair<std::string, NamedNumbers>> summary;
+  NamedLines summary;
   std::vector<BenchRow> rows;
-  std::vector<std::pair<std::string, NamedNumbers>> ablation;
-  std::vector<std::pair<std::string, NamedNumbers>> leaveOneOut;
+  std::vector<std::pair<std::string, NamedLines>> tables;
 };
 std::string writeBench(const BenchReport& report);
 

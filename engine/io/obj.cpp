@@ -24,8 +24,7 @@ Bytes write(std::span<const ExportPart> parts, ObjSpace space, const std::string
   }
   TextFile text(expected);
   text.add("# SpineLoft\n");
-  text.add(image ? "# x right, y down, z to the viewer: picture pixels\n"
-                 : "# x right, y up, z to the viewer\n");
+  text.add(image ? "# x right, y down, z to the viewer: picture pixels\n" : "# x right, y up, z to the viewer\n");
   if (!materials.empty()) text.add("mtllib ").add(materials).add("\n");
   std::size_t firstVertex = 1, firstUv = 1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -78,7 +77,7 @@ Result<Bytes> writeZipped(std::span<const ExportPart> parts, std::span<const Exp
   std::vector<std::string> files;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const Result<PictureInfo> info = probePicture(pictures[i].bytes);
-    if (!info) return {Error::PictureUnreadable, cleanName(pictures[i].name)};
+    if (!info || !isDecoded(info.value().format)) return {Error::PictureUnreadable, cleanName(pictures[i].name)};
     const std::string number = pictures.size() > 1 ? std::string("-").append(std::to_string(i + 1)) : "";
     files.push_back(name + number + (info.value().format == PictureFormat::Png ? ".png" : ".jpg"));
   }

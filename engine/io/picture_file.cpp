@@ -54,6 +54,13 @@ Failure decoderFailure() {
 }
 
 /// Decodes with `channels` 1 (grey) or 4 (RGBA); the declared size is known to be acceptable.
+/// probePicture, of formats that are decoded here.
+Result<PictureInfo> probeDecoded(ByteView file) {
+  Result<PictureInfo> info = probePicture(file);
+  if (info.ok() && !isDecoded(info.value().format)) return Error::PictureUnreadable;
+  return info;
+}
+
 Result<Decoded> decodePixels(ByteView file, const PictureInfo& info, int channels) {
   if (file.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     return Error::PictureTooLarge;
@@ -61,8 +68,8 @@ Result<Decoded> decodePixels(ByteView file, const PictureInfo& info, int channel
   if (!pictureDataComplete(file, info)) return Error::PictureTruncated;
   Decoded decoded;
   int stored = 0;
-  decoded.pixels.reset(stbi_load_from_memory(file.data(), static_cast<int>(file.size()),
-                                             &decoded.width, &decoded.height, &stored, channels));
+  decoded.pixels.reset(stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &decoded.width,
+                                             &decoded.height, &stored, channels));
   if (!decoded.pixels) return decoderFailure();
   if (image::Size{decoded.width, decoded.height} != info.size) return Error::PictureTruncated;
   return decoded;
@@ -84,8 +91,7 @@ Result<Bytes> writePng(const Raster& raster) {
   try {
     Bytes out;
     const int row = raster.width * raster.channels;
-    if (stbi_write_png_to_func(append, &out, raster.width, raster.height, raster.channels,
-                               raster.pixels, row) == 0) {
+    if (stbi_write_png_to_func(append, &out, raster.width, raster.height, raster.channels, raster.pixels, row) == 0) {
       return Error::OutOfMemory;
     }
     return out;
@@ -97,8 +103,8 @@ Result<Bytes> writePng(const Raster& raster) {
 template <class Pixels>
 bool hasPixels(const Pixels& image, std::size_t channels) {
   return image.width > 0 && image.height > 0 &&
-         image.pixels.size() == channels * static_cast<std::size_t>(image.width) *
-                                    static_cast<std::size_t>(image.height);
+         image.pixels.size() ==
+             channels * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
 /// The colours without alpha, mixed with white paper.
@@ -136,7 +142,7 @@ Status checkPictureSize(image::Size size) {
 
 Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
   if (!progress.advance(0)) return Error::Cancelled;
-  const Result<PictureInfo> info = probePicture(file);
+  const Result<PictureInfo> info = probeDecoded(file);
   if (!info.ok()) return info.failure();
   if (const Status accepted = checkPictureSize(info.value().size); !accepted.ok()) {
     return accepted.failure();
@@ -146,11 +152,9 @@ Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
     if (!decoded.ok()) return decoded.failure();
     if (!progress.advance(0.7)) return Error::Cancelled;
     const auto [width, height] = info.value().size;
-    const std::size_t count =
-        4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    image::Picture picture =
-        image::makePicture(image::ImageView(width, height, {decoded.value().pixels.get(), count}),
-                           info.value().orientation);
+    const std::size_t count = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    image::Picture picture = image::makePicture(image::ImageView(width, height, {decoded.value().pixels.get(), count}),
+                                                info.value().orientation);
     if (!progress.advance(1)) return Error::Cancelled;
     return picture;
   } catch (const std::bad_alloc&) {
@@ -159,27 +163,25 @@ Result<image::Picture> decodePicture(ByteView file, const Progress& progress) {
 }
 
 Result<image::Image> decodeImage(ByteView file, long long mostPixels) {
-  const Result<PictureInfo> info = probePicture(file);
+  const Result<PictureInfo> info = probeDecoded(file);
   if (!info.ok()) return info.failure();
   const auto [width, height] = info.value().size;
   if (width <= 0 || height <= 0) return Error::PictureEmpty;
-  if (std::max(width, height) > kMaxPictureSide ||
-      static_cast<long long>(width) * height > mostPixels) {
+  if (std::max(width, height) > kMaxPictureSide || static_cast<long long>(width) * height > mostPixels) {
     return Error::PictureTooLarge;
   }
   try {
     const Result<Decoded> decoded = decodePixels(file, info.value(), 4);
     if (!decoded.ok()) return decoded.failure();
     const std::uint8_t* pixels = decoded.value().pixels.get();
-    return image::Image{width, height,
-                        Bytes(pixels, pixels + 4 * static_cast<std::ptrdiff_t>(width) * height)};
+    return image::Image{width, height, Bytes(pixels, pixels + 4 * static_cast<std::ptrdiff_t>(width) * height)};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
 }
 
 Result<image::Mask> decodeMask(ByteView file) {
-  const Result<PictureInfo> info = probePicture(file);
+  const Result<PictureInfo> info = probeDecoded(file);
   if (!info.ok()) return info.failure();
   if (const Status accepted = checkPictureSize(info.value().size); !accepted.ok()) {
     return accepted.failure();
@@ -189,8 +191,7 @@ Result<image::Mask> decodeMask(ByteView file) {
     if (!decoded.ok()) return decoded.failure();
     const auto [width, height] = info.value().size;
     const std::uint8_t* pixels = decoded.value().pixels.get();
-    return image::Mask{width, height,
-                       Bytes(pixels, pixels + static_cast<std::ptrdiff_t>(width) * height)};
+    return image::Mask{width, height, Bytes(pixels, pixels + static_cast<std::ptrdiff_t>(width) * height)};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
@@ -213,8 +214,7 @@ Result<Bytes> encodeJpeg(const image::Image& image, int quality) {
   try {
     Bytes out;
     const Bytes rgb = colours(image);
-    if (stbi_write_jpg_to_func(append, &out, image.width, image.height, 3, rgb.data(), quality) ==
-        0) {
+    if (stbi_write_jpg_to_func(append, &out, image.width, image.height, 3, rgb.data(), quality) == 0) {
       return Error::OutOfMemory;
     }
     return out;

@@ -14,18 +14,20 @@ namespace spineloft::io {
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
-enum class PictureFormat : std::uint8_t { Png, Jpeg, Bmp, Gif };
+/// Of the last three only headers are read: a browser may decode them, we do not.
+enum class PictureFormat : std::uint8_t { Png, Jpeg, Bmp, Gif, Webp, Avif, Heic };
+inline bool isDecoded(PictureFormat format) { return format <= PictureFormat::Gif; }
 
 /// What a picture file says about itself.
 struct PictureInfo {
   PictureFormat format = PictureFormat::Png;
-  image::Size size;     ///< as declared and stored, before the orientation is applied
+  image::Size size;     ///< as declared and stored, before the orientation is applied; 0 × 0 where AVIF or HEIC hide it
   int orientation = 1;  ///< EXIF orientation, 1…8; 1 where there is none
   bool operator==(const PictureInfo&) const = default;
 };
 
 /// Reads the header only; any byte sequence is safe. Says what is declared, not whether we accept
-/// it. Errors: PictureEmpty (no bytes), PictureUnreadable (not PNG, JPEG, BMP or GIF),
+/// it. Errors: PictureEmpty (no bytes), PictureUnreadable (begins like none of the formats),
 /// PictureTruncated (ends before it says its size).
 Result<PictureInfo> probePicture(ByteView file);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <string_view>
 
@@ -14,9 +15,7 @@ class Reader {
  public:
   explicit Reader(ByteView bytes) : bytes_(bytes) {}
   std::size_t size() const { return bytes_.size(); }
-  bool has(std::size_t at, std::size_t count) const {
-    return at <= bytes_.size() && count <= bytes_.size() - at;
-  }
+  bool has(std::size_t at, std::size_t count) const { return at <= bytes_.size() && count <= bytes_.size() - at; }
   std::uint8_t byte(std::size_t at) const { return has(at, 1) ? bytes_[at] : std::uint8_t{0}; }
   std::uint32_t little(std::size_t at, std::size_t count) const {
     std::uint32_t value = 0;
@@ -35,6 +34,13 @@ class Reader {
     }
     return true;
   }
+  /// The next such byte, or the end.
+  std::size_t find(std::uint8_t byte, std::size_t from) const {
+    const auto rest = bytes_.subspan(std::min(from, bytes_.size()));
+    const void* found = rest.empty() ? nullptr : std::memchr(rest.data(), byte, rest.size());
+    return found == nullptr ? bytes_.size()
+                            : static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - bytes_.data());
+  }
   ByteView part(std::size_t at, std::size_t count) const {
     return has(at, count) ? bytes_.subspan(at, count) : ByteView{};
   }
@@ -47,9 +53,7 @@ constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kExif{"Exif\0\0", 6};
 
 /// A declared side: anything that does not fit an int is as large as can be said.
-int sideOf(std::uint32_t declared) {
-  return static_cast<int>(std::min<std::uint32_t>(declared, 0x7fffffff));
-}
+int sideOf(std::uint32_t declared) { return static_cast<int>(std::min<std::uint32_t>(declared, 0x7fffffff)); }
 
 // ---- PNG
 // ------------------------------------------------------------------------------------------
@@ -96,12 +100,8 @@ class JpegMarkers {
     // Entropy-coded data hold FF only as FF 00 or as restart markers D0…D7.
     while (file_.has(at_, 2)) {
       const int code = file_.byte(at_ + 1);
-      if (file_.byte(at_) != 0xff || code == 0x00 || (code >= 0xd0 && code <= 0xd7)) {
-        ++at_;
-        continue;
-      }
-      if (code == 0xff) {  // fill byte
-        ++at_;
+      if (file_.byte(at_) != 0xff || code == 0x00 || code == 0xff || (code >= 0xd0 && code <= 0xd7)) {
+        at_ = file_.find(0xff, at_ + 1);  // 0xff twice: a fill byte
         continue;
       }
       at_ += 2;
@@ -120,9 +120,7 @@ class JpegMarkers {
   std::size_t at_ = 0;
 };
 
-bool isFrameHeader(int code) {
-  return code >= 0xc0 && code <= 0xcf && code != 0xc4 && code != 0xc8 && code != 0xcc;
-}
+bool isFrameHeader(int code) { return code >= 0xc0 && code <= 0xcf && code != 0xc4 && code != 0xc8 && code != 0xcc; }
 
 Result<PictureInfo> probeJpeg(const Reader& file) {
   PictureInfo info{PictureFormat::Jpeg, {}, 1};
@@ -136,8 +134,7 @@ Result<PictureInfo> probeJpeg(const Reader& file) {
     }
     if (isFrameHeader(segment->code)) {
       if (length < 6) return Error::PictureTruncated;
-      info.size = {sideOf(file.big(segment->begin + 3, 2)),
-                   sideOf(file.big(segment->begin + 1, 2))};
+      info.size = {sideOf(file.big(segment->begin + 3, 2)), sideOf(file.big(segment->begin + 1, 2))};
       return info;
     }
     if (segment->code == 0xd9 || segment->code == 0xda) break;
@@ -164,9 +161,7 @@ Result<PictureInfo> probeGif(const Reader& file) {
 }
 
 /// Bytes of a colour table that the packed field announces.
-std::size_t colourTable(int packed) {
-  return packed & 0x80 ? std::size_t{3} << ((packed & 7) + 1) : 0;
-}
+std::size_t colourTable(int packed) { return packed & 0x80 ? std::size_t{3} << ((packed & 7) + 1) : 0; }
 
 /// Behind the terminator of a chain of sub-blocks, or none if the chain is cut off.
 std::optional<std::size_t> skipSubBlocks(const Reader& file, std::size_t at) {
@@ -209,9 +204,56 @@ Result<PictureInfo> probeBmp(const Reader& file) {
 
 bool bmpComplete(const Reader& file, image::Size size) {
   const bool old = file.little(14, 4) == 12;
+  // Compressed rows (run lengths, JPEG or PNG) are as long as they are: only the file says its length.
+  const std::uint32_t compression = old ? 0 : file.little(30, 4);
+  if (compression != 0 && compression != 3 && compression != 6) return file.little(2, 4) <= file.size();
   const std::uint64_t bits = file.little(old ? 24 : 28, 2);
   const std::uint64_t row = (static_cast<std::uint64_t>(size.width) * bits + 31) / 32 * 4;
   return file.little(10, 4) + row * static_cast<std::uint64_t>(size.height) <= file.size();
+}
+
+// ---- WebP
+// -----------------------------------------------------------------------------------------
+
+Result<PictureInfo> probeWebp(const Reader& file) {
+  if (!file.has(0, 30)) return Error::PictureTruncated;
+  if (file.startsWith(12, "VP8X"))
+    return PictureInfo{PictureFormat::Webp, {sideOf(file.little(24, 3) + 1), sideOf(file.little(27, 3) + 1)}, 1};
+  if (file.startsWith(12, "VP8L")) {
+    const std::uint32_t packed = file.little(21, 4);
+    return PictureInfo{PictureFormat::Webp, {sideOf((packed & 0x3fff) + 1), sideOf((packed >> 14 & 0x3fff) + 1)}, 1};
+  }
+  if (!file.startsWith(12, "VP8 ")) return Error::PictureTruncated;
+  return PictureInfo{
+      PictureFormat::Webp, {sideOf(file.little(26, 2) & 0x3fff), sideOf(file.little(28, 2) & 0x3fff)}, 1};
+}
+
+bool webpComplete(const Reader& file) { return std::uint64_t{file.little(4, 4)} + 8 <= file.size(); }
+
+// ---- AVIF and HEIC
+// --------------------------------------------------------------------------------
+
+/// The size is the largest among the `ispe` boxes near the start: tiles and thumbnails have one too.
+Result<PictureInfo> probeIsoMedia(const Reader& file) {
+  constexpr std::size_t kBrandsEnd = 72, kBoxesEnd = 65536;
+  constexpr std::array<std::string_view, 2> kAvif{"avif", "avis"};
+  constexpr std::array<std::string_view, 7> kHeic{"heic", "heix", "heim", "heis", "hevc", "hevx", "mif1"};
+  const auto hasBrand = [&](const auto& brands) {
+    for (std::size_t at = 8; at < kBrandsEnd && file.has(at, 4); at += 4) {
+      if (std::ranges::any_of(brands, [&](std::string_view brand) { return file.startsWith(at, brand); })) return true;
+    }
+    return false;
+  };
+  const bool avif = hasBrand(kAvif);
+  if (!avif && !hasBrand(kHeic)) return Error::PictureUnreadable;
+  PictureInfo info{avif ? PictureFormat::Avif : PictureFormat::Heic, {}, 1};
+  for (std::size_t at = 8; at <= kBoxesEnd && file.has(at, 16); ++at) {
+    if (!file.startsWith(at, "ispe")) continue;
+    info.size.width = std::max(info.size.width, sideOf(file.big(at + 8, 4)));
+    info.size.height = std::max(info.size.height, sideOf(file.big(at + 12, 4)));
+  }
+  if (info.size.width == 0 || info.size.height == 0) info.size = {};
+  return info;
 }
 
 }  // namespace
@@ -247,10 +289,11 @@ Result<PictureInfo> probePicture(ByteView bytes) {
   if (file.startsWith(0, "BM")) {
     // Two letters are little to go by: the header's own length must be one that exists.
     constexpr std::array<std::uint32_t, 6> kHeaders{12, 40, 52, 56, 108, 124};
-    const bool known =
-        std::find(kHeaders.begin(), kHeaders.end(), file.little(14, 4)) != kHeaders.end();
+    const bool known = std::find(kHeaders.begin(), kHeaders.end(), file.little(14, 4)) != kHeaders.end();
     if (known || !file.has(0, 18)) return probeBmp(file);
   }
+  if (file.startsWith(0, "RIFF") && file.startsWith(8, "WEBP")) return probeWebp(file);
+  if (file.startsWith(4, "ftyp")) return probeIsoMedia(file);
   return Error::PictureUnreadable;
 }
 
@@ -265,6 +308,11 @@ bool pictureDataComplete(ByteView bytes, const PictureInfo& info) {
       return bmpComplete(file, info.size);
     case PictureFormat::Gif:
       return gifFrameComplete(file);
+    case PictureFormat::Webp:
+      return webpComplete(file);
+    case PictureFormat::Avif:
+    case PictureFormat::Heic:
+      return true;
   }
   return false;
 }

@@ -44,21 +44,18 @@ struct Growing {
       const Json& view = root["bufferViews"][index];
       const std::size_t from = view.value("byteOffset", std::size_t{0});
       if (view.value("byteLength", std::size_t{0}) == bytes.size() &&
-          std::equal(bytes.begin(), bytes.end(),
-                     binary.begin() + static_cast<std::ptrdiff_t>(from))) {
+          std::equal(bytes.begin(), bytes.end(), binary.begin() + static_cast<std::ptrdiff_t>(from))) {
         return index;
       }
     }
     binary.resize((binary.size() + 3) / 4 * 4);
-    root["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
+    root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
     binary.insert(binary.end(), bytes.begin(), bytes.end());
     return root["bufferViews"].size() - 1;
   }
 };
 
-Result<Json> listPhotos(const Document& document, std::span<const ProjectPhoto> photos,
-                        Growing& glb) {
+Result<Json> listPhotos(const Document& document, std::span<const ProjectPhoto> photos, Growing& glb) {
   Json list = Json::array();
   std::vector<std::uint64_t> listed;
   for (const PictureEntry& entry : document.pictures) {
@@ -66,15 +63,13 @@ Result<Json> listPhotos(const Document& document, std::span<const ProjectPhoto> 
     const auto at = std::ranges::find(photos, entry.picture, &ProjectPhoto::picture);
     if (at == photos.end()) return {Error::NoSuchPicture, entry.name};
     listed.push_back(entry.contentHash);
-    list.push_back({{"hash", hashKey(entry.contentHash)},
-                    {"size", toJson(entry.size)},
-                    {"bufferView", glb.viewOf(at->bytes)}});
+    list.push_back(
+        {{"hash", hashKey(entry.contentHash)}, {"size", toJson(entry.size)}, {"bufferView", glb.viewOf(at->bytes)}});
   }
   return list;
 }
 
-Result<Bytes> embed(std::span<const std::uint8_t> glb, const Document& document,
-                    std::span<const ProjectPhoto> photos) {
+Result<Bytes> embed(std::span<const std::uint8_t> glb, const Document& document, std::span<const ProjectPhoto> photos) {
   Growing growing{emptyScene(), {}};
   if (!glb.empty()) {
     const std::optional<GlbChunks> chunks = readGlbChunks(glb);
@@ -87,9 +82,8 @@ Result<Bytes> embed(std::span<const std::uint8_t> glb, const Document& document,
   if (!list) return list.failure();
   Json& root = growing.root;
   root["extensionsUsed"].push_back(kExtension);
-  root["extensions"][kExtension] = {{"version", kProjectVersion},
-                                    {"document", documentJson(document)},
-                                    {"photos", std::move(list).value()}};
+  root["extensions"][kExtension] = {
+      {"version", kProjectVersion}, {"document", documentJson(document)}, {"photos", std::move(list).value()}};
   if (!growing.binary.empty()) {
     if (!root.contains("buffers")) root["buffers"] = Json::array({Json::object()});
     root["buffers"][0]["byteLength"] = growing.binary.size();
@@ -116,8 +110,7 @@ bool getSize(const Json* from, std::size_t& to) {
 }
 
 /// The bytes of a buffer view; empty when it does not lie in the binary chunk.
-std::span<const std::uint8_t> bytesOfView(const Json& root, const Json* index,
-                                          std::span<const std::uint8_t> binary) {
+std::span<const std::uint8_t> bytesOfView(const Json& root, const Json* index, std::span<const std::uint8_t> binary) {
   const Json* views = memberOf(&root, "bufferViews");
   std::size_t place = 0, from = 0, length = 0, buffer = 0;
   if (views == nullptr || !views->is_array() || !getSize(index, place) || place >= views->size()) {
@@ -125,9 +118,8 @@ std::span<const std::uint8_t> bytesOfView(const Json& root, const Json* index,
   }
   const Json* view = &(*views)[place];
   const Json* offset = memberOf(view, "byteOffset");
-  if (!getSize(memberOf(view, "buffer"), buffer) || buffer != 0 ||
-      !getSize(memberOf(view, "byteLength"), length) || (offset && !getSize(offset, from)) ||
-      from > binary.size() || length > binary.size() - from) {
+  if (!getSize(memberOf(view, "buffer"), buffer) || buffer != 0 || !getSize(memberOf(view, "byteLength"), length) ||
+      (offset && !getSize(offset, from)) || from > binary.size() || length > binary.size() - from) {
     return {};
   }
   return binary.subspan(from, length);
@@ -140,9 +132,8 @@ class Photos {
     if (list == nullptr || !list->is_array()) return;
     for (const Json& photo : *list) {
       const Json* key = memberOf(&photo, "hash");
-      const auto hash = key != nullptr && key->is_string()
-                            ? hashFromKey(key->get_ref<const std::string&>())
-                            : std::nullopt;
+      const auto hash =
+          key != nullptr && key->is_string() ? hashFromKey(key->get_ref<const std::string&>()) : std::nullopt;
       if (!hash || slots_.size() >= document::kMostPictures) continue;
       Slot slot{*hash, bytesOfView(root, memberOf(&photo, "bufferView"), binary), {}, {}, false};
       if (const Json* size = memberOf(&photo, "size")) get(*size, slot.original);
@@ -181,8 +172,7 @@ class Photos {
     const auto [originalWidth, originalHeight] = slot.original;
     const bool believable = originalWidth >= width && originalHeight >= height &&
                             std::max(originalWidth, originalHeight) <= kMaxPictureSide &&
-                            static_cast<long long>(originalWidth) * originalHeight <=
-                                kMaxPicturePixels;
+                            static_cast<long long>(originalWidth) * originalHeight <= kMaxPicturePixels;
     picture.width = believable ? originalWidth : width;
     picture.height = believable ? originalHeight : height;
     slot.picture = std::make_shared<const image::Picture>(std::move(picture));
@@ -246,9 +236,7 @@ Result<Bytes> embedProject(std::span<const std::uint8_t> glb, const Document& do
   }
 }
 
-bool holdsProject(std::span<const std::uint8_t> glb) {
-  return jsonOfGlb(glb).find(kQuoted) != std::string_view::npos;
-}
+bool holdsProject(std::span<const std::uint8_t> glb) { return jsonOfGlb(glb).find(kQuoted) != std::string_view::npos; }
 
 Result<Document> readProject(std::span<const std::uint8_t> glb, ReadNotes* notes) {
   // A file that ends early may end before it says whose it is.

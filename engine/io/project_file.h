@@ -65,7 +65,6 @@ bool holdsProject(std::span<const std::uint8_t> glb);
 /// read are left out with the parts on them, and counted. Errors: NoProjectInside (no GLB, or one of
 /// another program), ProjectInvalid (also when it is cut off), ProjectTooNew, PictureUnreadable
 /// (not one of its pictures can be read), OutOfMemory.
-Result<document::Document> readProject(std::span<const std::uint8_t> glb,
-                                       ReadNotes* notes = nullptr);
+Result<document::Document> readProject(std::span<const std::uint8_t> glb, ReadNotes* notes = nullptr);
 
 }  // namespace spineloft::io

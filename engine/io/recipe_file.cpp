@@ -241,8 +241,7 @@ Result<Document> readRecipe(std::string_view json, const RecipeInput& input) {
     if (!parsed) return {Error::JsonInvalid, parsed.failure().detail};
     Json recipe = std::move(parsed).value();
     if (!recipe.is_object()) return {Error::JsonInvalid, "it is no object"};
-    return recipe.contains("parts") ? wholeDocument(std::move(recipe), input)
-                                    : withPart(std::move(recipe), input);
+    return recipe.contains("parts") ? wholeDocument(std::move(recipe), input) : withPart(std::move(recipe), input);
   } catch (const std::exception&) {  // the JSON library and the standard one only throw for memory
     return Error::OutOfMemory;
   }

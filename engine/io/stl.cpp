@@ -28,9 +28,7 @@ void putNumber(Bytes& bytes, std::uint32_t value) {
 /// As a reader gets it.
 using Corner = std::array<float, 3>;
 
-Corner rounded(Point p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-}
+Corner rounded(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
 
 void putCorner(Bytes& bytes, const Corner& corner) {
   for (const float c : corner) putNumber(bytes, std::bit_cast<std::uint32_t>(c));

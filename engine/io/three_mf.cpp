@@ -26,11 +26,20 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : cleanName(text)) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -56,8 +65,10 @@ std::vector<Thing> thingsOf(std::span<const ExportPart> parts) {
   std::vector<Thing> things;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool goesOn = i > 0 && parts[i].joins && parts[i].placement == parts[i - 1].placement;
-    if (goesOn) things.back().last = i + 1;
-    else things.push_back({i, i + 1});
+    if (goesOn)
+      things.back().last = i + 1;
+    else
+      things.push_back({i, i + 1});
   }
   return things;
 }
@@ -236,8 +247,8 @@ Bytes contentTypes() {
 }
 
 Bytes relationships(std::string_view type, const std::vector<std::string>& targets) {
-  std::string text = std::string(kHead) +
-                     "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n";
+  std::string text =
+      std::string(kHead) + "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n";
   for (std::size_t i = 0; i < targets.size(); ++i) {
     text += " <Relationship Id=\"rel" + std::to_string(i + 1) + "\" Target=\"/" + targets[i] + "\" Type=\"" +
             std::string(type) + "\"/>\n";
@@ -268,13 +279,10 @@ Result<Bytes> write(std::span<const ExportPart> given, std::span<const ExportPic
     part.picture = place;
   }
   const Bytes types = contentTypes(), model = Model(parts, textures).write();
-  const Bytes toModel = relationships("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel",
-                                      {"3D/3dmodel.model"});
-  const Bytes toTextures =
-      relationships("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture", paths);
-  std::vector<ZipEntry> files = {{"[Content_Types].xml", types},
-                                 {"_rels/.rels", toModel},
-                                 {"3D/3dmodel.model", model}};
+  const Bytes toModel =
+      relationships("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel", {"3D/3dmodel.model"});
+  const Bytes toTextures = relationships("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dtexture", paths);
+  std::vector<ZipEntry> files = {{"[Content_Types].xml", types}, {"_rels/.rels", toModel}, {"3D/3dmodel.model", model}};
   if (!textures.empty()) files.push_back({"3D/_rels/3dmodel.model.rels", toTextures});
   for (const Texture& texture : textures) files.push_back({texture.path, texture.bytes, false});
   return writeZip(files);

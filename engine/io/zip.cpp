@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kLargest = std::size_t{1} << 31;
 /// As hard as stb tries by default.
 constexpr int kEffort = 8;
-constexpr std::uint16_t kVersion = 20;       ///< 2.0: DEFLATE and folders
-constexpr std::uint16_t kUtf8 = 1u << 11;    ///< names are UTF-8
+constexpr std::uint16_t kVersion = 20;        ///< 2.0: DEFLATE and folders
+constexpr std::uint16_t kUtf8 = 1u << 11;     ///< names are UTF-8
 constexpr std::uint16_t kDate = 1u << 5 | 1;  ///< 1 January 1980
 
 struct FreeBytes {
@@ -76,10 +76,12 @@ Bytes write(std::span<const ZipEntry> files) {
   for (const ZipEntry& file : files) {
     const Bytes squeezed = file.squeeze ? deflated(file.bytes) : Bytes{};
     const std::span<const std::uint8_t> stored = squeezed.empty() ? file.bytes : squeezed;
-    const Member member{crc32(file.bytes), static_cast<std::uint32_t>(stored.size()),
+    const Member member{crc32(file.bytes),
+                        static_cast<std::uint32_t>(stored.size()),
                         static_cast<std::uint32_t>(file.bytes.size()),
                         static_cast<std::uint32_t>(out.size()),
-                        static_cast<std::uint16_t>(squeezed.empty() ? 0 : 8), &file.name};
+                        static_cast<std::uint16_t>(squeezed.empty() ? 0 : 8),
+                        &file.name};
     put32(out, 0x04034b50);
     putFields(out, member);
     append(out, file.name);

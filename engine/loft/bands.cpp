@@ -7,8 +7,6 @@
 namespace spineloft::loft {
 namespace {
 
-
-
 constexpr std::size_t kLanes = 4;
 
 struct Point4 {

@@ -27,8 +27,8 @@ class RingPlanes {
   std::size_t points_ = 0;
 };
 
-/// What is learned of a mesh while its walls are made, in single precision: enough to say that it is sound for nearly
-/// all of them.
+/// Measures that are summed while the walls of a mesh are made, in single precision: enough to prove nearly all
+/// meshes sound.
 class WallTally {
  public:
   /// `ground`: heights are measured from there.

@@ -26,8 +26,7 @@ void throughPoints(std::span<const PicturePoint> points, std::size_t steps, std:
     const PicturePoint mb = slopeAt(a, b, points[i + 2]) * span;
     for (std::size_t k = 0; k < steps; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(steps), u = 1 - t;
-      out.push_back(a * (u * u * (1 + 2 * t)) + ma * (t * u * u) + b * (t * t * (3 - 2 * t)) -
-                    mb * (t * t * u));
+      out.push_back(a * (u * u * (1 + 2 * t)) + ma * (t * u * u) + b * (t * t * (3 - 2 * t)) - mb * (t * t * u));
     }
   }
   out.push_back(points[points.size() - 2]);
@@ -44,8 +43,7 @@ void admit(Chord chord, const CapSite& site, const ChordLimits& limits, Cap& cap
   if (chord.width() < limits.width) return;
   chord.at = site.last.at;
   const Chord& last = cap.chords.empty() ? site.last : cap.chords.back();
-  if (distance(last.left, chord.left) < limits.spacing &&
-      distance(last.right, chord.right) < limits.spacing) {
+  if (distance(last.left, chord.left) < limits.spacing && distance(last.right, chord.right) < limits.spacing) {
     return;
   }
   if (!follows(last, chord, limits)) {
@@ -71,8 +69,7 @@ void usableFan(const CapSite& site, const ChordLimits& limits, std::vector<Pictu
   fan.clear();
   PicturePoint last = site.last.left;
   for (const PicturePoint& p : site.fan) {
-    if (!isFinite(p) || distance(p, last) < limits.spacing ||
-        distance(p, site.last.right) < limits.spacing) {
+    if (!isFinite(p) || distance(p, last) < limits.spacing || distance(p, site.last.right) < limits.spacing) {
       continue;
     }
     fan.push_back(p);
@@ -111,7 +108,7 @@ PicturePoint keptInCircle(PicturePoint p, PicturePoint inside, PicturePoint cent
 /// knob, for which there is no rib. Of one that hardly is, what lies beyond the run of a closing side is
 /// brought back to it; of a broad one everything is brought within the arc that meets both sides smoothly.
 void keepWithinSides(const CapSite& site, std::vector<PicturePoint>& fan) {
-  constexpr double kClosing = 0.6;  // sine of the angle between the sides: less is a mere taper
+  constexpr double kClosing = 0.6;                    // sine of the angle between the sides: less is a mere taper
   constexpr double kSlightly = 0.05, kBroadly = 0.3;  // beyond a side, as shares of the half width
   const PicturePoint left = normalized(site.last.left - site.shoulder.left),
                      right = normalized(site.last.right - site.shoulder.right);

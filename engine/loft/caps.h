@@ -19,13 +19,13 @@ struct Cap {
 
 /// What a cap continues. For the start of a part, the part is seen from the other end: `flipped`.
 struct CapSite {
-  Chord last, before;   ///< the end's chord and its inner neighbour (the same when there is none)
-  Chord shoulder;       ///< an earlier chord, about half the end's width back: the way the sides run
-  PicturePoint travel;  ///< unit direction of the centre line there, outwards
+  Chord last, before;                 ///< the end's chord and its inner neighbour (the same when there is none)
+  Chord shoulder;                     ///< an earlier chord, about half the end's width back: the way the sides run
+  PicturePoint travel;                ///< unit direction of the centre line there, outwards
   std::span<const PicturePoint> fan;  ///< outline from last.left round to last.right, or empty
 };
 
-/// The same chord for someone who travels the other way.
+/// The same chord in the opposite direction of travel.
 inline Chord flipped(const Chord& chord) { return {chord.right, chord.left, chord.at}; }
 
 /// What planCap asks for besides its result.
@@ -33,8 +33,8 @@ struct CapMemory {
   std::vector<PicturePoint> fan, frame, outline;
 };
 
-/// Chords and tip of a cap, in place of what `cap` held; nothing for Flat and Open, nor for Round where the fan says that the part
-/// ends before its last chord.
+/// Computes the chords and the tip of a cap, replacing what `cap` held. Empty for Flat and Open, and for Round where
+/// the fan ends before the last chord.
 struct CapPlan {
   CapStyle style;
   int rings;  ///< LoftParams::capRings

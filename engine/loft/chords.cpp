@@ -30,17 +30,12 @@ PicturePoint travel(const Chord& a, const Chord& b) {
 
 /// Whether the chord crosses none of the others.
 bool isClear(const Chord& chord, std::span<const Chord> others) {
-  return std::none_of(others.begin(), others.end(),
-                      [&](const Chord& other) { return cross(chord, other); });
+  return std::none_of(others.begin(), others.end(), [&](const Chord& other) { return cross(chord, other); });
 }
 
 /// The first or last `kNear` chords of a row.
-std::span<const Chord> firstFew(std::span<const Chord> row) {
-  return row.first(std::min(kNear, row.size()));
-}
-std::span<const Chord> lastFew(std::span<const Chord> row) {
-  return row.last(std::min(kNear, row.size()));
-}
+std::span<const Chord> firstFew(std::span<const Chord> row) { return row.first(std::min(kNear, row.size())); }
+std::span<const Chord> lastFew(std::span<const Chord> row) { return row.last(std::min(kNear, row.size())); }
 
 bool inOrder(std::span<const Chord> row, const ChordLimits& limits) {
   for (std::size_t i = 1; i < row.size(); ++i) {
@@ -55,7 +50,7 @@ bool inOrder(std::span<const Chord> row, const ChordLimits& limits) {
 /// the few before that: the longest, if the best ways to the earlier chords are part of it.
 void findLongestRun(std::span<const Chord> chords, const ChordLimits& limits, ChordMemory& memory) {
   const std::size_t n = chords.size();
-  std::vector<std::size_t> &length = memory.length, &previous = memory.previous, &run = memory.run;
+  std::vector<std::size_t>&length = memory.length, &previous = memory.previous, &run = memory.run;
   length.assign(n, 1);
   previous.assign(n, n);
   std::size_t best = 0;
@@ -69,8 +64,7 @@ void findLongestRun(std::span<const Chord> chords, const ChordLimits& limits, Ch
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t back = 1; back <= std::min(i, kLookBack); ++back) {
       const std::size_t j = i - back;
-      if (length[j] + 1 > length[i] && follows(chords[j], chords[i], limits) &&
-          chainIsClear(i, j)) {
+      if (length[j] + 1 > length[i] && follows(chords[j], chords[i], limits) && chainIsClear(i, j)) {
         length[i] = length[j] + 1;
         previous[i] = j;
       }
@@ -92,15 +86,13 @@ void fillGap(std::span<const Chord> left, std::span<const Chord> ahead, const Ch
     const double t = static_cast<double>(k + 1) / static_cast<double>(left.size() + 1);
     const double at = left[k].at;
     const Chord even{lerp(a.left, b.left, t), lerp(a.right, b.right, t), at};
-    std::array<Chord, 3> ways = {Chord{even.left, left[k].right, at},
-                                 Chord{left[k].left, even.right, at}, even};
+    std::array<Chord, 3> ways = {Chord{even.left, left[k].right, at}, Chord{left[k].left, even.right, at}, even};
     if (distance(left[k].right, even.right) < distance(left[k].left, even.left)) {
       std::swap(ways[0], ways[1]);  // move the nearer end
     }
     for (const Chord& way : {left[k], ways[0], ways[1], ways[2]}) {
-      if (way.width() < limits.width || !follows(out.back(), way, limits) ||
-          !follows(way, b, limits) || !isClear(way, lastFew(out)) ||
-          !isClear(way, firstFew(ahead))) {
+      if (way.width() < limits.width || !follows(out.back(), way, limits) || !follows(way, b, limits) ||
+          !isClear(way, lastFew(out)) || !isClear(way, firstFew(ahead))) {
         continue;
       }
       out.push_back(way);
@@ -111,8 +103,7 @@ void fillGap(std::span<const Chord> left, std::span<const Chord> ahead, const Ch
 
 /// On one side, runs of ends that go backwards while their chords cross gather in their mean (pool
 /// adjacent violators; Ayer et al. 1955, in the plane). Linear.
-void gatherEnds(std::vector<Chord>& chords, PicturePoint Chord::*side,
-                std::vector<ChordMemory::Block>& blocks) {
+void gatherEnds(std::vector<Chord>& chords, PicturePoint Chord::* side, std::vector<ChordMemory::Block>& blocks) {
   using Block = ChordMemory::Block;
   blocks.clear();
   const auto chordOf = [&](const Block& block, std::size_t at) {
@@ -156,9 +147,7 @@ void partEnds(std::vector<Chord>& chords, const ChordLimits& limits) {
 
 }  // namespace
 
-double sweptArea(const Chord& a, const Chord& b) {
-  return spineloft::cross(b.right - a.left, a.right - b.left);
-}
+double sweptArea(const Chord& a, const Chord& b) { return spineloft::cross(b.right - a.left, a.right - b.left); }
 
 bool follows(const Chord& a, const Chord& b, const ChordLimits& limits) {
   const PicturePoint da = a.across(), db = b.across();
@@ -178,8 +167,7 @@ void widenChords(std::vector<Chord>& chords, const ChordLimits& limits) {
     PicturePoint across = normalized(chords[i].across());
     // A direction that is only rounding says nothing: take the one square to the line of middles.
     if (width < limits.width * 1e-3) {
-      const PicturePoint ahead =
-          chords[std::min(i + 1, n - 1)].middle() - chords[i > 0 ? i - 1 : 0].middle();
+      const PicturePoint ahead = chords[std::min(i + 1, n - 1)].middle() - chords[i > 0 ? i - 1 : 0].middle();
       const PicturePoint square = normalized(PicturePoint{-ahead.y, ahead.x});
       if (square != PicturePoint{}) across = square;
     }
@@ -200,7 +188,7 @@ void orderChords(std::vector<Chord>& row, const ChordLimits& limits, ChordMemory
       partEnds(row, limits);
       findLongestRun(row, limits, memory);
     }
-    std::vector<Chord> &kept = memory.kept, &out = memory.out;
+    std::vector<Chord>&kept = memory.kept, &out = memory.out;
     kept.clear();
     out.clear();
     out.reserve(row.size());
@@ -242,10 +230,9 @@ void spreadChords(std::vector<Chord>& chords, const ChordLimits& limits) {
         }
       }
     }
-    const double shift =
-        std::max(distance(moved.left, chord.left), distance(moved.right, chord.right));
-    if (ahead && shift <= 0.25 * chord.width() + 8 * limits.spacing &&
-        moved.width() >= limits.width / 2 && dot(moved.across(), before.across()) > 0) {
+    const double shift = std::max(distance(moved.left, chord.left), distance(moved.right, chord.right));
+    if (ahead && shift <= 0.25 * chord.width() + 8 * limits.spacing && moved.width() >= limits.width / 2 &&
+        dot(moved.across(), before.across()) > 0) {
       chords[kept++] = moved;
     }
   }

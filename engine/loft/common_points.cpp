@@ -173,8 +173,7 @@ std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> r
   const auto tidy = [](std::vector<double>& values) {
     constexpr double kSame = 1e-6;
     std::ranges::sort(values);
-    const auto [first, last] =
-        std::ranges::unique(values, [](double a, double b) { return b - a < kSame; });
+    const auto [first, last] = std::ranges::unique(values, [](double a, double b) { return b - a < kSame; });
     values.erase(first, last);
     if (values.size() > 1 && values.back() - values.front() > 1 - kSame) values.pop_back();
   };
@@ -188,8 +187,7 @@ std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> r
   for (const double place : table) {
     double sum = 0;
     for (const Parted& one : parted) {
-      sum += Parted::convert(one.place, one.arc, place) -
-             Parted::convert(one.place, one.arc, table.front());
+      sum += Parted::convert(one.place, one.arc, place) - Parted::convert(one.place, one.arc, table.front());
     }
     mean.push_back(sum / static_cast<double>(parted.size()));
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
 
 namespace spineloft::loft {
 namespace {
@@ -88,13 +89,6 @@ bool fitWidth(std::vector<Curve>& curves) {
   return true;
 }
 
-double offLine(SectionPoint a, SectionPoint b, SectionPoint p) {
-  const SectionPoint along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0;
-  return distance(p, a + along * t);
-}
-
 /// Keeps what is farther than `tolerance` from the line through what is kept (Douglas and Peucker
 /// 1973), and always the points farthest left and right.
 Curve simplified(const Curve& curve, double tolerance) {
@@ -105,15 +99,14 @@ Curve simplified(const Curve& curve, double tolerance) {
   const std::size_t b = static_cast<std::size_t>(right - curve.begin());
   std::vector<bool> kept(n, false);
   kept[a] = kept[b] = true;
-  std::vector<std::pair<std::size_t, std::size_t>> spans = {{a, b > a ? b : b + n},
-                                                            {b, a > b ? a : a + n}};
+  std::vector<std::pair<std::size_t, std::size_t>> spans = {{a, b > a ? b : b + n}, {b, a > b ? a : a + n}};
   while (!spans.empty()) {
     const auto [from, to] = spans.back();
     spans.pop_back();
     double most = tolerance;
     std::size_t at = from;
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double off = offLine(curve[from % n], curve[to % n], curve[i % n]);
+      const double off = geometry::distanceToSegment(curve[i % n], curve[from % n], curve[to % n]);
       if (off > most) {
         most = off;
         at = i;

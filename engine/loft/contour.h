@@ -30,7 +30,7 @@ struct SectionPiece {
 /// Errors: SectionInvalid with what is wrong in plain words.
 Result<std::vector<SectionPiece>> readShape(const SectionShape& shape);
 
-/// Detail that no eye misses, section units.
+/// Largest deviation of the simplification, section units: invisible.
 inline constexpr double kSmallest = 0.002;
 /// Most points of all pieces of a shape after simplification.
 inline constexpr std::size_t kMostShapePoints = 2048;

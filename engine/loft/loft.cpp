@@ -113,13 +113,11 @@ void readRibs(const ribs::RibSet& set, const Place& place, Input& input) {
 /// Limits below which float coordinates or the mesh laws would make triangles without area.
 ChordLimits limitsFor(const Input& input, double shortestEdge, double strictness) {
   constexpr double kSpacingShare = 2e-5, kWidthShare = 2e-4;  // of the diagonal
-  constexpr double kSteps = 16;  // float steps that a triangle's edge spans at least
-  const double step =
-      input.farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) * kSteps;
+  constexpr double kSteps = 16;                               // float steps that a triangle's edge spans at least
+  const double step = input.farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) * kSteps;
   ChordLimits limits;
   limits.spacing = strictness * std::max(kSpacingShare * input.diagonal, step);
-  limits.width = strictness * std::max(kWidthShare * input.diagonal,
-                                       step / (shortestEdge * kLeastDepth * (1 - kWall)));
+  limits.width = strictness * std::max(kWidthShare * input.diagonal, step / (shortestEdge * kLeastDepth * (1 - kWall)));
   return limits;
 }
 
@@ -151,8 +149,7 @@ void thicken(std::vector<Chord>& chords, const ChordLimits& limits) {
   const Chord chord = chords.front();
   const double half = std::max(2 * limits.spacing, 0.05 * chord.width());
   const PicturePoint step = normalized(forwardOf(chord.across())) * half;
-  chords = {{chord.left - step, chord.right - step, chord.at},
-            {chord.left + step, chord.right + step, chord.at}};
+  chords = {{chord.left - step, chord.right - step, chord.at}, {chord.left + step, chord.right + step, chord.at}};
 }
 
 /// A cap's direction: along the centre line, unless that runs along the rib.
@@ -192,12 +189,11 @@ void addCaps(const LoftParams& params, const ChordLimits& limits, LoftWorkspace:
   const std::size_t first = body.startTip ? 1 : 0;
   Cap& cap = tables.cap;
   if (!body.startTip) {
-    const Chord last = flipped(chords.front()),
-                before = flipped(chords[std::min<std::size_t>(1, n - 1)]);
+    const Chord last = flipped(chords.front()), before = flipped(chords[std::min<std::size_t>(1, n - 1)]);
     tables.fan.assign(input.startFan.rbegin(), input.startFan.rend());
-    planCap({last, before, flipped(shoulderOf(chords | std::views::reverse)),
-             capTravel(last, -travel[first]), tables.fan},
-            {params.startCap, params.capRings, limits}, tables.caps, cap);
+    planCap(
+        {last, before, flipped(shoulderOf(chords | std::views::reverse)), capTravel(last, -travel[first]), tables.fan},
+        {params.startCap, params.capRings, limits}, tables.caps, cap);
     std::ranges::reverse(cap.chords);
     for (Chord& chord : cap.chords) chord = flipped(chord);
     outline.chords.insert(outline.chords.begin(), cap.chords.begin(), cap.chords.end());
@@ -273,8 +269,7 @@ void findPlaces(const ribs::RibSet& set, const PosedSpine* spine, std::vector<do
   if (spine != nullptr) return;
   const double steps = static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    places[i] = length > 0 && std::isfinite(length) ? places[i] / length
-                                                    : static_cast<double>(i) / steps;
+    places[i] = length > 0 && std::isfinite(length) ? places[i] / length : static_cast<double>(i) / steps;
   }
 }
 
@@ -302,9 +297,10 @@ Status loftPlan(const Plan& plan, LoftParams& params, LoftWorkspace::Tables& tab
   places.clear();
   if (maker.changes()) findPlaces(plan.ribs, plan.spine, places);
   const Input& input = tables.input;
-  readRibs(plan.ribs, [&](const ribs::Rib& rib) {
-    return places.empty() ? 0.0 : places[static_cast<std::size_t>(&rib - first)];
-  }, tables.input);
+  readRibs(
+      plan.ribs,
+      [&](const ribs::Rib& rib) { return places.empty() ? 0.0 : places[static_cast<std::size_t>(&rib - first)]; },
+      tables.input);
   if (input.chords.size() < 2) return Error::TooFewRibs;
   if (input.diagonal < kSamePoint) return {Error::TooFewRibs, "all in one point"};
   const bool many = plan.track.sizes().size() > 1, ring = maker.ring();
@@ -361,11 +357,10 @@ Status checkParams(const LoftParams& params) {
   if (!(params.centring >= 0 && params.centring <= 10)) return {Error::ValueOutOfRange, "centring"};
   if (!geometry::isValid(params.twist, -kMostTwist, kMostTwist) ||
       !geometry::isValid(params.squash, kLeastSquash, kMostSquash) ||
-      !geometry::isValid(params.tilt, -kMostTilt, kMostTilt) ||
-      !geometry::isValid(params.bulge, -1, 1)) {
+      !geometry::isValid(params.tilt, -kMostTilt, kMostTilt) || !geometry::isValid(params.bulge, -1, 1)) {
     return {Error::ValueOutOfRange, "curve along the spine"};
   }
-  return checkStops(params.sections);
+  return checkSectionKeys(params.sections);
 }
 
 LoftWorkspace::LoftWorkspace() = default;
@@ -390,19 +385,20 @@ Status loftAlong(const Source& source, const PosedSpine* spine, LoftWorkspace& m
 
 }  // namespace
 
-Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
-                               const LoftParams& params) {
+Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params) {
   LoftWorkspace memory;
   mesh::TriMesh mesh;
-  if (const Status status = loftAlong({ribs, picture, params}, nullptr, memory, mesh); !status.ok()) return status.failure();
+  if (const Status status = loftAlong({ribs, picture, params}, nullptr, memory, mesh); !status.ok())
+    return status.failure();
   return mesh;
 }
 
-Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture,
-                               const LoftParams& params, const PosedSpine& spine) {
+Result<mesh::TriMesh> loftRibs(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params,
+                               const PosedSpine& spine) {
   LoftWorkspace memory;
   mesh::TriMesh mesh;
-  if (const Status status = loftRibs({ribs, picture, params}, spine, memory, mesh); !status.ok()) return status.failure();
+  if (const Status status = loftRibs({ribs, picture, params}, spine, memory, mesh); !status.ok())
+    return status.failure();
   return mesh;
 }
 
@@ -410,8 +406,8 @@ Status loftRibs(const Source& source, const PosedSpine& spine, LoftWorkspace& me
   return loftAlong(source, &spine, memory, mesh);
 }
 
-Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture,
-                                  const LoftParams& params, const Section& section) {
+Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params,
+                                  const Section& section) {
   if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
   const std::span<const SectionPoint> points(section.points);
   if (points.size() < 3) return {Error::SectionInvalid, "fewer than 3 points"};

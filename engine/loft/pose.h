@@ -25,7 +25,7 @@ struct Pose {
   bool isRest() const { return *this == Pose{}; }
 };
 
-inline constexpr double kMostDepth = 1e5;      ///< picture pixels
+inline constexpr double kMostDepth = 1e5;  ///< picture pixels
 inline constexpr double kMostCoilTurns = 20;
 inline constexpr double kMostCoilRadius = 1e5;  ///< picture pixels
 

@@ -94,8 +94,8 @@ void refine(const Plane& points, std::size_t pieces, bool ring, Line& line) {
     const PicturePoint ma = (b - at(i - 1)) / 2, mb = (at(i + 2) - a) / 2;
     for (std::size_t k = 0; k < pieces; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(pieces), u = 1 - t;
-      const PicturePoint p = a * (u * u * (1 + 2 * t)) + ma * (t * u * u) + b * (t * t * (3 - 2 * t)) -
-                             mb * (t * t * u);
+      const PicturePoint p =
+          a * (u * u * (1 + 2 * t)) + ma * (t * u * u) + b * (t * t * (3 - 2 * t)) - mb * (t * t * u);
       line.push_back({p.x, -p.y, 0});
     }
   }
@@ -126,8 +126,7 @@ void wind(Line& line, const Pose& pose, ModelPoint across) {
     const double t = static_cast<double>(i) / static_cast<double>(line.size() - 1);
     const double grown = pose.closed ? 1 : smoothStep(t / ease) * smoothStep((1 - t) / ease);
     const double angle = kTurn * turns * t, radius = pose.coilRadius * grown;
-    line[i] += frames[i].across * (radius * std::cos(angle)) +
-               frames[i].depth * (radius * std::sin(angle));
+    line[i] += frames[i].across * (radius * std::cos(angle)) + frames[i].depth * (radius * std::sin(angle));
   }
   if (pose.closed) line.back() = line.front();
 }
@@ -214,8 +213,8 @@ ModelPoint carried(const PosedSpine& spine, double at, PicturePoint p, double he
   if (!spine.moved) return {p.x, -p.y, height};
   const geometry::Frame from = frameAt(spine.rest, at), to = frameAt(spine.posed, at);
   const ModelPoint off = inModel(p) - from.at;
-  return to.at + (to.tangent * dot(off, from.tangent) + to.across * dot(off, from.across) +
-                  to.depth * height) * spine.scale;
+  return to.at +
+         (to.tangent * dot(off, from.tangent) + to.across * dot(off, from.across) + to.depth * height) * spine.scale;
 }
 
 std::optional<PicturePoint> atRest(const PosedSpine& spine, double at, PicturePoint seen) {

@@ -11,8 +11,8 @@
 #include "engine/geometry/frames.h"
 #include "engine/geometry/stroke_line.h"
 #include "engine/loft/pose.h"
-#include "engine/ribs/ribs.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/rib_set.h"
+#include "engine/ribs/base/spine.h"
 
 namespace spineloft::loft {
 
@@ -34,14 +34,14 @@ struct PosedSpine {
 /// Errors: StrokeTooShort, StrokeNotFinite, ValueOutOfRange (not a valid pose).
 Result<PosedSpine> poseSpine(const ribs::Spine& rest, const Pose& pose);
 
-/// What a spine is posed in: reused from frame to frame, without a trace in any result.
+/// Buffers of poseSpine, reused from frame to frame; results do not depend on their contents.
 struct PoseMemory {
   geometry::StrokeMemory stroke;
   std::vector<PicturePoint> traced, line;
   std::vector<ModelPoint> refined, tangents;
 };
-/// The same into `spine`, in place of what it held, without asking for memory once both have seen spines of as
-/// many points, where the pose neither winds nor closes the line. After a failure `spine` is of no use.
+/// The same into `spine`, replacing what it held. Allocates nothing once both have seen spines of as many points,
+/// where the pose neither winds nor closes the line. After a failure `spine` is of no use.
 Status poseSpine(const ribs::Spine& rest, const Pose& pose, PoseMemory& memory, PosedSpine& spine);
 
 /// Share of the spine's length, 0…1, at the place of the traced spine nearest to `p`.

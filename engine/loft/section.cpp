@@ -105,8 +105,8 @@ Outline roundedBox(double halfHeight, double radius) {
 
 Outline star() {
   constexpr int kTips = 5;
-  constexpr double kInner = 0.46;             // of the tips' radius: plump, not spiky
-  const double tip = 1 / std::cos(kPi / 10);  // so that the two side tips reach x = ±1
+  constexpr double kInner = 0.46;                          // of the tips' radius: plump, not spiky
+  const double tip = 1 / std::cos(kPi / 10);               // so that the two side tips reach x = ±1
   const double shift = tip * (std::cos(kPi / 5) - 1) / 2;  // as far up as down
   std::vector<SectionPoint> corners;
   for (int i = 0; i < 2 * kTips; ++i) {
@@ -126,12 +126,9 @@ Outline heart() {
   const double reach = std::hypot(kLobe, kUp - kTip);
   const double touch = toTip + std::acos(kRadius / reach);  // right lobe, negative
   const SectionPoint right{kLobe, kUp}, left{-kLobe, kUp}, radii{kRadius, kRadius}, tip{0, kTip};
-  Outline outline = {arc(right, radii, 0, kPi - dent),
-                     arc(left, radii, dent, kPi - dent),
-                     arc(left, radii, kPi, -touch),
-                     {},
-                     {},
-                     arc(right, radii, touch, -touch)};
+  Outline outline = {
+      arc(right, radii, 0, kPi - dent), arc(left, radii, dent, kPi - dent), arc(left, radii, kPi, -touch), {}, {},
+      arc(right, radii, touch, -touch)};
   outline[3] = line(outline[2].at(1), tip);
   outline[4] = line(tip, outline[5].at(0));
   return outline;
@@ -179,11 +176,9 @@ Outline outlineOf(SectionPreset preset) {
       return star();
     case SectionPreset::HalfRound:
       // The flat back lies on y = 0, so that it stays flat however the width changes.
-      return {arc({0, 0}, {1, 1}, 0, kPi / 2), arc({0, 0}, {1, 1}, kPi / 2, kPi / 2),
-              line({-1, 0}, {1, 0})};
+      return {arc({0, 0}, {1, 1}, 0, kPi / 2), arc({0, 0}, {1, 1}, kPi / 2, kPi / 2), line({-1, 0}, {1, 0})};
     case SectionPreset::D:
-      return {arc({-1, 0}, {2, 1}, -kPi / 2, kPi / 2), arc({-1, 0}, {2, 1}, 0, kPi / 2),
-              line({-1, 1}, {-1, -1})};
+      return {arc({-1, 0}, {2, 1}, -kPi / 2, kPi / 2), arc({-1, 0}, {2, 1}, 0, kPi / 2), line({-1, 1}, {-1, -1})};
     case SectionPreset::Heart:
       return heart();
     case SectionPreset::Plank:

@@ -15,7 +15,18 @@ namespace spineloft::loft {
 
 /// The presets of the section shelf, in its order. Values are saved in files: only ever append.
 enum class SectionPreset : std::uint8_t {
-  Circle, Ellipse, Square, RoundedSquare, Triangle, Hexagon, Star, HalfRound, D, Heart, Plank, Gear,
+  Circle,
+  Ellipse,
+  Square,
+  RoundedSquare,
+  Triangle,
+  Hexagon,
+  Star,
+  HalfRound,
+  D,
+  Heart,
+  Plank,
+  Gear,
   kCount
 };
 
@@ -69,19 +80,19 @@ double blendAt(const Blend& blend, double t);
 
 /// A section somewhere along the spine. Before the first and after the last stop the section stays
 /// as it is; one stop alone is the section of the whole part.
-struct SectionStop {
+struct SectionKey {
   double at = 0.5;  ///< share of the spine's length, 0…1
   SectionShape shape;
   Blend blend;  ///< from here to the next stop
-  bool operator==(const SectionStop&) const = default;
+  bool operator==(const SectionKey&) const = default;
 };
-inline constexpr std::size_t kMostStops = 32;
+inline constexpr std::size_t kMostSectionKeys = 32;
 
 /// Known preset or sound contours; Error: SectionInvalid with what is wrong.
 Status checkShape(const SectionShape& shape);
-/// 1…kMostStops stops in order, at least geometry::kLeastStep apart, all with the same number of
+/// 1…kMostSectionKeys stops in order, at least geometry::kLeastStep apart, all with the same number of
 /// outer curves and holes. Errors: SectionInvalid, ValueOutOfRange.
-Status checkStops(std::span<const SectionStop> stops);
+Status checkSectionKeys(std::span<const SectionKey> stops);
 
 /// How many points a section may have.
 inline constexpr int kMinSectionPoints = 12, kMaxSectionPoints = 512;

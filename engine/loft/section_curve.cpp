@@ -37,8 +37,7 @@ Cubic cubicOf(const DrawnCurve& curve, std::size_t i) {
   const DrawnPoint& q = curve.points[(i + 1) % n];
   const SectionPoint chord = q.at - p.at;
   const auto tangentAt = [&](std::size_t k) {
-    return circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at,
-                         curve.points[(k + 1) % n].at);
+    return circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at, curve.points[(k + 1) % n].at);
   };
   const SectionPoint first = p.corner ? normalized(chord) : tangentAt(i);
   const SectionPoint second = q.corner ? normalized(chord) : tangentAt((i + 1) % n);
@@ -62,12 +61,8 @@ void flatten(const Cubic& c, int depth, std::vector<SectionPoint>& out) {
 
 double distanceTo(std::span<const SectionPoint> line, SectionPoint p) {
   double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const SectionPoint a = line[i - 1], along = line[i] - a;
-    const double length2 = dot(along, along);
-    const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-    best = std::min(best, distance(p, a + along * t));
-  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+    best = std::min(best, geometry::distanceToSegment(p, line[i - 1], line[i]));
   return best;
 }
 
@@ -82,8 +77,7 @@ class Ring {
   double at(std::size_t i) const { return s_[i]; }
   SectionPoint point(double s) const {
     s = std::fmod(s + length(), length());
-    return geometry::pointAt(std::span<const SectionPoint>(points_), std::span<const double>(s_),
-                             s);
+    return geometry::pointAt(std::span<const SectionPoint>(points_), std::span<const double>(s_), s);
   }
 
  private:
@@ -137,8 +131,7 @@ void smooth(std::vector<SectionPoint>& points, const std::set<std::size_t>& fixe
   }
 }
 
-DrawnCurve curveThrough(const Chain& chain, const std::set<std::size_t>& places,
-                        const std::set<std::size_t>& corners) {
+DrawnCurve curveThrough(const Chain& chain, const std::set<std::size_t>& places, const std::set<std::size_t>& corners) {
   DrawnCurve curve;
   for (const std::size_t i : places) curve.points.push_back({chain.points[i], corners.contains(i)});
   return curve;

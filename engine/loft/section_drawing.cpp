@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kSpacing = 0.012;  ///< between the samples of a stroke, section units
 constexpr std::size_t kMostSamples = 1200;
-constexpr double kTail = 0.35;  ///< share of a stroke at either end that may run past the other
+constexpr double kTail = 0.35;       ///< share of a stroke at either end that may run past the other
 constexpr double kClosedGap = 0.12;  ///< ends nearer than this share of the length are joined
 constexpr double kFarthest = 100;    ///< section units; strokes beyond it are a mistake
-/// The hand trembles by a hundredth or two over some four hundredths of the square.
+/// Tremor of a drawn line: an amplitude of one or two hundredths of the square, over some four hundredths.
 constexpr FitParams kFreehand{kFitTolerance, 0.09, 0.9, 16};
 constexpr FitParams kExact{0.004, 0.05, 0.45, 0};
 
@@ -27,8 +27,7 @@ using Line = std::vector<SectionPoint>;
 using View = std::span<const SectionPoint>;
 
 /// Where segments a→b and c→d cross, as shares of the two.
-std::optional<std::pair<double, double>> crossingOf(SectionPoint a, SectionPoint b, SectionPoint c,
-                                                    SectionPoint d) {
+std::optional<std::pair<double, double>> crossingOf(SectionPoint a, SectionPoint b, SectionPoint c, SectionPoint d) {
   const SectionPoint u = b - a, v = d - c, w = c - a;
   const double det = cross(u, v);
   if (det == 0) return std::nullopt;
@@ -229,8 +228,7 @@ DrawnCurve polygonCurve(std::span<const SectionPoint> corners) {
 DrawnCurve boxCurve(SectionPoint a, SectionPoint b) {
   const SectionPoint low{std::min(a.x, b.x), std::min(a.y, b.y)};
   const SectionPoint high{std::max(a.x, b.x), std::max(a.y, b.y)};
-  return polygonCurve(
-      std::array{SectionPoint{high.x, low.y}, high, SectionPoint{low.x, high.y}, low});
+  return polygonCurve(std::array{SectionPoint{high.x, low.y}, high, SectionPoint{low.x, high.y}, low});
 }
 
 DrawnCurve ellipseCurve(SectionPoint a, SectionPoint b) {
@@ -244,8 +242,7 @@ DrawnCurve ellipseCurve(SectionPoint a, SectionPoint b) {
     const SectionPoint unit{k == 0 ? 1.0 : std::cos(angle), k == 0 ? 0.0 : std::sin(angle)};
     const std::array<SectionPoint, 4> turnedUnit{unit, {-unit.y, unit.x}, -unit, {unit.y, -unit.x}};
     const SectionPoint p = turnedUnit[static_cast<std::size_t>(quarter)];
-    curve.points.push_back(
-        {{middle.x + p.x * std::abs(radius.x), middle.y + p.y * std::abs(radius.y)}, false});
+    curve.points.push_back({{middle.x + p.x * std::abs(radius.x), middle.y + p.y * std::abs(radius.y)}, false});
   }
   return curve;
 }
@@ -280,9 +277,8 @@ Drawing symmetric(const Drawing& drawing, const Symmetry& symmetry) {
     const std::size_t before = there.size();
     for (const DrawnCurve& image : curves.value()) {
       Line line = outlineOf(image);
-      const bool free =
-          std::none_of(there.begin(), there.begin() + static_cast<std::ptrdiff_t>(before),
-                       [&](const Line& other) { return outlinesMeet(line, other); });
+      const bool free = std::none_of(there.begin(), there.begin() + static_cast<std::ptrdiff_t>(before),
+                                     [&](const Line& other) { return outlinesMeet(line, other); });
       if (!free) continue;
       out.push_back(image);
       there.push_back(std::move(line));
@@ -315,8 +311,8 @@ bool outlinesMeet(std::span<const SectionPoint> a, std::span<const SectionPoint>
   Bounds boundsA, boundsB;
   boundsA.add(a);
   boundsB.add(b);
-  if (boundsA.high.x < boundsB.low.x || boundsB.high.x < boundsA.low.x ||
-      boundsA.high.y < boundsB.low.y || boundsB.high.y < boundsA.low.y) {
+  if (boundsA.high.x < boundsB.low.x || boundsB.high.x < boundsA.low.x || boundsA.high.y < boundsB.low.y ||
+      boundsB.high.y < boundsA.low.y) {
     return false;
   }
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -325,8 +321,8 @@ bool outlinesMeet(std::span<const SectionPoint> a, std::span<const SectionPoint>
     edge.add(std::array{p, q});
     for (std::size_t j = 0; j < b.size(); ++j) {
       const SectionPoint r = b[j], s = b[(j + 1) % b.size()];
-      if (std::max(r.x, s.x) < edge.low.x || std::min(r.x, s.x) > edge.high.x ||
-          std::max(r.y, s.y) < edge.low.y || std::min(r.y, s.y) > edge.high.y) {
+      if (std::max(r.x, s.x) < edge.low.x || std::min(r.x, s.x) > edge.high.x || std::max(r.y, s.y) < edge.low.y ||
+          std::min(r.y, s.y) > edge.high.y) {
         continue;
       }
       if (p == r || crossingOf(p, q, r, s)) return true;
@@ -335,9 +331,7 @@ bool outlinesMeet(std::span<const SectionPoint> a, std::span<const SectionPoint>
   return false;
 }
 
-std::optional<DrawingProblem> problemOf(const Drawing& drawing) {
-  return problemOf(Outlines(drawing));
-}
+std::optional<DrawingProblem> problemOf(const Drawing& drawing) { return problemOf(Outlines(drawing)); }
 
 std::string_view sentenceOf(DrawingFault fault) {
   switch (fault) {
@@ -355,9 +349,7 @@ std::string_view sentenceOf(DrawingFault fault) {
   return {};
 }
 
-Result<SectionShape> sectionOf(const Drawing& drawing) {
-  return sectionOfOutlines(Outlines(drawing).lines);
-}
+Result<SectionShape> sectionOf(const Drawing& drawing) { return sectionOfOutlines(Outlines(drawing).lines); }
 
 Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> lines) {
   const Outlines outlines(std::move(lines));

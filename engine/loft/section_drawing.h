@@ -48,7 +48,7 @@ std::vector<SectionPoint> images(SectionPoint p, const Symmetry& symmetry);
 inline constexpr double kOutlineTolerance = 0.003;
 /// How far a curve may be from the line that was drawn, section units.
 inline constexpr double kFitTolerance = 0.012;
-/// A curve that holds less area, or is narrower than the second, is too small to be a slice.
+/// A curve that holds less area, or is narrower than the second, is too small to be a section.
 inline constexpr double kLeastArea = 0.002, kLeastWidth = 0.02;
 inline constexpr std::size_t kMostCurvePoints = 96;  ///< that fitting makes
 
@@ -60,8 +60,8 @@ std::vector<SectionPoint> outlineOf(const DrawnCurve& curve);
 std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i);
 
 /// A freehand line as closed curves: ends that run past each other are cut off where they cross,
-/// others are joined; the hand's tremble is smoothed, corners stay. With a symmetry the longest
-/// stretch between two mirrors (or of one turn) is drawn and the rest are its images, as one curve
+/// others are joined; tremor is smoothed, corners stay. With a symmetry the longest stretch between two mirrors (or
+/// of one turn) is drawn and the rest are its images, as one curve
 /// or as several. Curves may still cross themselves or each other (see problemOf). Errors:
 /// SectionInvalid (fewer than 3 distinct points, no area), StrokeNotFinite.
 Result<Drawing> drawFreehand(std::span<const SectionPoint> stroke, const Symmetry& symmetry);
@@ -103,7 +103,7 @@ Drawing turned(const Drawing& drawing, Turn turn);
 /// Whether the outlines of two closed polygons meet anywhere.
 bool outlinesMeet(std::span<const SectionPoint> a, std::span<const SectionPoint> b);
 
-/// Why a drawing is no slice yet, and which curve is at fault.
+/// Why a drawing is no section yet, and which curve is at fault.
 enum class DrawingFault { Empty, TooSmall, CrossesItself, CurvesCross, TooMany };
 struct DrawingProblem {
   DrawingFault fault = DrawingFault::Empty;

@@ -20,8 +20,7 @@ bool exists(const Drawing& drawing, PointRef ref) {
 std::optional<PointRef> pointAt(const Drawing& drawing, SectionPoint p) {
   for (std::size_t c = 0; c < drawing.size(); ++c) {
     const auto& points = drawing[c].points;
-    const auto hit =
-        std::ranges::find_if(points, [&](const DrawnPoint& q) { return same(q.at, p); });
+    const auto hit = std::ranges::find_if(points, [&](const DrawnPoint& q) { return same(q.at, p); });
     if (hit != points.end()) return PointRef{c, static_cast<std::size_t>(hit - points.begin())};
   }
   return std::nullopt;
@@ -121,12 +120,10 @@ PointRef addPoint(Drawing& drawing, PointRef ref, SectionPoint at, const Symmetr
   for (const Image& image : fresh) {
     if (image.ref.curve == ref.curve && image.ref.point < ref.point) ++own.point;
   }
-  std::ranges::sort(fresh,
-                    [](const Image& a, const Image& b) { return a.ref.point > b.ref.point; });
+  std::ranges::sort(fresh, [](const Image& a, const Image& b) { return a.ref.point > b.ref.point; });
   for (const Image& image : fresh) {
     auto& points = drawing[image.ref.curve].points;
-    points.insert(points.begin() + static_cast<std::ptrdiff_t>(image.ref.point) + 1,
-                  {image.motion(held), false});
+    points.insert(points.begin() + static_cast<std::ptrdiff_t>(image.ref.point) + 1, {image.motion(held), false});
   }
   return own;
 }

@@ -30,9 +30,7 @@ SectionPoint direction(double angle) {
 
 using Line = std::vector<SectionPoint>;
 
-double lengthOf(const Line& line) {
-  return geometry::arcLengths(std::span<const SectionPoint>(line)).back();
-}
+double lengthOf(const Line& line) { return geometry::arcLengths(std::span<const SectionPoint>(line)).back(); }
 
 /// Goes on from the last point to `to` in steps of about `spacing`, `to` included.
 void extend(Line& line, SectionPoint to, double spacing) {
@@ -69,8 +67,8 @@ class Mirrors {
     for (std::size_t end = 0; end < 2; ++end) {
       const SectionPoint p = end == 0 ? run.front() : run.back();
       ray[end] = nearestRay(p);
-      on[end] = (end == 0 ? stretch.cutBefore : stretch.cutAfter) ||
-                (!closed && distance(p, onto(ray[end], p)) < kReach);
+      on[end] =
+          (end == 0 ? stretch.cutBefore : stretch.cutAfter) || (!closed && distance(p, onto(ray[end], p)) < kReach);
     }
     const bool selfClosed = distance(run.front(), run.back()) < kOwnGap * lengthOf(run);
     if (whole || run.size() < 3 || (!on[0] && !on[1] && selfClosed)) {
@@ -181,8 +179,7 @@ Repeated repeatInTurns(const SymmetryGroup& group, const Line& line, bool closed
   const double sector = 2 * kPi / group.order, all = swept.back();
   const bool goesRound = closed ? std::abs(all) > kPi : std::abs(all) > kTurnShare * sector;
   if (!goesRound) return {{Chain{line, line.size(), false}}, group.motions()};
-  const auto reached =
-      std::ranges::find_if(swept, [&](double angle) { return std::abs(angle) >= sector; });
+  const auto reached = std::ranges::find_if(swept, [&](double angle) { return std::abs(angle) >= sector; });
   const auto last = std::min<std::ptrdiff_t>(reached - swept.begin(), std::ssize(line) - 1);
   Line run(line.begin(), line.begin() + last + 1);
   const int way = all > 0 ? 1 : -1;
@@ -237,8 +234,7 @@ std::vector<std::size_t> Chain::imagesOf(std::size_t step) const {
   return out;
 }
 
-Repeated repeat(const std::vector<SectionPoint>& line, bool closed, double spacing,
-                const Symmetry& symmetry) {
+Repeated repeat(const std::vector<SectionPoint>& line, bool closed, double spacing, const Symmetry& symmetry) {
   const SymmetryGroup group = groupOf(symmetry);
   if (group.mirrored) return Mirrors(group, spacing).repeat(line, closed);
   if (group.order > 1) return repeatInTurns(group, line, closed);

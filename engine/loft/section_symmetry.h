@@ -48,7 +48,6 @@ struct Repeated {
 
 /// `line` evenly and densely spaced (by `spacing`), ≥ 3 points; `closed`: its last point joins the
 /// first.
-Repeated repeat(const std::vector<SectionPoint>& line, bool closed, double spacing,
-                const Symmetry& symmetry);
+Repeated repeat(const std::vector<SectionPoint>& line, bool closed, double spacing, const Symmetry& symmetry);
 
 }  // namespace spineloft::loft

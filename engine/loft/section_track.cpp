@@ -19,8 +19,7 @@ std::vector<std::size_t> matched(const Pieces& last, const Pieces& next) {
   std::vector<std::size_t> match(last.size(), last.size());
   std::vector<bool> taken(next.size(), false);
   const auto holes = [](const Pieces& pieces, std::size_t outer) {
-    return std::ranges::count_if(
-        pieces, [&](const SectionPiece& p) { return p.hole && p.outer == outer; });
+    return std::ranges::count_if(pieces, [&](const SectionPiece& p) { return p.hole && p.outer == outer; });
   };
   for (const bool hole : {false, true}) {
     for (std::size_t i = 0; i < last.size(); ++i) {
@@ -66,14 +65,14 @@ SectionTrack SectionTrack::fixed(Curve points) {
   return track;
 }
 
-Result<SectionTrack> SectionTrack::along(std::span<const SectionStop> stops, int points, bool closed) {
+Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> stops, int points, bool closed) {
   if (stops.size() == 1 && !stops.front().shape.drawn()) {
     Result<Section> section = presetSection(stops.front().shape.preset, points);
     if (!section) return section.failure();
     return fixed(std::move(section).value().points);
   }
   std::vector<Pieces> shapes;
-  for (const SectionStop& stop : stops) {
+  for (const SectionKey& stop : stops) {
     Result<Pieces> pieces = readShape(stop.shape);
     if (!pieces) return pieces.failure();
     if (!shapes.empty()) {
@@ -81,8 +80,7 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionStop> stops, int
       Pieces sorted;
       for (const std::size_t j : match) {
         if (j >= pieces.value().size()) {
-          return {Error::SectionInvalid,
-                  "slices next to each other need equally many pieces, with equally many holes"};
+          return {Error::SectionInvalid, "slices next to each other need equally many pieces, with equally many holes"};
         }
         sorted.push_back(pieces.value()[j]);
       }
@@ -95,7 +93,7 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionStop> stops, int
   for (int wanted = points; wanted <= 8 * kMaxSectionPoints; wanted *= 2) {
     SectionTrack track;
     track.closed_ = closed;
-    for (const SectionStop& stop : stops) track.stops_.push_back({stop.at, stop.blend, {}, false});
+    for (const SectionKey& stop : stops) track.stops_.push_back({stop.at, stop.blend, {}, false});
     for (std::size_t piece = 0; piece < shapes.front().size(); ++piece) {
       std::vector<Contour> row;
       for (const Pieces& shape : shapes) row.push_back(shape[piece].contour);
@@ -108,9 +106,7 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionStop> stops, int
       track.sizes_.push_back(curves.front().size());
     }
     track.finish();
-    if (std::ranges::all_of(track.stops_, [&](const Stop& stop) {
-          return simpleCurves(stop.points, track.sizes_);
-        })) {
+    if (std::ranges::all_of(track.stops_, [&](const Stop& stop) { return simpleCurves(stop.points, track.sizes_); })) {
       return track;
     }
   }
@@ -126,8 +122,7 @@ void SectionTrack::finish() {
     std::size_t first = 0;
     for (const std::size_t size : sizes_) {
       for (std::size_t i = 0; i < size; ++i) {
-        shortestEdge_ = std::min(shortestEdge_, distance(stop.points[first + i],
-                                                         stop.points[first + (i + 1) % size]));
+        shortestEdge_ = std::min(shortestEdge_, distance(stop.points[first + i], stop.points[first + (i + 1) % size]));
       }
       first += size;
     }

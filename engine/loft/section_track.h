@@ -23,9 +23,9 @@ class SectionTrack {
  public:
   /// One section everywhere: simple, counter-clockwise.
   static SectionTrack fixed(std::vector<SectionPoint> points);
-  /// The sections of stops that pass checkStops, with about `points` points around. `closed`: after
+  /// The sections of stops that pass checkSectionKeys, with about `points` points around. `closed`: after
   /// the last stop the section goes on to the first again. Errors: SectionInvalid.
-  static Result<SectionTrack> along(std::span<const SectionStop> stops, int points, bool closed);
+  static Result<SectionTrack> along(std::span<const SectionKey> stops, int points, bool closed);
 
   std::span<const std::size_t> sizes() const { return sizes_; }
   std::size_t count() const { return count_; }  ///< points of all curves

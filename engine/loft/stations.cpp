@@ -63,8 +63,7 @@ class Curves {
     along.tilt = valueAt(params_.tilt, share, 0);
     along.bulge = valueAt(params_.bulge, share, 0);
     if (ring_) {
-      const double gone =
-          geometry::valueAt(params_.twist, 1, 0) - geometry::valueAt(params_.twist, 0, 0);
+      const double gone = geometry::valueAt(params_.twist, 1, 0) - geometry::valueAt(params_.twist, 0, 0);
       along.twist -= share * std::remainder(gone, 2 * std::numbers::pi);
     }
     return along;
@@ -146,8 +145,8 @@ class Change {
 void refine(const std::vector<Flat>& stations, const Change& change, std::size_t points, std::vector<Flat>& out) {
   constexpr double kMostVertices = 400000;
   const double total = change.at(1);
-  const double room = std::max(0.0, std::min(2000.0, kMostVertices / static_cast<double>(points)) -
-                                        static_cast<double>(stations.size()));
+  const double room = std::max(
+      0.0, std::min(2000.0, kMostVertices / static_cast<double>(points)) - static_cast<double>(stations.size()));
   const double unit = total > room ? total / std::max(1.0, room) : 1;
   out.clear();
   for (std::size_t i = 0; i < stations.size(); ++i) {
@@ -189,7 +188,7 @@ void joinSeam(std::vector<Flat>& stations, const PosedSpine& spine) {
   for (Flat& flat : stations) {
     const double a = Curves::seam(flat.chord.at) / 2, b = Curves::seam(1 - flat.chord.at) / 2;
     const geometry::Frame f = frame(flat.chord.at);
-    const auto moved = [&](PicturePoint& p, ModelPoint Local::*end) {
+    const auto moved = [&](PicturePoint& p, ModelPoint Local::* end) {
       const ModelPoint by = (last.*end - first.*end) * (a - b);
       const ModelPoint step = f.tangent * by.x + f.across * by.y;
       p += PicturePoint{step.x, -step.y};
@@ -203,8 +202,7 @@ void joinSeam(std::vector<Flat>& stations, const PosedSpine& spine) {
 }
 
 /// The section at one place, bulged, squashed and turned.
-void appendShape(const SectionTrack& track, double share, const Along& along,
-                 std::vector<SectionPoint>& shapes) {
+void appendShape(const SectionTrack& track, double share, const Along& along, std::vector<SectionPoint>& shapes) {
   const std::size_t first = shapes.size();
   track.appendShape(share, shapes);
   const double front = std::max(kLeastSide, 1 + along.bulge) * along.squash;
@@ -276,8 +274,8 @@ void CentreLine::follow(const Outline& outline, double reach) {
 }
 
 bool StationMaker::changes() const {
-  return moved() || track.varies() || !params.twist.empty() || !params.squash.empty() ||
-         !params.tilt.empty() || !params.bulge.empty();
+  return moved() || track.varies() || !params.twist.empty() || !params.squash.empty() || !params.tilt.empty() ||
+         !params.bulge.empty();
 }
 
 void StationMaker::sweep(const Outline& outline, StationMemory& memory, Sweep& sweep) const {
@@ -306,8 +304,7 @@ void StationMaker::sweep(const Outline& outline, StationMemory& memory, Sweep& s
   sweep.startTip = tip(outline.startTip, flat.front().chord.at);
   sweep.endTip = tip(outline.endTip, flat.back().chord.at);
   const Curves curves(params, ring());
-  const bool oneShape = !track.varies() && params.twist.empty() && params.squash.empty() &&
-                        params.bulge.empty();
+  const bool oneShape = !track.varies() && params.twist.empty() && params.squash.empty() && params.bulge.empty();
   sweep.stations.reserve(flat.size());
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const Along along = curves.at(flat[i].chord.at);

@@ -15,9 +15,9 @@ struct Stop {
   double beyond(PicturePoint p) const { return dot(p - at, along); }
 };
 
-/// The direction is taken over a quarter of the part's `width`: the last few points alone tremble with the hand.
+/// The direction is taken over a quarter of the part's `width`: the last few points alone are too noisy.
 template <class Ribs>
-std::optional<Stop> stopOf(const Ribs& inwards, double width) {
+std::optional<Stop> sectionKeyOf(const Ribs& inwards, double width) {
   const ribs::Rib* last = nullptr;
   for (const ribs::Rib& rib : inwards) {
     if (!isFinite(rib.center)) continue;
@@ -29,26 +29,25 @@ std::optional<Stop> stopOf(const Ribs& inwards, double width) {
 }
 
 /// The last end of a side that is not beyond, and where the side is cut between it and the next one.
-struct Crossing {
+struct SideCut {
   std::size_t before = 0;
   PicturePoint at;
 };
-std::optional<Crossing> crossingOf(const std::vector<Chord>& chords, PicturePoint Chord::*side,
-                                   const Stop& stop) {
+std::optional<SideCut> cutOf(const std::vector<Chord>& chords, PicturePoint Chord::* side, const Stop& stop) {
   for (std::size_t i = chords.size(); i-- > 0;) {
     const double here = stop.beyond(chords[i].*side);
     if (here > 0) continue;
-    if (i + 1 == chords.size()) return Crossing{i, chords[i].*side};
+    if (i + 1 == chords.size()) return SideCut{i, chords[i].*side};
     const double next = stop.beyond(chords[i + 1].*side);
-    return Crossing{i, lerp(chords[i].*side, chords[i + 1].*side, -here / (next - here))};
+    return SideCut{i, lerp(chords[i].*side, chords[i + 1].*side, -here / (next - here))};
   }
   return std::nullopt;
 }
 
 /// Cuts the end of `chords`.
 void cutEnd(std::vector<Chord>& chords, const Stop& stop) {
-  const auto left = crossingOf(chords, &Chord::left, stop);
-  const auto right = crossingOf(chords, &Chord::right, stop);
+  const auto left = cutOf(chords, &Chord::left, stop);
+  const auto right = cutOf(chords, &Chord::right, stop);
   if (!left || !right) return;
   const std::size_t keep = std::min(left->before, right->before) + 1;
   const std::size_t until = std::max(left->before, right->before) + 1;
@@ -88,16 +87,15 @@ double widest(const std::vector<Chord>& chords) {
 
 }  // namespace
 
-void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set,
-                     const LoftParams& params) {
+void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set, const LoftParams& params) {
   if (chords.size() < 3) return;
   const double width = widest(chords);
   if (isStraight(params.endCap)) {
-    if (const auto stop = stopOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *stop);
+    if (const auto stop = sectionKeyOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *stop);
   }
   if (isStraight(params.startCap)) {
     turnAbout(chords);
-    if (const auto stop = stopOf(set.ribs, width)) cutEnd(chords, *stop);
+    if (const auto stop = sectionKeyOf(set.ribs, width)) cutEnd(chords, *stop);
     turnAbout(chords);
   }
 }

@@ -5,7 +5,7 @@
 
 #include "engine/loft/chords.h"
 #include "engine/loft/loft.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/base/rib_set.h"
 
 namespace spineloft::loft {
 
@@ -17,7 +17,8 @@ inline constexpr double kFlatSlack = 0.25;
 /// chord is narrow and far beyond the spine. A flat or open end is cut square to the spine instead,
 /// where the spine ends: chords beyond it go, the cut becomes the last one. `chords` are those of `set`,
 /// picture pixels, in its order. Untouched: round and pointed ends, ends whose ribs do not reach
-/// kFlatSlack beyond on both sides (slanted ribs do on one), ribs without a finite centre, and parts of which fewer than two chords would stay.
+/// kFlatSlack beyond on both sides (slanted ribs do on one), ribs without a finite centre, and parts of which fewer
+/// than two chords would stay.
 void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set, const LoftParams& params);
 
 }  // namespace spineloft::loft

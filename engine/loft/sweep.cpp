@@ -43,8 +43,7 @@ std::vector<Ring> mouthRings(std::span<const Station> stations, Sweep& sweep) {
   std::vector<Ring> rings;
   std::size_t i = 0;
   // A ring just before the floor would leave slivers: skip it.
-  for (; i + 1 < stations.size() && along[i] <= 0.98 * floor; ++i)
-    rings.push_back({stations[i], kInner});
+  for (; i + 1 < stations.size() && along[i] <= 0.98 * floor; ++i) rings.push_back({stations[i], kInner});
   const double step = along[i] - along[i - 1];
   const double t = step > 0 ? std::clamp((floor - along[i - 1]) / step, 0.05, 1.0) : 0.5;
   rings.push_back({between(stations[i - 1], stations[i], t, sweep), kInner});
@@ -64,8 +63,7 @@ void fillPath(Sweep& sweep, RingPath& path) {
   for (const Station& station : stations) path.rings.push_back({station, 1});
   path.joined = sweep.joined;
   if (startOpen && endOpen) {
-    for (auto s = stations.rbegin(); s != stations.rend(); ++s)
-      path.rings.push_back({*s, 1 - kWall});
+    for (auto s = stations.rbegin(); s != stations.rend(); ++s) path.rings.push_back({*s, 1 - kWall});
     path.joined = true;
   } else if (endOpen) {
     const std::vector<Station> backwards(stations.rbegin(), stations.rend());
@@ -192,8 +190,8 @@ class Builder {
   }
 
   /// Which point of its rib colours a point of a section, −1 … 1. The front wears the picture as it is seen. The back
-  /// does in its middle; nearer to the outline it takes what is further in, for else the sides would be drawn out of the
-  /// outline's own pixels, row by row.
+  /// does in its middle; nearer to the outline it takes what is further in, for else the sides would be drawn out of
+  /// the outline's own pixels, row by row.
   static double paintedAt(SectionPoint p) {
     const double x = std::clamp(p.x, -1.0, 1.0), back = std::clamp(-p.y, 0.0, 1.0);
     return x * (1 - kFurtherIn * back * (1 - back) * (1 - back));
@@ -248,8 +246,7 @@ double signedVolume(const mesh::TriMesh& mesh, Triangles triangles) {
     const auto &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     const double ax = a[0], ay = a[1];
     const double shadow = (b[0] - ax) * (c[1] - ay) - (b[1] - ay) * (c[0] - ax);
-    volume += shadow * (static_cast<double>(a[2]) + static_cast<double>(b[2]) +
-                        static_cast<double>(c[2]) - 3 * ground);
+    volume += shadow * (static_cast<double>(a[2]) + static_cast<double>(b[2]) + static_cast<double>(c[2]) - 3 * ground);
   }
   return volume / 6;
 }
@@ -284,9 +281,7 @@ bool areLarger(const mesh::TriMesh& mesh, Triangles triangles, double area) {
 
 }  // namespace
 
-std::size_t Sweep::count() const {
-  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
-}
+std::size_t Sweep::count() const { return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}); }
 
 std::span<const SectionPoint> Sweep::shape(std::size_t which) const {
   const std::size_t size = count() + 1;

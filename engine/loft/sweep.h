@@ -33,13 +33,13 @@ struct Tip {
 /// to each other (≥ 3 stations), by a tip, by an inner wall, else by a lid. Openings of a single
 /// station are lids.
 struct Sweep {
-  std::vector<std::size_t> sizes;     ///< points of each curve of the section
-  std::vector<SectionPoint> shapes;   ///< one after the other: all curves' points, then the hub
+  std::vector<std::size_t> sizes;    ///< points of each curve of the section
+  std::vector<SectionPoint> shapes;  ///< one after the other: all curves' points, then the hub
   std::vector<Station> stations;
   std::optional<Tip> startTip, endTip;
   bool startOpen = false, endOpen = false, joined = false;
 
-  std::size_t count() const;  ///< points of a section
+  std::size_t count() const;                                     ///< points of a section
   std::span<const SectionPoint> shape(std::size_t which) const;  ///< count() + 1 points
 };
 
@@ -69,8 +69,9 @@ struct SweepMemory {
   std::vector<PaintedPoint> points;  ///< of one ring, for those after it that are alike
 };
 
-/// The closed mesh in ModelSpace, with UV, in place of what `mesh` held. False when a lid cannot be filled or a triangle
-/// is so small that the law of area (mesh/laws.h) might refuse it (a factor 2 is in hand): then `mesh` is of no use.
+/// The closed mesh in ModelSpace, with UV, in place of what `mesh` held. False when a lid cannot be filled or a
+/// triangle is so small that the law of area (mesh/laws.h) might refuse it (a factor 2 is in hand): then `mesh` is of
+/// no use.
 bool sweepMesh(Sweep& sweep, image::Size picture, SweepMemory& memory, mesh::TriMesh& mesh);
 
 }  // namespace spineloft::loft

@@ -10,13 +10,6 @@
 namespace spineloft::mesh {
 namespace {
 
-using Point = Vec3<struct MeshSpace>;
-
-Point pointAt(const TriMesh& mesh, std::uint32_t v) {
-  const std::array<float, 3>& p = mesh.positions[v];
-  return {p[0], p[1], p[2]};
-}
-
 bool allFinite(const TriMesh& mesh) {
   const auto finite = [](const auto& p) {
     return std::all_of(p.begin(), p.end(), [](float c) { return std::isfinite(c); });
@@ -27,8 +20,7 @@ bool allFinite(const TriMesh& mesh) {
 
 bool indicesNameVertices(const TriMesh& mesh) {
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-    return std::all_of(t.begin(), t.end(),
-                       [&](std::uint32_t v) { return v < mesh.positions.size(); });
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return v < mesh.positions.size(); });
   });
 }
 
@@ -84,8 +76,7 @@ void measure(const TriMesh& mesh, MeshReport& report) {
   const double least = kDegenerateArea * dot(diagonal, diagonal);
   report.noDegenerate = true;
   for (const auto& t : mesh.triangles) {
-    const Point a = pointAt(mesh, t[0]) - centre, b = pointAt(mesh, t[1]) - centre,
-                c = pointAt(mesh, t[2]) - centre;
+    const Point a = pointAt(mesh, t[0]) - centre, b = pointAt(mesh, t[1]) - centre, c = pointAt(mesh, t[2]) - centre;
     const double area = norm(cross(b - a, c - a)) / 2;
     if (!(area >= least) || area == 0) report.noDegenerate = false;
     report.area += area;
@@ -99,19 +90,17 @@ void measure(const TriMesh& mesh, MeshReport& report) {
 MeshReport inspect(const TriMesh& mesh) {
   MeshReport report;
   report.finite = allFinite(mesh);
-  report.uvInRange =
-      mesh.uv.empty() || (mesh.uv.size() == mesh.positions.size() &&
-                          std::all_of(mesh.uv.begin(), mesh.uv.end(), [](const auto& uv) {
-                            return uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1;
-                          }));
+  report.uvInRange = mesh.uv.empty() || (mesh.uv.size() == mesh.positions.size() &&
+                                         std::all_of(mesh.uv.begin(), mesh.uv.end(), [](const auto& uv) {
+                                           return uv[0] >= 0 && uv[0] <= 1 && uv[1] >= 0 && uv[1] <= 1;
+                                         }));
   if (!indicesNameVertices(mesh) || mesh.triangles.empty()) return report;
   report.indexed = allVerticesUsed(mesh);
   const Twins twins = findTwins(mesh);
   report.closed = twins.closed;
   report.manifold = twins.closed && fansAreWhole(mesh, twins);
   report.shells = countShells(mesh);
-  const auto euler = static_cast<long long>(mesh.positions.size()) -
-                     static_cast<long long>(twins.edges) +
+  const auto euler = static_cast<long long>(mesh.positions.size()) - static_cast<long long>(twins.edges) +
                      static_cast<long long>(mesh.triangles.size());
   report.genus = static_cast<int>(report.shells - euler / 2);
   if (report.finite) measure(mesh, report);
@@ -144,8 +133,7 @@ std::vector<std::array<float, 3>> vertexNormals(const TriMesh& mesh) {
     const Point n = normalized(sums[v]);
     normals[v] = n == Point{} || !isFinite(n)
                      ? std::array<float, 3>{0, 0, 1}
-                     : std::array<float, 3>{static_cast<float>(n.x), static_cast<float>(n.y),
-                                            static_cast<float>(n.z)};
+                     : std::array<float, 3>{static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
   }
   return normals;
 }

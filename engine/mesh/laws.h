@@ -12,20 +12,18 @@ namespace spineloft::mesh {
 
 /// What is true of a mesh. Cost: O(triangles log triangles).
 struct MeshReport {
-  bool finite = false;      ///< every coordinate is a finite number
-  bool indexed = false;     ///< every index names a vertex, and every vertex is used
-  bool closed = false;      ///< every edge has exactly two triangles, in opposite directions
-  bool manifold = false;    ///< and the triangles round each vertex form one fan
-  bool outward = false;     ///< the signed volume is positive
-  bool noDegenerate = false;///< no triangle with two equal corners or an area below `kDegenerateArea`
-                            ///< of the bounding box's squared diagonal
-  bool uvInRange = false;   ///< no UV, or one a vertex and all within [0, 1]
-  int shells = 0;           ///< connected components
-  int genus = 0;            ///< total over the shells, from the Euler number; meaningful when closed
+  bool finite = false;          ///< every coordinate is a finite number
+  bool indexed = false;         ///< every index names a vertex, and every vertex is used
+  bool closed = false;          ///< every edge has exactly two triangles, in opposite directions
+  bool manifold = false;        ///< and the triangles round each vertex form one fan
+  bool outward = false;         ///< the signed volume is positive
+  bool noDegenerate = false;    ///< no triangle with two equal corners or an area below `kDegenerateArea`
+                                ///< of the bounding box's squared diagonal
+  bool uvInRange = false;       ///< no UV, or one a vertex and all within [0, 1]
+  int shells = 0;               ///< connected components
+  int genus = 0;                ///< total over the shells, from the Euler number; meaningful when closed
   double volume = 0, area = 0;  ///< in the mesh's units
-  bool lawful() const {
-    return finite && indexed && closed && manifold && outward && noDegenerate && uvInRange;
-  }
+  bool valid() const { return finite && indexed && closed && manifold && outward && noDegenerate && uvInRange; }
 };
 
 /// Smallest triangle area, as a share of the squared diagonal of the bounding box.

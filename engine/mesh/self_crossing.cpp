@@ -68,6 +68,7 @@ class Search {
     for (std::size_t k = 0; k < 3; ++k) diagonal = std::hypot(diagonal, double{whole_.high[k]} - whole_.low[k]);
     touch_ = kTouch * diagonal;
     std::iota(order_.begin(), order_.end(), std::size_t{0});
+    isInOrder_ = followOneAnother();
     nodes_.reserve(order_.size());
     build(0, order_.size());
   }
@@ -100,6 +101,18 @@ class Search {
     bool isLeaf() const { return first == 0; }
   };
 
+  /// Whether triangles that follow one another are near, as those of a loft are, which run round its rings.
+  bool followOneAnother() const {
+    double way = 0, size = 0;
+    for (std::size_t t = 1; t < boxes_.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        way += std::abs(double{boxes_[t].low[k]} - boxes_[t - 1].low[k]);
+        size += double{boxes_[t].high[k]} - boxes_[t].low[k];
+      }
+    }
+    return way < 2 * size;
+  }
+
   std::size_t build(std::size_t from, std::size_t to) {
     constexpr std::size_t kLeaf = 4;
     const std::size_t at = nodes_.size();
@@ -114,9 +127,10 @@ class Search {
       }
       const std::size_t middle = from + (to - from) / 2;
       const auto place = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-      std::nth_element(place(from), place(middle), place(to), [&](std::size_t a, std::size_t b) {
+      const auto isBefore = [&](std::size_t a, std::size_t b) {
         return boxes_[a].low[axis] + boxes_[a].high[axis] < boxes_[b].low[axis] + boxes_[b].high[axis];
-      });
+      };
+      if (!isInOrder_) std::nth_element(place(from), place(middle), place(to), isBefore);
       first = build(from, middle);
       second = build(middle, to);
     }
@@ -207,6 +221,7 @@ class Search {
   std::vector<Node> nodes_;
   Bounds whole_;
   double touch_ = 0;
+  bool isInOrder_ = false;
 };
 
 }  // namespace

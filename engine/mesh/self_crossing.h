@@ -1,5 +1,5 @@
-// Whether a closed mesh goes through itself, and where: the same question that the solver of solids asks of a part
-// (web/shell/solids/crossings.ts), for those who have no solver, or want to know whether they need it.
+// Whether a closed mesh goes through itself, and where. The worker of solids has this test as a WebAssembly program of
+// its own (web/self_crossing.cpp).
 #pragma once
 
 #include <array>

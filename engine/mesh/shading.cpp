@@ -10,13 +10,6 @@
 namespace spineloft::mesh {
 namespace {
 
-using Point = Vec3<struct MeshSpace>;
-
-Point pointAt(const TriMesh& mesh, std::uint32_t v) {
-  const std::array<float, 3>& p = mesh.positions[v];
-  return {p[0], p[1], p[2]};
-}
-
 /// What a triangle gives to the normals of its corners.
 struct Facet {
   Point normal;
@@ -55,8 +48,7 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   std::vector<std::uint32_t> vertexOf(corners, kNone);
   std::vector<Point> sums;
   // Smooth parts keep their vertices; sharp ones a few times as many.
-  for (auto* points : {&shaded.positions, &shaded.normals})
-    points->reserve(2 * mesh.positions.size());
+  for (auto* points : {&shaded.positions, &shaded.normals}) points->reserve(2 * mesh.positions.size());
   if (!mesh.uv.empty()) shaded.uv.reserve(2 * mesh.positions.size());
   sums.reserve(2 * mesh.positions.size());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {
@@ -76,8 +68,7 @@ ShadedMesh shade(const TriMesh& mesh, double creaseAngle) {
   for (const Point& sum : sums) {
     const Point n = normalized(sum);
     const bool none = n == Point{} || !isFinite(n);
-    shaded.normals.push_back({none ? 0.0f : static_cast<float>(n.x),
-                              none ? 0.0f : static_cast<float>(n.y),
+    shaded.normals.push_back({none ? 0.0f : static_cast<float>(n.x), none ? 0.0f : static_cast<float>(n.y),
                               none ? 1.0f : static_cast<float>(n.z)});
   }
   return shaded;

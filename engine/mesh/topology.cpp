@@ -27,9 +27,8 @@ Twins findTwins(const TriMesh& mesh) {
   twins.closed = true;
   for (std::size_t v = 0; v + 1 < start.size(); ++v) {
     const auto low = entries.begin() + start[v], high = entries.begin() + start[v + 1];
-    std::sort(low, high, [](const Entry& a, const Entry& b) {
-      return a.far != b.far ? a.far < b.far : a.halfEdge < b.halfEdge;
-    });
+    std::sort(low, high,
+              [](const Entry& a, const Entry& b) { return a.far != b.far ? a.far < b.far : a.halfEdge < b.halfEdge; });
     for (auto run = low; run != high;) {
       auto end = run;
       while (end != high && end->far == run->far) ++end;

@@ -14,9 +14,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 inline std::uint32_t nextHalfEdge(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline std::uint32_t lastHalfEdge(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
-inline std::uint32_t cornerVertex(const TriMesh& mesh, std::uint32_t h) {
-  return mesh.triangles[h / 3][h % 3];
-}
+inline std::uint32_t cornerVertex(const TriMesh& mesh, std::uint32_t h) { return mesh.triangles[h / 3][h % 3]; }
 
 /// For every half-edge the one half-edge that runs the other way along the same edge; kNone where
 /// there is none, or where the edge does not have exactly two triangles in opposite directions. All

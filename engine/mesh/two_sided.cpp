@@ -10,11 +10,9 @@ class Builder {
   explicit Builder(PictureSize picture) : picture_(picture) {}
 
   std::uint32_t add(SectionPoint p, double z) {
-    mesh_.positions.push_back(
-        {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(z)});
+    mesh_.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(z)});
     const double u = (p.x + 0.5) / picture_.width, v = (0.5 - p.y) / picture_.height;
-    mesh_.uv.push_back({static_cast<float>(std::clamp(u, 0.0, 1.0)),
-                        static_cast<float>(std::clamp(v, 0.0, 1.0))});
+    mesh_.uv.push_back({static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
   /// The points of a side from `first` on; their indices.
@@ -34,9 +32,7 @@ class Builder {
       }
     }
   }
-  void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh_.triangles.push_back({a, b, c});
-  }
+  void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh_.triangles.push_back({a, b, c}); }
   TriMesh take() { return std::move(mesh_); }
 
  private:
@@ -46,8 +42,7 @@ class Builder {
 
 }  // namespace
 
-TriMesh solidBetween(const Side& front, const Side& back, std::span<const std::size_t> sizes,
-                     PictureSize picture) {
+TriMesh solidBetween(const Side& front, const Side& back, std::span<const std::size_t> sizes, PictureSize picture) {
   Builder builder(picture);
   const std::size_t rim = front.plane.rim();
   bool wall = false;

@@ -22,7 +22,6 @@ struct Side {
 struct PictureSize {
   double width = 0, height = 0;
 };
-TriMesh solidBetween(const Side& front, const Side& back, std::span<const std::size_t> sizes,
-                     PictureSize picture);
+TriMesh solidBetween(const Side& front, const Side& back, std::span<const std::size_t> sizes, PictureSize picture);
 
 }  // namespace spineloft::mesh

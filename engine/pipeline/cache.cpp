@@ -26,7 +26,7 @@ std::shared_ptr<const TracedRibs> Cache::tracedSoFar(std::uint64_t key) {
 
 void Cache::keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced) {
   const std::size_t bytes = bytesOf(*traced);
-  (traced->decided == Decided::ByHands ? traced_ : byStroke_).keep(key, std::move(traced), bytes);
+  (traced->quality == TraceQuality::Ensemble ? traced_ : byStroke_).keep(key, std::move(traced), bytes);
 }
 
 std::shared_ptr<const PartShape> Cache::shape(std::uint64_t key) {
@@ -44,8 +44,8 @@ void Cache::keepShape(std::shared_ptr<const PartShape> shape) {
   shapes_.push_back({std::move(shape), round_, bytes});
 }
 
-std::shared_ptr<const PartShape> Cache::dress(std::uint64_t key,
-                                              std::shared_ptr<const surface::PartTexture> texture) {
+std::shared_ptr<const PartShape> Cache::assignTextures(std::uint64_t key,
+                                                       std::shared_ptr<const surface::PartTexture> texture) {
   for (ShapeSlot& slot : shapes_) {
     if (slot.shape->key != key) continue;
     auto dressed = std::make_shared<PartShape>(*slot.shape);
@@ -72,9 +72,8 @@ Result<std::shared_ptr<const image::Picture>> Cache::pixels(const document::Pict
     if (std::equal(slot.strokes.begin(), slot.strokes.end(), entry.sketch.begin())) begun = &slot;
   }
   const std::span<const Box<image::SketchStroke>> strokes(entry.sketch);
-  Result<image::Picture> drawn =
-      begun ? image::drawMore(*begun->picture, strokes.subspan(begun->strokes.size()))
-            : image::drawSketch(entry.size, strokes);
+  Result<image::Picture> drawn = begun ? image::drawMore(*begun->picture, strokes.subspan(begun->strokes.size()))
+                                       : image::drawSketch(entry.size, strokes);
   if (!drawn) return drawn.failure();
   auto picture = std::make_shared<const image::Picture>(std::move(drawn).value());
   sketches_.push_back({entry.contentHash, entry.sketch, picture});

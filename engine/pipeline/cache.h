@@ -15,11 +15,11 @@
 namespace spineloft::pipeline {
 
 /// Values by key, each with its size; when they are more than `budget` bytes those used longest ago
-/// go. Finding one counts as using it.
+/// go (least recently used). Finding one counts as using it.
 template <class Value>
-class Shelf {
+class LruCache {
  public:
-  explicit Shelf(std::size_t budget) : budget_(budget) {}
+  explicit LruCache(std::size_t budget) : budget_(budget) {}
   std::shared_ptr<const Value> find(std::uint64_t key) {
     for (Slot& slot : slots_) {
       if (slot.key != key) continue;
@@ -61,10 +61,10 @@ class Cache {
   /// By ignoredKey. Null when not (or no longer) known.
   std::shared_ptr<const ribs::IgnoredEdges> ignored(std::uint64_t key) { return ignored_.find(key); }
   void keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
-  /// By traceKey: those on which hands agreed. Null when not (or no longer) known.
+  /// By traceKey: ribs of quality Ensemble. Null when not (or no longer) known.
   std::shared_ptr<const TracedRibs> traced(std::uint64_t key) { return traced_.find(key); }
-  /// The same, or else those of the stroke by itself, which are kept apart: a stroke being drawn does not push out
-  /// the parts of the document.
+  /// The same, or else those of quality Single, which are kept apart: a stroke being drawn must not evict the parts
+  /// of the document.
   std::shared_ptr<const TracedRibs> tracedSoFar(std::uint64_t key);
   void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
@@ -72,8 +72,8 @@ class Cache {
   void keepShape(std::shared_ptr<const PartShape> shape);
   /// The shape of that key, with its texture now (null: there is nothing to see of it). Null when the shape
   /// is not known any more.
-  std::shared_ptr<const PartShape> dress(std::uint64_t key,
-                                         std::shared_ptr<const surface::PartTexture> texture);
+  std::shared_ptr<const PartShape> assignTextures(std::uint64_t key,
+                                                  std::shared_ptr<const surface::PartTexture> texture);
   /// A round is one `derive`. Keeps the shapes of the last kKeptRounds rounds, so that undo and redo
   /// find theirs, as far as they fit into kShapeBytes, and the edges in `usedEdges`.
   void endRound(const std::vector<std::uint64_t>& usedEdges);
@@ -94,10 +94,10 @@ class Cache {
   ShapeMemory& shapeMemory() { return shapeMemory_; }
 
   static constexpr std::uint64_t kKeptRounds = 32;
-  /// About 400 parts of 100 ribs; 25 strokes by themselves; 60 parts of usual size with their textures besides those shown; the marks
-  /// of 4 pictures.
-  static constexpr std::size_t kTraceBytes = 16u << 20, kStrokeBytes = 1u << 20,
-                               kShapeBytes = 64u << 20, kIgnoredBytes = 16u << 20;
+  /// About 400 parts of 100 ribs; 25 strokes by themselves; 60 parts of usual size with their textures besides those
+  /// shown; the marks of 4 pictures.
+  static constexpr std::size_t kTraceBytes = 16u << 20, kStrokeBytes = 1u << 20, kShapeBytes = 64u << 20,
+                               kIgnoredBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 
@@ -117,8 +117,8 @@ class Cache {
     std::shared_ptr<const image::Picture> picture;
   };
   std::vector<EdgeSlot> edges_;
-  Shelf<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
-  Shelf<TracedRibs> traced_{kTraceBytes}, byStroke_{kStrokeBytes};
+  LruCache<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
+  LruCache<TracedRibs> traced_{kTraceBytes}, byStroke_{kStrokeBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

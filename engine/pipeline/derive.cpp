@@ -9,7 +9,7 @@
 
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_texture.h"
-#include "engine/ribs/overshoot.h"
+#include "engine/ribs/search/overshoot.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -17,9 +17,9 @@ namespace {
 double nowMs(const Clock& clock) { return clock ? clock() : 0.0; }
 
 // Null where nothing is scribbled over.
-Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
-    const document::LoftRecipe& recipe, const document::PictureEntry& entry,
-    const image::EdgeMap& edges, Cache& cache) {
+Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(const document::LoftRecipe& recipe,
+                                                                 const document::PictureEntry& entry,
+                                                                 const image::EdgeMap& edges, Cache& cache) {
   if (entry.ignored.empty() && recipe.ignored.empty()) return std::shared_ptr<const ribs::IgnoredEdges>{};
   const std::uint64_t key = ignoredKey(recipe, entry);
   std::shared_ptr<const ribs::IgnoredEdges> known = cache.ignored(key);
@@ -36,8 +36,8 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(
 enum class Purpose : std::uint8_t { Part, Seen, Live };
 
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
-Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache,
-                 Purpose purpose, PartShape& shape, const Clock& clock) {
+Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache, Purpose purpose,
+                 PartShape& shape, const Clock& clock) {
   static const image::EdgeMap kNoEdges;
   const double started = nowMs(clock);
   const bool live = purpose == Purpose::Live;
@@ -49,8 +49,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
   if (!traced) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
     if (edges) {
-      Result<std::shared_ptr<const ribs::IgnoredEdges>> found =
-          ignoredEdgesOf(recipe, entry, *edges, cache);
+      Result<std::shared_ptr<const ribs::IgnoredEdges>> found = ignoredEdgesOf(recipe, entry, *edges, cache);
       if (!found) return found.failure();
       ignored = std::move(found).value();
     }
@@ -58,9 +57,8 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
     if (live) {
       if (Status made = liveStage(recipe, evidence, cache.live()); !made.ok()) return made;
     } else {
-      Result<TracedRibs> made = purpose == Purpose::Part
-                                    ? traceStage(recipe, evidence, Progress{}, cache.ribMemory())
-                                    : strokeStage(recipe, evidence, cache.ribMemory());
+      Result<TracedRibs> made = purpose == Purpose::Part ? traceStage(recipe, evidence, Progress{}, cache.ribMemory())
+                                                         : strokeStage(recipe, evidence, cache.ribMemory());
       if (!made) return made.failure();
       traced = std::make_shared<const TracedRibs>(std::move(made).value());
       if (edges) cache.keepTraced(key, traced);
@@ -73,19 +71,17 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
   return made;
 }
 
-bool needsEdges(const document::Recipe& recipe) {
-  return document::kindOf(recipe) == document::PartKind::Loft;
-}
+bool needsEdges(const document::Recipe& recipe) { return document::kindOf(recipe) == document::PartKind::Loft; }
 
 // In place of what `shape` held, which a failure leaves as it was.
-Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry, Cache& cache,
-               Purpose purpose, PartShape& shape, const Clock& clock) {
+Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry, Cache& cache, Purpose purpose,
+               PartShape& shape, const Clock& clock) {
   if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
     return loftShape(*loft, entry, cache, purpose, shape, clock);
   }
-  const auto* puff = std::get_if<document::PuffRecipe>(&recipe);
-  Result<PartShape> made = puff ? puffStage(*puff, entry.size, clock)
-                                : sheetStage(std::get<document::SheetRecipe>(recipe), entry.size, clock);
+  const auto* inflate = std::get_if<document::InflateRecipe>(&recipe);
+  Result<PartShape> made = inflate ? inflateStage(*inflate, entry.size, clock)
+                                   : extrudeStage(std::get<document::ExtrudeRecipe>(recipe), entry.size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};
@@ -93,8 +89,7 @@ Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& ent
 
 }  // namespace
 
-const image::Picture* pixelsOf(const document::Document& document, const Derived& derived,
-                               PictureId id) {
+const image::Picture* pixelsOf(const document::Document& document, const Derived& derived, PictureId id) {
   const std::size_t count = std::min(document.pictures.size(), derived.pictures.size());
   for (std::size_t i = 0; i < count; ++i) {
     if (document.pictures[i]->id == id) return derived.pictures[i].get();
@@ -119,10 +114,10 @@ bool standsBefore(const Derived& derived, std::size_t number) {
 }
 
 // Makes the texture of one part that wants one, or puts it down as wanting one.
-void dress(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
-           Derived& derived) {
+void assignTextures(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
+                    Derived& derived) {
   const std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
-  if (!shape || isDressed(*shape) || shape->decided != Decided::ByHands) return;
+  if (!shape || isDressed(*shape) || shape->quality != TraceQuality::Ensemble) return;
   const document::Part& part = document.parts[number];
   if (finish == Finish::Later) {
     if (!standsBefore(derived, number)) derived.wantedTextures.push_back(part.id);
@@ -131,14 +126,13 @@ void dress(const document::Document& document, std::size_t number, Cache& cache,
   const document::PictureEntry* entry = findPicture(document, pictureOf(part));
   const image::Picture* pixels = pixelsOf(document, derived, pictureOf(part));
   if (entry == nullptr) return;
-  derived.parts[number].shape = cache.dress(
-      shape->key, pixels ? textureStage(*shape, *pixels, marksOver(part, *entry)) : nullptr);
+  derived.parts[number].shape =
+      cache.assignTextures(shape->key, pixels ? textureStage(*shape, *pixels, marksOver(part, *entry)) : nullptr);
 }
 
 }  // namespace
 
-std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, const Derived& derived,
-                                           PartId id) {
+std::shared_ptr<TextureJob> makeTexture(const document::Document& document, const Derived& derived, PartId id) {
   const document::Part* part = document::findPart(document, id);
   const auto at = std::ranges::find(derived.parts, id, &DerivedPart::id);
   if (part == nullptr || at == derived.parts.end() || !at->shape) return nullptr;
@@ -147,7 +141,7 @@ std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, c
   for (std::size_t i = 0; entry != nullptr && i < count; ++i) {
     if (document.pictures[i]->id != entry->id || !derived.pictures[i]) continue;
     try {
-      return std::make_shared<TextureMaking>(at->shape, derived.pictures[i], marksOver(*part, *entry));
+      return std::make_shared<TextureJob>(at->shape, derived.pictures[i], marksOver(*part, *entry));
     } catch (const std::bad_alloc&) {
       return nullptr;
     }
@@ -174,14 +168,14 @@ DerivedPart derivePart(const document::Part& part, const document::PictureEntry&
     PartShape shape;
     const Status made = shapeOf(part.recipe, entry, cache, seen ? Purpose::Seen : Purpose::Part, shape, clock);
     if (made.ok()) {
-      shape.key = shape.decided == Decided::ByHands ? key : keyBefore(key);
+      shape.key = shape.quality == TraceQuality::Ensemble ? key : keyBefore(key);
       result.shape = std::make_shared<const PartShape>(std::move(shape));
       cache.keepShape(result.shape);
     } else {
       result.failure = made.failure();
     }
   }
-  if (result.shape && result.shape->decided != Decided::ByHands) result.waiting = true;
+  if (result.shape && result.shape->quality != TraceQuality::Ensemble) result.waiting = true;
   return result;
 }
 
@@ -203,13 +197,13 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     const std::size_t number = derived.parts.size() - 1;
     const DerivedPart& made = derived.parts.back();
     if (made.shape && made.waiting && !standsBefore(derived, number)) derived.wantedRibs.push_back(part.id);
-    dress(document, number, cache, finish, derived);
+    assignTextures(document, number, cache, finish, derived);
   }
   cache.endRound(usedEdges);
   return derived;
 }
 
-std::shared_ptr<TraceMaking> makeTrace(const document::Document& document, PartId id, Cache& cache) {
+std::shared_ptr<TraceJob> makeTrace(const document::Document& document, PartId id, Cache& cache) {
   const document::Part* part = document::findPart(document, id);
   const auto* loft = part ? document::loftOf(*part) : nullptr;
   const document::PictureEntry* entry = loft ? findPicture(document, loft->picture) : nullptr;
@@ -218,20 +212,20 @@ std::shared_ptr<TraceMaking> makeTrace(const document::Document& document, PartI
   const auto ignored = ignoredEdgesOf(*loft, *entry, *edges, cache);
   if (!ignored) return nullptr;
   try {
-    return std::make_shared<TraceMaking>(traceKey(*loft, *entry), *loft, edges, ignored.value(), entry->size);
+    return std::make_shared<TraceJob>(traceKey(*loft, *entry), *loft, edges, ignored.value(), entry->size);
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
 }
 
-void takeTrace(const TraceMaking& making, Cache& cache) {
+void takeTrace(const TraceJob& making, Cache& cache) {
   std::shared_ptr<const TracedRibs> traced = making.traced();
   if (!traced) {
     // Better those of the stroke by itself than none, and than asking for ever.
     const auto before = cache.tracedSoFar(making.key());
     if (!before) return;
     TracedRibs settled = *before;
-    settled.decided = Decided::ByHands;
+    settled.quality = TraceQuality::Ensemble;
     traced = std::make_shared<const TracedRibs>(std::move(settled));
   }
   cache.keepTraced(making.key(), traced);
@@ -239,8 +233,8 @@ void takeTrace(const TraceMaking& making, Cache& cache) {
 
 namespace {
 
-Status shapeFor(Purpose purpose, const document::Document& document, const document::Recipe& recipe,
-                Cache& cache, PartShape& shape, const Clock& clock) {
+Status shapeFor(Purpose purpose, const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                PartShape& shape, const Clock& clock) {
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
   return shapeOf(recipe, *entry, cache, purpose, shape, clock);
@@ -248,18 +242,17 @@ Status shapeFor(Purpose purpose, const document::Document& document, const docum
 
 }  // namespace
 
-Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                    PartShape& shape, const Clock& clock) {
+Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
+                    const Clock& clock) {
   return shapeFor(Purpose::Seen, document, recipe, cache, shape, clock);
 }
 
-Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                 PartShape& shape, const Clock& clock) {
+Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
+                 const Clock& clock) {
   return shapeFor(Purpose::Live, document, recipe, cache, shape, clock);
 }
 
-Result<PartShape> previewShape(const document::Document& document,
-                               const document::Recipe& recipe, Cache& cache,
+Result<PartShape> previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
                                const Clock& clock) {
   PartShape shape;
   const Status made = previewShape(document, recipe, cache, shape, clock);
@@ -267,31 +260,30 @@ Result<PartShape> previewShape(const document::Document& document,
   return shape;
 }
 
-Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
-                            Cache& cache, const Clock& clock) {
+Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                            const Clock& clock) {
   PartShape shape;
   const Status made = liveShape(document, recipe, cache, shape, clock);
   if (!made.ok()) return made.failure();
   return shape;
 }
 
-std::vector<PicturePoint> strokeOnThing(const document::Document& document,
-                                        const document::LoftRecipe& recipe, Cache& cache) {
+std::vector<PicturePoint> strokeOnThing(const document::Document& document, const document::LoftRecipe& recipe,
+                                        Cache& cache) {
   const document::PictureEntry* entry = findPicture(document, recipe.picture);
   const auto edges = entry ? cache.edges(entry->contentHash) : nullptr;
   if (!edges) return recipe.stroke;
   const auto ignored = ignoredEdgesOf(recipe, *entry, *edges, cache);
   if (!ignored) return recipe.stroke;
   try {
-    return ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()},
-                               recipe.spine, recipe.ribs);
+    return ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()}, recipe.spine, recipe.ribs);
   } catch (const std::bad_alloc&) {
     return recipe.stroke;
   }
 }
 
-Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache,
-                                const Progress& progress, const Clock& clock, double* edgesMs) {
+Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache, const Progress& progress,
+                                const Clock& clock, double* edgesMs) {
   const double started = nowMs(clock);
   for (const document::PictureEntry& entry : document.pictures) {
     if (cache.edges(entry.contentHash)) continue;
@@ -299,8 +291,7 @@ Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache
     if (!pixels) return pixels.failure();
     Result<image::EdgeMap> edges = vision::detectEdges(*pixels.value(), {}, progress);
     if (!edges) return edges.failure();
-    cache.keepEdges(entry.contentHash,
-                    std::make_shared<const image::EdgeMap>(std::move(edges).value()));
+    cache.keepEdges(entry.contentHash, std::make_shared<const image::EdgeMap>(std::move(edges).value()));
   }
   if (edgesMs != nullptr) *edgesMs = nowMs(clock) - started;
   return derive(document, cache, clock);

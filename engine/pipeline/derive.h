@@ -16,7 +16,7 @@
 #include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/part_texture.h"
 #include "engine/pipeline/solid.h"
-#include "engine/pipeline/trace_making.h"
+#include "engine/pipeline/trace_job.h"
 #include "engine/vision/edges.h"
 
 namespace spineloft::pipeline {
@@ -43,11 +43,11 @@ struct Derived {
   /// Pictures whose edges are not in the cache, each once: let a worker find them (detectEdges),
   /// keep them in the cache, derive again.
   std::vector<PictureId> wantedEdges;
-  /// Parts whose other hands were not asked yet, one of each shape: let a worker do so (makeTrace), take what it
-  /// finds (takeTrace), derive again.
+  /// Parts of quality Single whose ensemble is wanted, one of each shape: let a worker run it (makeTrace), take the
+  /// result (takeTrace), derive again.
   std::vector<PartId> wantedRibs;
-  /// Parts whose texture is not made yet, one of each shape: let a worker make it (makeTexture), dress
-  /// the shape in the cache with it, derive again.
+  /// Parts whose texture is not made yet, one of each shape: let a worker make it (makeTexture), assign it to the
+  /// shape in the cache, derive again.
   std::vector<PartId> wantedTextures;
   /// Steps with what is known of their solids, same order as Document::steps; filled by whoever has a
   /// solver. Empty: no step is solved, and parts show themselves.
@@ -55,58 +55,53 @@ struct Derived {
 };
 
 /// The pixels of a picture of the document; null when there is no such picture or no pixels.
-const image::Picture* pixelsOf(const document::Document& document, const Derived& derived,
-                               PictureId id);
+const image::Picture* pixelsOf(const document::Document& document, const Derived& derived, PictureId id);
 
-/// Whether what takes long (asking other hands, textures) is done at once, or a page shows the parts before.
+/// Whether ensembles and textures are computed at once, or left for workers while the page shows the parts without
+/// them.
 enum class Finish : std::uint8_t { Now, Later };
 
 /// Derives every part; a cached shape costs one hash of its recipe, and where only what comes after
 /// the ribs changed, the ribs are not traced again. Never looks for edges itself.
-Derived derive(const document::Document& document, Cache& cache, const Clock& clock = {},
-               Finish finish = Finish::Now);
+Derived derive(const document::Document& document, Cache& cache, const Clock& clock = {}, Finish finish = Finish::Now);
 
-/// What asks the other hands for one of the wanted. Null when there is no such loft, its edges are not known, or no
+/// The job of the ensemble of one of `wantedRibs`. Null when there is no such loft, its edges are not known, or no
 /// memory.
-std::shared_ptr<TraceMaking> makeTrace(const document::Document& document, PartId part, Cache& cache);
-/// Keeps what they agreed on; if that failed, what the stroke found by itself.
-void takeTrace(const TraceMaking& making, Cache& cache);
+std::shared_ptr<TraceJob> makeTrace(const document::Document& document, PartId part, Cache& cache);
+/// Keeps the result of the ensemble; if it failed, the ribs of the stroke alone.
+void takeTrace(const TraceJob& making, Cache& cache);
 
-/// What makes the texture of one of the wanted. Null when there is no such part with a shape, or no
-/// memory.
-std::shared_ptr<TextureMaking> makeTexture(const document::Document& document, const Derived& derived,
-                                           PartId part);
+/// The job of the texture of one of `wantedTextures`. Null when there is no such part with a shape, or no memory.
+std::shared_ptr<TextureJob> makeTexture(const document::Document& document, const Derived& derived, PartId part);
 
 /// What a recipe would become with the edges known so far (guessed ribs where there are none yet),
-/// for a part that is not in the document or differs from it: by its stroke alone, unless others were asked before.
-/// Ribs that were traced are used again: while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture, those
-/// of the stages.
-Result<PartShape> previewShape(const document::Document& document,
-                               const document::Recipe& recipe, Cache& cache,
+/// for a part that is not in the document or differs from it. Quality Single, unless its ensemble is known. Traced
+/// ribs are used again: while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture,
+/// those of the stages.
+Result<PartShape> previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
                                const Clock& clock = {});
 /// The same in place of what `shape` held, which a failure leaves as it was.
-Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                    PartShape& shape, const Clock& clock = {});
+Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
+                    const Clock& clock = {});
 
-/// The same for a stroke that is being drawn: ribs that are not known yet are those of a live trace, near
-/// to what they will be, where the result says so (Decided::ByPen). When the pen rests, let previewShape follow.
-Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe,
-                            Cache& cache, const Clock& clock = {});
+/// The same for a stroke that is being drawn. Ribs that are not known yet come from a live trace and have
+/// TraceQuality::Live. Call previewShape when the pen rests.
+Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
+                            const Clock& clock = {});
 /// The same in place of what `shape` held, which a failure leaves as it was. A stroke like an earlier one asks for
 /// no memory, where shapeStage asks for none.
-Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                 PartShape& shape, const Clock& clock = {});
+Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
+                 const Clock& clock = {});
 
-/// The recipe's stroke as far as it lies on the thing under it, by the edges known so far
-/// (ribs::strokeOnThing); the stroke itself where none are. Picture pixels.
-std::vector<PicturePoint> strokeOnThing(const document::Document& document,
-                                        const document::LoftRecipe& recipe, Cache& cache);
+/// The recipe's stroke as far as it lies on the object, by the edges known so far (ribs::strokeOnThing); the whole
+/// stroke where none are known. Picture pixels.
+std::vector<PicturePoint> strokeOnThing(const document::Document& document, const document::LoftRecipe& recipe,
+                                        Cache& cache);
 
 /// As `derive`, but finds missing edges on the calling thread first (command line, tests). `edgesMs`,
 /// when given, receives the time they took.
 /// Errors: those of detectEdges. Failures of single parts stay in their DerivedPart.
-Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache,
-                                const Progress& progress, const Clock& clock = {},
-                                double* edgesMs = nullptr);
+Result<Derived> deriveWithEdges(const document::Document& document, Cache& cache, const Progress& progress,
+                                const Clock& clock = {}, double* edgesMs = nullptr);
 
 }  // namespace spineloft::pipeline

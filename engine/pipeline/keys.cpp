@@ -18,20 +18,20 @@ void mix(Hasher& hasher, const ribs::SpineParams& params) {
   mixAll(hasher, ribs, minSpacing, smoothness);
 }
 void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
-  const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-               outsideWeight, rimWeight, contrastReach, knownShare, doubt, weight] = params;
-  mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight,
-         outsideWeight, rimWeight, contrastReach, knownShare, doubt, weight);
+  const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight, outsideWeight,
+               rimWeight, contrastReach, knownShare, doubt, weight] = params;
+  mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight, outsideWeight,
+         rimWeight, contrastReach, knownShare, doubt, weight);
 }
 void mix(Hasher& hasher, const ribs::FairingParams& params) {
   const auto& [stiffness, leastTrust, corner, outlier] = params;
   mixAll(hasher, stiffness, leastTrust, corner, outlier);
 }
 void mix(Hasher& hasher, const ribs::RibParams& params) {
-  const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
-               oppositeWeight, leanCost, priorWeight, evidence, fairing] = params;
-  mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap,
-         oppositeWeight, leanCost, priorWeight);
+  const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight, medialOffsetCost,
+               priorWeight, evidence, fairing] = params;
+  mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight,
+         medialOffsetCost, priorWeight);
   mix(hasher, evidence);
   mix(hasher, fairing);
 }
@@ -44,7 +44,7 @@ void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
   hasher.number(curve.points.size());
   for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
 }
-void mix(Hasher& hasher, const loft::SectionStop& stop) {
+void mix(Hasher& hasher, const loft::SectionKey& stop) {
   const auto& [at, shape, blend] = stop;
   const auto& [preset, contours] = shape;
   const auto& [kind, custom] = blend;
@@ -54,10 +54,9 @@ void mix(Hasher& hasher, const loft::SectionStop& stop) {
   mix(hasher, custom);
 }
 void mix(Hasher& hasher, const loft::LoftParams& params) {
-  const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings,
-               centring] = params;
+  const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = params;
   hasher.number(sections.size());
-  for (const loft::SectionStop& stop : sections) mix(hasher, stop);
+  for (const loft::SectionKey& stop : sections) mix(hasher, stop);
   for (const auto* curve : {&twist, &squash, &tilt, &bulge}) mix(hasher, *curve);
   mixAll(hasher, startCap, endCap, sectionPoints, capRings, centring);
 }
@@ -131,16 +130,16 @@ std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::Pictu
   return hasher.value();
 }
 
-std::uint64_t shapeKey(const document::PuffRecipe& recipe, const document::PictureEntry& entry) {
-  const auto& [region, puff] = recipe;
-  const auto& [height, sides, points] = puff;
+std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [region, inflate] = recipe;
+  const auto& [height, sides, points] = inflate;
   Hasher hasher;
   hasher.text("puff").number(regionKey(region, entry));
   mixAll(hasher, height, sides, points);
   return hasher.value();
 }
 
-std::uint64_t shapeKey(const document::SheetRecipe& recipe, const document::PictureEntry& entry) {
+std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, params] = recipe;
   const auto& [thickness, edge, edgeSize, depth] = params;
   Hasher hasher;

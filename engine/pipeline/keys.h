@@ -23,7 +23,7 @@ std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEn
 std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of a puff and of a flat piece: the region, the picture's size, the parameters.
-std::uint64_t shapeKey(const document::PuffRecipe& recipe, const document::PictureEntry& entry);
-std::uint64_t shapeKey(const document::SheetRecipe& recipe, const document::PictureEntry& entry);
+std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry);
+std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry);
 
 }  // namespace spineloft::pipeline

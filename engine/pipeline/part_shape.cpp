@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/loft/loft.h"
-#include "engine/ribs/consensus.h"
+#include "engine/ribs/search/ensemble.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -25,8 +25,8 @@ std::size_t bytesOf(const std::vector<std::vector<PicturePoint>>& contours) {
 }
 
 // What may fail comes first, so that a failure leaves the shape as it was.
-Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
-                 const Clock& clock, ShapeMemory& memory, PartShape& shape) {
+Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture, const Clock& clock,
+                 ShapeMemory& memory, PartShape& shape) {
   const double started = nowMs(clock);
   if (!recipe.edits.empty()) memory.edited = ribs::applyEdits(traced.spine, traced.generated, recipe.edits);
   const ribs::RibSet& edited = recipe.edits.empty() ? traced.generated : memory.edited;
@@ -46,7 +46,7 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   shape.mesh = memory.mesh;
   shape.texture.reset();
   shape.textureKey = shape.key = 0;
-  shape.decided = traced.decided;
+  shape.quality = traced.quality;
   shape.ms = {};
   shape.ms.loft = lofted - ready;
   shape.ms.ribs = nowMs(clock) - started - shape.ms.loft;
@@ -56,25 +56,22 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
 }  // namespace
 
 std::size_t bytesOf(const TracedRibs& traced) {
-  return sizeof(traced) + traced.spine.points.size() * sizeof(PicturePoint) +
-         bytesOf(traced.generated);
+  return sizeof(traced) + traced.spine.points.size() * sizeof(PicturePoint) + bytesOf(traced.generated);
 }
 
 std::size_t bytesOf(const PartShape& shape) {
   const mesh::TriMesh& m = shape.mesh;
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
-  return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) +
-         bytesOf(shape.contours) + bytesOf(shape.generated) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
-         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) +
-         (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
+  return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
+         bytesOf(shape.generated) + bytesOf(shape.ribs) + bytesOf(shape.shown) + bytes(m.positions) +
+         bytes(m.triangles) + bytes(m.uv) + (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }
 
 std::size_t bytesOf(const ribs::IgnoredEdges& ignored) {
   return sizeof(ignored) + ignored.mask.size() + ignored.proximity.size() * sizeof(float);
 }
 
-Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
-                                        std::span<const ribs::IgnoreMark> ofPicture,
+Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges, std::span<const ribs::IgnoreMark> ofPicture,
                                         std::span<const ribs::IgnoreMark> ofPart) {
   try {
     return ribs::ignoreEdges(edges, ofPicture, ofPart);
@@ -83,14 +80,12 @@ Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
   }
 }
 
-Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
-                              const ribs::PictureEvidence& picture, const Progress& progress,
-                              ribs::RibWorkspace& memory) {
+Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
+                              const Progress& progress, ribs::RibWorkspace& memory) {
   try {
     Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
     if (!spine) return spine.failure();
-    Result<ribs::RibSet> found =
-        ribs::agreedRibs(spine.value(), picture, recipe.ribs, progress, memory);
+    Result<ribs::RibSet> found = ribs::ensembleRibs(spine.value(), picture, recipe.ribs, progress, memory);
     if (!found) return found.failure();
     return TracedRibs{std::move(spine).value(), std::move(found).value()};
   } catch (const std::bad_alloc&) {
@@ -105,8 +100,8 @@ Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::P
     if (!spine) return spine.failure();
     Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), picture, recipe.ribs, Progress(), memory);
     if (!found) return found.failure();
-    const Decided decided = picture.edges.empty() ? Decided::ByHands : Decided::ByStroke;
-    return TracedRibs{std::move(spine).value(), std::move(found).value(), decided};
+    const TraceQuality quality = picture.edges.empty() ? TraceQuality::Ensemble : TraceQuality::Single;
+    return TracedRibs{std::move(spine).value(), std::move(found).value(), quality};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
@@ -119,8 +114,8 @@ Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence
     if (!cleaned.ok()) return cleaned;
     const Result<bool> exact = pen.trace.move(traced.spine, picture, recipe.ribs, traced.generated);
     if (!exact) return exact.failure();
-    const Decided rested = picture.edges.empty() ? Decided::ByHands : Decided::ByStroke;
-    traced.decided = exact.value() ? rested : Decided::ByPen;
+    const TraceQuality rested = picture.edges.empty() ? TraceQuality::Ensemble : TraceQuality::Single;
+    traced.quality = exact.value() ? rested : TraceQuality::Live;
     return Done{};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
@@ -136,22 +131,21 @@ Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, 
   }
 }
 
-Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                             image::Size picture, ShapeMemory& memory, const Clock& clock) {
+Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
+                             ShapeMemory& memory, const Clock& clock) {
   PartShape shape;
   const Status made = shapeStage(recipe, traced, picture, memory, shape, clock);
   if (!made.ok()) return made.failure();
   return shape;
 }
 
-Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
-                            image::Size picture, const Progress& progress, const Clock& clock) {
+Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,
+                            const Progress& progress, const Clock& clock) {
   const double started = nowMs(clock);
   const Result<ribs::IgnoredEdges> ignored = ignoredStage(edges, {}, recipe.ignored);
   if (!ignored) return ignored.failure();
   ribs::RibWorkspace memory;
-  Result<TracedRibs> traced =
-      traceStage(recipe, {edges, picture, &ignored.value()}, progress, memory);
+  Result<TracedRibs> traced = traceStage(recipe, {edges, picture, &ignored.value()}, progress, memory);
   if (!traced) return traced.failure();
   const double took = nowMs(clock) - started;
   ShapeMemory shapeMemory;

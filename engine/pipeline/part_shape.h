@@ -16,10 +16,10 @@
 #include "engine/loft/posed.h"
 #include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
-#include "engine/ribs/ignored.h"
-#include "engine/ribs/live_trace.h"
-#include "engine/ribs/ribs.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/spine.h"
+#include "engine/ribs/evidence/ignored.h"
+#include "engine/ribs/search/live_trace.h"
+#include "engine/ribs/search/ribs.h"
 #include "engine/surface/part_texture.h"
 
 namespace spineloft::pipeline {
@@ -33,35 +33,35 @@ struct StageMs {
   bool operator==(const StageMs&) const = default;
 };
 
-/// Who decided on ribs: a stroke under the pen (live_trace.h), near to what it finds once it rests; the stroke by
-/// itself; or other hands as well (consensus.h), which is what counts.
-enum class Decided : std::uint8_t { ByPen, ByStroke, ByHands };
+/// Where ribs come from: a live trace under the pen (live_trace.h), the stroke alone, or the ensemble (ensemble.h),
+/// which is final.
+enum class TraceQuality : std::uint8_t { Live, Single, Ensemble };
 
 /// What a stroke finds in its picture, before anything is done to it by hand.
 struct TracedRibs {
   ribs::Spine spine;
   ribs::RibSet generated;
-  Decided decided = Decided::ByHands;
+  TraceQuality quality = TraceQuality::Ensemble;
 };
 
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
 /// puffs and flat pieces; for others they are empty.
 struct PartShape {
-  ribs::Spine spine;       ///< as traced
-  ribs::RibSet generated;  ///< what the search found
-  ribs::RibSet ribs;       ///< with the edits laid over
-  ribs::RibSet shown;      ///< in the pose, seen from the front; equal to `ribs` at rest
-  std::vector<ModelPoint> centreLine;  ///< the spine in the pose, ≥ 2 points, one a generated rib
+  ribs::Spine spine;                                ///< as traced
+  ribs::RibSet generated;                           ///< what the search found
+  ribs::RibSet ribs;                                ///< with the edits laid over
+  ribs::RibSet shown;                               ///< in the pose, seen from the front; equal to `ribs` at rest
+  std::vector<ModelPoint> centreLine;               ///< the spine in the pose, ≥ 2 points, one a generated rib
   std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned, closed
-  mesh::TriMesh mesh;      ///< ModelSpace
+  mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
-  /// `key` once its texture was looked for. Before that 0, or that of the earlier shape of the part whose
-  /// texture it wears meanwhile.
+  /// Equals `key` once its texture is known. Before that 0, or the key of the earlier shape of the part whose texture
+  /// is shown in the meantime.
   std::uint64_t textureKey = 0;
-  Decided decided = Decided::ByHands;  ///< of its ribs; what has none is as final
-  std::uint64_t key = 0;  ///< shapeKey of what it was made from; equal keys, equal shapes
-  StageMs ms;             ///< times of its ribs and loft stages; what was known already took none
+  TraceQuality quality = TraceQuality::Ensemble;  ///< of its ribs; what has none is as final
+  std::uint64_t key = 0;                          ///< shapeKey of what it was made from; equal keys, equal shapes
+  StageMs ms;  ///< times of its ribs and loft stages; what was known already took none
 };
 
 /// Whether its texture, or that there is none, is known.
@@ -73,20 +73,18 @@ std::size_t bytesOf(const PartShape& shape);
 std::size_t bytesOf(const ribs::IgnoredEdges& ignored);
 
 /// Before the ribs: what the marks of picture and part leave of the edges. Errors: OutOfMemory.
-Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges,
-                                        std::span<const ribs::IgnoreMark> ofPicture,
+Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges, std::span<const ribs::IgnoreMark> ofPicture,
                                         std::span<const ribs::IgnoreMark> ofPart);
 
-/// First stage: cleanSpine → agreedRibs, for everything in a recipe that traceKey covers. The edges may
+/// First stage: cleanSpine → ensembleRibs, for everything in a recipe that traceKey covers. The edges may
 /// be empty (no evidence yet: guessed ribs); those to ignore are part of
 /// the evidence, the marks in the recipe are not looked at. `memory` is reused and never shows in the
 /// result. Errors: those of the two, OutOfMemory.
-Result<TracedRibs> traceStage(const document::LoftRecipe& recipe,
-                              const ribs::PictureEvidence& picture, const Progress& progress,
-                              ribs::RibWorkspace& memory);
+Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
+                              const Progress& progress, ribs::RibWorkspace& memory);
 
-/// The same by the stroke itself, in a seventh of the time: cleanSpine → traceRibs. Without edges there is nothing to
-/// ask others about, and the result is what traceStage gives.
+/// The same from the stroke alone, in a seventh of the time: cleanSpine → traceRibs. Without edges the result equals
+/// that of traceStage.
 Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
                                ribs::RibWorkspace& memory);
 
@@ -112,8 +110,8 @@ struct ShapeMemory {
 
 /// The rest: applyEdits → pose → loftRibs. Pure but for the clock. `key` of the result is 0. Errors:
 /// those of the stages, OutOfMemory. `memory` is reused and never shows in the result.
-Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced,
-                             image::Size picture, ShapeMemory& memory, const Clock& clock = {});
+Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
+                             ShapeMemory& memory, const Clock& clock = {});
 /// The same in place of what `shape` held, which a failure leaves as it was. Asks for no memory once `memory` and
 /// `shape` have seen parts as large, without edits, where loftRibs and poseSpine ask for none.
 Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
@@ -121,13 +119,11 @@ Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, 
 
 /// Of a region: clean → swell, and clean → give thickness. `key` of the result is 0; the times stand in
 /// `ms.loft`. Errors: RegionEmpty, RegionTooFine, OutOfMemory.
-Result<PartShape> puffStage(const document::PuffRecipe& recipe, image::Size picture,
-                            const Clock& clock = {});
-Result<PartShape> sheetStage(const document::SheetRecipe& recipe, image::Size picture,
-                             const Clock& clock = {});
+Result<PartShape> inflateStage(const document::InflateRecipe& recipe, image::Size picture, const Clock& clock = {});
+Result<PartShape> extrudeStage(const document::ExtrudeRecipe& recipe, image::Size picture, const Clock& clock = {});
 
 /// Both in one go, for a picture without marks of its own.
-Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges,
-                            image::Size picture, const Progress& progress, const Clock& clock = {});
+Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,
+                            const Progress& progress, const Clock& clock = {});
 
 }  // namespace spineloft::pipeline

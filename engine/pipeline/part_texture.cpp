@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/pipeline/crossings.h"
+#include "engine/pipeline/occluded_outline.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -64,12 +64,13 @@ void addBand(const ribs::IgnoreMark& mark, image::Size picture, std::vector<std:
     const double length = std::hypot(along.x, along.y);
     if (!(length > 0)) continue;
     const PicturePoint aside = PicturePoint{-along.y, along.x} * (mark.radius / length);
-    out.push_back({toUv(from + aside, picture), toUv(at + aside, picture), toUv(at - aside, picture), toUv(from - aside, picture)});
+    out.push_back({toUv(from + aside, picture), toUv(at + aside, picture), toUv(at - aside, picture),
+                   toUv(from - aside, picture)});
   }
 }
 
-std::vector<std::vector<PicturePoint>> hiddenParts(
-    std::array<std::span<const ribs::IgnoreMark>, 2> marks, image::Size picture) {
+std::vector<std::vector<PicturePoint>> hiddenParts(std::array<std::span<const ribs::IgnoreMark>, 2> marks,
+                                                   image::Size picture) {
   std::vector<std::vector<PicturePoint>> hidden;
   for (const auto& some : marks) {
     for (const ribs::IgnoreMark& mark : some) {
@@ -85,34 +86,32 @@ std::shared_ptr<const surface::PartTexture> shared(std::optional<surface::PartTe
 
 }  // namespace
 
-std::shared_ptr<const surface::PartTexture> textureStage(
-    const PartShape& shape, const image::Picture& pixels,
-    std::array<std::span<const ribs::IgnoreMark>, 2> marks) {
+std::shared_ptr<const surface::PartTexture> textureStage(const PartShape& shape, const image::Picture& pixels,
+                                                         std::array<std::span<const ribs::IgnoreMark>, 2> marks) {
   if (shape.mesh.uv.size() != shape.mesh.positions.size()) return nullptr;
   try {
     const image::Size size{pixels.width, pixels.height};
     const auto sure = sureParts(shape.ribs, size), hidden = hiddenParts(marks, size);
-    const auto unseen = crossings(shape.ribs, pixels);
+    const auto unseen = occludedStretches(shape.ribs, pixels);
     return shared(surface::partTexture(pixels.working, {shape.mesh.uv, shape.mesh.triangles, sure, hidden, unseen}));
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
 }
 
-TextureMaking::TextureMaking(std::shared_ptr<const PartShape> shape,
-                             std::shared_ptr<const image::Picture> pixels,
-                             std::array<std::span<const ribs::IgnoreMark>, 2> marks)
+TextureJob::TextureJob(std::shared_ptr<const PartShape> shape, std::shared_ptr<const image::Picture> pixels,
+                       std::array<std::span<const ribs::IgnoreMark>, 2> marks)
     : shape_(std::move(shape)), pixels_(std::move(pixels)) {
   const image::Size size{pixels_->width, pixels_->height};
   const mesh::TriMesh& mesh = shape_->mesh;
   if (mesh.uv.size() != mesh.positions.size()) return;
   sure_ = sureParts(shape_->ribs, size);
   hidden_ = hiddenParts(marks, size);
-  crossings_ = crossings(shape_->ribs, *pixels_);
-  steps_.emplace(pixels_->working, surface::Wrapped{mesh.uv, mesh.triangles, sure_, hidden_, crossings_});
+  occludedStretches_ = occludedStretches(shape_->ribs, *pixels_);
+  steps_.emplace(pixels_->working, surface::Wrapped{mesh.uv, mesh.triangles, sure_, hidden_, occludedStretches_});
 }
 
-bool TextureMaking::step() {
+bool TextureJob::step() {
   if (!steps_) return false;
   try {
     if (steps_->step()) return true;

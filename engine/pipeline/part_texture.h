@@ -1,4 +1,4 @@
-// The picture as a part wears it.
+// The texture of a part.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "engine/image/image.h"
 #include "engine/pipeline/part_shape.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/base/rib_set.h"
 #include "engine/surface/part_texture.h"
 
 namespace spineloft::pipeline {
@@ -17,15 +17,14 @@ namespace spineloft::pipeline {
 /// What `pixels`, on which the part was made, show of it (surface::partTexture), its ends and where
 /// rib ends are bridged or guessed taken with doubt. `marks`: scribbles of the picture and of the part;
 /// those that cover hide what is under them. Null when there is nothing to see of it, or no memory.
-std::shared_ptr<const surface::PartTexture> textureStage(
-    const PartShape& shape, const image::Picture& pixels,
-    std::array<std::span<const ribs::IgnoreMark>, 2> marks);
+std::shared_ptr<const surface::PartTexture> textureStage(const PartShape& shape, const image::Picture& pixels,
+                                                         std::array<std::span<const ribs::IgnoreMark>, 2> marks);
 
 /// The same in steps (surface::TextureSteps), on any thread: it holds what it is made from.
-class TextureMaking {
+class TextureJob {
  public:
-  TextureMaking(std::shared_ptr<const PartShape> shape, std::shared_ptr<const image::Picture> pixels,
-                std::array<std::span<const ribs::IgnoreMark>, 2> marks);
+  TextureJob(std::shared_ptr<const PartShape> shape, std::shared_ptr<const image::Picture> pixels,
+             std::array<std::span<const ribs::IgnoreMark>, 2> marks);
   /// The next step. False: it was the last.
   bool step();
   /// After the last.
@@ -37,7 +36,7 @@ class TextureMaking {
   std::shared_ptr<const PartShape> shape_;
   std::shared_ptr<const image::Picture> pixels_;
   std::vector<std::vector<PicturePoint>> sure_, hidden_;
-  std::vector<surface::Crossing> crossings_;
+  std::vector<surface::OccludedOutline> occludedStretches_;
   std::optional<surface::TextureSteps> steps_;
   std::shared_ptr<const surface::PartTexture> made_;
 };

@@ -2,10 +2,10 @@
 #include <new>
 #include <utility>
 
+#include "engine/extrude/extrude.h"
 #include "engine/geometry/region.h"
-#include "engine/inflate/puff.h"
+#include "engine/inflate/inflate.h"
 #include "engine/pipeline/part_shape.h"
-#include "engine/sheet/sheet.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -13,13 +13,12 @@ namespace {
 double nowMs(const Clock& clock) { return clock ? clock() : 0.0; }
 
 template <class Make>
-Result<PartShape> regionShape(const document::Region& region, image::Size picture,
-                              const Clock& clock, const Make& make) {
+Result<PartShape> regionShape(const document::Region& region, image::Size picture, const Clock& clock,
+                              const Make& make) {
   const double started = nowMs(clock);
   try {
     Result<geometry::Contours> clean = geometry::cleanRegion(
-        region.contours, region.ribbon,
-        {static_cast<double>(picture.width), static_cast<double>(picture.height)});
+        region.contours, region.ribbon, {static_cast<double>(picture.width), static_cast<double>(picture.height)});
     if (!clean) return clean.failure();
     Result<mesh::TriMesh> solid = make(clean.value());
     if (!solid) return solid.failure();
@@ -35,17 +34,15 @@ Result<PartShape> regionShape(const document::Region& region, image::Size pictur
 
 }  // namespace
 
-Result<PartShape> puffStage(const document::PuffRecipe& recipe, image::Size picture,
-                            const Clock& clock) {
+Result<PartShape> inflateStage(const document::InflateRecipe& recipe, image::Size picture, const Clock& clock) {
   return regionShape(recipe.region, picture, clock, [&](const geometry::Contours& contours) {
-    return inflate::puff(contours, picture, recipe.puff);
+    return inflate::inflateRegion(contours, picture, recipe.inflate);
   });
 }
 
-Result<PartShape> sheetStage(const document::SheetRecipe& recipe, image::Size picture,
-                             const Clock& clock) {
+Result<PartShape> extrudeStage(const document::ExtrudeRecipe& recipe, image::Size picture, const Clock& clock) {
   return regionShape(recipe.region, picture, clock, [&](const geometry::Contours& contours) {
-    return sheet::sheet(contours, picture, recipe.sheet);
+    return extrude::extrudeRegion(contours, picture, recipe.extrude);
   });
 }
 

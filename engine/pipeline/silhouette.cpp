@@ -12,8 +12,7 @@ image::Mask rasteriseSilhouette(const mesh::TriMesh& modelSpace, image::Size pic
   if (picture.width <= 0 || picture.height <= 0) return mask;
   mask.width = picture.width;
   mask.height = picture.height;
-  mask.pixels.assign(
-      static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0);
+  mask.pixels.assign(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 0);
   const auto at = [&](std::uint32_t v) {
     const auto& p = modelSpace.positions[v];
     return PicturePoint{p[0], -static_cast<double>(p[1])};

@@ -18,12 +18,11 @@ bool fits(const SolidArrays& a) {
   const auto within = [&](const SolidArrays::Run& run) {
     return run.first <= triangles && run.count <= triangles - run.first;
   };
-  return a.positions.size() == 3 * vertices && a.corners.size() == 3 * triangles &&
-         a.uv.size() == 2 * vertices && vertices < kNone && triangles > 0 &&
-         a.mergeFrom.size() == a.mergeTo.size() && std::ranges::all_of(a.corners, known) &&
-         std::ranges::all_of(a.mergeFrom, known) && std::ranges::all_of(a.mergeTo, known) &&
-         std::ranges::all_of(a.positions, finite) && std::ranges::all_of(a.uv, finite) &&
-         std::ranges::all_of(a.runs, within);
+  return a.positions.size() == 3 * vertices && a.corners.size() == 3 * triangles && a.uv.size() == 2 * vertices &&
+         vertices < kNone && triangles > 0 && a.mergeFrom.size() == a.mergeTo.size() &&
+         std::ranges::all_of(a.corners, known) && std::ranges::all_of(a.mergeFrom, known) &&
+         std::ranges::all_of(a.mergeTo, known) && std::ranges::all_of(a.positions, finite) &&
+         std::ranges::all_of(a.uv, finite) && std::ranges::all_of(a.runs, within);
 }
 
 /// Adds vertices of a larger mesh one by one, each once.
@@ -65,8 +64,8 @@ class Picker {
 
 std::size_t bytesOf(const Solid& solid) {
   const auto of = [](const mesh::TriMesh& mesh) {
-    return mesh.positions.size() * sizeof(mesh.positions[0]) +
-           mesh.triangles.size() * sizeof(mesh.triangles[0]) + mesh.uv.size() * sizeof(mesh.uv[0]);
+    return mesh.positions.size() * sizeof(mesh.positions[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]) +
+           mesh.uv.size() * sizeof(mesh.uv[0]);
   };
   std::size_t bytes = sizeof(Solid) + of(solid.mesh);
   for (const SolidPiece& piece : solid.pieces) bytes += sizeof(piece) + of(piece.mesh);
@@ -90,8 +89,7 @@ Result<Solid> solidFrom(const SolidArrays& arrays) {
   Solid solid;
   Picker closed(arrays, false), open(arrays, true);
   for (std::size_t i = 0; i < arrays.corners.size(); i += 3) {
-    closed.triangle(place[arrays.corners[i]], place[arrays.corners[i + 1]],
-                    place[arrays.corners[i + 2]]);
+    closed.triangle(place[arrays.corners[i]], place[arrays.corners[i + 1]], place[arrays.corners[i + 2]]);
   }
   solid.mesh = closed.finish();
   // Runs of one part are one piece.
@@ -123,14 +121,12 @@ bool isVisible(const document::Document& document, const document::Part& part) {
   return root != nullptr ? root->visible : part.visible;
 }
 
-bool showsItself(const document::Document& document, const Derived& derived,
-                 const document::Part& part) {
+bool showsItself(const document::Document& document, const Derived& derived, const document::Part& part) {
   // Until the solver has answered for the first time, the parts stand for their solid.
   return isVisible(document, part) && solidOf(document, derived, part.id) == nullptr;
 }
 
-const DerivedStep* shownSolid(const document::Document& document, const Derived& derived,
-                              const document::Step& step) {
+const DerivedStep* shownSolid(const document::Document& document, const Derived& derived, const document::Step& step) {
   if (!step.visible || holderOf(document, {{}, step.id}) != nullptr) return nullptr;
   const auto at = std::ranges::find(derived.steps, step.id, &DerivedStep::id);
   return at == derived.steps.end() || !at->solid ? nullptr : &*at;

@@ -38,9 +38,9 @@ std::size_t bytesOf(const Solid& solid);
 
 /// A mesh as the solver hands it over: vertices may stand at one place with different UV.
 struct SolidArrays {
-  std::span<const float> positions;       ///< 3 a vertex
-  std::span<const float> uv;              ///< 2 a vertex
-  std::span<const std::uint32_t> corners; ///< 3 a triangle
+  std::span<const float> positions;                   ///< 3 a vertex
+  std::span<const float> uv;                          ///< 2 a vertex
+  std::span<const std::uint32_t> corners;             ///< 3 a triangle
   std::span<const std::uint32_t> mergeFrom, mergeTo;  ///< vertices at one place
   struct Run {
     PartId part;
@@ -68,10 +68,8 @@ const DerivedStep* solidOf(const document::Document& document, const Derived& de
 /// Whether a part is to be seen: in a solid it shows and hides as the whole does, whatever it was before.
 bool isVisible(const document::Document& document, const document::Part& part);
 /// Whether a part is to be drawn and exported on its own: visible, and in no solid.
-bool showsItself(const document::Document& document, const Derived& derived,
-                 const document::Part& part);
+bool showsItself(const document::Document& document, const Derived& derived, const document::Part& part);
 /// The step as derived when its solid is to be drawn and exported: outermost, visible, with a solid. Else null.
-const DerivedStep* shownSolid(const document::Document& document, const Derived& derived,
-                              const document::Step& step);
+const DerivedStep* shownSolid(const document::Document& document, const Derived& derived, const document::Step& step);
 
 }  // namespace spineloft::pipeline

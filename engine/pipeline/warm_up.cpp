@@ -51,13 +51,12 @@ Status everyStage(const image::Picture& picture, bool withHands) {
   const Result<image::EdgeMap> edges = vision::detectEdges(picture, {}, Progress());
   if (!edges) return edges.failure();
   document::LoftRecipe recipe;
-  for (int x = 25; x <= kWidth - 25; x += 5)
-    recipe.stroke.push_back({1.0 * x, 60 + 12 * std::sin(0.03 * x)});
+  for (int x = 25; x <= kWidth - 25; x += 5) recipe.stroke.push_back({1.0 * x, 60 + 12 * std::sin(0.03 * x)});
   const ribs::PictureEvidence evidence{edges.value(), {picture.width, picture.height}};
   ribs::RibWorkspace memory;
   ShapeMemory shapeMemory;
-  const Result<TracedRibs> traced = withHands ? traceStage(recipe, evidence, Progress(), memory)
-                                              : strokeStage(recipe, evidence, memory);
+  const Result<TracedRibs> traced =
+      withHands ? traceStage(recipe, evidence, Progress(), memory) : strokeStage(recipe, evidence, memory);
   if (!traced) return traced.failure();
   const Result<PartShape> shape = shapeStage(recipe, traced.value(), evidence.size, shapeMemory);
   if (!shape) return shape.failure();

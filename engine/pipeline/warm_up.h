@@ -1,4 +1,4 @@
-// Every stage once, before anybody waits for it.
+// Runs every stage once, so that the first stroke does not pay for compilation and first allocations.
 #pragma once
 
 #include "engine/base/result.h"

@@ -11,14 +11,12 @@ constexpr double kGap = 0.06;  // between parts of two pictures, world units: a 
 /// The columns are what a map without a shift makes of the axes.
 template <class Map>
 std::array<double, 9> matrixOf(const Map& map) {
-  const WorldPoint x = map(WorldPoint{1, 0, 0}), y = map(WorldPoint{0, 1, 0}),
-                   z = map(WorldPoint{0, 0, 1});
+  const WorldPoint x = map(WorldPoint{1, 0, 0}), y = map(WorldPoint{0, 1, 0}), z = map(WorldPoint{0, 0, 1});
   return {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
 }
 
 template <class Wanted>
-std::optional<WorldBounds> boundsIf(const document::Document& document, const Derived& derived,
-                                    const Wanted& wanted) {
+std::optional<WorldBounds> boundsIf(const document::Document& document, const Derived& derived, const Wanted& wanted) {
   std::optional<WorldBounds> bounds;
   for (const DerivedPart& shown : derived.parts) {
     const document::Part* part = document::findPart(document, shown.id);
@@ -44,8 +42,7 @@ WorldPoint ToWorld::operator()(ModelPoint p) const { return along(p - origin) + 
 
 bool ToWorld::isStraight() const {
   const auto& m = linear;
-  return m[1] == 0 && m[2] == 0 && m[3] == 0 && m[5] == 0 && m[6] == 0 && m[7] == 0 &&
-         m[0] > 0 && m[4] > 0 && m[8] > 0;
+  return m[1] == 0 && m[2] == 0 && m[3] == 0 && m[5] == 0 && m[6] == 0 && m[7] == 0 && m[0] > 0 && m[4] > 0 && m[8] > 0;
 }
 
 WorldPoint ToWorld::along(ModelPoint v) const {
@@ -64,8 +61,8 @@ ModelPoint ToWorld::alongInModel(WorldPoint v) const {
           (m[2] * v.x + m[5] * v.y + m[8] * v.z) * s};
 }
 
-Copies copiesInWorld(const document::Placement& placement,
-                     const std::optional<document::MirrorPlane>& mirror, image::Size picture) {
+Copies copiesInWorld(const document::Placement& placement, const std::optional<document::MirrorPlane>& mirror,
+                     image::Size picture) {
   const WorldFrame frame = worldFrame(picture);
   Copies copies;
   ToWorld& own = copies.all[0];
@@ -80,9 +77,7 @@ Copies copiesInWorld(const document::Placement& placement,
   } else {
     own.linear = matrixOf([&](WorldPoint v) {
       const WorldPoint scaled = v * own.scale;
-      return geometry::turned(placement.turn, placement.mirrored
-                                                  ? WorldPoint{-scaled.x, scaled.y, scaled.z}
-                                                  : scaled);
+      return geometry::turned(placement.turn, placement.mirrored ? WorldPoint{-scaled.x, scaled.y, scaled.z} : scaled);
     });
   }
   if (!mirror) return copies;
@@ -130,11 +125,9 @@ void include(std::optional<WorldBounds>& bounds, WorldPoint p) {
   high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
 }
 
-std::optional<WorldBounds> worldBounds(const document::Document& document,
-                                       const Derived& derived) {
-  std::optional<WorldBounds> bounds = boundsIf(document, derived, [&](const document::Part& part) {
-    return showsItself(document, derived, part);
-  });
+std::optional<WorldBounds> worldBounds(const document::Document& document, const Derived& derived) {
+  std::optional<WorldBounds> bounds =
+      boundsIf(document, derived, [&](const document::Part& part) { return showsItself(document, derived, part); });
   for (const document::Step& step : document.steps) {
     const DerivedStep* shown = shownSolid(document, derived, step);
     if (shown == nullptr) continue;
@@ -150,8 +143,8 @@ std::optional<WorldBounds> boundsOf(const document::Document& document, const De
   });
 }
 
-std::optional<WorldBounds> boundsWithout(const document::Document& document,
-                                         const Derived& derived, std::span<const PartId> parts) {
+std::optional<WorldBounds> boundsWithout(const document::Document& document, const Derived& derived,
+                                         std::span<const PartId> parts) {
   return boundsIf(document, derived, [&](const document::Part& part) {
     return isVisible(document, part) && std::ranges::count(parts, part.id) == 0;
   });
@@ -163,8 +156,8 @@ WorldPoint middleOf(const mesh::TriMesh& shape, const WorldFrame& frame) {
   return bounds ? bounds->centre() : WorldPoint{};
 }
 
-document::Placement standBeside(const document::Document& document, const Derived& derived,
-                                PictureId picture, const mesh::TriMesh& shape) {
+document::Placement standBeside(const document::Document& document, const Derived& derived, PictureId picture,
+                                const mesh::TriMesh& shape) {
   const document::PictureEntry* entry = document::findPicture(document, picture);
   if (entry == nullptr || shape.positions.empty()) return {};
   const WorldFrame frame = worldFrame(entry->size);

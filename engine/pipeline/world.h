@@ -38,9 +38,7 @@ struct ToWorld {
   bool flips = false;
 
   WorldPoint operator()(ModelPoint p) const;
-  WorldPoint operator()(const std::array<float, 3>& p) const {
-    return (*this)(ModelPoint{p[0], p[1], p[2]});
-  }
+  WorldPoint operator()(const std::array<float, 3>& p) const { return (*this)(ModelPoint{p[0], p[1], p[2]}); }
   /// Neither turned nor mirrored: only scaled and shifted.
   bool isStraight() const;
   /// A direction, scaled with everything else.
@@ -58,8 +56,8 @@ struct Copies {
   const ToWorld* end() const { return all.data() + count; }
 };
 /// `picture`: size of the picture on which the part was drawn.
-Copies copiesInWorld(const document::Placement& placement,
-                     const std::optional<document::MirrorPlane>& mirror, image::Size picture);
+Copies copiesInWorld(const document::Placement& placement, const std::optional<document::MirrorPlane>& mirror,
+                     image::Size picture);
 Copies copiesInWorld(const document::Part& part, image::Size picture);
 
 /// Where a part goes through itself that could not be mended (DerivedPart::crossesAt), on its first copy.
@@ -80,15 +78,15 @@ std::optional<WorldBounds> worldBounds(const document::Document& document, const
 /// The same of those of `parts`, or of all but those.
 std::optional<WorldBounds> boundsOf(const document::Document& document, const Derived& derived,
                                     std::span<const PartId> parts);
-std::optional<WorldBounds> boundsWithout(const document::Document& document,
-                                         const Derived& derived, std::span<const PartId> parts);
+std::optional<WorldBounds> boundsWithout(const document::Document& document, const Derived& derived,
+                                         std::span<const PartId> parts);
 
 /// Where a part of this picture, traced with this shape, comes to stand: as the first part of its
 /// picture stands, so that what was traced together stays together; the first one of a further picture
 /// to the right of what is there, on the same ground. The pivot is the middle of the shape as traced.
 /// The default for the first part of all, and for a picture that is not there.
-document::Placement standBeside(const document::Document& document, const Derived& derived,
-                                PictureId picture, const mesh::TriMesh& shape);
+document::Placement standBeside(const document::Document& document, const Derived& derived, PictureId picture,
+                                const mesh::TriMesh& shape);
 
 /// The middle of a shape as traced: what a part turns and grows about.
 WorldPoint middleOf(const mesh::TriMesh& shape, const WorldFrame& frame);

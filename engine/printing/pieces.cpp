@@ -93,7 +93,8 @@ void uniteTouching(const std::vector<Shell>& shells, double cell, Groups& pieces
       const int n = std::max(1, static_cast<int>(std::ceil(2 * longest / cell)));
       for (int i = 0; i <= n; ++i) {
         for (int j = 0; j <= n - i; ++j) {
-          const Point p = t[0] + (t[1] - t[0]) * (static_cast<double>(i) / n) + (t[2] - t[0]) * (static_cast<double>(j) / n);
+          const Point p =
+              t[0] + (t[1] - t[0]) * (static_cast<double>(i) / n) + (t[2] - t[0]) * (static_cast<double>(j) / n);
           grid.add(p, s);
           between.add(p, s);
         }

@@ -121,7 +121,7 @@ void findStand(std::span<const mesh::TriMesh> parts, double ground, PrintCheck& 
   check.volume = volume;
   if (!(volume > 0)) return;
   const Point centre = weighted / volume;
-  check.lean = leanOf(std::move(foot), {centre.x, centre.z}, centre.y - ground);
+  check.lean = tippingAngleOf(std::move(foot), {centre.x, centre.z}, centre.y - ground);
 }
 
 bool fits(const std::array<double, 3>& size, const std::array<double, 3>& volume) {
@@ -132,7 +132,8 @@ bool fits(const std::array<double, 3>& size, const std::array<double, 3>& volume
 
 /// The first printer that it fits into; their number when there is none.
 std::size_t printerFor(const std::array<double, 3>& size) {
-  const auto fitting = std::ranges::find_if(kPrinters, [&](const Printer& printer) { return fits(size, printer.volume); });
+  const auto fitting =
+      std::ranges::find_if(kPrinters, [&](const Printer& printer) { return fits(size, printer.volume); });
   return static_cast<std::size_t>(fitting - kPrinters.begin());
 }
 

@@ -27,12 +27,12 @@ inline constexpr double kWallSlant = 0.349;
 /// So much of the surface may be on thinner walls: what is less is a speck.
 inline constexpr double kThinShare = 0.01;
 /// How far a model should lean before it falls, radians (3°): a floor and a table are never quite level.
-inline constexpr double kLeastLean = 0.0524;
+inline constexpr double kLeastTippingAngle = 0.0524;
 /// What lies this near to the ground is stood on, millimetres: a first layer and a half.
 inline constexpr double kFootReach = 0.3;
 
 struct PrintCheck {
-  bool closed = false;  ///< every part is finite, closed and outward
+  bool closed = false;     ///< every part is finite, closed and outward
   std::size_t pieces = 0;  ///< how many come off the printer (see countPieces)
   /// Width (x), depth (z of the meshes), height (y), millimetres.
   std::array<double, 3> size{};
@@ -47,7 +47,7 @@ struct PrintCheck {
   /// The least angle by which it can lean before it falls over, radians; not above 0 when it falls by
   /// itself.
   double lean = 0;
-  bool stands() const { return lean >= kLeastLean; }
+  bool stands() const { return lean >= kLeastTippingAngle; }
   /// What does not stand would on a flat foot (see flatFoot).
   bool footHelps = false;
   bool thick() const { return thinnest >= kLeastWall; }

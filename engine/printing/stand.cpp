@@ -16,9 +16,8 @@ constexpr double kLeastKept = 0.3;
 
 /// The convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<GroundPoint> hullOf(std::vector<GroundPoint> points) {
-  std::ranges::sort(points, [](const GroundPoint& a, const GroundPoint& b) {
-    return a.x != b.x ? a.x < b.x : a.z < b.z;
-  });
+  std::ranges::sort(points,
+                    [](const GroundPoint& a, const GroundPoint& b) { return a.x != b.x ? a.x < b.x : a.z < b.z; });
   const auto turns = [](const GroundPoint& o, const GroundPoint& a, const GroundPoint& b) {
     return (a.x - o.x) * (b.z - o.z) - (a.z - o.z) * (b.x - o.x);
   };
@@ -81,14 +80,14 @@ void addTriangle(const Corners& corners, double level, Rest& rest) {
   }
 }
 
-double leanAt(std::span<const mesh::TriMesh> parts, double level) {
+double tippingAngleAt(std::span<const mesh::TriMesh> parts, double level) {
   Rest rest;
   for (const mesh::TriMesh& mesh : parts) {
     for (const auto& t : mesh.triangles) addTriangle(cornersOf(mesh, t), level, rest);
   }
   if (!(rest.volume > 0)) return -1;
   const Point centre = rest.weighted / rest.volume;
-  return leanOf(std::move(rest.section), {centre.x, centre.z}, centre.y - level);
+  return tippingAngleOf(std::move(rest.section), {centre.x, centre.z}, centre.y - level);
 }
 
 struct Reach {
@@ -97,7 +96,7 @@ struct Reach {
 
 }  // namespace
 
-double leanOf(std::vector<GroundPoint> foot, GroundPoint centre, double height) {
+double tippingAngleOf(std::vector<GroundPoint> foot, GroundPoint centre, double height) {
   return std::atan2(inside(hullOf(std::move(foot)), centre), std::max(1e-6, height));
 }
 
@@ -120,7 +119,7 @@ std::optional<double> flatFoot(std::span<const mesh::TriMesh> parts) {
       return reach.low < level && reach.high - level < kLeastKept * (reach.high - reach.low);
     });
     if (tooMuch) return std::nullopt;
-    if (leanAt(parts, level) >= kGoodLean) return foot;
+    if (tippingAngleAt(parts, level) >= kGoodTippingAngle) return foot;
   }
   return std::nullopt;
 }

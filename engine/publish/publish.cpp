@@ -13,7 +13,7 @@
 #include "engine/io/stl.h"
 #include "engine/io/three_mf.h"
 #include "engine/printing/stand.h"
-#include "engine/publish/dressing.h"
+#include "engine/publish/texture_assignment.h"
 
 namespace spineloft::publish {
 namespace {
@@ -35,8 +35,7 @@ struct Export {
 
 /// Standing on the ground, centred, and as tall as the document says.
 Export standing(const WorldBounds& bounds, double height) {
-  const WorldPoint base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y,
-                        (bounds.low.z + bounds.high.z) / 2};
+  const WorldPoint base{(bounds.low.x + bounds.high.x) / 2, bounds.low.y, (bounds.low.z + bounds.high.z) / 2};
   return {base, height / (bounds.high.y - bounds.low.y)};
 }
 
@@ -55,10 +54,10 @@ mesh::TriMesh turnedMesh(const mesh::TriMesh& mesh, pipeline::ToWorld toWorld) {
 }
 
 /// Parts as the writers want them, and what they point to.
-struct Shelf {
+struct ExportBatch {
   std::vector<io::ExportPart> parts;
   std::deque<mesh::TriMesh> turned;  ///< meshes of parts that are turned; where they are, they stay
-  Wardrobe wardrobe;
+  TextureAssignment textures;
   Bytes atlas;  ///< encoded
   std::vector<io::ExportPicture> pictures;
 };
@@ -67,21 +66,20 @@ struct Shelf {
 bool showsPictures(Format format) { return format != Format::Obj && format != Format::Stl; }
 
 /// Encoded from pixels, so that nothing of the original files (place, camera) goes along.
-Status encodeAtlas(Shelf& shelf, Format format) {
-  if (!shelf.wardrobe.atlas) return Done{};
-  Result<Bytes> bytes = format == Format::ObjZip
-                            ? io::encodePng(*shelf.wardrobe.atlas)
-                            : io::encodeJpeg(*shelf.wardrobe.atlas, kTextureQuality);
+Status encodeAtlas(ExportBatch& batch, Format format) {
+  if (!batch.textures.atlas) return Done{};
+  Result<Bytes> bytes = format == Format::ObjZip ? io::encodePng(*batch.textures.atlas)
+                                                 : io::encodeJpeg(*batch.textures.atlas, kTextureQuality);
   if (!bytes) return bytes.failure();
-  shelf.atlas = std::move(bytes).value();
-  shelf.pictures.push_back({"texture", shelf.atlas});
+  batch.atlas = std::move(bytes).value();
+  batch.pictures.push_back({"texture", batch.atlas});
   return Done{};
 }
 
 /// The faces of a solid, one export part for each part of the document that they come from; all at once
 /// where the format knows no colours.
 void gatherSolid(const Model& model, const document::Step& step, const Export& target, Format format,
-                 Shelf& shelf, std::vector<Bare>& bare) {
+                 ExportBatch& batch, std::vector<UntexturedPart>& bare) {
   const pipeline::DerivedStep* shown = shownSolid(model.document, model.derived, step);
   if (shown == nullptr) return;
   io::ExportPart out;
@@ -89,7 +87,7 @@ void gatherSolid(const Model& model, const document::Step& step, const Export& t
   out.placement = {{target.base.x, target.base.y, target.base.z}, target.scale};
   out.ofSolid = true;  // closed; but the solver may leave triangles that are thinner than ours
   if (!showsPictures(format)) {
-    shelf.parts.push_back(out);
+    batch.parts.push_back(out);
     bare.push_back({&step.look, &shown->solid->mesh, nullptr, nullptr});
     return;
   }
@@ -97,9 +95,8 @@ void gatherSolid(const Model& model, const document::Step& step, const Export& t
     const document::Part* part = document::findPart(model.document, piece.part);
     const auto at = std::ranges::find(model.derived.parts, piece.part, &pipeline::DerivedPart::id);
     const document::Look& look = part == nullptr || step.ownLook ? step.look : part->look;
-    shelf.parts.push_back(out);
-    bare.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(),
-                    nullptr});
+    batch.parts.push_back(out);
+    bare.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(), nullptr});
     out.joins = true;
   }
 }
@@ -112,8 +109,8 @@ const mesh::TriMesh& meshOf(const pipeline::DerivedPart& part, Format format) {
   return part.mended->pieces.size() == 1 ? part.mended->pieces.front().mesh : part.shape->mesh;
 }
 
-Status gather(const Model& model, const Export& target, Format format, Shelf& shelf) {
-  std::vector<Bare> bare;
+Status gather(const Model& model, const Export& target, Format format, ExportBatch& batch) {
+  std::vector<UntexturedPart> bare;
   for (const pipeline::DerivedPart& shown : model.derived.parts) {
     const document::Part* part = document::findPart(model.document, shown.id);
     if (part == nullptr || !showsItself(model.document, model.derived, *part) || !shown.shape) continue;
@@ -123,22 +120,22 @@ Status gather(const Model& model, const Export& target, Format format, Shelf& sh
     const mesh::TriMesh& mesh = meshOf(shown, format);
     for (const pipeline::ToWorld& toWorld : pipeline::copiesInWorld(*part, entry->size)) {
       const bool turned = !toWorld.isStraight();
-      if (turned) shelf.turned.push_back(turnedMesh(mesh, toWorld));
+      if (turned) batch.turned.push_back(turnedMesh(mesh, toWorld));
       io::ExportPart out;
       out.name = first ? part->name : part->name + " mirrored";
       out.placement = placementOf(toWorld, turned, target);
       out.ofSolid = &mesh != &shown.shape->mesh;
-      shelf.parts.push_back(std::move(out));
-      bare.push_back({&part->look, turned ? &shelf.turned.back() : &mesh, shown.shape.get(), nullptr, &mesh});
+      batch.parts.push_back(std::move(out));
+      bare.push_back({&part->look, turned ? &batch.turned.back() : &mesh, shown.shape.get(), nullptr, &mesh});
       first = false;
     }
   }
   for (const document::Step& step : model.document.steps) {
-    gatherSolid(model, step, target, format, shelf, bare);
+    gatherSolid(model, step, target, format, batch, bare);
   }
-  for (std::size_t i = 0; i < bare.size(); ++i) bare[i].part = &shelf.parts[i];
-  shelf.wardrobe = dress(bare, showsPictures(format));
-  return encodeAtlas(shelf, format);
+  for (std::size_t i = 0; i < bare.size(); ++i) bare[i].part = &batch.parts[i];
+  batch.textures = assignTextures(bare, showsPictures(format));
+  return encodeAtlas(batch, format);
 }
 
 Result<Bytes> writeModel(const Model& model, Format format, const Progress& progress) {
@@ -147,24 +144,28 @@ Result<Bytes> writeModel(const Model& model, Format format, const Progress& prog
   constexpr double kMetresPerMm = 1e-3;
   const bool isGlb = format == Format::Glb || format == Format::Project;
   const Export target = standing(*bounds, model.document.height.value * (isGlb ? kMetresPerMm : 1));
-  Shelf shelf;
-  if (const Status status = gather(model, target, format, shelf); !status) return status.failure();
+  ExportBatch batch;
+  if (const Status status = gather(model, target, format, batch); !status) return status.failure();
   if (!progress.advance(0.4)) return Error::Cancelled;
-  std::vector<io::ExportPart>& parts = shelf.parts;
+  std::vector<io::ExportPart>& parts = batch.parts;
   switch (format) {
-    case Format::Obj: return io::writeObj(parts);
-    case Format::Stl: return io::writeStl(parts);
-    case Format::ObjZip: return io::writeObjZip(parts, shelf.pictures, plainName(model.document));
-    case Format::ThreeMf: return io::write3mf(parts, shelf.pictures);
+    case Format::Obj:
+      return io::writeObj(parts);
+    case Format::Stl:
+      return io::writeStl(parts);
+    case Format::ObjZip:
+      return io::writeObjZip(parts, batch.pictures, plainName(model.document));
+    case Format::ThreeMf:
+      return io::write3mf(parts, batch.pictures);
     case Format::Project:
       // What cannot be shown must not keep the work from being saved.
-      std::erase_if(parts, [&](const io::ExportPart& part) {
-        return !io::checkParts({&part, 1}, shelf.pictures.size());
-      });
+      std::erase_if(parts,
+                    [&](const io::ExportPart& part) { return !io::checkParts({&part, 1}, batch.pictures.size()); });
       break;
-    case Format::Glb: break;
+    case Format::Glb:
+      break;
   }
-  return io::writeGlb(parts, shelf.pictures);
+  return io::writeGlb(parts, batch.pictures);
 }
 
 Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Document& document,
@@ -172,12 +173,12 @@ Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Docu
   std::deque<Bytes> kept;
   std::vector<io::ProjectPhoto> photos;
   for (const document::PictureEntry& entry : document.pictures) {
-    if (!progress.advance(0.5 + 0.4 * static_cast<double>(photos.size()) /
-                                    static_cast<double>(document.pictures.size()))) {
+    if (!progress.advance(0.5 +
+                          0.4 * static_cast<double>(photos.size()) / static_cast<double>(document.pictures.size()))) {
       return Error::Cancelled;
     }
-    const bool known = std::ranges::any_of(
-        photos, [&](const io::ProjectPhoto& photo) { return photo.picture == entry.picture; });
+    const bool known =
+        std::ranges::any_of(photos, [&](const io::ProjectPhoto& photo) { return photo.picture == entry.picture; });
     if (entry.isSketch() || known) continue;
     Result<Bytes> bytes = io::writePhoto(*entry.picture);
     if (!bytes) return bytes.failure();
@@ -187,10 +188,8 @@ Result<Bytes> addProject(std::span<const std::uint8_t> glb, const document::Docu
   return io::embedProject(glb, document, photos);
 }
 
-Result<Bytes> write(const Model& model, Format format, const Progress& progress,
-                    const Options& options) {
-  const bool withProject =
-      format == Format::Project || (format == Format::Glb && options.withProject);
+Result<Bytes> write(const Model& model, Format format, const Progress& progress, const Options& options) {
+  const bool withProject = format == Format::Project || (format == Format::Glb && options.withProject);
   Result<Bytes> bytes = writeModel(model, format, progress);
   if (format == Format::Project && !bytes && bytes.error() == Error::NothingToExport) {
     bytes = Bytes{};
@@ -203,9 +202,9 @@ Result<Bytes> write(const Model& model, Format format, const Progress& progress,
 std::vector<mesh::TriMesh> millimetres(const Model& model) {
   std::vector<mesh::TriMesh> out;
   const std::optional<WorldBounds> bounds = worldBounds(model.document, model.derived);
-  Shelf shelf;
-  if (!bounds || !gather(model, standing(*bounds, model.document.height.value), Format::Stl, shelf)) return out;
-  for (const io::ExportPart& part : shelf.parts) {
+  ExportBatch batch;
+  if (!bounds || !gather(model, standing(*bounds, model.document.height.value), Format::Stl, batch)) return out;
+  for (const io::ExportPart& part : batch.parts) {
     out.push_back(*part.mesh);
     for (auto& p : out.back().positions) {
       const std::array<double, 3> at = io::placed(part.placement, p);
@@ -217,8 +216,7 @@ std::vector<mesh::TriMesh> millimetres(const Model& model) {
 
 }  // namespace
 
-Result<printing::PrintCheck> checkPrint(const document::Document& document,
-                                        const pipeline::Derived& derived) {
+Result<printing::PrintCheck> checkPrint(const document::Document& document, const pipeline::Derived& derived) {
   try {
     const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
     if (parts.empty()) return Error::NothingToExport;
@@ -228,8 +226,7 @@ Result<printing::PrintCheck> checkPrint(const document::Document& document,
   }
 }
 
-Result<std::optional<double>> flatFoot(const document::Document& document,
-                                       const pipeline::Derived& derived) {
+Result<std::optional<double>> flatFoot(const document::Document& document, const pipeline::Derived& derived) {
   try {
     const std::vector<mesh::TriMesh> parts = millimetres({document, derived});
     if (parts.empty()) return Error::NothingToExport;
@@ -239,8 +236,8 @@ Result<std::optional<double>> flatFoot(const document::Document& document,
   }
 }
 
-Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
-                      Format format, const Progress& progress, const Options& options) {
+Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived, Format format,
+                      const Progress& progress, const Options& options) {
   try {
     return write({document, derived}, format, progress, options);
   } catch (const std::bad_alloc&) {

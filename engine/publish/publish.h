@@ -12,8 +12,8 @@
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
-#include "engine/printing/print_check.h"
 #include "engine/pipeline/world.h"
+#include "engine/printing/print_check.h"
 
 namespace spineloft::publish {
 
@@ -26,6 +26,8 @@ enum class Format : std::uint8_t { Glb, Obj, Stl, Project, ObjZip, ThreeMf };
 std::optional<Format> formatFromKey(std::string_view key);
 std::string_view formatKey(Format format);
 std::string_view mediaType(Format format);
+/// Whether a model can be opened again from a file of this format: the editable document is inside.
+bool holdsDocument(Format format);
 
 // How parts come to the world is the pipeline's (world.h).
 using pipeline::worldBounds;
@@ -41,22 +43,21 @@ struct Options {
 
 /// All visible parts as one file.
 /// All stand on the ground, centred, as tall as Document::height.
-/// - GLB: metres, y up, +z to the viewer; one node a part, one texture for all that wear a picture or two
-///   colours (dressing.h). The whole editable document is inside: io::readProject gives it back.
+/// - GLB: metres, y up, +z to the viewer; one node a part, one texture for all parts with a picture or two colours
+///   (texture_assignment.h). The whole editable document is inside: io::readProject gives it back.
 /// - Project: the same bytes; with nothing to show, or a part that cannot be shown, it is written all
 ///   the same.
 /// - STL: millimetres, z up.
 /// - 3MF: millimetres, z up, in the positive octant, with colours and texture.
 /// - OBJ: millimetres, y up, one object a part; ObjZip: the same with materials and texture.
-/// Pictures are encoded anew: nothing that a photo's file said besides its pixels is in any of them.
+/// Pictures are encoded anew: the metadata of a photo is in none of them.
 /// Errors: NothingToExport (not for Project), MeshInvalid (not for Project), Cancelled, OutOfMemory.
-Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived,
-                      Format format, const Progress& progress, const Options& options = {});
+Result<Bytes> publish(const document::Document& document, const pipeline::Derived& derived, Format format,
+                      const Progress& progress, const Options& options = {});
 
 /// The visible parts in millimetres, as they go into a file for a printer, looked at before they are
 /// printed. Errors: NothingToExport, OutOfMemory.
-Result<printing::PrintCheck> checkPrint(const document::Document& document,
-                                        const pipeline::Derived& derived);
+Result<printing::PrintCheck> checkPrint(const document::Document& document, const pipeline::Derived& derived);
 
 /// How much of the model's lowest end a flat foot takes, millimetres (printing::flatFoot); none when
 /// that does not make it stand. Errors: those of checkPrint.

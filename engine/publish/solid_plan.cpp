@@ -39,7 +39,7 @@ class Planner {
     constexpr double kHardly = 0.05;
     OpeningSide best = OpeningSide::Up;
     double most = -2;
-    // The ends of the bone come first in their order, before the sides of the world.
+    // The ends of the spine come first in their order, before the sides of the world.
     for (int i = static_cast<int>(OpeningSide::None) + 1; i < static_cast<int>(OpeningSide::kCount); ++i) {
       const auto side = static_cast<OpeningSide>(i);
       const bool isEnd = side == OpeningSide::Start || side == OpeningSide::End;
@@ -54,7 +54,7 @@ class Planner {
   }
 
  private:
-  /// The step's node; none while something in it has no shape, or one that other hands are yet to be asked about.
+  /// The step's node; none while something in it has no shape, or one that perturbed strokes are yet to be asked about.
   std::optional<std::size_t> add(const Step& step, std::size_t depth) {
     if (depth > document_.steps.size()) return std::nullopt;
     SolidPlan::Node node;
@@ -68,7 +68,7 @@ class Planner {
       auto made = operand.part ? partOperands(operand.part) : stepOperands(operand.step, depth);
       if (made.empty()) return std::nullopt;
       // A part and its twin are one thing to cut from, to cut with and to share.
-      const bool asOne = step.kind == StepKind::Cut || step.kind == StepKind::Common;
+      const bool asOne = step.kind == StepKind::Cut || step.kind == StepKind::Intersection;
       if (made.size() > 1 && asOne) made = {joined(std::move(made), step.id)};
       hasher.number(made.size());
       for (const SolidPlan::Operand& each : made) mix(each, hasher);
@@ -120,7 +120,8 @@ class Planner {
 
   const pipeline::PartShape* shapeOf(PartId id) const {
     const auto at = std::ranges::find(derived_.parts, id, &pipeline::DerivedPart::id);
-    const bool known = at != derived_.parts.end() && at->shape && at->shape->decided == pipeline::Decided::ByHands;
+    const bool known =
+        at != derived_.parts.end() && at->shape && at->shape->quality == pipeline::TraceQuality::Ensemble;
     return known ? at->shape.get() : nullptr;
   }
 
@@ -132,8 +133,7 @@ class Planner {
         part == nullptr ? nullptr : findPicture(document_, document::pictureOf(*part));
     if (entry == nullptr || shape == nullptr) return {};
     const bool replaced = instead_ != nullptr && instead_->part == id;
-    const SolidPlan::Mesh mesh{replaced ? instead_->key : shape->key,
-                               replaced ? instead_->mesh : &shape->mesh};
+    const SolidPlan::Mesh mesh{replaced ? instead_->key : shape->key, replaced ? instead_->mesh : &shape->mesh};
     const auto known = std::ranges::find(plan_.meshes, mesh.key, &SolidPlan::Mesh::key);
     SolidPlan::Operand operand;
     operand.mesh = static_cast<std::size_t>(known - plan_.meshes.begin());
@@ -156,21 +156,30 @@ class Planner {
   std::optional<std::array<double, 3>> directionOf(const Step& step, OpeningSide side) const {
     const std::array<double, 3> up{0, 1, 0};
     switch (side) {
-      case OpeningSide::Up: return up;
-      case OpeningSide::Down: return {{0, -1, 0}};
-      case OpeningSide::Left: return {{-1, 0, 0}};
-      case OpeningSide::Right: return {{1, 0, 0}};
-      case OpeningSide::Front: return {{0, 0, 1}};
-      case OpeningSide::Back: return {{0, 0, -1}};
-      case OpeningSide::Start: return endOf(step, true).value_or(up);
-      case OpeningSide::End: return endOf(step, false).value_or(up);
+      case OpeningSide::Up:
+        return up;
+      case OpeningSide::Down:
+        return {{0, -1, 0}};
+      case OpeningSide::Left:
+        return {{-1, 0, 0}};
+      case OpeningSide::Right:
+        return {{1, 0, 0}};
+      case OpeningSide::Front:
+        return {{0, 0, 1}};
+      case OpeningSide::Back:
+        return {{0, 0, -1}};
+      case OpeningSide::Start:
+        return endOf(step, true).value_or(up);
+      case OpeningSide::End:
+        return endOf(step, false).value_or(up);
       case OpeningSide::None:
-      case OpeningSide::kCount: break;
+      case OpeningSide::kCount:
+        break;
     }
     return std::nullopt;
   }
 
-  /// The direction in which the bone of the step's first part leaves it; none when it has none.
+  /// The direction in which the spine of the step's first part leaves it; none when it has none.
   std::optional<std::array<double, 3>> endOf(const Step& step, bool start) const {
     const std::vector<PartId> parts = partsIn(document_, {{}, step.id});
     const document::Part* part = parts.empty() ? nullptr : findPart(document_, parts.front());
@@ -198,8 +207,7 @@ class Planner {
 
 }  // namespace
 
-SolidPlan planSolids(const Document& document, const pipeline::Derived& derived,
-                     const Substitute* instead) {
+SolidPlan planSolids(const Document& document, const pipeline::Derived& derived, const Substitute* instead) {
   return Planner(document, derived, instead).plan();
 }
 

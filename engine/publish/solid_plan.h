@@ -31,13 +31,13 @@ struct SolidPlan {
     StepId step;
     document::StepKind kind = document::StepKind::Join;
     std::vector<Operand> operands;
-    double blend = 0, wall = 0;               ///< WorldSpace
+    double blend = 0, wall = 0;                    ///< WorldSpace
     std::optional<std::array<double, 3>> opening;  ///< unit direction
     double cut = 0;
   };
-  std::vector<Mesh> meshes;       ///< each once
-  std::vector<Node> nodes;        ///< operands before what is made of them
-  std::vector<std::size_t> roots; ///< nodes of outermost steps
+  std::vector<Mesh> meshes;        ///< each once
+  std::vector<Node> nodes;         ///< operands before what is made of them
+  std::vector<std::size_t> roots;  ///< nodes of outermost steps
 };
 
 /// A mesh that stands for a part's own: while it is being edited.
@@ -57,7 +57,7 @@ SolidPlan planSolids(const document::Document& document, const pipeline::Derived
 std::uint64_t aloneKey(PartId part, const pipeline::PartShape& shape);
 void planAlone(SolidPlan& plan, PartId part, const pipeline::PartShape& shape);
 
-/// The side of a hollow step that faces a direction most (WorldSpace, any length): an end of its bone before a side of
+/// The side of a hollow step that faces a direction most (WorldSpace, any length): an end of its spine before a side of
 /// the world that faces it hardly more. Up for a direction without length.
 document::OpeningSide sideFacing(const document::Document& document, const pipeline::Derived& derived,
                                  const document::Step& step, const WorldPoint& direction);

@@ -6,8 +6,8 @@
 namespace spineloft::publish {
 
 std::optional<Format> formatFromKey(std::string_view key) {
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip,
-                              Format::ThreeMf}) {
+  for (const Format format :
+       {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip, Format::ThreeMf}) {
     if (key == formatKey(format)) return format;
   }
   return std::nullopt;
@@ -15,25 +15,39 @@ std::optional<Format> formatFromKey(std::string_view key) {
 
 std::string_view formatKey(Format format) {
   switch (format) {
-    case Format::Glb: return "glb";
-    case Format::Obj: return "obj";
-    case Format::Stl: return "stl";
-    case Format::Project: return "spineloft";
-    case Format::ObjZip: return "zip";
-    case Format::ThreeMf: return "3mf";
+    case Format::Glb:
+      return "glb";
+    case Format::Obj:
+      return "obj";
+    case Format::Stl:
+      return "stl";
+    case Format::Project:
+      return "spineloft";
+    case Format::ObjZip:
+      return "zip";
+    case Format::ThreeMf:
+      return "3mf";
   }
   return {};
 }
 
+bool holdsDocument(Format format) { return format == Format::Glb || format == Format::Project; }
+
 std::string_view mediaType(Format format) {
   switch (format) {
-    case Format::Glb: return "model/gltf-binary";
-    case Format::Obj: return "model/obj";
-    case Format::Stl: return "model/stl";
+    case Format::Glb:
+      return "model/gltf-binary";
+    case Format::Obj:
+      return "model/obj";
+    case Format::Stl:
+      return "model/stl";
     // A GLB, but no browser should give it a GLB's ending.
-    case Format::Project: return "application/octet-stream";
-    case Format::ObjZip: return "application/zip";
-    case Format::ThreeMf: return "model/3mf";
+    case Format::Project:
+      return "application/octet-stream";
+    case Format::ObjZip:
+      return "application/zip";
+    case Format::ThreeMf:
+      return "model/3mf";
   }
   return {};
 }

@@ -37,9 +37,7 @@ std::optional<image::Size> arrange(std::vector<Tile>& tiles, double scale, int m
   double area = 0;
   int widest = 0;
   for (Tile& tile : tiles) {
-    const auto scaled = [&](int side) {
-      return std::clamp(static_cast<int>(std::lround(side * scale)), 1, side);
-    };
+    const auto scaled = [&](int side) { return std::clamp(static_cast<int>(std::lround(side * scale)), 1, side); };
     tile.size = {scaled(tile.picture->width), scaled(tile.picture->height)};
     area += static_cast<double>(padded(tile.size.width)) * padded(tile.size.height);
     widest = std::max(widest, padded(tile.size.width));
@@ -52,9 +50,7 @@ std::optional<image::Size> arrange(std::vector<Tile>& tiles, double scale, int m
     width = std::min(width, mostSide);
     const int height = shelve(tiles, width);
     if (height <= mostSide && (height <= 2 * width || width == mostSide)) {
-      const auto even = [&](int side) {
-        return std::min(mostSide, (side + kAtlasStep - 1) / kAtlasStep * kAtlasStep);
-      };
+      const auto even = [&](int side) { return std::min(mostSide, (side + kAtlasStep - 1) / kAtlasStep * kAtlasStep); };
       return image::Size{even(width), even(height)};
     }
     if (width == mostSide) return std::nullopt;
@@ -74,8 +70,7 @@ void draw(const Tile& tile, image::Image& atlas) {
       const auto fy = static_cast<std::ptrdiff_t>(std::clamp(y, 0, tile.size.height - 1));
       const auto source = from.pixels.begin() + 4 * (fy * tile.size.width + fx);
       const auto target =
-          atlas.pixels.begin() +
-          4 * (static_cast<std::ptrdiff_t>(tile.y + y) * atlas.width + (tile.x + x));
+          atlas.pixels.begin() + 4 * (static_cast<std::ptrdiff_t>(tile.y + y) * atlas.width + (tile.x + x));
       std::copy(source, source + 4, target);
     }
   }
@@ -97,14 +92,13 @@ std::optional<Atlas> packAtlas(std::span<const image::Image* const> pictures, in
   Atlas out;
   out.pixels.width = size->width;
   out.pixels.height = size->height;
-  out.pixels.pixels.assign(
-      4 * static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height), 255);
+  out.pixels.pixels.assign(4 * static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height), 255);
   for (const Tile& tile : tiles) draw(tile, out.pixels);
   const double width = size->width, height = size->height;
   for (const image::Image* picture : pictures) {
     const Tile& tile = *std::ranges::find(tiles, picture, &Tile::picture);
-    out.places.push_back({tile.x / width, tile.y / height, (tile.x + tile.size.width) / width,
-                          (tile.y + tile.size.height) / height});
+    out.places.push_back(
+        {tile.x / width, tile.y / height, (tile.x + tile.size.width) / width, (tile.y + tile.size.height) / height});
   }
   return out;
 }

@@ -29,8 +29,7 @@ struct Atlas {
 /// they do not fit. A picture that is given several times (the same pointer) lies there once. None
 /// without pictures, with an empty one among them, or when not even single pixels fit. Linear but for the
 /// sorting, times the few sizes that are tried.
-std::optional<Atlas> packAtlas(std::span<const image::Image* const> pictures,
-                               int mostSide = kAtlasSide);
+std::optional<Atlas> packAtlas(std::span<const image::Image* const> pictures, int mostSide = kAtlasSide);
 
 /// The UV of a picture of the atlas as UV of the whole atlas.
 inline std::array<float, 2> inAtlas(const UvArea& place, double u, double v) {

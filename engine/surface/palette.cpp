@@ -7,8 +7,7 @@ constexpr std::size_t kBits = 5, kSide = std::size_t{1} << kBits;
 
 std::size_t cellOf(const std::uint8_t* pixel) {
   std::size_t cell = 0;
-  for (int c = 0; c < 3; ++c)
-    cell = cell << kBits | static_cast<std::size_t>(pixel[c] >> (8 - kBits));
+  for (int c = 0; c < 3; ++c) cell = cell << kBits | static_cast<std::size_t>(pixel[c] >> (8 - kBits));
   return cell;
 }
 

@@ -5,11 +5,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/surface/bleed.h"
-#include "engine/surface/foreign.h"
-#include "engine/surface/intruder.h"
+#include "engine/surface/alpha_matting.h"
+#include "engine/surface/background_mask.h"
+#include "engine/surface/edge_padding.h"
+#include "engine/surface/occluder_mask.h"
 #include "engine/surface/raster.h"
-#include "engine/surface/soft_rim.h"
 
 namespace spineloft::surface {
 namespace {
@@ -30,8 +30,7 @@ std::optional<UvArea> areaOf(const Wrapped& surface) {
   UvArea area{1, 1, 0, 0};
   for (const auto& triangle : surface.triangles) {
     for (const std::uint32_t v : triangle) {
-      const double x = static_cast<double>(surface.uv[v][0]),
-                   y = static_cast<double>(surface.uv[v][1]);
+      const double x = static_cast<double>(surface.uv[v][0]), y = static_cast<double>(surface.uv[v][1]);
       if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) continue;
       area.left = std::min(area.left, x), area.right = std::max(area.right, x);
       area.top = std::min(area.top, y), area.bottom = std::max(area.bottom, y);
@@ -49,8 +48,8 @@ Cut cutOf(const UvArea& area, image::Size picture, int border) {
   const auto high = [&](double share, int side) {
     return std::min(side, static_cast<int>(std::ceil(share * side)) + border);
   };
-  return {low(area.left, picture.width), low(area.top, picture.height),
-          high(area.right, picture.width), high(area.bottom, picture.height)};
+  return {low(area.left, picture.width), low(area.top, picture.height), high(area.right, picture.width),
+          high(area.bottom, picture.height)};
 }
 
 /// Of an image or a mask.
@@ -61,8 +60,7 @@ Pixels cutOut(const Pixels& picture, const Cut& cut) {
   const std::ptrdiff_t row = kBytes * cut.width();
   out.pixels.reserve(static_cast<std::size_t>(row) * static_cast<std::size_t>(cut.height()));
   for (int y = cut.top; y < cut.bottom; ++y) {
-    const auto first = picture.pixels.begin() +
-                       kBytes * (static_cast<std::ptrdiff_t>(y) * picture.width + cut.left);
+    const auto first = picture.pixels.begin() + kBytes * (static_cast<std::ptrdiff_t>(y) * picture.width + cut.left);
     out.pixels.insert(out.pixels.end(), first, first + row);
   }
   return out;
@@ -86,8 +84,7 @@ class ToTexture {
 
 image::Mask emptyMask(image::Size size) {
   image::Mask mask{size.width, size.height, {}};
-  mask.pixels.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
-                     0);
+  mask.pixels.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), 0);
   return mask;
 }
 
@@ -118,8 +115,7 @@ image::Mask coverOf(const Wrapped& surface, const UvArea& area, image::Size size
 }
 
 /// What polygons cover, each by a fan.
-image::Mask filled(std::span<const std::vector<PicturePoint>> polygons, const UvArea& area,
-                   image::Size size) {
+image::Mask filled(std::span<const std::vector<PicturePoint>> polygons, const UvArea& area, image::Size size) {
   image::Mask mask = emptyMask(size);
   const ToTexture toTexture(area, size);
   for (const std::vector<PicturePoint>& polygon : polygons) {
@@ -144,8 +140,9 @@ image::Mask common(image::Mask a, const image::Mask& b) {
 }
 
 /// `a`, and what `b` and `c` have in common.
-void addCommon(image::Mask& a, const image::Mask& b, const image::Mask& c) {
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) a.pixels[i] = static_cast<std::uint8_t>(a.pixels[i] | (b.pixels[i] & c.pixels[i]));
+void addIntersection(image::Mask& a, const image::Mask& b, const image::Mask& c) {
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    a.pixels[i] = static_cast<std::uint8_t>(a.pixels[i] | (b.pixels[i] & c.pixels[i]));
 }
 
 /// How a part lies on its picture.
@@ -164,7 +161,7 @@ struct Kept {
 /// The picture of a part: what it keeps, and its colours carried on over the rest. Empty when it keeps
 /// nothing.
 image::Image worn(const image::Image& shown, const Kept& kept) {
-  image::Image out = bleed(shown, kept.inner);
+  image::Image out = padEdges(shown, kept.inner);
   if (out.empty()) return out;
   for (std::size_t i = 0; i < kept.rim.pixels.size(); ++i) {
     const std::uint8_t* p = shown.pixels.data() + 4 * i;
@@ -177,8 +174,7 @@ image::Image worn(const image::Image& shown, const Kept& kept) {
 double depthOf(const Wrapped& surface, const UvArea& area, image::Size picture) {
   const Cut cut = cutOf(area, picture, 0);
   constexpr int kMostSide = 128;
-  const image::Size size =
-      image::fitSize({cut.width(), cut.height()}, kMostSide * kMostSide, kMostSide);
+  const image::Size size = image::fitSize({cut.width(), cut.height()}, kMostSide * kMostSide, kMostSide);
   if (size.width <= 0) return 0;
   return meanDepth(coverOf(surface, area, size)) * cut.width() / size.width;
 }
@@ -195,8 +191,7 @@ image::Image shrunkLike(image::Image image, image::Size own) {
   const auto side = [](int pixels, int to, int from) {
     return std::max(1, static_cast<int>(static_cast<long long>(pixels) * to / from));
   };
-  return image::shrink(image, side(image.width, fit.width, own.width),
-                       side(image.height, fit.height, own.height));
+  return image::shrink(image, side(image.width, fit.width, own.width), side(image.height, fit.height, own.height));
 }
 
 }  // namespace
@@ -216,8 +211,8 @@ struct TextureSteps::State {
   image::Mask familiar;  ///< what is not foreign
   Kept kept;
   Untold untold;
-  std::size_t crossed = 0;    ///< of the crossings that were looked at
-  std::optional<Carried> in;  ///< the part's colours, from what it keeps
+  std::size_t crossed = 0;          ///< of the crossings that were looked at
+  std::optional<ColourPyramid> in;  ///< the part's colours, from what it keeps
   std::optional<RimUnmixing> unmixing;
   std::optional<PartTexture> made;
 
@@ -264,18 +259,19 @@ void TextureSteps::State::trust() {
   }
   kept.inner = common(inner, lie.sure);
   in.emplace(shown, kept.inner);
-  next = surface.crossings.empty() ? &State::judge : &State::uncover;
+  next = surface.occludedStretches.empty() ? &State::judge : &State::uncover;
 }
 
 /// What an intruder hides is neither seen nor sure; one stretch a step.
 void TextureSteps::State::uncover() {
   constexpr double kSpread = 2;  // in rims: its edge is soft, and most files spread colours further than brightness
-  const Crossing& crossing = surface.crossings[crossed++];
-  next = crossed < surface.crossings.size() ? &State::uncover : &State::judge;
+  const OccludedOutline& crossing = surface.occludedStretches[crossed++];
+  next = crossed < surface.occludedStretches.size() ? &State::uncover : &State::judge;
   const UvArea around = uvOf(wide, whole());
   const image::Mask outside = filled(crossing.outside, around, size());
-  const image::Mask threshold = filled(crossing.threshold, around, size()), reach = filled(crossing.reach, around, size());
-  const image::Mask found = intruder({shown, lie.covered, inner, outside, threshold, reach});
+  const image::Mask threshold = filled(crossing.threshold, around, size()),
+                    reach = filled(crossing.reach, around, size());
+  const image::Mask found = occluderMask({shown, lie.covered, inner, outside, threshold, reach});
   if (found.pixels.empty()) return;
   const image::Mask seen = inset(opposite(found), kSpread * lie.margin);
   inner = common(std::move(inner), seen);
@@ -291,7 +287,7 @@ void TextureSteps::State::judge() {
     kept.inner = inner;
     in.emplace(shown, kept.inner);
   } else if (kept.inner != inner) {
-    familiar = familiarPixels({shown, lie.covered, lie.sure, kept.inner, *in}, lie.clearance);
+    familiar = ownPixels({shown, lie.covered, lie.sure, kept.inner, *in}, lie.clearance);
     next = &State::settle;
   }
 }
@@ -329,12 +325,12 @@ void TextureSteps::State::cleanRim() {
     return;
   }
   const image::Mask beyond = inset(opposite(kept.rim), lie.margin);
-  const Carried out(shown, beyond);
+  const ColourPyramid out(shown, beyond);
   const image::Mask rim = std::move(kept.rim);
   kept.rim = out.empty() ? emptyMask(size()) : withCleanRim(shown, kept.inner, rim, *in, out);
   if (untold.alike.pixels.empty()) return;
-  addCommon(kept.rim, untold.alike, rim);
-  addCommon(kept.inner, untold.drawn, rim);
+  addIntersection(kept.rim, untold.alike, rim);
+  addIntersection(kept.inner, untold.drawn, rim);
 }
 
 void TextureSteps::State::finish() {
@@ -346,10 +342,9 @@ void TextureSteps::State::finish() {
   const auto last = [](int to, int side, int pixels) {
     return static_cast<int>(static_cast<long long>(to) * pixels / side);
   };
-  const Cut own{first(cut.left - wide.left, wide.width(), shown.width),
-                first(cut.top - wide.top, wide.height(), shown.height),
-                last(cut.right - wide.left, wide.width(), shown.width),
-                last(cut.bottom - wide.top, wide.height(), shown.height)};
+  const Cut own{
+      first(cut.left - wide.left, wide.width(), shown.width), first(cut.top - wide.top, wide.height(), shown.height),
+      last(cut.right - wide.left, wide.width(), shown.width), last(cut.bottom - wide.top, wide.height(), shown.height)};
   const UvArea around = uvOf(wide, whole()), share = uvOf(own, size());
   const double width = around.right - around.left, height = around.bottom - around.top;
   image::Image pixels = worn(cutOut(shown, own), {cutOut(kept.inner, own), cutOut(kept.rim, own)});

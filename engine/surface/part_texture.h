@@ -1,4 +1,4 @@
-// The picture on a part: what it shows of the part alone, cut out, without its surroundings.
+// The texture of a part: its picture, cut out, without the surroundings.
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ inline constexpr long long kTexturePixels = kWorkingPixels;
 /// Most pixels on a side of it: what an atlas holds without shrinking it. Larger cut-outs are averaged down.
 inline constexpr int kTextureSide = 4080;
 
-/// A stretch of the outline of a part that could not be seen: something may stand before it and go on
-/// over the part. Polygons as those of Wrapped.
-struct Crossing {
+/// A stretch of the outline of a part that may be hidden by an occluder, which may go on over the part. Polygons as
+/// those of Wrapped.
+struct OccludedOutline {
   std::vector<std::vector<PicturePoint>> outside;    ///< beside the stretch
   std::vector<std::vector<PicturePoint>> threshold;  ///< along it, in the part
   std::vector<std::vector<PicturePoint>> reach;      ///< all across the part, there and a little further
@@ -46,21 +46,22 @@ struct Wrapped {
   std::span<const std::array<float, 2>> uv;                 ///< in the picture, 0…1
   std::span<const std::array<std::uint32_t, 3>> triangles;  ///< of indices into uv
   /// Polygons (picture UV, convex or nearly so) in which the picture certainly shows the part;
-  /// empty: it does everywhere. Elsewhere the background or another thing may show.
+  /// empty: everywhere. Elsewhere the background or an occluder may show.
   std::span<const std::vector<PicturePoint>> sure;
-  /// Polygons (the same) in which the picture certainly shows another thing. May overlap.
+  /// Polygons (the same) in which the picture certainly shows an occluder. May overlap.
   std::span<const std::vector<PicturePoint>> hidden;
-  std::span<const Crossing> crossings = {};
+  std::span<const OccludedOutline> occludedStretches = {};
 };
 
-/// Cuts out what the triangles cover of the picture's working copy. What the picture shows of the part stays
-/// as it is, pixel for pixel; over the rest colours are bled (bleed.h): over the rim where and as deep as what is
-/// behind is mixed into it, but never where that looks as the part does (soft_rim.h), over transparent pixels, beyond the
-/// outline, over what is hidden, over what comes in at a crossing (intruder.h), and where the part is not sure over what is
-/// foreign there (foreign.h); out of a soft rim what is behind is taken (soft_rim.h), so that no colour from around the part
-/// is on it.
-/// When nothing would be left, the rim is believed after all, and what is hidden too. None when no pixel that is covered can be seen, or
-/// nothing is covered. Linear in the pixels of the cut-out and the rows of the triangles.
+/// Cuts out what the triangles cover of the picture's working copy. Where the picture shows the part, its pixels stay
+/// as they are. Colours are extended from there (edge_padding.h)
+/// - over the rim, where and as deep as the background is mixed into it, but not where the background looks as the
+///   part does (alpha_matting.h);
+/// - over transparent pixels, beyond the outline, over what is hidden, over occluders at a crossing
+///   (occluder_mask.h), and over background where the part is not sure (background_mask.h).
+/// From a soft rim the background is removed (alpha_matting.h). If nothing would be left, the rim is trusted after
+/// all, and what is hidden too. None when no covered pixel can be seen, or nothing is covered. Linear in the pixels
+/// of the cut-out and the rows of the triangles.
 std::optional<PartTexture> partTexture(const image::Image& picture, const Wrapped& surface);
 
 /// The same in steps, the longest about a quarter of the whole: for a page that is drawn in between.

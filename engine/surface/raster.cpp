@@ -31,10 +31,8 @@ void coverTriangle(const std::array<PicturePoint, 3>& t, image::Mask& mask) {
     }
     if (found != 2) continue;
     const double width = mask.width;
-    const auto from =
-        static_cast<std::ptrdiff_t>(std::ceil(std::clamp(std::min(at[0], at[1]), 0.0, width)));
-    const auto to =
-        static_cast<std::ptrdiff_t>(std::ceil(std::clamp(std::max(at[0], at[1]), 0.0, width)));
+    const auto from = static_cast<std::ptrdiff_t>(std::ceil(std::clamp(std::min(at[0], at[1]), 0.0, width)));
+    const auto to = static_cast<std::ptrdiff_t>(std::ceil(std::clamp(std::max(at[0], at[1]), 0.0, width)));
     const auto begin = mask.pixels.begin() + static_cast<std::ptrdiff_t>(row) * mask.width;
     if (to > from) std::fill(begin + from, begin + to, std::uint8_t{255});
   }

@@ -58,8 +58,7 @@ void addPairs(const Pair& p, const Pair& q, std::size_t count, float* __restrict
 
 /// A symmetric filter around `middle`; `entry(k)` is the pair at distance k.
 template <class PairAt>
-void filter(const float* middle, const std::vector<float>& half, std::size_t count,
-            const PairAt& entry, float* out) {
+void filter(const float* middle, const std::vector<float>& half, std::size_t count, const PairAt& entry, float* out) {
   scaled(middle, half[0], count, out);
   std::size_t k = 1;
   for (; k + 1 < half.size(); k += 2) addPairs(entry(k), entry(k + 1), count, out);
@@ -102,9 +101,7 @@ class SmoothRows {
 
  private:
   std::size_t radius() const { return half_.size() - 1; }
-  float* slot(int y) {
-    return ring_.data() + static_cast<std::size_t>(y) % (2 * radius() + 1) * rowLength();
-  }
+  float* slot(int y) { return ring_.data() + static_cast<std::size_t>(y) % (2 * radius() + 1) * rowLength(); }
   /// Lab of row y, filtered along the row.
   void addRow(int y) {
     const std::size_t margin = radius(), length = width_ + 2 * margin;
@@ -133,8 +130,7 @@ struct ThreeRows {
 };
 
 /// Sobel's weights sum to 8: an eighth makes Lab units a pixel.
-void sobelRow(const ThreeRows& rows, std::size_t count, float* __restrict dx,
-              float* __restrict dy) {
+void sobelRow(const ThreeRows& rows, std::size_t count, float* __restrict dx, float* __restrict dy) {
   const float *u = rows.up, *m = rows.here, *d = rows.down;
   // Signed, for column −1 is read.
   for (std::ptrdiff_t x = 0; x < static_cast<std::ptrdiff_t>(count); ++x) {
@@ -147,8 +143,7 @@ void sobelRow(const ThreeRows& rows, std::size_t count, float* __restrict dx,
 struct Derivatives {
   std::array<const float*, kChannels> dx, dy;
 };
-void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gradientX,
-                 float* __restrict gradientY) {
+void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gradientX, float* __restrict gradientY) {
   const float *lx = row.dx[0], *ax = row.dx[1], *bx = row.dx[2];
   const float *ly = row.dy[0], *ay = row.dy[1], *by = row.dy[2];
   for (std::size_t i = 0; i < count; ++i) {
@@ -168,8 +163,7 @@ void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gr
     const float scale = std::sqrt(strongest / squared);
     x *= scale;
     y *= scale;
-    const float onL = lx[i] * x + ly[i] * y, onA = ax[i] * x + ay[i] * y,
-                onB = bx[i] * x + by[i] * y;
+    const float onL = lx[i] * x + ly[i] * y, onA = ax[i] * x + ay[i] * y, onB = bx[i] * x + by[i] * y;
     float most = std::abs(onA) > std::abs(onL) ? onA : onL;
     most = std::abs(onB) > std::abs(most) ? onB : most;
     const float along = std::abs(onL) <= kLevel * strongest ? most : onL;
@@ -178,11 +172,11 @@ void dominantRow(const Derivatives& row, std::size_t count, float* __restrict gr
   }
 }
 
-void interleave(const float* planes, std::size_t stride, std::span<image::PixelLook> out) {
+void interleave(const float* planes, std::size_t stride, std::span<image::PixelFeature> out) {
   const float *l = planes, *a = planes + stride, *b = planes + 2 * stride;
   // No colour of a picture is beyond what a look holds.
   const auto fixed = [](float value) {
-    const float units = value * image::PixelLook::kLab;
+    const float units = value * image::PixelFeature::kLab;
     return static_cast<std::int16_t>(static_cast<std::int32_t>(units + (units < 0 ? -0.5f : 0.5f)));
   };
   for (std::size_t x = 0; x < out.size(); ++x) out[x].fixed = {fixed(l[x]), fixed(a[x]), fixed(b[x]), 0};
@@ -201,14 +195,12 @@ void smoothColourAndGradient(image::ImageView copy, double sigma, image::EdgeMap
   map.look.clear();
   map.gradientX.clear();
   map.gradientY.clear();
-  std::vector<image::PixelLook> look(width);
+  std::vector<image::PixelFeature> look(width);
   std::vector<float> gradientX(width), gradientY(width);
   SmoothRows smooth(copy, sigma);
   const std::size_t stride = smooth.stride();
   std::vector<float> kept(3 * smooth.rowLength()), derivatives(2 * kChannels * width);
-  const auto rowAt = [&](int y) {
-    return kept.data() + static_cast<std::size_t>(y) % 3 * smooth.rowLength();
-  };
+  const auto rowAt = [&](int y) { return kept.data() + static_cast<std::size_t>(y) % 3 * smooth.rowLength(); };
   Derivatives row{};
   for (std::size_t c = 0; c < kChannels; ++c) {
     row.dx[c] = derivatives.data() + c * width;

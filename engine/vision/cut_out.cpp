@@ -7,14 +7,18 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "engine/vision/colour_gradient.h"
+#include "engine/vision/masks.h"
 #include "engine/vision/one_thread.h"
 
 namespace spineloft::vision {
 namespace {
 
 constexpr int kRounds = 4;
-/// Colours this near to the one under a hint (8-bit Lab) may belong to the thing.
-constexpr double kNearColour = 22;
+/// Colours this near to the one under a hint may belong to the thing: units of L, and of a and b.
+constexpr float kNearLight = 22 / 2.55f, kNearColour = 22;
+/// Smooths the grain away before colours are compared, in pixels of the copy.
+constexpr double kCalm = 1.2;
 /// A hint is a disc of this radius, share of the copy's longer side; around it the thing is likely.
 constexpr double kHintRadius = 0.012, kLikelyRadius = 0.09;
 /// What is smaller or larger than these shares of the picture is no thing.
@@ -39,12 +43,8 @@ struct Copy {
     return {static_cast<int>(std::lround((p.x - corner.x) / scaleX - 0.5)),
             static_cast<int>(std::lround((p.y - corner.y) / scaleY - 0.5))};
   }
-  bool holds(cv::Point p) const {
-    return p.x >= 0 && p.y >= 0 && p.x < bgr.cols && p.y < bgr.rows;
-  }
-  PicturePoint back(double x, double y) const {
-    return {(x + 0.5) * scaleX + corner.x, (y + 0.5) * scaleY + corner.y};
-  }
+  bool holds(cv::Point p) const { return p.x >= 0 && p.y >= 0 && p.x < bgr.cols && p.y < bgr.rows; }
+  PicturePoint back(double x, double y) const { return {(x + 0.5) * scaleX + corner.x, (y + 0.5) * scaleY + corner.y}; }
 };
 
 /// What of the working pixels is cut: all, or the box with the marks and some ground round it.
@@ -83,8 +83,7 @@ image::Image cropped(const image::Image& whole, const cv::Rect& frame) {
 }
 
 Copy copyOf(const image::Picture& picture, const cv::Rect& frame) {
-  const double shrink =
-      std::min(1.0, static_cast<double>(kCutSide) / std::max(frame.width, frame.height));
+  const double shrink = std::min(1.0, static_cast<double>(kCutSide) / std::max(frame.width, frame.height));
   const int width = std::max(2, static_cast<int>(std::lround(frame.width * shrink)));
   const int height = std::max(2, static_cast<int>(std::lround(frame.height * shrink)));
   const image::Image small = image::shrink(cropped(picture.working, frame), width, height);
@@ -94,8 +93,7 @@ Copy copyOf(const image::Picture& picture, const cv::Rect& frame) {
   for (int y = 0; y < small.height; ++y) {
     for (int x = 0; x < small.width; ++x) {
       const std::size_t i =
-          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(small.width) +
-               static_cast<std::size_t>(x));
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(small.width) + static_cast<std::size_t>(x));
       copy.bgr.at<cv::Vec3b>(y, x) = {small.pixels[i + 2], small.pixels[i + 1], small.pixels[i]};
     }
   }
@@ -127,9 +125,10 @@ void addMarks(const Copy& copy, const CutHints& hints, cv::Mat& mask) {
     if (mark.inside) {
       CutMark wide = mark;
       wide.radius += kLikelyRadius * side * std::max(copy.scaleX, copy.scaleY);
-      cv::Mat near = cv::Mat::zeros(mask.size(), CV_8UC1);
+      cv::Mat near = plainMask(mask.size());
       paintMark(copy, wide, 255, near);
-      mask.setTo(cv::Scalar(cv::GC_PR_BGD), near & (mask == cv::GC_BGD));
+      const auto turns = [&](int pixel) { return near.data[pixel] != 0 && mask.data[pixel] == cv::GC_BGD; };
+      mask.setTo(cv::Scalar(cv::GC_PR_BGD), maskWhere(mask.size(), turns));
     }
     paintMark(copy, mark, mark.inside ? cv::GC_FGD : cv::GC_BGD, mask);
   }
@@ -141,7 +140,7 @@ void addMarks(const Copy& copy, const CutHints& hints, cv::Mat& mask) {
 
 /// The pixels that marks of one kind cover and no later one takes back.
 cv::Mat markedAs(const Copy& copy, const CutHints& hints, bool inside) {
-  cv::Mat marked = cv::Mat::zeros(copy.bgr.size(), CV_8UC1);
+  cv::Mat marked = plainMask(copy.bgr.size());
   for (const CutMark& mark : hints.marks) paintMark(copy, mark, mark.inside == inside ? 255 : 0, marked);
   return marked;
 }
@@ -153,30 +152,55 @@ struct Flood {
   int area = 0;
 };
 
-/// Those of the hints on the picture. A scribble may slip off a thin thing: of many hints those count as slips whose flood
-/// is far larger than that of most, and no small share of the picture.
+/// The copy's colours as Lab, without their grain.
+std::vector<image::PixelFeature> calmColours(const Copy& copy) {
+  image::Image pixels{copy.bgr.cols, copy.bgr.rows, {}};
+  pixels.pixels.reserve(4 * copy.bgr.total());
+  for (const cv::Vec3b& bgr : cv::Mat_<cv::Vec3b>(copy.bgr)) {
+    pixels.pixels.insert(pixels.pixels.end(), {bgr[2], bgr[1], bgr[0], 255});
+  }
+  image::EdgeMap map;
+  map.width = pixels.width;
+  map.height = pixels.height;
+  smoothColourAndGradient(pixels, kCalm, map);
+  return std::move(map.look);
+}
+
+/// What has the colour under `at` and hangs together with it.
+Flood floodFrom(const std::vector<image::PixelFeature>& colours, cv::Size size, cv::Point at) {
+  Flood out{at, plainMask(size)};
+  const int from = at.y * size.width + at.x;
+  const image::PixelFeature mine = colours[static_cast<std::size_t>(from)];
+  out.area = flood(size, from, [&](int pixel) {
+    const image::PixelFeature& other = colours[static_cast<std::size_t>(pixel)];
+    const auto near = [&](std::size_t channel, float most) { return std::abs(other[channel] - mine[channel]) <= most; };
+    if (out.mask.data[pixel] != 0 || !near(0, kNearLight) || !near(1, kNearColour) || !near(2, kNearColour)) {
+      return false;
+    }
+    out.mask.data[pixel] = 255;
+    return true;
+  });
+  return out;
+}
+
+/// Those of the hints on the picture. A scribble may slip off a thin thing: of many hints those count as slips whose
+/// flood is far larger than that of most, and no small share of the picture.
 std::vector<Flood> floodsOf(const Copy& copy, const CutHints& hints) {
   constexpr std::size_t kMany = 5;
   constexpr int kFar = 4, kNoSmallShare = 30;  // times the median; one of so many pixels of the picture
-  cv::Mat lab, calm;
-  cv::GaussianBlur(copy.bgr, calm, {}, 1.2);
-  cv::cvtColor(calm, lab, cv::COLOR_BGR2Lab);
+  if (hints.inside.empty()) return {};
+  const std::vector<image::PixelFeature> colours = calmColours(copy);
   std::vector<Flood> floods;
   for (const PicturePoint hint : hints.inside) {
     const cv::Point at = copy.at(hint);
-    if (!copy.holds(at)) continue;
-    cv::Mat flooded = cv::Mat::zeros(lab.rows + 2, lab.cols + 2, CV_8UC1);
-    const cv::Scalar range(kNearColour, kNearColour, kNearColour);
-    const int area = cv::floodFill(lab, flooded, at, {}, nullptr, range, range,
-                                   4 | cv::FLOODFILL_MASK_ONLY | cv::FLOODFILL_FIXED_RANGE | (255 << 8));
-    floods.push_back({at, flooded(cv::Rect(1, 1, lab.cols, lab.rows)), area});
+    if (copy.holds(at)) floods.push_back(floodFrom(colours, copy.bgr.size(), at));
   }
   if (floods.size() < kMany) return floods;
   std::vector<int> areas;
   for (const Flood& flood : floods) areas.push_back(flood.area);
   const auto half = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
   std::ranges::nth_element(areas, half);
-  const int most = std::max(kFar * *half, lab.rows * lab.cols / kNoSmallShare);
+  const int most = std::max(kFar * *half, copy.bgr.rows * copy.bgr.cols / kNoSmallShare);
   std::erase_if(floods, [&](const Flood& flood) { return flood.area > most; });
   return floods;
 }
@@ -203,8 +227,8 @@ cv::Mat firstGuess(const Copy& copy, const CutHints& hints, bool coreOnly) {
   for (const Flood& flood : floods) {
     if (hints.box) break;
     mask.setTo(cv::Scalar(cv::GC_PR_FGD), flood.mask);
-    cv::circle(mask, flood.at, std::max(2, static_cast<int>(kLikelyRadius * side)),
-               cv::Scalar(cv::GC_PR_FGD), cv::FILLED);
+    cv::circle(mask, flood.at, std::max(2, static_cast<int>(kLikelyRadius * side)), cv::Scalar(cv::GC_PR_FGD),
+               cv::FILLED);
   }
   const int dot = std::max(1, static_cast<int>(kHintRadius * side));
   for (const Flood& flood : floods) cv::circle(mask, flood.at, dot, cv::Scalar(cv::GC_FGD), cv::FILLED);
@@ -216,63 +240,33 @@ cv::Mat firstGuess(const Copy& copy, const CutHints& hints, bool coreOnly) {
 }
 
 /// Where the mask says that the thing is, certainly or likely.
-cv::Mat thingOf(const cv::Mat& mask) { return (mask & 1) * 255; }
-
-/// Connected pieces of a mask.
-struct Pieces {
-  cv::Mat labels, stats;
-  int count = 0;
-  Pieces(const cv::Mat& mask, int connectivity) {
-    cv::Mat centres;
-    count = cv::connectedComponentsWithStats(mask, labels, stats, centres, connectivity, CV_32S);
-  }
-  int area(int piece) const { return stats.at<int>(piece, cv::CC_STAT_AREA); }
-  /// By piece: whether it has a pixel of `mask`.
-  std::vector<bool> touched(const cv::Mat& mask) const {
-    std::vector<bool> out(static_cast<std::size_t>(count), false);
-    for (int y = 0; y < mask.rows; ++y) {
-      for (int x = 0; x < mask.cols; ++x) {
-        if (mask.at<std::uint8_t>(y, x)) out[static_cast<std::size_t>(labels.at<int>(y, x))] = true;
-      }
-    }
-    return out;
-  }
-};
+cv::Mat thingOf(const cv::Mat& mask) {
+  return maskWhere(mask.size(), [&](int pixel) { return (mask.data[pixel] & 1) != 0; });
+}
 
 /// The pieces with a hint or a mark in them, or the largest.
 cv::Mat wantedPieces(const cv::Mat& thing, const Copy& copy, const CutHints& hints, const cv::Mat& marked) {
-  const Pieces pieces(thing, 4);
-  std::vector<bool> keep = pieces.touched(marked & thing);
+  const Pieces pieces(thing);
+  std::vector<bool> keep = pieces.touched(marked);
   for (const PicturePoint hint : hints.inside) {
     const cv::Point at = copy.at(hint);
-    if (copy.holds(at)) keep[static_cast<std::size_t>(pieces.labels.at<int>(at))] = true;
+    if (copy.holds(at)) keep[static_cast<std::size_t>(pieces.of(at.y * thing.cols + at.x))] = true;
   }
   keep[0] = false;  // the ground
-  int largest = 0;
-  bool any = false;
-  for (int i = 1; i < pieces.count; ++i) {
-    any = any || keep[static_cast<std::size_t>(i)];
-    if (largest == 0 || pieces.area(i) > pieces.area(largest)) largest = i;
+  if (std::ranges::none_of(keep, [](bool kept) { return kept; }) && pieces.count() > 1) {
+    keep[static_cast<std::size_t>(std::ranges::max_element(pieces.area) - pieces.area.begin())] = true;
   }
-  if (!any && largest > 0) keep[static_cast<std::size_t>(largest)] = true;
-  cv::Mat wanted = cv::Mat::zeros(thing.size(), CV_8UC1);
-  for (int y = 0; y < wanted.rows; ++y) {
-    for (int x = 0; x < wanted.cols; ++x) {
-      if (keep[static_cast<std::size_t>(pieces.labels.at<int>(y, x))]) wanted.at<std::uint8_t>(y, x) = 255;
-    }
-  }
-  return wanted;
+  return maskWhere(thing.size(), [&](int pixel) { return keep[static_cast<std::size_t>(pieces.of(pixel))]; });
 }
 
 /// Pieces of `mask` below the size of noise become `value`, but for those with a marked pixel.
 void dropNoise(cv::Mat& mask, const cv::Mat& of, const cv::Mat& marked, int value) {
   const double noise = kNoiseShare * static_cast<double>(of.total());
-  const Pieces pieces(of, 4);
-  const std::vector<bool> keep = pieces.touched(marked);
-  for (int i = 1; i < pieces.count; ++i) {
-    if (pieces.area(i) >= noise || keep[static_cast<std::size_t>(i)]) continue;
-    mask.setTo(cv::Scalar(value), pieces.labels == i);
-  }
+  const Pieces pieces(of);
+  std::vector<bool> keep = pieces.touched(marked);
+  for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = keep[i] || i == 0 || pieces.area[i] >= noise;
+  const auto drops = [&](int pixel) { return !keep[static_cast<std::size_t>(pieces.of(pixel))]; };
+  mask.setTo(cv::Scalar(value), maskWhere(mask.size(), drops));
 }
 
 /// A closed outline of whole pixels with its steps evened out: each point is a mean of those around it.
@@ -295,11 +289,8 @@ std::vector<PicturePoint> smoothOutline(const std::vector<cv::Point>& pixels, co
 
 /// Outlines between pixels: the mask is traced at twice its size, so that the thing keeps its width.
 CutContours outlinesOf(const cv::Mat& thing, const Copy& copy) {
-  cv::Mat large;
-  cv::resize(thing, large, {}, 2, 2, cv::INTER_NEAREST);
-  cv::copyMakeBorder(large, large, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   std::vector<std::vector<cv::Point>> traced;
-  cv::findContours(large, traced, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  cv::findContours(doubled(thing), traced, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   Copy fine = copy;
   fine.scaleX /= 2;
   fine.scaleY /= 2;
@@ -313,11 +304,8 @@ CutContours outlinesOf(const cv::Mat& thing, const Copy& copy) {
 }
 
 bool isUsable(const CutHints& hints, const Copy& copy) {
-  const auto onPicture = [&](PicturePoint p) {
-    return isFinite(p) && std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6;
-  };
-  if (!std::ranges::all_of(hints.inside, onPicture) ||
-      !std::ranges::all_of(hints.outside, onPicture)) {
+  const auto onPicture = [&](PicturePoint p) { return isFinite(p) && std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; };
+  if (!std::ranges::all_of(hints.inside, onPicture) || !std::ranges::all_of(hints.outside, onPicture)) {
     return false;
   }
   for (const CutMark& mark : hints.marks) {
@@ -326,13 +314,12 @@ bool isUsable(const CutHints& hints, const Copy& copy) {
   }
   if (hints.box) {
     if (!onPicture(hints.box->low) || !onPicture(hints.box->high)) return false;
-    const cv::Rect rect = cv::Rect(copy.at(hints.box->low), copy.at(hints.box->high)) &
-                          cv::Rect(0, 0, copy.bgr.cols, copy.bgr.rows);
+    const cv::Rect rect =
+        cv::Rect(copy.at(hints.box->low), copy.at(hints.box->high)) & cv::Rect(0, 0, copy.bgr.cols, copy.bgr.rows);
     return rect.width > 2 && rect.height > 2;
   }
   const auto holds = [&](PicturePoint p) { return copy.holds(copy.at(p)); };
-  return std::ranges::any_of(hints.inside, holds) ||
-         std::ranges::any_of(hints.marks, [&](const CutMark& mark) {
+  return std::ranges::any_of(hints.inside, holds) || std::ranges::any_of(hints.marks, [&](const CutMark& mark) {
            return mark.inside && std::ranges::any_of(mark.line, holds);
          });
 }
@@ -352,14 +339,13 @@ struct CutOutSearch::State {
 CutContours CutOutSearch::State::outlines() const {
   const cv::Mat in = markedAs(copy, hints, true), out = markedAs(copy, hints, false);
   cv::Mat thing = wantedPieces(thingOf(mask), copy, hints, in);
-  cv::morphologyEx(thing, thing, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
-  const double share =
-      static_cast<double>(cv::countNonZero(thing)) / static_cast<double>(thing.total());
+  thing = grown(grown(thing, 0), 255);  // without what is thinner than three pixels
+  const double share = static_cast<double>(cv::countNonZero(thing)) / static_cast<double>(thing.total());
   if (hints.marks.empty() && (share < kLeastShare || share > kMostShare)) return {};
   thing.setTo(cv::Scalar(255), in);
   thing.setTo(cv::Scalar(0), out);
   dropNoise(thing, thing.clone(), in, 0);
-  dropNoise(thing, thing == 0, out, 255);
+  dropNoise(thing, maskWhere(thing.size(), [&](int pixel) { return thing.data[pixel] == 0; }), out, 255);
   return outlinesOf(thing, copy);
 }
 
@@ -410,9 +396,7 @@ bool CutOutSearch::step() {
   return !s.failed && s.round < s.rounds;
 }
 
-double CutOutSearch::done() const {
-  return state_->failed ? 1 : static_cast<double>(state_->round) / state_->rounds;
-}
+double CutOutSearch::done() const { return state_->failed ? 1 : static_cast<double>(state_->round) / state_->rounds; }
 
 Result<CutContours> CutOutSearch::outlines() const {
   try {

@@ -16,15 +16,13 @@ namespace {
 constexpr double kShortestReach = 1.5;
 
 bool inRange(const EdgeParams& params) {
-  return params.longSide >= 16 && params.longSide <= 4096 && params.blurSigma >= 0 &&
-         params.blurSigma <= 5 && params.reachShare >= 0.001 && params.reachShare <= 0.1;
+  return params.longSide >= 16 && params.longSide <= 4096 && params.blurSigma >= 0 && params.blurSigma <= 5 &&
+         params.reachShare >= 0.001 && params.reachShare <= 0.1;
 }
 
-Result<image::EdgeMap> searchEdges(const image::Picture& picture, const EdgeParams& params,
-                                   const Progress& progress) {
+Result<image::EdgeMap> searchEdges(const image::Picture& picture, const EdgeParams& params, const Progress& progress) {
   const image::Image& working = picture.working;
-  const image::Size size =
-      image::fitSize({working.width, working.height}, kWorkingPixels, params.longSide);
+  const image::Size size = image::fitSize({working.width, working.height}, kWorkingPixels, params.longSide);
   const image::Image copy = image::shrink(working, size.width, size.height);
   if (copy.empty()) return Error::PictureEmpty;
   if (!progress.advance(0.15)) return Error::Cancelled;
@@ -48,8 +46,7 @@ Result<image::EdgeMap> searchEdges(const image::Picture& picture, const EdgePara
 
 }  // namespace
 
-Result<image::EdgeMap> detectEdges(const image::Picture& picture, const EdgeParams& params,
-                                   const Progress& progress) {
+Result<image::EdgeMap> detectEdges(const image::Picture& picture, const EdgeParams& params, const Progress& progress) {
   if (picture.working.empty() || picture.width <= 0 || picture.height <= 0) {
     return Error::PictureEmpty;
   }

@@ -72,7 +72,7 @@ void fill(image::EdgeMap& map) {
       lower(squares - step, squares + step, static_cast<Square>(step * step), width, best.data());
     slope(best.data(), ramp, width, near.data());
     for (std::size_t x = 0; x < width; ++x)
-      map.look[y * width + x].fixed[3] = static_cast<std::int16_t>(near[x] * image::PixelLook::kNear + 0.5f);
+      map.look[y * width + x].fixed[3] = static_cast<std::int16_t>(near[x] * image::PixelFeature::kNear + 0.5f);
   }
 }
 

@@ -71,8 +71,7 @@ Thresholds chooseThresholds(std::span<const float> gradientX, std::span<const fl
   changing[0] -= sizes.still;
   const std::size_t moving = count - sizes.still;
   // With most of the picture digitally flat, what changes is the drawing itself, not noise.
-  const double noise =
-      2 * moving > count ? quantile(changing, moving, kQuietShare) / kRayleighOfQuietShare : 0;
+  const double noise = 2 * moving > count ? quantile(changing, moving, kQuietShare) / kRayleighOfQuietShare : 0;
   const double clutter = quantile(all, count, kClutterShare);
   const double high = std::max(std::clamp(clutter, kFaintest, kStrongest), kNoiseFactor * noise);
   return {kLowShare * high, high, noise};

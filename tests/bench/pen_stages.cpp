@@ -17,8 +17,8 @@
 #include "engine/document/document.h"
 #include "engine/document/update.h"
 #include "engine/pipeline/derive.h"
-#include "engine/ribs/d2_grid.h"
 #include "engine/vision/edges.h"
+#include "tests/bench/accuracy/d2_grid.h"
 #include "tests/bench/scene.h"
 
 #ifdef __EMSCRIPTEN__
@@ -94,11 +94,11 @@ struct Desk {
     if (!derived.parts[0].shape) std::exit(1);
     return {std::move(drawn), std::move(derived)};
   }
-  // The steps in which it asks other hands, and those in which it gets its texture after that.
-  std::shared_ptr<pipeline::TraceMaking> ask(int ribs, int wobble) {
+  // The steps in which it asks perturbed strokes, and those in which it gets its texture after that.
+  std::shared_ptr<pipeline::TraceJob> ask(int ribs, int wobble) {
     return pipeline::makeTrace(lift(ribs, wobble).model, PartId{1}, cache);
   }
-  std::shared_ptr<pipeline::TextureMaking> dress(int wobble) {
+  std::shared_ptr<pipeline::TextureJob> assignTextures(int wobble) {
     const Lifted lifted = lift(100, wobble);
     return pipeline::makeTexture(lifted.model, pipeline::derive(lifted.model, cache), PartId{1});
   }
@@ -110,8 +110,8 @@ double secondsOf(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
 }
 
-// Sums that need nothing but a core's arithmetic: no memory, nothing that waits. Two processors that are threads of one core
-// share that, so no two workers can gain more by work of this kind than this does.
+// Sums that need nothing but a core's arithmetic: no memory, nothing that waits. Two processors that are threads of one
+// core share that, so no two workers can gain more by work of this kind than this does.
 void fillCore() {
   constexpr int kRounds = 1'500'000, kChains = 12;
   Float4 sums[kChains];
@@ -131,19 +131,25 @@ struct TwoJobs {
 
   void run(WorkerPool& pool) {
     alone = std::min(alone, secondsOf([&] {
-      job(0);
-      job(1);
-    }));
+                       job(0);
+                       job(1);
+                     }));
     together = std::min(together, secondsOf([&] {
-      int left = 2;
-      for (int i = 0; i < 2; ++i) {
-        pool.submit("half", [this, i](const Progress&) { job(i); return i; }, [&left](int) { --left; });
-      }
-      // A page looks after every frame. To look far more often takes time from the workers.
-      while (left > 0) {
-        if (pool.pump() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      }
-    }));
+                          int left = 2;
+                          for (int i = 0; i < 2; ++i) {
+                            pool.submit(
+                                "half",
+                                [this, i](const Progress&) {
+                                  job(i);
+                                  return i;
+                                },
+                                [&left](int) { --left; });
+                          }
+                          // A page looks after every frame. To look far more often takes time from the workers.
+                          while (left > 0) {
+                            if (pool.pump() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                          }
+                        }));
   }
 };
 
@@ -154,13 +160,12 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
   Desk desk(picture, edges);
   int wobble = 0;
   for (const int ribs : {100, 200}) {
-    const auto move = [&](int i) {
-      desk.draw(0.2 + 0.8 * (i + 1) / kMoves, ribs, ++wobble);
-    };
+    const auto move = [&](int i) { desk.draw(0.2 + 0.8 * (i + 1) / kMoves, ribs, ++wobble); };
     for (int i = 0; i < kMoves; i += 10) move(i);
     report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves, move);
-    report.stage(ribs == 100 ? "pen up to mesh" : "pen up to mesh, 200 ribs", 21, [&](int) { desk.lift(ribs, ++wobble); });
-    std::vector<std::shared_ptr<pipeline::TraceMaking>> asked;
+    report.stage(ribs == 100 ? "pen up to mesh" : "pen up to mesh, 200 ribs", 21,
+                 [&](int) { desk.lift(ribs, ++wobble); });
+    std::vector<std::shared_ptr<pipeline::TraceJob>> asked;
     for (int i = 0; i < 13; ++i) asked.push_back(desk.ask(ribs, ++wobble));
     std::size_t next = 0;
     report.stage(ribs == 100 ? "other hands, after that" : "other hands, after that, 200 ribs", 11, [&](int) {
@@ -170,12 +175,12 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
   }
   // How long a page without workers stands still for a texture, and how long the whole takes.
   int steps = 0;
-  const std::shared_ptr<pipeline::TextureMaking> counted = desk.dress(++wobble);
+  const std::shared_ptr<pipeline::TextureJob> counted = desk.assignTextures(++wobble);
   for (bool more = true; more; ++steps) more = counted->step();
   for (int step = 0; step < steps; ++step) {
-    std::vector<std::shared_ptr<pipeline::TextureMaking>> begun;
+    std::vector<std::shared_ptr<pipeline::TextureJob>> begun;
     for (int i = 0; i < 13; ++i) {
-      begun.push_back(desk.dress(++wobble));
+      begun.push_back(desk.assignTextures(++wobble));
       for (int k = 0; k < step; ++k) begun.back()->step();
     }
     std::size_t next = 0;
@@ -196,7 +201,8 @@ void reportPhoto(Report& report) {
   image::Picture picture;
   {
     // As a browser decodes it: all pixels, which go as soon as the picture is made.
-    std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), 255);
+    std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height),
+                                     255);
     const std::vector<PicturePoint> middle = tubeStroke(size, size.width);
     std::size_t at = 0;
     for (int y = 0; y < size.height; ++y) {
@@ -220,14 +226,16 @@ void reportTwoWorkers(const image::Picture& picture, Report& report) {
   if (pool.threads() < 2) return;
   const std::vector<PicturePoint> line = tubeStroke({300, 300}, 1000);
   std::vector<float> halves[2];
-  TwoJobs all[] = {{"edges", [&](int) { must(vision::detectEdges(picture, {}, Progress())); }},
-                   {"field", [&](int half) { ribs::d2OnGrid(line, {{0, 150.0 * half}, 1, 300, 150}, halves[half]); }},
-                   {"arithmetic alone", [](int) { fillCore(); }}};
+  TwoJobs all[] = {
+      {"edges", [&](int) { must(vision::detectEdges(picture, {}, Progress())); }},
+      {"field", [&](int half) { accuracy::d2OnGrid(line, {{0, 150.0 * half}, 1, 300, 150}, halves[half]); }},
+      {"arithmetic alone", [](int) { fillCore(); }}};
   // In turn: what a machine gives changes by the second.
   for (int round = 0; round < kRounds; ++round) {
     for (TwoJobs& jobs : all) jobs.run(pool);
   }
-  for (const TwoJobs& jobs : all) report.value(std::string("two workers against one, ") + jobs.name, jobs.alone / jobs.together);
+  for (const TwoJobs& jobs : all)
+    report.value(std::string("two workers against one, ") + jobs.name, jobs.alone / jobs.together);
 }
 
 }  // namespace spineloft::bench

@@ -16,8 +16,8 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
 void reportPhoto(Report& report);
 
 /// How much faster two workers find the edges of two pictures, and the field on two halves of a grid,
-/// than one: 2 at best. Nothing where there are no threads. Beside them what sums in registers gain: processors that are
-/// threads of one core share its arithmetic, and there no work of this kind gains more.
+/// than one: 2 at best. Nothing where there are no threads. Beside them what sums in registers gain: processors that
+/// are threads of one core share its arithmetic, and there no work of this kind gains more.
 void reportTwoWorkers(const image::Picture& picture, Report& report);
 
 }  // namespace spineloft::bench

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "engine/base/rng.h"
-#include "engine/ribs/curves.h"
-#include "engine/ribs/d2_grid.h"
-#include "engine/ribs/evidence.h"
-#include "engine/ribs/rib_lengths.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/evidence/evidence.h"
+#include "engine/ribs/field/curves.h"
+#include "engine/ribs/labels/rib_lengths.h"
+#include "engine/ribs/search/ribs.h"
+#include "tests/bench/accuracy/d2_grid.h"
 #include "tests/bench/scene.h"
 
 namespace spineloft::bench {
@@ -25,8 +25,7 @@ ribs::Spine spineOf(image::Size size, int count) {
   return std::move(spine).value();
 }
 
-void trace(const ribs::Spine& spine, const image::EdgeMap& edges, image::Size size,
-           const ribs::RibParams& params) {
+void trace(const ribs::Spine& spine, const image::EdgeMap& edges, image::Size size, const ribs::RibParams& params) {
   if (!ribs::traceRibs(spine, edges, size, params, Progress()).ok()) std::exit(1);
 }
 
@@ -59,7 +58,7 @@ ribs::LengthProblem pairProblem(int ribCount, int levels) {
   p.neighbourFreedom = static_cast<float>(defaults.neighbourFreedom);
   p.neighbourCap = static_cast<float>(defaults.neighbourCap);
   p.lean = 0.1f;
-  p.leanScale.assign(static_cast<std::size_t>(ribCount), 0.02f);
+  p.medialOffsetScale.assign(static_cast<std::size_t>(ribCount), 0.02f);
   return p;
 }
 
@@ -68,11 +67,9 @@ void reportPairSearch(int levels, Report& report) {
   ribs::LengthWorkspace workspace;
   ribs::LengthLabels labels;
   const std::string name = "pair search of 100 ribs, " + std::to_string(levels) + " labels";
-  report.stage(name, 41, [&](int) {
-    ribs::findLabels(problem, std::numeric_limits<double>::infinity(), workspace, labels);
-  });
-  report.value(name + ": share of pairs visited",
-               workspace.bounds.cells() / (100.0 * levels * levels));
+  report.stage(name, 41,
+               [&](int) { ribs::findLabels(problem, std::numeric_limits<double>::infinity(), workspace, labels); });
+  report.value(name + ": share of pairs visited", workspace.bounds.cells() / (100.0 * levels * levels));
 }
 
 }  // namespace
@@ -80,28 +77,25 @@ void reportPairSearch(int levels, Report& report) {
 void reportRibStages(const image::EdgeMap& edges, image::Size size, Report& report) {
   for (const int count : {25, 50, 100, 200, 400, 800}) {
     const ribs::Spine spine = spineOf(size, count);
-    report.stage("ribs " + std::to_string(count), count > 200 ? 11 : 21,
-                 [&](int) { trace(spine, edges, size, {}); });
+    report.stage("ribs " + std::to_string(count), count > 200 ? 11 : 21, [&](int) { trace(spine, edges, size, {}); });
   }
   const ribs::Spine spine = spineOf(size, 100);
   for (const int levels : {32, 64, 128, 256, 512}) {
     ribs::RibParams params;
     params.levels = levels;
-    report.stage("labels " + std::to_string(levels), 21,
-                 [&](int) { trace(spine, edges, size, params); });
+    report.stage("labels " + std::to_string(levels), 21, [&](int) { trace(spine, edges, size, params); });
   }
   const ribs::D2Field field(spine.points);
   const ribs::Levels levels = ribs::makeLevels(128, 1, 0.5 * size.height, field.length());
   ribs::GradientCurves curves;
   report.stage("curves of 100 ribs and fans", 41,
                [&](int) { ribs::traceCurves(spine, field, levels, 11, size, curves); });
-  report.value("curves of 100 ribs and fans: steps a curve",
-               static_cast<double>(curves.steps) / curves.layout.total());
-  ribs::Strip strip;
+  report.value("curves of 100 ribs and fans: steps a curve", static_cast<double>(curves.steps) / curves.layout.total());
+  ribs::UnwrappedImage strip;
   ribs::BoundaryTerms terms;
   std::vector<float> costs;
   report.stage("evidence of 100 ribs", 41, [&](int) {
-    ribs::sampleStrip(curves, edges, nullptr, strip);
+    ribs::unwrapImage(curves, edges, nullptr, strip);
     ribs::boundaryTerms(curves, strip, {}, terms);
     ribs::boundaryCosts(curves, strip, terms, {}, costs);
   });
@@ -139,16 +133,14 @@ void reportInvariance(const image::EdgeMap& edges, image::Size size, Report& rep
 void reportFieldStages(Report& report) {
   std::vector<PicturePoint> line;
   for (int i = 0; i < 2000; ++i) {
-    const double turn = 3.2 * std::numbers::pi * i / 1999,
-                 radius = 40 + 8 * turn + 6 * std::sin(9 * turn);
+    const double turn = 3.2 * std::numbers::pi * i / 1999, radius = 40 + 8 * turn + 6 * std::sin(9 * turn);
     line.push_back({150 + radius * std::cos(turn), 150 + radius * std::sin(turn)});
   }
-  const ribs::GridPlan plan{{0, 0}, 1, 300, 300};
+  const accuracy::GridPlan plan{{0, 0}, 1, 300, 300};
   std::vector<float> exact, quick;
-  report.stage("d2, 2000 segments on 300x300, exact", 5,
-               [&](int) { ribs::d2OnGrid(line, plan, exact); });
+  report.stage("d2, 2000 segments on 300x300, exact", 5, [&](int) { accuracy::d2OnGrid(line, plan, exact); });
   report.stage("d2, 2000 segments on 300x300, hierarchical", 41,
-               [&](int) { ribs::quickD2OnGrid(line, plan, quick); });
+               [&](int) { accuracy::quickD2OnGrid(line, plan, quick); });
   double worst = 0;
   for (std::size_t i = 0; i < exact.size(); ++i)
     worst = std::max(worst, std::abs(static_cast<double>(quick[i] / exact[i]) - 1));

@@ -1,8 +1,6 @@
 // How long the solver of solids takes, with the code that its worker runs: npm run bench, or node tests/bench/solids.mjs.
-import { startHelper } from '../browser/support/solids_helper.mjs';
-import { library, loft, node, seeded, shell, shifted, solveWithHelp, turned } from '../browser/support/solids.mjs';
+import { fresh, loft, node, seeded, shifted, turned } from '../browser/support/solids.mjs';
 
-const { SolidKernel } = shell;
 /** 63 bands of 64 quads and two lids of 64 triangles: 8,192. */
 const kFine = { rings: 64, around: 64, length: 1, radius: 0.12 };
 const kRuns = 7;
@@ -53,31 +51,15 @@ function anew(make) {
   const times = [];
   for (let run = 0; run <= kRuns; run += 1) {
     const { meshes, nodes } = make();
-    timed(times, () => ask(new SolidKernel(library), nodes, meshes));
+    timed(times, () => ask(fresh(), nodes, meshes));
   }
-  return { first_ms: times[0].wall, ...summary(times.slice(1)) };
-}
-
-/** The same where a second worker, which is there, makes one half. */
-async function anewInTwo(make) {
-  const times = [],
-    helper = await startHelper();
-  for (let run = 0; run <= kRuns; run += 1) {
-    const { meshes, nodes } = make(),
-      start = performance.now(),
-      before = process.cpuUsage();
-    await solveWithHelp(new SolidKernel(library, helper), nodes, meshes);
-    const { user, system } = process.cpuUsage(before);
-    times.push({ wall: performance.now() - start, cpu: (user + system) / 1000 });
-  }
-  helper.stop();
   return { first_ms: times[0].wall, ...summary(times.slice(1)) };
 }
 
 /** Answers after the first while something is edited, in one worker, which makes ready between them where the second part is chosen. */
 function edited(make, edit, chosen = false) {
   const times = [],
-    kernel = new SolidKernel(library),
+    kernel = fresh(),
     model = make();
   ask(kernel, model.nodes, model.meshes);
   // The first edit is where the worker learns which part is in hand.
@@ -166,16 +148,12 @@ const kPreviewOf = [
 ];
 
 /** Stage times by name, {first_ms, min_ms, median_ms, min_cpu_ms, count}, of previews share_of_full, too. */
-export async function solidTimes() {
+export function solidTimes() {
   const coarse = { coarse: true };
   const found = {
     'stick two lofts of 8,192 triangles together': anew(joined(2)),
     'stick ten lofts of 8,192 triangles together': anew(joined(10)),
-    'stick ten lofts of 8,192 triangles together, in two workers': await anewInTwo(joined(10)),
     'stick ten lofts of 2,048 triangles together': anew(joined(10, {}, { rings: 32, around: 32 })),
-    'stick ten lofts of 2,048 triangles together, in two workers': await anewInTwo(
-      joined(10, {}, { rings: 32, around: 32 }),
-    ),
     'again after a rib of one of ten': edited(joined(10), otherMesh),
     'again after a rib of one of ten that was chosen': edited(joined(10), otherMesh, true),
     'again after one of ten was moved': edited(joined(10), otherPlace),
@@ -200,4 +178,4 @@ export async function solidTimes() {
   return found;
 }
 
-if (import.meta.filename === process.argv[1]) process.stdout.write(`${JSON.stringify(await solidTimes(), null, 2)}\n`);
+if (import.meta.filename === process.argv[1]) process.stdout.write(`${JSON.stringify(solidTimes(), null, 2)}\n`);

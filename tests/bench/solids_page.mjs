@@ -13,7 +13,7 @@ const kEdits = 8;
 const kLater = 4;
 
 /** Runs in the page: one worker's first large unions and edits: ms from the request to the mesh, and what the busiest worker used meanwhile. */
-async function timesOf({ address, warm, edits, later, functions }) {
+async function timesOf({ address, isReady, edits, later, functions }) {
   const { loft, seeded, turned } = new Function(`${functions.join('\n')}; return { loft, seeded, turned };`)();
   const fine = { rings: 64, around: 64, length: 1, radius: 0.12 };
   const random = seeded(11),
@@ -52,15 +52,12 @@ async function timesOf({ address, warm, edits, later, functions }) {
     const ms = await answer(of, given);
     return { ms, cpu: await window.look() };
   };
-  if (warm) {
-    worker.postMessage({ warm: { large: true } });
+  if (isReady) {
     await new Promise((resolve) => {
       worker.onmessage = ({ data }) => {
-        if (data.type === 'warm') resolve();
+        if (data.type === 'ready') resolve();
       };
     });
-    // The second one began as soon as it had loaded, too.
-    await pause(1000);
   }
   const union = [await ask(operands, meshes)];
   const known = bytes;
@@ -165,9 +162,9 @@ async function deepTimesOf({ address, kind, edits, functions }) {
   return found;
 }
 
-/** Times in a fresh browser of the site in `folder`, once the page has started; `warm`: of a worker that was told beforehand. */
-export function freshTimes(folder, warm) {
-  return timesIn(folder, timesOf, { warm, edits: kEdits, later: kLater });
+/** Times in a fresh browser of the site in `folder`, once the page has started; `isReady`: of a worker that has started. */
+export function freshTimes(folder, isReady) {
+  return timesIn(folder, timesOf, { isReady, edits: kEdits, later: kLater });
 }
 
 /** The same of edits below a step that is no plain union: 'round' or 'scoop'. */
@@ -201,8 +198,8 @@ async function timesIn(folder, work, given) {
   }
 }
 
-/** Runs in the page: from the button to the solid of ten parts that the pen made, ms; `ticked`: one by one before. */
-async function pressed(ticked) {
+/** Runs in the page: from the button to the solid of ten parts that the pen made, ms. */
+async function pressed() {
   const { spineloft } = window,
     pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms)),
     canvas = new OffscreenCanvas(640, 480),
@@ -230,15 +227,9 @@ async function pressed(ticked) {
   }
   const parts = spineloft.state().parts.map(({ id }) => id);
   await pause(3000);
-  if (ticked) {
-    const before = window.solids;
-    for (const part of parts) await spineloft.run('pick', { part, on: true });
-    for (let tries = 0; tries < 200 && !(window.solids > before && window.asked === 0); tries += 1) await pause(50);
-    if (window.solids === before || window.asked > 0) throw new Error('What is ticked was not put together.');
-  }
   // Until the model has it, not until it is drawn, which without a graphics card takes longer.
   const start = performance.now(),
-    drawn = spineloft.run('stick-together', ticked ? {} : { parts });
+    drawn = spineloft.run('stick-together', { parts });
   while (!['ready', 'failed'].includes(spineloft.state().steps[0]?.status)) await pause(0);
   const ms = performance.now() - start,
     [{ status }] = spineloft.state().steps;
@@ -247,35 +238,13 @@ async function pressed(ticked) {
   return ms;
 }
 
-/** Counts what workers are asked for, and the solids that come. */
-function countSolids() {
-  const Plain = window.Worker;
-  window.solids = window.asked = 0;
-  window.Worker = class extends Plain {
-    constructor(...given) {
-      super(...given);
-      this.addEventListener('message', ({ data }) => {
-        if (data?.type === 'solid') window.solids += 1;
-        if (data?.type === 'done') window.asked -= 1;
-      });
-    }
-    postMessage(message, ...more) {
-      if (message.nodes) window.asked += 1;
-      super.postMessage(message, ...more);
-    }
-  };
-}
-
 /** Times in a fresh browser of the site in `folder`, from the button to the solid. */
-async function pressTimes(folder, ticked) {
+async function pressTimes(folder) {
   const site = await serveFolder(folder, { isolated: true }),
     browser = await startBrowser();
   try {
     const { page } = await openPage(browser, site.url);
-    await page.addInitScript(countSolids);
-    await page.reload();
-    await page.evaluate(() => window.spineloft.ready);
-    return await page.evaluate(pressed, ticked);
+    return await page.evaluate(pressed);
   } finally {
     await browser.close();
     await site.close();
@@ -303,35 +272,32 @@ function previewTimes(found) {
 /** Times by name, {min_ms, median_ms, count}, some with cpu_ms, previews with share_of_full; dist/ must be built. */
 export async function solidPageTimes(folder = distDir) {
   const cold = [],
-    warm = [],
-    plain = [],
-    ticked = [],
+    ready = [],
+    pressedOnes = [],
     round = [],
     scoop = [];
   for (let i = 0; i < kPages; i += 1) {
     cold.push(await freshTimes(folder, false));
-    warm.push(await freshTimes(folder, true));
+    ready.push(await freshTimes(folder, true));
   }
   for (let i = 0; i < kPresses; i += 1) {
     round.push(await deepTimes(folder, 'round'));
     scoop.push(await deepTimes(folder, 'scoop'));
-    plain.push(await pressTimes(folder, false));
-    ticked.push(await pressTimes(folder, true));
+    pressedOnes.push(await pressTimes(folder));
   }
   return {
     'stick ten lofts of 8,192 triangles together, a fresh worker': withProcessor(cold.map(({ union }) => union[0])),
-    'the same, made ready beforehand': withProcessor(warm.map(({ union }) => union[0])),
-    'stick others together later': withProcessor([...cold, ...warm].flatMap(({ union }) => union.slice(1))),
-    'the first rib of one of ten after it was chosen': withProcessor([...cold, ...warm].map(({ edit }) => edit[0])),
-    'ribs after that': withProcessor([...cold, ...warm].flatMap(({ edit }) => edit.slice(1))),
+    'the same, a worker that has started': withProcessor(ready.map(({ union }) => union[0])),
+    'stick others together later': withProcessor([...cold, ...ready].flatMap(({ union }) => union.slice(1))),
+    'the first rib of one of ten after it was chosen': withProcessor([...cold, ...ready].map(({ edit }) => edit[0])),
+    'ribs after that': withProcessor([...cold, ...ready].flatMap(({ edit }) => edit.slice(1))),
     'the first rib of one of ten with rounded seams': withProcessor(round.map(({ edit }) => edit[0])),
     'ribs of it after that': withProcessor(round.flatMap(({ edit }) => edit.slice(1))),
     'a preview of it': previewTimes(round),
     'the first rib of one of ten that are scooped out': withProcessor(scoop.map(({ edit }) => edit[0])),
     'ribs of those after that': withProcessor(scoop.flatMap(({ edit }) => edit.slice(1))),
     'a preview of those': previewTimes(scoop),
-    'from the button to the first solid, of a lattice of ten parts that the pen made': summary(plain),
-    'the same, ticked one by one beforehand': summary(ticked),
+    'from the button to the first solid, of a lattice of ten parts that the pen made': summary(pressedOnes),
   };
 }
 

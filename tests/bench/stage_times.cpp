@@ -95,12 +95,12 @@ void reportRegionStages(bench::Report& report) {
     const double a = 6.283185307179586 * i / 300, r = 180 + 14 * std::sin(3 * a) + 9 * std::sin(5 * a + 1);
     region.contours[0].push_back({250 + r * std::cos(a), 250 + r * std::sin(a)});
   }
-  const document::PuffRecipe puff{region, {1, inflate::PuffSides::Both, 4000}};
-  const document::PuffRecipe moving{region, {1, inflate::PuffSides::Both, 900}};
-  const document::SheetRecipe sheet{region, {}};
-  report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::puffStage(puff, {500, 500})); });
-  report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::puffStage(moving, {500, 500})); });
-  report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::sheetStage(sheet, {500, 500})); });
+  const document::InflateRecipe inflate{region, {1, inflate::InflateSides::Both, 4000}};
+  const document::InflateRecipe moving{region, {1, inflate::InflateSides::Both, 900}};
+  const document::ExtrudeRecipe extrude{region, {}};
+  report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::inflateStage(inflate, {500, 500})); });
+  report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::inflateStage(moving, {500, 500})); });
+  report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::extrudeStage(extrude, {500, 500})); });
 }
 
 void printStageTimes() {
@@ -110,8 +110,7 @@ void printStageTimes() {
   const image::EdgeMap edges = must(vision::detectEdges(picture, {}, progress));
 
   bench::Report report;
-  report.stage("edges 1024x768", 15,
-               [&](int) { must(vision::detectEdges(picture, {}, progress)); });
+  report.stage("edges 1024x768", 15, [&](int) { must(vision::detectEdges(picture, {}, progress)); });
   const std::pair<const char*, image::Size> sizes[] = {
       {"quarter", {576, 432}}, {"1", {1152, 864}}, {"2", {1632, 1224}}};
   for (const auto& [megapixels, of] : sizes) {
@@ -119,8 +118,7 @@ void printStageTimes() {
     report.stage(std::string("edges of a ") + megapixels + "-megapixel picture", 15,
                  [&](int) { must(vision::detectEdges(one, {}, progress)); });
   }
-  report.stage("edges of a 4-megapixel picture", 15,
-               [&](int) { must(vision::detectEdges(large, {}, progress)); });
+  report.stage("edges of a 4-megapixel picture", 15, [&](int) { must(vision::detectEdges(large, {}, progress)); });
   document::LoftRecipe recipe;
   recipe.stroke = bench::tubeStroke(size, 200);
   bench::reportRibStages(edges, size, report);

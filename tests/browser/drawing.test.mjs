@@ -274,3 +274,18 @@ test("Save offers a file that has the model's name", () =>
     await run(page, 'set-section', { section: 'hexagon' });
     assert.equal((await state(page)).unsaved, true);
   }));
+
+test('what is changed while a file is written stays unsaved', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await drawWithMouse(page, tube.middle);
+    const coming = page.waitForEvent('download');
+    await page.evaluate(() =>
+      Promise.all([window.spineloft.run('save-project'), window.spineloft.run('set-section', { section: 'hexagon' })]),
+    );
+    await coming;
+    await page.getByText(/^Saved tube\.spineloft/).waitFor();
+    assert.equal((await state(page)).unsaved, true);
+    await run(page, 'undo');
+    assert.equal((await state(page)).unsaved, false, 'the file holds what was there when it was saved');
+  }));

@@ -9,7 +9,7 @@ import { dataFolder } from '../support/cli.mjs';
 
 const build = fileURLToPath(new URL('../../build/', import.meta.url));
 const native = join(build, 'native-release/spineloft_bench');
-const wasm = join(build, 'wasm-release-st/spineloft_bench.js');
+const wasm = join(build, 'wasm-release/spineloft_bench_single.js');
 const reason = !dataFolder
   ? 'the data folder is not here'
   : ![native, wasm].every(existsSync) && 'spineloft_bench is not built natively and as WebAssembly';

@@ -5,34 +5,7 @@ import { existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { bar, barPng, barStroke, dataFolder, fails, readJson, readPng, workFolder, works } from '../support/cli.mjs';
-
-/** A case folder of the bar; `mask(x, y)` gives the truth's value. */
-function writeCase(folder, id, changes = {}) {
-  mkdirSync(folder.path(id));
-  writeFileSync(folder.path(`${id}/image.png`), barPng());
-  const mask = new PNG({ width: bar.width, height: bar.height, colorType: 0 });
-  for (let y = 0; y < bar.height; y++) {
-    for (let x = 0; x < bar.width; x++) {
-      const away = Math.hypot(x - bar.x, y - Math.min(bar.bottom, Math.max(bar.top, y)));
-      const value = away < bar.radius ? 255 : 0;
-      mask.data.set([value, value, value, 255], 4 * (y * bar.width + x));
-    }
-  }
-  writeFileSync(folder.path(`${id}/mask.png`), PNG.sync.write(mask, { colorType: 0 }));
-  const axis = Array.from({ length: 49 }, (_, i) => [bar.x, 40 + 5 * i, 80]);
-  const text = {
-    id,
-    category: 'made',
-    image: 'image.png',
-    mask: 'mask.png',
-    boundary_tolerance_px: 1.5,
-    axis,
-    spines: { careful: barStroke, sloppy: barStroke.map(([x, y], i) => [x + 4 * Math.sin(i / 4), y]) },
-    ...changes,
-  };
-  writeFileSync(folder.path(`${id}/case.json`), JSON.stringify(text));
-}
+import { bar, barStroke, dataFolder, fails, readJson, readPng, workFolder, works, writeCase } from '../support/cli.mjs';
 
 test('every case and stroke is scored, and the means are of the rows', (t) => {
   const folder = workFolder(t);
@@ -48,8 +21,6 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
     folder.path('seen/here'),
     '--jobs',
     '2',
-    '--live',
-    '20',
   );
   const { cases, summary } = readJson(folder.path('bench.json'));
   assert.deepEqual(
@@ -62,7 +33,6 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
     assert.equal(row.mesh_lawful, 1);
     assert.equal(row.ends_edge + row.ends_bridged + row.ends_guessed, 2 * row.ribs);
     assert.ok(row.edges_ms > 0 && row.ribs_ms > 0 && row.loft_ms > 0);
-    assert.ok(row.live_up_pct < 3 && row.live_jumps < 0.3 && row.live_followed > 0.3, JSON.stringify(row));
     const overlay = readPng(folder.path(`seen/here/${row.id}.${row.stroke}.png`));
     assert.deepEqual([overlay.width, overlay.height], [bar.width, bar.height]);
     assert.ok(stdout.includes(`${row.id} ${row.stroke}`));
@@ -82,19 +52,9 @@ test('every case and stroke is scored, and the means are of the rows', (t) => {
 test('where results cannot be written is said before anything is done', (t) => {
   const folder = workFolder(t);
   writeCase(folder, 'one');
-  for (const option of ['--json', '--ablation', '--leave-one-out']) {
-    const said = fails(
-      3,
-      'bench',
-      folder.folder,
-      option,
-      folder.path('no/such/file'),
-      '--overlays',
-      folder.path('seen'),
-    );
-    assert.match(said, /no\/such\/file/);
-    assert.ok(!existsSync(folder.path('seen')));
-  }
+  const outputs = ['--json', folder.path('no/such/file'), '--overlays', folder.path('seen')];
+  assert.match(fails(3, 'bench', folder.folder, ...outputs), /no\/such\/file/);
+  assert.ok(!existsSync(folder.path('seen')));
 });
 
 test('means are given for all cases that are hard in one way, and a case may be hard in several', (t) => {

@@ -60,8 +60,6 @@ test('help names every option, version the version, both on standard output', ()
     '--json',
     '--jobs',
     '--overlays',
-    '--overshoot',
-    '--redraw',
   ]) {
     assert.ok(help.includes(word), word);
   }

@@ -1,9 +1,8 @@
-// The shell's pure parts, without a browser: header probe, palms, taps, sizes, wheel.
+// The shell's pure parts, without a browser: palms, taps, sizes, wheel.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { build } from 'esbuild';
 import { root } from '../../.ci/lib/paths.mjs';
-import { greyPng, samples, tubePicture } from '../browser/support/pictures.mjs';
 
 async function load(file) {
   const result = await build({
@@ -16,88 +15,18 @@ async function load(file) {
   });
   return import(`data:text/javascript;base64,${Buffer.from(result.outputFiles[0].text).toString('base64')}`);
 }
-const { probePicture } = await load('probe.ts');
 const { PalmFilter } = await load('palm.ts');
 const { TapFinder } = await load('taps.ts');
 const { sizeError, workingSize } = await load('picture.ts');
 const { wheelPixels } = await load('pointer.ts');
 
-test('the probe reads format and size of every sample and finds it whole', () => {
-  for (const sample of samples()) {
-    const format = sample.file.endsWith('.png') ? 'png' : 'jpeg';
-    assert.deepEqual(
-      probePicture(sample.bytes),
-      { format, width: sample.width, height: sample.height, complete: true },
-      sample.id,
-    );
-  }
-});
-
-test('a picture cut off anywhere is found incomplete, and no prefix makes the probe throw', () => {
-  for (const bytes of [
-    tubePicture({ width: 64, height: 48, half: 6 }).png,
-    samples().find(({ file }) => file.endsWith('.jpg')).bytes,
-  ]) {
-    for (let i = 0; i < 40; ++i) {
-      const probe = probePicture(bytes.subarray(0, Math.floor((bytes.length * i) / 40)));
-      assert.ok(probe === null || !probe.complete);
-    }
-    for (let length = 0; length < 64; ++length) probePicture(bytes.subarray(0, length));
-  }
-});
-
-test('random bytes behind every signature never make the probe throw', () => {
-  let seed = 12345;
-  const random = () => (seed = (seed * 1103515245 + 12345) & 0x7fffffff) / 0x7fffffff;
-  const heads = [
-    '\x89PNG\r\n\x1a\n',
-    '\xff\xd8\xff\xe0',
-    'GIF89a',
-    'RIFF\0\0\0\0WEBPVP8X',
-    'RIFF\0\0\0\0WEBPVP8L',
-    'BM',
-    '\0\0\0\x18ftypavif',
-    '\0\0\0\x18ftypheic',
-  ];
-  for (let round = 0; round < 2000; ++round) {
-    const head = Buffer.from(heads[round % heads.length], 'latin1');
-    const body = Buffer.from(Array.from({ length: Math.floor(random() * 80) }, () => Math.floor(random() * 256)));
-    const probe = probePicture(Buffer.concat([head, body]));
-    assert.ok(probe === null || typeof probe.complete === 'boolean');
-  }
-});
-
-test('headers of GIF, WebP and BMP tell their size', () => {
-  const gif = Buffer.concat([
-    Buffer.from('GIF89a', 'latin1'),
-    Buffer.from([0x2c, 1, 0xc8, 0, 0, 0, 0]),
-    Buffer.alloc(4),
-    Buffer.from([0x3b]),
-  ]);
-  assert.deepEqual(probePicture(gif), { format: 'gif', width: 300, height: 200, complete: true });
-  const webp = Buffer.alloc(30);
-  webp.write('RIFF', 0, 'latin1');
-  webp.writeUInt32LE(22, 4);
-  webp.write('WEBPVP8X', 8, 'latin1');
-  webp.writeUIntLE(1999, 24, 3);
-  webp.writeUIntLE(999, 27, 3);
-  assert.deepEqual(probePicture(webp), { format: 'webp', width: 2000, height: 1000, complete: true });
-  const bmp = Buffer.alloc(60);
-  bmp.write('BM', 0, 'latin1');
-  bmp.writeUInt32LE(60, 2);
-  bmp.writeUInt32LE(40, 14);
-  bmp.writeInt32LE(31, 18);
-  bmp.writeInt32LE(-17, 22);
-  assert.deepEqual(probePicture(bmp), { format: 'bmp', width: 31, height: 17, complete: true });
-});
-
-test('a header alone is enough to refuse a bomb', () => {
-  const probe = probePicture(greyPng(64250, 64250, 1));
-  assert.equal(sizeError(probe.width, probe.height), 'PictureTooLarge');
-  assert.equal(sizeError(32769, 100), 'PictureTooLarge');
-  assert.equal(sizeError(12000, 9000), null);
-  assert.equal(sizeError(15, 100), 'PictureTooSmall');
-  assert.equal(sizeError(0, 100), 'PictureEmpty');
+test('a decoded picture is held to the limits of the engine', () => {
+  const limits = { minSide: 16, maxSide: 32768, mostPixels: 120_000_000 };
+  assert.equal(sizeError(32769, 100, limits), 'PictureTooLarge');
+  assert.equal(sizeError(12000, 10001, limits), 'PictureTooLarge');
+  assert.equal(sizeError(12000, 9000, limits), null);
+  assert.equal(sizeError(15, 100, limits), 'PictureTooSmall');
+  assert.equal(sizeError(0, 100, limits), 'PictureEmpty');
 });
 
 test('the working copy has at most four megapixels and the same shape', () => {
@@ -109,7 +38,7 @@ test('the working copy has at most four megapixels and the same shape', () => {
     [30000, 100],
     [16, 32768],
   ]) {
-    const size = workingSize(width, height);
+    const size = workingSize(width, height, 4_000_000);
     assert.ok(size.width * size.height <= 4_000_000 && size.width <= width && size.height <= height);
     assert.ok(Math.abs(size.width / size.height / (width / height) - 1) < 0.08, `${width}×${height}`);
     if (width * height <= 4_000_000) assert.deepEqual(size, { width, height });

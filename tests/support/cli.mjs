@@ -1,7 +1,7 @@
 // What the tests of the command line share: running it, pictures made on the spot, reading its files.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -12,7 +12,9 @@ export const program = process.env.SPINELOFT_CLI ?? join(root, 'build/native-rel
 
 export { dataFolder } from '../../.ci/lib/paths.mjs';
 
-export function run(...args) {
+export const run = (...args) => runProgram(program, args);
+
+export function runProgram(program, args) {
   const { status, signal, stdout, stderr } = spawnSync(program, args, { encoding: 'utf8' });
   assert.equal(signal, null, `ended by ${signal}: ${stderr}`);
   return { status, stdout, stderr };
@@ -67,6 +69,33 @@ export function barFolder(t) {
   writeFileSync(folder.path('bar.png'), barPng());
   writeFileSync(folder.path('stroke.json'), JSON.stringify(barStroke));
   return folder;
+}
+
+/** A case folder of the bar; `mask(x, y)` gives the truth's value. */
+export function writeCase(folder, id, changes = {}) {
+  mkdirSync(folder.path(id));
+  writeFileSync(folder.path(`${id}/image.png`), barPng());
+  const mask = new PNG({ width: bar.width, height: bar.height, colorType: 0 });
+  for (let y = 0; y < bar.height; y++) {
+    for (let x = 0; x < bar.width; x++) {
+      const away = Math.hypot(x - bar.x, y - Math.min(bar.bottom, Math.max(bar.top, y)));
+      const value = away < bar.radius ? 255 : 0;
+      mask.data.set([value, value, value, 255], 4 * (y * bar.width + x));
+    }
+  }
+  writeFileSync(folder.path(`${id}/mask.png`), PNG.sync.write(mask, { colorType: 0 }));
+  const axis = Array.from({ length: 49 }, (_, i) => [bar.x, 40 + 5 * i, 80]);
+  const text = {
+    id,
+    category: 'made',
+    image: 'image.png',
+    mask: 'mask.png',
+    boundary_tolerance_px: 1.5,
+    axis,
+    spines: { careful: barStroke, sloppy: barStroke.map(([x, y], i) => [x + 4 * Math.sin(i / 4), y]) },
+    ...changes,
+  };
+  writeFileSync(folder.path(`${id}/case.json`), JSON.stringify(text));
 }
 
 export const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));

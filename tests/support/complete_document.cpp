@@ -31,8 +31,7 @@ PictureEntry sketch() {
   entry.id = PictureId{5};
   entry.name = "Sketch 5";
   entry.size = {120, 80};
-  entry.sketch.push_back(
-      image::SketchStroke{{{20, 40}, {60, 38.5}, {100, 40}}, {0.25f, 1, 0.1f}, 3, false, {1, 2, 3}});
+  entry.sketch.push_back(image::SketchStroke{{{20, 40}, {60, 38.5}, {100, 40}}, {0.25f, 1, 0.1f}, 3, false, {1, 2, 3}});
   entry.sketch.push_back(image::SketchStroke{{{60, 10}}, {}, 7.5, true, {255, 0, 128}});
   entry.contentHash = contentHash(entry.size, entry.sketch);
   return entry;
@@ -60,7 +59,7 @@ LoftRecipe fullRecipe() {
 
 loft::LoftParams fullLoft() {
   loft::LoftParams params;
-  loft::SectionStop drawn{0.125, {}, {loft::BlendKind::Custom, {{{0, 0}, {0.5, 0.7}, {1, 1}}}}};
+  loft::SectionKey drawn{0.125, {}, {loft::BlendKind::Custom, {{{0, 0}, {0.5, 0.7}, {1, 1}}}}};
   drawn.shape.contours = {{{1, 0}, {0, 1}, {-1, 0}, {0, -0.5}}};
   params.sections = {drawn, {0.75, loft::SectionPreset::Star, {loft::BlendKind::Overshoot, {}}}};
   params.twist.points = {{0, 0}, {1, 3.25}};

@@ -17,14 +17,13 @@ std::array<double, 3> sampled(const image::Image& image, double u, double v) {
     const auto at = [&](int px, int py) {
       return double(image.pixels[4 * (std::size_t(py) * std::size_t(image.width) + std::size_t(px)) + c]);
     };
-    out[c] = (at(x0, y0) * (1 - fx) + at(x1, y0) * fx) * (1 - fy) +
-             (at(x0, y1) * (1 - fx) + at(x1, y1) * fx) * fy;
+    out[c] = (at(x0, y0) * (1 - fx) + at(x1, y0) * fx) * (1 - fy) + (at(x0, y1) * (1 - fx) + at(x1, y1) * fx) * fy;
   }
   return out;
 }
 
-std::vector<std::optional<std::array<double, 3>>> frontView(const mesh::TriMesh& mesh,
-                                                            image::Size size, const ColourAt& colour) {
+std::vector<std::optional<std::array<double, 3>>> frontView(const mesh::TriMesh& mesh, image::Size size,
+                                                            const ColourAt& colour) {
   const std::size_t count = std::size_t(size.width) * std::size_t(size.height);
   std::vector<std::optional<std::array<double, 3>>> out(count);
   std::vector<double> depth(count, -std::numeric_limits<double>::infinity());

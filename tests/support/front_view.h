@@ -19,8 +19,8 @@ std::array<double, 3> sampled(const image::Image& image, double u, double v);
 
 /// Orthographic, with a depth buffer: pixel (x, y) shows the nearest surface at the model's (x, −y),
 /// none where there is nothing. Row by row.
-std::vector<std::optional<std::array<double, 3>>> frontView(const mesh::TriMesh& modelSpace,
-                                                            image::Size size, const ColourAt& colour);
+std::vector<std::optional<std::array<double, 3>>> frontView(const mesh::TriMesh& modelSpace, image::Size size,
+                                                            const ColourAt& colour);
 
 /// Peak signal-to-noise ratio over the pixels that `seen` has, of 255, in decibels.
 double psnr(const std::vector<std::optional<std::array<double, 3>>>& seen, const image::Image& truth);

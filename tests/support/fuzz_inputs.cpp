@@ -32,20 +32,23 @@ std::string faultOf(const document::Document& document) {
   for (const document::Part& part : document.parts) {
     if (!document::checkDrawn(document, part.recipe)) return "a part without anything drawn";
     const document::LoftRecipe& recipe = document::loftIn(part);
-    if (!ribs::isValid(recipe.edits) || !loft::isValid(recipe.pose) ||
-        !loft::checkParams(recipe.loft) || !document::isValid(recipe.ignored)) {
+    if (!ribs::isValid(recipe.edits) || !loft::isValid(recipe.pose) || !loft::checkParams(recipe.loft) ||
+        !document::isValid(recipe.ignored)) {
       return "a part that could not have been made";
     }
     if (part.id.value == 0 || part.id.value > document.lastPartId) return "a part's id";
   }
   const std::string text = writeDocument(document);
   ReadNotes notes;
-  const auto again = readDocument(text, [&](std::uint64_t hash) {
-    for (const document::PictureEntry& entry : document.pictures) {
-      if (entry.contentHash == hash && entry.picture) return entry.picture;
-    }
-    return std::shared_ptr<const image::Picture>();
-  }, &notes);
+  const auto again = readDocument(
+      text,
+      [&](std::uint64_t hash) {
+        for (const document::PictureEntry& entry : document.pictures) {
+          if (entry.contentHash == hash && entry.picture) return entry.picture;
+        }
+        return std::shared_ptr<const image::Picture>();
+      },
+      &notes);
   if (!again) return "a document that cannot be read again: " + failureSentence(again.failure());
   if (again.value() != document || !notes.clean()) return "a document that reads back differently";
   if (writeDocument(again.value()) != text) return "a document that writes back differently";

@@ -22,8 +22,7 @@ ribs::Rib ribAt(PicturePoint centre, PicturePoint across, double width) {
 
 }  // namespace
 
-ribs::RibSet straightRibs(PicturePoint from, PicturePoint to, int count,
-                          const std::function<double(double)>& width) {
+ribs::RibSet straightRibs(PicturePoint from, PicturePoint to, int count, const std::function<double(double)>& width) {
   ribs::RibSet set;
   const PicturePoint across = rightOf(normalized(to - from));
   for (int i = 0; i < count; ++i) {
@@ -33,8 +32,7 @@ ribs::RibSet straightRibs(PicturePoint from, PicturePoint to, int count,
   return set;
 }
 
-ribs::RibSet arcRibs(PicturePoint centre, double radius, double width, double fromAngle,
-                     double toAngle, int count) {
+ribs::RibSet arcRibs(PicturePoint centre, double radius, double width, double fromAngle, double toAngle, int count) {
   ribs::RibSet set;
   for (int i = 0; i < count; ++i) {
     const double angle = fromAngle + (toAngle - fromAngle) * i / (count - 1);
@@ -92,8 +90,7 @@ ribs::RibSet hostileRibs(Rng& rng) {
     const std::uint32_t points = rng.below(12);
     const ribs::Rib& end = fan == &set.startFan ? set.ribs.front() : set.ribs.back();
     for (std::uint32_t i = 0; i < points; ++i) {
-      fan->points.push_back(rng.below(4) == 0 ? anywhere()
-                                              : lerp(end.left, end.right, rng.uniform(-0.5, 1.5)));
+      fan->points.push_back(rng.below(4) == 0 ? anywhere() : lerp(end.left, end.right, rng.uniform(-0.5, 1.5)));
     }
   }
   return set;
@@ -135,8 +132,7 @@ ribs::RibSet mirrored(const ribs::RibSet& set, double about) {
 mesh::TriMesh box(float width, float height, float depth) {
   mesh::TriMesh mesh;
   for (int corner = 0; corner < 8; ++corner) {
-    mesh.positions.push_back(
-        {corner & 1 ? width : 0, corner & 2 ? height : 0, corner & 4 ? depth : 0});
+    mesh.positions.push_back({corner & 1 ? width : 0, corner & 2 ? height : 0, corner & 4 ? depth : 0});
   }
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};

@@ -7,17 +7,15 @@
 
 #include "engine/base/rng.h"
 #include "engine/mesh/tri_mesh.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/base/rib_set.h"
 
 namespace spineloft::testing {
 
 /// Ribs square to a straight spine from `from` to `to`, `width(t)` wide for t = 0…1.
-ribs::RibSet straightRibs(PicturePoint from, PicturePoint to, int count,
-                          const std::function<double(double)>& width);
+ribs::RibSet straightRibs(PicturePoint from, PicturePoint to, int count, const std::function<double(double)>& width);
 
 /// Ribs of constant width round a circular arc; angles in radians, screen-clockwise when growing.
-ribs::RibSet arcRibs(PicturePoint centre, double radius, double width, double fromAngle,
-                     double toAngle, int count);
+ribs::RibSet arcRibs(PicturePoint centre, double radius, double width, double fromAngle, double toAngle, int count);
 
 /// A wandering spine without sharp bends, ribs square to it with a smooth random width, some
 /// slanted.

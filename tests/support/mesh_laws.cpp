@@ -8,7 +8,7 @@ mesh::MeshReport requireLawful(const mesh::TriMesh& mesh) {
   const mesh::MeshReport report = mesh::inspect(mesh);
   const std::string broken = mesh::brokenLaw(report);
   REQUIRE_MESSAGE(broken.empty(), broken);
-  REQUIRE(report.lawful());
+  REQUIRE(report.valid());
   return report;
 }
 

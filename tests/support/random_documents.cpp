@@ -41,8 +41,8 @@ std::vector<SectionPoint> anyContour(Rng& rng) {
 
 loft::SectionShape anySection(Rng& rng) {
   loft::SectionShape shape;
-  shape.preset = static_cast<loft::SectionPreset>(
-      rng.below(static_cast<std::uint32_t>(loft::SectionPreset::kCount) + 1));
+  shape.preset =
+      static_cast<loft::SectionPreset>(rng.below(static_cast<std::uint32_t>(loft::SectionPreset::kCount) + 1));
   if (rng.below(4) == 0) shape.contours.push_back(anyContour(rng));
   return shape;
 }
@@ -67,8 +67,7 @@ std::vector<ribs::IgnoreMark> anyMarks(Rng& rng) {
 }
 
 loft::CapStyle anyCap(Rng& rng) {
-  return static_cast<loft::CapStyle>(
-      rng.below(static_cast<std::uint32_t>(loft::CapStyle::kCount) + 1));
+  return static_cast<loft::CapStyle>(rng.below(static_cast<std::uint32_t>(loft::CapStyle::kCount) + 1));
 }
 
 std::vector<PicturePoint> anyStroke(Rng& rng) {
@@ -94,8 +93,7 @@ struct Make<RemovePicture> {
 template <>
 struct Make<DrawSpine> {
   static DrawSpine from(Rng& rng, const Document& d) {
-    return {anyPicture(rng, d), anyStroke(rng), anySection(rng), anyCap(rng), anyCap(rng), {},
-            {}};
+    return {anyPicture(rng, d), anyStroke(rng), anySection(rng), anyCap(rng), anyCap(rng), {}, {}};
   }
 };
 template <>
@@ -108,9 +106,7 @@ struct Make<SetSection> {
 };
 template <>
 struct Make<SetCaps> {
-  static SetCaps from(Rng& rng, const Document& d) {
-    return {anyPart(rng, d), anyCap(rng), anyCap(rng)};
-  }
+  static SetCaps from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyCap(rng), anyCap(rng)}; }
 };
 template <>
 struct Make<SetLook> {
@@ -129,15 +125,12 @@ struct Make<SetParameter> {
     const auto table = paramTable(static_cast<PartKind>(rng.below(3)));
     const ParamInfo& info = table[rng.below(static_cast<std::uint32_t>(table.size()))];
     const double room = info.high - info.low;
-    return {anyPart(rng, d), std::string(info.key),
-            rng.uniform(info.low - 0.1 * room, info.high + 0.1 * room)};
+    return {anyPart(rng, d), std::string(info.key), rng.uniform(info.low - 0.1 * room, info.high + 0.1 * room)};
   }
 };
 template <>
 struct Make<RenamePart> {
-  static RenamePart from(Rng& rng, const Document& d) {
-    return {anyPart(rng, d), std::string(rng.below(300), 'x')};
-  }
+  static RenamePart from(Rng& rng, const Document& d) { return {anyPart(rng, d), std::string(rng.below(300), 'x')}; }
 };
 template <>
 struct Make<ShowPart> {
@@ -153,9 +146,7 @@ struct Make<SetHeight> {
 };
 template <>
 struct Make<RenameDocument> {
-  static RenameDocument from(Rng& rng, const Document&) {
-    return {std::string(rng.below(300), 'y')};
-  }
+  static RenameDocument from(Rng& rng, const Document&) { return {std::string(rng.below(300), 'y')}; }
 };
 
 template <>
@@ -177,7 +168,8 @@ struct Make<EditRibs> {
     edits.ends.resize(rng.below(8));
     for (ribs::EndEdit& end : edits.ends) {
       end = {rng.uniform(0, 1.02), rng.below(2) == 0 ? ribs::Side::Left : ribs::Side::Right,
-             rng.uniform(-10, 10), rng.uniform(0, 40), rng.uniform(0, 0.3), rng.below(4) == 0};
+             rng.uniform(-10, 10), rng.uniform(0, 40),
+             rng.uniform(0, 0.3),  rng.below(4) == 0};
     }
     for (std::uint32_t i = rng.below(4); i > 0; --i) edits.added.push_back(rng.uniform(0, 1));
     for (std::uint32_t i = rng.below(4); i > 0; --i) edits.removed.push_back(rng.uniform(0, 1));
@@ -190,20 +182,17 @@ struct Make<IgnoreForPart> {
 };
 template <>
 struct Make<IgnoreForPicture> {
-  static IgnoreForPicture from(Rng& rng, const Document& d) {
-    return {anyPicture(rng, d), anyMarks(rng)};
-  }
+  static IgnoreForPicture from(Rng& rng, const Document& d) { return {anyPicture(rng, d), anyMarks(rng)}; }
 };
 template <>
 struct Make<SetSections> {
   static SetSections from(Rng& rng, const Document& d) {
-    std::vector<loft::SectionStop> stops(rng.below(5));
+    std::vector<loft::SectionKey> stops(rng.below(5));
     for (std::size_t i = 0; i < stops.size(); ++i) {
-      stops[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) /
-                    static_cast<double>(stops.size());
+      stops[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(stops.size());
       stops[i].shape = anySection(rng);
-      stops[i].blend.kind = static_cast<loft::BlendKind>(
-          rng.below(static_cast<std::uint32_t>(loft::BlendKind::kCount) + 1));
+      stops[i].blend.kind =
+          static_cast<loft::BlendKind>(rng.below(static_cast<std::uint32_t>(loft::BlendKind::kCount) + 1));
     }
     return {anyPart(rng, d), stops};
   }
@@ -217,9 +206,7 @@ struct Make<SetAlong> {
 };
 template <>
 struct Make<AddSketch> {
-  static AddSketch from(Rng& rng, const Document&) {
-    return {"sketch", {static_cast<int>(rng.below(200)), kHeight}};
-  }
+  static AddSketch from(Rng& rng, const Document&) { return {"sketch", {static_cast<int>(rng.below(200)), kHeight}}; }
 };
 template <>
 struct Make<DrawOnSketch> {
@@ -282,8 +269,8 @@ struct Make<SetStep> {
   static SetStep from(Rng& rng, const Document& d) {
     const StepId id = anyStep(rng, d);
     const Step* step = findStep(d, id);
-    return {id, step && rng.below(2) == 0 ? step->kind : static_cast<StepKind>(rng.below(4)),
-            rng.uniform(0, 0.22), rng.uniform(0, 0.4), anyOpening(rng)};
+    return {id, step && rng.below(2) == 0 ? step->kind : static_cast<StepKind>(rng.below(4)), rng.uniform(0, 0.22),
+            rng.uniform(0, 0.4), anyOpening(rng)};
   }
 };
 template <>
@@ -306,9 +293,7 @@ struct Make<DeleteStep> {
 };
 template <>
 struct Make<RenameStep> {
-  static RenameStep from(Rng& rng, const Document& d) {
-    return {anyStep(rng, d), std::string(rng.below(300), 'w')};
-  }
+  static RenameStep from(Rng& rng, const Document& d) { return {anyStep(rng, d), std::string(rng.below(300), 'w')}; }
 };
 template <>
 struct Make<ShowStep> {
@@ -338,24 +323,20 @@ Region anyRegion(Rng& rng, const Document& d) {
 
 RegionSolid anySolid(Rng& rng) {
   if (rng.below(2) == 0) {
-    return inflate::PuffParams{rng.uniform(0, 3), static_cast<inflate::PuffSides>(rng.below(4)),
-                               static_cast<int>(rng.below(900))};
+    return inflate::InflateParams{rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)),
+                                  static_cast<int>(rng.below(900))};
   }
-  return sheet::SheetParams{rng.uniform(0, 0.4), static_cast<sheet::EdgeKind>(rng.below(4)),
-                            rng.uniform(-0.05, 1.05), rng.uniform(-0.5, 0.5)};
+  return extrude::ExtrudeParams{rng.uniform(0, 0.4), static_cast<extrude::EdgeKind>(rng.below(4)),
+                                rng.uniform(-0.05, 1.05), rng.uniform(-0.5, 0.5)};
 }
 
 template <>
 struct Make<DrawRegion> {
-  static DrawRegion from(Rng& rng, const Document& d) {
-    return {anyRegion(rng, d), anySolid(rng), {}};
-  }
+  static DrawRegion from(Rng& rng, const Document& d) { return {anyRegion(rng, d), anySolid(rng), {}}; }
 };
 template <>
 struct Make<RedrawRegion> {
-  static RedrawRegion from(Rng& rng, const Document& d) {
-    return {anyPart(rng, d), anyRegion(rng, d)};
-  }
+  static RedrawRegion from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyRegion(rng, d)}; }
 };
 template <>
 struct Make<ShapeRegion> {
@@ -400,9 +381,7 @@ struct Make<DuplicateParts> {
 };
 template <>
 struct Make<GroupParts> {
-  static GroupParts from(Rng& rng, const Document& d) {
-    return {anyParts(rng, d), std::string(rng.below(20), 'g')};
-  }
+  static GroupParts from(Rng& rng, const Document& d) { return {anyParts(rng, d), std::string(rng.below(20), 'g')}; }
 };
 template <>
 struct Make<Ungroup> {
@@ -410,9 +389,7 @@ struct Make<Ungroup> {
 };
 template <>
 struct Make<RenameGroup> {
-  static RenameGroup from(Rng& rng, const Document& d) {
-    return {anyGroup(rng, d), std::string(rng.below(300), 'h')};
-  }
+  static RenameGroup from(Rng& rng, const Document& d) { return {anyGroup(rng, d), std::string(rng.below(300), 'h')}; }
 };
 template <>
 struct Make<MoveInList> {
@@ -465,9 +442,7 @@ std::vector<PicturePoint> randomStroke(Rng& rng, int width, int height) {
 
 document::Placement randomPlacement(Rng& rng) {
   document::Placement placement;
-  const auto point = [&] {
-    return WorldPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-  };
+  const auto point = [&] { return WorldPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)}; };
   placement.pivot = point();
   placement.move = point();
   placement.turn = geometry::turnAbout(point(), rng.uniform(-3.1, 3.1));
@@ -481,8 +456,7 @@ document::Action randomAction(Rng& rng, const document::Document& document) {
   // A board without pictures accepts little: fill it first.
   std::size_t which = document.pictures.empty() && rng.below(4) != 0 ? 0 : rng.below(kActions);
   // Removing a whole picture is rare in life, and would keep the random documents small.
-  if (std::holds_alternative<RemovePicture>(
-          makeAction(std::make_index_sequence<kActions>{}, which, rng, document)) &&
+  if (std::holds_alternative<RemovePicture>(makeAction(std::make_index_sequence<kActions>{}, which, rng, document)) &&
       rng.below(4) != 0) {
     which = 2;
   }

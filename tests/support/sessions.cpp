@@ -5,8 +5,7 @@
 
 namespace spineloft::testing {
 
-std::vector<document::Document> randomSession(std::uint64_t seed, int steps,
-                                              ActionCounts* succeeded) {
+std::vector<document::Document> randomSession(std::uint64_t seed, int steps, ActionCounts* succeeded) {
   Rng rng(seed);
   std::vector<document::Document> documents(1);
   for (int step = 0; step < steps; ++step) {

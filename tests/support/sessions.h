@@ -19,8 +19,7 @@ using ActionCounts = std::array<int, std::variant_size_v<document::Action>>;
 
 /// The documents of one session of `steps` random actions, from the empty board on; each differs from
 /// the one before it.
-std::vector<document::Document> randomSession(std::uint64_t seed, int steps,
-                                              ActionCounts* succeeded = nullptr);
+std::vector<document::Document> randomSession(std::uint64_t seed, int steps, ActionCounts* succeeded = nullptr);
 
 /// A photo of any of the documents, by its content hash.
 std::function<std::shared_ptr<const image::Picture>(std::uint64_t)> photosOfAll(

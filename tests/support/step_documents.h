@@ -22,8 +22,7 @@ inline document::Document after(const document::Document& document, const docume
   return next.value();
 }
 
-inline document::CombineParts combine(document::StepKind kind,
-                                      std::vector<document::Operand> operands) {
+inline document::CombineParts combine(document::StepKind kind, std::vector<document::Operand> operands) {
   return {kind, std::move(operands), 0.02, {}};
 }
 

@@ -21,14 +21,15 @@ std::vector<std::uint8_t> bytesOf(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-std::optional<std::filesystem::path> dataFolder() {
+std::filesystem::path dataFolder() {
   const char* folder = std::getenv("SPINELOFT_DATA");
-  if (folder != nullptr && std::filesystem::is_directory(folder)) return folder;
-  MESSAGE("skipped: SPINELOFT_DATA names no folder");
-  return std::nullopt;
+  REQUIRE_MESSAGE((folder != nullptr && std::filesystem::is_directory(folder)), "SPINELOFT_DATA names no folder");
+  return folder;
 }
 
-std::vector<std::uint8_t> testFile(const std::string& path) { return bytesOf(kTests / path); }
+std::filesystem::path testPath(const std::string& path) { return kTests / path; }
+
+std::vector<std::uint8_t> testFile(const std::string& path) { return bytesOf(testPath(path)); }
 
 std::vector<std::pair<std::string, std::vector<std::uint8_t>>> testFiles(const std::string& folder) {
   std::vector<std::string> names;

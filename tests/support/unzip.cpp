@@ -47,8 +47,7 @@ std::map<std::string, Bytes> unzipped(const Bytes& zip) {
     const std::uint32_t method = number(zip, at + 10, 2), crc = number(zip, at + 16, 4);
     const std::uint32_t stored = number(zip, at + 20, 4), whole = number(zip, at + 24, 4);
     const std::uint32_t nameLength = number(zip, at + 28, 2), local = number(zip, at + 42, 4);
-    const std::string name(zip.begin() + std::ptrdiff_t(at) + 46,
-                           zip.begin() + std::ptrdiff_t(at) + 46 + nameLength);
+    const std::string name(zip.begin() + std::ptrdiff_t(at) + 46, zip.begin() + std::ptrdiff_t(at) + 46 + nameLength);
     CAPTURE(name);
     REQUIRE(number(zip, local, 4) == 0x04034b50);
     CHECK(number(zip, local + 8, 2) == method);
@@ -61,8 +60,8 @@ std::map<std::string, Bytes> unzipped(const Bytes& zip) {
     Bytes bytes(zip.begin() + std::ptrdiff_t(data), zip.begin() + std::ptrdiff_t(data + stored));
     if (method == 8) {
       int length = 0;
-      char* plain = stbi_zlib_decode_noheader_malloc(reinterpret_cast<const char*>(bytes.data()),
-                                                     int(bytes.size()), &length);
+      char* plain =
+          stbi_zlib_decode_noheader_malloc(reinterpret_cast<const char*>(bytes.data()), int(bytes.size()), &length);
       REQUIRE(plain != nullptr);
       bytes.assign(plain, plain + length);
       std::free(plain);
@@ -77,8 +76,7 @@ std::map<std::string, Bytes> unzipped(const Bytes& zip) {
   return out;
 }
 
-std::vector<std::string> attributes(const std::string& xml, const std::string& element,
-                                    const std::string& attribute) {
+std::vector<std::string> attributes(const std::string& xml, const std::string& element, const std::string& attribute) {
   std::vector<std::string> out;
   const std::string open = "<" + element + " ", key = " " + attribute + "=\"";
   for (std::size_t at = xml.find(open); at != std::string::npos; at = xml.find(open, at + 1)) {

@@ -12,7 +12,6 @@ namespace spineloft::testing {
 std::map<std::string, std::vector<std::uint8_t>> unzipped(const std::vector<std::uint8_t>& zip);
 
 /// Values of an attribute of all elements of that name, in order: `values(xml, "vertex", "x")`.
-std::vector<std::string> attributes(const std::string& xml, const std::string& element,
-                                    const std::string& attribute);
+std::vector<std::string> attributes(const std::string& xml, const std::string& element, const std::string& attribute);
 
 }  // namespace spineloft::testing

@@ -39,8 +39,8 @@ inline Mat4 scaleThenShift(double scale, double x, double y, double z) {
 /// World → eye: `right`, `up`, `back` orthonormal, the eye looks along −back.
 inline Mat4 viewMatrix(WorldPoint eye, WorldPoint right, WorldPoint up, WorldPoint back) {
   const auto f = [](double v) { return static_cast<float>(v); };
-  return {{f(right.x), f(up.x), f(back.x), 0, f(right.y), f(up.y), f(back.y), 0, f(right.z),
-           f(up.z), f(back.z), 0, f(-dot(right, eye)), f(-dot(up, eye)), f(-dot(back, eye)), 1}};
+  return {{f(right.x), f(up.x), f(back.x), 0, f(right.y), f(up.y), f(back.y), 0, f(right.z), f(up.z), f(back.z), 0,
+           f(-dot(right, eye)), f(-dot(up, eye)), f(-dot(back, eye)), 1}};
 }
 
 /// Eye → clip; `halfHeight` is the tangent of half the vertical field of view.

@@ -55,10 +55,9 @@ void MeshStore::upload(GpuMesh& target, const SceneMesh& item) {
   }
   glBindVertexArray(target.array.name());
   glBindBuffer(GL_ARRAY_BUFFER, target.vertices.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(staging_.size() * sizeof(float)),
-               staging_.data(), GL_DYNAMIC_DRAW);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(shaded.triangles.size() * sizeof(shaded.triangles[0])),
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(staging_.size() * sizeof(float)), staging_.data(),
+               GL_DYNAMIC_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(shaded.triangles.size() * sizeof(shaded.triangles[0])),
                shaded.triangles.data(), GL_DYNAMIC_DRAW);
   glBindVertexArray(0);
   target.count = static_cast<GLsizei>(shaded.triangles.size() * 3);

@@ -17,8 +17,7 @@ class NullRenderer final : public Renderer {
     if (lost) return {};
     last = scene;
     const int width = static_cast<int>(scene.width), height = static_cast<int>(scene.height);
-    const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(width) *
-                              static_cast<std::size_t>(height);
+    const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     return {width, height, std::vector<std::uint8_t>(bytes, 255)};
   }
   void fontsChanged() override { ++fontUploads; }

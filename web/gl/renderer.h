@@ -27,11 +27,11 @@ struct SceneTexture {
 enum class Finish : std::uint8_t { Plain, Clay, Glaze, Metal };
 
 struct SceneMesh {
-  std::uint64_t key = 0;                 ///< equal keys, equal geometry; never 0
-  const mesh::TriMesh* mesh = nullptr;   ///< alive while the scene is drawn
-  Mat4 toWorld;                          ///< a turn or mirror, a uniform scale and a shift
-  bool flips = false;                    ///< `toWorld` mirrors
-  std::optional<SceneTexture> texture;   ///< else `colour` alone
+  std::uint64_t key = 0;                ///< equal keys, equal geometry; never 0
+  const mesh::TriMesh* mesh = nullptr;  ///< alive while the scene is drawn
+  Mat4 toWorld;                         ///< a turn or mirror, a uniform scale and a shift
+  bool flips = false;                   ///< `toWorld` mirrors
+  std::optional<SceneTexture> texture;  ///< else `colour` alone
   /// What of the mesh's UV the texture covers: left, top, width, height.
   std::array<float, 4> textureArea{0, 0, 1, 1};
   std::array<float, 3> colour{1, 1, 1};  ///< sRGB, 0…1
@@ -40,7 +40,7 @@ struct SceneMesh {
   float split = 0;
   Finish finish = Finish::Plain;
   bool faceted = false;  ///< every triangle flat; part of `key`
-  float glow = 0;  ///< 0…1: how much it is lit
+  float glow = 0;        ///< 0…1: how much it is lit
 };
 
 /// A small picture within the strip of pictures.

@@ -73,9 +73,7 @@ image::Image StillTarget::read() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.pixels.data());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  const auto rowAt = [&](int y) {
-    return out.pixels.begin() + static_cast<std::ptrdiff_t>(row) * y;
-  };
+  const auto rowAt = [&](int y) { return out.pixels.begin() + static_cast<std::ptrdiff_t>(row) * y; };
   for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom) {
     std::swap_ranges(rowAt(top), rowAt(top + 1), rowAt(bottom));  // GL begins at the bottom
   }

@@ -21,8 +21,8 @@ Texture upload(const image::Image& image) {
   Texture texture = Texture::make();
   glBindTexture(GL_TEXTURE_2D, texture.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, pixels->width, pixels->height, 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, pixels->pixels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, pixels->width, pixels->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               pixels->pixels.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

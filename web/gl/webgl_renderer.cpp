@@ -55,8 +55,7 @@ ShadowMap makeShadowMap() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.texture.name(),
-                         0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.texture.name(), 0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return map;
 }
@@ -171,9 +170,7 @@ class WebGlRenderer final : public Renderer {
     glBindVertexArray(0);
   }
 
-  GLint uniform(const Program& program, const char* name) const {
-    return glGetUniformLocation(program.name(), name);
-  }
+  GLint uniform(const Program& program, const char* name) const { return glGetUniformLocation(program.name(), name); }
 
   /// The quad's place within the current viewport, in clip coordinates.
   void placeQuad(const Program& program, const Viewport& quad, const Viewport& within) const {
@@ -275,8 +272,8 @@ class WebGlRenderer final : public Renderer {
     glUniform1i(uniform(program, "picture"), 0);
     const GLint toWorld = uniform(program, "toWorld"), colour = uniform(program, "colour"),
                 textured = uniform(program, "textured"), glow = uniform(program, "glow"),
-                area = uniform(program, "area"), second = uniform(program, "second"),
-                split = uniform(program, "split"), finish = uniform(program, "finish");
+                area = uniform(program, "area"), second = uniform(program, "second"), split = uniform(program, "split"),
+                finish = uniform(program, "finish");
     for (const SceneMesh& item : scene.meshes) {
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
       const GpuMesh& mesh = meshes_.get(item);
@@ -310,8 +307,7 @@ class WebGlRenderer final : public Renderer {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_BLEND);
-    glBlendEquation(
-        GL_MAX);  // the lowest surface over each place counts: the shader writes 1 − height
+    glBlendEquation(GL_MAX);  // the lowest surface over each place counts: the shader writes 1 − height
     const Program& program = programs_.shadow;
     glUseProgram(program.name());
     glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, fromSky.m.data());

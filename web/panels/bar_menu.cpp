@@ -35,10 +35,8 @@ bool isColumn(const app::Rect& bar) { return bar.height > bar.width; }
 
 Grid gridFor(const PanelEnv& env, const BarSplit& split, const app::Rect& bar, double side) {
   double cell = 0;
-  for (const std::string_view id : split.rest) {
-    const app::Command* command = app::findCommand(id);
-    if (command == nullptr) continue;
-    cell = std::max<double>(cell, wordButtonWidth(env, command->label, static_cast<float>(side)));
+  for (const app::CommandId id : split.rest) {
+    cell = std::max<double>(cell, wordButtonWidth(env, app::commandOf(id).label, static_cast<float>(side)));
   }
   cell = std::ceil(cell);
   const double canvas = env.ui().canvasHeight - 2 * kEdge;
@@ -62,8 +60,8 @@ app::Rect placeOf(const PanelEnv& env, const app::Rect& bar, double width, doubl
 
 }  // namespace
 
-BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
-                  const std::function<bool(std::string_view)>& inUse) {
+BarSplit splitBar(std::span<const app::CommandId> ids, std::size_t room,
+                  const std::function<bool(app::CommandId)>& inUse) {
   BarSplit out;
   const std::size_t most = ids.size() <= room ? ids.size() : std::max<std::size_t>(room, 1) - 1;
   for (std::size_t i = 0; i < ids.size(); ++i) (i < most ? out.shown : out.rest).push_back(ids[i]);
@@ -76,10 +74,9 @@ BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
   return out;
 }
 
-bool isToolInUse(const PanelEnv& env, std::string_view id) {
-  const app::Command* command = app::findCommand(id);
-  return command != nullptr && command->group == "tool" && command->toggled != nullptr &&
-         command->toggled(env.env);
+bool isToolInUse(const PanelEnv& env, app::CommandId id) {
+  const app::Command& command = app::commandOf(id);
+  return command.group == "tool" && command.toggled != nullptr && command.toggled(env.env);
 }
 
 void barMenuButton(const PanelEnv& env, app::BarMenu which, float side) {

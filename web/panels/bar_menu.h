@@ -14,18 +14,18 @@ namespace spineloft::panels {
 
 /// The commands of a bar, in their order.
 struct BarSplit {
-  ShortList<std::string_view> shown;  ///< in the row
-  ShortList<std::string_view> rest;   ///< in the menu; where it is not empty its button is the row's last
+  ShortList<app::CommandId> shown;  ///< in the row
+  ShortList<app::CommandId> rest;   ///< in the menu; where it is not empty its button is the row's last
   std::size_t cells() const { return shown.size() + (rest.empty() ? 0 : 1); }
 };
 
 /// `ids`, the most used first, into a row of `room` cells, at least one: all where they fit, else the
 /// first ones and the menu's button. What `inUse` says of stays in the row, in the last one's place.
-BarSplit splitBar(std::span<const std::string_view> ids, std::size_t room,
-                  const std::function<bool(std::string_view)>& inUse);
+BarSplit splitBar(std::span<const app::CommandId> ids, std::size_t room,
+                  const std::function<bool(app::CommandId)>& inUse);
 
 /// Whether it is a tool, and the one in use.
-bool isToolInUse(const PanelEnv& env, std::string_view id);
+bool isToolInUse(const PanelEnv& env, app::CommandId id);
 
 /// The button of the menu, in the row of its bar.
 void barMenuButton(const PanelEnv& env, app::BarMenu which, float side);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/loft/loft.h"
+#include "web/commands/intents.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -12,8 +13,7 @@ namespace spineloft::panels {
 namespace {
 
 /// A part cut lengthwise, with its end on the left (`direction` −1) or on the right (+1).
-void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float direction,
-              ImU32 colour) {
+void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float direction, ImU32 colour) {
   const float tail = c.x - direction * r, h = r * 0.62f;
   const float neck = c.x + direction * r * 0.25f, tip = c.x + direction * r;
   list.PathClear();
@@ -49,12 +49,11 @@ void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float d
   }
 }
 
-void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float width) {
-  const float direction = which[0] == 's' ? -1.f : 1.f;
+void row(const PanelEnv& env, bool atStart, loft::CapStyle chosen, float width) {
+  const float direction = atStart ? -1.f : 1.f;
   const float gap = 6;
-  const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)),
-                    env.ui().layout.strip ? 44.f : 52.f};
-  ImGui::PushID(which);
+  const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)), env.ui().layout.strip ? 44.f : 52.f};
+  ImGui::PushID(atStart ? "start" : "end");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   bool first = true;
   for (const loft::CapName& name : loft::capNames()) {
@@ -65,9 +64,10 @@ void row(const PanelEnv& env, const char* which, loft::CapStyle chosen, float wi
       paintCap(list, name.style, centre, radius, direction, colour);
     };
     const std::string_view text = size.y < 50 ? std::string_view() : name.label;
-    const std::string words = std::string(name.label) + (which[0] == 's' ? ", where you began" : ", where you stopped");
+    const std::string words = std::string(name.label) + (atStart ? ", where you began" : ", where you stopped");
     if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, words}, paint)) {
-      env.sink.run("set-caps", app::Json::Object{{which, name.key}});
+      const std::optional<loft::CapStyle> cap = name.style, same;
+      env.sink.run(app::setCaps, env.ui().selection, atStart ? cap : same, atStart ? same : cap);
     }
   }
   ImGui::PopStyleVar();
@@ -83,25 +83,25 @@ void capChooser(const PanelEnv& env, float width) {
   if (env.ui().layout.strip) {
     const float half = (width - 24) / 2;
     if (half < 240) {
-      row(env, "start", start, width);
-      row(env, "end", end, width);
+      row(env, true, start, width);
+      row(env, false, end, width);
     } else {
       ImGui::BeginGroup();
       label(env.fonts.small, kMuted, "Where you began");
-      row(env, "start", start, half);
+      row(env, true, start, half);
       ImGui::EndGroup();
       ImGui::SameLine(0, 24);
       ImGui::BeginGroup();
       label(env.fonts.small, kMuted, "Where you stopped");
-      row(env, "end", end, half);
+      row(env, false, end, half);
       ImGui::EndGroup();
     }
     return;
   }
   label(env.fonts.small, kMuted, "Where you began");
-  row(env, "start", start, width);
+  row(env, true, start, width);
   label(env.fonts.small, kMuted, "Where you stopped");
-  row(env, "end", end, width);
+  row(env, false, end, width);
 }
 
 }  // namespace spineloft::panels

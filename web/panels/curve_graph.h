@@ -1,4 +1,4 @@
-// A curve along the bone as a small graph whose points can be dragged.
+// A curve along the spine as a small graph whose points can be dragged.
 #pragma once
 
 #include <imgui.h>
@@ -14,7 +14,7 @@ struct CurveGraph {
   const char* unit = "";     ///< behind a number
   ImVec2 size;
 };
-/// Draws it and says where it is (SliceUi::graphs); tools::DragGraph does the rest.
+/// Draws it and says where it is (SectionUi::graphs); tools::DragGraph does the rest.
 void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::AlongCurve& curve);
 
 }  // namespace spineloft::panels

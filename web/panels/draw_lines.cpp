@@ -44,8 +44,8 @@ void styledLine(ImDrawList& list, ImVec2 a, ImVec2 b, const Pen& pen) {
   }
 }
 
-void picturePolyline(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points,
-                     const Pen& pen, bool closed) {
+void picturePolyline(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points, const Pen& pen,
+                     bool closed) {
   if (points.size() < 2) return;
   if (pen.style != LineStyle::Solid) {
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "engine/base/vec.h"
-#include "web/app/ui_state.h"
+#include "web/ui/ui_state.h"
 
 namespace spineloft::panels {
 
@@ -25,8 +25,8 @@ Pen ribPen(ribs::RibState state);
 void styledLine(ImDrawList& list, ImVec2 a, ImVec2 b, const Pen& pen);
 
 /// A polyline of picture points as the picture view shows it.
-void picturePolyline(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points,
-                     const Pen& pen, bool closed = false);
+void picturePolyline(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points, const Pen& pen,
+                     bool closed = false);
 
 ImVec2 onCanvas(const app::UiState& ui, PicturePoint p);
 

@@ -6,7 +6,8 @@
 #include <span>
 #include <string>
 
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -15,37 +16,44 @@ namespace spineloft::panels {
 namespace {
 
 constexpr double kMargin = 8, kGap = 2, kPadding = 4;
-constexpr double kChipRoom = 84;  // of the view's name at its left
+constexpr double kChipRoom = 84;    // of the view's name at its left
 constexpr double kColumnRoom = 58;  // of the buttons at the side of a low view
 constexpr float kMostTurns = 8;
 
 struct Item {
-  std::string_view id;
+  app::CommandId id;
   bool words = false;  ///< says what it does where there is room
 };
 
 std::span<const Item> itemsOf(const app::UiState& ui) {
   // The most used first: the last ones wait in a menu where there is no room.
-  static constexpr Item kRibs[] = {{"add-rib", true}, {"delete-rib", true}, {"lock-rib", true},
-                                   {"reset-rib"}, {"reach-less"}, {"reach-more"},
-                                   {"fewer-ribs"}, {"more-ribs"}};
+  static constexpr Item kRibs[] = {{"add-rib", true}, {"delete-rib", true}, {"lock-rib", true}, {"reset-rib"},
+                                   {"reach-less"},    {"reach-more"},       {"fewer-ribs"},     {"more-ribs"}};
   static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
-  static constexpr Item kBone[] = {{"find-edges", true}, {"keep-ribs", true}, {"side-view", true},
-                                   {"coil", true}, {"join-ends", true}, {"reset-pose", true}};
-  static constexpr Item kIgnore[] = {{"brush-smaller"}, {"brush-larger"}, {"paint-over", true},
-                                     {"ignore-whole-picture", true}, {"clear-ignored", true}};
+  static constexpr Item kSpineLine[] = {{"find-edges", true}, {"keep-ribs", true}, {"side-view", true},
+                                        {"coil", true},       {"join-ends", true}, {"reset-pose", true}};
+  static constexpr Item kIgnore[] = {{"brush-smaller"},
+                                     {"brush-larger"},
+                                     {"paint-over", true},
+                                     {"ignore-whole-picture", true},
+                                     {"clear-ignored", true}};
   static constexpr Item kDraw[] = {{"depth-by-pressure", true}};
   static constexpr Item kPlace[] = {{"drop-on-floor", true}, {"duplicate", true}, {"snap-to-surface", true},
-                                    {"face-front", true}, {"mirror-copy"},
-                                    {"symmetry", true}, {"group", true}, {"ungroup"}};
+                                    {"face-front", true},    {"mirror-copy"},     {"symmetry", true},
+                                    {"group", true},         {"ungroup"}};
   static constexpr Item kCut[] = {{"cut-use", true}, {"cut-add", true}, {"cut-remove", true}, {"cut-cancel", true},
-                                  {"undo"}, {"brush-smaller"}, {"brush-larger"}};
-  static constexpr Item kPuff[] = {{"cut-by-box", true}, {"cut-by-scribble", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
-  static constexpr Item kSheet[] = {{"cut-by-box", true}, {"cut-by-scribble", true}, {"edge-sharp", true}, {"edge-bevel", true}, {"edge-round", true}};
+                                  {"undo"},          {"brush-smaller"}, {"brush-larger"}};
+  static constexpr Item kPuff[] = {
+      {"cut-by-box", true}, {"cut-by-scribble", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
+  static constexpr Item kSheet[] = {{"cut-by-box", true},
+                                    {"cut-by-scribble", true},
+                                    {"edge-sharp", true},
+                                    {"edge-bevel", true},
+                                    {"edge-round", true}};
   switch (ui.tool) {
-    case app::ToolKind::Puff:
+    case app::ToolKind::Inflate:
       return ui.cut ? std::span<const Item>(kCut) : kPuff;
-    case app::ToolKind::Sheet:
+    case app::ToolKind::Extrude:
       return ui.cut ? std::span<const Item>(kCut) : kSheet;
     case app::ToolKind::Place:
       return kPlace;
@@ -53,8 +61,8 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
       return kRibs;
     case app::ToolKind::Shape:
       return kShape;
-    case app::ToolKind::Bone:
-      return kBone;
+    case app::ToolKind::Spine:
+      return kSpineLine;
     case app::ToolKind::Ignore:
       return kIgnore;
     case app::ToolKind::Draw:
@@ -87,7 +95,8 @@ int breakRows(Cells& cells, double room) {
   return row + 1;
 }
 
-/// Cells in rows of about the same width, none wider than `room`; the first ones get their words as far as one row allows.
+/// Cells in rows of about the same width, none wider than `room`; the first ones get their words as far as one row
+/// allows.
 Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, float side) {
   Cells cells;
   double width = 0;
@@ -97,7 +106,7 @@ Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, flo
   }
   for (Cell& cell : cells) {
     if (!cell.item.words) continue;
-    const double own = wordButtonWidth(env, app::findCommand(cell.item.id)->label, side);
+    const double own = wordButtonWidth(env, app::commandOf(cell.item.id).label, side);
     if (width + own - side > room) continue;
     cell.width = own;
     width += own - side;
@@ -113,21 +122,17 @@ Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, flo
 
 /// A slider that shows what it would do and does it when it is let go.
 void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, float width) {
-  const app::Preview* preview = env.ui().preview && env.ui().preview->part == part.id
-                                    ? &*env.ui().preview
-                                    : nullptr;
+  const app::Preview* preview = env.ui().preview && env.ui().preview->part == part.id ? &*env.ui().preview : nullptr;
   loft::Pose pose = preview ? preview->loft().pose : document::loftIn(part).pose;
   double& own = turns ? pose.coilTurns : pose.coilRadius;
-  const document::PictureEntry* entry =
-      document::findPicture(env.document(), document::pictureOf(part));
+  const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(part));
   const int size = entry ? std::max(entry->size.width, entry->size.height) : 100;
   auto value = static_cast<float>(own);
   ImGui::SetNextItemWidth(width);
   const bool changed =
       turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, "%.1f turns")
-            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size),
-                                 "%.0f px wide");
-  tellControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
+            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), "%.0f px wide");
+  registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
   if (changed) {
     own = static_cast<double>(value);
     app::Preview& shown = app::previewPart(env.ui(), part);
@@ -136,17 +141,15 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
   env.ui().preview.reset();
-  env.sink.run("coil", app::Json::Object{{"part", part.id.value},
-                                         {"turns", pose.coilTurns},
-                                         {"radius", pose.coilRadius}});
+  env.sink.run(app::setCoil, part.id, pose.coilTurns, pose.coilRadius);
 }
 
 /// The card below the buttons.
 void coilCard(const PanelEnv& env, const app::Rect& above) {
   const document::Part* part = env.selected();
-  if (part == nullptr || env.ui().tool != app::ToolKind::Bone) return;
-  const bool coils = document::loftIn(*part).pose.coilTurns != 0 ||
-                     (env.ui().preview && env.ui().preview->loft().pose.coilTurns != 0);
+  if (part == nullptr || env.ui().tool != app::ToolKind::Spine) return;
+  const bool coils =
+      document::loftIn(*part).pose.coilTurns != 0 || (env.ui().preview && env.ui().preview->loft().pose.coilTurns != 0);
   if (!coils) return;
   const double width = std::min(320.0, env.ui().layout.picture.width - 2 * kMargin);
   const app::Rect card{above.right() - width, above.bottom() + 6, width, 44};
@@ -173,17 +176,16 @@ struct Split {
 
 /// One row where the view is small, else as many as are needed.
 Split fold(const PanelEnv& env, std::span<const Item> items, bool small, double room, float side) {
-  ShortList<std::string_view> ids;
+  ShortList<app::CommandId> ids;
   for (const Item& item : items) ids.push_back(item.id);
   const double cells = small ? (room + kGap) / (side + kGap) : static_cast<double>(ids.size());
   Split out;
-  out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](std::string_view id) { return isToolInUse(env, id); });
-  for (const std::string_view id : out.bar.shown) out.shown.push_back(*std::ranges::find(items, id, &Item::id));
+  out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](app::CommandId id) { return isToolInUse(env, id); });
+  for (const app::CommandId id : out.bar.shown) out.shown.push_back(*std::ranges::find(items, id, &Item::id));
   return out;
 }
 
-void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, const Split& split,
-              ImU32 colour) {
+void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, const Split& split, ImU32 colour) {
   const float side = buttonSide(env);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
@@ -209,8 +211,8 @@ void drawEditBar(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = places ? layout.solid : layout.picture;
   env.ui().barHead = 0;
-  // The board for a slice has the picture's place to itself.
-  const bool covered = !places && env.ui().slices.board;
+  // The board for a section has the picture's place to itself.
+  const bool covered = !places && env.ui().sections.board;
   if (items.empty() || covered || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
   // On a phone the view's name gives way; a column of buttons does not.

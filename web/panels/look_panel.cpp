@@ -9,8 +9,9 @@
 #include <string_view>
 
 #include "engine/surface/finish.h"
-#include "web/app/command_actions.h"
-#include "web/app/swatches.h"
+#include "web/commands/command_actions.h"
+#include "web/commands/intents.h"
+#include "web/model/swatches.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -40,7 +41,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
     if (i > 0) ImGui::SameLine(0, 0);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton(choices[i].id, {each, height}) && !choices[i].on) pressed = i;
-    tellControl(env, app::Control::Kind::Button, choices[i].text, true, choices[i].on);
+    registerControl(env, app::Control::Kind::Button, choices[i].text, true, choices[i].on);
     const ImVec2 low{corner.x + 3, corner.y + 3}, high{corner.x + each - 3, corner.y + height - 3};
     if (choices[i].on) {
       list.AddRectFilled(low, high, kSurface, kRadius - 2);
@@ -60,7 +61,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
 void pictureOrColour(const PanelEnv& env, bool textured, float width) {
   const std::array choices = {Choice{"picture", "Picture", textured}, Choice{"colour", "Colour", !textured}};
   if (const auto pressed = pill(env, choices, width)) {
-    env.sink.run("toggle-texture", app::Json::Object{{"textured", *pressed == 0}});
+    env.sink.run(app::setTextured, env.ui().selection, *pressed == 0);
   }
 }
 
@@ -102,7 +103,8 @@ void ball(ImDrawList& list, ImVec2 centre, float radius, const document::Look& l
       spot(0.25f, 1.8f);
       break;
     case surface::Paint::Plain:
-    case surface::Paint::kCount: list.AddCircleFilled(centre, radius, mixed(1), 28);
+    case surface::Paint::kCount:
+      list.AddCircleFilled(centre, radius, mixed(1), 28);
   }
   list.AddCircle(centre, radius, rgb(0x1f2430, 40), 28, 1);
 }
@@ -118,11 +120,10 @@ void paints(const PanelEnv& env, const document::Look& look, float width) {
     document::Look shown = look;
     shown.paint = finishes[i].paint;
     const bool on = !look.textured && look.paint == finishes[i].paint;
-    const bool pressed = tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
-                              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) {
-                                ball(list, centre, radius * 0.95f, shown);
-                              });
-    if (pressed) env.sink.run("set-paint", app::Json::Object{{"paint", finishes[i].key}});
+    const bool pressed =
+        tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
+             [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) { ball(list, centre, radius * 0.95f, shown); });
+    if (pressed) env.sink.run(app::setPaint, env.ui().selection, finishes[i].paint);
   }
   ImGui::PopStyleVar();
 }
@@ -144,15 +145,15 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
   const int rows = (count + fitting - 1) / fitting;
   const int columns = env.ui().layout.strip ? (count + rows - 1) / rows : 5;
   const float most = env.ui().touch ? 44.f : 40.f;
-  const float side = std::floor(std::min(
-      (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), most));
+  const float side =
+      std::floor(std::min((width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns), most));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t i = 0; i < app::kSwatches.size(); ++i) {
     const app::Swatch& swatch = app::kSwatches[i];
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(swatch.value.data(), {side, side});
-    tellControl(env, app::Control::Kind::Button, swatch.value, true, !look.textured && hexOf(chosen) == swatch.hex);
+    registerControl(env, app::Control::Kind::Button, swatch.value, true, !look.textured && hexOf(chosen) == swatch.hex);
     const ImVec2 centre{at.x + side / 2, at.y + side / 2};
     const float radius = side / 2 - 3;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -164,7 +165,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
       list.AddCircle(centre, radius + 2.5f, kLine, 36, 2);
     }
     if (pressed) {
-      env.sink.run(second ? "set-second-colour" : "set-colour", app::Json::Object{{"colour", swatch.value}});
+      env.sink.run(second ? app::setSecondColour : app::setColour, env.ui().selection, app::rgbOf(swatch));
     }
   }
   ImGui::PopStyleVar();
@@ -173,7 +174,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
 void smoothOrFaceted(const PanelEnv& env, bool faceted, float width) {
   const std::array choices = {Choice{"smooth", "Smooth", !faceted}, Choice{"faceted", "Facets", faceted}};
   if (const auto pressed = pill(env, choices, width)) {
-    env.sink.run("toggle-facets", app::Json::Object{{"faceted", *pressed == 1}});
+    env.sink.run(app::setFaceted, env.ui().selection, *pressed == 1);
   }
 }
 

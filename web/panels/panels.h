@@ -2,9 +2,9 @@
 // visitor wants into the action sink.
 #pragma once
 
-#include "web/app/action_sink.h"
-#include "web/app/commands.h"
-#include "web/app/fonts.h"
+#include "web/commands/action_sink.h"
+#include "web/commands/commands.h"
+#include "web/ui/fonts.h"
 
 namespace spineloft::panels {
 
@@ -17,19 +17,17 @@ struct PanelEnv {
   const document::Document& document() const { return env.studio.document(); }
   app::UiState& ui() const { return env.ui; }
   /// The selected part or null.
-  const document::Part* selected() const {
-    return document::findPart(document(), env.ui.selection);
-  }
+  const document::Part* selected() const { return document::findPart(document(), env.ui.selection); }
 };
 
 /// Everything above the scene, between ImGui's NewFrame and Render.
 void draw(const PanelEnv& env);
 
 // Its pieces.
-void drawPictureOverlay(const PanelEnv& env);  ///< bones, ribs, outlines
-void drawSolidOverlay(const PanelEnv& env);    ///< the bone with the handles of its depth
-void drawTroubleInPicture(const PanelEnv& env);  ///< where a solid could not be made
-void drawTroubleInSolid(const PanelEnv& env);
+void drawPictureOverlay(const PanelEnv& env);    ///< spines, ribs, outlines
+void drawSolidOverlay(const PanelEnv& env);      ///< the spine with the handles of its depth
+void drawFailureInPicture(const PanelEnv& env);  ///< where a solid could not be made
+void drawFailureInSolid(const PanelEnv& env);
 void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand
 void drawScale(const PanelEnv& env);           ///< how tall the solid is, and a thing beside it
 void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told
@@ -41,17 +39,17 @@ void drawSketchBar(const PanelEnv& env);       ///< pen, eraser, sizes, inks; on
 app::Rect sketchBarRect(const PanelEnv& env);  ///< where; empty where there is none
 void drawActivity(const PanelEnv& env);        ///< progress of long work
 
-void drawSliceOverlay(const PanelEnv& env);    ///< slices on the bone, a slice on its way
-void drawSliceBoard(const PanelEnv& env);      ///< the board on which a slice is drawn
+void drawSectionOverlay(const PanelEnv& env);  ///< sections on the spine, a section on its way
+void drawSectionBoard(const PanelEnv& env);    ///< the board on which a section is drawn
 
 void partList(const PanelEnv& env);
 void sectionChooser(const PanelEnv& env, float width);
 void regionPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a puff or flat piece
-void stopBar(const PanelEnv& env, float width);     ///< slices along the selected part's bone
-void alongPanel(const PanelEnv& env, float width);  ///< twist, depth, lean, front along the bone
+void sectionKeyBar(const PanelEnv& env, float width);  ///< sections along the selected part's spine
+void alongPanel(const PanelEnv& env, float width);     ///< twist, depth, lean, front along the spine
 void capChooser(const PanelEnv& env, float width);
 void placePanel(const PanelEnv& env, float width);  ///< where the selected part stands, in numbers
 void lookPanel(const PanelEnv& env, float width);
-void sizePanel(const PanelEnv& env, float width);   ///< how tall, and the check for printing
+void sizePanel(const PanelEnv& env, float width);  ///< how tall, and the check for printing
 
 }  // namespace spineloft::panels

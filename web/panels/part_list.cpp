@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "web/app/placing.h"
+#include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/panels/solid_list.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -53,8 +54,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const float height = buttonSide(env);
   const bool free = indent <= 0, ticks = free && canTick(env, {part.id, {}});
   const bool bins = selected && !holdsWhole(env);
-  const float buttons = height * (static_cast<float>(free) + static_cast<float>(ticks) +
-                                  static_cast<float>(bins));
+  const float buttons = height * (static_cast<float>(free) + static_cast<float>(ticks) + static_cast<float>(bins));
   const float grips = 30;
   ImGui::PushID(static_cast<int>(part.id.value));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
@@ -65,14 +65,13 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   grip(env, {part.id, {}}, {grips, height}, part.name);
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height});
-  tellControl(env, app::Control::Kind::Row, part.name, true, inHand);
+  registerControl(env, app::Control::Kind::Row, part.name, true, inHand);
   if (!inHand && ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }
   const auto& c = part.look.colour;
   const ImVec2 dot{at.x + 15, at.y + height / 2};
-  list.AddCircleFilled(dot, 6.5f, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255),
-                       24);
+  list.AddCircleFilled(dot, 6.5f, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255), 24);
   list.AddCircle(dot, 6.5f, part.look.textured ? kMuted : rgb(0x1f2430, 60), 24, 1.3f);
   const float textHeight = ImGui::GetTextLineHeight();
   const std::string name = shortened(ImGui::GetFont(), part.name, width - buttons - grips - 4);
@@ -88,14 +87,13 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   }
   if (pressed) {
     if (takesMore(env)) {
-      env.sink.run("select-part", app::Json::Object{{"id", part.id.value}, {"add", true}});
+      env.sink.run(app::selectPart, part.id, true);
     } else if (selected && ImGui::IsMouseDoubleClicked(0)) {
-      env.sink.run("rename-part", app::Json::Object{{"part", part.id.value}});
+      env.sink.run(app::askPartName, part.id);
     } else {
-      env.sink.run("select-part", app::Json::Object{{"id", part.id.value}});
+      env.sink.run(app::selectPart, part.id, false);
     }
   }
-  const app::Json::Object which{{"part", part.id.value}};
   if (ticks) {
     ImGui::SameLine(0, 0);
     tickButton(env, {part.id, {}}, height);
@@ -104,12 +102,14 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const std::string_view tip = part.visible ? "Hide" : "Show";
   if (free) {
     ImGui::SameLine(0, 0);
-    if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-part", which);
+    if (iconButton(env, {"eye", eye, tip, false, true, height})) {
+      env.sink.run(app::showPart, part.id, !pipeline::isVisible(env.document(), part));
+    }
   }
   if (bins) {
     ImGui::SameLine(0, 0);
     if (iconButton(env, {"trash", "trash-2", "Delete  (Delete)", false, true, height})) {
-      env.sink.run("delete-part", which);
+      env.sink.run(app::deletePart, part.id);
     }
   }
   ImGui::PopID();
@@ -124,24 +124,22 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   grip(env, place.row, {24, height}, group.name);
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height});
-  tellControl(env, app::Control::Kind::Row, group.name);
+  registerControl(env, app::Control::Kind::Row, group.name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;
   list.PushClipRect(at, {at.x + width - height, at.y + height}, true);
-  list.AddText(env.fonts.icons, size * 1.1f, {at.x + 8, at.y + (height - size * 1.1f) / 2}, kMuted,
-               iconText("group"));
-  list.AddText(env.fonts.bold, size, {at.x + 30, at.y + (height - size) / 2}, kInk,
-               group.name.c_str());
+  list.AddText(env.fonts.icons, size * 1.1f, {at.x + 8, at.y + (height - size * 1.1f) / 2}, kMuted, iconText("group"));
+  list.AddText(env.fonts.bold, size, {at.x + 30, at.y + (height - size) / 2}, kInk, group.name.c_str());
   list.PopClipRect();
   if (pressed && ImGui::IsMouseDoubleClicked(0)) {
-    env.sink.run("rename-group", app::Json::Object{{"group", group.id.value}});
+    env.sink.run(app::askGroupName, group.id);
   } else if (pressed) {
-    env.sink.run("select-part", app::Json::Object{{"id", place.parts.front().value}});
+    env.sink.run(app::selectPart, place.parts.front(), false);
   }
   ImGui::SameLine(0, 0);
   if (iconButton(env, {"ungroup", "ungroup", "Each part by itself again", false, true, height})) {
-    env.sink.run("ungroup", app::Json::Object{{"part", place.parts.front().value}});
+    env.sink.run(app::ungroup, group.id);
   }
   ImGui::PopID();
   ImGui::PopID();
@@ -154,8 +152,8 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
   const bool moved = draggedFar();
   const auto own = std::ranges::find(places, *dragged, &Place::row);
   const float y = ImGui::GetIO().MousePos.y;
-  const auto next = std::ranges::find_if(
-      places, [&](const Place& place) { return y < (place.top + place.bottom) / 2; });
+  const auto next =
+      std::ranges::find_if(places, [&](const Place& place) { return y < (place.top + place.bottom) / 2; });
   if (moved && own != places.end()) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = next == places.end() ? places.back().bottom : next->top - 1;
@@ -166,17 +164,14 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
   if (ImGui::IsMouseDown(0)) return;
   env.ui().listDrag.reset();
   if (!draggedFar()) {
-    if (dragged->step) return env.sink.run("select-step", app::Json::Object{{"step", dragged->step.value}});
-    env.sink.run("select-part",
-                 app::Json::Object{{"id", dragged->part.value}, {"add", takesMore(env)}});
+    if (dragged->step) return env.sink.run(app::selectStep, dragged->step);
+    env.sink.run(app::selectPart, dragged->part, takesMore(env));
     return;
   }
   if (own == places.end()) return;
   const PartId before = next == places.end() ? PartId{} : next->parts.front();
   if (std::ranges::count(own->parts, before) > 0) return;
-  app::Json::Array ids;
-  for (const PartId id : own->parts) ids.push_back(id.value);
-  env.sink.run("move-in-list", app::Json::Object{{"parts", std::move(ids)}, {"before", before.value}});
+  env.sink.run(app::moveInList, own->parts, before);
 }
 
 }  // namespace
@@ -186,8 +181,7 @@ void partList(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
   if (parts.empty()) {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, kMuted,
-          "No part yet. Draw one line along the middle of the thing in the picture.");
+    label(env.fonts.small, kMuted, "No part yet. Draw one line along the middle of the thing in the picture.");
     ImGui::PopTextWrapPos();
     return;
   }
@@ -201,9 +195,7 @@ void partList(const PanelEnv& env) {
       above = {};
       if (!drawn.insert(root->id).second) continue;
       const float y = ImGui::GetCursorScreenPos().y;
-      solidRows(env, *root, width, [&](const document::Part& inner, float indent) {
-        row(env, inner, indent, width);
-      });
+      solidRows(env, *root, width, [&](const document::Part& inner, float indent) { row(env, inner, indent, width); });
       places.push_back({{{}, {}, root->id}, partsOf(env, *root), y, ImGui::GetCursorScreenPos().y});
       continue;
     }

@@ -1,4 +1,4 @@
-// What is drawn over the picture: outlines of all parts, bone and ribs of the selected one, and what the
+// What is drawn over the picture: outlines of all parts, spine and ribs of the selected one, and what the
 // tool in use would do.
 #include <imgui.h>
 
@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "engine/geometry/polyline.h"
-#include "engine/ribs/places.h"
-#include "web/app/editing.h"
-#include "web/app/outline.h"
-#include "web/app/preview.h"
-#include "web/app/region_editing.h"
+#include "engine/ribs/edit/places.h"
+#include "web/edit/editing.h"
+#include "web/edit/outline.h"
+#include "web/edit/preview.h"
+#include "web/edit/region_editing.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -22,14 +22,12 @@ namespace {
 constexpr double kRibSpacing = 5;  // CSS pixels: nearer ribs are left out of the drawing
 
 /// The ribs of one part as they are drawn.
-struct RibLook {
+struct RibStyle {
   const ribs::RibSet& set;
-  bool grabbable = false;                ///< their ends are there to be dragged
+  bool grabbable = false;  ///< their ends are there to be dragged
 };
 
-bool editsRibs(app::ToolKind tool) {
-  return tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
-}
+bool editsRibs(app::ToolKind tool) { return tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape; }
 
 /// Tools that work on the ribs show them where they were found, others where the part stands.
 const ribs::RibSet& ribsOf(const app::UiState& ui, const pipeline::PartShape& shape) {
@@ -52,11 +50,10 @@ void ribEnd(ImDrawList& list, ImVec2 at, ribs::RibState state, float scale) {
 
 std::size_t ribStep(const app::UiState& ui, const ribs::RibSet& set) {
   const double spacing = distance(set.ribs[0].center, set.ribs[1].center) * ui.pictureView.zoom;
-  return static_cast<std::size_t>(
-      std::clamp(std::ceil(kRibSpacing / std::max(spacing, 1e-3)), 1.0, 64.0));
+  return static_cast<std::size_t>(std::clamp(std::ceil(kRibSpacing / std::max(spacing, 1e-3)), 1.0, 64.0));
 }
 
-void drawRibs(ImDrawList& list, const app::UiState& ui, const RibLook& look) {
+void drawRibs(ImDrawList& list, const app::UiState& ui, const RibStyle& look) {
   const ribs::RibSet& set = look.set;
   if (set.ribs.size() < 2) return;
   const std::size_t step = ribStep(ui, set);
@@ -64,8 +61,7 @@ void drawRibs(ImDrawList& list, const app::UiState& ui, const RibLook& look) {
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t i = 0; i < set.ribs.size(); ++i) {
       const ribs::Rib& rib = set.ribs[i];
-      const bool byHand = rib.leftState >= ribs::RibState::Edited ||
-                          rib.rightState >= ribs::RibState::Edited;
+      const bool byHand = rib.leftState >= ribs::RibState::Edited || rib.rightState >= ribs::RibState::Edited;
       if (i % step != 0 && !byHand) continue;
       const ImVec2 centre = onCanvas(ui, rib.center);
       const ImVec2 left = onCanvas(ui, rib.left), right = onCanvas(ui, rib.right);
@@ -90,8 +86,8 @@ void drawSpine(ImDrawList& list, const app::UiState& ui, std::span<const Picture
   }
 }
 
-void outlineStroke(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> outline,
-                   bool selected, bool lit) {
+void outlineStroke(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> outline, bool selected,
+                   bool lit) {
   const float halo = selected ? 4.5f : lit ? 6.f : 3.f;
   const float width = selected ? 2.2f : lit ? 2.f : 1.4f;
   const ImU32 glow = lit && !selected ? kGlow : rgb(0xffffff, selected ? 200 : 120);
@@ -99,12 +95,10 @@ void outlineStroke(ImDrawList& list, const app::UiState& ui, std::span<const Pic
   picturePolyline(list, ui, outline, {selected || lit ? kInk : rgb(0x1f2430, 120), width}, true);
 }
 
-void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& part,
-                 const ribs::RibSet& set) {
+void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& part, const ribs::RibSet& set) {
   static std::vector<PicturePoint> outline;  // reused from frame to frame
   app::outlineOf(set, document::loftIn(part).loft, outline);
-  outlineStroke(list, env.ui(), outline, part.id == env.ui().selection,
-                part.id == env.ui().hover.part);
+  outlineStroke(list, env.ui(), outline, part.id == env.ui().selection, part.id == env.ui().hover.part);
 }
 
 void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
@@ -121,8 +115,7 @@ void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& par
   const app::Preview* preview = app::previewOf(ui, part.id);
   const auto& shown = preview ? preview->shape->contours : contours;
   for (const auto& contour : shown) outlineStroke(list, ui, contour, selected, lit);
-  const document::Region* region =
-      document::regionOf(preview ? preview->recipe : part.recipe);
+  const document::Region* region = document::regionOf(preview ? preview->recipe : part.recipe);
   if (app::partWithPoints(env.document(), ui) != &part || region == nullptr) return;
   for (const app::OutlinePoint at : app::outlineHandles(*region)) {
     const bool hot = ui.hover.outline == at;
@@ -134,8 +127,7 @@ void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& par
 }
 
 /// The ends that follow a dragged one, brighter the more they do.
-void drawReach(ImDrawList& list, const app::UiState& ui, const ribs::EditScene& scene,
-               ribs::EndRef end) {
+void drawReach(ImDrawList& list, const app::UiState& ui, const ribs::EditScene& scene, ribs::EndRef end) {
   const double at = ribs::placeOf(scene, end.rib);
   const ImU32 colour = toolColour(ui.tool);
   const auto& all = scene.ribs.ribs;
@@ -154,8 +146,7 @@ void drawReach(ImDrawList& list, const app::UiState& ui, const ribs::EditScene& 
 }
 
 /// Other places where an end might stand.
-void drawOthers(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& set,
-                ribs::EndRef end) {
+void drawOthers(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& set, ribs::EndRef end) {
   const ribs::Rib& rib = set.ribs[end.rib];
   const ribs::OtherPlaces& others = app::otherPlaces(rib, end.side);
   const ImVec2 from = onCanvas(ui, app::endPoint(rib, end.side));
@@ -169,16 +160,11 @@ void drawOthers(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& se
   }
 }
 
-void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subject,
-                 const ribs::RibSet& seen) {
+void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subject, const ribs::RibSet& seen) {
   const app::UiState& ui = env.ui();
   const app::Hover& hover = ui.hover;
-  const std::optional<ribs::EndRef> end = ui.inHand.end ? ui.inHand.end
-                                          : hover.end   ? hover.end
-                                                        : ui.chosen.end;
-  const auto known = [&](const std::optional<ribs::EndRef>& ref) {
-    return ref && ref->rib < seen.ribs.size();
-  };
+  const std::optional<ribs::EndRef> end = ui.inHand.end ? ui.inHand.end : hover.end ? hover.end : ui.chosen.end;
+  const auto known = [&](const std::optional<ribs::EndRef>& ref) { return ref && ref->rib < seen.ribs.size(); };
   if (known(end)) {
     const ribs::EditScene scene{subject.shape->spine, seen, document::loftIn(*subject.part).edits};
     drawReach(list, ui, scene, *end);
@@ -193,8 +179,7 @@ void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subj
     grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[chosen.rib], chosen.side)), kInk, false);
   }
   if (known(end) && (hover.end || ui.inHand.end) && hover.other < 0) {
-    grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[end->rib], end->side)),
-            toolColour(ui.tool), true);
+    grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[end->rib], end->side)), toolColour(ui.tool), true);
   }
 }
 
@@ -210,13 +195,12 @@ void drawTouched(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& s
   }
 }
 
-void drawBoneTool(ImDrawList& list, const app::UiState& ui, const app::Subject& subject) {
+void drawSpineTool(ImDrawList& list, const app::UiState& ui, const app::Subject& subject) {
   const document::LoftRecipe& recipe = document::loftIn(*subject.part);
   const bool posed = !recipe.pose.stroke.empty();
-  if (posed) picturePolyline(list, ui, subject.shape->spine.points,
-                             {rgb(0x2457d6, 130), 1.6f, LineStyle::Dashed});
-  drawSpine(list, ui, app::boneLine(subject));
-  const std::vector<PicturePoint> handles = app::boneHandles(subject);
+  if (posed) picturePolyline(list, ui, subject.shape->spine.points, {rgb(0x2457d6, 130), 1.6f, LineStyle::Dashed});
+  drawSpine(list, ui, app::spineLine(subject));
+  const std::vector<PicturePoint> handles = app::spineHandles(subject);
   for (std::size_t i = 0; i < handles.size(); ++i) {
     const int handle = static_cast<int>(i);
     const bool hot = handle == ui.hover.handle, chosen = handle == ui.chosen.handle;
@@ -237,7 +221,8 @@ void roundEnd(ImDrawList& list, ImVec2 at, ImVec2 before, float radius, ImU32 fi
 }
 
 /// Both ends of a stroke `width` wide on the canvas.
-void roundEnds(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> stroke, float width, ImU32 fill) {
+void roundEnds(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> stroke, float width,
+               ImU32 fill) {
   const std::size_t last = stroke.size() - 1;
   roundEnd(list, onCanvas(ui, stroke[last]), onCanvas(ui, stroke[last > 0 ? last - 1 : 0]), width / 2, fill);
   if (last > 0) roundEnd(list, onCanvas(ui, stroke[0]), onCanvas(ui, stroke[1]), width / 2, fill);
@@ -295,7 +280,8 @@ void drawCut(ImDrawList& list, const app::UiState& ui) {
   const ImDrawListFlags flags = list.Flags;
   list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // no seams between the triangles
   for (const auto& [a, b, c] : cut.shape.fill) {
-    list.AddTriangleFilled(onCanvas(ui, a), onCanvas(ui, b), onCanvas(ui, c), (toolColour(ui.tool) & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT));
+    list.AddTriangleFilled(onCanvas(ui, a), onCanvas(ui, b), onCanvas(ui, c),
+                           (toolColour(ui.tool) & ~IM_COL32_A_MASK) | (90u << IM_COL32_A_SHIFT));
   }
   list.Flags = flags;
   for (const auto& contour : cut.shape.contours) outlineStroke(list, ui, contour, true, false);
@@ -317,7 +303,7 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
     list.AddRectFilled(low, high, rgb(0xffffff, 50));
     list.AddRect(low, high, rgb(0xffffff, 220), 2, 0, 4.5f);
     list.AddRect(low, high, toolColour(ui.tool), 2, 0, 2.2f);
-  } else if (ui.cut || (hand.radius > 0 && (ui.tool == app::ToolKind::Puff || ui.tool == app::ToolKind::Sheet))) {
+  } else if (ui.cut || (hand.radius > 0 && (ui.tool == app::ToolKind::Inflate || ui.tool == app::ToolKind::Extrude))) {
     drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(!ui.cut || ui.cut->adding, 130));
   } else if (hand.radius > 0) {
     drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
@@ -329,7 +315,7 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
   }
 }
 
-/// Ribs and bone of the selected part, as it is or as the gesture in hand would make it.
+/// Ribs and spine of the selected part, as it is or as the gesture in hand would make it.
 void drawSelected(ImDrawList& list, const PanelEnv& env, const app::Subject& subject) {
   const app::UiState& ui = env.ui();
   const app::Preview* preview = app::previewOf(ui, subject.part->id);
@@ -339,8 +325,8 @@ void drawSelected(ImDrawList& list, const PanelEnv& env, const app::Subject& sub
   const ribs::RibSet& set = ribsOf(ui, *shown.shape);
   drawRibs(list, ui, {set, editsRibs(ui.tool)});
   drawOutline(list, env, part, set);
-  if (ui.tool == app::ToolKind::Bone) {
-    drawBoneTool(list, ui, shown);
+  if (ui.tool == app::ToolKind::Spine) {
+    drawSpineTool(list, ui, shown);
     return;
   }
   static std::vector<PicturePoint> spine;
@@ -392,7 +378,7 @@ void drawPictureOverlay(const PanelEnv& env) {
   drawInHand(list, env.ui());
   drawInk(env);
   list.PopClipRect();
-  drawTroubleInPicture(env);
+  drawFailureInPicture(env);
 }
 
 }  // namespace spineloft::panels

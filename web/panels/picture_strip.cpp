@@ -1,4 +1,5 @@
 #include "web/panels/picture_strip.h"
+#include "web/commands/intents.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -13,7 +14,7 @@
 namespace spineloft::panels {
 namespace {
 
-constexpr float kSide = 44;        // CSS pixels: what a finger hits
+constexpr float kSide = 44;  // CSS pixels: what a finger hits
 constexpr float kWidest = 68;
 constexpr float kLongPress = 0.45f;  // seconds
 constexpr float kMenuWidth = 150;
@@ -47,7 +48,7 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
   ImGui::PushID(static_cast<int>(entry.id.value));
   const bool shown = entry.id == ui.picture;
   const bool pressed = ImGui::InvisibleButton("picture", room);
-  tellControl(env, app::Control::Kind::Button, entry.name, true, shown);
+  registerControl(env, app::Control::Kind::Button, entry.name, true, shown);
   const app::Rect image = within(at, room, entry.size);
   ui.thumbnails.push_back({entry.id, image});
   frame(*ImGui::GetWindowDrawList(), image, shown, ImGui::IsItemHovered());
@@ -58,7 +59,7 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
   if (held || second || (pressed && shown)) {
     ui.pictureMenu = ui.pictureMenu == entry.id ? PictureId{} : entry.id;
   } else if (pressed) {
-    env.sink.run("select-picture", app::Json::Object{{"id", entry.id.value}});
+    env.sink.run(app::selectPicture, entry.id);
   }
   tooltip(entry.name);
   ImGui::PopID();
@@ -68,7 +69,7 @@ bool menuRow(const PanelEnv& env, const char* icon, const char* text) {
   const float height = env.ui().touch ? 44.f : 34.f, width = kMenuWidth - 8;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(text, {width, height});
-  tellControl(env, app::Control::Kind::Button, text);
+  registerControl(env, app::Control::Kind::Button, text);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
@@ -92,10 +93,9 @@ void menu(const PanelEnv& env, const app::Rect& strip) {
   const double y = column ? std::max(strip.y, at->at.y) : strip.bottom() + 2;
   const app::Rect card{std::clamp(x, 0., std::max(0., ui.canvasWidth - kMenuWidth)),
                        std::clamp(y, 0., std::max(0., ui.canvasHeight - height)), kMenuWidth, height};
-  const app::Json::Object which{{"picture", ui.pictureMenu.value}};
   beginCard(env, "picture menu", card);
-  if (menuRow(env, "pencil-line", "Rename")) env.sink.run("rename-picture", which);
-  if (menuRow(env, "trash-2", "Remove")) env.sink.run("remove-picture", which);
+  if (menuRow(env, "pencil-line", "Rename")) env.sink.run(app::askPictureName, ui.pictureMenu);
+  if (menuRow(env, "trash-2", "Remove")) env.sink.run(app::removePicture, ui.pictureMenu);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const app::ClientPoint pointer{mouse.x, mouse.y};
   const bool outside = !card.contains(pointer) && !strip.contains(pointer);

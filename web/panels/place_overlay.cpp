@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "web/app/gizmo.h"
-#include "web/app/placing.h"
+#include "web/edit/gizmo.h"
+#include "web/edit/placing.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -19,8 +19,7 @@ constexpr std::array<ImU32, 3> kAxisColour = {rgb(0xd0412f), rgb(0x2f9a4b), rgb(
 ImVec2 vec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 bool isMove(app::GizmoHandle handle) {
-  return handle == app::GizmoHandle::MoveX || handle == app::GizmoHandle::MoveY ||
-         handle == app::GizmoHandle::MoveZ;
+  return handle == app::GizmoHandle::MoveX || handle == app::GizmoHandle::MoveY || handle == app::GizmoHandle::MoveZ;
 }
 
 void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float size) {
@@ -38,8 +37,7 @@ void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float size) {
 }
 
 void ring(ImDrawList& list, const std::vector<app::ClientPoint>& points, ImU32 colour, bool hot) {
-  for (const auto& [ink, width] : {std::pair{rgb(0xffffff, 150), hot ? 6.f : 4.f},
-                                   {colour, hot ? 3.4f : 1.8f}}) {
+  for (const auto& [ink, width] : {std::pair{rgb(0xffffff, 150), hot ? 6.f : 4.f}, {colour, hot ? 3.4f : 1.8f}}) {
     list.PathClear();
     for (const app::ClientPoint p : points) list.PathLineTo(vec(p));
     list.PathStroke(ink, ImDrawFlags_Closed, width);
@@ -66,11 +64,10 @@ void words(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo, app::
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
   const app::Rect& view = env.ui().layout.solid;
-  const float x = std::clamp(static_cast<float>(gizmo.at.x) - extent.x / 2,
-                             static_cast<float>(view.x) + 12,
+  const float x = std::clamp(static_cast<float>(gizmo.at.x) - extent.x / 2, static_cast<float>(view.x) + 12,
                              static_cast<float>(view.right()) - extent.x - 12);
-  const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.3),
-                             static_cast<float>(view.y) + 8, static_cast<float>(view.bottom()) - 26);
+  const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.3), static_cast<float>(view.y) + 8,
+                             static_cast<float>(view.bottom()) - 26);
   list.AddRectFilled({x - 9, y - 4}, {x + extent.x + 9, y + extent.y + 4}, rgb(0x1f2430, 225), 8);
   list.AddText(font, size, {x, y}, kSurface, text);
 }
@@ -90,8 +87,8 @@ void drawPlaceOverlay(const PanelEnv& env) {
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
   const bool holding = ui.held != app::GizmoHandle::None;
   const app::GizmoHandle hot = holding ? ui.held : ui.hover.gizmo;
-  const std::string turnIcon = iconText("rotate-3d"), depthIcon = iconText("move-3d"),
-                    scaleIcon = iconText("scaling"), moveIcon = iconText("move");
+  const std::string turnIcon = iconText("rotate-3d"), depthIcon = iconText("move-3d"), scaleIcon = iconText("scaling"),
+                    moveIcon = iconText("move");
   for (int axis = 0; axis < 3; ++axis) {
     const bool lit = app::axisOf(hot) == axis && !isMove(hot);
     if (holding && !lit) continue;
@@ -105,7 +102,7 @@ void drawPlaceOverlay(const PanelEnv& env) {
     if (isMove(one.handle)) {
       arrow(list, vec(gizmo->at), vec(one.at), colour, (ui.touch ? 15.f : 11.f) + (lit ? 3.f : 0.f));
     } else {
-      const std::string& icon = axis >= 0                                ? turnIcon
+      const std::string& icon = axis >= 0                               ? turnIcon
                                 : one.handle == app::GizmoHandle::Scale ? scaleIcon
                                 : one.handle == app::GizmoHandle::Depth ? depthIcon
                                                                         : moveIcon;

@@ -4,7 +4,8 @@
 #include <array>
 #include <cstdio>
 
-#include "web/app/placing.h"
+#include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -16,8 +17,8 @@ struct Field {
   const char* word;
   const char* unit;
 };
-constexpr std::array kFields = {Field{"x", "Right", "mm"}, Field{"y", "Up", "mm"},
-                                Field{"z", "Front", "mm"}, Field{"tip", "Tip", "\xc2\xb0"},
+constexpr std::array kFields = {Field{"x", "Right", "mm"},         Field{"y", "Up", "mm"},
+                                Field{"z", "Front", "mm"},         Field{"tip", "Tip", "\xc2\xb0"},
                                 Field{"turn", "Turn", "\xc2\xb0"}, Field{"lean", "Lean", "\xc2\xb0"}};
 
 /// A word above a number in a box; a press asks for another number.
@@ -26,7 +27,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   ImGui::PushID(what.key);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton("box", {width, height});
-  tellControl(env, app::Control::Kind::Field, what.word);
+  registerControl(env, app::Control::Kind::Field, what.word);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool hot = ImGui::IsItemHovered();
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);
@@ -40,7 +41,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   list.AddText(small, size, {at.x + 8, at.y + height - size - 5}, kInk, text);
   list.PopClipRect();
   ImGui::PopID();
-  if (pressed) env.sink.run("ask-place", app::Json::Object{{"field", what.key}});
+  if (pressed) env.sink.run(app::askPlace, what.key);
 }
 
 /// Which sides follow each other: the button above begins with left and right.
@@ -50,7 +51,7 @@ void sidesChooser(const PanelEnv& env, const document::MirrorPlane& mirror, floa
   for (const app::MirrorAxis& axis : app::mirrorAxes()) {
     const bool on = app::isAcross(mirror, axis);
     if (row.button(axis.key, axis.words, on) && !on) {
-      env.sink.run("symmetry", app::Json::Object{{"axis", axis.key}});
+      env.sink.run(app::setSymmetry, &axis);
     }
   }
 }
@@ -78,8 +79,9 @@ void placePanel(const PanelEnv& env, float width) {
   if (columns == 7) ImGui::SameLine();
   field(env, {"size", "Size", "%"}, app::placeNumber(*part, "size", mm), each);
   const float side = buttonSide(env);
-  for (const char* id : {"drop-on-floor", "face-front", "duplicate", "mirror-copy", "symmetry"}) {
-    if (columns != 7 || id[0] != 'd' || id[1] != 'r') ImGui::SameLine(0, 2);
+  constexpr app::CommandId kButtons[] = {"drop-on-floor", "face-front", "duplicate", "mirror-copy", "symmetry"};
+  for (const app::CommandId& id : kButtons) {
+    if (columns != 7 || &id != &kButtons[0]) ImGui::SameLine(0, 2);
     if (ImGui::GetContentRegionAvail().x < side) ImGui::NewLine();
     commandButton(env, id, side);
   }

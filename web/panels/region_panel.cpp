@@ -1,11 +1,12 @@
-// The numbers of a puff or a flat piece, in the place of the slice.
+// The numbers of a puff or a flat piece, in the place of the section.
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
 #include "engine/document/params.h"
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -13,8 +14,7 @@ namespace spineloft::panels {
 namespace {
 
 /// A slider that shows what it would do and does it when it is let go.
-void slider(const PanelEnv& env, const document::Part& part, const document::ParamInfo& info,
-            float width) {
+void slider(const PanelEnv& env, const document::Part& part, const document::ParamInfo& info, float width) {
   const app::Preview* preview = app::previewOf(env.ui(), part.id);
   const bool mine = preview && document::kindOf(preview->recipe) == document::kindOf(part);
   auto value = static_cast<float>(info.get(mine ? preview->recipe : part.recipe));
@@ -23,10 +23,9 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   const std::string id = "##" + std::string(info.key);
   const bool whole = info.step >= 1;
   const bool changed =
-      ImGui::SliderFloat(id.c_str(), &value, static_cast<float>(info.low),
-                         static_cast<float>(info.high), whole ? "%.0f" : "%.2f",
-                         info.low > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  tellControl(env, app::Control::Kind::Slider, info.label);
+      ImGui::SliderFloat(id.c_str(), &value, static_cast<float>(info.low), static_cast<float>(info.high),
+                         whole ? "%.0f" : "%.2f", info.low > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  registerControl(env, app::Control::Kind::Slider, info.label);
   if (changed) {
     app::Preview& shown = app::previewPart(env.ui(), part);
     shown.recipe = part.recipe;
@@ -36,30 +35,29 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
   const double chosen = std::clamp(static_cast<double>(value), info.low, info.high);
   env.ui().preview.reset();
-  env.sink.run("set-parameter",
-               app::Json::Object{{"part", part.id.value}, {"key", info.key}, {"value", chosen}});
+  env.sink.run(app::setParameter, part.id, std::string(info.key), chosen);
 }
 
 }  // namespace
 
 void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
-  const bool isPuff = document::puffOf(part) != nullptr;
+  const bool isInflated = document::inflateOf(part) != nullptr;
   constexpr float kGap = 6;
   const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 44.f : 54.f;
   const struct {
-    const char* id;
+    app::CommandId id;
     const char* text;
   } puffs[] = {{"puff-both", "Both"}, {"puff-front", "Front"}, {"puff-back", "Back"}},
     edges[] = {{"edge-sharp", "Sharp"}, {"edge-bevel", "Cut"}, {"edge-round", "Round"}};
   for (int i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0, kGap);
-    const auto& choice = isPuff ? puffs[i] : edges[i];
+    const auto& choice = isInflated ? puffs[i] : edges[i];
     commandTile(env, choice.id, choice.text, {each, height});
   }
   for (const document::ParamInfo& info : document::paramTable(document::kindOf(part))) {
     slider(env, part, info, width);
   }
-  const std::string_view other = isPuff ? "make-sheet" : "make-puff";
+  const app::CommandId other = isInflated ? app::CommandId("make-sheet") : app::CommandId("make-puff");
   wordButton(env, {other, width, buttonSide(env), kAccent});
 }
 

@@ -1,30 +1,29 @@
-// The shelf of slices: the presets, the visitor's own, and those that the model uses.
+// The shelf of sections: the presets, the visitor's own, and those that the model uses.
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "web/app/slice_editing.h"
-#include "web/app/slice_json.h"
-#include "web/panels/slice_paint.h"
+#include "web/commands/intents.h"
+#include "web/edit/section_editing.h"
+#include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
 namespace spineloft::panels {
 namespace {
 
-/// Chooses a slice for the picked place of the part, or as the start of the one on the board.
-void choose(const PanelEnv& env, app::Json::Object args) {
-  if (env.ui().slices.board) {
-    env.sink.run("slice-start-from", std::move(args));
+/// Chooses a section for the picked place of the part, or as the start of the one on the board.
+void choose(const PanelEnv& env, const loft::SectionShape& shape) {
+  if (env.ui().sections.board) {
+    env.sink.run(app::startBoardFrom, shape);
     return;
   }
   const document::Part* part = env.selected();
-  if (part && document::loftIn(*part).loft.sections.size() > 1) {
-    args.emplace_back("slice", static_cast<double>(app::pickedStop(env.ui(), *part)));
-  }
-  env.sink.run("set-section", std::move(args));
+  std::optional<std::size_t> key;
+  if (part && document::loftIn(*part).loft.sections.size() > 1) key = app::pickedSectionKey(env.ui(), *part);
+  env.sink.run(app::setSection, part ? part->id : PartId{}, key, shape);
 }
 
 /// The tiles, in rows.
@@ -33,8 +32,7 @@ class Grid {
   Grid(const PanelEnv& env, float width) : env_(env) {
     const bool strip = env.ui().layout.strip;
     columns_ = strip ? (width < app::kFlatStripFrom - 20 ? 6 : 12) : 4;
-    const float side =
-        (width - kGap * static_cast<float>(columns_ - 1)) / static_cast<float>(columns_);
+    const float side = (width - kGap * static_cast<float>(columns_ - 1)) / static_cast<float>(columns_);
     const float oneRow = std::clamp(ImGui::GetContentRegionAvail().y - 4, 44.f, 76.f);
     size_ = {std::floor(std::min(side, 92.f)), strip ? (columns_ == 12 ? oneRow : 47.f) : 58.f};
   }
@@ -45,15 +43,15 @@ class Grid {
 
   static constexpr float kGap = 6;
 
-  /// A tile of a slice; it can be pressed, or dragged to a part.
-  bool slice(const char* id, std::string_view name, const loft::SectionShape& shape, bool on) {
+  /// A tile of a section; it can be pressed, or dragged to a part.
+  bool section(const char* id, std::string_view name, const loft::SectionShape& shape, bool on) {
     place();
     const std::string_view text = size_.y < 50 ? std::string_view() : name;
-    const bool pressed = tile(env_, {id, text, name, size_, on},
-                              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
-                                paintSlice(list, {centre, radius}, shape, {ink, 0, 1.8f});
-                              });
-    if (ImGui::IsItemActivated()) env_.ui().slices.pressed = shape;
+    const bool pressed =
+        tile(env_, {id, text, name, size_, on}, [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
+          paintSection(list, {centre, radius}, shape, {ink, 0, 1.8f});
+        });
+    if (ImGui::IsItemActivated()) env_.ui().sections.pressed = shape;
     return pressed;
   }
 
@@ -63,41 +61,38 @@ class Grid {
   ImVec2 size_;
 };
 
-/// Drawn slices of the model that are not on the shelf, each once.
+/// Drawn sections of the model that are not on the shelf, each once.
 std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
   std::vector<const loft::SectionShape*> out;
   const auto known = [&](const loft::SectionShape& shape) {
-    return std::ranges::any_of(env.ui().slices.shelf,
-                               [&](const app::ShelfSlice& s) { return s.shape == shape; }) ||
+    return std::ranges::any_of(env.ui().sections.shelf, [&](const app::ShelfSection& s) { return s.shape == shape; }) ||
            std::ranges::any_of(out, [&](const auto* other) { return *other == shape; });
   };
   for (const document::Part& part : env.document().parts) {
-    for (const loft::SectionStop& stop : document::loftIn(part).loft.sections) {
+    for (const loft::SectionKey& stop : document::loftIn(part).loft.sections) {
       if (stop.shape.drawn() && !known(stop.shape)) out.push_back(&stop.shape);
     }
   }
   return out;
 }
 
-/// What can be done with a chosen slice of one's own.
-void ownSlice(const PanelEnv& env, const loft::SectionShape& chosen) {
+/// What can be done with a chosen section of one's own.
+void ownSection(const PanelEnv& env, const loft::SectionShape& chosen) {
   const float side = buttonSide(env);
-  const auto& shelf = env.ui().slices.shelf;
-  const auto kept =
-      std::ranges::find_if(shelf, [&](const app::ShelfSlice& s) { return s.shape == chosen; });
+  const auto& shelf = env.ui().sections.shelf;
+  const auto kept = std::ranges::find_if(shelf, [&](const app::ShelfSection& s) { return s.shape == chosen; });
   if (textButton(env, {"change", "Change it", false, true, side})) env.sink.run("edit-slice");
   ImGui::SameLine(0, 4);
   if (kept == shelf.end()) {
     commandButton(env, "keep-slice", side);
     return;
   }
-  const app::Json::Object which{{"id", kept->id}};
   if (iconButton(env, {"name", "pencil-line", "Rename " + kept->name, false, true, side})) {
-    env.sink.run("rename-slice", which);
+    env.sink.run(app::askSectionName, kept->id);
   }
   ImGui::SameLine(0, 0);
   if (iconButton(env, {"drop", "trash-2", "Take it off your shelf", false, true, side})) {
-    env.sink.run("delete-slice", which);
+    env.sink.run(app::deleteSection, kept->id);
   }
 }
 
@@ -115,19 +110,19 @@ void sectionChooser(const PanelEnv& env, float width) {
   for (const loft::SectionName& name : loft::sectionNames()) {
     const std::string key(name.key);
     const bool on = !chosen.drawn() && name.preset == chosen.preset;
-    if (grid.slice(key.c_str(), name.label, name.preset, on)) choose(env, {{"section", name.key}});
+    if (grid.section(key.c_str(), name.label, name.preset, on)) choose(env, name.preset);
   }
-  for (const app::ShelfSlice& slice : env.ui().slices.shelf) {
-    const std::string id = "shelf" + std::to_string(slice.id);
-    if (grid.slice(id.c_str(), slice.name, slice.shape, slice.shape == chosen)) {
-      choose(env, {{"shelf", slice.id}});
+  for (const app::ShelfSection& section : env.ui().sections.shelf) {
+    const std::string id = "shelf" + std::to_string(section.id);
+    if (grid.section(id.c_str(), section.name, section.shape, section.shape == chosen)) {
+      choose(env, section.shape);
     }
   }
   int recent = 0;
   for (const loft::SectionShape* shape : recentOf(env)) {
     const std::string id = "recent" + std::to_string(recent++);
-    if (grid.slice(id.c_str(), "In model", *shape, *shape == chosen)) {
-      choose(env, *app::shapeJson(*shape).object());
+    if (grid.section(id.c_str(), "In model", *shape, *shape == chosen)) {
+      choose(env, *shape);
     }
   }
   if (!env.ui().layout.strip) {
@@ -135,8 +130,8 @@ void sectionChooser(const PanelEnv& env, float width) {
     commandTile(env, "edit-slice", "Draw", grid.size());
   }
   ImGui::PopStyleVar();
-  if (chosen.drawn() && !env.ui().slices.board) ownSlice(env, chosen);
-  if (part) stopBar(env, width);
+  if (chosen.drawn() && !env.ui().sections.board) ownSection(env, chosen);
+  if (part) sectionKeyBar(env, width);
 }
 
 }  // namespace spineloft::panels

@@ -1,4 +1,4 @@
-// Parts, slice, ends and look: a column beside the views, or a strip with tabs below them.
+// Parts, section, ends and look: a column beside the views, or a strip with tabs below them.
 #include <imgui.h>
 
 #include <algorithm>
@@ -15,10 +15,9 @@ struct Tab {
   app::PanelTab tab;
   const char* label;
 };
-constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"},
-                              Tab{app::PanelTab::Slice, "Slice"},
+constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"}, Tab{app::PanelTab::Section, "Slice"},
                               Tab{app::PanelTab::Along, "Twist"}, Tab{app::PanelTab::Ends, "Ends"},
-                              Tab{app::PanelTab::Look, "Look"}, Tab{app::PanelTab::Size, "Size"},
+                              Tab{app::PanelTab::Look, "Look"},   Tab{app::PanelTab::Size, "Size"},
                               Tab{app::PanelTab::Place, "Place"}};
 
 /// A heading that opens and folds what is below it. True while it is open.
@@ -30,7 +29,7 @@ bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
   const float width = ImGui::GetContentRegionAvail().x, height = env.ui().touch ? 44.f : 28.f;
   if (ImGui::InvisibleButton(text, {width, height})) folded ^= bit;
   const bool open = (folded & bit) == 0;
-  tellControl(env, app::Control::Kind::Section, text, true, open);
+  registerControl(env, app::Control::Kind::Section, text, true, open);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled({at.x - 6, at.y}, {at.x + width, at.y + height}, kHover, 8);
   list.AddLine({at.x, at.y - 3}, {at.x + width, at.y - 3}, kLine);
@@ -51,16 +50,14 @@ const document::Part* selectedRegion(const PanelEnv& env) {
   return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
 }
 
-const char* titleOf(const document::Part& region) {
-  return document::puffOf(region) ? "Puff" : "Flat piece";
-}
+const char* titleOf(const document::Part& region) { return document::inflateOf(region) ? "Puff" : "Flat piece"; }
 
-/// A part without a bone has nothing along it and no ends.
+/// A part without a spine has nothing along it and no ends.
 ShortList<Tab> tabsFor(const document::Part* region) {
   ShortList<Tab> shown;
   for (Tab tab : kTabs) {
     if (region && (tab.tab == app::PanelTab::Along || tab.tab == app::PanelTab::Ends)) continue;
-    if (region && tab.tab == app::PanelTab::Slice) tab.label = titleOf(*region);
+    if (region && tab.tab == app::PanelTab::Section) tab.label = titleOf(*region);
     shown.push_back(tab);
   }
   return shown;
@@ -75,9 +72,9 @@ void column(const PanelEnv& env) {
   commandButton(env, "new-part", side);
   partList(env);
   if (const document::Part* region = selectedRegion(env)) {
-    if (section(env, app::PanelTab::Slice, titleOf(*region))) regionPanel(env, *region, width);
+    if (section(env, app::PanelTab::Section, titleOf(*region))) regionPanel(env, *region, width);
   } else {
-    if (section(env, app::PanelTab::Slice, env.selected() ? "Slice" : "Slice of the next part")) {
+    if (section(env, app::PanelTab::Section, env.selected() ? "Slice" : "Slice of the next part")) {
       sectionChooser(env, width);
     }
     if (section(env, app::PanelTab::Along, "Twist and depth")) alongPanel(env, width);
@@ -100,7 +97,7 @@ void tabs(const PanelEnv& env, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton(shown[i].label, {each, height})) env.ui().tab = shown[i].tab;
     const bool on = env.ui().tab == shown[i].tab;
-    tellControl(env, app::Control::Kind::Tab, shown[i].label, true, on);
+    registerControl(env, app::Control::Kind::Tab, shown[i].label, true, on);
     ImFont* font = on ? env.fonts.bold : env.fonts.text;
     ImGui::PushFont(font);
     const ImVec2 extent = ImGui::CalcTextSize(shown[i].label);
@@ -111,8 +108,7 @@ void tabs(const PanelEnv& env, float width) {
                  shown[i].label);
     ImGui::PopFont();
     if (on) {
-      list.AddRectFilled({at.x + each * 0.2f, at.y + height - 4},
-                         {at.x + each * 0.8f, at.y + height - 1}, kAccent, 2);
+      list.AddRectFilled({at.x + each * 0.2f, at.y + height - 4}, {at.x + each * 0.8f, at.y + height - 1}, kAccent, 2);
     }
   }
   ImGui::PopStyleVar();
@@ -129,11 +125,11 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   const float inside = ImGui::GetContentRegionAvail().x;  // a scroll bar takes some
   const document::Part* region = selectedRegion(env);
   const bool boneOnly = env.ui().tab == app::PanelTab::Along || env.ui().tab == app::PanelTab::Ends;
-  switch (region && boneOnly ? app::PanelTab::Slice : env.ui().tab) {
+  switch (region && boneOnly ? app::PanelTab::Section : env.ui().tab) {
     case app::PanelTab::Parts:
       partList(env);
       break;
-    case app::PanelTab::Slice:
+    case app::PanelTab::Section:
       region ? regionPanel(env, *region, inside) : sectionChooser(env, inside);
       break;
     case app::PanelTab::Along:
@@ -165,18 +161,15 @@ void drawSidePanel(const PanelEnv& env) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, layout.strip ? ImVec2(0, 0) : ImVec2(14, 8));
   const ImGuiWindowFlags scroll = layout.strip ? ImGuiWindowFlags_NoScrollWithMouse : 0;
   ImGui::SetNextWindowPos({static_cast<float>(layout.panel.x), static_cast<float>(layout.panel.y)});
-  ImGui::SetNextWindowSize(
-      {static_cast<float>(layout.panel.width), static_cast<float>(layout.panel.height)});
+  ImGui::SetNextWindowSize({static_cast<float>(layout.panel.width), static_cast<float>(layout.panel.height)});
   ImGui::Begin("panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | scroll);
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | scroll);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-  list.AddLine(
-      corner,
-      layout.strip ? ImVec2(corner.x + size.x, corner.y) : ImVec2(corner.x, corner.y + size.y),
-      kLine, 1.5f);
+  list.AddLine(corner, layout.strip ? ImVec2(corner.x + size.x, corner.y) : ImVec2(corner.x, corner.y + size.y), kLine,
+               1.5f);
   if (layout.strip) {
     strip(env, layout.panel);
   } else {

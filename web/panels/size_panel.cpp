@@ -8,11 +8,12 @@
 #include <utility>
 
 #include "engine/publish/publish.h"
-#include "web/app/print_report.h"
-#include "web/app/sizing.h"
+#include "web/commands/intents.h"
+#include "web/model/print_report.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
+#include "web/ui/sizing.h"
 
 namespace spineloft::panels {
 namespace {
@@ -32,9 +33,7 @@ void howTall(const PanelEnv& env, float width) {
   const double mm = env.document().height.value;
   const bool can = !env.document().parts.empty();
   const float side = buttonSide(env);
-  const auto step = [&](int direction) {
-    env.sink.run("set-height", app::Json::Object{{"mm", nextHeight(mm, direction)}});
-  };
+  const auto step = [&](int direction) { env.sink.run(app::setHeight, nextHeight(mm, direction)); };
   if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
   ImGui::SameLine(0, 4);
   const std::string text = app::spokenLength(mm);
@@ -60,31 +59,32 @@ void likeThings(const PanelEnv& env, float width) {
       for (const auto& line : app::thingLines(i)) {
         list.PathClear();
         for (const app::ThingPoint p : line) {
-          list.PathLineTo({centre.x + 2 * radius * static_cast<float>(p.x),
-                           centre.y + radius * static_cast<float>(1 - 2 * p.y)});
+          list.PathLineTo(
+              {centre.x + 2 * radius * static_cast<float>(p.x), centre.y + radius * static_cast<float>(1 - 2 * p.y)});
         }
         list.PathStroke(colour, 0, 1.5f);
       }
     };
     const bool pressed = tile(env, {thing.key.data(), thing.label, tip, {wide, 60}, on}, paint);
     if (!pressed || env.document().parts.empty()) continue;
-    const bool away = on && mm == thing.mm;
-    env.sink.run(away ? "show-beside" : "size-like",
-                 app::Json::Object{{"thing", away ? std::string_view("none") : thing.key}});
+    if (on && mm == thing.mm) {
+      env.sink.run(app::showBeside, std::nullopt);
+    } else {
+      env.sink.run(app::sizeLike, i);
+    }
   }
 }
 
 /// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
-  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning,
-        iconText(line.good ? "circle-check" : "triangle-alert"));
+  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning, iconText(line.good ? "circle-check" : "triangle-alert"));
   ImGui::SameLine(0, 6);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
   label(env.fonts.small, line.good ? kInk : kWarning, line.text);
   ImGui::PopTextWrapPos();
   const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);
   if (fix == nullptr) return;
-  if (textButton(env, {line.fix.data(), fix->label, true, true, buttonSide(env), width})) env.sink.run(line.fix);
+  if (textButton(env, {line.fix.data(), fix->label, true, true, buttonSide(env), width})) env.sink.run(*fix);
 }
 
 void printing(const PanelEnv& env, float width) {
@@ -123,8 +123,7 @@ void words(const PanelEnv& env, ImDrawList& list, const Words& what) {
 void drawThing(const PanelEnv& env, ImDrawList& list, const pipeline::WorldBounds& bounds) {
   const app::UiState& ui = env.ui();
   const app::Thing& thing = app::things()[*ui.beside];
-  const app::ThingPlace place =
-      app::placeBeside(thing, bounds, env.document().height.value, ui.camera);
+  const app::ThingPlace place = app::placeBeside(thing, bounds, env.document().height.value, ui.camera);
   const auto at = [&](app::ThingPoint p) -> std::optional<ImVec2> {
     const auto c = app::pointOnCanvas(ui.camera, ui.layout.solid, place.at(p));
     if (!c) return std::nullopt;

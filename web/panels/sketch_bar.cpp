@@ -1,5 +1,5 @@
 // Drawing on paper: the ink under the pen, and a card with pen, eraser, what they are set to, and the
-// way on to the bone.
+// way on to the spine.
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "web/commands/intents.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr float kRoomForAll = 630;  // CSS pixels of the view from which sizes and inks are all shown
 constexpr float kMargin = 10;
-constexpr const char* kBone = "Draw bone";
+constexpr const char* kSpineLine = "Draw bone";
 
 ImU32 colourOf(const std::array<std::uint8_t, 3>& c) { return IM_COL32(c[0], c[1], c[2], 255); }
 
@@ -26,7 +27,8 @@ bool erasing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Erase
 
 bool drawing(const PanelEnv& env) { return env.ui().tool == app::ToolKind::Pen || erasing(env); }
 
-/// Whether the card is a column at the left side, as the other buttons are one at the right: a low view has no room at its foot.
+/// Whether the card is a column at the left side, as the other buttons are one at the right: a low view has no room at
+/// its foot.
 bool isColumn(const PanelEnv& env) { return app::buttonsAtSide(env.ui().layout.picture); }
 
 /// Whether the card has room for sizes and inks, which else are menus.
@@ -47,7 +49,7 @@ bool dotButton(const PanelEnv& env, const DotButton& what) {
   const float side = sideOf(env);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(id, {side, side});
-  tellControl(env, app::Control::Kind::Button, words, true, on);
+  registerControl(env, app::Control::Kind::Button, words, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (on || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + side, at.y + side}, on ? kAccentSoft : kHover, 8);
@@ -69,7 +71,7 @@ void sizes(const PanelEnv& env) {
     const std::string id(app::kPenSizes[i]);
     const char* words = i == 0 ? "Fine" : i == 1 ? "Medium" : "Bold";
     if (dotButton(env, {id.c_str(), words, kDotRadii[i], colour, chosen == i})) {
-      env.sink.run("pen-size", app::Json::Object{{"size", id}});
+      env.sink.run(app::setPenSize, i);
     }
   }
 }
@@ -81,21 +83,19 @@ void inks(const PanelEnv& env, std::size_t columns = app::kInks.size()) {
     if (at++ % columns != 0) ImGui::SameLine();
     const bool on = !erasing(env) && env.ui().sketching.colour == ink.colour;
     if (dotButton(env, {ink.value.data(), ink.label, 8, colourOf(ink.colour), on})) {
-      env.sink.run("pen-colour", app::Json::Object{{"colour", ink.value}});
+      env.sink.run(app::setPenColour, ink.colour);
     }
   }
 }
 
 /// Width of `count` buttons in a row.
-float rowWidth(const PanelEnv& env, std::size_t count) {
-  return static_cast<float>(count) * (sideOf(env) + 2) - 2;
-}
+float rowWidth(const PanelEnv& env, std::size_t count) { return static_cast<float>(count) * (sideOf(env) + 2) - 2; }
 
 /// Of the button of the next step, which says its words where the view has room for them.
-float boneWidth(const PanelEnv& env) {
+float spineWidth(const PanelEnv& env) {
   if (env.ui().layout.picture.width < 460) return sideOf(env);
   ImGui::PushFont(env.fonts.text);
-  const float words = ImGui::CalcTextSize(kBone).x + 46;
+  const float words = ImGui::CalcTextSize(kSpineLine).x + 46;
   ImGui::PopFont();
   return words;
 }
@@ -103,7 +103,7 @@ float boneWidth(const PanelEnv& env) {
 /// Of the card with so many sizes and inks, or the buttons of their menus.
 float widthWith(const PanelEnv& env, std::size_t settings) {
   const float lines = settings == 0 ? 0.f : showsAll(env) ? 18.f : 9.f;
-  return rowWidth(env, 2 + settings) + lines + 2 + boneWidth(env) + 9 + 8;
+  return rowWidth(env, 2 + settings) + lines + 2 + spineWidth(env) + 9 + 8;
 }
 
 double roomIn(const PanelEnv& env) { return env.ui().layout.picture.width - 2 * kMargin; }
@@ -115,15 +115,15 @@ std::size_t settingsShown(const PanelEnv& env) {
   return roomIn(env) < widthWith(env, wanted) ? 0 : wanted;
 }
 
-/// What a column has besides pen and eraser. The top bar has the bone too.
+/// What a column has besides pen and eraser. The top bar has the spine too.
 struct Column {
-  bool settings = false, bone = false;
-  int cells() const { return 2 + (settings ? 1 : 0) + (bone ? 1 : 0); }
+  bool settings = false, spine = false;
+  int cells() const { return 2 + (settings ? 1 : 0) + (spine ? 1 : 0); }
 };
 Column columnIn(const PanelEnv& env, int most) {
   Column out;
   out.settings = drawing(env) && most >= 3;
-  out.bone = out.cells() < most;
+  out.spine = out.cells() < most;
   return out;
 }
 constexpr float kColumnEdge = 4;
@@ -143,13 +143,13 @@ app::Rect columnRect(const PanelEnv& env) {
   return {view.x + kColumnEdge, view.bottom() - foot - height, side + 8, height};
 }
 
-/// The next step: filled once there is something that a bone could go through.
-void boneButton(const PanelEnv& env, float width, bool next) {
+/// The next step: filled once there is something that a spine could go through.
+void spineButton(const PanelEnv& env, float width, bool next) {
   const float side = sideOf(env);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + side};
   const bool pressed = ImGui::InvisibleButton("bone", {width, side});
   const bool on = env.ui().tool == app::ToolKind::Draw;
-  tellControl(env, app::Control::Kind::Button, kBone, true, on);
+  registerControl(env, app::Control::Kind::Button, kSpineLine, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (next || on || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, end, next ? kAccent : on ? kAccentSoft : kHover, 8);
@@ -163,7 +163,7 @@ void boneButton(const PanelEnv& env, float width, bool next) {
   if (words) {
     ImFont* font = env.fonts.text;
     const float height = font->FontSize * scale;
-    list.AddText(font, height, {left + size + 7, at.y + (side - height) / 2}, ink, kBone);
+    list.AddText(font, height, {left + size + 7, at.y + (side - height) / 2}, ink, kSpineLine);
   }
   tooltip("Draw a bone: one line along the middle of what you drew");
   if (pressed) env.sink.run("draw");
@@ -172,8 +172,7 @@ void boneButton(const PanelEnv& env, float width, bool next) {
 void line(const PanelEnv& env) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Dummy({5, sideOf(env)});
-  ImGui::GetWindowDrawList()->AddLine({at.x + 2, at.y + 6}, {at.x + 2, at.y + sideOf(env) - 6}, kLine,
-                                      1);
+  ImGui::GetWindowDrawList()->AddLine({at.x + 2, at.y + 6}, {at.x + 2, at.y + sideOf(env) - 6}, kLine, 1);
   ImGui::SameLine();
 }
 
@@ -229,8 +228,7 @@ void settings(const PanelEnv& env, bool all) {
   if (dotButton(env, {"size", "Pen size", 0, kInk, false})) toggle(app::PenMenu::Size);
   // A dash as wide as the pen, so that it is not taken for a colour.
   const float side = sideOf(env), width = 2 * kDotRadii[app::sizeInHand(env.ui())] - 2;
-  ImGui::GetWindowDrawList()->AddLine({at.x + 10, at.y + side - 11}, {at.x + side - 10, at.y + 11},
-                                      kInk, width);
+  ImGui::GetWindowDrawList()->AddLine({at.x + 10, at.y + side - 11}, {at.x + side - 10, at.y + 11}, kInk, width);
   ImGui::SameLine();
   if (dotButton(env, {"ink", "Ink", 8, ink, open == app::PenMenu::Colour})) toggle(app::PenMenu::Colour);
 }
@@ -238,9 +236,7 @@ void settings(const PanelEnv& env, bool all) {
 /// How much an eraser or a scribble would cover that began here.
 void brushRing(const PanelEnv& env, app::ClientPoint at) {
   const app::UiState& ui = env.ui();
-  const double radius = erasing(env)
-                            ? app::kEraserRadii[ui.sketching.eraserSize] * ui.pictureView.zoom
-                            : ui.edit.brush;
+  const double radius = erasing(env) ? app::kEraserRadii[ui.sketching.eraserSize] * ui.pictureView.zoom : ui.edit.brush;
   const ImVec2 centre{static_cast<float>(at.x), static_cast<float>(at.y)};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddCircle(centre, static_cast<float>(radius) + 1, rgb(0xffffff, 160), 0, 1);
@@ -275,7 +271,7 @@ void drawInk(const PanelEnv& env) {
 }
 
 app::Rect sketchBarRect(const PanelEnv& env) {
-  if (app::shownSketch(env.document(), env.ui()) == nullptr || env.ui().slices.board) return {};
+  if (app::shownSketch(env.document(), env.ui()) == nullptr || env.ui().sections.board) return {};
   const app::Rect& view = env.ui().layout.picture;
   if (isColumn(env)) return columnRect(env);
   const float side = sideOf(env), width = widthWith(env, settingsShown(env));
@@ -291,9 +287,8 @@ void drawSketchBar(const PanelEnv& env) {
   env.ui().barLeft = column && card.width > 0 ? card.right() + kColumnEdge - env.ui().layout.picture.x : 0;
   if (card.width <= 0) return;
   const float side = sideOf(env);
-  const bool hasParts = std::ranges::any_of(env.document().parts, [&](const document::Part& part) {
-    return document::pictureOf(part) == sketch->id;
-  });
+  const bool hasParts = std::ranges::any_of(
+      env.document().parts, [&](const document::Part& part) { return document::pictureOf(part) == sketch->id; });
   const bool next = drawing(env) && !hasParts && app::looksFinished(*sketch);
   beginCard(env, "sketch bar", card);
   commandButton(env, "pen", side);
@@ -302,7 +297,7 @@ void drawSketchBar(const PanelEnv& env) {
   if (column) {
     const Column has = columnIn(env, cellsIn(env));
     if (has.settings) settingsCell(env);
-    if (has.bone) boneButton(env, side, next);
+    if (has.spine) spineButton(env, side, next);
   } else {
     ImGui::SameLine();
     if (settingsShown(env) > 0) {
@@ -310,7 +305,7 @@ void drawSketchBar(const PanelEnv& env) {
       ImGui::SameLine();
     }
     line(env);
-    boneButton(env, boneWidth(env), next);
+    spineButton(env, spineWidth(env), next);
   }
   endCard();
   openMenu(env, card);

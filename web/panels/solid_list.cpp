@@ -1,4 +1,5 @@
 #include "web/panels/solid_list.h"
+#include "web/commands/intents.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -7,7 +8,7 @@
 #include <array>
 #include <string>
 
-#include "web/app/solid_editing.h"
+#include "web/edit/solid_editing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -18,62 +19,73 @@ using document::StepKind;
 
 std::string_view iconOf(StepKind kind) {
   switch (kind) {
-    case StepKind::Join: return "squares-unite";
-    case StepKind::Cut: return "squares-subtract";
-    case StepKind::Common: return "squares-intersect";
+    case StepKind::Join:
+      return "squares-unite";
+    case StepKind::Cut:
+      return "squares-subtract";
+    case StepKind::Intersection:
+      return "squares-intersect";
     case StepKind::Hollow:
-    case StepKind::kCount: break;
+    case StepKind::kCount:
+      break;
   }
   return "cup-soda";
 }
 
-app::Json which(const document::Step& step) { return app::Json::Object{{"step", step.id.value}}; }
-
-void slider(const PanelEnv& env, const document::Step& step, const char* key, const char* text) {
-  const bool wall = std::string_view(key) == "wall";
+/// `length`: the wall or the blend of a solid.
+void slider(const PanelEnv& env, const document::Step& step, double document::SetStep::* length, const char* text) {
+  document::SetStep action{step.id, step.kind, step.blend, step.wall, step.opening};
+  const bool wall = length == &document::SetStep::wall;
   const double scale = app::millimetresPerUnit(env.env);
   const double unit = scale > 0 ? scale : 100;
-  float value = static_cast<float>((wall ? step.wall : step.blend) * unit);
+  float value = static_cast<float>(action.*length * unit);
   const float low = wall ? static_cast<float>(document::kLeastWall * unit) : 0.f;
   const float high = static_cast<float>((wall ? 0.15 : document::kMostBlend) * unit);
   label(env.fonts.small, kMuted, text);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-  const std::string id = std::string("##") + key;
+  const char* id = wall ? "##wall" : "##blend";
   // In hand it shows where it is; what it asks for is done once, when it is let go.
   ImGuiStorage& held = *ImGui::GetStateStorage();
-  const ImGuiID here = ImGui::GetID(id.c_str());
+  const ImGuiID here = ImGui::GetID(id);
   if (ImGui::GetActiveID() == here) value = held.GetFloat(here, value);
-  ImGui::SliderFloat(id.c_str(), &value, low, high, "%.1f mm");
-  tellControl(env, app::Control::Kind::Slider, text);
+  ImGui::SliderFloat(id, &value, low, high, "%.1f mm");
+  registerControl(env, app::Control::Kind::Slider, text);
   held.SetFloat(here, value);
-  if (ImGui::IsItemDeactivatedAfterEdit()) {
-    env.sink.run("set-step", app::Json::Object{{"step", step.id.value},
-                                               {key, static_cast<double>(value) / unit}});
-  }
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  action.*length = static_cast<double>(value) / unit;
+  env.sink.run(app::setStep, action);
 }
 
 void openingChooser(const PanelEnv& env, const document::Step& step, float width) {
-  constexpr std::array<std::pair<const char*, const char*>, 9> kChoices = {{
-      {"up", "Top"}, {"down", "Bottom"}, {"start", "Line's start"}, {"end", "Line's end"},
-      {"front", "Front"}, {"back", "Back"}, {"left", "Left"}, {"right", "Right"}, {"none", "Closed"}}};
+  using document::OpeningSide;
+  constexpr std::array<std::pair<OpeningSide, const char*>, 9> kChoices = {{{OpeningSide::Up, "Top"},
+                                                                            {OpeningSide::Down, "Bottom"},
+                                                                            {OpeningSide::Start, "Line's start"},
+                                                                            {OpeningSide::End, "Line's end"},
+                                                                            {OpeningSide::Front, "Front"},
+                                                                            {OpeningSide::Back, "Back"},
+                                                                            {OpeningSide::Left, "Left"},
+                                                                            {OpeningSide::Right, "Right"},
+                                                                            {OpeningSide::None, "Closed"}}};
   label(env.fonts.small, kMuted, "Open at");
   WordButtons row(env, width);
-  for (const auto& [key, text] : kChoices) {
-    if (row.button(key, text, document::openingKey(step.opening.side) == key)) {
-      env.sink.run("set-step", app::Json::Object{{"step", step.id.value}, {"opening", key}});
-    }
+  for (const auto& [side, text] : kChoices) {
+    if (!row.button(text, text, step.opening.side == side)) continue;
+    document::SetStep action{step.id, step.kind, step.blend, step.wall, step.opening};
+    action.opening.side = side;
+    env.sink.run(app::setStep, action);
   }
   const bool pointing = env.ui().solids.pointing;
   const char* text = pointing ? "Now tap the solid there" : "Tap the place on the solid";
-  if (textButton(env, {"point", text, pointing, true, buttonSide(env), width})) env.sink.run("point-opening", {});
+  if (textButton(env, {"point", text, pointing, true, buttonSide(env), width})) env.sink.run("point-opening");
 }
 
 void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
   ImGui::PushID(static_cast<int>(step.id.value));
   const bool blends = step.kind == StepKind::Join || step.kind == StepKind::Cut;
-  if (blends) slider(env, step, "blend", "Round the seam");
+  if (blends) slider(env, step, &document::SetStep::blend, "Round the seam");
   if (step.kind == StepKind::Hollow) {
-    slider(env, step, "wall", "Wall");
+    slider(env, step, &document::SetStep::wall, "Wall");
     openingChooser(env, step, width);
   }
   ImGui::PopID();
@@ -84,7 +96,7 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
 void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("grip", size);
-  tellControl(env, app::Control::Kind::Grip, name);
+  registerControl(env, app::Control::Kind::Grip, name);
   if (ImGui::IsItemActivated()) env.ui().listDrag = row;
   if (!ImGui::IsItemHovered() || env.ui().touch) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -93,7 +105,8 @@ void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string
 
 bool holdsWhole(const PanelEnv& env) {
   const document::Step* step = app::chosenStep(env.env);
-  return step != nullptr && env.ui().selection && partsIn(env.document(), {{}, step->id}).size() == env.ui().alsoSelected.size() + 1;
+  return step != nullptr && env.ui().selection &&
+         partsIn(env.document(), {{}, step->id}).size() == env.ui().alsoSelected.size() + 1;
 }
 
 bool canTick(const PanelEnv& env, document::Operand operand) {
@@ -104,8 +117,7 @@ void tickButton(const PanelEnv& env, document::Operand operand, float size) {
   const bool on = app::isPicked(env.ui(), operand);
   const char* tip = on ? "Not this one" : "Tick it, to put it together with others";
   if (iconButton(env, {"tick", on ? "circle-check" : "circle", tip, on, true, size})) {
-    env.sink.run("pick", operand.part ? app::Json::Object{{"part", operand.part.value}}
-                                      : app::Json::Object{{"step", operand.step.value}});
+    env.sink.run(app::pick, operand, !on);
   }
 }
 
@@ -114,7 +126,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const bool root = holderOf(env.document(), {{}, step.id}) == nullptr;
   const bool ticks = root && canTick(env, {{}, step.id});
   const bool open = std::ranges::count(env.ui().solids.folded, step.id) == 0;
-  const std::string trouble = app::troubleOf(env.env, step);
+  const std::string trouble = app::stepFailureWords(env.env, step);
   const float height = buttonSide(env);
   const float buttons = height * (static_cast<float>(root) + static_cast<float>(ticks) + 1.f);
   ImGui::PushID("solid");
@@ -129,26 +141,29 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
     ImGui::SameLine(0, 0);
   }
   const bool pressed = ImGui::InvisibleButton("row", {row - grips, height});
-  tellControl(env, app::Control::Kind::Row, step.name, true, selected);
+  registerControl(env, app::Control::Kind::Row, step.name, true, selected);
   if (selected || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
   }
   if (!trouble.empty()) tooltip(trouble);
   ImFont* icons = env.fonts.icons;
   const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;
-  list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2},
-               trouble.empty() ? kAccent : kTrouble, iconText(iconOf(step.kind)));
+  list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2}, trouble.empty() ? kAccent : kFailure,
+               iconText(iconOf(step.kind)));
   const std::string name = shortened(ImGui::GetFont(), step.name, row - 34);
   list.AddText({at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2},
-               !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk, name.c_str());
+               !step.visible ? rgb(0x5c6474, 150)
+               : selected    ? kAccent
+                             : kInk,
+               name.c_str());
   if (pressed) {
     const bool twice = selected && ImGui::IsMouseDoubleClicked(0);
-    env.sink.run(twice ? "rename-step" : "select-step", which(step));
+    env.sink.run(twice ? app::askStepName : app::selectStep, step.id);
   }
   ImGui::SameLine(0, 0);
   const char* fold = open ? "Hide what it is made of" : "Show what it is made of";
   if (iconButton(env, {"fold", open ? "chevron-down" : "chevron-right", fold, false, true, height})) {
-    env.sink.run("fold-step", which(step));
+    env.sink.run(app::foldStep, step.id);
   }
   if (ticks) {
     ImGui::SameLine(0, 0);
@@ -158,7 +173,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
     ImGui::SameLine(0, 0);
     const std::string_view eye = step.visible ? "eye" : "eye-off";
     const std::string_view tip = step.visible ? "Hide" : "Show";
-    if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run("show-step", which(step));
+    if (iconButton(env, {"eye", eye, tip, false, true, height})) env.sink.run(app::showStep, step.id, !step.visible);
   }
   ImGui::PopID();
   ImGui::PopID();
@@ -172,31 +187,33 @@ void solidPanel(const PanelEnv& env, float width) {
   const float side = buttonSide(env);
   ImGui::Dummy({0, 4});
   for (const document::Step& each : env.document().steps) {
-    const std::string trouble = app::troubleOf(env.env, each);
+    const std::string trouble = app::stepFailureWords(env.env, each);
     if (trouble.empty()) continue;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, kTrouble, each.name + ": " + trouble);
+    label(env.fonts.small, kFailure, each.name + ": " + trouble);
     ImGui::PopTextWrapPos();
     ImGui::PushID(static_cast<int>(each.id.value));
     const float half = std::min((width - 4) / 2, 110.f);
     if (app::hasPlace(env.env, each) && textButton(env, {"where", "Show where", false, true, side, half})) {
-      env.sink.run("show-trouble", which(each));
+      env.sink.run(app::showFailure, each.id);
     }
     if (app::hasPlace(env.env, each)) ImGui::SameLine(0, 4);
-    if (textButton(env, {"again", "Try again", false, true, side, half})) env.sink.run("solve-again", {});
+    if (textButton(env, {"again", "Try again", false, true, side, half})) env.sink.run("solve-again");
     ImGui::PopID();
   }
-  constexpr std::array<std::pair<const char*, const char*>, 3> kMakers = {{
-      {"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}}};
+  const struct {
+    app::CommandId id;
+    const char* text;
+  } makers[] = {{"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
   const float each = std::min(74.f, (width - 12) / 4);
   int tiles = 0;
-  const auto tile = [&](const char* id, const char* text) {
+  const auto tile = [&](app::CommandId id, const char* text) {
     if (tiles++ % 4 != 0) ImGui::SameLine();
     commandTile(env, id, text, {each, 52});
   };
   if (several) {
-    for (const auto& [id, text] : kMakers) tile(id, text);
+    for (const auto& [id, text] : makers) tile(id, text);
   }
   if (step == nullptr || step->kind != StepKind::Hollow) tile("scoop-out", "Scoop out");
   if (step != nullptr) tile("release", "Break apart");

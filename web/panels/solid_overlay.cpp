@@ -1,11 +1,11 @@
-// What is drawn over the solid: the bone of the selected part with the handles of its depth.
+// What is drawn over the solid: the spine of the selected part with the handles of its depth.
 #include <imgui.h>
 
 #include <vector>
 
-#include "web/app/editing.h"
-#include "web/app/placing.h"
-#include "web/app/preview.h"
+#include "web/edit/editing.h"
+#include "web/edit/placing.h"
+#include "web/edit/preview.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
 
@@ -49,9 +49,8 @@ void drawHandle(ImDrawList& list, ImVec2 at, bool hot, bool chosen) {
 void drawSolidOverlay(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);
-  if (ui.tool != app::ToolKind::Bone || !subject || !subject.part->visible) return;
-  const document::PictureEntry* entry =
-      document::findPicture(env.document(), document::pictureOf(*subject.part));
+  if (ui.tool != app::ToolKind::Spine || !subject || !subject.part->visible) return;
+  const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(*subject.part));
   if (entry == nullptr) return;
   const app::Preview* preview = app::previewOf(ui, subject.part->id);
   const app::Subject shown{subject.part, preview ? &*preview->shape : subject.shape};

@@ -8,10 +8,10 @@ ImU32 toolColour(app::ToolKind tool) {
       return rgb(0x0b7f6a);
     case app::ToolKind::Shape:
       return rgb(0xb01f72);
-    case app::ToolKind::Bone:
+    case app::ToolKind::Spine:
       return kSpine;
-    case app::ToolKind::Puff:
-    case app::ToolKind::Sheet:
+    case app::ToolKind::Inflate:
+    case app::ToolKind::Extrude:
       return rgb(0x8a4bc9);
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);
@@ -40,9 +40,7 @@ void applyTheme() {
   style.ItemSpacing = {6, 6};
   style.AntiAliasedLinesUseTex = true;
   style.CircleTessellationMaxError = 0.2f;
-  const auto set = [&](ImGuiCol slot, ImU32 colour) {
-    style.Colors[slot] = ImGui::ColorConvertU32ToFloat4(colour);
-  };
+  const auto set = [&](ImGuiCol slot, ImU32 colour) { style.Colors[slot] = ImGui::ColorConvertU32ToFloat4(colour); };
   set(ImGuiCol_Text, kInk);
   set(ImGuiCol_TextDisabled, kMuted);
   set(ImGuiCol_WindowBg, kSurface);

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "web/app/editing.h"
-#include "web/app/sizing.h"
+#include "web/edit/editing.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
+#include "web/ui/sizing.h"
 
 namespace spineloft::panels {
 namespace {
@@ -31,7 +31,7 @@ struct Bar {
   app::BarMenu menu;
   const char* name;
   app::Rect view;
-  std::span<const std::string_view> ids;  ///< the most used first
+  std::span<const app::CommandId> ids;  ///< the most used first
   app::Focus focus;
   double taken = 0;  ///< of the view's width, from the left
 };
@@ -45,13 +45,12 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   const bool column = app::buttonsAtSide(view);
   const double room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
   if (room < cell || bar.ids.empty()) return {};
-  const BarSplit split = splitBar(bar.ids, static_cast<std::size_t>(room / cell),
-                                  [&](std::string_view id) { return isToolInUse(env, id); });
+  const BarSplit split =
+      splitBar(bar.ids, static_cast<std::size_t>(room / cell), [&](app::CommandId id) { return isToolInUse(env, id); });
   const double length = static_cast<double>(split.cells()) * cell + edge, breadth = cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
   const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
-  const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width,
-                       height};
+  const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width, height};
   const bool emptyBefore = env.sink.empty();
   beginCard(env, bar.name, card);
   for (std::size_t i = 0; i < split.shown.size(); ++i) {
@@ -69,8 +68,9 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
 }
 
 /// Words that lie above a view, in sight of whoever asks what the page shows.
-void tellWords(const PanelEnv& env, std::string words, ImVec2 low, ImVec2 high) {
-  env.ui().controls.push_back({app::Control::Kind::Words, std::move(words), {low.x, low.y, high.x - low.x, high.y - low.y}});
+void registerWords(const PanelEnv& env, std::string words, ImVec2 low, ImVec2 high) {
+  env.ui().controls.push_back(
+      {app::Control::Kind::Words, std::move(words), {low.x, low.y, high.x - low.x, high.y - low.y}});
 }
 
 void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool focused) {
@@ -83,7 +83,7 @@ void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool foc
   list.AddRectFilled(at, end, rgb(0xffffff, 235), 20);
   list.AddRect(at, end, focused ? kAccent : kLine, 20, 0, 1.2f);
   list.AddText(font, size, {at.x + 10, at.y + 5}, focused ? kAccent : kMuted, text);
-  tellWords(env, text, at, end);
+  registerWords(env, text, at, end);
 }
 
 struct LegendEntry {
@@ -108,8 +108,8 @@ ShortList<LegendEntry> statesInView(const PanelEnv& env) {
   ShortList<LegendEntry> found;
   for (const LegendEntry& entry : kLegend) {
     const bool occurs = set && std::ranges::any_of(set->ribs, [&](const ribs::Rib& rib) {
-      return rib.leftState == entry.state || rib.rightState == entry.state;
-    });
+                          return rib.leftState == entry.state || rib.rightState == entry.state;
+                        });
     if (occurs) found.push_back(entry);
   }
   return found;
@@ -171,7 +171,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
     (tall ? pen.y : pen.x) += tall ? line : widthOf(entry.text);
     words += (words.empty() ? "" : ", ") + std::string(entry.text);
   }
-  tellWords(env, std::move(words), at, {at.x + width, at.y + height});
+  registerWords(env, std::move(words), at, {at.x + width, at.y + height});
 }
 
 void splitter(const app::Layout& layout) {
@@ -190,8 +190,8 @@ struct Pill {
   ImU32 fill = 0, ink = 0;
 };
 
-/// A line of text with round ends, centred in `view` at the height `y`, or towards its head or foot where something else
-/// is; nothing where there is no room.
+/// A line of text with round ends, centred in `view` at the height `y`, or towards its head or foot where something
+/// else is; nothing where there is no room.
 void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way, const Pill& what) {
   ImGui::PushFont(env.fonts.text);
   const ImVec2 extent = ImGui::CalcTextSize(what.text);
@@ -208,7 +208,7 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
     const ImVec2 high{static_cast<float>(at.right()), static_cast<float>(at.bottom())};
     list.AddRectFilled(low, high, what.fill, 20);
     list.AddText({low.x + 14, low.y + 7}, what.ink, what.text);
-    tellWords(env, what.text, low, high);
+    registerWords(env, what.text, low, high);
   }
   ImGui::PopFont();
 }
@@ -226,7 +226,7 @@ const char* hintFor(const PanelEnv& env) {
   }
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
-  const bool regionTool = (tool == app::ToolKind::Puff || tool == app::ToolKind::Sheet) && !env.ui().cut;
+  const bool regionTool = (tool == app::ToolKind::Inflate || tool == app::ToolKind::Extrude) && !env.ui().cut;
   const bool told = env.ui().pointsKnown || env.ui().redraw || drawing;
   if (regionTool && !told && part && document::regionOf(part->recipe)) return "Tap the part to change its outline";
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
@@ -241,7 +241,7 @@ void drawHints(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = layout.picture;
   const bool drawing = static_cast<bool>(env.ui().preview);
-  if (env.document().pictures.empty() || env.ui().slices.board) return;
+  if (env.document().pictures.empty() || env.ui().sections.board) return;
   if (env.ui().redraw && !drawing) {
     pill(env, view, view.y + 26, app::Toward::Foot, {"Draw the new line", kAccent, kSurface});
   }
@@ -249,24 +249,25 @@ void drawHints(const PanelEnv& env) {
   if (*hint != 0) pill(env, view, view.bottom() - kFoot, app::Toward::Head, {hint, rgb(0xffffff, 235), kMuted});
   // What is to come, while there is nothing to see yet.
   if (env.document().parts.empty() && !drawing) {
-    pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot, {"Your solid appears here", rgb(0xffffff, 0), kMuted});
+    pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot,
+         {"Your solid appears here", rgb(0xffffff, 0), kMuted});
   }
 }
 
 void drawViewChrome(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   if (env.document().pictures.empty()) return;
-  if (env.ui().slices.board) {  // the board is in the picture's place
+  if (env.ui().sections.board) {  // the board is in the picture's place
     chip(env, layout.solid, "Solid", true);
     return;
   }
   splitter(layout);
   const bool onPicture = env.ui().focus == app::Focus::Picture;
   const app::ToolKind tool = env.ui().tool;
-  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand ||
-                     tool == app::ToolKind::Place;
+  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand || tool == app::ToolKind::Place;
   const double shift = env.ui().barLeft;
-  const app::Rect beside{layout.picture.x + shift, layout.picture.y, layout.picture.width - shift, layout.picture.height};
+  const app::Rect beside{layout.picture.x + shift, layout.picture.y, layout.picture.width - shift,
+                         layout.picture.height};
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) {
     const std::string size = app::spokenLength(env.document().height.value);
@@ -274,30 +275,28 @@ void drawViewChrome(const PanelEnv& env) {
     chip(env, layout.solid, solid.c_str(), !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
-  constexpr std::string_view kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
-  constexpr std::string_view kPictureFew[] = {"draw", "puff", "ribs", "bone", "sheet",
-                                              "shape", "hand", "ignore-edges", "fit"};
-  constexpr std::string_view kPictureAll[] = {"draw",  "puff", "sheet",        "hand", "ribs",     "shape",
-                                              "bone", "ignore-edges", "fit",  "zoom-out", "zoom-in"};
-  constexpr std::string_view kSolidFew[] = {"move", "home-view"};
-  constexpr std::string_view kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
-  using Ids = std::span<const std::string_view>;
-  const bool few =
-      layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
+  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
+  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",         "bone", "sheet",
+                                            "shape", "hand", "ignore-edges", "fit"};
+  constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "hand",     "ribs",   "shape",
+                                            "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
+  constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
+  constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
+  using Ids = std::span<const app::CommandId>;
+  const bool few = layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
   const bool bare = env.document().parts.empty();
   const app::Rect paper = sketchBarRect(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const Ids all = (few || onPaper) && bare ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
-  const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the bone
+  const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the spine
   const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;
-  const app::Rect bar = buttons(env, {app::BarMenu::Picture, "picture buttons", layout.picture, ids,
-                                      app::Focus::Picture, taken});
+  const app::Rect bar =
+      buttons(env, {app::BarMenu::Picture, "picture buttons", layout.picture, ids, app::Focus::Picture, taken});
   legend(env, layout.picture, bar);
-  const bool fewSolid =
-      layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
-  buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid,
-                fewSolid ? Ids(kSolidFew) : Ids(kSolidAll), app::Focus::Solid});
+  const bool fewSolid = layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
+  buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
+                app::Focus::Solid});
 }
 
 void drawActivity(const PanelEnv& env) {
@@ -336,20 +335,20 @@ void drawActivity(const PanelEnv& env) {
 void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
   env.ui().controls.clear();
-  env.ui().slices.graphs.clear();
+  env.ui().sections.graphs.clear();
   drawPictureOverlay(env);
   drawPictureStrip(env);
-  drawSliceOverlay(env);
+  drawSectionOverlay(env);
   drawSolidOverlay(env);
   drawScale(env);
-  drawTroubleInSolid(env);
+  drawFailureInSolid(env);
   drawPlaceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);
   drawEditBar(env);
   drawHints(env);
   drawSidePanel(env);
-  drawSliceBoard(env);
+  drawSectionBoard(env);
   drawActivity(env);
 }
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "web/app/icons.h"
 #include "web/panels/theme.h"
+#include "web/ui/icons.h"
 
 namespace spineloft::panels {
 namespace {
@@ -25,9 +25,7 @@ std::string_view fitting(ImFont* font, std::string_view text, float width) {
 }
 
 /// The same colour as a pale ground.
-ImU32 softened(ImU32 colour) {
-  return (colour & ~IM_COL32_A_MASK) | (28u << IM_COL32_A_SHIFT);
-}
+ImU32 softened(ImU32 colour) { return (colour & ~IM_COL32_A_MASK) | (28u << IM_COL32_A_SHIFT); }
 
 std::string tipOf(const app::Command& command) {
   std::string tip(command.label);
@@ -65,17 +63,17 @@ bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra)
   ImGui::SetNextWindowPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
   ImGui::SetNextWindowSize({static_cast<float>(rect.width), static_cast<float>(rect.height)});
   return ImGui::Begin(name, nullptr,
-                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                          ImGuiWindowFlags_NoBringToFrontOnFocus |
+                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
                           ImGuiWindowFlags_NoFocusOnAppearing | extra);
 }
 
-void tellControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled, bool on) {
+void registerControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled, bool on) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
   const bool inSight = ImGui::GetCurrentWindow()->ClipRect.Contains(middle);
-  env.ui().controls.push_back({kind, std::string(words), {low.x, low.y, high.x - low.x, high.y - low.y}, inSight, enabled, on});
+  env.ui().controls.push_back(
+      {kind, std::string(words), {low.x, low.y, high.x - low.x, high.y - low.y}, inSight, enabled, on});
 }
 
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
@@ -126,7 +124,8 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   ImGui::BeginDisabled(!button.enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
-  tellControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip : button.words, button.enabled, button.active);
+  registerControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip : button.words, button.enabled,
+                  button.active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.size, at.y + button.size};
@@ -138,44 +137,38 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
-  list.AddText(font, size,
-               {at.x + (button.size - extent.x) / 2, at.y + (button.size - extent.y) / 2}, ink,
-               text);
+  list.AddText(font, size, {at.x + (button.size - extent.x) / 2, at.y + (button.size - extent.y) / 2}, ink, text);
   ImGui::EndDisabled();
   tooltip(button.tip);
   return pressed && button.enabled;
 }
 
-void commandButton(const PanelEnv& env, std::string_view id, float size) {
-  const app::Command* command = app::findCommand(id);
-  if (command == nullptr) return;
-  const std::string name(id);
-  const bool active = command->toggled != nullptr && command->toggled(env.env);
-  const bool can = app::enabled(*command, env.env);
-  const ImU32 colour = command->group == "tool" ? toolColour(env.ui().tool) : 0;
-  const std::string tip = tipOf(*command);
-  if (iconButton(env, {name.c_str(), command->icon, tip, active, can, size, colour, command->label})) {
-    env.sink.run(id);
+void commandButton(const PanelEnv& env, app::CommandId id, float size) {
+  const app::Command& command = app::commandOf(id);
+  const std::string name{std::string_view(id)};
+  const bool active = command.toggled != nullptr && command.toggled(env.env);
+  const bool can = app::enabled(command, env.env);
+  const ImU32 colour = command.group == "tool" ? toolColour(env.ui().tool) : 0;
+  const std::string tip = tipOf(command);
+  if (iconButton(env, {name.c_str(), command.icon, tip, active, can, size, colour, command.label})) {
+    env.sink.run(command);
   }
 }
 
 float wordButtonWidth(const PanelEnv& env, std::string_view text, float height) {
   const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
-  return height +
-         env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x +
-         8;
+  return height + env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x + 8;
 }
 
 void wordButton(const PanelEnv& env, const WordButton& button) {
-  const app::Command* command = app::findCommand(button.id);
-  if (command == nullptr) return;
-  const bool active = command->toggled != nullptr && command->toggled(env.env);
-  const bool can = app::enabled(*command, env.env);
+  const app::Command& command = app::commandOf(button.id);
+  const bool active = command.toggled != nullptr && command.toggled(env.env);
+  const bool can = app::enabled(command, env.env);
   ImGui::BeginDisabled(!can);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed =
-      ImGui::InvisibleButton(std::string(button.id).c_str(), {button.width, button.height});
-  tellControl(env, app::Control::Kind::Button, command->label, can, active);
+      ImGui::InvisibleButton(std::string(std::string_view(button.id)).c_str(), {button.width, button.height});
+  registerControl(env, app::Control::Kind::Button, command.label, can, active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.width, at.y + button.height};
@@ -185,28 +178,24 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   const ImU32 ink = active ? button.colour : can ? kInk : rgb(0x5c6474, 110);
   ImFont* icons = env.fonts.icons;
   const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
-  const char* text = iconText(command->icon);
+  const char* text = iconText(command.icon);
   const ImVec2 extent = icons->CalcTextSizeA(size, FLT_MAX, 0, text);
-  list.AddText(icons, size, {at.x + (button.height - extent.x) / 2, at.y + (button.height - extent.y) / 2},
-               ink, text);
+  list.AddText(icons, size, {at.x + (button.height - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink, text);
   if (button.width > button.height + 8) {
     ImFont* font = env.fonts.small;
     const float height = font->FontSize * scale;
-    const std::string_view label = command->label;
-    list.AddText(font, height, {at.x + button.height - 4, at.y + (button.height - height) / 2}, ink,
-                 label.data(), label.data() + label.size());
+    const std::string_view label = command.label;
+    list.AddText(font, height, {at.x + button.height - 4, at.y + (button.height - height) / 2}, ink, label.data(),
+                 label.data() + label.size());
   }
   ImGui::EndDisabled();
-  tooltip(button.width > button.height + 8 ? command->hint : std::string_view(tipOf(*command)));
-  if (pressed && can) env.sink.run(button.id);
+  tooltip(button.width > button.height + 8 ? command.hint : std::string_view(tipOf(command)));
+  if (pressed && can) env.sink.run(command);
 }
 
 float textButtonWidth(const PanelEnv& env, std::string_view text) {
   const float size = env.fonts.text->FontSize * ImGui::GetIO().FontGlobalScale;
-  return env.fonts.text
-             ->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size())
-             .x +
-         24;
+  return env.fonts.text->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x + 24;
 }
 
 bool textButton(const PanelEnv& env, const TextButton& button) {
@@ -214,7 +203,7 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   const float width = button.width > 0 ? button.width : textButtonWidth(env, button.text);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + button.height};
   const bool pressed = ImGui::InvisibleButton(button.id, {width, button.height});
-  tellControl(env, app::Control::Kind::Button, button.text, button.enabled, button.primary);
+  registerControl(env, app::Control::Kind::Button, button.text, button.enabled, button.primary);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 plain = hovered ? kHover : rgb(0xfaf9f6);
@@ -225,8 +214,7 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   const char* from = button.text.data();
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, from, from + button.text.size());
   const ImU32 ink = !button.enabled ? rgb(0x5c6474, 110) : button.primary ? kSurface : kInk;
-  list.AddText(font, size,
-               {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink, from,
+  list.AddText(font, size, {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink, from,
                from + button.text.size());
   ImGui::EndDisabled();
   return pressed && button.enabled;
@@ -245,13 +233,13 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);
   const std::string_view shown = tile.text.empty() ? tile.tip : tile.text;
-  tellControl(env, app::Control::Kind::Button, tile.words.empty() ? shown : tile.words, tile.enabled, tile.active);
+  registerControl(env, app::Control::Kind::Button, tile.words.empty() ? shown : tile.words, tile.enabled, tile.active);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + tile.size.x, at.y + tile.size.y};
   list.AddRectFilled(at, end, tile.active ? kAccentSoft : hovered ? kHover : rgb(0xfaf9f6), 8);
-  list.AddRect({at.x + 0.5f, at.y + 0.5f}, {end.x - 0.5f, end.y - 0.5f},
-               tile.active ? kAccent : kLine, 8, 0, tile.active ? 1.6f : 1.f);
+  list.AddRect({at.x + 0.5f, at.y + 0.5f}, {end.x - 0.5f, end.y - 0.5f}, tile.active ? kAccent : kLine, 8, 0,
+               tile.active ? 1.6f : 1.f);
   const ImU32 ink = tile.active ? kAccent : kInk;
   const float textHeight = tile.text.empty() ? 0 : 15.f;
   const float room = tile.size.y - textHeight;
@@ -262,39 +250,34 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
     ImFont* font = env.fonts.small;
     const float size = font->FontSize * ImGui::GetIO().FontGlobalScale * 0.92f;
     const std::string_view text = fitting(font, tile.text, tile.size.x - 4);
-    const ImVec2 extent =
-        font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
-    list.AddText(font, size,
-                 {std::round(at.x + (tile.size.x - extent.x) / 2), end.y - extent.y - 4},
+    const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
+    list.AddText(font, size, {std::round(at.x + (tile.size.x - extent.x) / 2), end.y - extent.y - 4},
                  tile.active ? kAccent : kMuted, text.data(), text.data() + text.size());
   }
   tooltip(tile.tip);
   return pressed;
 }
 
-void commandTile(const PanelEnv& env, std::string_view id, std::string_view text, ImVec2 size) {
-  const app::Command* command = app::findCommand(id);
-  if (command == nullptr) return;
-  const std::string name(id);
-  const bool on = command->toggled != nullptr && command->toggled(env.env);
+void commandTile(const PanelEnv& env, app::CommandId id, std::string_view text, ImVec2 size) {
+  const app::Command& command = app::commandOf(id);
+  const std::string name{std::string_view(id)};
+  const bool on = command.toggled != nullptr && command.toggled(env.env);
   const std::string_view below = size.y < 50 ? std::string_view() : text;
-  const bool can = app::enabled(*command, env.env);
-  const bool pressed = tile(env, {name.c_str(), below, command->hint, size, on, command->label, can},
+  const bool can = app::enabled(command, env.env);
+  const bool pressed = tile(env, {name.c_str(), below, command.hint, size, on, command.label, can},
                             [&](ImDrawList& list, ImVec2 c, float, ImU32) {
-                              const char* icon = iconText(command->icon);
+                              const char* icon = iconText(command.icon);
                               ImFont* font = env.fonts.icons;
                               const float side = font->FontSize * ImGui::GetIO().FontGlobalScale;
                               const ImVec2 extent = font->CalcTextSizeA(side, FLT_MAX, 0, icon);
-                              list.AddText(font, side, {c.x - extent.x / 2, c.y - extent.y / 2},
-                                           kAccent, icon);
+                              list.AddText(font, side, {c.x - extent.x / 2, c.y - extent.y / 2}, kAccent, icon);
                             });
-  if (pressed && can) env.sink.run(id);
+  if (pressed && can) env.sink.run(command);
 }
 
 void dragScroll() {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
-                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
     return;
   }
   if (!ImGui::IsMouseDragging(0, kDragSlop)) return;

@@ -18,7 +18,8 @@ const char* iconText(std::string_view name);
 bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra = 0);
 
 /// Tells the page what the last item is (UiState::controls). Whatever can be pressed says it here.
-void tellControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled = true, bool on = false);
+void registerControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled = true,
+                     bool on = false);
 
 /// A floating card of buttons; its place is kept from the tools.
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
@@ -41,12 +42,12 @@ struct IconButton {
   bool active = false;
   bool enabled = true;
   float size = 36;
-  ImU32 colour = 0;  ///< when active; 0: the accent of the page
+  ImU32 colour = 0;             ///< when active; 0: the accent of the page
   std::string_view words = {};  ///< what it does; empty: `tip`
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);
 /// The button of a command; runs it when pressed. Tools have their own colours.
-void commandButton(const PanelEnv& env, std::string_view id, float size);
+void commandButton(const PanelEnv& env, app::CommandId id, float size);
 
 /// A button with words; `primary` is the one that ends the work.
 struct TextButton {
@@ -74,7 +75,7 @@ class WordButtons {
 /// A button of a command that says its word beside the icon when it is wider than high; what is
 /// switched on has `colour`.
 struct WordButton {
-  std::string_view id;
+  app::CommandId id;
   float width = 36, height = 36;
   ImU32 colour = 0;
 };
@@ -96,7 +97,7 @@ using TilePaint = std::function<void(ImDrawList&, ImVec2, float, ImU32)>;
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
 
 /// A tile that runs a command, with its icon and a word.
-void commandTile(const PanelEnv& env, std::string_view id, std::string_view text, ImVec2 size);
+void commandTile(const PanelEnv& env, app::CommandId id, std::string_view text, ImVec2 size);
 
 /// Scrolls the current window when a finger or the mouse drags its content.
 void dragScroll();

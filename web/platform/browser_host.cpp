@@ -14,6 +14,11 @@ EM_JS(void, splSend, (const char* json), {
   if (host && host.onEvent) host.onEvent(UTF8ToString(json));
 });
 
+EM_JS(void, splSolve, (const char* json, const void* meshes), {
+  const host = Module['host'];
+  if (host) host.onSolve(UTF8ToString(json), meshes);
+});
+
 EM_JS(int, splReducedMotion, (), {
   return window.matchMedia('(prefers-reduced-motion: reduce)').matches ? 1 : 0;
 });
@@ -73,9 +78,7 @@ bool softwareGl() {
   return software;
 }
 
-int backing(double css, double dpr) {
-  return std::max(1, static_cast<int>(std::lround(css * dpr)));
-}
+int backing(double css, double dpr) { return std::max(1, static_cast<int>(std::lround(css * dpr))); }
 
 void appendQuoted(std::string& json, std::string_view text) {
   json += '"';
@@ -118,8 +121,13 @@ void BrowserHost::wakeAfter(double milliseconds) {
 
 void BrowserHost::send(std::string_view json) { splSend(std::string(json).c_str()); }
 
-void BrowserHost::sendFile(std::string_view name, std::string_view mediaType,
-                           std::span<const std::uint8_t> bytes) {
+void BrowserHost::solve(std::string_view json, std::span<const SolverMesh> meshes) {
+  // The shell reads five numbers a mesh (web/shell/engine.ts).
+  static_assert(sizeof(SolverMesh) == 5 * sizeof(std::uint32_t));
+  splSolve(std::string(json).c_str(), meshes.data());
+}
+
+void BrowserHost::sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) {
   std::string json = R"({"type":"file","name":)";
   appendQuoted(json, name);
   json += R"(,"mediaType":)";
@@ -139,8 +147,8 @@ bool openWindow(const CanvasSize& size) {
   glfwWindowHint(GLFW_DEPTH_BITS, 24);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHint(GLFW_SAMPLES, softwareGl() ? 0 : kSamples);
-  GLFWwindow* window = glfwCreateWindow(
-      backing(size.width, size.dpr), backing(size.height, size.dpr), "SpineLoft", nullptr, nullptr);
+  GLFWwindow* window =
+      glfwCreateWindow(backing(size.width, size.dpr), backing(size.height, size.dpr), "SpineLoft", nullptr, nullptr);
   splDropGlfwListeners();
   if (window == nullptr) return false;
   glfwMakeContextCurrent(window);
@@ -155,8 +163,7 @@ void resizeCanvas(const CanvasSize& size) {
 double usableDpr(const CanvasSize& wanted) {
   const double dpr = std::clamp(wanted.dpr, 0.5, kMaxDpr);
   if (dpr <= 1 || !softwareGl()) return dpr;
-  const double affordable =
-      std::sqrt(kSoftwarePixels / std::max(1.0, wanted.width * wanted.height));
+  const double affordable = std::sqrt(kSoftwarePixels / std::max(1.0, wanted.width * wanted.height));
   return std::clamp(affordable, 1.0, dpr);
 }
 

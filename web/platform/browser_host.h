@@ -15,8 +15,8 @@ class BrowserHost final : public Host {
   void requestFrame() override;
   void wakeAfter(double milliseconds) override;
   void send(std::string_view json) override;
-  void sendFile(std::string_view name, std::string_view mediaType,
-                std::span<const std::uint8_t> bytes) override;
+  void solve(std::string_view json, std::span<const SolverMesh> meshes) override;
+  void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) override;
   bool reducedMotion() const override;
 
   Page* page = nullptr;

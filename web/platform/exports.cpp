@@ -51,15 +51,13 @@ const char* text(const char* given) { return given ? given : ""; }
 
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE int spl_start(const std::uint8_t* font, int fontLength,
-                                   const std::uint8_t* bold, int boldLength,
-                                   const std::uint8_t* icons, int iconsLength, double width,
-                                   double height, double dpr) {
+EMSCRIPTEN_KEEPALIVE int spl_start(const std::uint8_t* font, int fontLength, const std::uint8_t* bold, int boldLength,
+                                   const std::uint8_t* icons, int iconsLength, double width, double height,
+                                   double dpr) {
   if (page() != nullptr) return 1;
   const CanvasSize size = sizeOf(width, height, dpr);
   if (!openWindow(size)) return 0;
-  FontFiles fonts{bytesOf(font, fontLength), bytesOf(bold, boldLength),
-                  bytesOf(icons, iconsLength)};
+  FontFiles fonts{bytesOf(font, fontLength), bytesOf(bold, boldLength), bytesOf(icons, iconsLength)};
   door().page = makePage(door().host, std::move(fonts), size);
   door().host.page = page();
   return page() != nullptr ? 1 : 0;
@@ -74,16 +72,14 @@ EMSCRIPTEN_KEEPALIVE void spl_resize(double width, double height, double dpr) {
   page()->frame();
 }
 
-EMSCRIPTEN_KEEPALIVE void spl_pointer(int kind, int id, int device, int button, int buttons,
-                                      double x, double y, double pressure, double timeMs,
-                                      int modifiers) {
+EMSCRIPTEN_KEEPALIVE void spl_pointer(int kind, int id, int device, int button, int buttons, double x, double y,
+                                      double pressure, double timeMs, int modifiers) {
   if (page() == nullptr || kind < 0 || kind > 4 || device < 0 || device > 2) return;
-  page()->pointer({static_cast<PointerKind>(kind), id, static_cast<Device>(device), button, buttons,
-                   x, y, pressure, timeMs, modifiers});
+  page()->pointer({static_cast<PointerKind>(kind), id, static_cast<Device>(device), button, buttons, x, y, pressure,
+                   timeMs, modifiers});
 }
 
-EMSCRIPTEN_KEEPALIVE void spl_wheel(double x, double y, double deltaX, double deltaY,
-                                    int modifiers) {
+EMSCRIPTEN_KEEPALIVE void spl_wheel(double x, double y, double deltaX, double deltaY, int modifiers) {
   if (page() != nullptr) page()->wheel({x, y, deltaX, deltaY, modifiers});
 }
 
@@ -92,9 +88,8 @@ EMSCRIPTEN_KEEPALIVE int spl_key(const char* code, const char* key, int down, in
   return page()->key({text(code), text(key), down != 0, modifiers}) ? 1 : 0;
 }
 
-EMSCRIPTEN_KEEPALIVE const char* spl_addPicture(const std::uint8_t* rgba, int width, int height,
-                                                int originalWidth, int originalHeight,
-                                                const char* name) {
+EMSCRIPTEN_KEEPALIVE const char* spl_addPicture(const std::uint8_t* rgba, int width, int height, int originalWidth,
+                                                int originalHeight, const char* name) {
   if (page() == nullptr) return "";
   image::Picture picture;
   if (rgba != nullptr && width > 0 && height > 0) {
@@ -103,16 +98,17 @@ EMSCRIPTEN_KEEPALIVE const char* spl_addPicture(const std::uint8_t* rgba, int wi
   return page()->addPicture(std::move(picture), text(name)).c_str();
 }
 
-EMSCRIPTEN_KEEPALIVE const char* spl_state() { return page() ? page()->state().c_str() : "null"; }
-EMSCRIPTEN_KEEPALIVE const char* spl_commands() {
-  return page() ? page()->commands().c_str() : "[]";
+EMSCRIPTEN_KEEPALIVE const char* spl_probe(const std::uint8_t* bytes, std::uint32_t length) {
+  if (page() == nullptr || bytes == nullptr) return "";
+  return page()->probePicture({bytes, length}).c_str();
 }
+
+EMSCRIPTEN_KEEPALIVE const char* spl_state() { return page() ? page()->state().c_str() : "null"; }
+EMSCRIPTEN_KEEPALIVE const char* spl_commands() { return page() ? page()->commands().c_str() : "[]"; }
 EMSCRIPTEN_KEEPALIVE const char* spl_run(const char* id, const char* args) {
   return page() ? page()->run(text(id), text(args)).c_str() : "";
 }
-EMSCRIPTEN_KEEPALIVE const char* spl_lastError() {
-  return page() ? page()->lastError().c_str() : "null";
-}
+EMSCRIPTEN_KEEPALIVE const char* spl_lastError() { return page() ? page()->lastError().c_str() : "null"; }
 EMSCRIPTEN_KEEPALIVE const char* spl_sentence(const char* errorName) {
   return page() ? page()->sentence(text(errorName)).c_str() : "";
 }
@@ -145,19 +141,12 @@ EMSCRIPTEN_KEEPALIVE int spl_warmUp() { return warmUp() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
   if (page() != nullptr) page()->cancelWork();
 }
-EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* bytes,
-                                     std::uint32_t length) {
+EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* bytes, std::uint32_t length) {
   if (page() == nullptr) return;
   page()->solved(text(answer), {bytes, bytes == nullptr ? 0 : length});
 }
-EMSCRIPTEN_KEEPALIVE void spl_prepareSolids() {
-  if (page() != nullptr) page()->prepareSolids();
-}
 EMSCRIPTEN_KEEPALIVE void spl_finishParts() {
   if (page() != nullptr) page()->finishParts();
-}
-EMSCRIPTEN_KEEPALIVE void spl_markSaved() {
-  if (page() != nullptr) page()->markSaved();
 }
 
 EMSCRIPTEN_KEEPALIVE const char* spl_history() { return page() ? page()->history().c_str() : ""; }
@@ -169,14 +158,13 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_photo(const char* hash, std::int32_
   const auto photo = page() ? page()->photo(text(hash)) : nullptr;
   if (photo == nullptr || sizes == nullptr) return nullptr;
   const image::Picture& picture = *photo;
-  const std::int32_t all[] = {picture.working.width, picture.working.height, picture.width,
-                              picture.height};
+  const std::int32_t all[] = {picture.working.width, picture.working.height, picture.width, picture.height};
   std::ranges::copy(all, sizes);
   return picture.working.pixels.data();
 }
 
-EMSCRIPTEN_KEEPALIVE const char* spl_layPhotoBy(const std::uint8_t* rgba, int width, int height,
-                                                int originalWidth, int originalHeight) {
+EMSCRIPTEN_KEEPALIVE const char* spl_layPhotoBy(const std::uint8_t* rgba, int width, int height, int originalWidth,
+                                                int originalHeight) {
   if (page() == nullptr || rgba == nullptr || width < 1 || height < 1) return "";
   return page()->layPhotoBy(pictureOf(rgba, {width, height}, {originalWidth, originalHeight})).c_str();
 }

@@ -8,6 +8,14 @@
 
 namespace spineloft::platform {
 
+/// A mesh that the solver of solids is given: the engine's own arrays, which the shell copies at once.
+struct SolverMesh {
+  std::uint32_t vertices = 0, triangles = 0;
+  const float* positions = nullptr;        ///< three a vertex
+  const float* uv = nullptr;               ///< two a vertex; null: it has none
+  const std::uint32_t* corners = nullptr;  ///< three a triangle
+};
+
 class Host {
  public:
   virtual ~Host() = default;
@@ -20,10 +28,11 @@ class Host {
   virtual void wakeAfter(double milliseconds) = 0;
   /// Hands one event of the contract to the shell, as JSON.
   virtual void send(std::string_view json) = 0;
+  /// Asks the solver of solids: {type: 'solve', id, meshes, nodes, wanted} with the meshes behind the keys in its list.
+  virtual void solve(std::string_view json, std::span<const SolverMesh> meshes) = 0;
   /// Hands a finished file to the shell, which copies the bytes at once and offers them as
   /// download.
-  virtual void sendFile(std::string_view name, std::string_view mediaType,
-                        std::span<const std::uint8_t> bytes) = 0;
+  virtual void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) = 0;
   /// The visitor asked the system for less motion.
   virtual bool reducedMotion() const = 0;
 };

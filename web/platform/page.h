@@ -63,6 +63,8 @@ class Page {
   virtual bool key(const KeyEvent& event) = 0;
   /// As `run` answers.
   virtual const std::string& addPicture(image::Picture picture, std::string_view name) = 0;
+  /// What is to be known of a picture file before it is decoded (io::probeJson).
+  virtual const std::string& probePicture(std::span<const std::uint8_t> file) = 0;
   /// Texts stay valid until the next call that returns one.
   virtual const std::string& state() = 0;
   virtual const std::string& commands() = 0;
@@ -79,16 +81,13 @@ class Page {
   virtual void answer(std::string_view id, std::string_view text) = 0;
   virtual bool idle() = 0;
   virtual void cancelWork() = 0;
-  virtual void markSaved() = 0;
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
-  /// web/app/solid_work.h).
+  /// web/model/solid_work.h).
   virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;
-  /// Nobody waits for anything: the solver may get ready what is likely to be stuck together.
-  virtual void prepareSolids() = 0;
   /// A file is wanted: the solver mends what goes through itself; `idle` when it has.
   virtual void finishParts() = 0;
 
-  // Keeping models on the device; see web/app/keeping.h.
+  // Keeping models on the device; see web/model/keeping.h.
   /// The whole history as a base of the journal.
   virtual const std::string& history() = 0;
   /// JSON list of the content hashes of its photos.

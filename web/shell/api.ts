@@ -1,5 +1,5 @@
 // The public API of the page, `window.spineloft`: plain JSON in and out, for tests, embedders and
-// scripts. The README documents it for people; this file is its contract.
+// scripts. This file is its contract; assets/docs/api.md is made from it (node .ci/api_page.mjs).
 
 /** A point in picture pixels: x to the right, y down, pixel centres at integers. */
 export type PicturePoint = [x: number, y: number];
@@ -237,7 +237,7 @@ export interface State {
   threads: number;
   /** Milliseconds of the last run of each stage. */
   lastMs: { edges: number; ribs: number; loft: number };
-  /** True when there are parts that are in no file yet; the page keeps them on the device all the same. */
+  /** True when there are parts and no GLB or .spineloft file holds the model as it is; the page keeps it on the device all the same. */
   unsaved: boolean;
   /** Long work in words, with its share done (0…1). */
   activity: { label: string; done: number } | null;
@@ -387,11 +387,13 @@ export interface SpineLoftApi {
   memory(): { engine: number; solver: number };
   /** Where a picture pixel is on the page now, in client CSS pixels. */
   imageToClient(x: number, y: number): { x: number; y: number };
+  /** What is on the page now. */
   state(): State;
+  /** The command table: what can be run, and whether it can be run now. */
   commands(): Command[];
   /** Runs a command of the table by its id; resolves when the page shows what it did (work may go on: `idle()`). */
   run(id: string, args?: Record<string, unknown>): Promise<void>;
-  /** All visible parts as the bytes of a file. */
+  /** All visible parts as the bytes of a file; waits for solids and for parts that are still searched for. */
   exportModel(format: ExportFormat): Promise<Uint8Array>;
 }
 

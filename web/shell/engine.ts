@@ -6,7 +6,7 @@ import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
 import type { TurntableEvent } from './turntable.ts';
-import type { WorkingCopy } from './picture.ts';
+import type { Probe, WorkingCopy } from './picture.ts';
 import { waitForEnd } from './solids/lifeline.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
@@ -24,7 +24,6 @@ export type EngineEvent =
   | { type: 'stopSolving' }
   /** The part of a solid that is chosen, and so the likely one to be edited next. */
   | { type: 'expectEdit'; part: number | null }
-  | SolveEvent
   | TurntableEvent
   | JournalEvent
   | KeepEvent;
@@ -100,6 +99,7 @@ interface Module {
     originalHeight: number,
     name: number,
   ): number;
+  _spl_probe(bytes: number, length: number): number;
   _spl_state(): number;
   _spl_commands(): number;
   _spl_run(id: number, args: number): number;
@@ -112,10 +112,8 @@ interface Module {
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
   _spl_warmUp(): number;
-  _spl_prepareSolids(): void;
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
-  _spl_markSaved(): void;
   _spl_solved(answer: number, bytes: number, length: number): void;
   _spl_history(): number;
   _spl_photos(): number;
@@ -135,9 +133,6 @@ interface Outcome {
   sentence?: string;
   dropped?: number;
 }
-
-/** What `performance` holds when the solver of solids is as quick as it gets. */
-const kSolidsWarmMark = 'spineloft-solids-warm';
 
 /** True where worker threads can share memory and the address does not ask for the other build. */
 export function wantsThreads(): boolean {
@@ -163,10 +158,8 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
         onEvent(raw);
         return;
       }
-      if (raw.type === 'solve' || raw.type === 'stopSolving') {
-        // At once: the meshes are only there now. Answers come later, never from within.
-        if (raw.type === 'solve') solver?.ask(raw);
-        else solver?.stop();
+      if (raw.type === 'stopSolving') {
+        solver?.stop();
         return;
       }
       if (raw.type === 'expectEdit') {
@@ -176,28 +169,55 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
       if (queue.length === 0) queueMicrotask(deliver);
       queue.push(raw.type === 'file' && module ? withBytes(raw, module) : (raw as EngineEvent));
     },
+    /** At once: the meshes are only there now. Answers come later, never from within. */
+    onSolve(json: string, meshes: number) {
+      const { meshes: keys, ...rest } = JSON.parse(json) as SolveRequestText;
+      if (module) solver?.ask({ ...rest, meshes: meshesAt(module.wasmMemory.buffer, meshes, keys) });
+    },
   };
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
   module = await create({ canvas, host, sharp });
   const engine = new Engine(module);
-  solver = engine.solver = solverOf(engine, module);
+  solver = engine.solver = solverOf(engine);
   return engine;
 }
 
-function solverOf(engine: Engine, module: Module): Solver {
+/** What the engine asks of the solver of solids, with the keys of its meshes. */
+type SolveRequestText = Omit<SolveEvent, 'meshes'> & { meshes: string[] };
+
+/** The engine's arrays of these meshes: platform::SolverMesh of web/platform/host.h, five numbers each. */
+export function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): SolveEvent['meshes'] {
+  const table = new Uint32Array(memory, at, 5 * keys.length);
+  return keys.map((key, i) => {
+    const [vertices, triangles, positions, uv, corners] = [...table.subarray(5 * i, 5 * i + 5)] as [
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    return {
+      key,
+      mesh: {
+        positions: new Float32Array(memory, positions, 3 * vertices),
+        uv: new Float32Array(memory, uv, uv === 0 ? 0 : 2 * vertices),
+        triangles: new Uint32Array(memory, corners, 3 * triangles),
+      },
+    };
+  });
+}
+
+function solverOf(engine: Engine): Solver {
   return new Solver({
     start: () => {
       const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
       const worker = new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module', name });
       worker.addEventListener('message', ({ data }) => {
-        if (data.type === 'warm') performance.mark(kSolidsWarmMark);
         if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
       });
       return worker as unknown as SolidWorker;
     },
-    floats: (at, count) => new Float32Array(module.wasmMemory.buffer, at, count).slice(),
-    integers: (at, count) => new Uint32Array(module.wasmMemory.buffer, at, count).slice(),
     answer: (json, bytes) => engine.solved(json, bytes),
   });
 }
@@ -278,6 +298,16 @@ export class Engine {
     }
   }
 
+  /** What the engine says of a picture file before it is decoded. */
+  probe(bytes: Uint8Array): Probe {
+    const at = this.put(bytes);
+    try {
+      return JSON.parse(this.text(this.module._spl_probe(at, bytes.length))) as Probe;
+    } finally {
+      this.module._free(at);
+    }
+  }
+
   state(): State {
     return JSON.parse(this.text(this.module._spl_state())) as State;
   }
@@ -344,11 +374,6 @@ export class Engine {
     return this.module._spl_warmUp() === 1;
   }
 
-  /** Has the solver of solids put together what is likely to be asked for, where that is little. */
-  prepareSolids(): void {
-    this.module._spl_prepareSolids();
-  }
-
   /** A file is wanted: the solver of solids mends the parts that go through themselves; idle when it has. */
   finishParts(): void {
     this.module._spl_finishParts();
@@ -356,10 +381,6 @@ export class Engine {
 
   cancelWork(): void {
     this.module._spl_cancelWork();
-  }
-
-  markSaved(): void {
-    this.module._spl_markSaved();
   }
 
   /** What the solver of solids says, with the arrays of a mesh. */

@@ -17,13 +17,12 @@ import type { Sample } from './start_page.ts';
 import { toast } from './toasts.ts';
 import { gifOf, pngOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
-import { SolidWarmUp } from './warm_up.ts';
+import { isSolidLikely, startSolver } from './warm_up.ts';
 
 export class Page {
   private engine: Engine | null = null;
   private state: State | null = null;
   private keeper: Keeper | null = null;
-  private solids: SolidWarmUp | null = null;
   private readOnly = false;
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
   private passing: string | null = null;
@@ -53,7 +52,6 @@ export class Page {
   /** The engine runs: from now on the DOM follows it. */
   async attach(engine: Engine): Promise<void> {
     this.engine = engine;
-    this.solids = new SolidWarmUp(engine);
     engine.run('load-shelf', { slices: readShelf() });
     watchShelf((slices) => this.run('load-shelf', { slices }));
     this.keeper = new Keeper(engine, {
@@ -105,7 +103,6 @@ export class Page {
         break;
       case 'file':
         download(event.name, event.mediaType, event.bytes);
-        this.engine?.markSaved();
         toast(`Saved ${event.name}.`);
         break;
       case 'pickPicture':
@@ -210,7 +207,7 @@ export class Page {
     this.opening.add(aborter);
     this.showProgress();
     try {
-      const picture = await decodePicture(blob, (code) => engine.sentence(code));
+      const picture = await decodePicture(blob, engine);
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
       this.sayUntilNext(`${name} is open: ${picture.originalWidth} by ${picture.originalHeight} pixels.`);
@@ -319,8 +316,9 @@ export class Page {
 
   private refresh(): void {
     if (!this.engine) return;
-    this.state = this.engine.state();
-    const { state } = this;
+    const before = this.state,
+      state = (this.state = this.engine.state());
+    if (!this.readOnly && isSolidLikely(before, state)) startSolver(this.engine);
     if (this.passing !== null && this.passing !== placeOf(state)) this.say('');
     const hasPicture = state.picture !== null;
     document.body.dataset.stage = hasPicture ? 'work' : 'start';
@@ -334,7 +332,6 @@ export class Page {
     byId('status-end').textContent = hasPicture ? summary(state) : '';
     byId('status-history').textContent = state.undo + state.redo > 0 ? historyText(state) : '';
     this.showProgress();
-    if (!this.readOnly) this.solids?.see(state);
   }
 
   /** True when closing the page would lose something: work that is neither in a file nor kept on this device. */

@@ -2,15 +2,12 @@
 // first stroke meets fast code.
 import type { State } from './api.ts';
 import type { Engine } from './engine.ts';
-import { kWorthSharing } from './solids/helper.ts';
 
 /** Rounds after which what matters has been called often enough. */
 const kRounds = 12;
 /** A round is begun only in idle time of at least this many milliseconds; without such a measure, this long after the last one. */
 const kSlice = 10;
 const kPause = 120;
-/** After so long without a change, ms, what is likely to be stuck together is put together. */
-const kRest = 1000;
 /** What `performance` holds when all rounds have run. */
 export const kWarmMark = 'spineloft-warm';
 
@@ -35,59 +32,18 @@ export function warmUpWhenIdle(engine: Engine): void {
   requestAnimationFrame(() => setTimeout(later, kPause));
 }
 
-type Seen = Pick<State, 'picked' | 'undo'> & { parts: Pick<State['parts'][number], 'triangles'>[] };
-
-/** Whether a step was taken between two looks; a model that is opened brings its own steps, and all its parts at once. */
-export function wasWorkedAt(before: Seen, now: Seen): boolean {
-  return before.parts.length > 0 && now.undo === before.undo + 1;
-}
+type Seen = Pick<State, 'picked' | 'undo'> & { parts: readonly unknown[] };
 
 /**
- * How many workers of solids are likely to be needed soon: one as soon as there is something to stick together in a model
- * that is worked at, two when a large union is being picked.
+ * Whether a solid is likely to be asked for soon: parts are ticked, or a step was taken in a model of two parts. A model
+ * that is only opened and looked at brings its own steps, and all its parts at once.
  */
-export function solidWorkersFor({ parts, picked }: Seen, isWorkedAt: boolean): 0 | 1 | 2 {
-  if (parts.length < 2 || (!isWorkedAt && picked.length === 0)) return 0;
-  return picked.length > 1 &&
-    parts.length > 3 &&
-    parts.reduce((sum, { triangles }) => sum + triangles, 0) >= kWorthSharing
-    ? 2
-    : 1;
+export function isSolidLikely(before: Seen | null, { parts, picked, undo }: Seen): boolean {
+  if (parts.length < 2) return false;
+  return picked.length > 0 || (before !== null && before.parts.length > 0 && undo === before.undo + 1);
 }
 
-/** Has them started, and made quick, in idle moments. */
-export class SolidWarmUp {
-  private workers = 0;
-  private before: Seen | null = null;
-  private isWorkedAt = false;
-  private rest: ReturnType<typeof setTimeout> | undefined;
-
-  constructor(private readonly engine: Pick<Engine, 'isIdle' | 'prepareSolids' | 'solver'>) {}
-
-  see(state: State): void {
-    this.isWorkedAt ||= this.before !== null && wasWorkedAt(this.before, state);
-    this.before = state;
-    const before = this.workers,
-      workers = (this.workers = solidWorkersFor(state, this.isWorkedAt));
-    if (this.isWorkedAt && workers > 0) this.prepare();
-    if (workers <= before) return;
-    whenIdle(() => {
-      if (this.engine.isIdle()) this.engine.solver?.warm(workers > 1);
-      else this.workers = before;
-    });
-  }
-
-  /** Once the hand rests, and the page is seen: a page in the background does nothing unasked. */
-  private prepare(): void {
-    clearTimeout(this.rest);
-    this.rest = setTimeout(
-      () =>
-        whenIdle(() => {
-          if (document.visibilityState !== 'visible') return;
-          if (this.engine.isIdle()) this.engine.prepareSolids();
-          else this.prepare();
-        }),
-      kRest,
-    );
-  }
+/** Starts the worker of solids in an idle moment. */
+export function startSolver(engine: Engine): void {
+  whenIdle(() => engine.solver?.start());
 }

@@ -1,7 +1,8 @@
 #include "web/tools/depth_tool.h"
 
-#include "web/app/placing.h"
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/placing.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 namespace {
@@ -41,7 +42,7 @@ void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved() || !subject || handle_ < 0 || !(unit2 > 0)) return;
   const double by = dot(event.at - from_, unit_) / unit2;
   depth_ = app::raiseDepth(document::loftIn(*subject.part).pose.depth, app::handlePlace(handle_), by,
-                           env.ui.edit.boneReach);
+                           env.ui.edit.spineReach);
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
   preview.loft().pose.depth = depth_;
   preview.fresh = false;
@@ -50,13 +51,12 @@ void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
 void DepthTool::commit(const ToolEnv& env) {
   env.ui.inHand = {};
   if (!env.ui.preview) {
-    if (handle_ >= 0) env.sink.run("choose-handle", app::Json::Object{{"handle", handle_}});
+    if (handle_ >= 0) env.sink.run(app::chooseHandle, handle_);
     return;
   }
   const PartId part = env.ui.preview->part;
   env.ui.preview.reset();
-  env.sink.run("set-depth",
-               app::Json::Object{{"part", part.value}, {"points", curveJson(depth_)}});
+  env.sink.run(app::setDepth, part, depth_);
 }
 
 void DepthTool::cancel(const ToolEnv& env) {

@@ -1,4 +1,4 @@
-// Drags a handle of the bone towards the viewer or away from him, in the solid view from the side.
+// Drags a handle of the spine towards the viewer or away from him, in the solid view from the side.
 #pragma once
 
 #include "web/tools/pick.h"

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "web/app/slice_editing.h"
-#include "web/app/slice_json.h"
-#include "web/tools/slice_tools.h"
+#include "web/commands/intents.h"
+#include "web/edit/section_editing.h"
+#include "web/tools/section_tools.h"
 
 namespace spineloft::tools {
 namespace {
 
 constexpr double kDraggedOut = 40;  // CSS pixels above or below the graph
-constexpr double kLeastGap = 0.01;  // share of the bone between two points
+constexpr double kLeastGap = 0.01;  // share of the spine between two points
 constexpr double kAtEnd = 0.06;     // a tap this near an end is about the end
 
 using geometry::AlongPoint;
@@ -27,9 +27,9 @@ geometry::AlongCurve DragGraph::current(const ToolEnv& env) const {
   geometry::AlongCurve curve;
   if (part == nullptr) return curve;
   const loft::LoftParams& params = document::loftIn(*part).loft;
-  if (isBlend()) return params.sections[app::pickedStop(env.ui, *part)].blend.custom;
-  curve = app::alongOf(params, env.ui.slices.along);
-  for (AlongPoint& p : curve.points) p.value /= app::alongInfo(env.ui.slices.along).unit;
+  if (isBlend()) return params.sections[app::pickedSectionKey(env.ui, *part)].blend.custom;
+  curve = document::alongOf(params, env.ui.sections.along);
+  for (AlongPoint& p : curve.points) p.value /= app::alongInfo(env.ui.sections.along).unit;
   return curve;
 }
 
@@ -40,7 +40,7 @@ app::ClientPoint DragGraph::toCanvas(const ToolEnv&, const AlongPoint& p) const 
 
 void DragGraph::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
-  doubled_ = isDoubleTap(env.ui.slices, event);
+  doubled_ = isDoubleTap(env.ui.sections, event);
   start_ = current(env);
   double reach = reachOf(event);
   std::optional<std::size_t> hit;
@@ -54,9 +54,8 @@ void DragGraph::begin(const ToolEnv& env, const ToolEvent& event) {
     point_ = *hit;
   } else if (start_.points.size() < geometry::kMostAlongPoints) {
     double at = std::clamp((event.at.x - area_.at.x) / area_.at.width, 0.0, 1.0);
-    const double value =
-        area_.low + (area_.at.bottom() - event.at.y) / area_.at.height * (area_.high - area_.low);
-    const double rest = app::alongInfo(env.ui.slices.along).rest;
+    const double value = area_.low + (area_.at.bottom() - event.at.y) / area_.at.height * (area_.high - area_.low);
+    const double rest = app::alongInfo(env.ui.sections.along).rest;
     if (at < kAtEnd) at = 0;
     if (at > 1 - kAtEnd) at = 1;
     if (start_.empty()) start_.points = {{0, rest}, {1, rest}};
@@ -68,8 +67,8 @@ void DragGraph::begin(const ToolEnv& env, const ToolEvent& event) {
     next->value = isFixed(point_) ? next->value : std::clamp(value, area_.low, area_.high);
     fresh_ = true;
   }
-  env.ui.slices.graph = start_;
-  env.ui.slices.graphPoint = point_;
+  env.ui.sections.graph = start_;
+  env.ui.sections.graphPoint = point_;
   show(env);
 }
 
@@ -83,62 +82,58 @@ void DragGraph::move(const ToolEnv& env, const ToolEvent& event) {
   } else {
     AlongPoint& p = curve.points[point_];
     const double low = point_ > 0 ? curve.points[point_ - 1].at + kLeastGap : 0;
-    const double high =
-        point_ + 1 < curve.points.size() ? curve.points[point_ + 1].at - kLeastGap : 1;
+    const double high = point_ + 1 < curve.points.size() ? curve.points[point_ + 1].at - kLeastGap : 1;
     if (low <= high) p.at = std::clamp((event.at.x - at.x) / at.width, low, high);
     const double up = (at.bottom() - event.at.y) / at.height;
     p.value = std::clamp(area_.low + up * (area_.high - area_.low), area_.low, area_.high);
   }
-  env.ui.slices.graph = std::move(curve);
+  env.ui.sections.graph = std::move(curve);
   show(env);
 }
 
 /// The part with the curve as it is.
 void DragGraph::show(const ToolEnv& env) {
   const document::Part* part = document::findPart(env.document, env.ui.selection);
-  if (part == nullptr || !env.ui.slices.graph) return;
-  geometry::AlongCurve curve = *env.ui.slices.graph;
-  env.ui.slices.marked =
-      point_ < curve.points.size() ? std::optional(curve.points[point_].at) : std::nullopt;
+  if (part == nullptr || !env.ui.sections.graph) return;
+  geometry::AlongCurve curve = *env.ui.sections.graph;
+  env.ui.sections.marked = point_ < curve.points.size() ? std::optional(curve.points[point_].at) : std::nullopt;
   loft::LoftParams params = document::loftIn(*part).loft;
   if (isBlend()) {
-    params.sections[app::pickedStop(env.ui, *part)].blend.custom = std::move(curve);
-    env.ui.slices.marked.reset();
+    params.sections[app::pickedSectionKey(env.ui, *part)].blend.custom = std::move(curve);
+    env.ui.sections.marked.reset();
   } else {
-    const app::AlongInfo& info = app::alongInfo(env.ui.slices.along);
+    const app::AlongInfo& info = app::alongInfo(env.ui.sections.along);
     for (AlongPoint& p : curve.points) {
       p.value = std::clamp(p.value, info.low, info.high) * info.unit;
     }
-    app::alongOf(params, info.kind) = std::move(curve);
+    document::alongOf(params, info.kind) = std::move(curve);
   }
   if (loft::checkParams(params)) app::previewLoft(env.ui, *part, std::move(params));
 }
 
 void DragGraph::commit(const ToolEnv& env) {
-  if (!env.ui.slices.graph) return;
-  geometry::AlongCurve curve = *env.ui.slices.graph;
+  if (!env.ui.sections.graph) return;
+  geometry::AlongCurve curve = *env.ui.sections.graph;
   const bool remove = doubled_ && !watch_.moved() && !fresh_ && !isFixed(point_);
   if (remove && point_ < curve.points.size()) {
     curve.points.erase(curve.points.begin() + static_cast<std::ptrdiff_t>(point_));
   }
-  const double stop = static_cast<double>(env.ui.slices.stop);
   cancel(env);
-  if (curve == current(env)) return;
+  const document::Part* part = document::findPart(env.document, env.ui.selection);
+  if (part == nullptr || curve == current(env)) return;
   if (isBlend()) {
-    env.sink.run(
-        "set-blend",
-        app::Json::Object{{"blend", "custom"}, {"slice", stop}, {"points", app::curveJson(curve)}});
+    env.sink.run(app::setBlend, part->id, app::pickedSectionKey(env.ui, *part),
+                 loft::Blend{loft::BlendKind::Custom, curve});
   } else {
-    const app::AlongInfo& info = app::alongInfo(env.ui.slices.along);
+    const app::AlongInfo& info = app::alongInfo(env.ui.sections.along);
     for (AlongPoint& p : curve.points) p.value = std::clamp(p.value, info.low, info.high);
-    env.sink.run("set-along",
-                 app::Json::Object{{"kind", info.key}, {"points", app::curveJson(curve)}});
+    env.sink.run(app::setAlong, part->id, info.kind, curve);
   }
 }
 
 void DragGraph::cancel(const ToolEnv& env) {
-  env.ui.slices.graph.reset();
-  env.ui.slices.marked.reset();
+  env.ui.sections.graph.reset();
+  env.ui.sections.marked.reset();
   env.ui.preview.reset();
 }
 

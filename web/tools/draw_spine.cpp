@@ -1,7 +1,8 @@
 #include "web/tools/draw_spine.h"
 
-#include "web/app/outline.h"
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/outline.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 namespace {
@@ -29,8 +30,7 @@ void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
 }
 
 bool DrawSpine::usesPressure(const ToolEnv& env, const ToolEvent& event) {
-  return env.ui.edit.depthByPressure && event.device == platform::Device::Pen &&
-         !env.ui.preview->part;
+  return env.ui.edit.depthByPressure && event.device == platform::Device::Pen && !env.ui.preview->part;
 }
 
 void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
@@ -44,19 +44,19 @@ void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
 void DrawSpine::commit(const ToolEnv& env) {
   if (!env.ui.preview) {
     const PicturePoint p = toPicture(env, watch_.start());
-    const PartId part = app::partAt(env.document, env.derived, env.ui.picture, p,
-                                    kClickReach / env.ui.pictureView.zoom);
+    const PartId part =
+        app::partAt(env.document, env.derived, env.ui.picture, p, kClickReach / env.ui.pictureView.zoom);
     selectTapped(env, part, adds_);
     return;
   }
   const document::LoftRecipe& recipe = env.ui.preview->loft();
   const PartId redraw = env.ui.redraw;
-  app::Json::Object args{{"stroke", strokeJson(recipe.stroke)}};
-  if (redraw) args.emplace_back("part", redraw.value);
-  if (!redraw) args.emplace_back("cut", true);
-  if (!redraw && !recipe.pose.depth.empty()) args.emplace_back("depth", curveJson(recipe.pose.depth));
+  if (redraw) {
+    env.sink.run(app::redrawSpine, redraw, recipe.stroke);
+  } else {
+    env.sink.run(app::drawSpine, app::DrawSpineIntent{recipe.stroke, recipe.pose.depth, true});
+  }
   env.ui.preview.reset();
-  env.sink.run(redraw ? "redraw-spine" : "draw-spine", std::move(args));
 }
 
 void DrawSpine::cancel(const ToolEnv& env) { env.ui.preview.reset(); }

@@ -1,6 +1,7 @@
 #include "web/tools/ignore_tool.h"
 
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 
@@ -27,13 +28,15 @@ void IgnoreTool::commit(const ToolEnv& env) {
   const app::InHand hand = std::exchange(env.ui.inHand, {});
   env.ui.preview.reset();
   if (!hand.stroke.empty()) {
-    const bool picture = env.ui.edit.wholePicture || !editedPart(env);
-    env.sink.run("ignore", app::Json::Object{{"stroke", strokeJson(hand.stroke)},
-                                             {"radius", hand.radius},
-                                             {"covers", env.ui.edit.paintOver},
-                                             {"picture", picture}});
+    const ribs::IgnoreMark mark{hand.stroke, hand.radius, env.ui.edit.paintOver};
+    const bool forPicture = env.ui.edit.wholePicture || !editedPart(env);
+    if (forPicture) {
+      env.sink.run(app::ignoreForPicture, env.ui.picture, mark);
+    } else {
+      env.sink.run(app::ignoreForPart, env.ui.selection, mark);
+    }
   } else if (under_.mark >= 0) {
-    env.sink.run("remove-ignore", app::Json::Object{{"mark", under_.mark}});
+    env.sink.run(app::removeIgnored, static_cast<std::size_t>(under_.mark));
   } else {
     selectTapped(env, under_.part);
   }

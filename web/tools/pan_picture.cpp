@@ -1,6 +1,6 @@
 #include "web/tools/pan_picture.h"
 
-#include "web/app/outline.h"
+#include "web/edit/outline.h"
 #include "web/tools/pick.h"
 
 namespace spineloft::tools {

@@ -3,24 +3,24 @@
 #include <array>
 #include <limits>
 
-#include "web/app/outline.h"
-#include "web/app/picker.h"
-#include "web/app/placing.h"
-#include "web/app/region_editing.h"
-#include "web/app/slice_editing.h"
+#include "web/commands/intents.h"
+#include "web/edit/outline.h"
+#include "web/edit/picker.h"
+#include "web/edit/placing.h"
+#include "web/edit/region_editing.h"
+#include "web/edit/section_editing.h"
 #include "web/tools/place_tool.h"
 
 namespace spineloft::tools {
 namespace {
 
 constexpr double kPointSpacing = 1.5;  // CSS pixels between the points of a stroke
-constexpr double kLineReach = 8;       // CSS pixels round a bone that still count as it
+constexpr double kLineReach = 8;       // CSS pixels round a spine that still count as it
 
 double reachOf(const ToolEvent& event) { return event.touch() ? kTouchReach : kMouseReach; }
 
 /// The dot of another place of an end that is shown, if the pointer is on it.
-bool pickOther(const app::Subject& subject, const app::UiState& ui, PicturePoint p, double reach,
-               app::Hover& hover) {
+bool pickOther(const app::Subject& subject, const app::UiState& ui, PicturePoint p, double reach, app::Hover& hover) {
   const auto& all = subject.shape->ribs.ribs;
   double nearest = reach;
   for (const auto& end : {ui.chosen.end, ui.hover.end}) {
@@ -38,8 +38,7 @@ bool pickOther(const app::Subject& subject, const app::UiState& ui, PicturePoint
   return hover.other >= 0 && !ribs::nearestEnd(subject.shape->ribs, p, nearest);
 }
 
-void pickRib(const app::Subject& subject, const app::UiState& ui, PicturePoint p, double reach,
-             app::Hover& hover) {
+void pickRib(const app::Subject& subject, const app::UiState& ui, PicturePoint p, double reach, app::Hover& hover) {
   if (pickOther(subject, ui, p, reach, hover)) return;
   hover.other = -1;
   hover.end = ribs::nearestEnd(subject.shape->ribs, p, reach);
@@ -56,9 +55,8 @@ double toPolyline(PicturePoint p, const std::vector<PicturePoint>& line) {
   return nearest;
 }
 
-void pickBone(const app::Subject& subject, PicturePoint p, double reach, double lineReach,
-              app::Hover& hover) {
-  const std::vector<PicturePoint> handles = app::boneHandles(subject);
+void pickSpine(const app::Subject& subject, PicturePoint p, double reach, double lineReach, app::Hover& hover) {
+  const std::vector<PicturePoint> handles = app::spineHandles(subject);
   double nearest = reach;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     const double away = distance(p, handles[i]);
@@ -66,7 +64,7 @@ void pickBone(const app::Subject& subject, PicturePoint p, double reach, double 
     nearest = away;
     hover.handle = static_cast<int>(i);
   }
-  hover.bone = hover.handle < 0 && toPolyline(p, app::boneLine(subject)) <= lineReach;
+  hover.spine = hover.handle < 0 && toPolyline(p, app::spineLine(subject)) <= lineReach;
 }
 
 }  // namespace
@@ -79,32 +77,16 @@ app::Subject editedPart(const ToolEnv& env) {
 
 void selectTapped(const ToolEnv& env, PartId part, bool add) {
   if (env.document.parts.empty()) return;  // nothing to take, nothing to let go of
-  env.sink.run("select-part", app::Json::Object{{"id", part.value}, {"add", add}});
+  env.sink.run(app::selectPart, part, add);
 }
 
 PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at) {
   return env.ui.pictureView.toPicture(at, env.ui.layout.picture);
 }
 
-app::Json pointJson(PicturePoint p) { return app::Json::Array{p.x, p.y}; }
-
-app::Json strokeJson(const std::vector<PicturePoint>& stroke) {
-  app::Json::Array list;
-  list.reserve(stroke.size());
-  for (const PicturePoint p : stroke) list.push_back(pointJson(p));
-  return list;
-}
-
-app::Json curveJson(const geometry::AlongCurve& curve) {
-  app::Json::Array list;
-  for (const auto& [at, value] : curve.points) list.push_back(app::Json::Array{at, value});
-  return list;
-}
-
 bool extend(const ToolEnv& env, std::vector<PicturePoint>& stroke, app::ClientPoint at) {
   const PicturePoint p = toPicture(env, at);
-  const bool near =
-      !stroke.empty() && distance(p, stroke.back()) * env.ui.pictureView.zoom < kPointSpacing;
+  const bool near = !stroke.empty() && distance(p, stroke.back()) * env.ui.pictureView.zoom < kPointSpacing;
   if (near) return false;
   stroke.push_back(p);
   return true;
@@ -120,18 +102,18 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = editedPart(env);
   if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
-  } else if (ui.tool == ToolKind::Puff || ui.tool == ToolKind::Sheet) {
+  } else if (ui.tool == ToolKind::Inflate || ui.tool == ToolKind::Extrude) {
     const document::Part* part = app::partWithPoints(env.document, ui);
     if (part != nullptr) hover.outline = app::handleAt(*document::regionOf(part->recipe), p, reach);
   } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
     pickRib(subject, ui, p, reach, hover);
-  } else if (subject && ui.tool == ToolKind::Bone) {
-    pickBone(subject, p, reach, std::max(kLineReach, reachOf(event) * 0.7) * scale, hover);
+  } else if (subject && ui.tool == ToolKind::Spine) {
+    pickSpine(subject, p, reach, std::max(kLineReach, reachOf(event) * 0.7) * scale, hover);
   }
   if (ui.tool == ToolKind::Eraser || ui.tool == ToolKind::Ignore || ui.cut) {
     hover.brush = event.at;
   } else if (subject && subject.shape->centreLine.size() > 1 && ui.tool != ToolKind::Pen) {
-    const app::BonePlace place = app::nearestPlace(*subject.shape, p);
+    const app::SpinePlace place = app::nearestPlace(*subject.shape, p);
     if (place.distance <= kLineReach * scale) hover.along = place.at;
   }
   return hover;
@@ -141,16 +123,13 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   const app::UiState& ui = env.ui;
   app::Hover hover;
   const app::Subject subject = app::subjectOf(env.document, env.derived, ui.selection);
-  if (ui.tool == app::ToolKind::Bone && subject) {
-    const document::PictureEntry* entry =
-        document::findPicture(env.document, document::pictureOf(*subject.part));
+  if (ui.tool == app::ToolKind::Spine && subject) {
+    const document::PictureEntry* entry = document::findPicture(env.document, document::pictureOf(*subject.part));
     const std::vector<ModelPoint> handles = app::depthHandles(subject);
     double nearest = reachOf(event);
-    const pipeline::Copies copies =
-        app::shownCopies(ui, *subject.part, entry ? entry->size : image::Size{});
+    const pipeline::Copies copies = app::shownCopies(ui, *subject.part, entry ? entry->size : image::Size{});
     for (std::size_t i = 0; entry != nullptr && i < handles.size(); ++i) {
-      const auto at =
-          app::pointOnCanvas(ui.camera, ui.layout.solid, (*copies.begin())(handles[i]));
+      const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid, (*copies.begin())(handles[i]));
       if (!at || distance(*at, event.at) > nearest) continue;
       nearest = distance(*at, event.at);
       hover.depth = static_cast<int>(i);
@@ -180,11 +159,11 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
       if (hover.other >= 0) return "pointer";
       if (hover.end) return "grab";
       return hover.part ? "pointer" : "default";
-    case ToolKind::Bone:
+    case ToolKind::Spine:
       if (hover.handle >= 0) return "grab";
-      return hover.bone ? "move" : "crosshair";
-    case ToolKind::Puff:
-    case ToolKind::Sheet:
+      return hover.spine ? "move" : "crosshair";
+    case ToolKind::Inflate:
+    case ToolKind::Extrude:
       if (ui.cut) return "cell";
       return hover.outline ? "grab" : "crosshair";
     case ToolKind::Ignore:

@@ -1,7 +1,7 @@
 // What lies under the pointer for the tool in use: the same for hovering, pressing and the cursor.
 #pragma once
 
-#include "web/app/editing.h"
+#include "web/edit/editing.h"
 #include "web/tools/tool.h"
 
 namespace spineloft::tools {
@@ -22,9 +22,6 @@ app::Subject editedPart(const ToolEnv& env);
 /// A tap: takes the part in hand, or lets go of all where there is none; `add`: besides what is in hand.
 void selectTapped(const ToolEnv& env, PartId part, bool add = false);
 PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at);
-app::Json pointJson(PicturePoint p);
-app::Json strokeJson(const std::vector<PicturePoint>& stroke);
-app::Json curveJson(const geometry::AlongCurve& curve);
 /// Adds a point unless it is too close to the last one to matter. True when it was added.
 bool extend(const ToolEnv& env, std::vector<PicturePoint>& stroke, app::ClientPoint at);
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "web/app/placing.h"
+#include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/tools/pick.h"
 
 namespace spineloft::tools {
@@ -16,12 +17,6 @@ constexpr double kLeastSpread = 12;  // CSS pixels; nearer fingers only shift
 double angleOf(const FingerPair& pair) {
   const app::ClientPoint way = pair.b - pair.a;
   return std::atan2(way.y, way.x);
-}
-
-app::Json numbers(std::initializer_list<double> values) {
-  app::Json::Array list;
-  for (const double value : values) list.push_back(value);
-  return list;
 }
 
 }  // namespace
@@ -45,8 +40,7 @@ void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
   if (gizmo) drag_.handle = app::handleAt(*gizmo, event.at, touch_);
   if (gizmo) drag_.gizmo = *gizmo;
   if (drag_.handle == app::GizmoHandle::None) {
-    const app::Ray ray{env.ui.camera.eye(),
-                       app::rayThrough(env.ui.camera, env.ui.layout.solid, event.at)};
+    const app::Ray ray{env.ui.camera.eye(), app::rayThrough(env.ui.camera, env.ui.layout.solid, event.at)};
     const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray);
     pressed_ = hit.part;
     if (!app::isSelected(env.document, env.ui, pressed_)) {
@@ -63,8 +57,7 @@ void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
   env.ui.held = drag_.handle;
 }
 
-document::Motion PlaceTool::settled(const ToolEnv& env, const ToolEvent& event,
-                                    const document::Motion& motion) const {
+document::Motion PlaceTool::settled(const ToolEnv& env, const ToolEvent& event, const document::Motion& motion) const {
   const app::Ray ray{drag_.camera.eye(), app::rayThrough(drag_.camera, drag_.view, event.at)};
   const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray, parts_);
   if (!hit) return motion;
@@ -103,21 +96,11 @@ void PlaceTool::commit(const ToolEnv& env) {
   if (!moved_) {
     if (!pressed_) return;
     const bool more = touch_ && nowMs_ - beganMs_ >= kLongPressMs;
-    env.sink.run("select-part", app::Json::Object{{"id", pressed_.value}, {"add", more}});
+    env.sink.run(app::selectPart, pressed_, more);
     return;
   }
-  if (pressed_ && !app::isSelected(env.document, env.ui, pressed_)) {
-    env.sink.run("select-part", app::Json::Object{{"id", pressed_.value}});
-  }
-  app::Json::Array ids;
-  for (const PartId part : parts_) ids.push_back(part.value);
-  const auto& [centre, by, turn, scale] = motion_;
-  env.sink.run("move-parts",
-               app::Json::Object{{"parts", std::move(ids)},
-                                 {"centre", numbers({centre.x, centre.y, centre.z})},
-                                 {"move", numbers({by.x, by.y, by.z})},
-                                 {"turn", numbers({turn.w, turn.x, turn.y, turn.z})},
-                                 {"scale", scale}});
+  if (pressed_ && !app::isSelected(env.document, env.ui, pressed_)) env.sink.run(app::selectPart, pressed_, false);
+  env.sink.run(app::moveParts, parts_, motion_);
 }
 
 void PlaceTool::cancel(const ToolEnv& env) {

@@ -1,7 +1,7 @@
 // Takes parts in hand in the solid view: a handle of the gizmo, the body of a part, or two fingers.
 #pragma once
 
-#include "web/app/gizmo.h"
+#include "web/edit/gizmo.h"
 #include "web/tools/pinch.h"
 #include "web/tools/tool.h"
 
@@ -19,18 +19,17 @@ class PlaceTool final : public Tool {
  private:
   void show(const ToolEnv& env, const document::Motion& motion);
   /// Of a dragged body with the surface under the pointer; the plain motion where there is none.
-  document::Motion settled(const ToolEnv& env, const ToolEvent& event,
-                           const document::Motion& motion) const;
+  document::Motion settled(const ToolEnv& env, const ToolEvent& event, const document::Motion& motion) const;
 
   DragWatch watch_;
   app::GizmoDrag drag_;
   std::vector<PartId> parts_;
-  PartId pressed_;        ///< the part whose body was pressed
+  PartId pressed_;  ///< the part whose body was pressed
   bool moved_ = false;
   bool pairing_ = false;
   double beganMs_ = 0, nowMs_ = 0;
   bool touch_ = false;
-  app::ClientPoint by_;   ///< of two fingers, so far
+  app::ClientPoint by_;  ///< of two fingers, so far
   double angle_ = 0, factor_ = 1;
   document::Motion motion_;
 };

@@ -2,14 +2,15 @@
 
 #include <utility>
 
-#include "web/app/outline.h"
-#include "web/app/preview.h"
-#include "web/app/region_editing.h"
+#include "web/commands/intents.h"
+#include "web/edit/outline.h"
+#include "web/edit/preview.h"
+#include "web/edit/region_editing.h"
 
 namespace spineloft::tools {
 namespace {
 
-constexpr int kPreviewPoints = 900;     // of a puff under the pen
+constexpr int kPreviewPoints = 900;      // of a puff under the pen
 constexpr std::size_t kHintPoints = 48;  // of a scribble: each is looked round for its colour
 
 /// As many points of a stroke, evenly, with both its ends.
@@ -21,10 +22,10 @@ std::vector<PicturePoint> thinned(const std::vector<PicturePoint>& stroke) {
 }
 
 document::Recipe previewRecipe(const app::UiState& ui, document::Region region) {
-  if (ui.tool == app::ToolKind::Sheet) return document::SheetRecipe{std::move(region), ui.sheet};
-  inflate::PuffParams puff = ui.puff;
-  puff.points = std::min(puff.points, kPreviewPoints);
-  return document::PuffRecipe{std::move(region), puff};
+  if (ui.tool == app::ToolKind::Extrude) return document::ExtrudeRecipe{std::move(region), ui.extrude};
+  inflate::InflateParams inflate = ui.inflate;
+  inflate.points = std::min(inflate.points, kPreviewPoints);
+  return document::InflateRecipe{std::move(region), inflate};
 }
 
 }  // namespace
@@ -96,8 +97,7 @@ void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
   if (!extend(env, hand.stroke, event.at) || !env.ui.preview) return;
   const document::PictureEntry* entry = document::findPicture(env.document, env.ui.picture);
   if (entry == nullptr) return;
-  env.ui.preview->recipe =
-      previewRecipe(env.ui, app::regionOfLine(entry->id, hand.stroke, entry->size));
+  env.ui.preview->recipe = previewRecipe(env.ui, app::regionOfLine(entry->id, hand.stroke, entry->size));
   env.ui.preview->fresh = false;
 }
 
@@ -105,9 +105,9 @@ void RegionTool::tap(const ToolEnv& env) const {
   const PicturePoint p = toPicture(env, watch_.start());
   const PartId under = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
   if (under) {
-    env.sink.run("select-part", app::Json::Object{{"id", under.value}});
+    env.sink.run(app::selectPart, under, false);
   } else {
-    env.sink.run("cut-start", app::Json::Object{{"at", pointJson(p)}});
+    env.sink.run(app::startCutOut, vision::CutHints{{p}, {}, {}, {}}, PartId{});
   }
 }
 
@@ -117,26 +117,33 @@ void RegionTool::commit(const ToolEnv& env) {
   const bool dragged = way_ == Way::Point && watch_.moved();
   env.ui.preview.reset();
   if (way_ == Way::Mark) {
-    env.sink.run("cut-mark", app::Json::Object{{"line", strokeJson(hand.stroke)}, {"radius", hand.radius}});
-  } else if ((way_ == Way::Box && hand.box) || (way_ == Way::Scribble && !hand.stroke.empty())) {
-    app::Json::Object args;
-    args.emplace_back(hand.box ? "box" : "inside", strokeJson(hand.box ? hand.stroke : thinned(hand.stroke)));
-    if (redraw) args.emplace_back("part", redraw.value);
-    env.sink.run("cut-start", std::move(args));
+    env.sink.run(app::markCutOut, hand.stroke, hand.radius);
+  } else if (way_ == Way::Box && hand.box) {
+    env.sink.run(app::startCutOut, vision::CutHints{{}, {}, {{hand.stroke.front(), hand.stroke.back()}}, {}}, redraw);
+  } else if (way_ == Way::Scribble && !hand.stroke.empty()) {
+    env.sink.run(app::startCutOut, vision::CutHints{thinned(hand.stroke), {}, {}, {}}, redraw);
   } else if (dragged) {
-    env.sink.run("move-outline-point",
-                 app::Json::Object{{"part", part_.value},
-                                   {"contour", static_cast<double>(grabbed_->contour)},
-                                   {"point", static_cast<double>(grabbed_->point)},
-                                   {"to", pointJson(to_)}});
+    env.sink.run(app::moveOutlinePoint, part_, *grabbed_, to_);
   } else if (hand.stroke.empty()) {
     if (!grabbed_) tap(env);
-  } else if (redraw) {
-    env.sink.run("redraw-region",
-                 app::Json::Object{{"part", redraw.value}, {"line", strokeJson(hand.stroke)}});
   } else {
-    env.sink.run(env.ui.tool == app::ToolKind::Sheet ? "draw-sheet" : "draw-puff",
-                 app::Json::Object{{"line", strokeJson(hand.stroke)}});
+    drawn(env, hand.stroke);
+  }
+}
+
+/// The line went round something: a new part, or the outline of the one that is drawn again.
+void RegionTool::drawn(const ToolEnv& env, const std::vector<PicturePoint>& line) const {
+  const document::Part* redraw = document::findPart(env.document, env.ui.redraw);
+  const document::PictureEntry* entry =
+      document::findPicture(env.document, redraw ? document::pictureOf(*redraw) : env.ui.picture);
+  if (entry == nullptr) return;
+  const document::Region region = app::regionOfLine(entry->id, line, entry->size);
+  if (redraw != nullptr) {
+    env.sink.run(app::redrawRegion, redraw->id, region);
+  } else if (env.ui.tool == app::ToolKind::Extrude) {
+    env.sink.run(app::drawRegion, region, env.ui.extrude);
+  } else {
+    env.sink.run(app::drawRegion, region, env.ui.inflate);
   }
 }
 

@@ -17,6 +17,7 @@ class RegionTool final : public Tool {
   enum class Way { Outline, Point, Box, Scribble, Mark };
   static Way wayOf(app::CutBy by);
   void tap(const ToolEnv& env) const;
+  void drawn(const ToolEnv& env, const std::vector<PicturePoint>& line) const;
   void drag(const ToolEnv& env, const ToolEvent& event);
   void draw(const ToolEnv& env, const ToolEvent& event);
   void mark(const ToolEnv& env, const ToolEvent& event) const;

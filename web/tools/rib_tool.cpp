@@ -1,18 +1,9 @@
 #include "web/tools/rib_tool.h"
 
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
-namespace {
-
-app::Json endJson(PartId part, ribs::EndRef end) {
-  return app::Json::Object{{"part", part.value},
-                           {"rib", static_cast<double>(end.rib)},
-                           {"side", end.side == ribs::Side::Left ? "left" : "right"}};
-}
-
-}  // namespace
-
 void RibTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
   under_ = pickInPicture(env, event);
@@ -30,19 +21,16 @@ void RibTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved() || !under_.end || under_.other >= 0 || !subject) return;
   to_ = toPicture(env, event.at) + offset_;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.loft().edits =
-      ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
+  preview.loft().edits = ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
   preview.fresh = false;
 }
 
 void RibTool::tap(const ToolEnv& env) const {
   const PartId part = env.ui.selection;
   if (under_.end && under_.other >= 0) {
-    app::Json::Object args = *endJson(part, *under_.end).object();
-    args.emplace_back("place", under_.other);
-    env.sink.run("take-place", std::move(args));
+    env.sink.run(app::takePlace, part, *under_.end, under_.other);
   } else if (under_.end) {
-    env.sink.run("choose-rib", endJson(part, *under_.end));
+    env.sink.run(app::chooseRib, part, *under_.end);
   } else {
     const app::Subject subject = editedPart(env);
     const PicturePoint p = toPicture(env, watch_.start());
@@ -50,8 +38,7 @@ void RibTool::tap(const ToolEnv& env) const {
     if (const auto rib = subject ? ribs::nearestRib(subject.shape->ribs, p, reach) : std::nullopt) {
       const ribs::Rib& seen = subject.shape->ribs.ribs[*rib];
       const bool left = distance(p, seen.left) <= distance(p, seen.right);
-      env.sink.run("choose-rib",
-                   endJson(part, {*rib, left ? ribs::Side::Left : ribs::Side::Right}));
+      env.sink.run(app::chooseRib, part, ribs::EndRef{*rib, left ? ribs::Side::Left : ribs::Side::Right});
     } else {
       selectTapped(env, under_.part);
     }
@@ -62,11 +49,8 @@ void RibTool::commit(const ToolEnv& env) {
   env.ui.inHand = {};
   if (!watch_.moved()) return tap(env);
   if (!env.ui.preview || !under_.end) return;
-  app::Json::Object args = *endJson(env.ui.preview->part, *under_.end).object();
-  args.emplace_back("to", pointJson(to_));
-  args.emplace_back("reach", env.ui.edit.ribReach);
+  env.sink.run(app::moveRibEnd, env.ui.preview->part, *under_.end, to_, env.ui.edit.ribReach);
   env.ui.preview.reset();
-  env.sink.run("move-rib-end", std::move(args));
 }
 
 void RibTool::cancel(const ToolEnv& env) {

@@ -1,11 +1,12 @@
 #include "web/tools/shape_tool.h"
 
-#include "web/app/preview.h"
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
 
 namespace spineloft::tools {
 namespace {
 
-constexpr double kLineReach = 60;   // CSS pixels: how far an end may go to meet the line
+constexpr double kLineReach = 60;  // CSS pixels: how far an end may go to meet the line
 
 }  // namespace
 
@@ -18,9 +19,8 @@ void ShapeTool::move(const ToolEnv& env, const ToolEvent& event) {
   app::InHand& hand = env.ui.inHand;
   if (hand.stroke.empty()) hand.stroke.push_back(toPicture(env, watch_.start()));
   extend(env, hand.stroke, event.at);
-  ribs::StrokeDeform deform =
-      ribs::deformByStroke(app::sceneOf(subject), hand.stroke,
-                           kLineReach / env.ui.pictureView.zoom, env.ui.edit.bothSides);
+  ribs::StrokeDeform deform = ribs::deformByStroke(app::sceneOf(subject), hand.stroke,
+                                                   kLineReach / env.ui.pictureView.zoom, env.ui.edit.bothSides);
   hand.touched = std::move(deform.touched);
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
   preview.loft().edits = std::move(deform.edits);
@@ -37,11 +37,8 @@ void ShapeTool::commit(const ToolEnv& env) {
   }
   const PartId part = env.ui.preview->part;
   env.ui.preview.reset();
-  env.sink.run("shape-ribs",
-               app::Json::Object{{"part", part.value},
-                                 {"stroke", strokeJson(hand.stroke)},
-                                 {"both", env.ui.edit.bothSides},
-                                 {"within", kLineReach / env.ui.pictureView.zoom}});
+  env.sink.run(app::shapeRibs,
+               app::ShapeRibsIntent{part, hand.stroke, kLineReach / env.ui.pictureView.zoom, env.ui.edit.bothSides});
 }
 
 void ShapeTool::cancel(const ToolEnv& env) {

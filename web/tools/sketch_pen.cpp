@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "web/app/colour_text.h"
+#include "web/commands/intents.h"
 
 namespace spineloft::tools {
 namespace {
@@ -44,18 +44,7 @@ void SketchPen::commit(const ToolEnv& env) {
   env.ui.sketching.stroke.reset();
   // A pen that leaves the glass weighs nothing any more: that is not how the line was meant to end.
   if (stroke.pressure.size() > 1) stroke.pressure.back() = stroke.pressure[stroke.pressure.size() - 2];
-  app::Json::Array points;
-  points.reserve(stroke.points.size());
-  for (std::size_t i = 0; i < stroke.points.size(); ++i) {
-    app::Json::Array point{stroke.points[i].x, stroke.points[i].y};
-    if (!stroke.pressure.empty()) point.push_back(double{stroke.pressure[i]});
-    points.push_back(std::move(point));
-  }
-  env.sink.run("draw-on-sketch",
-               app::Json::Object{{"stroke", std::move(points)},
-                                 {"radius", stroke.radius},
-                                 {"erase", stroke.erase},
-                                 {"colour", app::colourText(stroke.colour)}});
+  env.sink.run(app::drawOnSketch, stroke);
 }
 
 void SketchPen::cancel(const ToolEnv& env) { env.ui.sketching.stroke.reset(); }

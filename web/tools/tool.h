@@ -3,10 +3,10 @@
 
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
-#include "web/app/action_sink.h"
-#include "web/app/picker.h"
-#include "web/app/ui_state.h"
+#include "web/commands/action_sink.h"
+#include "web/edit/picker.h"
 #include "web/platform/page.h"
+#include "web/ui/ui_state.h"
 
 namespace spineloft::tools {
 

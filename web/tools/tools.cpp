@@ -1,6 +1,5 @@
 #include "web/tools/tools.h"
 
-#include "web/tools/bone_tool.h"
 #include "web/tools/depth_tool.h"
 #include "web/tools/draw_spine.h"
 #include "web/tools/ignore_tool.h"
@@ -10,6 +9,7 @@
 #include "web/tools/rib_tool.h"
 #include "web/tools/shape_tool.h"
 #include "web/tools/sketch_pen.h"
+#include "web/tools/spine_tool.h"
 #include "web/tools/turn_solid.h"
 
 namespace spineloft::tools {
@@ -23,12 +23,12 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
       return std::make_unique<RibTool>();
     case ToolKind::Shape:
       return std::make_unique<ShapeTool>();
-    case ToolKind::Bone:
-      return std::make_unique<BoneTool>();
+    case ToolKind::Spine:
+      return std::make_unique<SpineTool>();
     case ToolKind::Ignore:
       return std::make_unique<IgnoreTool>();
-    case ToolKind::Puff:
-    case ToolKind::Sheet:
+    case ToolKind::Inflate:
+    case ToolKind::Extrude:
       return std::make_unique<RegionTool>();
     case ToolKind::Pen:
     case ToolKind::Eraser:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "web/commands/intents.h"
 #include "web/tools/pick.h"
 
 namespace spineloft::tools {
@@ -18,8 +19,7 @@ void pointOpening(const ToolEnv& env, const app::Ray& ray) {
   }
   const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray, others);
   if (!hit) return;
-  const app::Json::Array towards{hit.normal.x, hit.normal.y, hit.normal.z};
-  env.sink.run("set-step", app::Json::Object{{"step", step.value}, {"towards", towards}});
+  env.sink.run(app::openTowards, step, hit.normal);
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ void TurnSolid::move(const ToolEnv& env, const ToolEvent& event) {
 
 void TurnSolid::commit(const ToolEnv& env) {
   if (watch_.moved()) return;
-  const app::Ray ray{env.ui.camera.eye(),
-                     app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
+  const app::Ray ray{env.ui.camera.eye(), app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
   if (env.ui.solids.pointing) {
     pointOpening(env, ray);
     return;

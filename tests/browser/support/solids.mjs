@@ -1,7 +1,9 @@
 // Solids for tests without a page: the kernel of the worker on manifold-3d, simple parts, and the laws of a solid
 // by counting and by rays, independent of the library.
 import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
 import create from 'manifold-3d';
+import { selfCrossingFile } from '../../../.ci/lib/site.mjs';
 import { identity, loft, seeded, shifted, turned } from './lofts.mjs';
 import { loadShell } from './shell.mjs';
 
@@ -9,18 +11,20 @@ export { identity, loft, seeded, shifted, turned };
 
 export const shell = await loadShell(`
   export { SolidKernel } from './solids/kernel.ts';
-  export { Helper, halvesOf } from './solids/helper.ts';
-  export { findCrossings } from './solids/crossings.ts';
+  export { Near } from './solids/near.ts';
+  export { loadSelfCrossing } from './solids/self_crossing.ts';
   export { ringsOf } from './solids/rings.ts';
   export { DistanceField } from './solids/distance.ts';
   export { gridOver, sample, surfaceWhere } from './solids/grid.ts';
+  export { meshesAt } from './engine.ts';
   export { Solver } from './solids/solver.ts';
   export { countOf } from './solids/topology.ts';
-  export { rehearse } from './solids/rehearsal.ts';
-  export { SolidWarmUp, solidWorkersFor, wasWorkedAt } from './warm_up.ts';
+  export { isSolidLikely } from './warm_up.ts';
 `);
 export const library = await create();
 library.setup();
+assert.ok(existsSync(selfCrossingFile), `${selfCrossingFile} is not built: npm run build makes it`);
+export const selfCrossing = await shell.loadSelfCrossing(readFileSync(selfCrossingFile));
 
 let keys = 0;
 export const node = (operands, more = {}) => ({
@@ -41,14 +45,6 @@ export function solve(kernel, nodes, meshes = {}) {
   const solved = [];
   const work = kernel.solve({ id: 1, nodes, wanted: [nodes.at(-1).key], meshes }, (each) => solved.push(each));
   while (!work.next().done);
-  return solved[0];
-}
-
-/** The same where a second worker may take a share. */
-export async function solveWithHelp(kernel, nodes, meshes = {}) {
-  const solved = [];
-  const work = kernel.solve({ id: 1, nodes, wanted: [nodes.at(-1).key], meshes }, (each) => solved.push(each));
-  for (let step = work.next(); !step.done; step = work.next()) await step.value.wait;
   return solved[0];
 }
 
@@ -84,8 +80,8 @@ export function depthOf(one, other) {
   return Number.isFinite(depth) ? Math.max(0, depth) * size : 0;
 }
 
-/** The depth of the deepest crossing of a mesh, by trying every pair of triangles that is not surely apart. */
-export function deepest(positions, triangles) {
+/** Pairs of triangles that may cross, three points each, with how deep: by trying every pair that is not surely apart. */
+export function* crossingPairs(positions, triangles) {
   const at = (v) => [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
   const all = Array.from({ length: triangles.length / 3 }, (_, t) => {
     const ids = [...triangles.subarray(3 * t, 3 * t + 3)],
@@ -127,16 +123,22 @@ export function deepest(positions, triangles) {
         mayPierce(other.points, one.points[k], one.points[l])
       );
     });
-  let most = 0;
   for (let i = 0; i < all.length; i += 1) {
     for (let j = i + 1; j < all.length && all[j].low[0] <= all[i].high[0]; j += 1) {
       const s = all[i],
         t = all[j];
       if (s.low[1] > t.high[1] || t.low[1] > s.high[1] || s.low[2] > t.high[2] || t.low[2] > s.high[2]) continue;
       if (s.ids.filter((v) => t.ids.includes(v)).length > 1) continue;
-      if (edgesMayPierce(s, t) || edgesMayPierce(t, s)) most = Math.max(most, depthOf(s.points, t.points));
+      if (edgesMayPierce(s, t) || edgesMayPierce(t, s))
+        yield { points: [...s.points, ...t.points], depth: depthOf(s.points, t.points) };
     }
   }
+}
+
+/** The depth of the deepest crossing of a mesh. */
+export function deepest(positions, triangles) {
+  let most = 0;
+  for (const { depth } of crossingPairs(positions, triangles)) most = Math.max(most, depth);
   return most;
 }
 
@@ -226,7 +228,48 @@ function shellsOf(edges) {
   return shells;
 }
 
-export const fresh = () => new shell.SolidKernel(library);
+/** A solver; on a library that does some things otherwise, where one is given. */
+export const fresh = (overrides = {}) => {
+  const Manifold = Object.assign(Object.create(library.Manifold), overrides);
+  return new shell.SolidKernel({ ...library, Manifold }, selfCrossing);
+};
+
+/** Counts what the library is asked for, and which of its solids live, while `work` runs. */
+export function counted(work) {
+  const living = new Set(),
+    asked = { parts: 0, intersections: 0, decompositions: 0 },
+    { Manifold } = library,
+    { ofMesh } = Manifold,
+    kind = Object.getPrototypeOf(Manifold.cube()),
+    { delete: end, decompose, intersect } = kind;
+  Manifold.ofMesh = (mesh) => {
+    const solid = ofMesh(mesh);
+    asked.parts += 1;
+    living.add(solid);
+    return solid;
+  };
+  Object.assign(kind, {
+    decompose() {
+      asked.decompositions += 1;
+      return decompose.call(this);
+    },
+    intersect(other) {
+      asked.intersections += 1;
+      return intersect.call(this, other);
+    },
+    delete() {
+      living.delete(this);
+      end.call(this);
+    },
+  });
+  try {
+    return work({ asked, living });
+  } finally {
+    Manifold.ofMesh = ofMesh;
+    Object.assign(kind, { delete: end, decompose, intersect });
+  }
+}
+
 export const near = (actual, wanted, share, what) =>
   assert.ok(Math.abs(actual - wanted) <= share * Math.abs(wanted), `${what}: ${actual} is not ${wanted}`);
 
@@ -247,11 +290,8 @@ export function lawful(solved, what) {
     mesh.uv.every((value) => value >= 0 && value <= 1),
     `${what}: uv in range`,
   );
-  assert.deepEqual(
-    shell.findCrossings(mesh.positions, merged(mesh, mesh.positions.length / 3), 1),
-    [],
-    `${what} does not cross itself`,
-  );
+  const triangles = merged(mesh, mesh.positions.length / 3);
+  assert.equal(selfCrossing({ positions: mesh.positions, triangles }), null, `${what} does not cross itself`);
   return found;
 }
 

@@ -82,7 +82,8 @@ TEST_CASE("the generator repeats its numbers and fills its range") {
   CHECK(high > 0.99);
 }
 
-TEST_CASE("the quick arctangent is the exact one within a relative 2e-7, from next to nothing to next to a right angle") {
+TEST_CASE(
+    "the quick arctangent is the exact one within a relative 2e-7, from next to nothing to next to a right angle") {
   for (double q = 1e-6; q < 1e6; q *= 1.01) {
     CAPTURE(q);
     CHECK(std::abs(quickArctan(q) / std::atan(q) - 1) < 2e-7);

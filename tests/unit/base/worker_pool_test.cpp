@@ -16,7 +16,8 @@ void pumpUntilIdle(WorkerPool& pool) {
 
 }  // namespace
 
-TEST_CASE("every job of a pool is worked once and finished on the owner's call of pump") {
+TEST_CASE("every job of a pool is worked once and finished on the owner's call of pump" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 1, 3}) {
     WorkerPool pool(threads);
     std::atomic<int> worked{0};
@@ -36,7 +37,7 @@ TEST_CASE("every job of a pool is worked once and finished on the owner's call o
   }
 }
 
-TEST_CASE("a cancelled job still reports, as cancelled") {
+TEST_CASE("a cancelled job still reports, as cancelled" * doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     WorkerPool pool(threads);
     std::vector<Result<int>> results;
@@ -58,7 +59,8 @@ TEST_CASE("a cancelled job still reports, as cancelled") {
   }
 }
 
-TEST_CASE("a finished job may submit the next one, and a pool may die with work in hand") {
+TEST_CASE("a finished job may submit the next one, and a pool may die with work in hand" *
+          doctest::test_suite("threads")) {
   int finished = 0;
   {
     WorkerPool pool(1);

@@ -18,7 +18,9 @@ image::Mask bar(int top, int bottom, int left = 40) {
   return mask;
 }
 
-Truth truthOf(image::Mask mask) { return Truth({std::move(mask), {{49.5, 20, 20}, {49.5, 80, 20}, {49.5, 139, 20}}, 1.0}); }
+Truth truthOf(image::Mask mask) {
+  return Truth({std::move(mask), {{49.5, 20, 20}, {49.5, 80, 20}, {49.5, 139, 20}}, 1.0});
+}
 
 using Strokes = std::vector<std::pair<std::string, std::vector<PicturePoint>>>;
 const Strokes kStrokes{{"long", {{49.5, 30}, {49.5, 130}}}, {"turned", {{49.5, 120}, {49.5, 40}}}};
@@ -34,7 +36,8 @@ TEST_CASE("equal parts agree wholly, and so does one with itself") {
   }
 }
 
-TEST_CASE("parts that differ beyond the ends of the shorter stroke alone agree in the body, whichever way it was drawn") {
+TEST_CASE(
+    "parts that differ beyond the ends of the shorter stroke alone agree in the body, whichever way it was drawn") {
   const Agreement found = agreementOf(truthOf(bar(20, 140)), std::vector{bar(20, 140), bar(35, 125)}, kStrokes);
   CHECK(found.whole == doctest::Approx(90.0 / 120));
   CHECK(found.body == 1);

@@ -20,8 +20,7 @@ class Folder {
  public:
   Folder() {
     static int count = 0;
-    path_ = fs::temp_directory_path() /
-            ("spineloft-files-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+    path_ = fs::temp_directory_path() / ("spineloft-files-" + std::to_string(getpid()) + "-" + std::to_string(count++));
     fs::create_directories(path_);
   }
   ~Folder() { fs::remove_all(path_); }

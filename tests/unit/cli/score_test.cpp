@@ -106,8 +106,7 @@ TEST_CASE("rib errors are in percent of the width and counted against the tolera
   CHECK(scoreOf(39.5, 65.5).p95Pct > scoreOf(39.5, 65.5).meanPct);
 }
 
-TEST_CASE(
-    "do-not-care pixels are neither part nor background, and rib ends near them are left out") {
+TEST_CASE("do-not-care pixels are neither part nor background, and rib ends near them are left out") {
   image::Mask mask = truthMask();
   for (int y = 100; y < 160; ++y) {
     for (int x = 0; x < 100; ++x) mask.pixels[static_cast<std::size_t>(y * 100 + x)] = 128;
@@ -132,8 +131,7 @@ TEST_CASE("an outline lies on the half-coverage line, holes included, and moves 
   int hole = 0;
   for (const PicturePoint& p : points) {
     const auto beside = [](double v, double line) { return std::abs(v - line) <= 0.34; };
-    const bool outer =
-        beside(p.x, 39.5) || beside(p.x, 59.5) || beside(p.y, 19.5) || beside(p.y, 139.5);
+    const bool outer = beside(p.x, 39.5) || beside(p.x, 59.5) || beside(p.y, 19.5) || beside(p.y, 139.5);
     const bool inner = p.x > 44 && p.x < 56 && p.y > 59 && p.y < 80.5;
     REQUIRE((outer || inner));
     hole += inner;
@@ -151,9 +149,7 @@ TEST_CASE("the body's pixels belong to the nearest part of the axis") {
     const double wanted = truth.arcAt({1.0 * x, 1.0 * y});
     const double got = truth.arcOfPixels()[static_cast<std::size_t>(y * 100 + x)];
     // The chamfer distance is within 2 % of the Euclidean one: only ties may go the other way.
-    const auto at = [](double arc) {
-      return arc <= 100 ? PicturePoint{20, 20 + arc} : PicturePoint{arc - 80, 120};
-    };
+    const auto at = [](double arc) { return arc <= 100 ? PicturePoint{20, 20 + arc} : PicturePoint{arc - 80, 120}; };
     const PicturePoint p{1.0 * x, 1.0 * y};
     REQUIRE(distance(p, at(got)) <= 1.03 * distance(p, at(wanted)) + 1);
   }

@@ -9,6 +9,7 @@
 #include "engine/document/params.h"
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -29,16 +30,17 @@ Document after(Document document, std::initializer_list<Action> actions) {
 }
 
 Document onePart() {
-  return after({}, {AddPicture{"cat.png", ellipsePicture(96, 72)},
-                    DrawSpine{PictureId{1}, kStroke, loft::SectionPreset::Star,
-                              loft::CapStyle::Flat, loft::CapStyle::Pointed, {}}});
+  return after(
+      {},
+      {AddPicture{"cat.png", ellipsePicture(96, 72)},
+       DrawSpine{PictureId{1}, kStroke, loft::SectionPreset::Star, loft::CapStyle::Flat, loft::CapStyle::Pointed, {}}});
 }
 
 /// A loft, a puff and a flat piece, in this order.
 Document everyKind() {
   const Region region{PictureId{1}, {{{20, 20}, {60, 20}, {60, 60}, {20, 60}}}, 0};
-  return after(onePart(), {DrawRegion{region, inflate::PuffParams{}, {}},
-                           DrawRegion{region, sheet::SheetParams{}, {}}});
+  return after(onePart(),
+               {DrawRegion{region, inflate::InflateParams{}, {}}, DrawRegion{region, extrude::ExtrudeParams{}, {}}});
 }
 
 /// The document with its first part changed behind the back of `update`.
@@ -75,7 +77,8 @@ TEST_CASE("drawing a spine makes a part with the stroke, section and caps that w
 TEST_CASE("each setter changes exactly what it names") {
   const Document before = onePart();
   const PartId id = before.parts[0]->id;
-  Document expected = with(before, [](Part& part) { loftOf(part)->loft.sections.front().shape = loft::SectionPreset::Gear; });
+  Document expected =
+      with(before, [](Part& part) { loftOf(part)->loft.sections.front().shape = loft::SectionPreset::Gear; });
   CHECK(after(before, {SetSection{id, loft::SectionPreset::Gear}}) == expected);
   expected = with(before, [](Part& part) { loftOf(part)->loft.startCap = loft::CapStyle::Open; });
   CHECK(after(before, {SetCaps{id, loft::CapStyle::Open, loft::CapStyle::Pointed}}) == expected);
@@ -97,13 +100,11 @@ TEST_CASE("each setter changes exactly what it names") {
 
 TEST_CASE("removing a picture takes the parts drawn on it away, and ids are never used again") {
   Document document = onePart();
-  document = after(document, {AddPicture{"dog.png", ellipsePicture(96, 72, 1)},
-                              DrawSpine{PictureId{2}, kStroke}});
+  document = after(document, {AddPicture{"dog.png", ellipsePicture(96, 72, 1)}, DrawSpine{PictureId{2}, kStroke}});
   document = after(document, {RemovePicture{PictureId{1}}});
   REQUIRE(document.parts.size() == 1);
   CHECK(pictureOf(*document.parts[0]) == PictureId{2});
-  document = after(document, {DeletePart{document.parts[0]->id},
-                              DrawSpine{PictureId{2}, kStroke},
+  document = after(document, {DeletePart{document.parts[0]->id}, DrawSpine{PictureId{2}, kStroke},
                               AddPicture{"", ellipsePicture(96, 72)}});
   CHECK(document.parts[0]->id == PartId{3});
   CHECK(document.pictures.back()->id == PictureId{3});
@@ -119,8 +120,7 @@ TEST_CASE("a refused action names its reason") {
   CHECK(errorOf(document, DrawSpine{PictureId{5}, kStroke}) == Error::NoSuchPicture);
   CHECK(errorOf(document, DrawSpine{PictureId{1}, {{4, 4}}}) == Error::StrokeTooShort);
   CHECK(errorOf(document, DrawSpine{PictureId{1}, {{4, nan}, {9, 9}}}) == Error::StrokeNotFinite);
-  CHECK(errorOf(document, DrawSpine{PictureId{1}, {{400, 40}, {500, 40}}}) ==
-        Error::StrokeOutsidePicture);
+  CHECK(errorOf(document, DrawSpine{PictureId{1}, {{400, 40}, {500, 40}}}) == Error::StrokeOutsidePicture);
   CHECK(errorOf(document, RedrawSpine{none, kStroke}) == Error::NoSuchPart);
   CHECK(errorOf(document, RedrawSpine{id, {}}) == Error::StrokeTooShort);
   CHECK(errorOf(document, SetSection{none}) == Error::NoSuchPart);
@@ -153,37 +153,35 @@ TEST_CASE("every parameter of every kind can be set to each end of its range and
       const double initial = info.get(emptyRecipe(kind));
       CHECK(initial >= info.low);
       CHECK(initial <= info.high);
-      CHECK(errorOf(document, SetParameter{id, key, info.low - info.step}) ==
-            Error::ValueOutOfRange);
-      CHECK(errorOf(document, SetParameter{id, key, info.high + info.step}) ==
-            Error::ValueOutOfRange);
+      CHECK(errorOf(document, SetParameter{id, key, info.low - info.step}) == Error::ValueOutOfRange);
+      CHECK(errorOf(document, SetParameter{id, key, info.high + info.step}) == Error::ValueOutOfRange);
     }
   }
 }
 
 TEST_CASE("what is for one kind of part is refused by the others, and nothing changes") {
   const Document document = everyKind();
-  const PartId loft = document.parts[0]->id, puff = document.parts[1]->id;
+  const PartId loft = document.parts[0]->id, inflate = document.parts[1]->id;
   const Region region = *regionOf(document.parts[1]->recipe);
-  for (const Action& action : std::vector<Action>{
-           RedrawSpine{puff, kStroke}, PoseSpine{puff, {}}, EditRibs{puff, {}},
-           IgnoreForPart{puff, {}}, SetSection{puff, {}}, SetSections{puff, {loft::SectionStop{}}},
-           SetAlong{puff, AlongKind::Twist, {}}, SetCaps{puff}}) {
+  for (const Action& action : std::vector<Action>{RedrawSpine{inflate, kStroke}, PoseSpine{inflate, {}},
+                                                  EditRibs{inflate, {}}, IgnoreForPart{inflate, {}},
+                                                  SetSection{inflate, {}}, SetSections{inflate, {loft::SectionKey{}}},
+                                                  SetAlong{inflate, AlongKind::Twist, {}}, SetCaps{inflate}}) {
     CHECK(errorOf(document, action) == Error::NotABone);
   }
   CHECK(errorOf(document, RedrawRegion{loft, region}) == Error::NotARegion);
-  CHECK(errorOf(document, ShapeRegion{loft, inflate::PuffParams{}}) == Error::NotARegion);
-  CHECK(errorOf(document, SetParameter{puff, "ribs", 20}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, ShapeRegion{loft, inflate::InflateParams{}}) == Error::NotARegion);
+  CHECK(errorOf(document, SetParameter{inflate, "ribs", 20}) == Error::ValueOutOfRange);
   CHECK(errorOf(document, SetParameter{loft, "height", 1}) == Error::ValueOutOfRange);
 }
 
 TEST_CASE("a puff becomes a flat piece of the same region and back") {
   const Document document = everyKind();
   const PartId id = document.parts[1]->id;
-  const Document flat = after(document, {ShapeRegion{id, sheet::SheetParams{0.1}}});
-  REQUIRE(sheetOf(*findPart(flat, id)) != nullptr);
-  CHECK(sheetOf(*findPart(flat, id))->region == *regionOf(document.parts[1]->recipe));
-  const Document back = after(flat, {ShapeRegion{id, puffOf(document.parts[1])->puff}});
+  const Document flat = after(document, {ShapeRegion{id, extrude::ExtrudeParams{0.1}}});
+  REQUIRE(extrudeOf(*findPart(flat, id)) != nullptr);
+  CHECK(extrudeOf(*findPart(flat, id))->region == *regionOf(document.parts[1]->recipe));
+  const Document back = after(flat, {ShapeRegion{id, inflateOf(document.parts[1])->inflate}});
   CHECK(back == document);
 }
 
@@ -193,7 +191,7 @@ TEST_CASE("a region that is no region is refused with a sentence of its own") {
   const auto errorFor = [&](auto change) {
     Region region = good;
     change(region);
-    return errorOf(document, DrawRegion{region, inflate::PuffParams{}});
+    return errorOf(document, DrawRegion{region, inflate::InflateParams{}});
   };
   CHECK(errorFor([](Region& r) { r.contours.clear(); }) == Error::RegionEmpty);
   CHECK(errorFor([](Region& r) { r.contours = {{{1, 1}, {2, 2}}}; }) == Error::RegionEmpty);
@@ -204,10 +202,9 @@ TEST_CASE("a region that is no region is refused with a sentence of its own") {
   CHECK(errorFor([](Region& r) { r.contours[0][0].y = 1e9; }) == Error::StrokeNotFinite);
   CHECK(errorFor([](Region& r) { r.picture = PictureId{99}; }) == Error::NoSuchPicture);
   CHECK(errorFor([](Region& r) { r.ribbon = -1; }) == Error::ValueOutOfRange);
-  CHECK(errorFor([](Region& r) { r.contours.resize(kMostContours + 1); }) ==
-        Error::ValueOutOfRange);
-  CHECK(errorOf(document, DrawRegion{good, inflate::PuffParams{0}}) == Error::ValueOutOfRange);
-  CHECK(errorOf(document, DrawRegion{good, sheet::SheetParams{-1}}) == Error::ValueOutOfRange);
+  CHECK(errorFor([](Region& r) { r.contours.resize(kMostContours + 1); }) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, DrawRegion{good, inflate::InflateParams{0}}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, DrawRegion{good, extrude::ExtrudeParams{-1}}) == Error::ValueOutOfRange);
 }
 
 TEST_CASE("long names are cut between characters and empty ones replaced") {
@@ -223,7 +220,7 @@ TEST_CASE("long names are cut between characters and empty ones replaced") {
 
 TEST_CASE("undo all and redo all give back every document of hundreds of random sessions") {
   int applied = 0, refused = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 200)) {
     Rng rng(seed);
     History<Document> history;
     std::vector<Document> states = {history.present()};

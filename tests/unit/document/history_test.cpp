@@ -7,6 +7,7 @@
 #include "engine/document/update.h"
 #include "engine/io/project_file.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 
 using namespace spineloft;
@@ -71,7 +72,7 @@ TEST_CASE("over budget the oldest steps are forgotten, but never the last one") 
 }
 
 TEST_CASE("the bytes of a history are those of its steps, whichever way one went through it") {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 40)) {
     const std::vector<Document> documents = testing::randomSession(seed, 40);
     History<Document> history(documents[0]);
     for (std::size_t i = 1; i < documents.size(); ++i) history.commit(documents[i]);
@@ -94,8 +95,7 @@ TEST_CASE("the bytes of a history are those of its steps, whichever way one went
 }
 
 TEST_CASE("a step costs the part it changed, not the document and not its photos") {
-  Document document =
-      update({}, AddPicture{"e", testing::ellipsePicture(400, 300)}).value();
+  Document document = update({}, AddPicture{"e", testing::ellipsePicture(400, 300)}).value();
   for (int i = 0; i < 8; ++i) {
     document = update(document, DrawSpine{PictureId{1}, {{50, 150}, {200, 150}, {350, 150}}}).value();
   }
@@ -107,7 +107,7 @@ TEST_CASE("a step costs the part it changed, not the document and not its photos
 }
 
 TEST_CASE("undo all and redo all give the same bytes at every step") {
-  for (std::uint64_t seed = 300; seed < 400; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(300, 400)) {
     const std::vector<Document> documents = testing::randomSession(seed, 40);
     History<Document> history(documents[0]);
     std::vector<std::string> texts{io::writeDocument(documents[0])};

@@ -5,6 +5,7 @@
 
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -12,15 +13,12 @@ using namespace spineloft::testing;
 
 namespace {
 
-WorldPoint anyPoint(Rng& rng) {
-  return {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-}
+WorldPoint anyPoint(Rng& rng) { return {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)}; }
 
 MirrorPlane anyPlane(Rng& rng) { return {anyPoint(rng), normalized(anyPoint(rng))}; }
 
 Motion anyMotion(Rng& rng) {
-  return {anyPoint(rng), anyPoint(rng), geometry::turnAbout(anyPoint(rng), rng.uniform(-3, 3)),
-          rng.uniform(0.5, 2)};
+  return {anyPoint(rng), anyPoint(rng), geometry::turnAbout(anyPoint(rng), rng.uniform(-3, 3)), rng.uniform(0.5, 2)};
 }
 
 Document threeParts() {
@@ -52,12 +50,10 @@ TEST_CASE("turns: there and back, angles of any turn, and a turn keeps lengths")
   // Straight up: turn and roll are one.
   const geometry::Turn up = geometry::turnOf({std::numbers::pi / 2, 0.4, 0.3});
   const WorldPoint p{0.3, -0.2, 0.9};
-  CHECK(distance(geometry::turned(geometry::turnOf(geometry::anglesOf(up)), p),
-                 geometry::turned(up, p)) < 1e-6);
+  CHECK(distance(geometry::turned(geometry::turnOf(geometry::anglesOf(up)), p), geometry::turned(up, p)) < 1e-6);
   // About y, what is in front goes to the right.
   const WorldPoint front{0, 0, 1};
-  CHECK(distance(geometry::turned(geometry::turnOf({0, std::numbers::pi / 2, 0}), front),
-                 WorldPoint{1, 0, 0}) < 1e-12);
+  CHECK(distance(geometry::turned(geometry::turnOf({0, std::numbers::pi / 2, 0}), front), WorldPoint{1, 0, 0}) < 1e-12);
 }
 
 TEST_CASE("a motion after a placement is one placement, and the motion between two placements is found") {
@@ -98,8 +94,7 @@ TEST_CASE("a copy stands behind its original, mirrored over a plane if asked for
   const Placement placement = randomPlacement(rng);
   document = update(document, PlaceParts{{{PartId{1}, placement, {}}}}).value();
   const MirrorPlane plane{{0.2, 0, 0}, {1, 0, 0}};
-  const Document copied =
-      update(document, DuplicateParts{{PartId{1}, PartId{3}}, {0.1, 0, 0}, plane}).value();
+  const Document copied = update(document, DuplicateParts{{PartId{1}, PartId{3}}, {0.1, 0, 0}, plane}).value();
   CHECK(order(copied) == std::vector<std::uint32_t>{1, 4, 2, 3, 5});
   const WorldPoint p{0.1, 0.2, 0.3};
   CHECK(distance(copied.parts[1]->placement(p), plane(placement(p) + WorldPoint{0.1, 0, 0})) < 1e-12);
@@ -111,7 +106,8 @@ TEST_CASE("a copy stands behind its original, mirrored over a plane if asked for
 TEST_CASE("the copies of all parts of a solid are a solid like it, with what is within; of some parts they are none") {
   Document document = threeParts();
   document = update(document, CombineParts{StepKind::Join, {{PartId{1}, {}}, {PartId{3}, {}}}, 0.02, {}}).value();
-  document = update(document, CombineParts{StepKind::Hollow, {{{}, StepId{1}}}, 0.03, {OpeningSide::Left, 0.1}}).value();
+  document =
+      update(document, CombineParts{StepKind::Hollow, {{{}, StepId{1}}}, 0.03, {OpeningSide::Left, 0.1}}).value();
   const MirrorPlane plane{{0.2, 0, 0}, {1, 0, 0}};
   const Document copied = update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, plane}).value();
   REQUIRE(copied.steps.size() == 4);
@@ -126,7 +122,8 @@ TEST_CASE("the copies of all parts of a solid are a solid like it, with what is 
   CHECK(hollow.opening == Opening{OpeningSide::Right, 0.1});
   CHECK(copied.steps[0] == document.steps[0]);
   CHECK(copied.steps[1] == document.steps[1]);
-  CHECK(update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, {}}).value().steps[3]->opening.side == OpeningSide::Left);
+  CHECK(update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, {}}).value().steps[3]->opening.side ==
+        OpeningSide::Left);
   CHECK(update(document, DuplicateParts{{PartId{1}, PartId{2}}, {}, {}}).value().steps == document.steps);
 }
 
@@ -135,8 +132,7 @@ TEST_CASE("a group is one piece of the list, its copy a group of its own, and th
   document = update(document, GroupParts{{PartId{3}, PartId{1}}, "Ears"}).value();
   CHECK(order(document) == std::vector<std::uint32_t>{1, 3, 2});
   CHECK(partsOfGroup(document, GroupId{1}) == std::vector<PartId>{PartId{1}, PartId{3}});
-  const Document copied =
-      update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, {}}).value();
+  const Document copied = update(document, DuplicateParts{{PartId{1}, PartId{3}}, {}, {}}).value();
   CHECK(order(copied) == std::vector<std::uint32_t>{1, 3, 4, 5, 2});
   CHECK(partsOfGroup(copied, GroupId{2}) == std::vector<PartId>{PartId{4}, PartId{5}});
   CHECK(findGroup(copied, GroupId{2})->name == "Ears copy");
@@ -170,10 +166,8 @@ TEST_CASE("what cannot be placed, grouped or moved is refused with its reason") 
   bad = {};
   bad.turn.w = 2;
   CHECK(update(document, PlaceParts{{{PartId{1}, bad, {}}}}).error() == Error::ValueOutOfRange);
-  CHECK(update(document, PlaceParts{{{PartId{1}, {}, MirrorPlane{{}, {1, 1, 0}}}}}).error() ==
-        Error::ValueOutOfRange);
-  CHECK(update(document, PlaceParts{{{PartId{1}, {}, {}}, {PartId{1}, {}, {}}}}).error() ==
-        Error::ValueOutOfRange);
+  CHECK(update(document, PlaceParts{{{PartId{1}, {}, MirrorPlane{{}, {1, 1, 0}}}}}).error() == Error::ValueOutOfRange);
+  CHECK(update(document, PlaceParts{{{PartId{1}, {}, {}}, {PartId{1}, {}, {}}}}).error() == Error::ValueOutOfRange);
   CHECK(update(document, PlaceParts{}).error() == Error::NoSuchPart);
   CHECK(update(document, GroupParts{{PartId{9}}, ""}).error() == Error::NoSuchPart);
   CHECK(update(document, Ungroup{GroupId{1}}).error() == Error::ValueOutOfRange);
@@ -181,7 +175,7 @@ TEST_CASE("what cannot be placed, grouped or moved is refused with its reason") 
 }
 
 TEST_CASE("groups of random sessions have parts, and parts of groups have their group") {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
     Rng rng(seed);
     Document document;
     for (int i = 0; i < 120; ++i) {

@@ -8,6 +8,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/project_file.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 #include "tests/support/step_documents.h"
 
@@ -37,8 +38,7 @@ TEST_CASE("parts become a solid, the solid a part of another, and each has one p
   CHECK(rootOf(document, part(3)) == nullptr);
   CHECK(partsIn(document, step(2)) == std::vector{PartId{1}, PartId{2}});
   CHECK(update(document, combine(StepKind::Cut, {part(1), part(3)})).error() == Error::AlreadyUsed);
-  CHECK(update(document, combine(StepKind::Cut, {part(3), part(3)})).error() ==
-        Error::ValueOutOfRange);
+  CHECK(update(document, combine(StepKind::Cut, {part(3), part(3)})).error() == Error::ValueOutOfRange);
   CHECK(update(document, combine(StepKind::Cut, {part(3)})).error() == Error::ValueOutOfRange);
   CHECK(update(document, combine(StepKind::Cut, {part(3), part(9)})).error() == Error::NoSuchPart);
   CHECK(update(document, combine(StepKind::Cut, {part(3), step(9)})).error() == Error::NoSuchStep);
@@ -51,7 +51,7 @@ TEST_CASE("what is combined within a solid stays within it") {
   document = after(document, combine(StepKind::Cut, {part(1), step(2)}));
   CHECK(document.steps[0]->operands == std::vector{step(3), part(3)});
   // Of all that is left: the outer solid would have one part, so that it goes.
-  document = after(document, combine(StepKind::Common, {step(3), part(3)}));
+  document = after(document, combine(StepKind::Intersection, {step(3), part(3)}));
   CHECK(findStep(document, StepId{1}) == nullptr);
   CHECK(isForest(document));
 }
@@ -102,7 +102,7 @@ TEST_CASE("measures, name, order and look of a solid are set, within their limit
 
 TEST_CASE("steps of hundreds of random sessions are forests of sound steps") {
   std::size_t most = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 200)) {
     Document document = withParts(6);
     Rng rng(seed);
     for (int i = 0; i < 60; ++i) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::geometry;
@@ -52,7 +53,7 @@ double turnBetween(const Frame& a, const Frame& b) {
 
 TEST_CASE("frames are orthonormal on any line, also one that turns back") {
   Rng rng(5);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     Line line;
     ModelPoint at;
     for (std::uint32_t i = 2 + rng.below(60); i > 0; --i) {
@@ -70,9 +71,7 @@ TEST_CASE("frames turn as the fine numeric integration of minimal rotation does"
   // dU/ds = −(U·dT/ds) T, integrated in a hundred thousand projections.
   const auto exact = [](const std::function<ModelPoint(double)>& at, ModelPoint across) {
     constexpr int kSteps = 100000;
-    const auto tangent = [&](double t) {
-      return normalized(at(t + 1e-5) - at(t - 1e-5));
-    };
+    const auto tangent = [&](double t) { return normalized(at(t + 1e-5) - at(t - 1e-5)); };
     ModelPoint u = normalized(across - tangent(0) * dot(across, tangent(0)));
     for (int i = 1; i <= kSteps; ++i) {
       const ModelPoint t = tangent(static_cast<double>(i) / kSteps);

@@ -9,6 +9,7 @@
 
 #include "engine/base/rng.h"
 #include "engine/geometry/triangulate.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::geometry;
@@ -39,9 +40,7 @@ Points randomPolygon(Rng& rng) {
 
 bool simpleBySearch(const Points& p) {
   const std::size_t n = p.size();
-  const auto side = [](SectionPoint a, SectionPoint b, SectionPoint c) {
-    return cross(b - a, c - a);
-  };
+  const auto side = [](SectionPoint a, SectionPoint b, SectionPoint c) { return cross(b - a, c - a); };
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;
@@ -56,7 +55,7 @@ bool simpleBySearch(const Points& p) {
 
 TEST_CASE("triangles fill a polygon: all corners used, none flat, areas add up") {
   Rng rng(3);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < testing::rounds(400); ++round) {
     Points points = randomPolygon(rng);
     const double area = signedArea(view(points));
     if (!isSimple(points) || area <= 0) continue;
@@ -95,7 +94,7 @@ TEST_CASE("straight stretches, spirals and combs are filled without flat triangl
 TEST_CASE("simplicity agrees with a search over all pairs of edges") {
   Rng rng(4);
   int simple = 0, crossing = 0;
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < testing::rounds(2000); ++round) {
     Points points;
     const int corners = 3 + static_cast<int>(rng.below(6));
     for (int i = 0; i < corners; ++i) points.push_back({rng.uniform(-1, 1), rng.uniform(-1, 1)});
@@ -173,7 +172,7 @@ Pierced randomPierced(Rng& rng) {
 TEST_CASE("triangles fill polygons with holes and several pieces: all corners used, areas add up") {
   Rng rng(31);
   int pierced = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < testing::rounds(600); ++round) {
     Pierced shape = randomPierced(rng);
     if (round % 5 == 0) {  // a second piece far away
       for (const SectionPoint p : {SectionPoint{20, 0}, {21, 0}, {20, 1}}) shape.points.push_back(p);
@@ -210,14 +209,14 @@ TEST_CASE("triangles fill polygons with holes and several pieces: all corners us
 
 TEST_CASE("the centre of the kernel sees every edge, and a spiral has none") {
   Rng rng(32);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < testing::rounds(300); ++round) {
     const Points points = randomPolygon(rng);  // star-shaped from the origin
     const auto centre = kernelCentre(points);
     REQUIRE(centre.has_value());
     CHECK(seesAllEdges(points, *centre, -1e-9));
   }
-  const Points spiral = {{-1, -1}, {1, -1}, {1, 1}, {-0.6, 1}, {-0.6, -0.2}, {0.2, -0.2},
-                         {0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.6}, {0.6, 0.6}, {0.6, -0.6}, {-1, -0.6}};
+  const Points spiral = {{-1, -1},   {1, -1},     {1, 1},      {-0.6, 1},  {-0.6, -0.2}, {0.2, -0.2},
+                         {0.2, 0.2}, {-0.2, 0.2}, {-0.2, 0.6}, {0.6, 0.6}, {0.6, -0.6},  {-1, -0.6}};
   CHECK(isSimple(spiral));
   CHECK_FALSE(kernelCentre(spiral).has_value());
 }

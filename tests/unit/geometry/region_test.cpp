@@ -47,8 +47,8 @@ TEST_CASE("a simple outline comes back as it is, whichever way it was drawn") {
 }
 
 TEST_CASE("an outline within another is a hole, and one within that an island") {
-  const Contours clean = cleaned({ellipse({200, 200}, 20, 20, 30), ellipse({200, 200}, 150, 150, 80),
-                                  ellipse({200, 200}, 80, 80, 60)});
+  const Contours clean =
+      cleaned({ellipse({200, 200}, 20, 20, 30), ellipse({200, 200}, 150, 150, 80), ellipse({200, 200}, 80, 80, 60)});
   CHECK(clean.size() == 3);
   double want = 0;
   using Ring = std::tuple<double, int, int>;
@@ -103,8 +103,7 @@ TEST_CASE("an open line becomes a ribbon of its width with round ends; crossing 
   const Contours line = cleaned({{{100, 100}, {300, 100}}}, 20);
   CHECK(line.size() == 1);
   CHECK(areaOf(line) == doctest::Approx(200 * 20 + std::numbers::pi * 100).epsilon(0.01));
-  const Contours loop =
-      cleaned({{{100, 100}, {300, 100}, {300, 250}, {100, 250}, {100, 100}}}, 12);
+  const Contours loop = cleaned({{{100, 100}, {300, 100}, {300, 250}, {100, 250}, {100, 100}}}, 12);
   CHECK(loop.size() == 2);
   CHECK(cleaned({{{100, 100}, {300, 300}, {300, 100}, {100, 300}}}, 12).size() == 2);
 }
@@ -143,8 +142,7 @@ TEST_CASE("points that are inserted keep the area and the rim, and every triangl
     double area = 0;
     bool inner = true;
     for (const auto& t : mesh.triangles()) {
-      const double twice = cross(mesh.points()[t[1]] - mesh.points()[t[0]],
-                                 mesh.points()[t[2]] - mesh.points()[t[0]]);
+      const double twice = cross(mesh.points()[t[1]] - mesh.points()[t[0]], mesh.points()[t[2]] - mesh.points()[t[0]]);
       CHECK(twice > 0);
       area += twice / 2;
       inner = inner && (t[0] >= mesh.rim() || t[1] >= mesh.rim() || t[2] >= mesh.rim());

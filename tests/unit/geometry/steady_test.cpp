@@ -68,8 +68,8 @@ TEST_CASE("the tremor of a hand and the steps of pixels are evened out, by less 
 }
 
 TEST_CASE("polygons keep their corners and their straight sides") {
-  const Contours drawn{rectangle(50, 60, 320, 240), rectangle(120, 100, 200, 180),
-                       {{340, 100}, {390, 300}, {330, 380}}};
+  const Contours drawn{
+      rectangle(50, 60, 320, 240), rectangle(120, 100, 200, 180), {{340, 100}, {390, 300}, {330, 380}}};
   const auto clean = cleanRegion(drawn, 0, {400, 400});
   REQUIRE(clean.ok());
   const Contours even = steadied(clean.value(), {6, 1});
@@ -83,7 +83,7 @@ TEST_CASE("polygons keep their corners and their straight sides") {
   }
 }
 
-TEST_CASE("what is steadied is still a region, however it was drawn") {
+TEST_CASE("what is steadied is still a region, however it was drawn" * doctest::test_suite("slow")) {
   Rng rng(12);
   for (int round = 0; round < 40; ++round) {
     std::vector<PicturePoint> scribble;

@@ -35,8 +35,7 @@ Image plain(int width, int height, std::array<std::uint8_t, 4> colour) {
 
 const std::uint8_t* at(const Image& image, int x, int y) {
   return image.pixels.data() +
-         4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-              static_cast<std::size_t>(x));
+         4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
 }
 
 /// The definition, pixel by pixel with exact overlaps.
@@ -61,17 +60,16 @@ std::array<double, 4> averageOf(const Image& image, double x0, double x1, double
 }  // namespace
 
 TEST_CASE("shrinking averages areas, weighted by alpha, as the definition says") {
-  for (const auto& [w, h, tw, th] :
-       {std::array{17, 23, 5, 7}, std::array{32, 16, 8, 4}, std::array{9, 9, 9, 4},
-        std::array{31, 3, 30, 2}, std::array{40, 25, 1, 1}}) {
+  for (const auto& [w, h, tw, th] : {std::array{17, 23, 5, 7}, std::array{32, 16, 8, 4}, std::array{9, 9, 9, 4},
+                                     std::array{31, 3, 30, 2}, std::array{40, 25, 1, 1}}) {
     const Image source = randomImage(w, h, static_cast<std::uint64_t>(w * h));
     const Image small = shrink(source, tw, th);
     REQUIRE(small.width == tw);
     REQUIRE(small.height == th);
     for (int y = 0; y < th; ++y) {
       for (int x = 0; x < tw; ++x) {
-        const auto wanted = averageOf(source, 1.0 * x * w / tw, 1.0 * (x + 1) * w / tw,
-                                      1.0 * y * h / th, 1.0 * (y + 1) * h / th);
+        const auto wanted =
+            averageOf(source, 1.0 * x * w / tw, 1.0 * (x + 1) * w / tw, 1.0 * y * h / th, 1.0 * (y + 1) * h / th);
         for (std::size_t c = 0; c < 4; ++c) {
           REQUIRE(std::abs(at(small, x, y)[c] - wanted[c]) <= 0.500001);
         }
@@ -102,8 +100,7 @@ TEST_CASE("shrinking refuses sizes it cannot make and sources without their pixe
   CHECK(shrink(Image{8, 8, {1, 2, 3}}, 4, 4).empty());
 }
 
-TEST_CASE(
-    "a fitted size obeys both limits, never grows, keeps the shape and turns with its original") {
+TEST_CASE("a fitted size obeys both limits, never grows, keeps the shape and turns with its original") {
   Rng rng(11);
   for (int i = 0; i < 20000; ++i) {
     const Size size{1 + static_cast<int>(rng.below(32768)), 1 + static_cast<int>(rng.below(32768))};
@@ -119,9 +116,8 @@ TEST_CASE(
     REQUIRE(turned == Size{fit.height, fit.width});
     if (std::min(fit.width, fit.height) > 1) {
       // Rounding moves a side by half a pixel, or by one where rounding up would break the limit.
-      const double scale =
-          std::min({1.0, 1.0 * side / std::max(size.width, size.height),
-                    std::sqrt(static_cast<double>(pixels) / size.width / size.height)});
+      const double scale = std::min({1.0, 1.0 * side / std::max(size.width, size.height),
+                                     std::sqrt(static_cast<double>(pixels) / size.width / size.height)});
       REQUIRE(std::abs(fit.width - scale * size.width) <= 1.0);
       REQUIRE(std::abs(fit.height - scale * size.height) <= 1.0);
     }
@@ -162,8 +158,7 @@ TEST_CASE("each EXIF orientation puts the scene's top left corner where it belon
   for (const int other : {0, 9, -1, 70000}) CHECK(orient(scene, other) == scene);
 }
 
-TEST_CASE(
-    "a large picture keeps its size in words and shrinks in pixels; a small one is kept as it is") {
+TEST_CASE("a large picture keeps its size in words and shrinks in pixels; a small one is kept as it is") {
   const Image small = randomImage(40, 30, 3);
   const Picture kept = makePicture(small);
   CHECK(kept.working == small);
@@ -225,16 +220,16 @@ TEST_CASE("a row of pixels has the Lab of each of its colours, half transparent 
 }
 
 TEST_CASE("a look gives back what was put in up to half a step, and holds what is beyond it") {
-  PixelLook look;
+  PixelFeature look;
   for (const float value : {-108.f, -0.001f, 0.f, 0.3f, 53.2f, 100.f}) {
     for (std::size_t c = 0; c < 3; ++c) {
       look.set(c, value);
-      CHECK(std::abs(look[c] - value) <= 0.5f / PixelLook::kLab);
+      CHECK(std::abs(look[c] - value) <= 0.5f / PixelFeature::kLab);
     }
   }
   for (const float near : {0.f, 1.f / 3, 0.9999f, 1.f}) {
     look.set(3, near);
-    CHECK(std::abs(look[3] - near) <= 0.5f / PixelLook::kNear);
+    CHECK(std::abs(look[3] - near) <= 0.5f / PixelFeature::kNear);
   }
   look.set(0, 1e6f);
   look.set(1, -1e6f);

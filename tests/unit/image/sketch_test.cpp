@@ -12,6 +12,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::image;
@@ -58,8 +59,8 @@ Picture drawn(Size size, const Strokes& strokes) {
 }
 
 std::array<int, 4> pixel(const Picture& picture, int x, int y) {
-  const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                       static_cast<std::size_t>(x));
+  const auto at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
   const auto& p = picture.working.pixels;
   return {p[at], p[at + 1], p[at + 2], p[at + 3]};
 }
@@ -105,7 +106,7 @@ TEST_CASE("a sketch without strokes is white paper of its size") {
 
 TEST_CASE("strokes added to a drawn sketch give what drawing all of them from blank paper gives") {
   Rng rng(12);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < testing::rounds(20); ++round) {
     const Size size{64 + static_cast<int>(rng.below(200)), 64 + static_cast<int>(rng.below(200))};
     const Strokes strokes = randomStrokes(rng, size, 1 + rng.below(12));
     const std::size_t first = rng.below(static_cast<std::uint32_t>(strokes.size() + 1));
@@ -118,7 +119,7 @@ TEST_CASE("strokes added to a drawn sketch give what drawing all of them from bl
 
 TEST_CASE("an eraser over all that was drawn leaves nothing but paper") {
   Rng rng(13);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < testing::rounds(20); ++round) {
     const Size size{200, 150};
     SketchStroke stroke = randomStroke(rng, size);
     stroke.erase = false;
@@ -132,7 +133,7 @@ TEST_CASE("an eraser over all that was drawn leaves nothing but paper") {
 
 TEST_CASE("a straight line covers its length times its width and two half discs") {
   Rng rng(14);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < testing::rounds(40); ++round) {
     const double radius = rng.uniform(0.8, 14), angle = rng.uniform(0, 2 * kPi);
     const double length = rng.uniform(0, 80);
     const PicturePoint from{rng.uniform(95, 105), rng.uniform(95, 105)};
@@ -143,9 +144,9 @@ TEST_CASE("a straight line covers its length times its width and two half discs"
   }
 }
 
-TEST_CASE("a stroke touches no pixel beyond its radius and fills every pixel within it") {
+TEST_CASE("a stroke touches no pixel beyond its radius and fills every pixel within it" * doctest::test_suite("slow")) {
   Rng rng(15);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < testing::rounds(10); ++round) {
     const Size size{160, 120};
     SketchStroke stroke = black(randomStroke(rng, size));
     stroke.erase = false;
@@ -174,7 +175,7 @@ TEST_CASE("a stroke touches no pixel beyond its radius and fills every pixel wit
 TEST_CASE("a sketch mirrored is the mirror's sketch") {
   Rng rng(16);
   const Size size{128, 96};
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < testing::rounds(10); ++round) {
     SketchStroke stroke = randomStroke(rng, size);
     for (PicturePoint& p : stroke.points) p = {std::round(p.x * 4) / 4, std::round(p.y * 4) / 4};
     SketchStroke mirrored = stroke;
@@ -232,9 +233,8 @@ TEST_CASE("the line keeps its sharp corners and rounds the gentle ones") {
 
 TEST_CASE("strokes that leave the paper, or are far beyond it, harm nothing") {
   for (const double far : {500., 1e5, 1e12, 1e300}) {
-    const Picture picture =
-        drawn({96, 96}, {line({{48, 48}, {far, 48}}, 4), line({{-far, -far}, {far, far}}, 100),
-                         line({{far, far}}, 100)});
+    const Picture picture = drawn(
+        {96, 96}, {line({{48, 48}, {far, 48}}, 4), line({{-far, -far}, {far, far}}, 100), line({{far, far}}, 100)});
     CHECK(pixel(picture, 48, 48)[0] == 31);
   }
   const Picture away = drawn({96, 96}, {line({{1e300, 1e300}, {1e300, -1e300}}, 4)});

@@ -13,6 +13,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/project_file.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 
 using namespace spineloft;
@@ -49,8 +50,7 @@ Document mended(const Document& document, const Change& change, ReadNotes& notes
 /// Whether every part and picture passes the checks that `update` makes.
 bool couldBeMade(const Document& document) {
   for (const PictureEntry& entry : document.pictures) {
-    if (!document::isValid(entry.ignored) || entry.id.value == 0 ||
-        entry.id.value > document.lastPictureId) {
+    if (!document::isValid(entry.ignored) || entry.id.value == 0 || entry.id.value > document.lastPictureId) {
       return false;
     }
     if (tidyName(entry.name, "x") != entry.name) return false;
@@ -58,19 +58,17 @@ bool couldBeMade(const Document& document) {
   for (const Part& part : document.parts) {
     if (!checkDrawn(document, part.recipe)) return false;
     if (const LoftRecipe* recipe = loftOf(part)) {
-      if (!ribs::isValid(recipe->edits) || !ribs::inRange(recipe->ribs) ||
-          !document::isValid(recipe->ignored) || !loft::isValid(recipe->pose) ||
-          !loft::checkParams(recipe->loft)) {
+      if (!ribs::isValid(recipe->edits) || !ribs::inRange(recipe->ribs) || !document::isValid(recipe->ignored) ||
+          !loft::isValid(recipe->pose) || !loft::checkParams(recipe->loft)) {
         return false;
       }
     }
-    if (puffOf(part) && !isValid(puffOf(part)->puff)) return false;
-    if (sheetOf(part) && !isValid(sheetOf(part)->sheet)) return false;
+    if (inflateOf(part) && !isValid(inflateOf(part)->inflate)) return false;
+    if (extrudeOf(part) && !isValid(extrudeOf(part)->extrude)) return false;
     for (const ParamInfo& info : paramTable(kindOf(part))) {
       if (info.get(part.recipe) < info.low || info.get(part.recipe) > info.high) return false;
     }
-    if (tidyName(part.name, "x") != part.name || part.id.value == 0 ||
-        part.id.value > document.lastPartId) {
+    if (tidyName(part.name, "x") != part.name || part.id.value == 0 || part.id.value > document.lastPartId) {
       return false;
     }
   }
@@ -80,9 +78,8 @@ bool couldBeMade(const Document& document) {
 /// Every number, text, list and object of the JSON, each replaced once by something hostile.
 void spoil(Json& json, Rng& rng, int& countdown) {
   if (countdown-- == 0) {
-    const std::array<Json, 12> hostile = {Json(),       -1,   0,     1e300,           4294967295u,
-                                          "",           "x",  false, Json::array(),   Json::object(),
-                                          Json{1, "2"}, -0.5};
+    const std::array<Json, 12> hostile = {
+        Json(), -1, 0, 1e300, 4294967295u, "", "x", false, Json::array(), Json::object(), Json{1, "2"}, -0.5};
     json = hostile[rng.below(hostile.size())];
     return;
   }
@@ -95,7 +92,7 @@ void spoil(Json& json, Rng& rng, int& countdown) {
 
 TEST_CASE("every document of hundreds of random sessions comes back equal from its JSON") {
   ActionCounts succeeded{};
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 200)) {
     const std::vector<Document> documents = randomSession(seed, 40, &succeeded);
     for (std::size_t i = 0; i < documents.size(); i += 1 + seed % 4) {
       ReadNotes notes;
@@ -117,7 +114,7 @@ TEST_CASE("numbers come back exactly, the smallest and the largest, and −0 is 
   Part part = document.parts[0];
   const double tiny = std::numeric_limits<double>::denorm_min(), third = 1.0 / 3;
   loftOf(part)->edits.ends = {{third, ribs::Side::Left, tiny, -99999.999999999985, 1, true},
-                            {0.1, ribs::Side::Right, 1e5, 12345.678901234567, 0.3, false}};
+                              {0.1, ribs::Side::Right, 1e5, 12345.678901234567, 0.3, false}};
   loftOf(part)->pose.coilTurns = -0.0;
   document.parts[0] = part;
   const Document read = readBack(document, writeDocument(document));
@@ -165,8 +162,7 @@ TEST_CASE("what unknown keys say of a list is dropped when the list has another 
   Json json = Json::parse(writeDocument(document));
   json["parts"][0]["recipe"]["loft"]["sections"][0]["new"] = 1;
   Document read = readBack(document, json.dump());
-  const std::vector<loft::SectionStop> stops = {{0, loft::SectionPreset::Star, {}},
-                                                {1, loft::SectionPreset::Gear, {}}};
+  const std::vector<loft::SectionKey> stops = {{0, loft::SectionPreset::Star, {}}, {1, loft::SectionPreset::Gear, {}}};
   read = update(read, SetSections{PartId{1}, stops}).value();
   CHECK(writeDocument(read).find("\"new\"") == std::string::npos);
   ReadNotes notes;
@@ -177,12 +173,14 @@ TEST_CASE("what unknown keys say of a list is dropped when the list has another 
 TEST_CASE("unknown keys of a list that mending shortens go with it, and the document reads back as it is") {
   const Document document = twoParts();
   ReadNotes notes;
-  const Document read = mended(document, [&](Json& j) {
-    j["parts"][0]["recipe"]["loft"]["sections"] = {
-        {{"at", 7}, {"shape", {{"preset", "star"}}}},
-        {{"at", 0.5}, {"shape", {{"preset", "square"}}}, {"glow", 3}}};
-    j["parts"][0]["bones"] = 2;
-  }, notes);
+  const Document read = mended(
+      document,
+      [&](Json& j) {
+        j["parts"][0]["recipe"]["loft"]["sections"] = {{{"at", 7}, {"shape", {{"preset", "star"}}}},
+                                                       {{"at", 0.5}, {"shape", {{"preset", "square"}}}, {"glow", 3}}};
+        j["parts"][0]["bones"] = 2;
+      },
+      notes);
   CHECK(loftOf(*read.parts[0])->loft.sections.size() == 1);
   CHECK(notes.repaired > 0);
   CHECK(read.parts[0]->extra == R"({"bones":2})");
@@ -220,8 +218,8 @@ TEST_CASE("a damaged value becomes a sound one, is counted, and the rest is as i
 
 TEST_CASE("whatever one value of a file is replaced by, the document could have been made by hand") {
   const std::vector<Document> documents = randomSession(12, 200);
-  const auto rich = std::find_if(documents.rbegin(), documents.rend(),
-                                 [](const Document& d) { return d.parts.size() > 1; });
+  const auto rich =
+      std::find_if(documents.rbegin(), documents.rend(), [](const Document& d) { return d.parts.size() > 1; });
   REQUIRE(rich != documents.rend());
   const Document& document = *rich;
   const auto photos = photosOfAll(documents);
@@ -250,12 +248,10 @@ TEST_CASE("what is no document is refused, however deep, long or new it is") {
     return read.error();
   };
   for (const char* text : {"", "null", "[]", "7", "{", "{}", "{\"version\":0}", "{\"version\":-1}",
-                           "{\"version\":\"1\"}", "{\"version\":1.5}", "\"\\ud800\"",
-                           "{\"version\":1}x"}) {
+                           "{\"version\":\"1\"}", "{\"version\":1.5}", "\"\\ud800\"", "{\"version\":1}x"}) {
     CHECK(errorOf(text) == Error::ProjectInvalid);
   }
-  CHECK(errorOf("{\"version\":" + std::to_string(kProjectVersion + 1) + "}") ==
-        Error::ProjectTooNew);
+  CHECK(errorOf("{\"version\":" + std::to_string(kProjectVersion + 1) + "}") == Error::ProjectTooNew);
   CHECK(errorOf(std::string(5'000'000, '[')) == Error::ProjectInvalid);
   CHECK(errorOf("{\"version\":1,\"x\":" + std::string(100, '[') + std::string(100, ']') + "}") ==
         Error::ProjectInvalid);

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -30,20 +31,17 @@ using io::ExportPicture;
 namespace {
 
 /// The smallest PNG: one grey pixel.
-const Bytes kPng = {0x89, 'P', 'N',  'G',  0x0d, 0x0a, 0x1a, 0x0a, 0,    0, 0, 13,
-                    'I',  'H', 'D',  'R',  0,    0,    0,    1,    0,    0, 0, 1,
-                    8,    0,   0,    0,    0,    0x3a, 0x7e, 0x9b, 0x55, 0, 0, 0,
-                    10,   'I', 'D',  'A',  'T',  0x78, 0x9c, 0x63, 0x68, 0, 0, 0,
-                    0x82, 0,   0x81, 0x77, 0xcd, 0x72, 0xb6, 0,    0,    0, 0, 'I',
-                    'E',  'N', 'D',  0xae, 0x42, 0x60, 0x82};
+const Bytes kPng = {0x89, 'P',  'N',  'G',  0x0d, 0x0a, 0x1a, 0x0a, 0,    0,    0,    13,  'I',  'H',  'D',  'R',  0,
+                    0,    0,    1,    0,    0,    0,    1,    8,    0,    0,    0,    0,   0x3a, 0x7e, 0x9b, 0x55, 0,
+                    0,    0,    10,   'I',  'D',  'A',  'T',  0x78, 0x9c, 0x63, 0x68, 0,   0,    0,    0x82, 0,    0x81,
+                    0x77, 0xcd, 0x72, 0xb6, 0,    0,    0,    0,    'I',  'E',  'N',  'D', 0xae, 0x42, 0x60, 0x82};
 
 mesh::TriMesh vase(loft::SectionPreset section, int points = 48) {
   loft::LoftParams params;
   params.sections.front().shape.preset = section;
   params.sectionPoints = points;
   params.startCap = loft::CapStyle::Flat;
-  const auto set =
-      straightRibs({300, 700}, {320, 100}, 40, [](double t) { return 120 + 60 * std::sin(7 * t); });
+  const auto set = straightRibs({300, 700}, {320, 100}, 40, [](double t) { return 120 + 60 * std::sin(7 * t); });
   const auto mesh = loft::loftRibs(set, {640, 800}, params);
   REQUIRE(mesh.ok());
   requireLawful(mesh.value());
@@ -63,16 +61,16 @@ ExportPart partOf(const mesh::TriMesh& mesh, std::string name) {
 tinygltf::Model parse(const Bytes& bytes) {
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(
-      [](tinygltf::Image* image, int, std::string*, std::string*, int, int,
-         const unsigned char* data, int size, void*) {
+      [](tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* data, int size,
+         void*) {
         image->image.assign(data, data + size);
         return true;
       },
       nullptr);
   tinygltf::Model model;
   std::string error, warning;
-  const bool ok = reader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(),
-                                              static_cast<unsigned>(bytes.size()));
+  const bool ok =
+      reader.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), static_cast<unsigned>(bytes.size()));
   REQUIRE_MESSAGE(ok, error);
   CHECK(warning.empty());
   return model;
@@ -113,8 +111,7 @@ std::vector<std::uint32_t> indicesOf(const tinygltf::Model& model, int index) {
 TEST_CASE("a GLB read back is what was written: places, normals, texture, one node a part") {
   const mesh::TriMesh square = vase(loft::SectionPreset::Square);
   const mesh::TriMesh circle = vase(loft::SectionPreset::Circle, 512);
-  std::vector<ExportPart> parts = {partOf(square, "Kiste"), partOf(circle, "Käse\xff\n"),
-                                   partOf(square, "plain")};
+  std::vector<ExportPart> parts = {partOf(square, "Kiste"), partOf(circle, "Käse\xff\n"), partOf(square, "plain")};
   parts[0].picture = parts[1].picture = 1;
   parts[2].colour = {1, 0.5f, 0};
   const std::vector<ExportPicture> pictures = {{"unused", kPng}, {"photo.png", kPng}};
@@ -134,8 +131,7 @@ TEST_CASE("a GLB read back is what was written: places, normals, texture, one no
   CHECK(model.materials.at(0).pbrMetallicRoughness.baseColorTexture.index == 0);
   CHECK(model.materials.at(1).pbrMetallicRoughness.baseColorTexture.index == 0);
   CHECK(model.materials.at(2).pbrMetallicRoughness.baseColorTexture.index == -1);
-  CHECK(model.materials[2].pbrMetallicRoughness.baseColorFactor[1] ==
-        doctest::Approx(0.2140).epsilon(1e-3));
+  CHECK(model.materials[2].pbrMetallicRoughness.baseColorFactor[1] == doctest::Approx(0.2140).epsilon(1e-3));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const tinygltf::Primitive& primitive = model.meshes.at(i).primitives.at(0);
     const mesh::ShadedMesh shaded = mesh::shade(*parts[i].mesh);
@@ -157,8 +153,7 @@ TEST_CASE("a GLB read back is what was written: places, normals, texture, one no
       const auto uv = floatsOf(model, primitive.attributes.at("TEXCOORD_0"), 2);
       CHECK(std::memcmp(uv.data(), shaded.uv.data(), uv.size() * 4) == 0);
     }
-    const auto& accessor =
-        model.accessors.at(static_cast<std::size_t>(primitive.attributes.at("POSITION")));
+    const auto& accessor = model.accessors.at(static_cast<std::size_t>(primitive.attributes.at("POSITION")));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       float low = positions[axis], high = positions[axis];
       for (std::size_t v = axis; v < positions.size(); v += 3) {
@@ -169,7 +164,13 @@ TEST_CASE("a GLB read back is what was written: places, normals, texture, one no
       CHECK(accessor.maxValues.at(axis) == high);
     }
     const auto report = mesh::inspect(*parts[i].mesh);
-    CHECK(accessor.maxValues[1] - accessor.minValues[1] == doctest::Approx(0.1).epsilon(0.4));
+    // As tall as its ribs and its round end: the spine runs over 600 pixels, which are 0.1 m.
+    const auto [lowest, highest] =
+        std::ranges::minmax(parts[i].mesh->positions, {}, [](const auto& at) { return at[1]; });
+    const double pixels = static_cast<double>(highest[1]) - static_cast<double>(lowest[1]);
+    CHECK(accessor.maxValues[1] - accessor.minValues[1] == doctest::Approx(pixels * 0.1 / 600).epsilon(1e-6));
+    CHECK(pixels > 600);
+    CHECK(pixels < 800);
     CHECK(report.genus == 0);
   }
 }
@@ -184,8 +185,8 @@ TEST_CASE("a GLB with more than 65535 vertices uses wide indices") {
   const std::vector<ExportPart> parts = {partOf(mesh, "long")};
   const auto model = parse(io::writeGlb(parts, {}).value());
   const auto indices = indicesOf(model, model.meshes[0].primitives[0].indices);
-  CHECK(model.accessors[static_cast<std::size_t>(model.meshes[0].primitives[0].indices)]
-            .componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+  CHECK(model.accessors[static_cast<std::size_t>(model.meshes[0].primitives[0].indices)].componentType ==
+        TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
   CHECK(indices.size() == mesh.triangles.size() * 3);
 }
 
@@ -199,8 +200,7 @@ TEST_CASE("binary STL has its layout, stands up, and keeps the volume") {
   CHECK(std::string(bytes.begin(), bytes.begin() + 5) != "solid");
   const auto number = [&](std::size_t at) {
     return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
-           static_cast<std::uint32_t>(bytes[at + 2]) << 16 |
-           static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+           static_cast<std::uint32_t>(bytes[at + 2]) << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
   };
   CHECK(number(80) == triangles);
   double volume = 0;
@@ -275,10 +275,8 @@ TEST_CASE(
       CHECK(positions[v] == std::array<float, 3>{p[0], sign * p[1], p[2]});
       CHECK(uv[v][1] == doctest::Approx(1 - mesh.uv[v][1]));
     }
-    first.positions.assign(positions.begin(),
-                           positions.begin() + static_cast<std::ptrdiff_t>(mesh.positions.size()));
-    first.triangles.assign(triangles.begin(),
-                           triangles.begin() + static_cast<std::ptrdiff_t>(mesh.triangles.size()));
+    first.positions.assign(positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(mesh.positions.size()));
+    first.triangles.assign(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(mesh.triangles.size()));
     CHECK(requireLawful(first).volume == doctest::Approx(mesh::inspect(mesh).volume));
     CHECK(triangles.back()[0] >= mesh.positions.size());
   }
@@ -312,8 +310,7 @@ TEST_CASE("what cannot be exported says why, in every format") {
   const mesh::TriMesh textured = vase(loft::SectionPreset::D);
   part.mesh = &textured;
   CHECK(io::writeGlb(std::vector{part}, pictures).error() == Error::PictureUnreadable);
-  CHECK(io::writeGlb(std::vector{partOf(mesh, "box")}, {}, {4.0}).error() ==
-        Error::ValueOutOfRange);
+  CHECK(io::writeGlb(std::vector{partOf(mesh, "box")}, {}, {4.0}).error() == Error::ValueOutOfRange);
 }
 
 TEST_CASE("names are clean UTF-8 in one line") {

@@ -41,14 +41,14 @@ struct KeyCollector {
   void recipe(const char* kindKey, const char* key, document::Recipe&) {
     keys.insert(kindKey);
     for (const document::PartKind kind :
-         {document::PartKind::Loft, document::PartKind::Puff, document::PartKind::Sheet}) {
+         {document::PartKind::Loft, document::PartKind::Inflate, document::PartKind::Extrude}) {
       document::Recipe recipe = document::emptyRecipe(kind);
       std::visit([&](auto& one) { (*this)(key, one); }, recipe);
     }
   }
-  void operator()(const char* key, std::vector<loft::SectionStop>&) {
+  void operator()(const char* key, std::vector<loft::SectionKey>&) {
     keys.insert(key);
-    loft::SectionStop stop;
+    loft::SectionKey stop;
     members(*this, stop);
   }
   template <class T>
@@ -78,7 +78,8 @@ struct KeyCollector {
 };
 
 /// A golden document, of which nothing may be lost or mended.
-document::Document readWhole(const std::string& name, const PictureSource& pictureOf = [](std::uint64_t) { return nullptr; }) {
+document::Document readWhole(
+    const std::string& name, const PictureSource& pictureOf = [](std::uint64_t) { return nullptr; }) {
   const auto bytes = testFile(name);
   ReadNotes notes;
   const auto read = readDocument({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, pictureOf, &notes);
@@ -142,10 +143,10 @@ TEST_CASE("the golden document with solids reads as what was written") {
 
 TEST_CASE("the golden document with regions reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-regions.json");
-  const document::PuffRecipe belly{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
-                                   {1.5, inflate::PuffSides::Front, 400}};
-  const document::SheetRecipe ear{{PictureId{1}, {{{20, 20}, {60, 24.5}}}, 6},
-                                  {0.08, sheet::EdgeKind::Bevel, 0.25, -0.125}};
+  const document::InflateRecipe belly{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
+                                      {1.5, inflate::InflateSides::Front, 400}};
+  const document::ExtrudeRecipe ear{{PictureId{1}, {{{20, 20}, {60, 24.5}}}, 6},
+                                    {0.08, extrude::EdgeKind::Bevel, 0.25, -0.125}};
   REQUIRE(read.parts.size() == 2);
   CHECK(read.parts[0]->recipe == document::Recipe(belly));
   CHECK(read.parts[1]->recipe == document::Recipe(ear));

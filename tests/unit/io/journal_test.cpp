@@ -9,6 +9,7 @@
 #include "engine/base/rng.h"
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
 
 using namespace spineloft;
@@ -58,9 +59,12 @@ struct Wandering {
     const Gesture gesture = rng.below(3) == 0 ? 5 : 0;
     documents.push_back(next.value());
     switch (history.commit(next.value(), gesture)) {
-      case Committed::Nothing: return;
-      case Committed::Step: return keep(commitRecord(before, history.present()));
-      case Committed::Amended: return keep(amendRecord(before, history.present()));
+      case Committed::Nothing:
+        return;
+      case Committed::Step:
+        return keep(commitRecord(before, history.present()));
+      case Committed::Amended:
+        return keep(amendRecord(before, history.present()));
     }
   }
   void keep(std::string record) {
@@ -72,13 +76,12 @@ struct Wandering {
 }  // namespace
 
 TEST_CASE("a journal played back gives the same documents, undo and redo after every record") {
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
     const Wandering session(seed);
     const auto photos = photosOfAll(session.documents);
     const std::string base = writeHistory(DocumentHistory());
     for (std::size_t count = 0; count < session.records.size(); count += 1 + seed % 3) {
-      const auto read =
-          readHistory(base, std::span(session.records).first(count + 1), photos);
+      const auto read = readHistory(base, std::span(session.records).first(count + 1), photos);
       REQUIRE(read.ok());
       CHECK(read.value().dropped == 0);
       requireSame(read.value().history, session.after[count]);
@@ -87,7 +90,7 @@ TEST_CASE("a journal played back gives the same documents, undo and redo after e
 }
 
 TEST_CASE("a history written anew at any moment is the same history, and records go on from it") {
-  for (std::uint64_t seed = 100; seed < 160; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(100, 160)) {
     const Wandering session(seed);
     if (session.records.size() < 2) continue;
     const auto photos = photosOfAll(session.documents);
@@ -105,7 +108,7 @@ TEST_CASE("a history written anew at any moment is the same history, and records
 }
 
 TEST_CASE("a damaged record ends the play with everything before it") {
-  for (std::uint64_t seed = 200; seed < 230; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(200, 230)) {
     const Wandering session(seed);
     if (session.records.empty()) continue;
     const auto photos = photosOfAll(session.documents);
@@ -133,8 +136,7 @@ TEST_CASE("records that do not belong to a history end its play without harm") {
   all.insert(all.end(), other.documents.begin(), other.documents.end());
   const auto photos = photosOfAll(all);
   for (std::size_t i = 0; i < other.records.size(); ++i) {
-    const auto read =
-        readHistory(writeHistory(one.history), std::span(other.records).subspan(i, 1), photos);
+    const auto read = readHistory(writeHistory(one.history), std::span(other.records).subspan(i, 1), photos);
     REQUIRE(read.ok());
     for (const Part& part : read.value().history.present().parts) {
       CHECK(findPicture(read.value().history.present(), document::pictureOf(part)) != nullptr);
@@ -144,7 +146,7 @@ TEST_CASE("records that do not belong to a history end its play without harm") {
 
 TEST_CASE("a damaged step in the base shortens undo and redo and leaves the present as it is") {
   int shortened = 0;
-  for (std::uint64_t seed = 400; seed < 440; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(400, 440)) {
     const Wandering session(seed);
     const auto photos = photosOfAll(session.documents);
     std::string base = writeHistory(session.history);
@@ -183,8 +185,7 @@ TEST_CASE("a record whose photo is not there ends the play") {
   const Document empty;
   const Document one = update(empty, AddPicture{"a", ellipsePicture(96, 72)}).value();
   const std::vector<std::string> records = {commitRecord(empty, one)};
-  const auto read = readHistory(writeHistory(DocumentHistory()), records,
-                                [](std::uint64_t) { return nullptr; });
+  const auto read = readHistory(writeHistory(DocumentHistory()), records, [](std::uint64_t) { return nullptr; });
   REQUIRE(read.ok());
   CHECK(read.value().dropped == 1);
   CHECK(read.value().history.present() == empty);
@@ -193,9 +194,9 @@ TEST_CASE("a record whose photo is not there ends the play") {
 TEST_CASE("the photos of a history are those of any of its documents, each once") {
   DocumentHistory history;
   const auto cat = ellipsePicture(96, 72), dog = ellipsePicture(96, 72, 1);
-  for (const Action& action : std::vector<Action>{
-           AddPicture{"cat", cat}, AddPicture{"dog", dog}, AddSketch{"paper", {100, 100}},
-           RemovePicture{PictureId{1}}, AddPicture{"dog again", dog}}) {
+  for (const Action& action :
+       std::vector<Action>{AddPicture{"cat", cat}, AddPicture{"dog", dog}, AddSketch{"paper", {100, 100}},
+                           RemovePicture{PictureId{1}}, AddPicture{"dog again", dog}}) {
     history.commit(update(history.present(), action).value());
   }
   CHECK(photosOf(history) == std::vector{contentHash(*cat), contentHash(*dog)});

@@ -30,8 +30,7 @@ TEST_CASE("a stroke is read from a list, from points, and by name") {
   const std::vector<PicturePoint> wanted{{1, 2}, {3.5, -4e2}};
   CHECK(strokeOf("[[1,2],[3.5,-4e2]]") == wanted);
   CHECK(strokeOf(" {\"points\": [[1, 2, 0.7], [3.5, -400, 1]], \"id\": 3} ") == wanted);
-  const std::string named =
-      R"({"spines": {"sloppy": [[1,2],[3.5,-400]], "careful": [[9,9],[8,8]]}})";
+  const std::string named = R"({"spines": {"sloppy": [[1,2],[3.5,-400]], "careful": [[9,9],[8,8]]}})";
   CHECK(strokeOf(named) == wanted);
   CHECK(strokeOf(named, "sloppy") == wanted);
   CHECK(strokeOf(named, "careful") == std::vector<PicturePoint>{{9, 9}, {8, 8}});
@@ -39,10 +38,9 @@ TEST_CASE("a stroke is read from a list, from points, and by name") {
 
 TEST_CASE("every stroke that is not one is refused with its reason") {
   for (const char* text :
-       {"", "{", "nonsense", "12", "\"line\"", "{}", "{\"points\": 3}", "[1, 2]", "[[1, 2], [3]]",
-        "[[1, 2], 3]", "[[1, 2], [\"3\", 4]]", "[[1, 2], [true, 4]]", "[[1, 2], [3, 4]",
-        "{\"spines\": 1}", "{\"spines\": {}}", "{\"spines\": {\"a\": 1}}", "[[NaN, 1]]",
-        "[[1, 2]] tail"}) {
+       {"", "{", "nonsense", "12", "\"line\"", "{}", "{\"points\": 3}", "[1, 2]", "[[1, 2], [3]]", "[[1, 2], 3]",
+        "[[1, 2], [\"3\", 4]]", "[[1, 2], [true, 4]]", "[[1, 2], [3, 4]", "{\"spines\": 1}", "{\"spines\": {}}",
+        "{\"spines\": {\"a\": 1}}", "[[NaN, 1]]", "[[1, 2]] tail"}) {
     CAPTURE(text);
     const Failure failure = failureOf(text);
     CHECK((failure.error == Error::JsonInvalid));
@@ -52,8 +50,7 @@ TEST_CASE("every stroke that is not one is refused with its reason") {
   CHECK((failureOf("[[1, 2], [null, 2]]").error == Error::StrokeNotFinite));
   CHECK_FALSE(readStroke("[[1, 2], [1e999, 2]]", {}).ok());
   CHECK((failureOf("[[1, 2], [3, 4]]", "careful").error == Error::JsonInvalid));
-  CHECK(failureOf(R"({"spines": {"a": [[1, 2]], "b": [[1, 2]]}})", "c").detail.find("a, b") !=
-        std::string::npos);
+  CHECK(failureOf(R"({"spines": {"a": [[1, 2]], "b": [[1, 2]]}})", "c").detail.find("a, b") != std::string::npos);
 }
 
 TEST_CASE("hostile JSON of any shape is survived") {
@@ -78,17 +75,14 @@ TEST_CASE("hostile JSON of any shape is survived") {
 
 TEST_CASE("ribs are written as they are, and their ends read back as a stroke") {
   ribs::RibSet ribs;
-  ribs.ribs.push_back(
-      {{10.1, 20.2}, {5, 20}, {15.5, 1.0 / 3}, ribs::RibState::Edge, ribs::RibState::Bridged});
-  ribs.ribs.push_back(
-      {{11, 21}, {6, 20}, {16, 20}, ribs::RibState::Guessed, ribs::RibState::Guessed});
+  ribs.ribs.push_back({{10.1, 20.2}, {5, 20}, {15.5, 1.0 / 3}, ribs::RibState::Edge, ribs::RibState::Bridged});
+  ribs.ribs.push_back({{11, 21}, {6, 20}, {16, 20}, ribs::RibState::Guessed, ribs::RibState::Guessed});
   const std::string text = writeRibs(ribs);
-  CHECK(
-      text ==
-      "{\"ribs\":[{\"center\":[10.1,20.2],\"left\":[5.0,20.0],\"right\":[15.5,0.3333333333333333],"
-      "\"leftState\":\"edge\",\"rightState\":\"bridged\"},{\"center\":[11.0,21.0],\"left\":[6.0,20."
-      "0],"
-      "\"right\":[16.0,20.0],\"leftState\":\"guessed\",\"rightState\":\"guessed\"}]}\n");
+  CHECK(text ==
+        "{\"ribs\":[{\"center\":[10.1,20.2],\"left\":[5.0,20.0],\"right\":[15.5,0.3333333333333333],"
+        "\"leftState\":\"edge\",\"rightState\":\"bridged\"},{\"center\":[11.0,21.0],\"left\":[6.0,20."
+        "0],"
+        "\"right\":[16.0,20.0],\"leftState\":\"guessed\",\"rightState\":\"guessed\"}]}\n");
 }
 
 TEST_CASE("a report says everything, and what is not finite becomes null") {
@@ -100,9 +94,8 @@ TEST_CASE("a report says everything, and what is not finite becomes null") {
   report.mesh.volume = std::numeric_limits<double>::quiet_NaN();
   report.milliseconds = {{"edges", 12.5}, {"ribs", 3}};
   const std::string text = writeReport(report);
-  for (const char* part :
-       {"\"width\": 640", "\"ribs\": 100", "\"total\": 6.5", "\"closed\": true",
-        "\"lawful\": false", "\"volume\": null", "\"edges\": 12.5", "\"ribs\": 3"}) {
+  for (const char* part : {"\"width\": 640", "\"ribs\": 100", "\"total\": 6.5", "\"closed\": true", "\"lawful\": false",
+                           "\"volume\": null", "\"edges\": 12.5", "\"ribs\": 3"}) {
     CAPTURE(part);
     CHECK(text.find(part) != std::string::npos);
   }
@@ -156,6 +149,5 @@ TEST_CASE("a benchmark is written group by group and row by row; counts have no 
         "{\"name\":\"cupcareful\",\"id\":\"cup\",\"category\":\"photo\",\"stroke\":\"careful\","
         "\"difficulty\":[],\"iou\":0.875},{\"name\":\"catcareful\",\"id\":\"cat\",\"category\":\"photo\","
         "\"stroke\":\"careful\",\"difficulty\":[\"noise\"],\"failure\":\"StrokeLoops\",\"iou\":0}]}");
-  CHECK(writeNumbers({{"a", 1}, {"b", std::numeric_limits<double>::infinity()}}) ==
-        "{\n \"a\": 1,\n \"b\": null\n}\n");
+  CHECK(writeNumbers({{"a", 1}, {"b", std::numeric_limits<double>::infinity()}}) == "{\n \"a\": 1,\n \"b\": null\n}\n");
 }

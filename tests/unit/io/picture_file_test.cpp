@@ -279,9 +279,8 @@ TEST_CASE("no bytes, other formats and noise are named as such") {
 }
 
 TEST_CASE("a picture cut off anywhere is refused as damaged, never half shown") {
-  for (const Bytes& file :
-       {encoded(encodePng(noisyImage(24, 24, 2))), encoded(encodeJpeg(noisyImage(24, 24, 2), 90)),
-        bmpFile(noisyImage(24, 24, 2), false), gifFile(24, 24, 1)}) {
+  for (const Bytes& file : {encoded(encodePng(noisyImage(24, 24, 2))), encoded(encodeJpeg(noisyImage(24, 24, 2), 90)),
+                            bmpFile(noisyImage(24, 24, 2), false), gifFile(24, 24, 1)}) {
     REQUIRE(decodePicture(file, Progress()).ok());
     const bool gif = file[0] == 'G';  // a whole first frame needs no trailer
     for (std::size_t length = 8; length + (gif ? 1 : 0) < file.size(); ++length) {
@@ -296,8 +295,8 @@ TEST_CASE("a picture cut off anywhere is refused as damaged, never half shown") 
 TEST_CASE("damaged bytes never crash, and what is decoded has its declared size") {
   Rng rng(17);
   const Bytes jpeg = withOrientation(encoded(encodeJpeg(noisyImage(24, 20, 5), 70)), 6, true);
-  for (const Bytes& file : {encoded(encodePng(noisyImage(24, 20, 2))), jpeg,
-                            bmpFile(noisyImage(24, 20, 2), true), gifFile(24, 20, 2)}) {
+  for (const Bytes& file :
+       {encoded(encodePng(noisyImage(24, 20, 2))), jpeg, bmpFile(noisyImage(24, 20, 2), true), gifFile(24, 20, 2)}) {
     for (int round = 0; round < 1500; ++round) {
       Bytes damaged = file;
       const std::uint32_t reach = round % 3 == 0 ? 64u : static_cast<std::uint32_t>(file.size());
@@ -306,14 +305,13 @@ TEST_CASE("damaged bytes never crash, and what is decoded has its declared size"
       }
       const auto info = probePicture(damaged);
       // Keeps the test small: huge sizes that we accept are decoded elsewhere.
-      if (info.ok() && 1LL * info.value().size.width * info.value().size.height > 4'000'000)
-        continue;
+      if (info.ok() && 1LL * info.value().size.width * info.value().size.height > 4'000'000) continue;
       const auto picture = decodePicture(damaged, Progress());
       if (!picture.ok()) continue;
       const image::Picture& p = picture.value();
       REQUIRE(info.value().size.width * info.value().size.height == p.width * p.height);
-      REQUIRE(p.working.pixels.size() == 4 * static_cast<std::size_t>(p.working.width) *
-                                             static_cast<std::size_t>(p.working.height));
+      REQUIRE(p.working.pixels.size() ==
+              4 * static_cast<std::size_t>(p.working.width) * static_cast<std::size_t>(p.working.height));
     }
   }
 }

@@ -20,9 +20,7 @@ std::string textOfFile(const std::string& name) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 const std::vector<std::string> kRecipes{"twisted-pasta", "toothpaste-tube", "helix"};
-std::string recipeText(const std::string& name) {
-  return textOfFile("../assets/docs/recipes/" + name + ".json");
-}
+std::string recipeText(const std::string& name) { return textOfFile("../assets/docs/recipes/" + name + ".json"); }
 
 }  // namespace
 

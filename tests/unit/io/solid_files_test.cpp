@@ -29,8 +29,7 @@ namespace {
 mesh::TriMesh vase() {
   loft::LoftParams params;
   params.sectionPoints = 24;
-  const auto set =
-      straightRibs({300, 700}, {320, 100}, 20, [](double t) { return 120 + 60 * std::sin(7 * t); });
+  const auto set = straightRibs({300, 700}, {320, 100}, 20, [](double t) { return 120 + 60 * std::sin(7 * t); });
   auto mesh = loft::loftRibs(set, {640, 800}, params);
   REQUIRE(mesh.ok());
   requireLawful(mesh.value());

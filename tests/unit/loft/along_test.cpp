@@ -113,7 +113,9 @@ TEST_CASE("squash scales the volume by the mean of its curve and leaves the outl
   }
 }
 
-TEST_CASE("bulge moves depth from the back to the front and leaves the volume of a section that is the same behind as before") {
+TEST_CASE(
+    "bulge moves depth from the back to the front and leaves the volume of a section that is the same behind as "
+    "before") {
   const double whole = requireLawful(lofted(flat())).volume;
   for (const double bulge : {-0.9, -0.3, 0.5, 0.95}) {
     LoftParams params = flat();
@@ -216,8 +218,7 @@ TEST_CASE("a mirrored pose makes the mirrored solid, and travelling the other wa
     // Frames begin in the picture's plane at the start: out of the plane a section that is not round
     // leans otherwise when it is met from the other end, and a coil begins beside its line.
     const bool deep = round % 3 == 1, coil = round % 3 == 2;
-    const auto set = straightRibs({150, 300}, {650, 380}, 60,
-                                  [&](double t) { return coil ? 14.0 : 50 - 20 * t; });
+    const auto set = straightRibs({150, 300}, {650, 380}, 60, [&](double t) { return coil ? 14.0 : 50 - 20 * t; });
     Pose pose;
     pose.stroke = {{120, 500}, {300, 420 + rng.uniform(-60, 60)}, {520, 540}, {800, 450 + rng.uniform(-60, 60)}};
     if (coil) {

@@ -50,7 +50,8 @@ Walls wallsOf(const Points& points, const std::vector<std::size_t>& sizes) {
 
 }  // namespace
 
-TEST_CASE("walls between rings of any curves use every edge of a curve once, and cut quads along the shorter diagonal") {
+TEST_CASE(
+    "walls between rings of any curves use every edge of a curve once, and cut quads along the shorter diagonal") {
   Rng rng(81);
   for (int round = 0; round < 300; ++round) {
     std::vector<std::size_t> sizes;

@@ -41,9 +41,8 @@ ribs::EndFan halfCircle(double radius, double ahead) {
 
 /// Straight to (440, 400), then closing by `slope` a side and pixel up to (500, 400).
 ribs::RibSet closing(double slope) {
-  return straightRibs({100, 400}, {500, 400}, 81, [=](double t) {
-    return 200 - 2 * slope * std::max(0.0, 400 * t - 340);
-  });
+  return straightRibs({100, 400}, {500, 400}, 81,
+                      [=](double t) { return 200 - 2 * slope * std::max(0.0, 400 * t - 340); });
 }
 
 }  // namespace

@@ -50,8 +50,8 @@ std::vector<Chord> shaken(std::vector<Chord> chords, Rng& rng, double share) {
     const double angle = share * rng.uniform(-0.6, 0.6);
     const auto moved = [&](PicturePoint end) {
       const PicturePoint d = (end - middle) * (1 + share * rng.uniform(-1, 1));
-      return middle + PicturePoint{d.x * std::cos(angle) - d.y * std::sin(angle),
-                                   d.x * std::sin(angle) + d.y * std::cos(angle)};
+      return middle +
+             PicturePoint{d.x * std::cos(angle) - d.y * std::sin(angle), d.x * std::sin(angle) + d.y * std::cos(angle)};
     };
     chord = {moved(chord.left), moved(chord.right)};
   }
@@ -61,9 +61,8 @@ std::vector<Chord> shaken(std::vector<Chord> chords, Rng& rng, double share) {
 }  // namespace
 
 TEST_CASE("chords in order come back unchanged") {
-  for (const auto& set :
-       {straightRibs({10, 20}, {300, 200}, 50, [](double t) { return 30 + 20 * std::sin(9 * t); }),
-        arcRibs({400, 400}, 100, 90, 0, 3, 40), arcRibs({400, 400}, 100, 90, 3, 0, 40)}) {
+  for (const auto& set : {straightRibs({10, 20}, {300, 200}, 50, [](double t) { return 30 + 20 * std::sin(9 * t); }),
+                          arcRibs({400, 400}, 100, 90, 0, 3, 40), arcRibs({400, 400}, 100, 90, 3, 0, 40)}) {
     CHECK(orderChords(chordsOf(set), kLimits) == chordsOf(set));
   }
 }

@@ -46,18 +46,15 @@ ribs::RibSet cylinderRibs(int count = 11) {
 
 }  // namespace
 
-TEST_CASE(
-    "a straight spine with equal ribs and a circle is a cylinder, second order in the points") {
+TEST_CASE("a straight spine with equal ribs and a circle is a cylinder, second order in the points") {
   const double radius = 40, length = 400;
   double lastError = 0;
   for (const int points : {24, 48, 96, 192}) {
-    const auto report =
-        requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Flat, points)));
+    const auto report = requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Flat, points)));
     const double error = kPi * radius * radius * length - report.volume;
     CHECK(error > 0);
     // An inscribed n-gon lacks (2π²/3)/n² of the circle's area.
-    CHECK(error / report.volume ==
-          doctest::Approx(2 * kPi * kPi / 3 / points / points).epsilon(0.05));
+    CHECK(error / report.volume == doctest::Approx(2 * kPi * kPi / 3 / points / points).epsilon(0.05));
     if (lastError > 0) CHECK(lastError / error == doctest::Approx(4).epsilon(0.05));
     lastError = error;
     CHECK(report.genus == 0);
@@ -77,17 +74,13 @@ TEST_CASE("a rib set that runs out to zero width is a cone with a tip") {
 }
 
 TEST_CASE("a round cap without a fan is half an ellipsoid, a pointed one a cone") {
-  const auto body =
-      requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Flat, 192)));
+  const auto body = requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Flat, 192)));
   LoftParams round = withCaps(CapStyle::Flat, CapStyle::Round, 192);
   round.capRings = 32;
   const auto domed = requireLawful(lofted(cylinderRibs(), round));
-  CHECK(domed.volume - body.volume ==
-        doctest::Approx(2.0 / 3 * kPi * 40 * 40 * 40 * kDomeHeight).epsilon(5e-3));
-  const auto pointed =
-      requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Pointed, CapStyle::Flat, 192)));
-  CHECK(pointed.volume - body.volume ==
-        doctest::Approx(kPi * 40 * 40 * 40 * kPointLength / 3).epsilon(5e-3));
+  CHECK(domed.volume - body.volume == doctest::Approx(2.0 / 3 * kPi * 40 * 40 * 40 * kDomeHeight).epsilon(5e-3));
+  const auto pointed = requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Pointed, CapStyle::Flat, 192)));
+  CHECK(pointed.volume - body.volume == doctest::Approx(kPi * 40 * 40 * 40 * kPointLength / 3).epsilon(5e-3));
 }
 
 TEST_CASE("a bent tube is a piece of a torus of constant depth") {
@@ -107,9 +100,8 @@ TEST_CASE("ribs that wobble by a pixel wobble less in depth, and steady tapers s
   Rng rng(8);
   std::vector<double> widths;
   for (int i = 0; i < 60; ++i) widths.push_back(80 + rng.uniform(-2, 2));
-  const auto wobble = straightRibs({100, 400}, {500, 400}, 60, [&](double t) {
-    return widths[static_cast<std::size_t>(std::lround(t * 59))];
-  });
+  const auto wobble = straightRibs({100, 400}, {500, 400}, 60,
+                                   [&](double t) { return widths[static_cast<std::size_t>(std::lround(t * 59))]; });
   const auto taper = straightRibs({100, 400}, {500, 400}, 60, [](double t) { return 90 - 50 * t; });
   const auto roughness = [](const ribs::RibSet& set, double centring) {
     LoftParams params = withCaps(CapStyle::Flat, CapStyle::Flat);
@@ -150,7 +142,8 @@ TEST_CASE("slanted ribs across a straight bar give the bar its true depth") {
   }
 }
 
-TEST_CASE("seen from the front the outline passes through every rib end of well-formed ribs") {
+TEST_CASE("seen from the front the outline passes through every rib end of well-formed ribs" *
+          doctest::test_suite("slow")) {
   Rng rng(7);
   for (int round = 0; round < 60; ++round) {
     const ribs::RibSet set = randomRibs(rng);
@@ -206,15 +199,12 @@ TEST_CASE("a half-circle fan makes half a ball") {
 TEST_CASE("open ends leave a wall: one open end is a cup, two are a tube of genus 1") {
   const double full = kPi * 40 * 40 * 400;
   const double bore = kPi * 32 * 32;
-  const auto cup =
-      requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Open, 192)));
+  const auto cup = requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Open, 192)));
   CHECK(cup.genus == 0);
   CHECK(cup.volume == doctest::Approx(full - bore * 400 * kMouthDepth).epsilon(2e-3));
-  const auto other =
-      requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Open, CapStyle::Flat, 192)));
+  const auto other = requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Open, CapStyle::Flat, 192)));
   CHECK(other.volume == doctest::Approx(cup.volume).epsilon(1e-6));
-  const auto tube =
-      requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Open, CapStyle::Open, 192)));
+  const auto tube = requireLawful(lofted(cylinderRibs(), withCaps(CapStyle::Open, CapStyle::Open, 192)));
   CHECK(tube.genus == 1);
   CHECK(tube.shells == 1);
   CHECK(tube.volume == doctest::Approx(full - bore * 400).epsilon(2e-3));
@@ -310,7 +300,8 @@ TEST_CASE("mirrored ribs give the mirrored mesh, and travelling the other way th
   }
 }
 
-TEST_CASE("the front wears the picture where it stands; the back does in its middle, and draws no side out of the outline") {
+TEST_CASE(
+    "the front wears the picture where it stands; the back does in its middle, and draws no side out of the outline") {
   // A bar along x: ribs run along y, half width `half`.
   const auto mesh = lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Flat, 48));
   REQUIRE(mesh.uv.size() == mesh.positions.size());
@@ -351,8 +342,7 @@ TEST_CASE("a flat end takes the section's own outline, also where it is not conv
 
 TEST_CASE("a section of one's own may be anything simple, and nothing else") {
   const auto with = [](std::vector<SectionPoint> points) {
-    return loftSection(cylinderRibs(), kPicture, withCaps(CapStyle::Flat, CapStyle::Flat),
-                       {points});
+    return loftSection(cylinderRibs(), kPicture, withCaps(CapStyle::Flat, CapStyle::Flat), {points});
   };
   // A spiral arm that no point sees whole.
   const auto spiral = with({{-1, -1},

@@ -180,7 +180,8 @@ TEST_CASE("parts are lawful in any pose with any sections and curves") {
     LoftParams params;
     params.sections.resize(1 + rng.below(3));
     for (std::size_t i = 0; i < params.sections.size(); ++i) {
-      params.sections[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(params.sections.size());
+      params.sections[i].at =
+          (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(params.sections.size());
       params.sections[i].shape.preset = static_cast<SectionPreset>(rng.below(12));
       params.sections[i].blend.kind = static_cast<BlendKind>(rng.below(5));
     }

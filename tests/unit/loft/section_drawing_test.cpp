@@ -41,8 +41,7 @@ Line blob(Rng& rng, double from = 0, double to = 2 * kPi * 0.985) {
   }
   return around(from, to, [&](double angle) {
     double r = 0.6;
-    for (std::size_t k = 0; k < size.size(); ++k)
-      r += size[k] * std::sin(double(k + 1) * angle + phase[k]) * 0.5;
+    for (std::size_t k = 0; k < size.size(); ++k) r += size[k] * std::sin(double(k + 1) * angle + phase[k]) * 0.5;
     return r;
   });
 }
@@ -97,8 +96,7 @@ TEST_CASE("a drawn circle becomes a circle of few points, however the hand tremb
     REQUIRE(drawing.size() == 1);
     CHECK(drawing[0].points.size() <= 24);
     for (const DrawnPoint& p : drawing[0].points) CHECK_FALSE(p.corner);
-    for (const SectionPoint p : outlineOf(drawing[0]))
-      CHECK(norm(p) == doctest::Approx(0.8).epsilon(0.035));
+    for (const SectionPoint p : outlineOf(drawing[0])) CHECK(norm(p) == doctest::Approx(0.8).epsilon(0.035));
     CHECK(std::abs(areaOf(outlineOf(drawing[0]))) == doctest::Approx(kPi * 0.64).epsilon(0.03));
   }
 }
@@ -106,8 +104,7 @@ TEST_CASE("a drawn circle becomes a circle of few points, however the hand tremb
 TEST_CASE("a drawn square keeps its four corners and straight sides") {
   Rng rng(5);
   Line line;
-  const std::array<SectionPoint, 5> corners{
-      {{-0.7, -0.7}, {0.7, -0.7}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.68}}};
+  const std::array<SectionPoint, 5> corners{{{-0.7, -0.7}, {0.7, -0.7}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.68}}};
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     for (int i = 0; i < 40; ++i) line.push_back(lerp(corners[k], corners[k + 1], i / 40.0));
   }
@@ -131,8 +128,7 @@ TEST_CASE("ends that run past each other are cut off where they cross") {
   const Drawing drawing = drawFreehand(line, {}).value();
   REQUIRE(drawing.size() == 1);
   CHECK_FALSE(problemOf(drawing));
-  for (const SectionPoint p : outlineOf(drawing[0]))
-    CHECK(norm(p) == doctest::Approx(0.84).epsilon(0.06));
+  for (const SectionPoint p : outlineOf(drawing[0])) CHECK(norm(p) == doctest::Approx(0.84).epsilon(0.06));
 }
 
 TEST_CASE("points on a circle give that circle, two corners a straight line") {
@@ -207,8 +203,7 @@ TEST_CASE("half a line between the mirror's ends becomes one whole curve") {
   checkSection(shape);
 }
 
-TEST_CASE(
-    "a small ring beside the mirror becomes two, in a wheel of six as many as it has images") {
+TEST_CASE("a small ring beside the mirror becomes two, in a wheel of six as many as it has images") {
   Line ring;
   for (const SectionPoint p : around(0, 2 * kPi * 0.98, [](double) { return 0.12; })) {
     ring.push_back(p + SectionPoint{0.55, 0.16});
@@ -261,8 +256,7 @@ TEST_CASE("any scribble is a drawing, and a sound section or a named problem") {
       p += SectionPoint{rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3)};
       line.push_back(p);
     }
-    const Symmetry symmetry{rng.below(2) == 1, rng.below(2) == 1,
-                            1 + static_cast<int>(rng.below(8))};
+    const Symmetry symmetry{rng.below(2) == 1, rng.below(2) == 1, 1 + static_cast<int>(rng.below(8))};
     const Result<Drawing> drawing = drawFreehand(line, symmetry);
     if (!drawing) {
       CHECK(drawing.error() == Error::SectionInvalid);
@@ -291,8 +285,7 @@ TEST_CASE("lines that are no lines are refused by name") {
 }
 
 TEST_CASE("a curve in a curve is a hole, one beside it a piece, one in the hole a piece again") {
-  const Drawing drawing{ellipseCurve({-0.9, -0.9}, {0.3, 0.9}),
-                        ellipseCurve({-0.7, -0.6}, {0.1, 0.6}),
+  const Drawing drawing{ellipseCurve({-0.9, -0.9}, {0.3, 0.9}), ellipseCurve({-0.7, -0.6}, {0.1, 0.6}),
                         ellipseCurve({-0.5, -0.3}, {-0.1, 0.3}), boxCurve({0.5, -0.2}, {0.9, 0.2})};
   const SectionShape shape = sectionOf(drawing).value();
   checkSection(shape);
@@ -307,27 +300,22 @@ TEST_CASE("a drawing that is no slice names its fault and its curve") {
   const auto faultOf = [](const Drawing& drawing) { return problemOf(drawing).value(); };
   CHECK(faultOf({}).fault == DrawingFault::Empty);
   const DrawnCurve big = ellipseCurve({-0.9, -0.9}, {0.9, 0.9});
-  CHECK(faultOf({big, ellipseCurve({0, 0}, {0.01, 0.01})}) ==
-        DrawingProblem{DrawingFault::TooSmall, 1});
+  CHECK(faultOf({big, ellipseCurve({0, 0}, {0.01, 0.01})}) == DrawingProblem{DrawingFault::TooSmall, 1});
   const Line bow{{-0.5, -0.5}, {0.5, 0.5}, {0.5, -0.5}, {-0.5, 0.5}};
   CHECK(faultOf({big, polygonCurve(bow)}) == DrawingProblem{DrawingFault::CrossesItself, 1});
-  CHECK(faultOf({big, boxCurve({0.5, 0.5}, {1, 1})}) ==
-        DrawingProblem{DrawingFault::CurvesCross, 1});
+  CHECK(faultOf({big, boxCurve({0.5, 0.5}, {1, 1})}) == DrawingProblem{DrawingFault::CurvesCross, 1});
   Drawing many;
-  for (int i = 0; i < 17; ++i)
-    many.push_back(boxCurve({-1 + i * 0.11, -0.05}, {-0.92 + i * 0.11, 0.05}));
+  for (int i = 0; i < 17; ++i) many.push_back(boxCurve({-1 + i * 0.11, -0.05}, {-0.92 + i * 0.11, 0.05}));
   CHECK(faultOf(many).fault == DrawingFault::TooMany);
   many.pop_back();
   CHECK_FALSE(problemOf(many));
 }
 
-TEST_CASE(
-    "a section touches the rib's ends; tall drawings are flattened, others stay in proportion") {
+TEST_CASE("a section touches the rib's ends; tall drawings are flattened, others stay in proportion") {
   const SectionShape wide = sectionOf({boxCurve({0.2, 0.1}, {0.6, 0.2})}).value();
   checkSection(wide);
   double low = 9, high = -9;
-  for (const SectionPoint p : wide.contours[0])
-    low = std::min(low, p.y), high = std::max(high, p.y);
+  for (const SectionPoint p : wide.contours[0]) low = std::min(low, p.y), high = std::max(high, p.y);
   CHECK(low == doctest::Approx(0.5));  // 0.1 / 0.2: the line of the rib stays where it was
   CHECK(high == doctest::Approx(1.0));
   const SectionShape tall = sectionOf({boxCurve({-0.1, -0.8}, {0.1, 0.9})}).value();

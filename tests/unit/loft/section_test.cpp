@@ -56,8 +56,7 @@ TEST_CASE("sections do not depend on their resolution: corners and area stay") {
       const SectionPoint b = coarse.points[(i + 1) % n] - coarse.points[i];
       if (dot(a, b) > 0.7 * norm(a) * norm(b)) continue;  // not a corner
       double nearest = 10;
-      for (const SectionPoint& p : fine.points)
-        nearest = std::min(nearest, distance(p, coarse.points[i]));
+      for (const SectionPoint& p : fine.points) nearest = std::min(nearest, distance(p, coarse.points[i]));
       CHECK(nearest < 1e-9);
     }
   }
@@ -85,8 +84,7 @@ TEST_CASE("sections look as they are called") {
   CHECK(area(of(SectionPreset::Circle)) == doctest::Approx(pi).epsilon(1e-3));
   CHECK(area(of(SectionPreset::Ellipse)) == doctest::Approx(pi / 2).epsilon(1e-3));
   CHECK(area(of(SectionPreset::Square)) == doctest::Approx(4));
-  CHECK(area(of(SectionPreset::RoundedSquare)) ==
-        doctest::Approx(4 - 0.16 * (4 - pi)).epsilon(1e-3));
+  CHECK(area(of(SectionPreset::RoundedSquare)) == doctest::Approx(4 - 0.16 * (4 - pi)).epsilon(1e-3));
   CHECK(area(of(SectionPreset::Triangle)) == doctest::Approx(std::sqrt(3.0)));
   CHECK(area(of(SectionPreset::Hexagon)) == doctest::Approx(1.5 * std::sqrt(3.0)));
   CHECK(area(of(SectionPreset::HalfRound)) == doctest::Approx(pi / 2).epsilon(1e-3));

@@ -28,8 +28,8 @@ SectionShape drawn(std::vector<Curve> curves) {
 
 /// Every section on the way is sound and touches both rib ends.
 void requireSoundWay(const SectionShape& a, const SectionShape& b, BlendKind kind) {
-  const std::vector<SectionStop> stops = {{0, a, {kind, {}}}, {1, b, {kind, {}}}};
-  REQUIRE(checkStops(stops).ok());
+  const std::vector<SectionKey> stops = {{0, a, {kind, {}}}, {1, b, {kind, {}}}};
+  REQUIRE(checkSectionKeys(stops).ok());
   const auto track = SectionTrack::along(stops, 48, false);
   REQUIRE(track.ok());
   for (int i = 0; i <= 30; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("5000 points become 4, and the direction of drawing does not matter") 
   Curve back = circle;
   std::ranges::reverse(back);
   const auto area = [&](const Curve& c) {
-    const std::vector<SectionStop> stops = {{0, drawn({c}), {}}, {1, drawn({square}), {}}};
+    const std::vector<SectionKey> stops = {{0, drawn({c}), {}}, {1, drawn({square}), {}}};
     Curve points;
     SectionTrack::along(stops, 48, false).value().appendShape(0.5, points);
     points.pop_back();
@@ -123,7 +123,8 @@ TEST_CASE("a section with a hole makes a tube, one of two pieces two shells") {
   CHECK(report.genus == 1);
   CHECK(report.shells == 1);
   CHECK(report.volume == doctest::Approx(400 * 40 * 40 * 3.0).epsilon(1e-5));
-  params.sections = {{0.5, drawn({{{-1, -.4}, {-.2, -.4}, {-.2, .4}, {-1, .4}}, {{.2, -.4}, {1, -.4}, {1, .4}, {.2, .4}}}), {}}};
+  params.sections = {
+      {0.5, drawn({{{-1, -.4}, {-.2, -.4}, {-.2, .4}, {-1, .4}}, {{.2, -.4}, {1, -.4}, {1, .4}, {.2, .4}}}), {}}};
   const auto strands = loftRibs(set, {1000, 800}, params);
   REQUIRE(strands.ok());
   CHECK(requireLawful(strands.value()).shells == 2);
@@ -145,6 +146,6 @@ TEST_CASE("sections that cannot be are refused with the reason") {
   };
   CHECK(checkShape(drawn({square, scaled(square, 0.5)})).ok());
   CHECK(checkShape(drawn({square, scaled(square, 0.5), scaled(square, 0.2)})).ok());
-  const std::vector<SectionStop> stops = {{0, drawn({square, scaled(square, 0.5)}), {}}, {1, SectionPreset::Circle, {}}};
-  CHECK(checkStops(stops).error() == Error::SectionInvalid);
+  const std::vector<SectionKey> stops = {{0, drawn({square, scaled(square, 0.5)}), {}}, {1, SectionPreset::Circle, {}}};
+  CHECK(checkSectionKeys(stops).error() == Error::SectionInvalid);
 }

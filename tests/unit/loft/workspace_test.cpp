@@ -8,6 +8,7 @@
 #include "engine/loft/loft.h"
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 #include "tests/support/scarce_memory.h"
 
 using namespace spineloft;
@@ -67,12 +68,13 @@ TEST_CASE("a loft in memory that was used for others is the loft from scratch") 
   Rng rng(91);
   LoftWorkspace memory;
   mesh::TriMesh mesh;
-  for (int round = 0; round < 120; ++round) {
+  for (int round = 0; round < testing::rounds(120); ++round) {
     const double to = rng.uniform(200, 900);
     const ribs::RibSet set = growing(to);
     const PosedSpine spine = spineOf(to);
     LoftParams params;
-    params.sections[0].shape.preset = static_cast<SectionPreset>(rng.below(static_cast<std::uint32_t>(SectionPreset::kCount)));
+    params.sections[0].shape.preset =
+        static_cast<SectionPreset>(rng.below(static_cast<std::uint32_t>(SectionPreset::kCount)));
     params.sectionPoints = 12 + static_cast<int>(rng.below(60));
     params.startCap = static_cast<CapStyle>(rng.below(4));
     params.endCap = static_cast<CapStyle>(rng.below(4));

@@ -8,6 +8,7 @@
 #include "engine/vision/edges.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -39,7 +40,7 @@ TEST_CASE("a part waits for the edges of its picture and appears when they are k
   CHECK(derived.wantedEdges.empty());
   CHECK_FALSE(derived.parts[0].waiting);
   REQUIRE(derived.parts[0].shape != nullptr);
-  CHECK(mesh::inspect(derived.parts[0].shape->mesh).lawful());
+  CHECK(mesh::inspect(derived.parts[0].shape->mesh).valid());
 }
 
 TEST_CASE("deriving again costs no new shape, and an undone change finds its old one") {
@@ -47,8 +48,7 @@ TEST_CASE("deriving again costs no new shape, and an undone change finds its old
   Cache cache;
   const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;
   CHECK(derive(document, cache).parts[0].shape == first);
-  const Document changed =
-      update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
+  const Document changed = update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
   const auto second = derive(changed, cache).parts[0].shape;
   CHECK(second != first);
   CHECK(second->ribs == first->ribs);
@@ -65,8 +65,8 @@ TEST_CASE("a look, a name or a height changes no shape") {
   CHECK(derive(other, cache).parts[0].shape == shape);
 }
 
-TEST_CASE("dropping every cache changes nothing that is seen") {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+TEST_CASE("dropping every cache changes nothing that is seen" * doctest::test_suite("slow")) {
+  for (const std::uint64_t seed : testing::seeds(0, 12)) {
     Rng rng(seed);
     Document document;
     for (int step = 0; step < 25; ++step) {
@@ -85,7 +85,7 @@ TEST_CASE("dropping every cache changes nothing that is seen") {
       if (!first.parts[i].shape) continue;
       CHECK(first.parts[i].shape->ribs == again.parts[i].shape->ribs);
       CHECK(first.parts[i].shape->mesh == again.parts[i].shape->mesh);
-      CHECK(mesh::inspect(first.parts[i].shape->mesh).lawful());
+      CHECK(mesh::inspect(first.parts[i].shape->mesh).valid());
     }
   }
 }
@@ -161,7 +161,8 @@ TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke an
   CHECK_FALSE(reuses(IgnoreForPicture{PictureId{1}, {{{{10, 10}}, 4}}}));
 }
 
-TEST_CASE("marks of the picture and of the part reach the ribs alike, and are kept within a budget") {
+TEST_CASE("marks of the picture and of the part reach the ribs alike, and are kept within a budget" *
+          doctest::test_suite("slow")) {
   const Document document = ellipseDocument();
   Cache cache;
   const auto plain = deriveWithEdges(document, cache, {}).value().parts[0].shape;
@@ -205,7 +206,7 @@ TEST_CASE("a preview is what the part shows at once, and is traced only once; th
   const LoftRecipe& recipe = *document::loftOf(*next.parts[1]);
   const auto preview = previewShape(document, recipe, cache);
   REQUIRE(preview.ok());
-  CHECK(preview.value().decided == Decided::ByStroke);
+  CHECK(preview.value().quality == TraceQuality::Single);
   const auto making = makeTrace(next, PartId{2}, cache);
   REQUIRE(making);
   forgetEdges(cache, document);
@@ -222,7 +223,7 @@ TEST_CASE("a preview is what the part shows at once, and is traced only once; th
   const Derived settled = derive(next, cache, {}, Finish::Later);
   CHECK_FALSE(settled.parts[1].waiting);
   CHECK(settled.wantedRibs.empty());
-  CHECK(settled.parts[1].shape->decided == Decided::ByHands);
+  CHECK(settled.parts[1].shape->quality == TraceQuality::Ensemble);
   CHECK(settled.parts[1].shape->key != first.parts[1].shape->key);
   testing::requireLawful(settled.parts[1].shape->mesh);
   Cache anew;
@@ -252,7 +253,7 @@ TEST_CASE("where hands can't be asked, the stroke decides, and nobody asks again
   CHECK(makeTrace(document, PartId{9}, cache) == nullptr);
   LoftRecipe brief = *document::loftOf(*document.parts[0]);
   brief.stroke = {{60, 72}};
-  TraceMaking none(7, brief, std::make_shared<const image::EdgeMap>(), nullptr, {192, 144});
+  TraceJob none(7, brief, std::make_shared<const image::EdgeMap>(), nullptr, {192, 144});
   CHECK_FALSE(none.step());
   CHECK(none.traced() == nullptr);
 }
@@ -271,16 +272,16 @@ TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
     const auto live = liveShape(document, recipe, cache);
     REQUIRE(live.ok());
     testing::requireLawful(live.value().mesh);
-    near = near || live.value().decided == Decided::ByPen;
+    near = near || live.value().quality == TraceQuality::Live;
   }
   CHECK(near);
   const auto whole = previewShape(document, recipe, other);
-  CHECK(whole.value().decided == Decided::ByStroke);
+  CHECK(whole.value().quality == TraceQuality::Single);
   CHECK(previewShape(document, recipe, cache).value().generated == whole.value().generated);
   // Ribs that are known are used, whatever is done to the shape.
   recipe.loft.sectionPoints = 32;
   const auto coarser = liveShape(document, recipe, cache);
-  CHECK(coarser.value().decided == Decided::ByStroke);
+  CHECK(coarser.value().quality == TraceQuality::Single);
   CHECK(coarser.value().generated == whole.value().generated);
 }
 
@@ -298,7 +299,7 @@ TEST_CASE("a preview before the edges are known is guessed, and not kept") {
   CHECK(previewShape(document, elsewhere, cache).error() == Error::NoSuchPicture);
 }
 
-TEST_CASE("a thousand previews leave the cache small and the document's ribs in it") {
+TEST_CASE("a thousand previews leave the cache small and the document's ribs in it" * doctest::test_suite("slow")) {
   const Document document = ellipseDocument();
   Cache cache;
   const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;
@@ -312,8 +313,7 @@ TEST_CASE("a thousand previews leave the cache small and the document's ribs in 
   }
   CHECK(cache.bytes() <= before + Cache::kStrokeBytes);
   forgetEdges(cache, document);
-  const Document changed =
-      update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
+  const Document changed = update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
   CHECK(derive(changed, cache).parts[0].shape->generated == first->generated);
 }
 

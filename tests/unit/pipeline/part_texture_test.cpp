@@ -178,7 +178,9 @@ double shareSoiled(const pipeline::PartShape& shape) {
 
 }  // namespace
 
-TEST_CASE("the sides of a loft, a puff and a flat piece keep clean of a ground that is mixed in deeper than a rim, or outlined with them") {
+TEST_CASE(
+    "the sides of a loft, a puff and a flat piece keep clean of a ground that is mixed in deeper than a rim, or "
+    "outlined with them") {
   const auto picture = std::make_shared<const image::Picture>(stripedPicture({255, 0, 255}, 4));
   const Document document = update({}, AddPicture{"mixed", picture}).value();
   struct Made {
@@ -188,8 +190,8 @@ TEST_CASE("the sides of a loft, a puff and a flat piece keep clean of a ground t
   };
   std::vector<Made> made = {{"loft", 0, update(document, DrawSpine{PictureId{1}, middleStroke()}).value()}};
   for (const double off : {0.0, 1.0, 2.0}) {
-    made.push_back({"puff", off, update(document, DrawRegion{outlineOf(off), inflate::PuffParams{}}).value()});
-    made.push_back({"flat piece", off, update(document, DrawRegion{outlineOf(off), sheet::SheetParams{}}).value()});
+    made.push_back({"puff", off, update(document, DrawRegion{outlineOf(off), inflate::InflateParams{}}).value()});
+    made.push_back({"flat piece", off, update(document, DrawRegion{outlineOf(off), extrude::ExtrudeParams{}}).value()});
   }
   for (const auto& [what, off, with] : made) {
     CAPTURE(what);
@@ -257,7 +259,8 @@ Document spottedDocument() {
 /// Red pixels of what a part wears, and those that differ from another texture of the same size.
 int reds(const image::Image& pixels) {
   int count = 0;
-  for (std::size_t i = 0; i + 3 < pixels.pixels.size(); i += 4) count += pixels.pixels[i] > pixels.pixels[i + 1] + 40 ? 1 : 0;
+  for (std::size_t i = 0; i + 3 < pixels.pixels.size(); i += 4)
+    count += pixels.pixels[i] > pixels.pixels[i + 1] + 40 ? 1 : 0;
   return count;
 }
 
@@ -273,7 +276,8 @@ void requireEqualBeyond(const surface::PartTexture& with, const surface::PartTex
                             (a.top + (a.bottom - a.top) * (y + 0.5) / with.pixels.height) * kHeight - 0.5};
       const std::size_t i = 4 * (std::size_t(y) * std::size_t(with.pixels.width) + std::size_t(x));
       // Well within the thing and the puff.
-      const bool within = std::abs(at.x - 160) < 36 && std::abs(at.y - 129) < 17 && std::abs(at.y - middleAt(int(at.x))) < halfAt(int(at.x)) - 4;
+      const bool within = std::abs(at.x - 160) < 36 && std::abs(at.y - 129) < 17 &&
+                          std::abs(at.y - middleAt(int(at.x))) < halfAt(int(at.x)) - 4;
       if (!within || distance(at, kSpot) <= reach) continue;
       REQUIRE(std::equal(&with.pixels.pixels[i], &with.pixels.pixels[i] + 4, &without.pixels.pixels[i]));
     }
@@ -285,13 +289,14 @@ void requireEqualBeyond(const surface::PartTexture& with, const surface::PartTex
 TEST_CASE("under a mark that covers a part wears its own colours, and elsewhere what it wore, whatever its kind") {
   const Document empty = spottedDocument();
   const std::vector<PicturePoint> round = {{120, 108}, {200, 108}, {200, 150}, {120, 150}};
-  DrawRegion puff{};
-  puff.region = {PictureId{1}, {round}, 0};
-  puff.solid = inflate::PuffParams{};
+  DrawRegion inflate{};
+  inflate.region = {PictureId{1}, {round}, 0};
+  inflate.solid = inflate::InflateParams{};
   const ribs::IgnoreMark covers{{kSpot + PicturePoint{-1, 0}, kSpot + PicturePoint{1, 0}}, kSpotRadius + 1, true};
   for (const bool loft : {true, false}) {
     CAPTURE(loft);
-    const Document document = loft ? update(empty, DrawSpine{PictureId{1}, middleStroke()}).value() : update(empty, puff).value();
+    const Document document =
+        loft ? update(empty, DrawSpine{PictureId{1}, middleStroke()}).value() : update(empty, inflate).value();
     const auto plain = shapeOf(document);
     REQUIRE((plain && plain->texture));
     CHECK(reds(plain->texture->pixels) > 300);
@@ -359,13 +364,13 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     REQUIRE((making->texture() && whole->texture));
     CHECK(*making->texture() == *whole->texture);
     CHECK_FALSE(making->step());
-    const auto dressed = later.dress(making->key(), making->texture());
+    const auto dressed = later.assignTextures(making->key(), making->texture());
     REQUIRE(dressed);
     CHECK(isDressed(*dressed));
     const pipeline::Derived again = pipeline::derive(document, later, {}, pipeline::Finish::Later);
     CHECK(again.wantedTextures.empty());
     CHECK(again.parts[0].shape == dressed);
-    CHECK(later.dress(12345, nullptr) == nullptr);
+    CHECK(later.assignTextures(12345, nullptr) == nullptr);
   }
   CHECK(pipeline::makeTexture({}, {}, PartId{1}) == nullptr);
 }
@@ -390,12 +395,15 @@ TEST_CASE("a part that fills a large picture is as sharp as the picture, and a v
   };
   const image::Image large = fineGrained(2000, 1200);  // more than two million
   const surface::PartTexture texture = worn(large);
-  const int left = int(std::lround(texture.area.left * large.width)), top = int(std::lround(texture.area.top * large.height));
+  const int left = int(std::lround(texture.area.left * large.width)),
+            top = int(std::lround(texture.area.top * large.height));
   CHECK(texture.pixels.width == int(std::lround(texture.area.right * large.width)) - left);
   int differing = 0;
   for (int y = 100; y < 1100; ++y) {
     for (int x = 100; x < 1900; ++x) {
-      const std::uint8_t* own = &texture.pixels.pixels[4 * (std::size_t(y - top) * std::size_t(texture.pixels.width) + std::size_t(x - left))];
+      const std::uint8_t* own =
+          &texture.pixels
+               .pixels[4 * (std::size_t(y - top) * std::size_t(texture.pixels.width) + std::size_t(x - left))];
       differing += *own != large.pixels[4 * (std::size_t(y) * std::size_t(large.width) + std::size_t(x))] ? 1 : 0;
     }
   }
@@ -405,5 +413,6 @@ TEST_CASE("a part that fills a large picture is as sharp as the picture, and a v
   const auto atlas = surface::packAtlas(alone);
   REQUIRE(atlas);
   CHECK(longest.pixels.width >= surface::kTextureSide - 1);
-  CHECK((atlas->places[0].right - atlas->places[0].left) * atlas->pixels.width == doctest::Approx(longest.pixels.width));
+  CHECK((atlas->places[0].right - atlas->places[0].left) * atlas->pixels.width ==
+        doctest::Approx(longest.pixels.width));
 }

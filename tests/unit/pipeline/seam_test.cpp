@@ -99,7 +99,7 @@ struct Steps {
 struct Seen {
   Steps seam, within;
 };
-Seen lookAt(const Sides& part, const surface::PartTexture& texture, View view) {
+Seen featureAt(const Sides& part, const surface::PartTexture& texture, View view) {
   const image::Size size{kWidth, kHeight};
   mesh::TriMesh mesh = turned(part.mesh, view);
   const auto colours = testing::frontView(mesh, size, [&](double u, double v) {
@@ -108,7 +108,8 @@ Seen lookAt(const Sides& part, const surface::PartTexture& texture, View view) {
   });
   // Once more, the side and the height instead of the colour.
   for (std::size_t v = 0; v < mesh.uv.size(); ++v) mesh.uv[v] = {float(part.of[v]), mesh.positions[v][2]};
-  const auto places = testing::frontView(mesh, size, [](double side, double z) { return std::array<double, 3>{side, z, 0}; });
+  const auto places =
+      testing::frontView(mesh, size, [](double side, double z) { return std::array<double, 3>{side, z, 0}; });
   Seen out;
   const auto compare = [&](std::size_t i, std::size_t j) {
     if (!colours[i] || !colours[j]) return;
@@ -149,22 +150,23 @@ TEST_CASE("one does not see where the picture on a part ends, from the front and
       CAPTURE(view.axis);
       CAPTURE(view.degrees);
       CAPTURE(std::string(loft::capKey(cap)));
-      const Seen seen = lookAt(part, *shape->texture, view);
-      MESSAGE(view.axis << " " << view.degrees << " " << loft::capKey(cap) << ": across " << seen.seam.mean() << " (" << seen.seam.count
-                        << "), elsewhere " << seen.within.mean());
+      const Seen seen = featureAt(part, *shape->texture, view);
+      MESSAGE(view.axis << " " << view.degrees << " " << loft::capKey(cap) << ": across " << seen.seam.mean() << " ("
+                        << seen.seam.count << "), elsewhere " << seen.within.mean());
       CHECK(seen.seam.count > 100);
       CHECK(seen.seam.mean() <= 1.5 * seen.within.mean());
     }
     // From the front there is none but the outline, and where a steep end begins, which one does not see either. And
     // a back that begins ten pixels further on would be seen.
-    CHECK(lookAt(sidesOf(shape->mesh, false), *shape->texture, {0, 0}).seam.count == 0);
-    const Seen front = lookAt(part, *shape->texture, {0, 0});
-    MESSAGE("front: across " << front.seam.mean() << " (" << front.seam.count << "), elsewhere " << front.within.mean());
+    CHECK(featureAt(sidesOf(shape->mesh, false), *shape->texture, {0, 0}).seam.count == 0);
+    const Seen front = featureAt(part, *shape->texture, {0, 0});
+    MESSAGE("front: across " << front.seam.mean() << " (" << front.seam.count << "), elsewhere "
+                             << front.within.mean());
     CHECK(front.seam.mean() <= 1.5 * front.within.mean());
     for (std::size_t v = 0; v < part.of.size(); ++v) {
       if (part.of[v] == kBack) part.mesh.uv[v][0] += 10.0f / kWidth;
     }
-    const Seen torn = lookAt(part, *shape->texture, {0, 60});
+    const Seen torn = featureAt(part, *shape->texture, {0, 60});
     CHECK(torn.seam.mean() > 1.5 * torn.within.mean());
   }
 }

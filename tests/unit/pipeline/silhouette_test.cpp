@@ -8,15 +8,14 @@
 #include "engine/loft/loft.h"
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::testing;
 
 namespace {
 
-long covered(const image::Mask& mask) {
-  return std::count(mask.pixels.begin(), mask.pixels.end(), std::uint8_t{255});
-}
+long covered(const image::Mask& mask) { return std::count(mask.pixels.begin(), mask.pixels.end(), std::uint8_t{255}); }
 
 /// The box between two picture points as a mesh in ModelSpace.
 mesh::TriMesh pictureBox(float x0, float y0, float x1, float y1) {
@@ -54,13 +53,12 @@ TEST_CASE("what lies outside the picture is cut off, and nothing covers an empty
 
 TEST_CASE("a loft covers the polygon through its rib ends and no gap is left between triangles") {
   Rng rng(5);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     const double angle = rng.uniform(0, 6.28), width = rng.uniform(8, 60);
     const PicturePoint middle{160 + rng.uniform(), 120 + rng.uniform()};
     const PicturePoint along = PicturePoint{std::cos(angle), std::sin(angle)} * 50;
-    const auto set =
-        straightRibs(middle - along, middle + along, 2 + static_cast<int>(rng.below(60)),
-                     [&](double) { return width; });
+    const auto set = straightRibs(middle - along, middle + along, 2 + static_cast<int>(rng.below(60)),
+                                  [&](double) { return width; });
     loft::LoftParams params;
     params.startCap = params.endCap = loft::CapStyle::Flat;
     const auto mesh = loft::loftRibs(set, {320, 240}, params);
@@ -71,11 +69,10 @@ TEST_CASE("a loft covers the polygon through its rib ends and no gap is left bet
     for (int y = 0; y < 240; ++y) {
       for (int x = 0; x < 320; ++x) {
         const PicturePoint p = PicturePoint{1.0 * x, 1.0 * y} - middle;
-        const double outside =
-            std::max(std::abs(dot(p, unit)) - 50, std::abs(cross(p, unit)) - width / 2);
+        const double outside = std::max(std::abs(dot(p, unit)) - 50, std::abs(cross(p, unit)) - width / 2);
         if (std::abs(outside) < 1e-3) continue;  // on the edge, but for rounding
-        CHECK_MESSAGE((mask.pixels[static_cast<std::size_t>(y * 320 + x)] == 255) == (outside < 0),
-                      "pixel ", x, ", ", y, " of round ", round);
+        CHECK_MESSAGE((mask.pixels[static_cast<std::size_t>(y * 320 + x)] == 255) == (outside < 0), "pixel ", x, ", ",
+                      y, " of round ", round);
       }
     }
   }

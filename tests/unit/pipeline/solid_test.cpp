@@ -101,7 +101,10 @@ TEST_CASE("arrays that do not fit together are refused") {
   refused([](Boxed& b) { b.positions.pop_back(); });
   refused([](Boxed& b) { b.uv.pop_back(); });
   refused([](Boxed& b) { b.corners.pop_back(); });
-  refused([](Boxed& b) { b.corners.clear(); b.runs.clear(); });
+  refused([](Boxed& b) {
+    b.corners.clear();
+    b.runs.clear();
+  });
   refused([](Boxed& b) { b.corners[4] = 16; });
   refused([](Boxed& b) { b.from.pop_back(); });
   refused([](Boxed& b) { b.from[0] = 99; });

@@ -13,7 +13,7 @@
 #include "engine/document/update.h"
 #include "engine/io/picture_file.h"
 #include "engine/pipeline/derive.h"
-#include "engine/surface/bleed.h"
+#include "engine/surface/edge_padding.h"
 #include "tests/support/front_view.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/test_files.h"
@@ -32,8 +32,8 @@ fs::path firstOf(const fs::path& folder, std::initializer_list<const char*> name
   return {};
 }
 
-/// Inside the silhouette of the part and the true one at once: all of it, without its rim, and all of it where each pixel
-/// counts by how much of it is the thing. Decibels.
+/// Inside the silhouette of the part and the true one at once: all of it, without its rim, and all of it where each
+/// pixel counts by how much of it is the thing. Decibels.
 struct Front {
   double whole = -1, within = -1, counted = -1;
 };
@@ -47,10 +47,13 @@ Seen awayFromRim(const Seen& seen, int width, int height) {
       bool inner = x >= kRim && y >= kRim && x + kRim < width && y + kRim < height;
       for (int dy = -kRim; inner && dy <= kRim; ++dy) {
         for (int dx = -kRim; inner && dx <= kRim; ++dx) {
-          inner = seen[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x + dx)].has_value();
+          inner = seen[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(x + dx)]
+                      .has_value();
         }
       }
-      if (!inner) left[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)].reset();
+      if (!inner)
+        left[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)].reset();
     }
   }
   return left;
@@ -78,9 +81,11 @@ image::Image seenOf(const fs::path& folder, double without) {
 std::vector<PicturePoint> trueOutline(const image::Image& mask) {
   const auto inside = [&](int x, int y) {
     if (x < 0 || y < 0 || x >= mask.width || y >= mask.height) return false;
-    return mask.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x))] >= 200;
+    return mask.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
+                            static_cast<std::size_t>(x))] >= 200;
   };
-  constexpr std::array<std::array<int, 2>, 8> kAround = {{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  constexpr std::array<std::array<int, 2>, 8> kAround = {
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
   std::set<std::array<int, 2>> seen;
   std::vector<PicturePoint> longest;
   for (int y = 0; y < mask.height; ++y) {
@@ -93,7 +98,8 @@ std::vector<PicturePoint> trueOutline(const image::Image& mask) {
         outline.push_back({double(at[0]), double(at[1])});
         seen.insert(at);
         std::size_t turn = 1;
-        while (turn <= 8 && !inside(at[0] + kAround[(from + turn) % 8][0], at[1] + kAround[(from + turn) % 8][1])) ++turn;
+        while (turn <= 8 && !inside(at[0] + kAround[(from + turn) % 8][0], at[1] + kAround[(from + turn) % 8][1]))
+          ++turn;
         if (turn > 8) break;
         const std::size_t to = (from + turn) % 8;
         at = {at[0] + kAround[to][0], at[1] + kAround[to][1]};
@@ -105,7 +111,8 @@ std::vector<PicturePoint> trueOutline(const image::Image& mask) {
   return longest;
 }
 
-/// The picture of a case, and what a stroke makes of it, or a puff or a flat piece of the true outline, so many pixels further in.
+/// The picture of a case, and what a stroke makes of it, or a puff or a flat piece of the true outline, so many pixels
+/// further in.
 struct Made {
   std::shared_ptr<const image::Picture> picture;
   std::shared_ptr<const pipeline::PartShape> shape;
@@ -117,7 +124,8 @@ Made madeOf(const fs::path& folder, const std::string& kind, double without = 0)
   Document document = update({}, AddPicture{"photo", shared}).value();
   if (kind == "puff" || kind == "flat") {
     const Region region{PictureId{1}, {trueOutline(seenOf(folder, without))}, 0};
-    const RegionSolid solid = kind == "puff" ? RegionSolid{inflate::PuffParams{}} : RegionSolid{sheet::SheetParams{}};
+    const RegionSolid solid =
+        kind == "puff" ? RegionSolid{inflate::InflateParams{}} : RegionSolid{extrude::ExtrudeParams{}};
     document = update(document, DrawRegion{region, solid}).value();
   } else {
     const auto text = testing::bytesOf(folder / "case.json");
@@ -157,7 +165,8 @@ std::array<double, 3> pixelOf(const image::Image& image, std::size_t i) {
 }
 
 /// How far on the way from one colour to another a third lies, 0…1; nothing where they are alike.
-std::optional<double> shareOfWay(const surface::Colour& from, const surface::Colour& to, const std::array<double, 3>& at, double alike) {
+std::optional<double> shareOfWay(const surface::Colour& from, const surface::Colour& to,
+                                 const std::array<double, 3>& at, double alike) {
   double way = 0, gone = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const double step = double(to[c]) - from[c];
@@ -185,7 +194,8 @@ class Surroundings {
     double own = 1e9, ground = 1e9;
     for (int py = std::max(0, y - kFar); py < std::min(shown_.height, y + kFar + 1); py += kStep) {
       for (int px = std::max(0, x - kFar); px < std::min(shown_.width, x + kFar + 1); px += kStep) {
-        const std::size_t i = static_cast<std::size_t>(py) * static_cast<std::size_t>(shown_.width) + static_cast<std::size_t>(px);
+        const std::size_t i =
+            static_cast<std::size_t>(py) * static_cast<std::size_t>(shown_.width) + static_cast<std::size_t>(px);
         double apart = 0;
         for (std::size_t c = 0; c < 3; ++c) apart += std::pow(colour[c] - shown_.pixels[4 * i + c], 2);
         if (within_.pixels[i] != 0) own = std::min(own, apart);
@@ -198,7 +208,7 @@ class Surroundings {
   /// the colours further in and out it lies.
   double countedPsnr(const Seen& seen) const {
     constexpr double kAlike = 30;
-    const surface::Carried in(shown_, within_), out(shown_, without_);
+    const surface::ColourPyramid in(shown_, within_), out(shown_, without_);
     REQUIRE_FALSE((in.empty() || out.empty()));
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -237,7 +247,8 @@ double shareWorn(const fs::path& folder, const std::string& kind) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!seen[i] || whole.pixels[4 * i] < 200 || visible.pixels[4 * i] >= 200) continue;
     double apart = 0;
-    for (std::size_t c = 0; c < 3; ++c) apart = std::max(apart, std::abs((*seen[i])[c] - picture->working.pixels[4 * i + c]));
+    for (std::size_t c = 0; c < 3; ++c)
+      apart = std::max(apart, std::abs((*seen[i])[c] - picture->working.pixels[4 * i + c]));
     ++hidden;
     worn += apart < kAlike ? 1 : 0;
   }
@@ -259,7 +270,7 @@ double shareAlongEdge(const fs::path& folder, const std::string& kind) {
   const image::Mask clear = surface::inset(surface::opposite(hidden), kBeside + 4);
   own = surface::inset(own, 4);
   for (std::size_t i = 0; i < own.pixels.size(); ++i) own.pixels[i] &= clear.pixels[i];
-  const surface::Carried of(picture->working, own), hiding(picture->working, core);
+  const surface::ColourPyramid of(picture->working, own), hiding(picture->working, core);
   REQUIRE_FALSE((of.empty() || hiding.empty()));
   double sum = 0;
   int count = 0;
@@ -306,38 +317,40 @@ double shareOfGroundOnSides(const fs::path& folder, const std::string& kind) {
 
 }  // namespace
 
-TEST_CASE("the sides of a tail of fur do not wear the meadow behind it") {
+TEST_CASE("the sides of a tail of fur do not wear the meadow behind it" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
     CAPTURE(kind);
-    const double share = shareOfGroundOnSides(*folder / "photo_lemur_tail", kind);
+    const double share = shareOfGroundOnSides(folder / "photo_lemur_tail", kind);
     MESSAGE(kind << ": " << 100 * share << " % of the sides look like the ground");
     CHECK(share < 0.025);
   }
 }
 
-TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into it, whatever is made of them") {
+TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into it, whatever is made of them" *
+          doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   struct Case {
     std::string name, kind;
     double most;
   };
-  for (const auto& [name, kind, most] : {Case{"photo_zucchini_hand", "careful", 0.04}, Case{"render_palm_noise", "puff", 0.035},
-                                         Case{"render_palm_noise", "flat", 0.03}}) {
+  for (const auto& [name, kind, most] :
+       {Case{"photo_zucchini_hand", "careful", 0.04}, Case{"render_palm_noise", "puff", 0.035},
+        Case{"render_palm_noise", "flat", 0.03}}) {
     CAPTURE(name);
-    const double share = shareOfGroundOnSides(*folder / name, kind);
+    const double share = shareOfGroundOnSides(folder / name, kind);
     MESSAGE(name << ", " << kind << ": " << 100 * share << " % of the sides look like the ground");
     CHECK(share < most);
   }
 }
 
-TEST_CASE("of the parts of the public pictures all look as the pictures do wherever a pixel is wholly inside, and with their rims as far as those are theirs, to 30 dB, and most on all of their rims too") {
+TEST_CASE(
+    "of the parts of the public pictures all look as the pictures do wherever a pixel is wholly inside, and with their "
+    "rims as far as those are theirs, to 30 dB, and most on all of their rims too" *
+    doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   int within = 0, whole = 0, counted = 0, looked = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_") && !name.starts_with("render_")) continue;
     const Front front = frontOf(entry.path(), "careful");
@@ -357,13 +370,16 @@ TEST_CASE("of the parts of the public pictures all look as the pictures do where
   CHECK(whole >= looked - 3);
 }
 
-TEST_CASE("puffs and flat pieces of the public photos, renderings and sketches look as the pictures do to 30 dB wholly inside, and with their rims as far as those are theirs") {
+TEST_CASE(
+    "puffs and flat pieces of the public photos, renderings and sketches look as the pictures do to 30 dB wholly "
+    "inside, and with their rims as far as those are theirs" *
+    doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
-  // The true outlines of a blurred palm and of a dinosaur beside its ink take in up to three pixels of ground, which come off.
+  // The true outlines of a blurred palm and of a dinosaur beside its ink take in up to three pixels of ground, which
+  // come off.
   constexpr double kTakenIn = 2;
   int looked = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(*folder)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("photo_") && !name.starts_with("render_") && !name.starts_with("sketch_")) continue;
     const bool takesInGround = name == "render_palm_noise" || name == "sketch_dino_tail";
@@ -371,8 +387,9 @@ TEST_CASE("puffs and flat pieces of the public photos, renderings and sketches l
       const Front front = frontOf(entry.path(), kind), further = frontOf(entry.path(), kind, kTakenIn);
       if (front.whole < 0) continue;
       ++looked;
-      MESSAGE(name << ", " << kind << ": " << front.whole << " dB, wholly inside " << front.within << " dB, each pixel by its share "
-                   << front.counted << " dB, wholly inside an outline further in " << further.within << " dB");
+      MESSAGE(name << ", " << kind << ": " << front.whole << " dB, wholly inside " << front.within
+                   << " dB, each pixel by its share " << front.counted << " dB, wholly inside an outline further in "
+                   << further.within << " dB");
       CHECK(front.within >= (takesInGround ? 24 : 30));
       CHECK(front.counted >= (takesInGround ? 24 : 30));
       CHECK(further.within >= 30);
@@ -381,24 +398,22 @@ TEST_CASE("puffs and flat pieces of the public photos, renderings and sketches l
   CHECK(looked >= 36);
 }
 
-TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn by it") {
+TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn by it" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   for (const std::string name : {"photo_zucchini_hand", "render_banana_occluded"}) {
     for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
       CAPTURE(kind);
-      const double share = shareWorn(*folder / name, kind);
+      const double share = shareWorn(folder / name, kind);
       MESSAGE(name << ", " << kind << ": " << 100 * share << " % of what is hidden is worn");
       CHECK(share < 0.05);
     }
   }
 }
 
-TEST_CASE("where a thumb and a mug were no seam of their colour is left") {
+TEST_CASE("where a thumb and a mug were no seam of their colour is left" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
-  if (!folder) return;
   for (const std::string name : {"photo_zucchini_hand", "render_banana_occluded"}) {
-    const double share = shareAlongEdge(*folder / name, "careful");
+    const double share = shareAlongEdge(folder / name, "careful");
     MESSAGE(name << ": " << 100 * share << " % along the edge");
     CHECK(share < 0.0075);
   }

@@ -89,7 +89,8 @@ TEST_CASE("a box stays lawful and keeps its volume by the cube of the scale, how
   }
 }
 
-TEST_CASE("the file of a placed part holds the placed mesh, its twin and its mirrored copy: placing commutes with export") {
+TEST_CASE(
+    "the file of a placed part holds the placed mesh, its twin and its mirrored copy: placing commutes with export") {
   const Document document = onePart();
   const Derived derived = derivedOf(document);
   const mesh::TriMesh& mesh = derived.parts[0].shape->mesh;
@@ -97,8 +98,7 @@ TEST_CASE("the file of a placed part holds the placed mesh, its twin and its mir
   for (int i = 0; i < 12; ++i) {
     const std::optional<MirrorPlane> mirror = i % 2 ? std::optional(anyPlane(rng)) : std::nullopt;
     const Placement placement = randomPlacement(rng);
-    const Document placed =
-        update(document, PlaceParts{{{PartId{1}, placement, mirror}}}).value();
+    const Document placed = update(document, PlaceParts{{{PartId{1}, placement, mirror}}}).value();
     const auto obj = publish::publish(placed, derived, publish::Format::Obj, {});
     REQUIRE(obj.ok());
     // From millimetres back to the world: the file stands on the ground, centred, as tall as asked for.
@@ -130,11 +130,10 @@ TEST_CASE("the file of a placed part holds the placed mesh, its twin and its mir
 
 TEST_CASE("the first part of a further picture stands to the right of what is there, on its ground") {
   Document document = onePart();
-  CHECK(standBeside(document, derivedOf(document), PictureId{1},
-                    derivedOf(document).parts[0].shape->mesh) == Placement{});
+  CHECK(standBeside(document, derivedOf(document), PictureId{1}, derivedOf(document).parts[0].shape->mesh) ==
+        Placement{});
   document = update(document, AddPicture{"f", ellipsePicture(100, 180)}).value();
-  const Document drawn =
-      update(document, DrawSpine{PictureId{2}, {{50, 60}, {50, 90}, {50, 120}}}).value();
+  const Document drawn = update(document, DrawSpine{PictureId{2}, {{50, 60}, {50, 90}, {50, 120}}}).value();
   const Derived derived = derivedOf(drawn);
   const mesh::TriMesh& second = derived.parts[1].shape->mesh;
   const Placement beside = standBeside(document, derivedOf(document), PictureId{2}, second);

@@ -8,11 +8,11 @@
 #include "engine/mesh/laws.h"
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::printing;
 using spineloft::testing::requireLawful;
-
 
 namespace {
 
@@ -26,7 +26,8 @@ mesh::TriMesh meshOf(const Block& block) {
   mesh::TriMesh mesh = testing::box(1, 1, 1);
   const mesh::Bounds bounds = mesh::boundsOf(mesh);
   for (auto& p : mesh.positions) {
-    for (std::size_t i = 0; i < 3; ++i) p[i] = static_cast<float>(block.low[i] + (p[i] - bounds.low[i]) * block.size[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = static_cast<float>(block.low[i] + (p[i] - bounds.low[i]) * block.size[i]);
   }
   requireLawful(mesh);
   return mesh;
@@ -66,14 +67,15 @@ TEST_CASE("parts that overlap, or stand on each other, are one piece; a gap make
   CHECK(piecesOf({foot, {{10, 10, 10}, {5, 40, 5}}}) == 1);  // standing on it
   CHECK(piecesOf({foot, {{10, 12, 10}, {5, 40, 5}}}) == 2);  // above it
   CHECK(piecesOf({foot, {{32, 0, 0}, {5, 40, 5}}}) == 2);    // beside it
-  CHECK(piecesOf({foot, {{-5, 4, 14}, {40, 2, 2}}}) == 1);   // a rod right through: no corner of either is inside the other
+  CHECK(piecesOf({foot, {{-5, 4, 14}, {40, 2, 2}}}) ==
+        1);  // a rod right through: no corner of either is inside the other
 }
 
 TEST_CASE("a chain is one piece, whatever the order of its links") {
   std::vector<mesh::TriMesh> links;
   for (int i = 0; i < 7; ++i) links.push_back(meshOf({{9.0 * i, 0, 0}, {10, 4, 4}}));
   Rng rng(3);
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < testing::rounds(10); ++round) {
     for (std::size_t i = links.size() - 1; i > 0; --i) std::swap(links[i], links[rng.below(i + 1)]);
     CHECK(countPieces(links) == 1);
     CHECK(countPieces(std::span(links).first(1)) == 1);
@@ -93,7 +95,7 @@ TEST_CASE("what is inside material is part of it; what rattles in a hollow is no
 
 TEST_CASE("random blocks come in as many pieces as their boxes say") {
   Rng rng(11);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     // On a lattice of 4 mm, so that what does not touch is clearly apart.
     const std::size_t count = 2 + rng.below(9);
     std::vector<Block> blocks;

@@ -79,21 +79,22 @@ TEST_CASE("twice the size is twice the thickness, and the thin part is named") {
 
 namespace {
 
-/// A prism over a convex or concave outline that is seen whole from the origin, in slices so that rays start all along it.
-mesh::TriMesh prism(const std::vector<std::array<double, 2>>& outline, double height, int slices) {
+/// A prism over a convex or concave outline that is seen whole from the origin, in sections so that rays start all
+/// along it.
+mesh::TriMesh prism(const std::vector<std::array<double, 2>>& outline, double height, int sections) {
   mesh::TriMesh mesh;
   const auto n = static_cast<std::uint32_t>(outline.size());
   const auto add = [&](double x, double y, double z) {
     mesh.positions.push_back({static_cast<float>(x), static_cast<float>(z), static_cast<float>(-y)});
   };
-  for (int k = 0; k <= slices; ++k) {
-    for (const auto& [x, y] : outline) add(x, y, height * k / slices);
+  for (int k = 0; k <= sections; ++k) {
+    for (const auto& [x, y] : outline) add(x, y, height * k / sections);
   }
   add(0, 0, 0);
   add(0, 0, height);
   const auto below = static_cast<std::uint32_t>(mesh.positions.size()) - 2;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = (i + 1) % n, top = static_cast<std::uint32_t>(slices) * n;
+    const std::uint32_t j = (i + 1) % n, top = static_cast<std::uint32_t>(sections) * n;
     for (std::uint32_t k = 0; k < top; k += n) {
       mesh.triangles.push_back({k + i, k + j, k + n + j});
       mesh.triangles.push_back({k + i, k + n + j, k + n + i});
@@ -125,7 +126,8 @@ double thinnestOf(const mesh::TriMesh& mesh) { return checkPrint({&mesh, 1}).thi
 
 }  // namespace
 
-TEST_CASE("where two sides run together in an edge there is no thin wall: a wedge, two cylinders together, what they share") {
+TEST_CASE(
+    "where two sides run together in an edge there is no thin wall: a wedge, two cylinders together, what they share") {
   for (const double degrees : {25., 40., 60.}) {
     // A wedge, its edge along the height; wherever it is looked at it is as thick as it is far from there.
     const double far = 30, high = far * std::tan(degrees / 360 * std::numbers::pi);

@@ -21,7 +21,8 @@ mesh::TriMesh ball(double r, int rings = 48) {
     const double a = std::numbers::pi * i / rings;
     for (int k = 0; k < around; ++k) {
       const double b = 2 * std::numbers::pi * k / around;
-      mesh.positions.push_back({float(r * std::sin(a) * std::cos(b)), float(r - r * std::cos(a)), float(r * std::sin(a) * std::sin(b))});
+      mesh.positions.push_back(
+          {float(r * std::sin(a) * std::cos(b)), float(r - r * std::cos(a)), float(r * std::sin(a) * std::sin(b))});
     }
   }
   mesh.positions.push_back({0, float(2 * r), 0});
@@ -42,9 +43,11 @@ mesh::TriMesh box(double side, double height, double lean) {
   mesh::TriMesh mesh;
   for (int i = 0; i < 8; ++i) {
     const bool up = i & 4;
-    mesh.positions.push_back({float((i & 1 ? side : 0) + (up ? lean : 0)), float(up ? height : 0), float(i & 2 ? side : 0)});
+    mesh.positions.push_back(
+        {float((i & 1 ? side : 0) + (up ? lean : 0)), float(up ? height : 0), float(i & 2 ? side : 0)});
   }
-  mesh.triangles = {{0, 1, 2}, {2, 1, 3}, {4, 6, 5}, {6, 7, 5}, {0, 4, 1}, {1, 4, 5}, {2, 3, 6}, {3, 7, 6}, {0, 2, 4}, {2, 6, 4}, {1, 5, 3}, {3, 5, 7}};
+  mesh.triangles = {{0, 1, 2}, {2, 1, 3}, {4, 6, 5}, {6, 7, 5}, {0, 4, 1}, {1, 4, 5},
+                    {2, 3, 6}, {3, 7, 6}, {0, 2, 4}, {2, 6, 4}, {1, 5, 3}, {3, 5, 7}};
   return mesh;
 }
 
@@ -52,10 +55,10 @@ mesh::TriMesh box(double side, double height, double lean) {
 
 TEST_CASE("the lean of something is the angle between its weight and the nearest edge of its foot") {
   const std::vector<GroundPoint> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {5, 5}};
-  CHECK(leanOf(square, {5, 5}, 5) == doctest::Approx(std::numbers::pi / 4));
-  CHECK(leanOf(square, {2, 5}, 20) == doctest::Approx(std::atan(0.1)));
-  CHECK(leanOf(square, {12, 5}, 20) == doctest::Approx(-std::atan(0.1)));
-  CHECK(leanOf({{1, 1}, {2, 2}}, {1.5, 1.5}, 3) <= 0);
+  CHECK(tippingAngleOf(square, {5, 5}, 5) == doctest::Approx(std::numbers::pi / 4));
+  CHECK(tippingAngleOf(square, {2, 5}, 20) == doctest::Approx(std::atan(0.1)));
+  CHECK(tippingAngleOf(square, {12, 5}, 20) == doctest::Approx(-std::atan(0.1)));
+  CHECK(tippingAngleOf({{1, 1}, {2, 2}}, {1.5, 1.5}, 3) <= 0);
 }
 
 TEST_CASE("a ball stands on the least flat foot whose rim is far enough from its weight") {
@@ -67,7 +70,7 @@ TEST_CASE("a ball stands on the least flat foot whose rim is far enough from its
   // A cap of height h and radius √(h (2r − h)); the centre of the rest is not far above the ball's own.
   const auto lean = [&](double h) { return std::atan(std::sqrt(h * (2 * r - h)) / (r - h)); };
   CHECK(*foot == doctest::Approx(1).epsilon(1e-3));  // a hundredth of the height is enough
-  CHECK(lean(*foot) > kGoodLean);
+  CHECK(lean(*foot) > kGoodTippingAngle);
 }
 
 TEST_CASE("what leans needs a higher foot the more it leans, and at last none helps") {

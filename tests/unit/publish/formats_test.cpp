@@ -90,8 +90,7 @@ Points of3mf(const Bytes& bytes) {
   const auto files = unzipped(bytes);
   const std::string xml = textOf(files.at("3D/3dmodel.model"));
   CHECK(xml.find("unit=\"millimeter\"") != std::string::npos);
-  const auto x = attributes(xml, "vertex", "x"), y = attributes(xml, "vertex", "y"),
-             z = attributes(xml, "vertex", "z");
+  const auto x = attributes(xml, "vertex", "x"), y = attributes(xml, "vertex", "y"), z = attributes(xml, "vertex", "z");
   for (std::size_t i = 0; i < x.size(); ++i) {
     out.positions.push_back({std::stod(x[i]), std::stod(z[i]), -std::stod(y[i])});
   }
@@ -115,8 +114,9 @@ Points ofStl(const Bytes& stl) {
 
 Points ofGlb(const Bytes& glb, tinygltf::Model& model) {
   tinygltf::TinyGLTF reader;
-  reader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                           const unsigned char*, int, void*) { return true; }, nullptr);
+  reader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                           void*) { return true; },
+                        nullptr);
   std::string error, warning;
   REQUIRE(reader.LoadBinaryFromMemory(&model, &error, &warning, glb.data(), unsigned(glb.size())));
   Points out;
@@ -148,17 +148,22 @@ Points ofGlb(const Bytes& glb, tinygltf::Model& model) {
 Points pointsOf(const Bytes& bytes, Format format) {
   tinygltf::Model model;
   switch (format) {
-    case Format::Obj: return ofObj(textOf(bytes));
-    case Format::Stl: return ofStl(bytes);
-    case Format::ThreeMf: return of3mf(bytes);
-    case Format::ObjZip: return ofObj(textOf(unzipped(bytes).at("model.obj")));
-    default: return ofGlb(bytes, model);
+    case Format::Obj:
+      return ofObj(textOf(bytes));
+    case Format::Stl:
+      return ofStl(bytes);
+    case Format::ThreeMf:
+      return of3mf(bytes);
+    case Format::ObjZip:
+      return ofObj(textOf(unzipped(bytes).at("model.obj")));
+    default:
+      return ofGlb(bytes, model);
   }
 }
 
 }  // namespace
 
-TEST_CASE("a typed height is that height in every file, to a hundredth of a millimetre") {
+TEST_CASE("a typed height is that height in every file, to a hundredth of a millimetre" * doctest::test_suite("slow")) {
   for (const double mm : {40.0, 12.5, 999.0}) {
     std::size_t before = 0;
     // As they were traced, and mirrored, moved, turned and copied: all of them count.
@@ -197,7 +202,8 @@ TEST_CASE("texture coordinates stay within the texture, in every file that has t
 TEST_CASE("the paint of a part is in its material, and two colours are its texture") {
   Document document = twoParts(50);
   document = update(document, SetLook{PartId{1}, {false, {255, 0, 0}, surface::Paint::Metal}}).value();
-  document = update(document, SetLook{PartId{2}, {false, {0, 0, 255}, surface::Paint::TwoTone, {0, 255, 0}, true}}).value();
+  document =
+      update(document, SetLook{PartId{2}, {false, {0, 0, 255}, surface::Paint::TwoTone, {0, 255, 0}, true}}).value();
   tinygltf::Model model;
   ofGlb(saved(document, Format::Glb), model);
   REQUIRE(model.materials.size() == 2);
@@ -261,7 +267,8 @@ TEST_CASE("what a photo's file says besides its pixels is in no file we write") 
   auto picture = std::make_shared<const image::Picture>(io::decodePicture(jpeg, {}).value());
   Document document = update({}, AddPicture{"holiday", picture}).value();
   document = update(document, DrawSpine{PictureId{1}, {{40, 72}, {96, 72}, {150, 72}}}).value();
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip, Format::ThreeMf}) {
+  for (const Format format :
+       {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip, Format::ThreeMf}) {
     CAPTURE(formatKey(format));
     const Bytes bytes = saved(document, format);
     std::vector<Bytes> looked = {bytes};

@@ -80,8 +80,7 @@ TEST_CASE("a model of 40 mm is 40.00 mm tall in an STL and stands on the ground"
 TEST_CASE("hidden parts are not exported, and without a visible part there is nothing to export") {
   Document document = twoParts();
   const pipeline::Derived derived = derivedOf(document);
-  const std::size_t both =
-      publish::publish(document, derived, Format::Obj, {}).value().size();
+  const std::size_t both = publish::publish(document, derived, Format::Obj, {}).value().size();
   document = update(document, ShowPart{PartId{1}, false}).value();
   const Bytes one = publish::publish(document, derived, Format::Obj, {}).value();
   CHECK(one.size() < both);
@@ -99,8 +98,7 @@ TEST_CASE("hidden parts are not exported, and without a visible part there is no
 TEST_CASE("a GLB holds one texture for all parts that wear a picture, and none when none does") {
   Document document = twoParts();
   const auto jpegs = [&] {
-    const Bytes glb =
-        publish::publish(document, derivedOf(document), Format::Glb, {}, {.withProject = false}).value();
+    const Bytes glb = publish::publish(document, derivedOf(document), Format::Glb, {}, {.withProject = false}).value();
     CHECK(timesFound(glb, {0x89, 'P', 'N', 'G'}) == 0);
     return timesFound(glb, {0xff, 0xd8, 0xff});
   };
@@ -170,8 +168,8 @@ TEST_CASE("a cancelled export gives nothing, and equal models give equal bytes")
   const pipeline::Derived derived = derivedOf(document);
   const Progress cancelled;
   cancelled.cancel();
-  for (const Format format : {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip,
-                              Format::ThreeMf}) {
+  for (const Format format :
+       {Format::Glb, Format::Obj, Format::Stl, Format::Project, Format::ObjZip, Format::ThreeMf}) {
     const auto none = publish::publish(document, derived, format, cancelled);
     REQUIRE_FALSE(none.ok());
     CHECK(none.error() == Error::Cancelled);
@@ -192,8 +190,16 @@ TEST_CASE("file names carry the model's name and size in portable characters") {
   document.name = "///";
   document.height = {12.54};
   CHECK(fileName(document, Format::Stl) == "model-12.5mm.stl");
-  document.name = "K\xc3\xa4" "fer";
-  CHECK(fileName(document, Format::ObjZip) == "k\xc3\xa4" "fer-12.5mm-obj.zip");
-  CHECK(fileName(document, Format::ThreeMf) == "k\xc3\xa4" "fer-12.5mm.3mf");
-  CHECK(fileName(document, Format::Obj) == "k\xc3\xa4" "fer-12.5mm.obj");
+  document.name =
+      "K\xc3\xa4"
+      "fer";
+  CHECK(fileName(document, Format::ObjZip) ==
+        "k\xc3\xa4"
+        "fer-12.5mm-obj.zip");
+  CHECK(fileName(document, Format::ThreeMf) ==
+        "k\xc3\xa4"
+        "fer-12.5mm.3mf");
+  CHECK(fileName(document, Format::Obj) ==
+        "k\xc3\xa4"
+        "fer-12.5mm.obj");
 }

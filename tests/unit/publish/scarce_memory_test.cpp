@@ -13,9 +13,7 @@ TEST_CASE("work that gets no memory says so, and works again when there is some"
   const auto picture = testing::ellipsePicture(400, 300);
   const io::Bytes png = io::encodePng(picture->working).value();
   document::Document model = document::update({}, document::AddPicture{"e", picture}).value();
-  model = document::update(model,
-                           document::DrawSpine{PictureId{1}, {{80, 150}, {200, 150}, {320, 150}}})
-              .value();
+  model = document::update(model, document::DrawSpine{PictureId{1}, {{80, 150}, {200, 150}, {320, 150}}}).value();
   pipeline::Cache cache;
   const pipeline::Derived derived = pipeline::deriveWithEdges(model, cache, {}).value();
 

@@ -13,6 +13,7 @@
 #include "engine/publish/solid_plan.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
 #include "tests/support/step_documents.h"
 
 using namespace spineloft;
@@ -68,7 +69,7 @@ TEST_CASE("a solid is asked for with every part where it stands, also when it is
   Rng rng(41);
   Deriving derive;
   const Document base = after(withParts(3), combine(StepKind::Join, {part(1), part(2), part(3)}));
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < testing::rounds(20); ++round) {
     PlaceParts places;
     std::size_t expected = 3;
     for (std::uint32_t i = 1; i <= 3; ++i) {
@@ -184,7 +185,7 @@ TEST_CASE("what was tapped opens the side that faces there most, an end of the b
   Deriving derive;
   const Document base = after(withParts(1), combine(StepKind::Hollow, {part(1)}));
   int ends = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Document document = after(base, PlaceParts{{{PartId{1}, randomPlacement(rng), {}}}});
     const WorldPoint towards{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
     const Step& hollow = *findStep(document, StepId{1});

@@ -1,9 +1,10 @@
-#include "engine/ribs/curves.h"
+#include "engine/ribs/field/curves.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -40,8 +41,7 @@ PicturePoint followed(const D2Field& field, PicturePoint x, double level) {
   double d2 = from;
   for (int i = 0; i < kSteps; ++i) {
     const double h = d2 * (ratio - 1);
-    const PicturePoint a = slope(x), b = slope(x + a * (h / 2)), c = slope(x + b * (h / 2)),
-                       d = slope(x + c * h);
+    const PicturePoint a = slope(x), b = slope(x + a * (h / 2)), c = slope(x + b * (h / 2)), d = slope(x + c * h);
     x = x + (a + b * 2.0 + c * 2.0 + d) * (h / 6);
     d2 *= ratio;
   }
@@ -69,9 +69,12 @@ TEST_CASE("levels grow from the spine to the farthest radius, evenly where they 
 
 TEST_CASE("every point of a curve lies on its level set of d2") {
   Rng rng(41);
-  for (int round = 0; round < 12; ++round) {
+  const int rounds = testing::rounds(12);
+  int seen = 0;
+  for (int round = 0; round < rounds; ++round) {
     const auto spine = cleanSpine(fixtures::wander(rng, 40, 8), kPicture, {});
     if (!spine.ok()) continue;
+    ++seen;
     const D2Field field(spine.value().points);
     const Levels levels = makeLevels(96, 1, 250, field.length());
     const GradientCurves curves = curvesOf(spine.value(), levels, 7);
@@ -82,13 +85,14 @@ TEST_CASE("every point of a curve lies on its level set of d2") {
       }
     }
   }
+  CHECK(seen > rounds / 2);
 }
 
 TEST_CASE("curves end within a tenth of a pixel of where the flow of d2 goes") {
   Rng rng(43);
   int seen = 0;
   double worst = 0;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < testing::rounds(6); ++round) {
     const auto spine = cleanSpine(fixtures::wander(rng, 40, 8), kPicture, {});
     if (!spine.ok()) continue;
     const D2Field field(spine.value().points);
@@ -99,10 +103,9 @@ TEST_CASE("curves end within a tenth of a pixel of where the flow of d2 goes") {
       // A curve that runs into a saddle goes either way.
       const double radius = levels.radius[static_cast<std::size_t>(last)];
       const bool frame = last < 127;
-      if (last < 60 || (frame && static_cast<double>(curves.along[curves.at(c, last)]) > 2 * radius))
-        continue;
-      const PicturePoint there = followed(field, curves.seeds[static_cast<std::size_t>(c)][1],
-                                          levels.d2[static_cast<std::size_t>(last)]);
+      if (last < 60 || (frame && static_cast<double>(curves.along[curves.at(c, last)]) > 2 * radius)) continue;
+      const PicturePoint there =
+          followed(field, curves.seeds[static_cast<std::size_t>(c)][1], levels.d2[static_cast<std::size_t>(last)]);
       worst = std::max(worst, distance(there, curves.point(c, last)));
       ++seen;
     }
@@ -130,27 +133,30 @@ TEST_CASE("steps of curves grow with their number, not faster") {
 
 TEST_CASE("curves never cross, neither on one side nor around the ends") {
   Rng rng(42);
-  for (int round = 0; round < 12; ++round) {
+  const int rounds = testing::rounds(12);
+  int seen = 0;
+  for (int round = 0; round < rounds; ++round) {
     const auto spine = cleanSpine(fixtures::wander(rng, 60, 8), kPicture, {.ribs = 60});
     if (!spine.ok()) continue;
+    ++seen;
     const Levels levels = makeLevels(48, 2, 200, D2Field(spine.value().points).length());
     const GradientCurves curves = curvesOf(spine.value(), levels, 9);
-    int crossings = 0;
+    int occludedStretches = 0;
     for (int c = 0; c < curves.layout.total(); ++c) {
       const int d = (c + 1) % curves.layout.total();
       const int reachC = curves.reached[static_cast<std::size_t>(c)];
       const int reachD = curves.reached[static_cast<std::size_t>(d)];
       for (int k = 1; k + 1 < reachC; ++k) {
         for (int q = 1; q + 1 < reachD; ++q) {
-          crossings += segmentsCross(curves.point(c, k), curves.point(c, k + 1), curves.point(d, q),
-                                     curves.point(d, q + 1))
-                           ? 1
-                           : 0;
+          occludedStretches +=
+              segmentsCross(curves.point(c, k), curves.point(c, k + 1), curves.point(d, q), curves.point(d, q + 1)) ? 1
+                                                                                                                    : 0;
         }
       }
     }
-    CHECK(crossings == 0);
+    CHECK(occludedStretches == 0);
   }
+  CHECK(seen > rounds / 2);
 }
 
 TEST_CASE("from a straight spine the middle curves go straight out, left as the screen sees it") {
@@ -160,10 +166,8 @@ TEST_CASE("from a straight spine the middle curves go straight out, left as the 
   const GradientCurves curves = curvesOf(spine.value(), levels, 5);
   for (int k = 1; k < 64; k += 6) {
     const double radius = levels.radius[static_cast<std::size_t>(k)];
-    CHECK(distance(curves.point(curves.layout.left(50), k), PicturePoint{400, 400 - radius}) <
-          0.05);
-    CHECK(distance(curves.point(curves.layout.right(50), k), PicturePoint{400, 400 + radius}) <
-          0.05);
+    CHECK(distance(curves.point(curves.layout.left(50), k), PicturePoint{400, 400 - radius}) < 0.05);
+    CHECK(distance(curves.point(curves.layout.right(50), k), PicturePoint{400, 400 + radius}) < 0.05);
   }
   // Drawn to the right: the fan around the end points to the right, the other to the left.
   CHECK(curves.point(curves.layout.endFan(2), 40).x > 610);

@@ -1,10 +1,11 @@
-#include "engine/ribs/d2.h"
+#include "engine/ribs/field/d2.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -31,8 +32,7 @@ double quadrature(const Points& p, PicturePoint x, int panels) {
 double nearest(const Points& p, PicturePoint x) {
   double best = 1e300;
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    for (int k = 0; k <= 20; ++k)
-      best = std::min(best, distance(x, lerp(p[i], p[i + 1], k / 20.0)));
+    for (int k = 0; k <= 20; ++k) best = std::min(best, distance(x, lerp(p[i], p[i + 1], k / 20.0)));
   }
   return best;
 }
@@ -41,7 +41,7 @@ double nearest(const Points& p, PicturePoint x) {
 
 TEST_CASE("d2 is the integral of its definition, over random polylines and points") {
   Rng rng(11);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < testing::rounds(40); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(30), 9);
     const D2Field field(p);
     for (int i = 0; i < 20; ++i) {
@@ -55,18 +55,16 @@ TEST_CASE("d2 is the integral of its definition, over random polylines and point
 TEST_CASE("the gradient of d2 is what finite differences say") {
   Rng rng(12);
   const double h = 1e-4;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(40), 7);
     const D2Field field(p);
     const PicturePoint x{rng.uniform(100, 700), rng.uniform(100, 700)};
     if (nearest(p, x) < 2) continue;
     const PicturePoint g = field.sample(x).gradient;
-    CHECK(g.x == doctest::Approx((field.distance({x.x + h, x.y}) - field.distance({x.x - h, x.y})) /
-                                 (2 * h))
-                     .epsilon(1e-5));
-    CHECK(g.y == doctest::Approx((field.distance({x.x, x.y + h}) - field.distance({x.x, x.y - h})) /
-                                 (2 * h))
-                     .epsilon(1e-5));
+    CHECK(g.x ==
+          doctest::Approx((field.distance({x.x + h, x.y}) - field.distance({x.x - h, x.y})) / (2 * h)).epsilon(1e-5));
+    CHECK(g.y ==
+          doctest::Approx((field.distance({x.x, x.y + h}) - field.distance({x.x, x.y - h})) / (2 * h)).epsilon(1e-5));
   }
 }
 
@@ -88,20 +86,18 @@ TEST_CASE("on a segment d2 is 0, on its line beyond the ends it joins smoothly")
 
 TEST_CASE("d2 moves with a rigid motion, turns its gradient, and grows with scale") {
   Rng rng(13);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     const Points p = fixtures::wander(rng, 20, 9);
     const double turn = rng.uniform(0, 6.28), scale = rng.uniform(0.2, 5);
     const PicturePoint shift{rng.uniform(-500, 500), rng.uniform(-500, 500)};
     const auto rotate = [turn](PicturePoint q) {
-      return PicturePoint{q.x * std::cos(turn) - q.y * std::sin(turn),
-                          q.x * std::sin(turn) + q.y * std::cos(turn)};
+      return PicturePoint{q.x * std::cos(turn) - q.y * std::sin(turn), q.x * std::sin(turn) + q.y * std::cos(turn)};
     };
     Points moved;
     for (PicturePoint q : p) moved.push_back(rotate(q) * scale + shift);
     const PicturePoint x{rng.uniform(100, 700), rng.uniform(100, 700)};
     if (nearest(p, x) < 2) continue;
-    const D2Sample before = D2Field(p).sample(x),
-                   after = D2Field(moved).sample(rotate(x) * scale + shift);
+    const D2Sample before = D2Field(p).sample(x), after = D2Field(moved).sample(rotate(x) * scale + shift);
     CHECK(after.d2 == doctest::Approx(before.d2 * scale).epsilon(1e-9));
     CHECK(distance(after.gradient, rotate(before.gradient)) < 1e-8);
   }
@@ -118,7 +114,7 @@ TEST_CASE("far away d2 is the Euclidean distance, and repeated points change not
 
 TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyond one pixel") {
   Rng rng(14);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(200), 4);
     const D2Field field(p);
     for (int i = 0; i < 30; ++i) {
@@ -129,8 +125,7 @@ TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyo
       const double value = static_cast<double>(quick.value);
       const double d2 = std::sqrt(field.length() / value);
       CHECK(d2 == doctest::Approx(exact.d2).epsilon(3e-5));
-      const PicturePoint g{static_cast<double>(quick.gradientX),
-                           static_cast<double>(quick.gradientY)};
+      const PicturePoint g{static_cast<double>(quick.gradientX), static_cast<double>(quick.gradientY)};
       CHECK(distance(g * (-0.5 * d2 / value), exact.gradient) < 3e-4);
     }
   }
@@ -139,7 +134,7 @@ TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyo
 TEST_CASE("far stretches by their moments change d2 and its gradient by less than 2e-3") {
   Rng rng(15);
   double worst = 0, turned = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(300), 5);
     const D2Field field(p);
     for (int i = 0; i < 30; ++i) {
@@ -149,8 +144,7 @@ TEST_CASE("far stretches by their moments change d2 and its gradient by less tha
       worst = std::max(worst, std::abs(static_cast<double>(quick.value / exact.value) - 1));
       const double dx = static_cast<double>(quick.gradientX - exact.gradientX);
       const double dy = static_cast<double>(quick.gradientY - exact.gradientY);
-      turned = std::max(turned, std::hypot(dx, dy) / static_cast<double>(std::hypot(
-                                                         exact.gradientX, exact.gradientY)));
+      turned = std::max(turned, std::hypot(dx, dy) / static_cast<double>(std::hypot(exact.gradientX, exact.gradientY)));
     }
   }
   CHECK(worst < 2e-3);
@@ -160,8 +154,7 @@ TEST_CASE("far stretches by their moments change d2 and its gradient by less tha
 TEST_CASE("the radius of a straight spine and its d2 are inverse to each other") {
   for (double length : {5.0, 100.0, 3000.0}) {
     for (double radius : {0.01, 1.0, 50.0, 2000.0}) {
-      CHECK(radiusOfD2(d2OfRadius(radius, length), length) ==
-            doctest::Approx(radius).epsilon(1e-9));
+      CHECK(radiusOfD2(d2OfRadius(radius, length), length) == doctest::Approx(radius).epsilon(1e-9));
     }
     const D2Field field(Points{{0, 0}, {length, 0}});
     CHECK(d2OfRadius(7, length) == doctest::Approx(field.distance({length / 2, 7})).epsilon(1e-12));

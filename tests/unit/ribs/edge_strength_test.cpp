@@ -1,4 +1,4 @@
-#include "engine/ribs/edge_strength.h"
+#include "engine/ribs/evidence/edge_strength.h"
 
 #include <doctest/doctest.h>
 

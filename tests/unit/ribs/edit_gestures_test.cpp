@@ -1,10 +1,11 @@
-#include "engine/ribs/edit_gestures.h"
+#include "engine/ribs/edit/edit_gestures.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/edited_ribs.h"
 
 using namespace spineloft;
@@ -59,7 +60,8 @@ TEST_CASE("the nearest end and the nearest rib are found within reach only") {
 TEST_CASE("a place on the spine is the share of its length") {
   const Band band = bandOf(101);
   CHECK(placeOf(band.spine, band.spine.points[25]) == doctest::Approx(fixtures::placeOfRib(band, 25)).epsilon(1e-9));
-  CHECK(placeOf(EditScene{band.spine, band.ribs, {}}, 75) == doctest::Approx(fixtures::placeOfRib(band, 75)).epsilon(1e-9));
+  CHECK(placeOf(EditScene{band.spine, band.ribs, {}}, 75) ==
+        doctest::Approx(fixtures::placeOfRib(band, 75)).epsilon(1e-9));
   CHECK(placeOf(band.spine, {-1e4, 0}) == 0);
 }
 
@@ -97,11 +99,9 @@ TEST_CASE("a later drag of the same end keeps one edit, but not across edits tha
 
 TEST_CASE("pulling the tip of a soft bulge alone leaves the rest of the bulge") {
   Work work(bandOf(100));
-  work.set(dragEnd(work.scene(), {50, Side::Left}, work.seen.ribs[50].left + PicturePoint{0, -40},
-                   0.2));
+  work.set(dragEnd(work.scene(), {50, Side::Left}, work.seen.ribs[50].left + PicturePoint{0, -40}, 0.2));
   const RibSet bulge = work.seen;
-  work.set(dragEnd(work.scene(), {50, Side::Left}, work.seen.ribs[50].left + PicturePoint{0, -5},
-                   0));
+  work.set(dragEnd(work.scene(), {50, Side::Left}, work.seen.ribs[50].left + PicturePoint{0, -5}, 0));
   for (std::size_t i = 0; i < 100; ++i) {
     if (i != 50) CHECK(work.seen.ribs[i].left == bulge.ribs[i].left);
   }
@@ -132,8 +132,7 @@ TEST_CASE("a stroke moves the ends it passes to where it crosses their ribs, and
 
 TEST_CASE("a stroke on both sides changes the opposite ends by the same ratio") {
   Work work(bandOf(100, 0));
-  const StrokeDeform deform =
-      deformByStroke(work.scene(), std::vector<PicturePoint>{{250, 240}, {450, 240}}, 60, true);
+  const StrokeDeform deform = deformByStroke(work.scene(), std::vector<PicturePoint>{{250, 240}, {450, 240}}, 60, true);
   work.set(deform.edits);
   CHECK(deform.touched.size() % 2 == 0);
   for (const EndRef& end : deform.touched) {
@@ -146,8 +145,7 @@ TEST_CASE("a stroke on both sides changes the opposite ends by the same ratio") 
 
 TEST_CASE("a stroke far away, of one point, or through locked ends moves nothing") {
   Work work(bandOf(60, 0));
-  const std::vector<PicturePoint> far{{100, 20}, {700, 20}}, dot{{300, 260}},
-      line{{100, 250}, {700, 250}};
+  const std::vector<PicturePoint> far{{100, 20}, {700, 20}}, dot{{300, 260}}, line{{100, 250}, {700, 250}};
   CHECK(deformByStroke(work.scene(), far, 40, true).touched.empty());
   CHECK(deformByStroke(work.scene(), dot, 40, true).touched.empty());
   for (std::size_t i = 0; i < 60; ++i) work.set(lockRib(work.scene(), i, true));
@@ -240,7 +238,7 @@ TEST_CASE("another place is taken by the end alone, or with the neighbours that 
 }
 
 TEST_CASE("hundreds of random gestures keep the edits valid and every rib finite") {
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 12)) {
     Rng rng(seed);
     Work work(bandOf(20 + static_cast<int>(rng.below(60))));
     for (int step = 0; step < 60; ++step) {
@@ -250,17 +248,30 @@ TEST_CASE("hundreds of random gestures keep the edits valid and every rib finite
       const PicturePoint p{rng.uniform(-100, 900), rng.uniform(-100, 700)};
       const EditScene scene = work.scene();
       switch (rng.below(8)) {
-        case 0: work.set(dragEnd(scene, end, p, 0)); break;
-        case 1: work.set(dragEnd(scene, end, p, rng.uniform())); break;
-        case 2: work.set(lockRib(scene, rib, rng.below(2) == 0)); break;
-        case 3: work.set(addRib(scene, p)); break;
-        case 4: work.set(removeRib(scene, rib)); break;
-        case 5: work.set(resetRib(scene, rib)); break;
-        case 6: work.set(takeOtherPlace(scene, end, static_cast<int>(rng.below(4)), true)); break;
+        case 0:
+          work.set(dragEnd(scene, end, p, 0));
+          break;
+        case 1:
+          work.set(dragEnd(scene, end, p, rng.uniform()));
+          break;
+        case 2:
+          work.set(lockRib(scene, rib, rng.below(2) == 0));
+          break;
+        case 3:
+          work.set(addRib(scene, p));
+          break;
+        case 4:
+          work.set(removeRib(scene, rib));
+          break;
+        case 5:
+          work.set(resetRib(scene, rib));
+          break;
+        case 6:
+          work.set(takeOtherPlace(scene, end, static_cast<int>(rng.below(4)), true));
+          break;
         default: {
           std::vector<PicturePoint> stroke;
-          for (std::uint32_t i = rng.below(9); i-- > 0;)
-            stroke.push_back({rng.uniform(0, 800), rng.uniform(0, 600)});
+          for (std::uint32_t i = rng.below(9); i-- > 0;) stroke.push_back({rng.uniform(0, 800), rng.uniform(0, 600)});
           work.set(deformByStroke(scene, stroke, rng.uniform(1, 200), rng.below(2) == 0).edits);
         }
       }

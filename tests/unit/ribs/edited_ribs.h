@@ -6,8 +6,8 @@
 
 #include "engine/base/rng.h"
 #include "engine/geometry/polyline.h"
-#include "engine/ribs/edit_gestures.h"
-#include "engine/ribs/places.h"
+#include "engine/ribs/edit/edit_gestures.h"
+#include "engine/ribs/edit/places.h"
 
 namespace spineloft::fixtures {
 
@@ -15,12 +15,8 @@ namespace spineloft::fixtures {
 struct Band {
   ribs::Spine spine;
   ribs::RibSet ribs;
-  ribs::RibSet edited(const ribs::RibEdits& edits) const {
-    return ribs::applyEdits(spine, ribs, edits);
-  }
-  ribs::EditScene scene(const ribs::RibSet& seen, const ribs::RibEdits& edits) const {
-    return {spine, seen, edits};
-  }
+  ribs::RibSet edited(const ribs::RibEdits& edits) const { return ribs::applyEdits(spine, ribs, edits); }
+  ribs::EditScene scene(const ribs::RibSet& seen, const ribs::RibEdits& edits) const { return {spine, seen, edits}; }
 };
 
 inline Band bandOf(int count, double bend = 40, double mirrorX = 0) {
@@ -30,16 +26,14 @@ inline Band bandOf(int count, double bend = 40, double mirrorX = 0) {
     line.push_back({mirrorX > 0 ? mirrorX - x : x, 300 + bend * std::sin((x - 100) / 90)});
   }
   Band band;
-  band.spine.points = geometry::resample(std::span<const PicturePoint>(line),
-                                         static_cast<std::size_t>(count));
+  band.spine.points = geometry::resample(std::span<const PicturePoint>(line), static_cast<std::size_t>(count));
   const std::vector<PicturePoint> ahead = band.spine.points;
   for (int i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / (count - 1);
     const PicturePoint c = ahead[static_cast<std::size_t>(i)];
     const double x = mirrorX > 0 ? mirrorX - c.x : c.x;
     const double slope = bend / 90 * std::cos((x - 100) / 90);
-    const PicturePoint along =
-        normalized(PicturePoint{mirrorX > 0 ? -1.0 : 1.0, slope});
+    const PicturePoint along = normalized(PicturePoint{mirrorX > 0 ? -1.0 : 1.0, slope});
     const PicturePoint left{along.y, -along.x};
     ribs::Rib rib;
     rib.center = c;
@@ -53,10 +47,8 @@ inline Band bandOf(int count, double bend = 40, double mirrorX = 0) {
   }
   for (int i = 1; i < 8; ++i) {
     const double angle = 3.14159265 * i / 8;
-    band.ribs.startFan.points.push_back(ahead.front() +
-                                        PicturePoint{-30 * std::sin(angle), -30 * std::cos(angle)});
-    band.ribs.endFan.points.push_back(ahead.back() +
-                                      PicturePoint{30 * std::sin(angle), -30 * std::cos(angle)});
+    band.ribs.startFan.points.push_back(ahead.front() + PicturePoint{-30 * std::sin(angle), -30 * std::cos(angle)});
+    band.ribs.endFan.points.push_back(ahead.back() + PicturePoint{30 * std::sin(angle), -30 * std::cos(angle)});
   }
   return band;
 }
@@ -88,9 +80,7 @@ inline ribs::RibState stateOf(const ribs::Rib& rib, ribs::Side side) {
 }
 
 /// The place of the i-th point of a band's spine.
-inline double placeOfRib(const Band& band, std::size_t i) {
-  return ribs::Ruler(band.spine.points).placeOfPoint(i);
-}
+inline double placeOfRib(const Band& band, std::size_t i) { return ribs::Ruler(band.spine.points).placeOfPoint(i); }
 
 /// Where the line through the ends of a side of generated ribs passes a place.
 inline PicturePoint sideAt(const Band& band, const ribs::RibSet& set, ribs::Side side, double at) {

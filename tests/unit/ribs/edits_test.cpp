@@ -1,4 +1,4 @@
-#include "engine/ribs/edits.h"
+#include "engine/ribs/edit/edits.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "engine/loft/loft.h"
-#include "engine/ribs/places.h"
+#include "engine/ribs/edit/places.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 #include "tests/unit/ribs/edited_ribs.h"
 
 using namespace spineloft;
@@ -28,18 +29,16 @@ EndEdit editTo(const Band& band, double at, Side side, PicturePoint to, double r
 }
 
 // Farthest that the line of one side lies from another's between two places.
-double farthest(const Band& a, const Band& b, const RibEdits& edits, Side side, double from = 0,
-                double to = 1) {
+double farthest(const Band& a, const Band& b, const RibEdits& edits, Side side, double from = 0, double to = 1) {
   const RibSet one = a.edited(edits), other = b.edited(edits);
   double most = 0;
   for (double at = from; at <= to; at += 0.005) {
-    most = std::max(most, distance(fixtures::sideAt(a, one, side, at),
-                                   fixtures::sideAt(b, other, side, at)));
+    most = std::max(most, distance(fixtures::sideAt(a, one, side, at), fixtures::sideAt(b, other, side, at)));
   }
   return most;
 }
 
-int crossings(const RibSet& set, Side side) {
+int occludedStretches(const RibSet& set, Side side) {
   int count = 0;
   for (std::size_t i = 0; i + 1 < set.ribs.size(); ++i) {
     const PicturePoint a = set.ribs[i].center, b = endOf(set.ribs[i], side);
@@ -94,7 +93,7 @@ TEST_CASE("ends within reach follow less the farther away they are") {
 }
 
 TEST_CASE("seeded random edits: finite ends, the count of ribs, and two ribs that stay") {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 300)) {
     Rng rng(seed);
     const int count = 2 + static_cast<int>(rng.below(seed % 10 == 0 ? 4 : 120));
     const Band band = bandOf(count);
@@ -138,7 +137,7 @@ TEST_CASE("added and left-out ribs are counted exactly and lie between their nei
 }
 
 TEST_CASE("a locked rib end never moves, whatever is edited later") {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 100)) {
     Rng rng(seed);
     const Band band = bandOf(80);
     RibEdits edits = fixtures::randomEdits(rng);
@@ -156,9 +155,9 @@ TEST_CASE("a locked rib end never moves, whatever is edited later") {
   }
 }
 
-TEST_CASE("the shape of an edit does not depend on the number of ribs") {
+TEST_CASE("the shape of an edit does not depend on the number of ribs" * doctest::test_suite("slow")) {
   // Soft edits, and a whole row of single ends as a stroke makes them at 100 ribs.
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 40)) {
     Rng rng(seed);
     RibEdits edits;
     const Band fine = bandOf(400);
@@ -196,8 +195,8 @@ TEST_CASE("a lone edit between few ribs is taken whole by the nearest end") {
   for (const double reach : {0.0, 0.002, 0.02}) {
     EndEdit edit{.at = 0.41, .side = Side::Right, .out = 90, .reach = reach};
     const RibSet set = band.edited({{edit}, {}, {}});
-    const PicturePoint by = Ruler(band.spine.points).fromFrame(edit) -
-                            fixtures::sideAt(band, band.ribs, Side::Right, 0.41);
+    const PicturePoint by =
+        Ruler(band.spine.points).fromFrame(edit) - fixtures::sideAt(band, band.ribs, Side::Right, 0.41);
     CHECK(distance(set.ribs[8].right, band.ribs.ribs[8].right + by) < 1e-9);
     CHECK(set.ribs[8].rightState == RibState::Edited);
   }
@@ -219,8 +218,7 @@ TEST_CASE("when the spine is bent elsewhere, edits keep their place along it") {
       }
     }
     CHECK(std::abs(static_cast<double>(farthestRib) / 99 - 0.3) < 0.011);
-    CHECK(distance(set.ribs[farthestRib].left, set.ribs[farthestRib].center) ==
-          doctest::Approx(80).epsilon(0.02));
+    CHECK(distance(set.ribs[farthestRib].left, set.ribs[farthestRib].center) == doctest::Approx(80).epsilon(0.02));
   }
 }
 
@@ -228,7 +226,7 @@ TEST_CASE("a mirrored part under mirrored edits is the mirrored result") {
   const double about = 900;
   const auto mirror = [&](PicturePoint p) { return PicturePoint{about - p.x, p.y}; };
   const Band band = bandOf(90), twin = bandOf(90, 40, about);
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 40)) {
     Rng rng(seed);
     const RibEdits edits = fixtures::randomEdits(rng, 1e-4);
     RibEdits swapped = edits;
@@ -253,7 +251,7 @@ TEST_CASE("ends that follow a drag along the spine do not run across the dragged
     // A reach as long as the drag: without making way the ends behind the bell fold over.
     const RibSet set = band.edited({{editTo(band, at, Side::Left, to, 0.12)}, {}, {}});
     CHECK(distance(set.ribs[50].left, to) < 1e-9);
-    CHECK(crossings(set, Side::Left) == 0);
+    CHECK(occludedStretches(set, Side::Left) == 0);
   }
 }
 
@@ -263,8 +261,7 @@ TEST_CASE("the fan of an end follows its rib by the same similarity") {
   // Twice as wide about the same centre.
   RibEdits edits;
   for (const Side side : kSides) {
-    edits.ends.push_back(
-        editTo(band, 0, side, first.center + (endOf(first, side) - first.center) * 2, 0));
+    edits.ends.push_back(editTo(band, 0, side, first.center + (endOf(first, side) - first.center) * 2, 0));
   }
   const RibSet set = band.edited(edits);
   CHECK(set.endFan == band.ribs.endFan);
@@ -275,7 +272,7 @@ TEST_CASE("the fan of an end follows its rib by the same similarity") {
 }
 
 TEST_CASE("lofts of edited ribs obey the mesh laws") {
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  for (const std::uint64_t seed : testing::seeds(0, 150)) {
     Rng rng(seed);
     const Band band = bandOf(2 + static_cast<int>(rng.below(90)));
     const RibSet set = band.edited(fixtures::randomEdits(rng, seed % 3 ? 1e-4 : 1));
@@ -290,9 +287,8 @@ TEST_CASE("lofts of edited ribs obey the mesh laws") {
 TEST_CASE("edits that are not finite or out of range are invalid, and laid over ribs do no harm") {
   const Band band = bandOf(30);
   for (const EndEdit& edit :
-       {EndEdit{.at = std::nan("")}, EndEdit{.at = 0.5, .along = std::nan("")},
-        EndEdit{.at = 0.5, .out = INFINITY}, EndEdit{.at = 1.5}, EndEdit{.at = 0.5, .reach = -1},
-        EndEdit{.at = 0.5, .out = 2 * kFarthestEdit}}) {
+       {EndEdit{.at = std::nan("")}, EndEdit{.at = 0.5, .along = std::nan("")}, EndEdit{.at = 0.5, .out = INFINITY},
+        EndEdit{.at = 1.5}, EndEdit{.at = 0.5, .reach = -1}, EndEdit{.at = 0.5, .out = 2 * kFarthestEdit}}) {
     CHECK_FALSE(isValid({{edit}, {}, {}}));
     CHECK(band.edited({{edit}, {}, {}}) == band.ribs);
   }

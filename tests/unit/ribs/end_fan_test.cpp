@@ -1,12 +1,11 @@
-#include "engine/ribs/end_fan.h"
+#include "engine/ribs/ends/end_fan.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ribs/consensus.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/search/ribs.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -32,8 +31,7 @@ bool pointed(double across, double over) { return across + over <= 1; }
 
 RibSet traced(Ending ending) {
   const auto map = fixtures::mapOf(kPicture, [&](PicturePoint p) { return inBar(p, ending); });
-  const Spine spine =
-      cleanSpine(fixtures::Points{{90, 150}, {kLast, 150}}, kPicture, {.ribs = 60}).value();
+  const Spine spine = cleanSpine(fixtures::Points{{90, 150}, {kLast, 150}}, kPicture, {.ribs = 60}).value();
   return traceRibs(spine, map, kPicture, {}, Progress()).value();
 }
 
@@ -97,7 +95,9 @@ TEST_CASE("the corners of a flat end never stand farther out than the side that 
     // Straight on, or ever more of it rounded before it ends: from the left side to the right one.
     std::vector<PicturePoint> points;
     for (const double share : {-1.0, -0.9, -0.5, 0.0, 0.5, 0.9, 1.0}) {
-      const double across = (1 - inwards) * share * kHalf, over = std::abs(share) == 1 ? 10 : std::abs(share) == 0.9 ? 24 : 30;
+      const double across = (1 - inwards) * share * kHalf, over = std::abs(share) == 1     ? 10
+                                                                  : std::abs(share) == 0.9 ? 24
+                                                                                           : 30;
       points.push_back({kLast + over, 150 + (leftIsUp ? across : -across)});
     }
     EndFan fan;
@@ -106,7 +106,8 @@ TEST_CASE("the corners of a flat end never stand farther out than the side that 
     const auto out = [](PicturePoint p) { return std::abs(p.y - 150); };
     const std::size_t middle = fan.points.size() / 2;
     for (std::size_t i = 1; i <= middle; ++i) CHECK(out(fan.points[i]) <= out(fan.points[i - 1]) + 1e-9);
-    for (std::size_t i = middle; i + 1 < fan.points.size(); ++i) CHECK(out(fan.points[i]) <= out(fan.points[i + 1]) + 1e-9);
+    for (std::size_t i = middle; i + 1 < fan.points.size(); ++i)
+      CHECK(out(fan.points[i]) <= out(fan.points[i + 1]) + 1e-9);
     // As far ahead as the end.
     for (const PicturePoint p : fan.points) CHECK(p.x <= kLast + 30 + 1e-9);
     CHECK(std::ranges::count_if(fan.points, [](PicturePoint p) { return p.x > kLast + 29.9; }) == 5);
@@ -119,21 +120,4 @@ TEST_CASE("a part goes on to the object's end beyond the stroke, whatever its sh
     CHECK(x > kEnd - 6);
     CHECK(x < kEnd + 6);
   }
-}
-
-TEST_CASE("a variant with nothing exchanged is the product") {
-  const auto map = fixtures::mapOf(kPicture, [](PicturePoint p) { return inBar(p, round); });
-  const Spine spine =
-      cleanSpine(fixtures::Points{{90, 150}, {kLast, 150}}, kPicture, {.ribs = 60}).value();
-  RibWorkspace memory;
-  const PictureEvidence picture{map, kPicture};
-  const RibSet product = traceRibs(spine, picture, {}, Progress(), memory).value();
-  const RibSet straight = agreedRibs(spine, picture, {}, Progress(), {.euclidean = true, .alone = true}, memory).value();
-  const RibSet sampled = agreedRibs(spine, picture, {}, Progress(), {.sampled = true, .alone = true}, memory).value();
-  CHECK(agreedRibs(spine, picture, {}, Progress(), {.alone = true}, memory).value() == product);
-  CHECK(traceRibs(spine, picture, {}, Progress(), memory).value() == product);
-  CHECK(straight.ribs.size() == product.ribs.size());
-  CHECK(sampled.energy.total() >= product.energy.total() - 1e-3);
-  // Along a straight stroke the normals of d∞ stay upright.
-  for (const Rib& rib : straight.ribs) CHECK(std::abs(rib.left.x - rib.center.x) < 1e-3);
 }

@@ -1,11 +1,11 @@
-#include "engine/ribs/end_search.h"
+#include "engine/ribs/search/end_search.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/search/ribs.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -71,9 +71,7 @@ TEST_CASE("an end is found alike at the start and at the end of a stroke, and mi
     for (const bool mirrored : {false, true}) {
       fixtures::Points stroke{{200, kTop + 40}, {200, kBottom - 30}};
       if (back) std::reverse(stroke.begin(), stroke.end());
-      const auto inside = [&](PicturePoint p) {
-        return ink({mirrored ? kPicture.width - p.x : p.x, p.y});
-      };
+      const auto inside = [&](PicturePoint p) { return ink({mirrored ? kPicture.width - p.x : p.x, p.y}); };
       CHECK(isBox(traced(stroke, inside)));
     }
   }

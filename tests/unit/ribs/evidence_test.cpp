@@ -1,10 +1,10 @@
-#include "engine/ribs/evidence.h"
+#include "engine/ribs/evidence/evidence.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "engine/ribs/lean.h"
+#include "engine/ribs/labels/medial_offset.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -18,35 +18,30 @@ constexpr image::Size kPicture{400, 300};
 struct Scene {
   Spine spine = cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = 60}).value();
   GradientCurves curves;
-  Strip strip;
+  UnwrappedImage strip;
   mutable ColourTables colours;  // memory of what is asked about them
   explicit Scene(const image::EdgeMap& map) {
     const D2Field field(spine.points);
     traceCurves(spine, field, makeLevels(100, 1, 120, field.length()), 7, kPicture, curves);
-    sampleStrip(curves, map, nullptr, strip);
+    unwrapImage(curves, map, nullptr, strip);
     sortColours(curves, strip, colours);
   }
   // The level of the left curve in the middle that is nearest to this far from the spine.
   int level(double away) const {
     int best = 1;
     for (int k = 1; k < curves.reached[30]; ++k) {
-      const auto off = [&](int q) {
-        return std::abs(static_cast<double>(curves.along[curves.at(30, q)]) - away);
-      };
+      const auto off = [&](int q) { return std::abs(static_cast<double>(curves.along[curves.at(30, q)]) - away); };
       if (off(k) < off(best)) best = k;
     }
     return best;
   }
-  float at(const std::vector<float>& plane, double away) const {
-    return plane[curves.at(30, level(away))];
-  }
+  float at(const std::vector<float>& plane, double away) const { return plane[curves.at(30, level(away))]; }
 };
 
 bool inBar(PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; }
 
 // Paints one lightness over part of a map, without touching edges.
-void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, float light,
-           float a) {
+void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, float light, float a) {
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       if (!where({static_cast<double>(x), static_cast<double>(y)})) continue;
@@ -69,11 +64,9 @@ TEST_CASE("contrast is strong on a contour along the spine and nothing away from
   CHECK(scene.at(contrast, 60) < 1);
 }
 
-TEST_CASE(
-    "contrast of stripes that run along the curves, and of hatching, is far below a contour's") {
+TEST_CASE("contrast of stripes that run along the curves, and of hatching, is far below a contour's") {
   // Stripes across the spine are edges seen end-on.
-  const Scene stripes(
-      fixtures::mapOf(kPicture, [](PicturePoint p) { return std::fmod(p.x, 12) < 6; }));
+  const Scene stripes(fixtures::mapOf(kPicture, [](PicturePoint p) { return std::fmod(p.x, 12) < 6; }));
   std::vector<float> contrast;
   EvidenceScratch scratch;
   contourContrast(stripes.curves, stripes.strip, {}, scratch, contrast);
@@ -90,28 +83,25 @@ TEST_CASE(
 
 TEST_CASE("colours that the spine never sees are novel, its own are not") {
   image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
-  paint(
-      map, [](PicturePoint p) { return p.y < 80; }, 90, 50);
+  paint(map, [](PicturePoint p) { return p.y < 80; }, 90, 50);
   const Scene scene(map);
-  std::vector<float> novelty;
-  spineNovelty(scene.curves, scene.strip, {}, scene.colours, novelty);
-  CHECK(scene.at(novelty, 15) < 0);
-  CHECK(scene.at(novelty, 50) > 0.5);
-  CHECK(scene.at(novelty, 90) > 0.5);
+  std::vector<float> logOdds;
+  spineLogOdds(scene.curves, scene.strip, {}, scene.colours, logOdds);
+  CHECK(scene.at(logOdds, 15) < 0);
+  CHECK(scene.at(logOdds, 50) > 0.5);
+  CHECK(scene.at(logOdds, 90) > 0.5);
 }
 
 TEST_CASE("a colour inside the part that is known is not foreign any more") {
   image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
   // A sleeve of another colour between 10 and 20 pixels from the spine.
-  const auto sleeve = [](PicturePoint p) {
-    return std::abs(p.y - 150) > 10 && std::abs(p.y - 150) < 20;
-  };
+  const auto sleeve = [](PicturePoint p) { return std::abs(p.y - 150) > 10 && std::abs(p.y - 150) < 20; };
   paint(map, sleeve, 50, 60);
   const Scene scene(map);
   std::vector<float> first, second;
-  spineNovelty(scene.curves, scene.strip, {}, scene.colours, first);
+  spineLogOdds(scene.curves, scene.strip, {}, scene.colours, first);
   const std::vector<float> known(static_cast<std::size_t>(scene.curves.layout.total()), 25.f);
-  spineNovelty(scene.curves, scene.strip, {known, {}}, scene.colours, second);
+  spineLogOdds(scene.curves, scene.strip, {known, {}}, scene.colours, second);
   CHECK(scene.at(first, 15) > 0.3);
   CHECK(scene.at(second, 15) < 0);
   CHECK(scene.at(second, 60) > 0.3);
@@ -122,13 +112,12 @@ TEST_CASE("what is known to lie around the object is foreign to it, ink and pape
   const auto line = [](PicturePoint p) { return std::abs(std::abs(p.y - 150) - 30) < 2; };
   image::EdgeMap map = fixtures::mapOf(kPicture, line);
   // The paper outside is a little darker.
-  paint(
-      map, [](PicturePoint p) { return std::abs(p.y - 150) > 32; }, 84, 0);
+  paint(map, [](PicturePoint p) { return std::abs(p.y - 150) > 32; }, 84, 0);
   const Scene scene(map);
   std::vector<float> alone, both;
-  spineNovelty(scene.curves, scene.strip, {}, scene.colours, alone);
+  spineLogOdds(scene.curves, scene.strip, {}, scene.colours, alone);
   const std::vector<float> ends(static_cast<std::size_t>(scene.curves.layout.total()), 30.f);
-  spineNovelty(scene.curves, scene.strip, {ends, ends}, scene.colours, both);
+  spineLogOdds(scene.curves, scene.strip, {ends, ends}, scene.colours, both);
   CHECK(scene.at(both, 60) > 0.3);
   CHECK(scene.at(both, 60) > scene.at(alone, 60));
   CHECK(scene.at(both, 15) < -0.5);
@@ -151,9 +140,9 @@ TEST_CASE("the rim is strongest where the object's colours give way to those aro
 
 TEST_CASE("where the spine sees what there is everywhere, colour says nothing") {
   const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint) { return false; }));
-  std::vector<float> novelty;
-  spineNovelty(scene.curves, scene.strip, {}, scene.colours, novelty);
-  for (float v : novelty) CHECK(std::abs(v) < 0.05f);
+  std::vector<float> logOdds;
+  spineLogOdds(scene.curves, scene.strip, {}, scene.colours, logOdds);
+  for (float v : logOdds) CHECK(std::abs(v) < 0.05f);
 }
 
 TEST_CASE("with two outlines in a row, the inner one has more beyond it than the outer") {
@@ -175,13 +164,12 @@ TEST_CASE("a rib stands for the picture up to its neighbours: noise averages out
     for (std::size_t c = 0; c < 3; ++c) look.set(c, look[c] + static_cast<float>(rng.uniform(-10, 10)));
   }
   const auto spread = [&](int ribs) {
-    const Spine spine =
-        cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = ribs}).value();
+    const Spine spine = cleanSpine(Points{{75, 150}, {325, 150}}, kPicture, {.ribs = ribs}).value();
     const D2Field field(spine.points);
     GradientCurves curves;
-    Strip strip;
+    UnwrappedImage strip;
     traceCurves(spine, field, makeLevels(100, 1, 120, field.length()), 7, kPicture, curves);
-    sampleStrip(curves, map, nullptr, strip);
+    unwrapImage(curves, map, nullptr, strip);
     double sum = 0;
     int count = 0;
     for (int c = 1; c + 1 < ribs; ++c) {
@@ -204,10 +192,9 @@ TEST_CASE("colours of the spine that come back farther outside speak against a p
 
 TEST_CASE("the cheapest place of a curve is the outline, with any one term switched off") {
   const Scene scene(fixtures::mapOf(kPicture, inBar));
-  double EvidenceParams::*const weights[] = {
-      &EvidenceParams::proximityWeight,     &EvidenceParams::contrastWeight,
-      &EvidenceParams::localContrastWeight, &EvidenceParams::beyondWeight,
-      &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight};
+  double EvidenceParams::* const weights[] = {&EvidenceParams::proximityWeight,     &EvidenceParams::contrastWeight,
+                                              &EvidenceParams::localContrastWeight, &EvidenceParams::beyondWeight,
+                                              &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight};
   for (const auto weight : weights) {
     EvidenceParams params;
     params.*weight = 0;
@@ -217,10 +204,8 @@ TEST_CASE("the cheapest place of a curve is the outline, with any one term switc
     boundaryCosts(scene.curves, scene.strip, terms, params, costs);
     for (int c = 10; c < 50; ++c) {
       const float* row = &costs[scene.curves.at(c, 0)];
-      const float* best =
-          std::min_element(row + 1, row + scene.curves.reached[static_cast<std::size_t>(c)]);
-      CHECK(std::abs(scene.curves.along[scene.curves.at(c, static_cast<int>(best - row))] - 30) <
-            3);
+      const float* best = std::min_element(row + 1, row + scene.curves.reached[static_cast<std::size_t>(c)]);
+      CHECK(std::abs(scene.curves.along[scene.curves.at(c, static_cast<int>(best - row))] - 30) < 3);
     }
   }
 }
@@ -238,8 +223,7 @@ TEST_CASE("what one curve can say is bounded by doubt, whatever the picture") {
   }
 }
 
-TEST_CASE(
-    "the lean of a stroke is found: the part is even although the stroke is not in its middle") {
+TEST_CASE("the lean of a stroke is found: the part is even although the stroke is not in its middle") {
   LengthWorkspace workspace;
   for (double lean : {-0.5, -0.25, 0.0, 0.4}) {
     LengthProblem p;
@@ -263,14 +247,13 @@ TEST_CASE(
         }
       }
     }
-    EvenParts found;
-    findEvenParts(p, 2, 0.1, workspace, found);
-    const EvenPart& part = found.all[0];
+    WidthHypotheses found;
+    fitWidthHypotheses(p, 2, 0.1, workspace, found);
+    const WidthHypothesis& part = found.all[0];
     CHECK(part.lean == doctest::Approx(lean).epsilon(0.05).scale(1));
     REQUIRE(part.width.size() == 40);
     for (int i = 4; i < 36; ++i) {
-      CHECK(part.width[static_cast<std::size_t>(i)] ==
-            doctest::Approx(50 + 10 * std::sin(i * 0.2)).epsilon(0.1));
+      CHECK(part.width[static_cast<std::size_t>(i)] == doctest::Approx(50 + 10 * std::sin(i * 0.2)).epsilon(0.1));
     }
   }
 }
@@ -295,14 +278,14 @@ TEST_CASE("a stroke off the middle beside an inner line keeps both parts in the 
     }
   }
   LengthWorkspace workspace;
-  EvenParts found;
-  findEvenParts(p, 2, 0.1, workspace, found);
-  const std::span<const EvenPart> parts = found.span();
+  WidthHypotheses found;
+  fitWidthHypotheses(p, 2, 0.1, workspace, found);
+  const std::span<const WidthHypothesis> parts = found.span();
   REQUIRE(parts.size() >= 2);
   CHECK(std::abs(parts[0].lean) < 0.1);
   CHECK(parts[0].width[20] == doctest::Approx(24).epsilon(0.15));
   CHECK(parts[1].lean == doctest::Approx(-0.5).epsilon(0.1));
   CHECK(parts[1].width[20] == doctest::Approx(48).epsilon(0.15));
   CHECK(parts[0].energy <= parts[1].energy);
-  CHECK(parts.size() <= kMostRivals);
+  CHECK(parts.size() <= kMostRunnersUp);
 }

@@ -1,4 +1,4 @@
-#include "engine/ribs/fairing.h"
+#include "engine/ribs/labels/fairing.h"
 
 #include <doctest/doctest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::ribs;
@@ -70,7 +71,7 @@ TEST_CASE("a step between sure ends stays a step") {
 
 TEST_CASE("noise becomes less, on straight and on curved sides") {
   Rng rng(5);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < testing::rounds(20); ++round) {
     std::vector<double> truth, noisy;
     const double wave = rng.uniform(0, 8);
     for (int i = 0; i < 100; ++i) {

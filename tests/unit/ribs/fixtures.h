@@ -8,7 +8,7 @@
 
 #include "engine/base/rng.h"
 #include "engine/image/edge_map.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/spine.h"
 
 namespace spineloft::fixtures {
 
@@ -75,7 +75,7 @@ inline image::EdgeMap mapOf(image::Size size, const std::function<bool(PicturePo
         for (std::ptrdiff_t u = std::max<std::ptrdiff_t>(0, x - reach);
              u <= std::min<std::ptrdiff_t>(size.width - 1, x + reach); ++u) {
           const double away = std::hypot(static_cast<double>(u - x), static_cast<double>(v - y));
-          image::PixelLook& look = map.look[static_cast<std::size_t>(v) * w + static_cast<std::size_t>(u)];
+          image::PixelFeature& look = map.look[static_cast<std::size_t>(v) * w + static_cast<std::size_t>(u)];
           look.set(3, std::max(look[3], static_cast<float>(1 - away / map.reach)));
         }
       }

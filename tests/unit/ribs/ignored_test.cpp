@@ -1,11 +1,12 @@
-#include "engine/ribs/ignored.h"
+#include "engine/ribs/evidence/ignored.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ribs/evidence.h"
+#include "engine/ribs/evidence/evidence.h"
+#include "engine/ribs/search/ribs.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -61,15 +62,13 @@ TEST_CASE("without marks, or with marks elsewhere, nothing changes bit for bit")
   CHECK(traceRibs(spine, {stripedMap(), kSize, &none}, {}, Progress{}).value() == plain.value());
   const std::vector<IgnoreMark> far{{{{-500, -500}, {-400, -500}}, 20}};
   const IgnoredEdges elsewhere = ignoreEdges(stripedMap(), far, {});
-  CHECK(traceRibs(spine, {stripedMap(), kSize, &elsewhere}, {}, Progress{}).value() ==
-        plain.value());
+  CHECK(traceRibs(spine, {stripedMap(), kSize, &elsewhere}, {}, Progress{}).value() == plain.value());
 }
 
 TEST_CASE("under a mark are the pixels within its radius, and only edges outside it are near") {
   Rng rng(4);
-  image::EdgeMap map = fixtures::mapOf({90, 70}, [](PicturePoint p) {
-    return std::sin(p.x * 0.3) + std::cos(p.y * 0.4) > 0;
-  });
+  image::EdgeMap map =
+      fixtures::mapOf({90, 70}, [](PicturePoint p) { return std::sin(p.x * 0.3) + std::cos(p.y * 0.4) > 0; });
   map.scaleX = map.scaleY = 2;
   for (int round = 0; round < 12; ++round) {
     IgnoreMark mark{{}, rng.uniform(3, 40)};
@@ -97,7 +96,7 @@ TEST_CASE("under a mark are the pixels within its radius, and only edges outside
             nearest = std::max(nearest, static_cast<float>(1 - std::hypot(u - x, v - y) / map.reach));
           }
         }
-        CHECK(ignored.proximity[i] == doctest::Approx(nearest).epsilon(0.5 / image::PixelLook::kNear + 1e-5));
+        CHECK(ignored.proximity[i] == doctest::Approx(nearest).epsilon(0.5 / image::PixelFeature::kNear + 1e-5));
       }
     }
   }
@@ -118,8 +117,7 @@ TEST_CASE("with everything scribbled away the ribs are finite and none stands on
 }
 
 TEST_CASE("marks that make no sense count for nothing") {
-  const std::vector<IgnoreMark> marks{{{}, 8}, {{{std::nan(""), 3}}, 8}, {{{3, 3}}, 0},
-                                      {{{3, 3}}, std::nan("")}};
+  const std::vector<IgnoreMark> marks{{{}, 8}, {{{std::nan(""), 3}}, 8}, {{{3, 3}}, 0}, {{{3, 3}}, std::nan("")}};
   CHECK(ignoreEdges(stripedMap(), marks, marks).empty());
   CHECK(ignoreEdges({}, std::vector<IgnoreMark>{{{{3, 3}}, 8}}, {}).empty());
 }

@@ -1,4 +1,4 @@
-#include "engine/ribs/live_trace.h"
+#include "engine/ribs/search/live_trace.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/base/rng.h"
-#include "engine/ribs/ignored.h"
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/evidence/ignored.h"
+#include "engine/ribs/search/ribs.h"
 #include "tests/support/scarce_memory.h"
 #include "tests/unit/ribs/fixtures.h"
 
@@ -35,8 +35,7 @@ const image::EdgeMap& thing() {
 Spine spineTo(double to, double shift = 0) {
   Rng rng(7);
   fixtures::Points stroke;
-  for (double x = 60; x <= to; x += 3)
-    stroke.push_back({x, middleAt(x) + shift + rng.uniform(-1.5, 1.5)});
+  for (double x = 60; x <= to; x += 3) stroke.push_back({x, middleAt(x) + shift + rng.uniform(-1.5, 1.5)});
   return cleanSpine(stroke, kPicture, {}).value();
 }
 
@@ -51,17 +50,15 @@ double apart(const RibSet& a, const RibSet& b) {
   return sum / (2 * static_cast<double>(a.ribs.size()));
 }
 
-RibSet whole(const Spine& spine) {
-  return traceRibs(spine, {thing(), kPicture}, {}, Progress()).value();
-}
+RibSet whole(const Spine& spine) { return traceRibs(spine, {thing(), kPicture}, {}, Progress()).value(); }
 
-LiveTrace::Ribs moved(LiveTrace& live, const Spine& spine) {
-  return live.move(spine, {thing(), kPicture}, {}).value();
-}
+LiveTrace::Ribs moved(LiveTrace& live, const Spine& spine) { return live.move(spine, {thing(), kPicture}, {}).value(); }
 
 }  // namespace
 
-TEST_CASE("ribs under the pen are within three hundredths of the width of those of a whole trace, one and a half on the mean") {
+TEST_CASE(
+    "ribs under the pen are within three hundredths of the width of those of a whole trace, one and a half on the "
+    "mean") {
   LiveTrace live;
   int followed = 0, moves = 0;
   double sum = 0;

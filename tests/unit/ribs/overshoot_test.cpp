@@ -1,4 +1,4 @@
-#include "engine/ribs/overshoot.h"
+#include "engine/ribs/search/overshoot.h"
 
 #include <doctest/doctest.h>
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/base/rng.h"
-#include "engine/ribs/consensus.h"
-#include "engine/ribs/ribs.h"
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/spine.h"
+#include "engine/ribs/search/ensemble.h"
+#include "engine/ribs/search/ribs.h"
 #include "engine/vision/edges.h"
 
 using namespace spineloft;
@@ -97,7 +97,7 @@ Colour plain(PicturePoint, double away) { return away < 0 ? kWood : kWall; }
 
 }  // namespace
 
-TEST_CASE("thirty samples of a stroke and three thousand give nearly the same part") {
+TEST_CASE("thirty samples of a stroke and three thousand give nearly the same part" * doctest::test_suite("slow")) {
   const image::EdgeMap map = mapOf(plain);
   const RibSet few = trace(stroke(30, 8, 3), map), many = trace(stroke(3000, 8, 3), map);
   REQUIRE(few.ribs.size() == many.ribs.size());
@@ -111,13 +111,14 @@ TEST_CASE("thirty samples of a stroke and three thousand give nearly the same pa
   CHECK(apart < 0.1 * kHalf);
 }
 
-TEST_CASE("off the middle by a quarter of the width, or wobbling by a tenth, the part is the same") {
+TEST_CASE("off the middle by a quarter of the width, or wobbling by a tenth, the part is the same" *
+          doctest::test_suite("slow")) {
   const image::EdgeMap map = mapOf(plain);
   for (const double off : {-kHalf / 2, 0.0, kHalf / 2}) CHECK(missed(trace(stroke(120, off), map)) <= 0.02);
   CHECK(missed(trace(stroke(120, 0, 0.2 * kHalf), map)) <= 0.02);
 }
 
-TEST_CASE("stripes across, a label and a highlight along the thing do not stop ribs") {
+TEST_CASE("stripes across, a label and a highlight along the thing do not stop ribs" * doctest::test_suite("slow")) {
   const auto striped = [](PicturePoint p, double away) {
     if (away >= 0) return kWall;
     return std::fmod(p.x, 44) < 22 ? kWood : kDark;
@@ -135,14 +136,15 @@ TEST_CASE("stripes across, a label and a highlight along the thing do not stop r
   CHECK(missed(trace(stroke(120, 3), mapOf(shiny))) <= 0.05);
 }
 
-TEST_CASE("the edge of something in front is not taken for the thing's own") {
+TEST_CASE("the edge of something in front is not taken for the thing's own" * doctest::test_suite("slow")) {
   const auto behindPost = [](PicturePoint p, double away) {
     return std::abs(p.x - 240 - 0.2 * (p.y - 180)) < 20 ? kPost : plain(p, away);
   };
   CHECK(missed(trace(stroke(120), mapOf(behindPost))) <= 0.06);
 }
 
-TEST_CASE("with half of the outline gone at most a few more ends are off than with all of it") {
+TEST_CASE("with half of the outline gone at most a few more ends are off than with all of it" *
+          doctest::test_suite("slow")) {
   // Every other 30 px of the outline runs out into a soft fog of the thing's own colour.
   const auto half = [](PicturePoint p, double away) {
     if (std::fmod(p.x + (p.y > middleAt(p.x) ? 15 : 0), 60) < 30) return plain(p, away);
@@ -154,7 +156,8 @@ TEST_CASE("with half of the outline gone at most a few more ends are off than wi
   CHECK(missed(trace(stroke(120), mapOf(half))) <= complete + 0.05);
 }
 
-TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half of whose outline is gone") {
+TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half of whose outline is gone" *
+          doctest::test_suite("slow")) {
   for (const Colour stripe : {kInk, kPaper}) {
     const auto striped = [&](PicturePoint p, double away) {
       const double off = std::abs(p.y - middleAt(p.x));
@@ -170,12 +173,13 @@ TEST_CASE("stripes beside the stroke do not make a narrow part of a thing half o
     // Without a look beyond the part it is what lies between the stripes.
     const auto spine = cleanSpine(stroke(120), kSize, {.ribs = 60});
     RibWorkspace memory;
-    const auto narrow = agreedRibs(spine.value(), {map, kSize}, {}, Progress(), {.nearest = true, .alone = true}, memory);
+    const auto narrow =
+        ensembleRibs(spine.value(), {map, kSize}, {}, Progress(), {.nearest = true, .alone = true}, memory);
     CHECK(missed(narrow.value()) > 0.5);
   }
 }
 
-TEST_CASE("an open sketch of several strokes is one outline") {
+TEST_CASE("an open sketch of several strokes is one outline" * doctest::test_suite("slow")) {
   const auto inked = [](PicturePoint p, double away) {
     // Strokes of 90 px with gaps of 12 px; each is a little off its neighbour.
     const double along = std::fmod(p.x + (p.y > middleAt(p.x) ? 40 : 0), 102);

@@ -1,4 +1,4 @@
-#include "engine/ribs/rib_lengths.h"
+#include "engine/ribs/labels/rib_lengths.h"
 
 #include <doctest/doctest.h>
 
@@ -6,75 +6,18 @@
 #include <cmath>
 
 #include "engine/base/rng.h"
-#include "engine/ribs/pair_search.h"
-#include "engine/ribs/algorithm_one.h"
+#include "engine/ribs/labels/pair_search.h"
+#include "tests/support/rounds.h"
+#include "tests/unit/ribs/length_problems.h"
 
 using namespace spineloft;
 using namespace spineloft::ribs;
+using fixtures::pictureLikeProblem;
+using fixtures::randomProblem;
 
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-void fillSide(SideCosts& side, int ribs, int levels, Rng& rng) {
-  side.unary.clear();
-  side.place.clear();
-  side.spacing.clear();
-  for (int i = 0; i < ribs; ++i) {
-    const int reached = 1 + static_cast<int>(rng.below(static_cast<std::uint32_t>(levels)));
-    double place = rng.uniform(0, 1);
-    for (int k = 0; k < levels; ++k) {
-      const bool exists = k < reached || rng.uniform() < 0.7;
-      side.unary.push_back(exists ? static_cast<float>(rng.uniform()) : kUnreachable);
-      side.place.push_back(static_cast<float>(place));
-      place += rng.uniform(0.2, 3);
-    }
-    if (i > 0) side.spacing.push_back(static_cast<float>(rng.uniform(0.5, 4)));
-  }
-}
-
-LengthProblem randomProblem(int ribs, int levels, bool opposite, Rng& rng) {
-  LengthProblem p;
-  p.ribs = ribs;
-  p.levels = levels;
-  fillSide(p.left, ribs, levels, rng);
-  fillSide(p.right, ribs, levels, rng);
-  p.neighbourWeight = static_cast<float>(rng.uniform(0, 4));
-  p.neighbourFreedom = static_cast<float>(rng.uniform(0, 1));
-  if (rng.uniform() < 0.5) p.neighbourCap = static_cast<float>(rng.uniform(0.2, 2));
-  if (opposite) {
-    std::vector<double> values;
-    for (int k = 0; k < levels; ++k) values.push_back(k + 0.5);
-    if (rng.uniform() < 0.7) p.opposite = oppositeTable(values, rng.uniform(0, 2));
-    if (p.opposite.empty() || rng.uniform() < 0.5) {
-      p.lean = static_cast<float>(rng.uniform(-0.6, 0.6));
-      for (int i = 0; i < ribs; ++i) p.leanScale.push_back(static_cast<float>(rng.uniform(0, 1)));
-      if (rng.uniform() < 0.5) p.leanCap = static_cast<float>(rng.uniform(0.1, 3));
-    }
-  }
-  return p;
-}
-
-// A problem like a picture's: two noisy boundaries that follow a wave, clutter, and gaps.
-LengthProblem pictureLikeProblem(int ribs, int levels, Rng& rng) {
-  LengthProblem p = randomProblem(ribs, levels, true, rng);
-  p.neighbourWeight = 3;
-  p.neighbourFreedom = 0.25f;
-  for (SideCosts* side : {&p.left, &p.right}) {
-    for (int i = 0; i < ribs; ++i) {
-      const double truth = levels * (0.5 + 0.2 * std::sin(i * 0.3));
-      const bool gap = rng.uniform() < 0.3;
-      for (int k = 0; k < levels; ++k) {
-        const std::size_t at = index(i * levels + k);
-        const double near = gap ? 0 : std::max(0.0, 1 - std::abs(k - truth) / 3);
-        side->unary[at] = static_cast<float>(std::min(1 - near, rng.uniform() < 0.05 ? 0.2 : 1.0));
-        side->place[at] = static_cast<float>(k);
-      }
-    }
-    std::ranges::fill(side->spacing, 4.f);
-  }
-  return p;
-}
 
 double leastByTrying(const LengthProblem& p) {
   const int ends = 2 * p.ribs;
@@ -85,8 +28,7 @@ double leastByTrying(const LengthProblem& p) {
   for (long code = 0; code < combinations; ++code) {
     long rest = code;
     for (int e = 0; e < ends; ++e, rest /= p.levels) {
-      (e < p.ribs ? labels.left[index(e)] : labels.right[index(e - p.ribs)]) =
-          static_cast<int>(rest % p.levels);
+      (e < p.ribs ? labels.left[index(e)] : labels.right[index(e - p.ribs)]) = static_cast<int>(rest % p.levels);
     }
     least = std::min(least, energyOf(p, labels).total());
   }
@@ -98,9 +40,8 @@ double leastByTrying(const LengthProblem& p) {
 TEST_CASE("the optimum is what trying every combination of labels finds") {
   Rng rng(31);
   LengthWorkspace workspace;
-  for (int round = 0; round < 120; ++round) {
-    const int ribs = 1 + static_cast<int>(rng.below(3)),
-              levels = 2 + static_cast<int>(rng.below(4));
+  for (int round = 0; round < testing::rounds(120); ++round) {
+    const int ribs = 1 + static_cast<int>(rng.below(3)), levels = 2 + static_cast<int>(rng.below(4));
     const LengthProblem p = randomProblem(ribs, levels, round % 3 != 0, rng);
     const double found = energyOf(p, optimalLabels(p, workspace)).total();
     CHECK(found == doctest::Approx(leastByTrying(p)).epsilon(1e-5));
@@ -133,7 +74,7 @@ TEST_CASE("chains side by side have the energies that each has alone") {
 TEST_CASE("without opposite costs the pair search and the side search agree") {
   Rng rng(32);
   LengthWorkspace workspace;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     LengthProblem p = randomProblem(30, 24, false, rng);
     const double apart = energyOf(p, optimalLabels(p, workspace)).total();
     p.opposite.assign(24 * 24, 0.f);
@@ -141,33 +82,15 @@ TEST_CASE("without opposite costs the pair search and the side search agree") {
   }
 }
 
-TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") {
-  Rng rng(33);
-  LengthWorkspace workspace;
-  int strictlyBetter = 0;
-  for (int round = 0; round < 24; ++round) {
-    const LengthProblem p =
-        round % 2 == 0 ? pictureLikeProblem(40, 32, rng) : randomProblem(25, 20, true, rng);
-    const double ours = energyOf(p, optimalLabels(p, workspace)).total();
-    const double theirs =
-        energyOf(p, algorithmOne(p, {.seed = static_cast<std::uint64_t>(round)})).total();
-    CHECK(std::isfinite(theirs));
-    CHECK(ours <= theirs + 1e-4);
-    strictlyBetter += ours < theirs - 1e-4 ? 1 : 0;
-  }
-  CHECK(strictlyBetter >= 20);
-}
-
 TEST_CASE("swapping the sides swaps the labels' energy for the same value") {
   Rng rng(34);
   LengthWorkspace workspace;
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < testing::rounds(20); ++round) {
     LengthProblem p = randomProblem(20, 16, true, rng);
     const double before = energyOf(p, optimalLabels(p, workspace)).total();
     std::swap(p.left, p.right);
     p.lean = -p.lean;
-    CHECK(energyOf(p, optimalLabels(p, workspace)).total() ==
-          doctest::Approx(before).epsilon(1e-5));
+    CHECK(energyOf(p, optimalLabels(p, workspace)).total() == doctest::Approx(before).epsilon(1e-5));
   }
 }
 
@@ -196,7 +119,7 @@ TEST_CASE("a gap in the edges is bridged at the level of its neighbours") {
 TEST_CASE("min-marginals are the least energy of the side through every label") {
   Rng rng(36);
   LengthWorkspace workspace;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < testing::rounds(30); ++round) {
     const LengthProblem p = randomProblem(4, 5, round % 2 == 0, rng);
     const LengthLabels best = optimalLabels(p, workspace);
     std::vector<float> marginals;
@@ -208,9 +131,9 @@ TEST_CASE("min-marginals are the least energy of the side through every label") 
       for (int i = 0; i < 4; ++i) {
         sum += static_cast<double>(p.right.unary[index(i * 5 + best.right[index(i)])]);
         if (i == 0) continue;
-        sum += static_cast<double>(neighbourCost(
-            p, p.right.place[index((i - 1) * 5 + best.right[index(i - 1)])],
-            p.right.place[index(i * 5 + best.right[index(i)])], p.right.spacing[index(i - 1)]));
+        sum += static_cast<double>(neighbourCost(p, p.right.place[index((i - 1) * 5 + best.right[index(i - 1)])],
+                                                 p.right.place[index(i * 5 + best.right[index(i)])],
+                                                 p.right.spacing[index(i - 1)]));
       }
       return sum;
     }();
@@ -237,7 +160,7 @@ TEST_CASE("dropping labels by their bounds loses no optimum, and most pairs need
   Rng rng(38);
   LengthWorkspace workspace, unbounded;
   double kept = 0, all = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < testing::rounds(40); ++round) {
     const int ribs = 2 + static_cast<int>(rng.below(40));
     LengthProblem p = pictureLikeProblem(ribs, 40, rng);
     if (round % 2 == 0) p.neighbourCap = 5;
@@ -252,8 +175,7 @@ TEST_CASE("dropping labels by their bounds loses no optimum, and most pairs need
     CHECK(workspace.bounds.lower <= least + 1e-3 + 1e-4 * std::abs(least));
     CHECK(workspace.bounds.upper >= least - 1e-3 - 1e-4 * std::abs(least));
     for (int i = 0; i < ribs; ++i) {
-      const LabelRun &left = workspace.bounds.left[index(i)],
-                     &right = workspace.bounds.right[index(i)];
+      const LabelRun &left = workspace.bounds.left[index(i)], &right = workspace.bounds.right[index(i)];
       CHECK((full.left[index(i)] >= left.low && full.left[index(i)] < left.high));
       CHECK((full.right[index(i)] >= right.low && full.right[index(i)] < right.high));
     }
@@ -267,7 +189,7 @@ TEST_CASE("a search with a limit gives up only where nothing lies below it") {
   Rng rng(39);
   LengthWorkspace workspace;
   int givenUp = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const LengthProblem p = pictureLikeProblem(20, 30, rng);
     const double least = energyOf(p, optimalLabels(p, workspace)).total();
     LengthLabels labels;

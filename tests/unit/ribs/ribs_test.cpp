@@ -1,4 +1,4 @@
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/search/ribs.h"
 
 #include <doctest/doctest.h>
 
@@ -29,8 +29,8 @@ RibSet trace(const Points& stroke, const image::EdgeMap& map) {
 }
 
 const image::EdgeMap& barMap() {
-  static const image::EdgeMap map = fixtures::mapOf(
-      kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; });
+  static const image::EdgeMap map =
+      fixtures::mapOf(kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; });
   return map;
 }
 
@@ -58,8 +58,7 @@ TEST_CASE("a stroke that is off the middle by a quarter of the width finds the s
   CHECK(good == 52);
 }
 
-TEST_CASE(
-    "an inner line that mirrors the near side of a stroke off the middle is not the far side") {
+TEST_CASE("an inner line that mirrors the near side of a stroke off the middle is not the far side") {
   const image::EdgeMap map = fixtures::mapOf(kPicture, [](PicturePoint p) {
     const double y = std::abs(p.y - 150);
     return p.x > 40 && p.x < 360 && y < 60 && y > 1.2;
@@ -75,15 +74,13 @@ TEST_CASE(
 TEST_CASE("a bottle has both its sides under a stroke that crosses its middle aslant") {
   for (const double neck : {14., 20.}) {
     const auto half = [&](double x) { return neck + (60 - neck) * std::clamp((x - 140) / 25, 0., 1.); };
-    const image::EdgeMap map = fixtures::mapOf(kPicture, [&](PicturePoint p) {
-      return p.x > 40 && p.x < 340 && std::abs(p.y - 150) < half(p.x);
-    });
+    const image::EdgeMap map = fixtures::mapOf(
+        kPicture, [&](PicturePoint p) { return p.x > 40 && p.x < 340 && std::abs(p.y - 150) < half(p.x); });
     for (const double from : {-0.5, 0.5}) {  // half widths: a quarter of the width
       CAPTURE(neck);
       CAPTURE(from);
       Points stroke;
-      for (double x = 60; x <= 310; x += 5)
-        stroke.push_back({x, 150 + from * (1 - (x - 60) / 125) * half(x)});
+      for (double x = 60; x <= 310; x += 5) stroke.push_back({x, 150 + from * (1 - (x - 60) / 125) * half(x)});
       int good = 0, all = 0;
       for (const Rib& rib : inner(trace(stroke, map))) {
         if (std::abs(rib.center.x - 155) < 40) continue;  // the shoulder
@@ -109,8 +106,8 @@ TEST_CASE("drawn backwards, left and right are swapped and the order is reversed
 }
 
 TEST_CASE("a piece of outline that is missing is bridged, and says so") {
-  image::EdgeMap map = fixtures::mapOf(
-      kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; });
+  image::EdgeMap map =
+      fixtures::mapOf(kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30; });
   for (int y = 0; y < map.height; ++y) {
     for (int x = 160; x < 240; ++x) {
       const auto i = static_cast<std::size_t>(y * map.width + x);
@@ -138,8 +135,7 @@ TEST_CASE("without a picture every end is guessed, at the same sensible width on
   for (const Rib& rib : set.ribs) {
     CHECK(rib.leftState == RibState::Guessed);
     CHECK(rib.rightState == RibState::Guessed);
-    CHECK(distance(rib.center, rib.left) ==
-          doctest::Approx(distance(rib.center, rib.right)).epsilon(0.02));
+    CHECK(distance(rib.center, rib.left) == doctest::Approx(distance(rib.center, rib.right)).epsilon(0.02));
   }
 }
 
@@ -199,15 +195,14 @@ TEST_CASE("bad parameters, a spine of one point and cancelled work are refused b
 TEST_CASE("ribs do not depend on what their memory was used for before") {
   const image::EdgeMap map = barMap();
   RibWorkspace workspace;
-  for (const auto& stroke : std::vector<fixtures::Points>{
-           {{75, 150}, {325, 150}}, {{75, 135}, {325, 160}}, {{100, 150}, {200, 140}}}) {
+  for (const auto& stroke :
+       std::vector<fixtures::Points>{{{75, 150}, {325, 150}}, {{75, 135}, {325, 160}}, {{100, 150}, {200, 140}}}) {
     for (const image::EdgeMap& edges : {map, image::EdgeMap{}, map}) {
       for (const int levels : {128, 48}) {
         RibParams params;
         params.levels = levels;
         const auto fresh = traceRibs(spineOf(stroke), edges, kPicture, params, Progress());
-        const auto again =
-            traceRibs(spineOf(stroke), {edges, kPicture}, params, Progress(), workspace);
+        const auto again = traceRibs(spineOf(stroke), {edges, kPicture}, params, Progress(), workspace);
         REQUIRE(fresh.ok());
         REQUIRE(again.ok());
         CHECK(fresh.value() == again.value());

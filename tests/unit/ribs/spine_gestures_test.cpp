@@ -1,4 +1,4 @@
-#include "engine/ribs/spine_gestures.h"
+#include "engine/ribs/edit/spine_gestures.h"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +13,7 @@ using fixtures::Points;
 
 namespace {
 
-double lengthOf(const Points& p) {
-  return geometry::arcLengths(std::span<const PicturePoint>(p)).back();
-}
+double lengthOf(const Points& p) { return geometry::arcLengths(std::span<const PicturePoint>(p)).back(); }
 double farFrom(const Points& line, PicturePoint p) {
   double best = 1e9;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -71,8 +69,7 @@ TEST_CASE("a stroke is drawn out to a point ahead and cut at a point behind, at 
       const PicturePoint in = atStart ? stroke[1] : stroke[stroke.size() - 2];
       const Points longer = extendStroke(stroke, atStart, end + normalized(end - in) * 30);
       CHECK(lengthOf(longer) == doctest::Approx(lengthOf(stroke) + 30));
-      CHECK((atStart ? longer.back() : longer.front()) ==
-            (atStart ? stroke.back() : stroke.front()));
+      CHECK((atStart ? longer.back() : longer.front()) == (atStart ? stroke.back() : stroke.front()));
       const std::size_t cut = atStart ? 15 : 44;
       const Points shorter = extendStroke(stroke, atStart, stroke[cut]);
       CHECK(distance(atStart ? shorter.front() : shorter.back(), stroke[cut]) < 1e-9);

@@ -1,4 +1,4 @@
-#include "engine/ribs/spine.h"
+#include "engine/ribs/base/spine.h"
 
 #include <doctest/doctest.h>
 
@@ -103,8 +103,7 @@ TEST_CASE("a tremor is smoothed out and the course of the hand is kept") {
   double worst = 0;
   const Points& p = spine.value().points;
   for (std::size_t i = 4; i + 4 < p.size(); ++i) {
-    worst =
-        std::max(worst, std::abs(cross(normalized(p[i] - p[i - 1]), normalized(p[i + 1] - p[i]))));
+    worst = std::max(worst, std::abs(cross(normalized(p[i] - p[i - 1]), normalized(p[i + 1] - p[i]))));
   }
   CHECK(worst < 0.1);
 }
@@ -142,8 +141,8 @@ TEST_CASE("a small hook at the end of the pen's way is dropped, a real loop is r
   Points loop;
   for (int i = 0; i <= 100; ++i) {
     const double t = i / 100.0;
-    loop.push_back({100 + 500 * t + 200 * std::sin(2 * std::numbers::pi * t),
-                    300 - 150 * std::cos(2 * std::numbers::pi * t)});
+    loop.push_back(
+        {100 + 500 * t + 200 * std::sin(2 * std::numbers::pi * t), 300 - 150 * std::cos(2 * std::numbers::pi * t)});
   }
   for (int i = 0; i <= 40; ++i) loop.push_back({600.0 - 12 * i, 150.0 + 6 * i});
   REQUIRE(geometry::findCrossing(loop).has_value());

@@ -1,10 +1,10 @@
-#include "engine/ribs/workspace.h"
+#include "engine/ribs/search/workspace.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "engine/ribs/ribs.h"
+#include "engine/ribs/search/ribs.h"
 #include "tests/support/scarce_memory.h"
 #include "tests/unit/ribs/fixtures.h"
 
@@ -30,8 +30,8 @@ TEST_CASE("a stroke that was traced before asks for no memory but its result's")
   const auto trace = [&](const Spine& spine) {
     const std::size_t before = testing::allocatedBytes();
     const RibSet set = traceRibs(spine, {map, kPicture}, {}, Progress(), memory).value();
-    const std::size_t result = set.ribs.size() * sizeof(Rib) +
-                               (set.startFan.points.size() + set.endFan.points.size()) * sizeof(PicturePoint);
+    const std::size_t result =
+        set.ribs.size() * sizeof(Rib) + (set.startFan.points.size() + set.endFan.points.size()) * sizeof(PicturePoint);
     return static_cast<double>(testing::allocatedBytes() - before) / static_cast<double>(result);
   };
   // A growing stroke, drawn twice: what its lengths needed once is there.
@@ -43,8 +43,8 @@ TEST_CASE("a stroke that was traced before asks for no memory but its result's")
 }
 
 TEST_CASE("a growing stroke traced in the same memory gives what it gives from scratch") {
-  const image::EdgeMap map =
-      fixtures::mapOf(kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30 + 0.05 * p.x; });
+  const image::EdgeMap map = fixtures::mapOf(
+      kPicture, [](PicturePoint p) { return p.x > 50 && p.x < 350 && std::abs(p.y - 150) < 30 + 0.05 * p.x; });
   RibWorkspace memory;
   for (double to = 85; to <= 335; to += 25) {
     for (const int ribs : {100, 31}) {

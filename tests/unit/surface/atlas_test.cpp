@@ -53,7 +53,8 @@ TEST_CASE("at the second mip level a picture of an atlas has still no colour of 
     std::vector<const image::Image*> given;
     const int count = 2 + int(rng.below(20));
     for (int i = 0; i < count; ++i) {
-      images.push_back(plain(1 + int(rng.below(150)), 1 + int(rng.below(150)), std::uint8_t(i % 2 == 0 ? 10 + i : 250 - i)));
+      images.push_back(
+          plain(1 + int(rng.below(150)), 1 + int(rng.below(150)), std::uint8_t(i % 2 == 0 ? 10 + i : 250 - i)));
       given.push_back(&images.back());
     }
     const auto atlas = packAtlas(given);

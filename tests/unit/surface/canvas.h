@@ -25,7 +25,8 @@ struct Canvas {
     image::Image out{width, height, {}};
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        for (const int c : colour(x, y)) out.pixels.push_back(static_cast<std::uint8_t>(c + int(8 * rng.uniform()) - 4));
+        for (const int c : colour(x, y))
+          out.pixels.push_back(static_cast<std::uint8_t>(c + int(8 * rng.uniform()) - 4));
         out.pixels.push_back(255);
       }
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 
@@ -111,7 +112,7 @@ std::vector<std::uint8_t> withoutSpecks(std::vector<std::uint8_t> edges, int wid
 TEST_CASE("edges are Canny's: thin maxima, and what is weak only where it is joined to what is strong") {
   Rng rng(20261121);
   int found = 0;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const int width = 1 + static_cast<int>(rng.below(60)), height = 1 + static_cast<int>(rng.below(40));
     image::EdgeMap map = wavyMap(width, height, rng.uniform(1, 9), rng);
     const vision::Thresholds thresholds{rng.uniform(0.5, 2), rng.uniform(2, 5), 0};

@@ -107,15 +107,16 @@ TEST_CASE("more marks never lose a marked pixel: what was marked stays as the la
       }
       for (std::size_t m = 0; m < hints.marks.size(); ++m) {
         for (const PicturePoint p : hints.marks[m].line) {
-          const bool later = std::any_of(hints.marks.begin() + std::ptrdiff_t(m) + 1, hints.marks.end(), [&](const CutMark& other) {
-            for (std::size_t i = 0; i < other.line.size(); ++i) {
-              const PicturePoint a = other.line[i], b = other.line[i + 1 < other.line.size() ? i + 1 : i];
-              const PicturePoint ab = b - a;
-              const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0.0;
-              if (distance(p, a + ab * t) < std::max(other.radius, 2.0) + 3) return true;
-            }
-            return false;
-          });
+          const bool later =
+              std::any_of(hints.marks.begin() + std::ptrdiff_t(m) + 1, hints.marks.end(), [&](const CutMark& other) {
+                for (std::size_t i = 0; i < other.line.size(); ++i) {
+                  const PicturePoint a = other.line[i], b = other.line[i + 1 < other.line.size() ? i + 1 : i];
+                  const PicturePoint ab = b - a;
+                  const double t = dot(ab, ab) > 0 ? std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0) : 0.0;
+                  if (distance(p, a + ab * t) < std::max(other.radius, 2.0) + 3) return true;
+                }
+                return false;
+              });
           if (!later) CHECK(holds(found.value(), p) == hints.marks[m].inside);
         }
       }

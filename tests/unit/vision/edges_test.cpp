@@ -3,12 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include "engine/base/limits.h"
 #include "engine/base/rng.h"
+#include "engine/base/worker_pool.h"
 #include "engine/vision/thresholds.h"
 
 using namespace spineloft;
@@ -30,10 +31,8 @@ Picture discPicture(int width, int height, const Disc& disc, const Look& look) {
   Image image{width, height, {}};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const double inside =
-          std::clamp(disc.radius - std::hypot(x - disc.x, y - disc.y) + 0.5, 0.0, 1.0);
-      const double gauss =
-          std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
+      const double inside = std::clamp(disc.radius - std::hypot(x - disc.x, y - disc.y) + 0.5, 0.0, 1.0);
+      const double gauss = std::sqrt(-2 * std::log(1 - rng.uniform())) * std::cos(6.283185307179586 * rng.uniform());
       const double value = look.ground + inside * (look.disc - look.ground) + look.noise * gauss;
       const std::uint8_t v = static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
       image.pixels.insert(image.pixels.end(), {v, v, v, 255});
@@ -67,9 +66,8 @@ Quality qualityOf(const EdgeMap& map, const Disc& disc) {
   for (int i = 0; i < 360; ++i) {
     const double a = i * 3.14159265358979 / 180;
     const PicturePoint q{disc.x + disc.radius * std::cos(a), disc.y + disc.radius * std::sin(a)};
-    found += std::any_of(points.begin(), points.end(), [&](PicturePoint p) {
-      return distance(p, q) <= 1.5 * std::max(map.scaleX, map.scaleY);
-    });
+    found += std::any_of(points.begin(), points.end(),
+                         [&](PicturePoint p) { return distance(p, q) <= 1.5 * std::max(map.scaleX, map.scaleY); });
   }
   return {found / 360.0, edges ? 1.0 * off / edges : 0};
 }
@@ -79,8 +77,8 @@ constexpr Disc kDisc{150.3, 120.7, 70};
 }  // namespace
 
 TEST_CASE("the outline of a disc is found whole, in strong and faint contrast, clean and noisy") {
-  for (const Look& look : {Look{200, 60, 0}, Look{250, 244, 0}, Look{128, 118, 1.5},
-                           Look{200, 60, 20}, Look{255, 0, 0}, Look{90, 110, 3}}) {
+  for (const Look& look : {Look{200, 60, 0}, Look{250, 244, 0}, Look{128, 118, 1.5}, Look{200, 60, 20}, Look{255, 0, 0},
+                           Look{90, 110, 3}}) {
     CAPTURE(look.ground);
     CAPTURE(look.noise);
     const Quality quality = qualityOf(edgesOf(discPicture(300, 240, kDisc, look)), kDisc);
@@ -93,9 +91,8 @@ TEST_CASE("edges of equal lightness but different colour are found") {
   Image image{80, 60, {}};
   for (int i = 0; i < 80 * 60; ++i) {
     const bool left = i % 80 < 40;  // both about L = 54
-    image.pixels.insert(image.pixels.end(),
-                        {std::uint8_t(left ? 200 : 0), std::uint8_t(left ? 85 : 142),
-                         std::uint8_t(left ? 85 : 105), 255});
+    image.pixels.insert(image.pixels.end(), {std::uint8_t(left ? 200 : 0), std::uint8_t(left ? 85 : 142),
+                                             std::uint8_t(left ? 85 : 105), 255});
   }
   const EdgeMap map = edgesOf(makePicture(image));
   for (int y = 2; y < 58; ++y) {
@@ -132,7 +129,7 @@ TEST_CASE("proximity is 1 on an edge, falls linearly with the distance and is 0 
       const double wanted = std::max(0.0, 1 - nearest / map.reach);
       // Up to half a step of a map's nearness.
       REQUIRE(map.nearness(static_cast<std::size_t>(y * map.width + x)) ==
-              doctest::Approx(wanted).epsilon(0.5 / PixelLook::kNear + 1e-5));
+              doctest::Approx(wanted).epsilon(0.5 / PixelFeature::kNear + 1e-5));
     }
   }
 }
@@ -150,16 +147,14 @@ TEST_CASE("the gradient points across the outline towards the lighter side, in L
   }
 }
 
-TEST_CASE(
-    "a large picture is searched on a copy of the asked size, and its points keep their place") {
+TEST_CASE("a large picture is searched on a copy of the asked size, and its points keep their place") {
   const Disc disc{1203, 966, 560};
   const Picture picture = discPicture(2400, 1920, disc, {});
   const EdgeMap map = edgesOf(picture);
   CHECK(std::max(map.width, map.height) == 1024);
   CHECK(map.scaleX == doctest::Approx(2400.0 / map.width));
   CHECK(map.scaleY == doctest::Approx(1920.0 / map.height));
-  const std::size_t count =
-      static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+  const std::size_t count = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   CHECK(map.edges.size() == count);
   CHECK(map.gradientX.size() == count);
   CHECK(map.gradientY.size() == count);
@@ -177,30 +172,26 @@ TEST_CASE("turning the picture by 180 degrees turns the edges") {
   int different = 0, edges = 0;
   for (std::size_t i = 0; i < a.edges.size(); ++i) {
     edges += a.edges[i] != 0;
-    const bool near =
-        b.nearness(a.edges.size() - 1 - i) > 0.1f;  // ties may thin to the other side
+    const bool near = b.nearness(a.edges.size() - 1 - i) > 0.1f;  // ties may thin to the other side
     different += a.edges[i] != 0 && !near;
   }
   REQUIRE(edges > 100);
   CHECK(different <= edges / 50);
 }
 
-TEST_CASE("the same picture gives the same edges on several threads at once") {
+TEST_CASE("the same picture gives the same edges on several threads at once" * doctest::test_suite("threads")) {
   const Picture picture = discPicture(300, 240, kDisc, {150, 100, 8});
   const EdgeMap wanted = edgesOf(picture);
   std::array<EdgeMap, 3> got;
-#if defined(SPINELOFT_THREADS)
-  std::vector<std::thread> threads;
+  WorkerPool pool(static_cast<int>(got.size()));
   for (EdgeMap& map : got) {
-    threads.emplace_back([&] {
-      const auto edges = vision::detectEdges(picture, {}, Progress());
-      if (edges.ok()) map = edges.value();
-    });
+    pool.submit(
+        "edges", [&picture](const Progress& progress) { return vision::detectEdges(picture, {}, progress); },
+        [&map](Result<EdgeMap> edges) {
+          if (edges.ok()) map = std::move(edges).value();
+        });
   }
-  for (std::thread& thread : threads) thread.join();
-#else
-  for (EdgeMap& map : got) map = edgesOf(picture);
-#endif
+  while (!pool.idle()) pool.pump();
   for (const EdgeMap& map : got) CHECK(map == wanted);
 }
 
@@ -211,8 +202,7 @@ TEST_CASE("edges refuse what they cannot search") {
   CHECK(errorOf({}, {}) == Error::PictureEmpty);
   CHECK(errorOf(discPicture(15, 200, {}, {}), {}) == Error::PictureTooSmall);
   const Picture good = discPicture(64, 48, {30, 20, 12}, {});
-  for (const int side : {0, 15, 4097})
-    CHECK(errorOf(good, {side, 1, 0.01}) == Error::ValueOutOfRange);
+  for (const int side : {0, 15, 4097}) CHECK(errorOf(good, {side, 1, 0.01}) == Error::ValueOutOfRange);
   for (const double sigma : {-0.1, 5.1, std::nan("")}) {
     CHECK(errorOf(good, {1024, sigma, 0.01}) == Error::ValueOutOfRange);
   }

@@ -19,8 +19,7 @@ namespace {
 
 std::size_t indexOf(const EdgeMap& map, int x, int y) {
   x = std::clamp(x, 0, map.width - 1), y = std::clamp(y, 0, map.height - 1);
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-         static_cast<std::size_t>(x);
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
 }
 
 /// Soft blobs of random colours on a random ground, with noise, and partly see-through.
@@ -42,14 +41,12 @@ Picture blobPicture(int width, int height, std::uint64_t seed, double noise) {
     for (int x = 0; x < width; ++x) {
       std::array<double, 4> colour = {120, 150, 90, 255};
       for (const Blob& blob : blobs) {
-        const double cover =
-            std::clamp(blob.radius - std::hypot(x - blob.x, y - blob.y) + 0.5, 0.0, 1.0);
+        const double cover = std::clamp(blob.radius - std::hypot(x - blob.x, y - blob.y) + 0.5, 0.0, 1.0);
         for (std::size_t c = 0; c < 4; ++c) colour[c] += cover * (blob.colour[c] - colour[c]);
       }
       for (std::size_t c = 0; c < 4; ++c) {
         const double value = colour[c] + (c < 3 ? rng.uniform(-noise, noise) : 0);
-        image.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                          static_cast<std::size_t>(x)) +
+        image.pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) +
                      c] = static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0));
       }
     }
@@ -60,7 +57,7 @@ Picture blobPicture(int width, int height, std::uint64_t seed, double noise) {
 using Lab = std::array<double, 3>;
 
 // Half of the step in which a map holds colours, and nearness.
-constexpr double kLabStep = 0.5 / PixelLook::kLab, kNearStep = 1e-5 + 0.5 / PixelLook::kNear;
+constexpr double kLabStep = 0.5 / PixelFeature::kLab, kNearStep = 1e-5 + 0.5 / PixelFeature::kNear;
 
 Lab plainLab(const std::uint8_t* pixel) {
   std::array<double, 3> linear{};
@@ -110,10 +107,8 @@ Slopes plainSobel(const EdgeMap& map, const std::vector<Lab>& lab, int x, int y)
   Slopes slopes;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto at = [&](int u, int v) { return lab[indexOf(map, x + u, y + v)][c]; };
-    slopes.x[c] =
-        (at(1, -1) - at(-1, -1) + 2 * at(1, 0) - 2 * at(-1, 0) + at(1, 1) - at(-1, 1)) / 8;
-    slopes.y[c] =
-        (at(-1, 1) - at(-1, -1) + 2 * at(0, 1) - 2 * at(0, -1) + at(1, 1) - at(1, -1)) / 8;
+    slopes.x[c] = (at(1, -1) - at(-1, -1) + 2 * at(1, 0) - 2 * at(-1, 0) + at(1, 1) - at(-1, 1)) / 8;
+    slopes.y[c] = (at(-1, 1) - at(-1, -1) + 2 * at(0, 1) - 2 * at(0, -1) + at(1, 1) - at(1, -1)) / 8;
   }
   return slopes;
 }
@@ -123,8 +118,7 @@ double dot(const Lab& a, const Lab& b) { return a[0] * b[0] + a[1] * b[1] + a[2]
 /// The gradient must be as long as the strongest colour change, lie along it and point where
 /// lightness grows, all within `tolerance` Lab units.
 void checkGradient(const Slopes& slopes, double x, double y, double tolerance) {
-  const double e = dot(slopes.x, slopes.x), f = dot(slopes.x, slopes.y),
-               g = dot(slopes.y, slopes.y);
+  const double e = dot(slopes.x, slopes.x), f = dot(slopes.x, slopes.y), g = dot(slopes.y, slopes.y);
   const double size = std::sqrt((e + g + std::hypot(e - g, 2 * f)) / 2), length = std::hypot(x, y);
   REQUIRE(std::abs(length - size) <= tolerance);
   if (size < 0.1) return;
@@ -135,10 +129,9 @@ void checkGradient(const Slopes& slopes, double x, double y, double tolerance) {
   if (std::abs(change[0]) > 0.1 * size + tolerance) {
     REQUIRE(change[0] > 0);
   } else if (std::abs(change[0]) < 0.1 * size - tolerance) {
-    const double most = *std::max_element(
-        change.begin(), change.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    const double opposite =
-        *std::max_element(change.begin(), change.end(), [](double a, double b) { return a < b; });
+    const double most =
+        *std::max_element(change.begin(), change.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    const double opposite = *std::max_element(change.begin(), change.end(), [](double a, double b) { return a < b; });
     // Where two channels change as much in opposite senses, either may lead.
     REQUIRE((most > 0 || std::abs(std::abs(most) - opposite) <= tolerance));
   }
@@ -210,8 +203,7 @@ std::vector<std::uint8_t> plainEdges(const EdgeMap& map) {
   std::vector<std::uint8_t> edges(label.size());
   for (std::size_t i = 0; i < label.size(); ++i) {
     const std::size_t l = label[i];
-    const bool kept =
-        crests[i] != 0 && strong[l] > 0 && vision::isContour(sums[l], sizes[l], thresholds.noise);
+    const bool kept = crests[i] != 0 && strong[l] > 0 && vision::isContour(sums[l], sizes[l], thresholds.noise);
     edges[i] = kept ? 255 : 0;
   }
   return edges;
@@ -230,8 +222,7 @@ void checkProximity(const EdgeMap& map) {
       for (const auto& edge : edges) {
         nearest = std::min(nearest, std::hypot(edge[0] - x, edge[1] - y));
       }
-      REQUIRE(std::abs(map.nearness(indexOf(map, x, y)) -
-                       std::max(0.0, 1 - nearest / map.reach)) <= kNearStep);
+      REQUIRE(std::abs(map.nearness(indexOf(map, x, y)) - std::max(0.0, 1 - nearest / map.reach)) <= kNearStep);
     }
   }
 }
@@ -262,8 +253,7 @@ TEST_CASE("colour and gradient are those of the definition, up to rounding") {
       for (int y = 0; y < map.height; ++y) {
         for (int x = 0; x < map.width; ++x) {
           const std::size_t at = indexOf(map, x, y);
-          checkGradient(plainSobel(map, lab, x, y), map.gradientX[at], map.gradientY[at],
-                        tolerance);
+          checkGradient(plainSobel(map, lab, x, y), map.gradientX[at], map.gradientY[at], tolerance);
         }
       }
     }
@@ -282,8 +272,8 @@ TEST_CASE("edges are Canny's with whole contours judged, pixel for pixel") {
 }
 
 TEST_CASE("proximity falls with the true distance to the nearest edge, at short and long reach") {
-  for (const auto& [width, share] : {std::pair{60, 0.001}, std::pair{90, 0.03}, std::pair{120, 0.1},
-                                     std::pair{630, 0.1}, std::pair{660, 0.1}}) {
+  for (const auto& [width, share] :
+       {std::pair{60, 0.001}, std::pair{90, 0.03}, std::pair{120, 0.1}, std::pair{630, 0.1}, std::pair{660, 0.1}}) {
     CAPTURE(width);
     const EdgeMap map = edgesOf(blobPicture(width, 40, 5, 2), {1024, 1.2, share});
     REQUIRE(std::count(map.edges.begin(), map.edges.end(), 255) > 0);

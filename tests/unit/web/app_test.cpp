@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 #include "tests/unit/web/rig.h"
 
 using namespace spineloft;
@@ -23,7 +24,8 @@ TEST_CASE("a page that nobody touches asks for no frames") {
   CHECK(rig.state().number("frames") == frames);
 }
 
-TEST_CASE("one stroke on the picture becomes a selected part with ribs on both sides of the bar") {
+TEST_CASE("one stroke on the picture becomes a selected part with ribs on both sides of the bar" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();
@@ -143,7 +145,9 @@ TEST_CASE("once a pen was seen a finger moves the picture instead of drawing") {
   CHECK(rig.at(100, 100).y != doctest::Approx(before.y));
 }
 
-TEST_CASE("a line where the picture shows nothing makes a part, and it is said that its width is a guess; through a thing it is no news") {
+TEST_CASE(
+    "a line where the picture shows nothing makes a part, and it is said that its width is a guess; through a thing it "
+    "is no news") {
   Rig rig;
   rig.openBar();
   rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
@@ -193,8 +197,7 @@ TEST_CASE("a click on a part in either view selects it, a click beside it select
   CHECK(rig.state().find("selection")->isNull());
 }
 
-TEST_CASE(
-    "dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
+TEST_CASE("dragging in the solid view turns the camera, with shift it shifts, the wheel comes nearer") {
   Rig rig;
   rig.openBar();
   rig.drawBar();
@@ -300,24 +303,55 @@ TEST_CASE("a lost context draws nothing, loses nothing and comes back") {
   CHECK(rig.parts() == 1);
 }
 
-TEST_CASE(
-    "saving works beside the page and hands over one file; until then the work counts as unsaved") {
+TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Rig rig({1200, 700, 1}, threads);
     rig.openBar();
     CHECK(rig.state().flag("unsaved") == false);
     rig.drawBar();
     CHECK(rig.state().flag("unsaved") == true);
-    CHECK(rig.run("save-stl").flag("ok") == true);
+    CHECK(rig.run("save-glb").flag("ok") == true);
     REQUIRE(rig.settle());
     REQUIRE(rig.host.files.size() == 1);
-    CHECK(rig.host.files[0].first.ends_with(".stl"));
+    CHECK(rig.host.files[0].first.ends_with(".glb"));
     CHECK(rig.host.files[0].second > 1000);
     CHECK(rig.state().flag("unsaved") == false);
     rig.run("set-section", R"({"section":"gear"})");
     CHECK(rig.state().flag("unsaved") == true);
     rig.run("undo");
     CHECK(rig.state().flag("unsaved") == false);
+  }
+}
+
+TEST_CASE(
+    "only a file that holds the model as it is now makes it saved: not another format, not one of before an edit") {
+  struct Save {
+    const char* command;
+    bool holdsDocument;
+  };
+  constexpr Save kSaves[] = {
+      {"save-project", true}, {"save-glb", true}, {"save-obj", false}, {"save-stl", false}, {"save-3mf", false}};
+  for (const int threads : {0, 2}) {
+    for (const auto& [command, holdsDocument] : kSaves) {
+      for (const bool edited : {false, true}) {
+        CAPTURE(threads);
+        CAPTURE(command);
+        CAPTURE(edited);
+        Rig rig({1200, 700, 1}, threads);
+        rig.openBar();
+        rig.drawBar();
+        CHECK(rig.run(command).flag("ok") == true);
+        CHECK(rig.host.files.empty());
+        if (edited) rig.run("set-section", R"({"section":"gear"})");
+        REQUIRE(rig.settle());
+        REQUIRE(rig.host.files.size() == 1);
+        CHECK(rig.state().flag("unsaved") == (edited || !holdsDocument));
+        if (!edited) continue;
+        rig.run("undo");
+        CHECK(rig.state().flag("unsaved") == !holdsDocument);
+      }
+    }
   }
 }
 
@@ -367,7 +401,7 @@ TEST_CASE("two pictures: each part belongs to the one it was drawn on") {
 
 TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws") {
   Rng rng(2026);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < testing::rounds(6); ++round) {
     const platform::CanvasSize sizes[] = {{1200, 700, 1}, {390, 760, 2}, {820, 600, 1.5}};
     Rig rig(sizes[round % 3]);
     rig.openBar();

@@ -10,8 +10,8 @@
 #include "engine/pipeline/world.h"
 #include "tests/unit/web/rig.h"
 #include "tests/unit/web/two_bars.h"
-#include "web/app/depth_order.h"
-#include "web/app/placing.h"
+#include "web/edit/depth_order.h"
+#include "web/edit/placing.h"
 
 using namespace spineloft;
 using namespace spineloft::app;
@@ -28,8 +28,8 @@ struct Pieces {
   static constexpr PartId kThin{1}, kThick{2}, kAway{3}, kWide{4};
 
   Pieces() {
-    document = document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(test::barPicture())})
-                   .value();
+    document =
+        document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(test::barPicture())}).value();
     add({{20, 20}, {80, 20}, {80, 80}, {20, 80}}, 0.04);
     add({{60, 60}, {120, 60}, {120, 120}, {60, 120}}, 0.2);
     add({{150, 150}, {190, 150}, {190, 190}, {150, 190}}, 0.1);
@@ -37,13 +37,13 @@ struct Pieces {
     derive();
   }
   void add(std::vector<PicturePoint> outline, double thickness) {
-    sheet::SheetParams sheet;
-    sheet.thickness = thickness;
-    sheet.edge = sheet::EdgeKind::Sharp;
+    extrude::ExtrudeParams extrude;
+    extrude.thickness = thickness;
+    extrude.edge = extrude::EdgeKind::Sharp;
     document::Region region;
     region.picture = PictureId{1};
     region.contours = {std::move(outline)};
-    document = document::update(document, document::DrawRegion{region, sheet}).value();
+    document = document::update(document, document::DrawRegion{region, extrude}).value();
   }
   void derive() { derived = pipeline::deriveWithEdges(document, cache, {}).value(); }
   /// Moves in the list and in depth, as the page does.
@@ -54,14 +54,11 @@ struct Pieces {
     if (!move) return move;
     document::Motion motion;
     motion.move = {0, 0, move->by};
-    document =
-        document::update(document, document::PlaceParts{movedParts(document, derived, parts, motion)}).value();
+    document = document::update(document, document::PlaceParts{movedParts(document, derived, parts, motion)}).value();
     derive();
     return move;
   }
-  pipeline::WorldBounds bounds(PartId part) const {
-    return *pipeline::boundsOf(document, derived, std::vector{part});
-  }
+  pipeline::WorldBounds bounds(PartId part) const { return *pipeline::boundsOf(document, derived, std::vector{part}); }
   double depth(PartId part) const { return bounds(part).high.z - bounds(part).low.z; }
 };
 
@@ -75,7 +72,8 @@ void checkTouch(const Pieces& pieces, PartId front, PartId back) {
 
 }  // namespace
 
-TEST_CASE("what goes up past another stands just before it, what goes down just behind it, and reaches into it by a hair") {
+TEST_CASE(
+    "what goes up past another stands just before it, what goes down just behind it, and reaches into it by a hair") {
   Pieces pieces;
   const auto still = pieces.bounds(Pieces::kThin);
   const auto up = pieces.drag({Pieces::kThick}, Pieces::kThin);
@@ -130,7 +128,8 @@ TEST_CASE("a round thing on the slope of another settles on the slope, not befor
     std::string points;
     for (int i = 0; i < 40; ++i) {
       const double a = i * 0.15707963;
-      points += (i ? ",[" : "[") + std::to_string(x + r * std::cos(a)) + "," + std::to_string(y + r * std::sin(a)) + "]";
+      points +=
+          (i ? ",[" : "[") + std::to_string(x + r * std::cos(a)) + "," + std::to_string(y + r * std::sin(a)) + "]";
     }
     return R"({"contours":[[)" + points + "]]}";
   };
@@ -282,7 +281,8 @@ TEST_CASE("a solid is dragged by its row as a whole, its parts by no row, and a 
   hand.answer(hand.lastAsked(), 0.2f);
   hand.look();
   const StepId solid{1};
-  const double whole = hand.rowOf({{}, {}, solid}), inner = hand.rowOf({PartId{2}, {}}), free = hand.rowOf({PartId{3}, {}});
+  const double whole = hand.rowOf({{}, {}, solid}), inner = hand.rowOf({PartId{2}, {}}),
+               free = hand.rowOf({PartId{3}, {}});
   REQUIRE(whole < inner);
   REQUIRE(inner < free);
   hand.drag(inner, free + 30);

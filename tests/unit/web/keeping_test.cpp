@@ -122,8 +122,8 @@ TEST_CASE("a burst that goes on is told after a while, as one record, and before
   test::FakeHost host;
   app::Studio studio(host, 0);
   const auto told = [&] {
-    return std::ranges::count_if(
-        host.sent, [](const std::string& json) { return json.starts_with(R"({"type":"journal")"); });
+    return std::ranges::count_if(host.sent,
+                                 [](const std::string& json) { return json.starts_with(R"({"type":"journal")"); });
   };
   const auto rename = [&](const std::string& name, std::string_view burst) {
     const document::Action action = document::RenameDocument{name};
@@ -134,7 +134,7 @@ TEST_CASE("a burst that goes on is told after a while, as one record, and before
   for (const char* name : {"b", "c", "d"}) rename(name, "names");
   CHECK(told() == 1);
   host.clockMs += 300;
-  studio.tellAmends();
+  studio.sendAmends();
   CHECK(told() == 2);
   rename("e", "names");
   rename("f", "");

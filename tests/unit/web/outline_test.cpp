@@ -7,7 +7,7 @@
 
 #include "tests/support/outlines.h"
 #include "tests/unit/web/rig.h"
-#include "web/app/region_editing.h"
+#include "web/edit/region_editing.h"
 
 using namespace spineloft;
 using spineloft::test::Rig;
@@ -77,9 +77,12 @@ TEST_CASE("what only lofts have is refused on a puff, with a sentence, and nothi
   rig.openBar();
   rig.run("draw-puff", kSquare);
   const std::string before = rig.app->state();
-  for (const auto& [id, args] : {std::pair{"set-section", R"({"section":"star"})"}, {"set-caps", R"({"both":"flat"})"},
-                                 {"set-section", R"({"section":"star","part":1})"}, {"set-caps", R"({"start":"flat","part":1})"},
-                                 {"set-slices", R"({"slices":[{"at":0,"section":"star"}]})"}, {"set-along", R"({"kind":"twist","points":[[0,1]]})"}}) {
+  for (const auto& [id, args] : {std::pair{"set-section", R"({"section":"star"})"},
+                                 {"set-caps", R"({"both":"flat"})"},
+                                 {"set-section", R"({"section":"star","part":1})"},
+                                 {"set-caps", R"({"start":"flat","part":1})"},
+                                 {"set-slices", R"({"slices":[{"at":0,"section":"star"}]})"},
+                                 {"set-along", R"({"kind":"twist","points":[[0,1]]})"}}) {
     CHECK_MESSAGE(*rig.run(id, args).text("error") == "NotABone", id << args);
   }
   CHECK(rig.app->state() == before);
@@ -89,7 +92,9 @@ TEST_CASE("a point taken away leaves a straight line, one added changes no outli
   Rng rng(5);
   for (const int count : {6, 14, 15, 40, 300}) {
     for (const bool open : {false, true}) {
-      document::Region region{PictureId{1}, {testing::blob(rng, {250, 200}, 110, count), testing::ellipse({250, 200}, 20, 20, 9)}, open ? 4.0 : 0.0};
+      document::Region region{PictureId{1},
+                              {testing::blob(rng, {250, 200}, 110, count), testing::ellipse({250, 200}, 20, 20, 9)},
+                              open ? 4.0 : 0.0};
       const std::vector<app::OutlinePoint> handles = app::outlineHandles(region);
       // Forth through all of them and back.
       std::optional<app::OutlinePoint> at;

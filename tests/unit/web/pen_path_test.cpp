@@ -8,8 +8,8 @@
 
 #include "tests/support/scarce_memory.h"
 #include "tests/unit/web/rig.h"
-#include "web/app/preview.h"
-#include "web/app/studio.h"
+#include "web/edit/preview.h"
+#include "web/model/studio.h"
 #include "web/tools/tools.h"
 
 using namespace spineloft;
@@ -76,7 +76,9 @@ constexpr double kFirst = 60, kLast = 360, kStep = 3;
 
 }  // namespace
 
-TEST_CASE("from pen move to mesh a stroke like the one before asks for no memory, whatever its ends and its slice, and with pressure") {
+TEST_CASE(
+    "from pen move to mesh a stroke like the one before asks for no memory, whatever its ends and its slice, and with "
+    "pressure") {
   Desk desk;
   std::size_t asked[3] = {};
   SUBCASE("round ends, a circle") {}
@@ -95,7 +97,7 @@ TEST_CASE("from pen move to mesh a stroke like the one before asks for no memory
       bytes += testing::allocatedBytes() - had;
       CHECK(desk.ui.previewShapes == before + 1);
       REQUIRE(desk.ui.preview->shape);
-      live += desk.ui.preview->shape->decided == pipeline::Decided::ByPen ? 1 : 0;
+      live += desk.ui.preview->shape->quality == pipeline::TraceQuality::Live ? 1 : 0;
     }
     CHECK(live > 50);
     CHECK(desk.ui.preview->shape->ribs.ribs.size() == 100);
@@ -126,7 +128,7 @@ TEST_CASE("a stroke in memory that earlier ones were drawn in has the shapes of 
     REQUIRE(fresh.ui.preview->shape);
     REQUIRE(used.ui.preview->shape);
     const pipeline::PartShape &a = *fresh.ui.preview->shape, &b = *used.ui.preview->shape;
-    CHECK(a.decided == b.decided);
+    CHECK(a.quality == b.quality);
     CHECK(a.spine == b.spine);
     CHECK(a.generated == b.generated);
     CHECK(a.ribs == b.ribs);

@@ -8,9 +8,9 @@
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
 #include "tests/unit/web/rig.h"
-#include "web/app/gizmo.h"
-#include "web/app/picker.h"
-#include "web/app/placing.h"
+#include "web/edit/gizmo.h"
+#include "web/edit/picker.h"
+#include "web/edit/placing.h"
 
 using namespace spineloft;
 using namespace spineloft::app;
@@ -85,8 +85,7 @@ TEST_CASE("the handles of the gizmo are far enough apart for fingers, from where
         CHECK(handleAt(*gizmo, knob.at, true) == knob.handle);
         CHECK(handleAt(*gizmo, knob.at, false) == knob.handle);
       }
-      CHECK(handleAt(*gizmo, gizmo->at + ClientPoint{gizmo->radius * 2.2, 0}, true) ==
-            GizmoHandle::None);
+      CHECK(handleAt(*gizmo, gizmo->at + ClientPoint{gizmo->radius * 2.2, 0}, true) == GizmoHandle::None);
       // At most one arrow points at the eye.
       CHECK(gizmo->knobs.size() >= 8);
     }
@@ -120,8 +119,7 @@ TEST_CASE("an arrow moves along its axis under the pointer, a body with the poin
 TEST_CASE("a ring turns about its axis as far as the pointer goes round it, in steps of 15 degrees if asked") {
   const UiState ui = uiWith(0, 0);
   const Gizmo gizmo = *gizmoAt(ui, {0, 0, 0});
-  const GizmoDrag drag{gizmo, ui.camera, ui.layout.solid, GizmoHandle::TurnZ,
-                       gizmo.at + ClientPoint{gizmo.radius, 0}};
+  const GizmoDrag drag{gizmo, ui.camera, ui.layout.solid, GizmoHandle::TurnZ, gizmo.at + ClientPoint{gizmo.radius, 0}};
   // A quarter round, against the clock: from the right to the top.
   const document::Motion quarter = motionOf(drag, gizmo.at + ClientPoint{0, -gizmo.radius}, false);
   CHECK(distance(geometry::turned(quarter.turn, WorldPoint{1, 0, 0}), WorldPoint{0, 1, 0}) < 1e-6);
@@ -220,7 +218,8 @@ TEST_CASE("a part that moves up keeps its size in millimetres: the model grows")
   CHECK(*page.state().number("heightMm") == doctest::Approx(before).epsilon(0.001));
 }
 
-TEST_CASE("a copy is in sight: to the right as it is seen, to the left where only there is room, else the view follows") {
+TEST_CASE(
+    "a copy is in sight: to the right as it is seen, to the left where only there is room, else the view follows") {
   for (double yaw = -3; yaw <= 3; yaw += 0.75) {
     for (const double aside : {-1., 0., 1.}) {
       for (const bool near : {false, true}) {
@@ -268,7 +267,8 @@ TEST_CASE("what faces the front again is turned by nothing at all, and so is wha
   page.run("select-all");
   page.run("group");
   for (int round = 0; round < 3; ++round) {
-    for (const char* angles : {R"({"degrees": [-35, 120, 0]})", R"({"degrees": [20, -75, 160]})", R"({"degrees": [7, 11, 13]})"}) {
+    for (const char* angles :
+         {R"({"degrees": [-35, 120, 0]})", R"({"degrees": [20, -75, 160]})", R"({"degrees": [7, 11, 13]})"}) {
       page.run("move-parts", angles);
     }
     page.run(round % 2 == 0 ? "turn-left" : "turn-up");  // from wherever it is seen
@@ -319,11 +319,9 @@ TEST_CASE("copies, mirrored copies, symmetry and groups are commands of one step
 
 TEST_CASE("a part that settles touches the surface under the pointer, and nothing of it is below its tangent plane") {
   document::Document document =
-      document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(
-                                                           test::barPicture())}).value();
+      document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(test::barPicture())}).value();
   for (int i = 0; i < 2; ++i) {
-    document = document::update(document, document::DrawSpine{PictureId{1}, {{100, 40}, {100, 160}}})
-                   .value();
+    document = document::update(document, document::DrawSpine{PictureId{1}, {{100, 40}, {100, 160}}}).value();
   }
   pipeline::Cache cache;
   const pipeline::Derived derived = pipeline::deriveWithEdges(document, cache, {}).value();
@@ -339,8 +337,7 @@ TEST_CASE("a part that settles touches the surface under the pointer, and nothin
     document = document::update(document, document::PlaceParts{{{PartId{2}, placement, {}}}}).value();
     const auto still = *pipeline::copiesInWorld(*document.parts[0], {200, 200}).begin();
     const auto count = static_cast<std::uint32_t>(shape.positions.size());
-    const auto seen =
-        pointOnCanvas(ui.camera, ui.layout.solid, still(shape.positions[rng.below(count)]));
+    const auto seen = pointOnCanvas(ui.camera, ui.layout.solid, still(shape.positions[rng.below(count)]));
     REQUIRE(seen);
     const ClientPoint at = *seen + ClientPoint{rng.uniform(-3, 3), rng.uniform(-3, 3)};
     const Ray ray{ui.camera.eye(), rayThrough(ui.camera, ui.layout.solid, at)};
@@ -364,8 +361,7 @@ TEST_CASE("a part that settles touches the surface under the pointer, and nothin
     const auto own = *pipeline::copiesInWorld(*document.parts[0], {200, 200}).begin();
     bool within = false;
     for (const auto& [a, b, c] : shape.triangles) {
-      const WorldPoint pa = own(shape.positions[a]), pb = own(shape.positions[b]),
-                       pc = own(shape.positions[c]);
+      const WorldPoint pa = own(shape.positions[a]), pb = own(shape.positions[b]), pc = own(shape.positions[c]);
       const WorldPoint n = cross(pb - pa, pc - pa);
       const double area = norm(n);
       if (area < 1e-12 || std::abs(dot(hit.at - pa, n)) / area > 1e-6) continue;
@@ -381,11 +377,9 @@ TEST_CASE("a part that settles touches the surface under the pointer, and nothin
 
 TEST_CASE("what is moved together stays together, twins of live symmetry too; an ear alone moves against its twin") {
   document::Document document =
-      document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(
-                                                           test::barPicture())}).value();
+      document::update({}, document::AddPicture{"bar", std::make_shared<image::Picture>(test::barPicture())}).value();
   for (int i = 0; i < 3; ++i) {
-    document = document::update(document, document::DrawSpine{PictureId{1}, {{100, 40}, {100, 160}}})
-                   .value();
+    document = document::update(document, document::DrawSpine{PictureId{1}, {{100, 40}, {100, 160}}}).value();
   }
   pipeline::Cache cache;
   const pipeline::Derived derived = pipeline::deriveWithEdges(document, cache, {}).value();
@@ -393,14 +387,11 @@ TEST_CASE("what is moved together stays together, twins of live symmetry too; an
   constexpr image::Size kSize{200, 200};
   const document::MirrorPlane plane{{0.1, 0, 0}, {1, 0, 0}};
   Rng rng(12);
-  const auto point = [&] {
-    return WorldPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-  };
+  const auto point = [&] { return WorldPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)}; };
   for (int i = 0; i < 40; ++i) {
     // The first part stands where it was traced, without a pivot of its own.
-    document = document::update(document,
-                                document::PlaceParts{{{PartId{2}, testing::randomPlacement(rng), plane},
-                                                      {PartId{3}, testing::randomPlacement(rng), {}}}})
+    document = document::update(document, document::PlaceParts{{{PartId{2}, testing::randomPlacement(rng), plane},
+                                                                {PartId{3}, testing::randomPlacement(rng), {}}}})
                    .value();
     const document::Motion motion{point(), point(), geometry::turnAbout(point(), rng.uniform(-3, 3)),
                                   rng.uniform(0.5, 2)};

@@ -198,8 +198,7 @@ TEST_CASE("commands change a region part, and turn one kind into the other and b
   rig.run("make-puff");
   CHECK(*lastPart(rig).text("kind") == "puff");
   CHECK(rig.run("move-outline-point", R"({"point":0,"to":[50,50]})").flag("ok") == true);
-  CHECK(rig.run("redraw-region", R"({"line":[[30,30],[90,30],[90,90],[30,90],[30,31]]})").flag("ok") ==
-        true);
+  CHECK(rig.run("redraw-region", R"({"line":[[30,30],[90,30],[90,90],[30,90],[30,31]]})").flag("ok") == true);
   CHECK(rig.run("redraw").flag("ok") == true);
   CHECK(*rig.state().text("tool") == "puff");
 }
@@ -230,8 +229,7 @@ TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
   CHECK(*rig.run("cut-out", "{}").text("error") == "ArgumentMissing");
   CHECK(*rig.run("cut-out", R"({"at":[900,900]})").text("error") == "ValueOutOfRange");
   CHECK(rig.parts() == 0);
-  CHECK(rig.run("draw-puff", R"({"contours":[[[-90,-90],[290,-90],[290,290],[-90,290]]]})").flag("ok") ==
-        true);
+  CHECK(rig.run("draw-puff", R"({"contours":[[[-90,-90],[290,-90],[290,290],[-90,290]]]})").flag("ok") == true);
   CHECK(rig.host.said("cut off"));
   // A region that crosses itself is untangled.
   CHECK(rig.run("draw-sheet", R"({"contours":[[[40,40],[120,120],[120,40],[40,120]]]})").flag("ok") == true);
@@ -241,7 +239,8 @@ TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
   CHECK(lastPart(rig).find("failure")->isNull());
 }
 
-TEST_CASE("a hand that draws an eight or goes round twice is told so, one that closes its line with a small loop is not") {
+TEST_CASE(
+    "a hand that draws an eight or goes round twice is told so, one that closes its line with a small loop is not") {
   const auto said = [](auto&& at) {
     Rig rig;
     rig.openBar();
@@ -254,9 +253,7 @@ TEST_CASE("a hand that draws an eight or goes round twice is told so, one that c
     return rig.host.said(R"("level":"hint","text":"Your line crosses itself)");
   };
   using Place = std::pair<double, double>;
-  const auto round = [](double r, double angle) {
-    return Place{100 + r * std::cos(angle), 100 + r * std::sin(angle)};
-  };
+  const auto round = [](double r, double angle) { return Place{100 + r * std::cos(angle), 100 + r * std::sin(angle)}; };
   CHECK(said([](double t) { return Place{100 + 60 * std::sin(t), 100 + 40 * std::sin(2 * t)}; }));
   CHECK(said([&](double t) { return round(50 + 20 * std::cos(t), 2 * t); }));
   for (const double over : {0., 0.1, 0.3}) {

@@ -5,13 +5,14 @@
 #include <imgui.h>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "web/app/app.h"
-#include "web/app/json.h"
 #include "web/gl/null_renderer.h"
+#include "web/model/json.h"
+#include "web/page/app.h"
 
 namespace spineloft::test {
 
@@ -21,6 +22,10 @@ class FakeHost final : public platform::Host {
   void requestFrame() override { frameAsked = true; }
   void wakeAfter(double) override { ++wakesAsked; }
   void send(std::string_view json) override { sent.emplace_back(json); }
+  void solve(std::string_view json, std::span<const platform::SolverMesh> meshes) override {
+    sent.emplace_back(json);
+    given.assign(meshes.begin(), meshes.end());
+  }
   void sendFile(std::string_view name, std::string_view, std::span<const std::uint8_t> b) override {
     files.emplace_back(std::string(name), b.size());
   }
@@ -36,6 +41,7 @@ class FakeHost final : public platform::Host {
   bool frameAsked = false, reduced = false;
   int wakesAsked = 0;
   std::vector<std::string> sent;
+  std::vector<platform::SolverMesh> given;  ///< to the solver, last
   std::vector<std::pair<std::string, std::size_t>> files;
 };
 
@@ -92,13 +98,11 @@ class Rig {
     settle();
   }
   app::Json state() { return *app::Json::parse(app->state()); }
-  app::Json run(std::string_view id, std::string_view args = {}) {
-    return *app::Json::parse(app->run(id, args));
-  }
+  app::Json run(std::string_view id, std::string_view args = {}) { return *app::Json::parse(app->run(id, args)); }
   std::size_t parts() { return state().find("parts")->array()->size(); }
 
-  void pointer(platform::PointerKind kind, double x, double y, platform::Device device = {},
-               int id = 1, int button = 0) {
+  void pointer(platform::PointerKind kind, double x, double y, platform::Device device = {}, int id = 1,
+               int button = 0) {
     using platform::PointerKind;
     const bool down = kind == PointerKind::Down || kind == PointerKind::Move;
     app->pointer({kind, id, device, button, down ? 1 : 0, x, y, 0.5, host.clockMs, 0});
@@ -115,9 +119,7 @@ class Rig {
     lastX = p.x;
     lastY = p.y;
   }
-  void lift(platform::Device device = {}, int id = 1) {
-    pointer(platform::PointerKind::Up, lastX, lastY, device, id);
-  }
+  void lift(platform::Device device = {}, int id = 1) { pointer(platform::PointerKind::Up, lastX, lastY, device, id); }
   void drawBar(platform::Device device = {}) {
     press(100, 40, 100, 160, device);
     lift(device);

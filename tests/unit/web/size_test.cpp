@@ -5,9 +5,9 @@
 #include <string>
 
 #include "tests/unit/web/rig.h"
-#include "web/app/print_report.h"
-#include "web/app/sizing.h"
-#include "web/app/thickening.h"
+#include "web/model/print_report.h"
+#include "web/model/thickening.h"
+#include "web/ui/sizing.h"
 
 using namespace spineloft;
 using spineloft::test::Rig;
@@ -120,8 +120,8 @@ TEST_CASE("a flat piece that is too thin is set thicker and the model as tall as
 TEST_CASE("a flat piece that cuts a slit is as thin as the slit and stays so; hidden ones are nobody's matter") {
   document::Document document;
   document::Part part;
-  document::SheetRecipe recipe;
-  recipe.sheet.thickness = 0.004;
+  document::ExtrudeRecipe recipe;
+  recipe.extrude.thickness = 0.004;
   part.recipe = recipe;
   for (const std::uint32_t id : {1u, 2u}) {
     part.id = PartId{id};
@@ -191,7 +191,8 @@ TEST_CASE("a flat foot is a live cut with a block, one step, and refused where i
   const app::Json& foot = state.find("parts")->array()->back();
   const app::Json& place = *foot.find("placement");
   const double scale = *place.number("scale");
-  const double top = *(*place.find("move")->array())[1].number() + scale * *foot.find("parameters")->number("thickness") / 2;
+  const double top =
+      *(*place.find("move")->array())[1].number() + scale * *foot.find("parameters")->number("thickness") / 2;
   CHECK(top > -0.5);
   CHECK(top < 0);  // the bar reaches from about −0.36 to 0.35 of the picture's side
   CHECK(top == doctest::Approx(-0.35 + 0.71 * 0.04).epsilon(0.1));

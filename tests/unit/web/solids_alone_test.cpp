@@ -31,7 +31,6 @@ struct Coiled : TwoBars {
 
 TEST_CASE("while nobody wants a file the solver is not asked about parts in no step") {
   Coiled rig;
-  rig.app->prepareSolids();  // shares nothing of it: what it makes is for itself
   const std::size_t before = rig.asked();
   for (int i = 0; i < 10; ++i) rig.app->frame();
   CHECK(rig.settle());
@@ -51,7 +50,8 @@ TEST_CASE("parts that do not go through themselves are saved and checked at once
   CHECK_FALSE(straight.state().find("print")->isNull());
 }
 
-TEST_CASE("a file waits for the one part that goes through itself, and holds what it was united to; once for each shape") {
+TEST_CASE(
+    "a file waits for the one part that goes through itself, and holds what it was united to; once for each shape") {
   Coiled rig;
   const std::size_t whole = rig.stl(), before = rig.asked();
   rig.run("save-stl");
@@ -97,7 +97,8 @@ TEST_CASE("a part that cannot be mended is named and marked, and saved all the s
   const std::size_t whole = rig.stl();
   rig.run("rename-part", R"({"part": 1, "name": "Tail"})");
   rig.run("save-stl");
-  rig.fail(rig.lastAsked(), Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
+  rig.fail(rig.lastAsked(),
+           Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
   CHECK(rig.settle());
   CHECK(rig.host.said("goes through itself"));
   CHECK(rig.host.said("(Tail)"));
@@ -116,11 +117,14 @@ TEST_CASE("a part that cannot be mended is named and marked, and saved all the s
   CHECK_FALSE(rig.isMarked());
 }
 
-TEST_CASE("whoever takes the model out is told which part goes through itself: by the button, the menu or the API; not in work in progress") {
+TEST_CASE(
+    "whoever takes the model out is told which part goes through itself: by the button, the menu or the API; not in "
+    "work in progress") {
   Coiled rig;
   rig.run("rename-part", R"({"part": 1, "name": "Tail"})");
   rig.run("check-print");
-  rig.fail(rig.lastAsked(), Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
+  rig.fail(rig.lastAsked(),
+           Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
   CHECK(rig.settle());
   for (const char* format : {"glb", "obj", "zip", "stl", "3mf", "spineloft"}) {
     rig.host.sent.clear();
@@ -139,7 +143,7 @@ TEST_CASE("a solver that dies keeps no file back, and is asked again for the nex
   Coiled rig;
   rig.run("save-stl");
   const std::size_t before = rig.asked();
-  rig.lost(rig.lastAsked());
+  rig.lost();
   CHECK(rig.settle());
   CHECK(rig.asked() == before);
   CHECK(rig.host.files.size() == 1);
@@ -177,7 +181,8 @@ TEST_CASE("the check for printing waits for parts that go through themselves, an
   CHECK(*rig.run("check-print").flag("ok"));
   CHECK(rig.state().find("print")->isNull());
   CHECK(*rig.run("thicken").text("error") == "NotReady");
-  rig.fail(rig.lastAsked(), Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
+  rig.fail(rig.lastAsked(),
+           Json::Object{{"error", "PartCrossesItself"}, {"part", 1}, {"at", Json::Array{100, -60, 3}}});
   CHECK(rig.settle());
   const Json state = rig.state();
   REQUIRE_FALSE(state.find("print")->isNull());
@@ -188,11 +193,13 @@ TEST_CASE("the check for printing waits for parts that go through themselves, an
   CHECK(isTold);
 }
 
-TEST_CASE("a check for printing that is asked for while a part is still searched for is of what it becomes, and of what mends it") {
+TEST_CASE(
+    "a check for printing that is asked for while a part is still searched for is of what it becomes, and of what "
+    "mends it") {
   TwoBars rig;
   const auto isChecked = [&] { return !rig.state().find("print")->isNull(); };
   rig.run("coil", R"({"part": 1, "turns": 6, "radius": 12})");
-  // The shape of the coil is there at once; its last word is the other hands', in a moment.
+  // The shape of the coil is there at once; its last word is the perturbed strokes', in a moment.
   CHECK(*rig.run("check-print").flag("ok"));
   CHECK_FALSE(isChecked());
   rig.settle();

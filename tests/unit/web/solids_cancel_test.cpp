@@ -79,7 +79,9 @@ void workAWhile(TwoBars& rig, Rng& random, const Json& request) {
 
 }  // namespace
 
-TEST_CASE("a hundred edits that are stopped at any moment leave the last good solid, and the one after them is as if they had not been") {
+TEST_CASE(
+    "a hundred edits that are stopped at any moment leave the last good solid, and the one after them is as if they "
+    "had not been") {
   Rng random(404);
   Stuck rig;
   rig.answer(rig.lastAsked());

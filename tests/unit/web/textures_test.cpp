@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/unit/web/rig.h"
-#include "web/app/studio.h"
+#include "web/model/studio.h"
 
 using namespace spineloft;
 using namespace spineloft::test;
@@ -49,12 +49,13 @@ pipeline::PartShape whole(const document::Document& document, std::size_t part =
 
 }  // namespace
 
-TEST_CASE("a part shows at once, and soon has the mesh and the texture that it is given when all is made in one go") {
+TEST_CASE("a part shows at once, and soon has the mesh and the texture that it is given when all is made in one go" *
+          doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     CAPTURE(threads);
     Desk desk(threads);
     desk.draw(40, 160);
-    CHECK(desk.shape().decided == pipeline::Decided::ByStroke);
+    CHECK(desk.shape().quality == pipeline::TraceQuality::Single);
     CHECK(desk.shape().mesh.triangles.size() > 1000);
     CHECK_FALSE(isDressed(desk.shape()));
     CHECK(desk.shape().texture == nullptr);
@@ -128,7 +129,7 @@ TEST_CASE("parts of one shape share ribs and texture, and a part that is gone as
   CHECK(desk.rest() <= 1);
 }
 
-TEST_CASE("another model may be opened while textures are made") {
+TEST_CASE("another model may be opened while textures are made" * doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
     Desk desk(threads);
     desk.draw(40, 160);

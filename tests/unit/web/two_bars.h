@@ -69,8 +69,10 @@ struct TwoBars : Rig {
     std::memcpy(bytes.data() + sizeof positions + sizeof uv, corners.data(), sizeof corners);
     const std::string runs = isOfOne ? R"({"part":1,"first":0,"count":4})"
                                      : R"({"part":1,"first":0,"count":2},{"part":2,"first":2,"count":2})";
-    const app::Json mesh = *app::Json::parse(R"({"vertices":4,"triangles":4,"merges":0,"volume":0.1,"area":2,"genus":0,)"
-                                             R"("runs":[)" + runs + "]}");
+    const app::Json mesh =
+        *app::Json::parse(R"({"vertices":4,"triangles":4,"merges":0,"volume":0.1,"area":2,"genus":0,)"
+                          R"("runs":[)" +
+                          runs + "]}");
     say(ofSolid(request, "mesh", mesh), bytes);
     done(request);
   }
@@ -79,7 +81,7 @@ struct TwoBars : Rig {
     done(request);
   }
   void done(const app::Json& request) { say(answerTo(request, {{"done", true}})); }
-  void lost(const app::Json& request) { say(answerTo(request, {{"lost", true}})); }
+  void lost() { say(app::Json::Object{{"lost", true}}); }
 
   void tick(int part, bool on = true) {
     run("pick", R"({"part": )" + std::to_string(part) + R"(, "on": )" + (on ? "true}" : "false}"));

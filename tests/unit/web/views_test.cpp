@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "engine/base/rng.h"
-#include "web/app/layout.h"
-#include "web/app/views.h"
+#include "web/ui/layout.h"
+#include "web/ui/views.h"
 
 using namespace spineloft;
 using namespace spineloft::app;
@@ -16,9 +16,7 @@ struct Clip {
 };
 Clip project(const Camera& camera, const Rect& view, WorldPoint p) {
   const gl::Mat4 m = projectionOf(camera, view) * viewOf(camera);
-  const auto row = [&](std::size_t r) {
-    return m.m[r] * p.x + m.m[4 + r] * p.y + m.m[8 + r] * p.z + m.m[12 + r];
-  };
+  const auto row = [&](std::size_t r) { return m.m[r] * p.x + m.m[4 + r] * p.y + m.m[8 + r] * p.z + m.m[12 + r]; };
   return {row(0), row(1), row(2), row(3)};
 }
 
@@ -36,8 +34,7 @@ Rect randomRect(Rng& rng) {
 TEST_CASE("the parts of the layout cover the canvas without overlap") {
   Rng rng(3);
   for (int round = 0; round < 3000; ++round) {
-    const double width = std::floor(rng.uniform(280, 2600)),
-                 height = std::floor(rng.uniform(300, 1500));
+    const double width = std::floor(rng.uniform(280, 2600)), height = std::floor(rng.uniform(300, 1500));
     const bool panel = rng.below(2) == 1;
     const Layout layout = layoutFor(width, height, rng.uniform(-0.5, 1.5), panel);
     const Rect rects[] = {layout.picture, layout.solid, layout.splitter, layout.panel};
@@ -63,8 +60,8 @@ TEST_CASE("the splitter stays under the pointer that drags it") {
   for (int round = 0; round < 500; ++round) {
     const double width = rng.uniform(300, 1800), height = rng.uniform(400, 1200);
     const Layout before = layoutFor(width, height, 0.5, true);
-    const double length = before.stacked ? before.picture.height + before.solid.height
-                                         : before.picture.width + before.solid.width;
+    const double length =
+        before.stacked ? before.picture.height + before.solid.height : before.picture.width + before.solid.width;
     const double to = rng.uniform(kMinShare + 0.02, kMaxShare - 0.02) * length;
     const ClientPoint at = before.stacked ? ClientPoint{5, to} : ClientPoint{to, 5};
     const Layout after = layoutFor(width, height, shareAt(before, at), true);
@@ -76,8 +73,7 @@ TEST_CASE("the splitter stays under the pointer that drags it") {
 TEST_CASE("canvas to picture undoes picture to canvas") {
   Rng rng(5);
   for (int round = 0; round < 500; ++round) {
-    const PictureView view{
-        {rng.uniform(-100, 900), rng.uniform(-100, 900)}, rng.uniform(0.02, 30), false};
+    const PictureView view{{rng.uniform(-100, 900), rng.uniform(-100, 900)}, rng.uniform(0.02, 30), false};
     const Rect at = randomRect(rng);
     const PicturePoint p{rng.uniform(-50, 2000), rng.uniform(-50, 2000)};
     CHECK(distance(view.toPicture(view.toClient(p, at), at), p) < 1e-6);
@@ -88,8 +84,7 @@ TEST_CASE("a fitted picture lies wholly inside its view") {
   Rng rng(6);
   for (int round = 0; round < 500; ++round) {
     const Rect at = randomRect(rng);
-    const image::Size size{16 + static_cast<int>(rng.below(6000)),
-                           16 + static_cast<int>(rng.below(6000))};
+    const image::Size size{16 + static_cast<int>(rng.below(6000)), 16 + static_cast<int>(rng.below(6000))};
     const Rect shown = pictureRect(fitPicture(size, at), size, at);
     CHECK(shown.x >= at.x - 1e-6);
     CHECK(shown.y >= at.y - 1e-6);
@@ -110,7 +105,8 @@ TEST_CASE("on a low and wide view the fitted picture leaves the column of button
   CHECK_FALSE(buttonsAtSide({0, 0, 390, 306}));
 }
 
-TEST_CASE("a fitted picture is clear of the bar at the head and of the row at the foot, and in the middle between them") {
+TEST_CASE(
+    "a fitted picture is clear of the bar at the head and of the row at the foot, and in the middle between them") {
   const Rect phone{0, 60, 390, 300};
   const double head = 54, row = 44 + 6;  // a tool's bar, the buttons
   const Rect shown = pictureRect(fitPicture({1024, 683}, phone, head), {1024, 683}, phone);
@@ -171,8 +167,7 @@ TEST_CASE("the home camera sees every corner of the model") {
     const Rect view = randomRect(rng);
     const Camera camera = homeCamera(bounds, view);
     for (int corner = 0; corner < 8; ++corner) {
-      const WorldPoint p{corner & 1 ? bounds.high.x : bounds.low.x,
-                         corner & 2 ? bounds.high.y : bounds.low.y,
+      const WorldPoint p{corner & 1 ? bounds.high.x : bounds.low.x, corner & 2 ? bounds.high.y : bounds.low.y,
                          corner & 4 ? bounds.high.z : bounds.low.z};
       const Clip c = project(camera, view, p);
       CHECK(std::fabs(c.x) <= c.w);
@@ -217,8 +212,7 @@ TEST_CASE("zooming the solid keeps what lies under the pointer at the target's d
     Camera camera;
     camera.yaw = rng.uniform(-3, 3);
     camera.pitch = rng.uniform(-1, 1);
-    const WorldPoint p = camera.target + camera.right() * rng.uniform(-0.3, 0.3) +
-                         camera.up() * rng.uniform(-0.3, 0.3);
+    const WorldPoint p = camera.target + camera.right() * rng.uniform(-0.3, 0.3) + camera.up() * rng.uniform(-0.3, 0.3);
     const ClientPoint before = onCanvas(camera, view, p);
     zoomCamera(camera, view, before, std::exp(rng.uniform(-1, 1)));
     CHECK(distance(onCanvas(camera, view, p), before) < 0.05);

@@ -75,7 +75,8 @@ TEST_CASE("words that make room are clear of everything, and moved no farther th
       const auto isClear = [&](double y) {
         return std::ranges::none_of(taken, [&](const Rect& one) {
           const double slack = gap - 1e-4;
-          return Rect{words.x, y, words.width, words.height}.meets({one.x - slack, one.y - slack, one.width + 2 * slack, one.height + 2 * slack});
+          return Rect{words.x, y, words.width, words.height}.meets(
+              {one.x - slack, one.y - slack, one.width + 2 * slack, one.height + 2 * slack});
         });
       };
       CHECK(isClear(at.y));
@@ -87,7 +88,8 @@ TEST_CASE("words that make room are clear of everything, and moved no farther th
   }
 }
 
-TEST_CASE("what is to be done with a cut-out covers neither the legend of the ribs nor a button, in windows of every size") {
+TEST_CASE(
+    "what is to be done with a cut-out covers neither the legend of the ribs nor a button, in windows of every size") {
   for (const platform::CanvasSize& size : kCanvases) {
     Rig rig(size);
     rig.openBar();

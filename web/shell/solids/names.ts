@@ -9,6 +9,9 @@ export const isPart = (operand: SolidOperand): operand is PartOperand => 'mesh' 
 
 export const partKey = ({ mesh, part }: PartOperand) => `${mesh}#${part}`;
 
+/** The key of a node's solid, or of the coarser one of a preview. */
+export const nodeKey = (key: string, coarse: boolean) => (coarse ? `${key}~` : key);
+
 /** In any order, and however often the same. */
 export const keysOf = (of: Named[]) => [...new Set(of.map(({ key }) => key))].sort();
 
@@ -42,9 +45,4 @@ export function pairsOf<Each>(kind: SolidNode['kind'], all: Each[]): [Each, Each
 /** Its seams are rounded. */
 export function isRound({ kind, blend }: SolidNode): boolean {
   return blend > 0 && (kind === 'join' || kind === 'cut');
-}
-
-/** Only stuck together, with sharp seams. */
-export function isPlain({ kind, blend }: SolidNode): boolean {
-  return kind === 'join' && blend <= 0;
 }

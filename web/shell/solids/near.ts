@@ -3,8 +3,9 @@
 // whole faces stand again, as if it had never been.
 import type { Manifold, ManifoldToplevel, Mesh, Vec3 } from 'manifold-3d';
 import type { Faces } from './flaps.ts';
-import { isWithin, mapped, roomOf } from './rooms.ts';
-import type { Room, Shape } from './rooms.ts';
+import { mapped } from './affine.ts';
+import { isWithin, roomOf } from './room.ts';
+import type { Room, Shape } from './room.ts';
 
 /** Cut down to more than this share, it is not quicker. */
 const kWorthwhile = 0.6;

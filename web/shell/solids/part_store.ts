@@ -1,10 +1,13 @@
 // Parts as the solver of steps has them: their meshes, the solids made of them, each kept under its key for as long as
 // it is asked for, and what the faces of all solids were.
-import type { Manifold, ManifoldToplevel } from 'manifold-3d';
+import type { Manifold } from 'manifold-3d';
 import type { Kept } from './kept.ts';
 import { partKey } from './names.ts';
-import { FaultyPart, crossesItself, fromMesh, importPart } from './parts.ts';
+import { fitPaint } from './paint.ts';
+import { FaultyPart, fromMesh, importPart } from './parts.ts';
+import type { Tools } from './parts.ts';
 import type { MeshData, PartOperand, SolveRequest } from './protocol.ts';
+import { carried, runsOf } from './sources.ts';
 import type { Source, Sources } from './sources.ts';
 import { failureOf } from './unsolvable.ts';
 
@@ -18,7 +21,7 @@ export class PartStore {
   /** Counts the requests. */
   round = 0;
 
-  constructor(private readonly library: ManifoldToplevel) {}
+  constructor(private readonly tools: Tools) {}
 
   /** What faces were, by original ids of manifold-3d. */
   get sources(): Sources {
@@ -26,8 +29,8 @@ export class PartStore {
   }
 
   /** How many are kept. */
-  get counts(): { parts: number; meshes: number } {
-    return { parts: this.parts.size, meshes: this.meshes.size };
+  get counts(): { parts: number; meshes: number; sources: number } {
+    return { parts: this.parts.size, meshes: this.meshes.size, sources: this.registered.size };
   }
 
   keepMeshes(meshes: SolveRequest['meshes']): void {
@@ -49,10 +52,6 @@ export class PartStore {
     return this.parts.get(partKey(operand));
   }
 
-  values(): Iterable<Kept> {
-    return this.parts.values();
-  }
-
   /** The part as a solid, or why it is none. What the hand is at is not looked over for places where it crosses itself. */
   of(operand: PartOperand, coarse: boolean): Kept {
     const key = partKey(operand),
@@ -60,7 +59,7 @@ export class PartStore {
       loose = this.parts.get(`${key}~`);
     if (known) return known;
     const mesh = this.meshOf(operand.mesh);
-    if (loose && (coarse || (mesh && !crossesItself(mesh)))) {
+    if (loose && (coarse || (mesh && !this.tools.selfCrossing(mesh)))) {
       if (coarse) return loose;
       // Now it has been looked over.
       this.parts.delete(`${key}~`);
@@ -72,26 +71,6 @@ export class PartStore {
     return kept;
   }
 
-  /** A part that was looked over by a second worker: its mesh, where mending changed it. The original id of its faces. */
-  adopt(operand: PartOperand, mended: MeshData | null): number {
-    const mesh = mended ?? this.meshOf(operand.mesh)!,
-      known = this.known(operand),
-      kept: Kept = known ?? { solid: null, round: this.round };
-    kept.ids ??= [];
-    const id = this.register({ part: operand.part, mesh }, kept.ids);
-    if (!known) kept.waiting = { mesh, id };
-    this.parts.set(partKey(operand), kept);
-    return id;
-  }
-
-  solidOf(kept: Kept): Manifold {
-    const { waiting } = kept;
-    if (!waiting) return kept.solid!;
-    kept.solid = fromMesh(this.library, waiting.mesh, () => waiting.id);
-    delete kept.waiting;
-    return kept.solid;
-  }
-
   /** Equal names, equal operands. What was not looked over is another thing than what was. */
   nameOf(operand: PartOperand): string {
     return `${partKey(operand)}${this.known(operand) ? '' : '~'}@${operand.matrix.join()}`;
@@ -99,10 +78,19 @@ export class PartStore {
 
   /** An original id for faces from this source. */
   register(source: Source, ids: number[]): number {
-    const id = this.library.Manifold.reserveIDs(1);
+    const id = this.tools.library.Manifold.reserveIDs(1);
     this.registered.set(id, source);
     ids.push(id);
     return id;
+  }
+
+  /** An original id for new faces that look as a solid does, and the part that most of it is from. */
+  registerLike(solid: Manifold, ids: number[]): { id: number; part: number } {
+    const mesh = solid.getMesh(),
+      { positions, uv } = carried(mesh, this.registered),
+      runs = runsOf(mesh, this.registered),
+      { part } = runs.reduce((most, run) => (run.count > most.count ? run : most), { part: 0, count: -1 });
+    return { id: this.register({ part, paint: fitPaint(positions, uv) }, ids), part };
   }
 
   /** Whether nobody has asked for it in a while. */
@@ -115,10 +103,10 @@ export class PartStore {
     this.round += kKept;
   }
 
-  /** Lets go of what is old, and of what is of no use. */
-  forget(isUseless: (kept: Kept) => boolean, letGo: (kept: Kept) => void): void {
+  /** Lets go of what is old. */
+  forget(letGo: (kept: Kept) => void): void {
     for (const [key, kept] of this.parts) {
-      if (!this.isOld(kept) && !isUseless(kept)) continue;
+      if (!this.isOld(kept)) continue;
       this.parts.delete(key);
       letGo(kept);
     }
@@ -138,7 +126,7 @@ export class PartStore {
     const register = (piece: MeshData) => this.register({ part, mesh: piece }, ids);
     try {
       return {
-        solid: unchecked ? fromMesh(this.library, mesh, register) : importPart(this.library, mesh, register),
+        solid: unchecked ? fromMesh(this.tools.library, mesh, register) : importPart(this.tools, mesh, register),
         round,
         ids,
       };

@@ -1,15 +1,22 @@
 // Parts for manifold-3d: closed meshes that do not cross themselves. A loft that does comes apart between its
 // rings into pieces that do not, and is united again.
 import type { Manifold, ManifoldToplevel, Vec3 } from 'manifold-3d';
-import { findCrossings, placeOf } from './crossings.ts';
 import { signedVolume } from './grid.ts';
+import type { Point } from './grid.ts';
 import type { MeshData } from './protocol.ts';
 import { bandOf, pieceOf, ringsOf, runForward } from './rings.ts';
 import type { FillCurve, Rings } from './rings.ts';
+import type { SelfCrossing } from './self_crossing.ts';
+
+/** What parts are looked over, mended and united with. */
+export interface Tools {
+  library: ManifoldToplevel;
+  selfCrossing: SelfCrossing;
+}
 
 /** The part crosses itself at `at` (its own space) and cannot be mended. */
 export class FaultyPart extends Error {
-  constructor(readonly at: [number, number, number]) {
+  constructor(readonly at: Point) {
     super('PartCrossesItself');
   }
 }
@@ -62,7 +69,7 @@ function fillIn(library: ManifoldToplevel): FillCurve {
 }
 
 /** Pieces between rings that do not cross themselves; none where that cannot be had. */
-function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings): Manifold[] | null {
+function piecesOf({ library, selfCrossing }: Tools, mesh: MeshData, rings: Rings): Manifold[] | null {
   const fill = fillIn(library);
   const pieces: Manifold[] = [];
   const fail = () => {
@@ -73,7 +80,7 @@ function piecesOf(library: ManifoldToplevel, mesh: MeshData, rings: Rings): Mani
   while (ranges.length > 0) {
     const [from, to] = ranges.pop()!;
     const piece = pieceOf(mesh, rings, from, to, fill);
-    const clean = !crossesItself(piece);
+    const clean = selfCrossing(piece) === null;
     if (clean && signedVolume(piece) <= 0) return fail();
     if (clean) pieces.push(bare(library, piece.positions, piece.triangles));
     else if (to - from > 1) ranges.push([from, (from + to) >> 1], [(from + to) >> 1, to]);
@@ -92,24 +99,20 @@ function hulls(library: ManifoldToplevel, mesh: MeshData, rings: Rings, from: nu
   });
 }
 
-export function crossesItself({ positions, triangles }: MeshData): boolean {
-  return findCrossings(positions, triangles, 1).length > 0;
-}
-
 /** The part as a solid. Throws FaultyPart. */
-export function importPart(library: ManifoldToplevel, mesh: MeshData, register: Register): Manifold {
-  const [crossing] = findCrossings(mesh.positions, mesh.triangles, 1);
+export function importPart(tools: Tools, mesh: MeshData, register: Register): Manifold {
+  const { library, selfCrossing } = tools,
+    crossing = selfCrossing(mesh);
   if (!crossing) return fromMesh(library, mesh, register);
-  const fault = new FaultyPart(placeOf(crossing, mesh.positions, mesh.triangles));
-  const rings = ringsOf(mesh);
-  const pieces =
-    rings && runForward(mesh, rings) ? piecesOf(library, { ...mesh, uv: new Float32Array() }, rings) : null;
+  const fault = new FaultyPart(crossing),
+    rings = ringsOf(mesh),
+    pieces = rings && runForward(mesh, rings) ? piecesOf(tools, { ...mesh, uv: new Float32Array() }, rings) : null;
   if (!pieces?.length) throw fault;
   const solid = withoutCrumbs(library, united(library, pieces)),
     { vertProperties: positions, triVerts: triangles } = solid.getMesh();
   const sound = solid.status() === 'NoError' && triangles.length > 0;
   solid.delete();
-  if (!sound || findCrossings(positions, triangles, 1).length > 0) throw fault;
+  if (!sound || selfCrossing({ positions, triangles })) throw fault;
   return fromMesh(library, { positions, triangles, uv: uvOn(mesh, positions) }, register);
 }
 

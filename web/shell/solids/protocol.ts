@@ -1,6 +1,5 @@
 // What the page and the worker of solids tell each other. Positions are in the world's units (the longer
 // side of a picture is 1), matrices are 4 × 4 in columns.
-import type { Faces } from './flaps.ts';
 
 /** A closed mesh, as the engine has it; uv may be empty. */
 export interface MeshData {
@@ -43,7 +42,7 @@ export interface SolveRequest {
   id: number;
   /** In an order in which operands come first. */
   nodes: SolidNode[];
-  /** Keys of the nodes whose meshes are wanted. None: the last one is likely to be, and made ready. */
+  /** Keys of the nodes whose meshes are wanted. */
   wanted: string[];
   /** Meshes that this worker has not been given yet, by key. */
   meshes: Record<string, MeshData>;
@@ -52,31 +51,6 @@ export interface SolveRequest {
 /** The part that is likely to be edited next; null: none. */
 export interface ExpectRequest {
   expect: number | null;
-}
-
-/** A union is likely soon: a worker with nothing to do makes itself quick; `large`: and the second worker. */
-export interface WarmRequest {
-  warm: { large: boolean };
-}
-
-/** A share of a union, for a second worker. */
-export interface ShareRequest {
-  share: number;
-  operands: PartOperand[];
-  meshes: Record<string, MeshData>;
-}
-
-/** What a second worker made of its share. */
-export interface SharedUnion {
-  faces: Faces;
-  /** What its original ids are; `mesh`: what had to be made of the operand's, so that it does not cross itself. */
-  sources: { id: number; operand: PartOperand; mesh: MeshData | null }[];
-}
-
-/** Null: it could not be had. */
-export interface ShareAnswer {
-  share: number;
-  union: SharedUnion | null;
 }
 
 /** Faces [first, first + count) come from this part. */
@@ -112,8 +86,6 @@ export type WorkerMessage =
   | { type: 'ready' }
   /** It holds the lock that ends with it (lifeline.ts). */
   | { type: 'alive' }
-  /** It has made itself quick. */
-  | { type: 'warm' }
   | { type: 'progress'; id: number; done: number }
   | {
       type: 'solid';

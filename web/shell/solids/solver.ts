@@ -1,12 +1,12 @@
-// The solver of solids as the page has it: one worker, which is started when the first solid is asked for and again
-// after it died or was stopped. Answers go to the engine as they come.
-import type { ExpectRequest, SolidMesh, SolidNode, SolveRequest, WarmRequest, WorkerMessage } from './protocol.ts';
+// The solver of solids as the page has it: one worker, which is started when a solid is likely to be asked for and
+// again, by a request, after it died or was stopped. What is asked for is the engine's to know (SolidWork in web);
+// answers go to it as they come.
+import type { ExpectRequest, MeshData, SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
 
-/** What the engine asks: {type: 'solve'}; addresses are of its memory, valid while the event is delivered. */
+/** What the engine asks; meshes are its own arrays, and theirs only while it asks. */
 export interface SolveEvent {
-  type: 'solve';
   id: number;
-  meshes: { key: string; vertices: number; triangles: number; positions: number; uv: number; corners: number }[];
+  meshes: { key: string; mesh: MeshData }[];
   nodes: SolidNode[];
   wanted: string[];
 }
@@ -15,25 +15,21 @@ export interface SolveEvent {
 export interface SolidWorker {
   onmessage: ((event: { data: WorkerMessage }) => void) | null;
   onerror: ((event: unknown) => void) | null;
-  postMessage(message: SolveRequest | ExpectRequest | WarmRequest, transfer: Transferable[]): void;
+  postMessage(message: SolveRequest | ExpectRequest, transfer: Transferable[]): void;
   terminate(): void;
 }
 
 export interface SolverHost {
   start(): SolidWorker;
-  /** Floats and whole numbers of the engine's memory, copied. */
-  floats(address: number, count: number): Float32Array;
-  integers(address: number, count: number): Uint32Array;
-  /** Hands an answer on; see web/app/solid_work.h. */
+  /** Hands an answer on; see SolidWork::take. */
   answer(json: string, bytes: Uint8Array | null): void;
 }
 
-/** How many meshes the worker is counted on to still have. */
+/** How many requests long the worker is counted on to still have a mesh. */
 const kKnownRequests = 8;
 
 export class Solver {
   private worker: SolidWorker | null = null;
-  private asked: number | null = null;
   /** Meshes that the worker has, and the request that last named them. */
   private readonly known = new Map<string, number>();
   private requests = 0;
@@ -43,41 +39,28 @@ export class Solver {
 
   constructor(private readonly host: SolverHost) {}
 
-  get isBusy(): boolean {
-    return this.asked !== null;
-  }
-
   /** Memory that the worker had grown to when it last answered; 0 without one. */
   get memory(): number {
     return this.worker ? this.bytes : 0;
   }
 
-  /** Called while the event is delivered: what is not copied now may be gone. */
-  ask(event: SolveEvent): void {
+  /** Called while the engine asks: what is not copied now may be gone. */
+  ask({ id, nodes, wanted, meshes: named }: SolveEvent): void {
     this.requests += 1;
     for (const [key, request] of this.known) if (request + kKnownRequests < this.requests) this.known.delete(key);
-    const meshes: SolveRequest['meshes'] = {},
-      transfer: Transferable[] = [];
-    for (const mesh of event.meshes) {
-      if (!this.known.has(mesh.key) || !this.worker) {
-        const data = {
-          positions: this.host.floats(mesh.positions, 3 * mesh.vertices),
-          uv: mesh.uv === 0 ? new Float32Array() : this.host.floats(mesh.uv, 2 * mesh.vertices),
-          triangles: this.host.integers(mesh.corners, 3 * mesh.triangles),
-        };
-        meshes[mesh.key] = data;
-        transfer.push(
-          data.positions.buffer as ArrayBuffer,
-          data.uv.buffer as ArrayBuffer,
-          data.triangles.buffer as ArrayBuffer,
-        );
-      }
-      this.known.set(mesh.key, this.requests);
+    const meshes: SolveRequest['meshes'] = {};
+    for (const { key, mesh } of named) {
+      if (!this.known.has(key) || !this.worker)
+        meshes[key] = { positions: mesh.positions.slice(), uv: mesh.uv.slice(), triangles: mesh.triangles.slice() };
+      this.known.set(key, this.requests);
     }
-    this.asked = event.id;
+    const arrays = Object.values(meshes).flatMap(({ positions, uv, triangles }) => [positions, uv, triangles]);
     try {
-      this.worker ??= this.start();
-      this.worker.postMessage({ id: event.id, nodes: event.nodes, wanted: event.wanted, meshes }, transfer);
+      this.worker ??= this.started();
+      this.worker.postMessage(
+        { id, nodes, wanted, meshes },
+        arrays.map((array) => array.buffer as ArrayBuffer),
+      );
     } catch {
       this.lost();
     }
@@ -89,27 +72,27 @@ export class Solver {
     this.worker?.postMessage({ expect: part }, []);
   }
 
-  /**
-   * A solid is likely to be asked for soon, a large union where `large`: the worker starts and makes itself quick. Not
-   * after one has died or was stopped: the next is started by a request.
-   */
-  warm(large: boolean): void {
-    if (this.asked !== null || (!this.worker && this.wasStarted)) return;
+  /** A solid is likely to be asked for soon. What died or was stopped is started by a request alone. */
+  start(): void {
+    if (this.wasStarted) return;
     try {
-      this.worker ??= this.start();
-      this.worker.postMessage({ warm: { large } }, []);
+      this.worker = this.started();
     } catch {
-      this.lost();
+      // The first request tries again, and says so.
     }
   }
 
   /** Ends what the worker is at; the next request starts a fresh one. */
   stop(): void {
-    this.asked = null;
-    this.drop();
+    const { worker } = this;
+    this.worker = null;
+    this.known.clear();
+    if (!worker) return;
+    worker.onmessage = worker.onerror = null;
+    worker.terminate();
   }
 
-  private start(): SolidWorker {
+  private started(): SolidWorker {
     const worker = this.host.start();
     this.wasStarted = true;
     worker.onmessage = ({ data }) => this.take(data);
@@ -120,38 +103,28 @@ export class Solver {
     return worker;
   }
 
-  private drop(): void {
-    const { worker } = this;
-    this.worker = null;
-    this.known.clear();
-    if (!worker) return;
-    worker.onmessage = worker.onerror = null;
-    worker.terminate();
-  }
-
   private lost(): void {
-    const id = this.asked;
     this.stop();
-    if (id !== null) this.host.answer(JSON.stringify({ id, lost: true }), null);
+    this.host.answer(JSON.stringify({ lost: true }), null);
   }
 
   private take(message: WorkerMessage): void {
-    if (message.type === 'ready' || message.type === 'alive' || message.type === 'warm') return;
-    if (message.type === 'solid') {
-      const { mesh, ...rest } = message;
-      this.host.answer(
-        JSON.stringify({ ...rest, ...(mesh ? { mesh: headOf(mesh) } : {}) }),
-        mesh ? packed(mesh) : null,
-      );
-      return;
+    switch (message.type) {
+      case 'solid': {
+        const { mesh, ...rest } = message;
+        const head = mesh ? { mesh: headOf(mesh) } : {};
+        this.host.answer(JSON.stringify({ ...rest, ...head }), mesh ? packed(mesh) : null);
+        break;
+      }
+      case 'done':
+        this.bytes = message.bytes;
+        this.host.answer(JSON.stringify({ id: message.id, done: true }), null);
+        break;
+      case 'progress':
+        this.host.answer(JSON.stringify({ id: message.id, progress: message.done }), null);
+        break;
+      default: // it is ready, or alive
     }
-    if (message.type === 'done') {
-      this.bytes = message.bytes;
-      if (message.id === this.asked) this.asked = null;
-      this.host.answer(JSON.stringify({ id: message.id, done: true }), null);
-      return;
-    }
-    this.host.answer(JSON.stringify({ id: message.id, progress: message.done }), null);
   }
 }
 

@@ -1,5 +1,7 @@
 // Where faces of solids come from. The library unites places alone, which is quicker; whose a face is and what lies on
 // it is found afterwards, from the source that it was a piece of.
+import { inverseOf, rowsOf } from './affine.ts';
+import type { Rows } from './affine.ts';
 import type { Faces } from './flaps.ts';
 import type { MeshData, PartRun } from './protocol.ts';
 
@@ -25,60 +27,15 @@ export interface Carried extends MeshData {
   mergeTo: Uint32Array;
 }
 
-/** From the world back to the space of a run's source; three rows of four. Null: they are the same. */
-function toSource(m: Float32Array): Float64Array | null {
-  const [a, b, c, d, e, f, g, h, i, x, y, z] = m as unknown as [
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-  ];
-  if (
-    a === 1 &&
-    e === 1 &&
-    i === 1 &&
-    b === 0 &&
-    c === 0 &&
-    d === 0 &&
-    f === 0 &&
-    g === 0 &&
-    h === 0 &&
-    x === 0 &&
-    y === 0 &&
-    z === 0
-  )
-    return null;
-  const det = a * (e * i - f * h) - d * (b * i - c * h) + g * (b * f - c * e);
-  const rows = [
-    e * i - f * h,
-    g * f - d * i,
-    d * h - g * e,
-    c * h - b * i,
-    a * i - g * c,
-    g * b - a * h,
-    b * f - c * e,
-    d * c - a * f,
-    a * e - d * b,
-  ].map((n) => n / det);
-  const back = new Float64Array(12);
-  for (let row = 0; row < 3; row += 1) {
-    const [p, q, r] = rows.slice(3 * row, 3 * row + 3) as [number, number, number];
-    back.set([p, q, r, -(p * x + q * y + r * z)], 4 * row);
-  }
-  return back;
+/** From the world back to the space of a run's source, whose matrix has three numbers a column. Null: they are the same. */
+function toSource(matrix: Float32Array): Rows | null {
+  const isIdentity = matrix.every((x, i) => x === (i % 4 === 0 ? 1 : 0));
+  return isIdentity ? null : inverseOf(rowsOf(matrix, 3));
 }
 
 /** Writes the uv of places on the faces of a source. */
 class Painter {
-  private readonly back: Float64Array | null;
+  private readonly back: Rows | null;
   private readonly mesh: MeshData | null;
 
   constructor(

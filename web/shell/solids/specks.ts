@@ -3,23 +3,19 @@ import { facesWhere } from './flaps.ts';
 import type { Faces } from './flaps.ts';
 import { sizeOf } from './sizes.ts';
 import { rootsOf } from './topology.ts';
-import { kTouch } from './crossings.ts';
+import { boxOf } from './room.ts';
+
+/** Share of a thing's size down to which float coordinates are sure, seven digits. */
+const kSure = 1e-6;
 
 /** Whether something of this volume and area is thinner in the mean than coordinates of a thing of this diagonal are sure. */
 export function isSpeck({ volume, area }: { volume: number; area: number }, diagonal: number): boolean {
-  return 2 * Math.abs(volume) <= kTouch * diagonal * area;
+  return 2 * Math.abs(volume) <= kSure * diagonal * area;
 }
 
 function diagonalOf(positions: Float32Array): number {
-  const low = [Infinity, Infinity, Infinity],
-    high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i += 3) {
-    for (let k = 0; k < 3; k += 1) {
-      low[k] = Math.min(low[k]!, positions[i + k]!);
-      high[k] = Math.max(high[k]!, positions[i + k]!);
-    }
-  }
-  return Math.hypot(high[0]! - low[0]!, high[1]! - low[1]!, high[2]! - low[2]!);
+  const { low, high } = boxOf(positions);
+  return Math.hypot(...high.map((x, k) => x - low[k]!));
 }
 
 /** A mesh of several pieces without those, and the voids, that are specks of it. */

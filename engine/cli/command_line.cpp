@@ -1,0 +1,263 @@
+#include "engine/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "engine/cli/files.h"
+#include "engine/document/document.h"
+
+namespace spineloft::cli {
+namespace {
+
+constexpr std::array<std::string_view, 4> kCommands{"loft", "open", "edges", "bench"};
+constexpr const char* kModelFile =
+    "must end in .glb, .obj, .zip (OBJ with its picture), .stl, .3mf or .spineloft; .glb and .spineloft can be opened "
+    "again and edited";
+
+bool isHelp(std::string_view word) { return word == "--help" || word == "-h"; }
+
+std::string lowerExtension(const std::string& path) {
+  const std::size_t dot = path.find_last_of('.');
+  if (dot == std::string::npos || path.find('/', dot) != std::string::npos) return {};
+  std::string extension = path.substr(dot + 1);
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+template <class Names>
+std::vector<std::string> keysOf(const Names& names) {
+  std::vector<std::string> keys;
+  for (const auto& name : names) keys.emplace_back(name.key);
+  return keys;
+}
+
+/// One of these words.
+CLI::Validator oneOf(const std::vector<std::string>& keys) {
+  const std::string listed = CLI::detail::join(keys, ", ");
+  const auto check = [keys, listed](const std::string& word) {
+    return std::ranges::find(keys, word) != keys.end() ? "" : "there is no " + word + "; there are " + listed;
+  };
+  return CLI::Validator(check, listed);
+}
+
+/// A file that has one form only must not have the name of another.
+CLI::Validator endsIn(const std::string& ending) {
+  const auto check = [ending](const std::string& name) {
+    return lowerExtension(name) == ending ? "" : name + " must end in ." + ending;
+  };
+  return CLI::Validator(check, "FILE." + ending);
+}
+
+/// The same for texts, whose names may also have no ending at all.
+CLI::Validator endsInIfAtAll(const std::string& ending) {
+  const auto check = [ending](const std::string& name) {
+    const std::string has = lowerExtension(name);
+    return has.empty() || has == ending ? "" : name + " must end in ." + ending;
+  };
+  return CLI::Validator(check, "FILE." + ending);
+}
+
+CLI::Validator modelFile() {
+  const auto check = [](const std::string& name) {
+    return publish::formatFromKey(lowerExtension(name))
+               ? ""
+               : name + " must end in .glb, .obj, .zip, .stl, .3mf or .spineloft";
+  };
+  return CLI::Validator(check, "FILE");
+}
+
+std::optional<double> numberOf(const std::string& text) {
+  double value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// A number in a range; CLI11's own range lets "nan" through.
+CLI::Validator inRange(double least, double most, bool whole = false) {
+  std::ostringstream range;
+  range << (whole ? "a whole number from " : "a number from ") << least << " to " << most;
+  const auto check = [least, most, whole, words = range.str()](const std::string& text) {
+    const auto value = numberOf(text);
+    const bool fits = value && *value >= least && *value <= most && (!whole || *value == std::floor(*value));
+    return fits ? "" : words + " is wanted, not " + (text.empty() ? "nothing" : text);
+  };
+  return CLI::Validator(check, "N");
+}
+
+/// The program's commands, which write what they read into their arguments.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.description("spineloft " SPINELOFT_VERSION ": a picture and one stroke become a solid part");
+    app_.add_flag("--version")->description("the version");
+    app_.require_subcommand(1);
+    app_.footer("Exit code: 0 success, 2 wrong usage, 3 bad input or output.");
+    addLoft(*app_.add_subcommand("loft", "a picture and a stroke become a part"));
+    addOpen(*app_.add_subcommand("open", "derives a saved model again and writes it in any of the forms of loft"));
+    addEdges(*app_.add_subcommand("edges", "the edges that were found, as large as the picture"));
+    addBench(*app_.add_subcommand("bench", "accuracy and stage times of every case below a data folder"));
+  }
+
+  std::string help() const { return app_.help("", CLI::AppFormatMode::All); }
+
+  Arguments parse(std::span<const std::string_view> words);
+
+ private:
+  void addLoft(CLI::App& app);
+  void addOpen(CLI::App& app);
+  void addEdges(CLI::App& app);
+  void addBench(CLI::App& app);
+  std::optional<UsageProblem> problemOfLoft() const;
+
+  CLI::App app_;
+  LoftArguments loft_;
+  OpenArguments open_;
+  EdgesArguments edges_;
+  BenchArguments bench_;
+  bool objSpace_ = false;  // whether --obj-space is given
+};
+
+void CommandLine::addLoft(CLI::App& app) {
+  app.add_option("IMAGE", loft_.image, "the picture to loft from");
+  app.add_option("--stroke", loft_.stroke, "JSON: a list of [x, y] picture pixels, or {\"spines\": {name: list}}");
+  app.add_option("--stroke-name", loft_.strokeName, "which of the spines (default: the first)");
+  app.add_option_function<std::string>(
+         "--stroke-ends", [this](const std::string& ends) { loft_.wholeStroke = ends == "keep"; },
+         "cut (default): what clearly went past the thing is left off")
+      ->check(oneOf({"cut", "keep"}));
+  CLI::Option* section = app.add_option_function<std::string>(
+      "--section", [this](const std::string& key) { loft_.section = *loft::sectionFromKey(key); }, "the cross-section");
+  section->check(oneOf(keysOf(loft::sectionNames())));
+  CLI::Option* caps = app.add_option_function<std::string>(
+      "--caps", [this](const std::string& key) { loft_.caps = *loft::capFromKey(key); }, "both ends");
+  caps->check(oneOf(keysOf(loft::capNames())));
+  app.add_option("--recipe", loft_.recipe,
+                 "instead of --section and --caps: JSON of a part or of a whole document, as projects hold it; then "
+                 "IMAGE and --stroke are only needed where the recipe has no picture or no stroke of its own")
+      ->excludes(section)
+      ->excludes(caps);
+  std::ostringstream height;
+  height << "height of the model in GLB and STL (default " << document::Document{}.height.value << ")";
+  app.add_option_function<std::string>(
+         "--height-mm", [this](const std::string& text) { loft_.heightMm = numberOf(text); }, height.str())
+      ->check(inRange(document::kMinHeightMm, document::kMaxHeightMm));
+  app.add_option("--out", loft_.out, kModelFile)->check(modelFile());
+  app.add_option_function<std::string>(
+         "--obj-space",
+         [this](const std::string& space) {
+           objSpace_ = true;
+           loft_.objInPicture = space == "image";
+         },
+         "world (default: y up, millimetres) or image (picture pixels, y down, z towards the viewer)")
+      ->check(oneOf({"image", "world"}));
+  app.add_option("--mask", loft_.mask, "the part's silhouette, as large as the picture")->check(endsIn("png"));
+  app.add_option("--ribs", loft_.ribs, "the ribs' ends in picture pixels")->check(endsInIfAtAll("json"));
+  app.add_option("--report", loft_.report, "sizes, energy, mesh measures and times")->check(endsInIfAtAll("json"));
+}
+
+void CommandLine::addOpen(CLI::App& app) {
+  app.add_option("FILE", open_.file, "the project to open, .spineloft or .glb")->required();
+  app.add_option("--out", open_.out, kModelFile)->check(modelFile());
+  app.add_option("--document", open_.document, "the document as JSON")->check(endsInIfAtAll("json"));
+  app.add_option("--report", open_.report, "counts and times")->check(endsInIfAtAll("json"));
+}
+
+void CommandLine::addEdges(CLI::App& app) {
+  app.add_option("IMAGE", edges_.image, "the picture whose edges are wanted")->required();
+  app.add_option("--out", edges_.out, "the edges")->required()->check(endsIn("png"));
+}
+
+void CommandLine::addBench(CLI::App& app) {
+  app.add_option("DATA_DIR", bench_.folder, "the folder with the cases")->required();
+  app.add_option("--json", bench_.json, "the report")->check(endsInIfAtAll("json"));
+  app.add_option("--jobs", bench_.jobs, "cases at a time (default 1)")->check(inRange(1, 64, true));
+  app.add_option("--overlays", bench_.overlays, "a folder for pictures of what was found");
+}
+
+/// Outputs must not fall on one another or on an input; empty names are none.
+std::optional<UsageProblem> clash(std::span<const std::string> inputs, std::span<const std::string> outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].empty()) continue;
+    for (const std::string& input : inputs) {
+      if (!input.empty() && samePlace(outputs[i], input))
+        return UsageProblem{"The output " + outputs[i] + " would replace an input."};
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!outputs[j].empty() && samePlace(outputs[i], outputs[j]))
+        return UsageProblem{"Two outputs have the same name, " + outputs[i] + "."};
+    }
+  }
+  return std::nullopt;
+}
+
+/// What the options of a loft must be together.
+std::optional<UsageProblem> CommandLine::problemOfLoft() const {
+  if (loft_.image.empty() && loft_.recipe.empty()) return UsageProblem{"Name the picture to loft from."};
+  if (loft_.stroke.empty() && loft_.recipe.empty()) return UsageProblem{"Name the stroke's file with --stroke."};
+  if (objSpace_ && (loft_.out.empty() || publish::formatFromKey(lowerExtension(loft_.out)) != publish::Format::Obj))
+    return UsageProblem{"The option --obj-space needs an --out that ends in .obj."};
+  return clash(std::array{loft_.image, loft_.stroke, loft_.recipe},
+               std::array{loft_.out, loft_.mask, loft_.ribs, loft_.report});
+}
+
+/// What CLI11 says, as one sentence.
+UsageProblem problemOf(const CLI::ParseError& problem) {
+  std::string words = problem.what();
+  const std::string name = words.substr(0, words.find(':'));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) {
+    return {"The option " + name + (words.ends_with("missing") ? " needs a value." : " is given twice.")};
+  }
+  return {(words.starts_with("--") ? "The option " : "") + words + "."};
+}
+
+Arguments CommandLine::parse(std::span<const std::string_view> words) {
+  try {
+    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& problem) {
+    return problemOf(problem);
+  }
+  if (app_.got_subcommand("loft")) {
+    if (const auto problem = problemOfLoft()) return *problem;
+    loft_.format = publish::formatFromKey(lowerExtension(loft_.out)).value_or(loft_.format);
+    return loft_;
+  }
+  if (app_.got_subcommand("open")) {
+    if (const auto problem = clash({&open_.file, 1}, std::array{open_.out, open_.document, open_.report}))
+      return *problem;
+    open_.format = publish::formatFromKey(lowerExtension(open_.out)).value_or(open_.format);
+    return open_;
+  }
+  if (app_.got_subcommand("edges")) {
+    if (const auto problem = clash({&edges_.image, 1}, {&edges_.out, 1})) return *problem;
+    return edges_;
+  }
+  return bench_;
+}
+
+}  // namespace
+
+Arguments parseArguments(std::span<const std::string_view> words) {
+  if (words.empty()) return UsageProblem{"Say what to do: loft, open, edges or bench."};
+  const auto files = std::find(words.begin(), words.end(), "--");
+  if (std::any_of(words.begin(), files, isHelp)) return HelpArguments{};
+  if (words[0] == "--version") {
+    if (words.size() > 1) return UsageProblem{"The option --version stands alone."};
+    return VersionArguments{};
+  }
+  if (std::ranges::find(kCommands, words[0]) == kCommands.end())
+    return UsageProblem{"There is no command " + std::string(words[0]) + "; there are loft, open, edges and bench."};
+  return CommandLine().parse(words);
+}
+
+std::string usageText() { return CommandLine().help(); }
+
+}  // namespace spineloft::cli

@@ -1,0 +1,182 @@
+#include "engine/inflate/inflate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/refine.h"
+#include "engine/geometry/spread.h"
+#include "engine/inflate/poisson_height.h"
+#include "engine/mesh/two_sided.h"
+
+namespace spineloft::inflate {
+namespace {
+
+/// The first, coarse solution has this much of the spacing.
+constexpr double kCoarse = 1.8;
+/// A ball has four times the area of its disc; most regions have less, which only makes them finer.
+constexpr double kAreaOfBall = 4;
+/// Rows follow the rim until the surface leans by so much, radians.
+constexpr double kSteep = 0.95;
+constexpr std::size_t kMostRows = 64;
+/// Heights below this share of the spacing would make both sides touch.
+constexpr double kLeastHeightShare = 1e-3;
+
+/// A mesh with its heights, and what is needed to go on with it.
+struct Cushion {
+  geometry::PlaneMesh mesh;
+  std::vector<double> u;
+};
+
+double spacingFor(double area, int points) { return std::sqrt(kAreaOfBall * area / (std::sqrt(0.75) * points)); }
+
+/// A triangulation of even spacing with its solution; empty when it cannot be made.
+Cushion evenMargin(const geometry::PlaneRegion& region, double spacing) {
+  Cushion cushion{geometry::PlaneMesh(region.points, region.sizes), {}};
+  if (cushion.mesh.empty()) return cushion;
+  geometry::spreadPoints(cushion.mesh, region.sizes, {spacing, spacing},
+                         {[](std::size_t) { return std::vector<double>{}; }, [](SectionPoint) { return 0.0; }});
+  cushion.u = poissonHeight(cushion.mesh);
+  return cushion;
+}
+
+/// Distances at which h = height · √(ρ² − (ρ − d)²) has gone on by one spacing along its arc, and so on.
+std::vector<double> rowsFor(double radius, double height, double spacing) {
+  std::vector<double> rows;
+  const double round = radius * height * height;
+  if (!(round > 0)) return rows;
+  const double step = spacing / round;
+  for (std::size_t k = 1; k <= kMostRows && static_cast<double>(k) * step < kSteep; ++k) {
+    const double away = round * (1 - std::cos(static_cast<double>(k) * step));
+    if (away > 0.8 * radius) break;
+    rows.push_back(away);
+  }
+  return rows;
+}
+
+/// Points as dense as the surface over the coarse solution wants them, and the solution there.
+Cushion fineCushion(const geometry::PlaneRegion& region, const Cushion& coarse, double height, double spacing) {
+  Cushion cushion{geometry::PlaneMesh(region.points, region.sizes), {}};
+  const std::vector<double> radii = rimRadii(coarse.mesh, coarse.u);
+  const geometry::SurfaceOver surface{
+      [&](std::size_t corner) { return rowsFor(radii[corner], height, spacing); },
+      [&](SectionPoint p) { return height * std::sqrt(std::max(0.0, valueAt(coarse.mesh, coarse.u, p))); }};
+  geometry::spreadPoints(cushion.mesh, region.sizes, {spacing, spacing}, surface);
+  cushion.u = poissonHeight(cushion.mesh);
+  return cushion;
+}
+
+std::vector<double> heightsOf(const std::vector<double>& u, std::size_t rim, double height, double least) {
+  std::vector<double> heights(u.size(), 0.0);
+  for (std::size_t i = rim; i < u.size(); ++i) {
+    heights[i] = std::max(least, height * std::sqrt(std::max(0.0, u[i])));
+  }
+  return heights;
+}
+
+using Point = Vec3<ModelSpace>;
+
+/// Flips edges where the angles opposite them, measured on the surface, are too wide.
+void flipOnSurface(geometry::PlaneMesh& mesh, const std::vector<double>& heights) {
+  const auto at = [&](std::uint32_t p) { return Point{mesh.points()[p].x, mesh.points()[p].y, heights[p]}; };
+  struct Angle {
+    double sine, cosine;  ///< both times the lengths of the legs
+  };
+  const auto angle = [](Point a, Point tip, Point b) {
+    const Point v = a - tip, w = b - tip;
+    return Angle{norm(cross(v, w)), dot(v, w)};
+  };
+  const std::uint32_t rim = static_cast<std::uint32_t>(mesh.rim());
+  mesh.flipWhere(
+      [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        if (c < rim && d < rim) return false;  // would be a chord, where both sides meet
+        const Point pa = at(a), pb = at(b), pc = at(c), pd = at(d);
+        constexpr double kClearly = 1e-3;  // radians more than half a turn
+        const Angle one = angle(pa, pc, pb), other = angle(pa, pd, pb);
+        const double legs = (one.sine + std::abs(one.cosine)) * (other.sine + std::abs(other.cosine));
+        return one.sine * other.cosine + one.cosine * other.sine < -kClearly * legs;
+      },
+      4);
+}
+
+/// How far towards `to` a point may go: all of the way, a half, a quarter, or none, so that no triangle
+/// round it shrinks to less than kLeastShare of its area in the plane. Points next to the rim, where the
+/// surface is steep, would otherwise be drawn onto it.
+SectionPoint within(const geometry::PlaneMesh& mesh, std::uint32_t p, SectionPoint to,
+                    std::span<const std::uint32_t> fan) {
+  constexpr double kLeastShare = 0.4;
+  const auto& points = mesh.points();
+  for (const double share : {1.0, 0.5, 0.25}) {
+    const SectionPoint there = lerp(points[p], to, share);
+    const bool roomy = std::ranges::all_of(fan, [&](std::uint32_t t) {
+      const auto at = [&](std::uint32_t corner) { return corner == p ? there : points[corner]; };
+      const auto& [a, b, c] = mesh.triangles()[t];
+      const double was = cross(points[b] - points[a], points[c] - points[a]);
+      return cross(at(b) - at(a), at(c) - at(a)) >= kLeastShare * was;
+    });
+    if (roomy) return there;
+  }
+  return points[p];
+}
+
+/// Once moves inner points towards the middle of what is round them on the surface, and looks up how high
+/// the surface is there.
+void relax(Cushion& cushion, double height, double least) {
+  geometry::PlaneMesh& mesh = cushion.mesh;
+  const std::vector<double> heights = heightsOf(cushion.u, mesh.rim(), height, least);
+  flipOnSurface(mesh, heights);
+  const geometry::PlaneMesh::Fans fans = mesh.fans();
+  for (std::uint32_t p = static_cast<std::uint32_t>(mesh.rim()); p < mesh.points().size(); ++p) {
+    SectionPoint sum{};
+    double weights = 0;
+    for (const std::uint32_t t : fans.at(p)) {
+      const auto& [a, b, c] = mesh.triangles()[t];
+      const auto& points = mesh.points();
+      const Point pa{points[a].x, points[a].y, heights[a]};
+      const Point pb{points[b].x, points[b].y, heights[b]};
+      const Point pc{points[c].x, points[c].y, heights[c]};
+      const double area = norm(cross(pb - pa, pc - pa));
+      sum += (points[a] + points[b] + points[c]) * (area / 3);
+      weights += area;
+    }
+    if (weights > 0) mesh.move(p, within(mesh, p, sum / weights, fans.at(p)), fans.at(p));
+  }
+  cushion.u = poissonHeight(mesh);
+  if (cushion.u.empty()) return;
+  flipOnSurface(mesh, heightsOf(cushion.u, mesh.rim(), height, least));
+}
+
+}  // namespace
+
+Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
+                                    const InflateParams& params) {
+  if (!isValid(params)) return Error::ValueOutOfRange;
+  const double area = geometry::areaOf(contours);
+  if (!(area > 0)) return Error::RegionEmpty;
+  const double spacing = spacingFor(area, params.points);
+  const geometry::PlaneRegion region = geometry::planeRegion(geometry::sampleRegion(contours, spacing));
+  const Cushion coarse = evenMargin(region, kCoarse * spacing);
+  if (coarse.u.empty()) return Error::RegionTooFine;
+  Cushion fine = fineCushion(region, coarse, params.height, spacing);
+  if (fine.u.empty()) return Error::RegionTooFine;
+  const double least = kLeastHeightShare * spacing;
+  relax(fine, params.height, least);
+  if (fine.u.empty()) return Error::RegionTooFine;
+  const std::vector<double> up = heightsOf(fine.u, region.points.size(), params.height, least);
+  const mesh::PictureSize size{static_cast<double>(picture.width), static_cast<double>(picture.height)};
+  const std::vector<double> flat(coarse.u.size(), 0.0);
+  std::vector<double> down(up.size());
+  std::ranges::transform(up, down.begin(), [](double h) { return -h; });
+  const mesh::Side front{fine.mesh, up}, back{fine.mesh, down}, plane{coarse.mesh, flat};
+  switch (params.sides) {
+    case InflateSides::Front:
+      return solidBetween(front, plane, region.sizes, size);
+    case InflateSides::Back:
+      return solidBetween(plane, back, region.sizes, size);
+    case InflateSides::Both:
+    case InflateSides::kCount:
+      break;
+  }
+  return solidBetween(front, back, region.sizes, size);
+}
+
+}  // namespace spineloft::inflate

@@ -1,0 +1,61 @@
+// The parameters of the search for ribs.
+#pragma once
+
+namespace spineloft::ribs {
+
+/// How fair the line is to be.
+struct FairingParams {
+  double stiffness = 5;       ///< weight of second differences, 0 (off) … 1000; a steady taper is free
+  double leastTrust = 0.005;  ///< what an end without any edge still weighs, 0.0001…1
+  /// Second differences above this share of the mean length are corners, which are kept (0.001…10).
+  double corner = 0.2;
+  /// An end that lies farther than this share of the mean length off the line hardly counts any more
+  /// (0.001…10).
+  double outlier = 0.32;
+  bool operator==(const FairingParams&) const = default;
+};
+
+/// Which evidence counts how much; a weight of 0 switches a term off. The terms are those of
+/// evidence.h; the weights are the maximum-likelihood ones of a softmax over the labels of single
+/// curves against true outlines, checked by leaving one category of pictures out.
+struct EvidenceParams {
+  double proximityWeight = 2.2;      ///< nearness to a Canny edge (the paper's only evidence), 0…10
+  double contrastWeight = 3.2;       ///< contrast across the contour, coherent along it, 0…10
+  double localContrastWeight = 1.2;  ///< the same, against the contrasts near by, 0…10
+  double beyondWeight = 0.55;        ///< against edges further out, 0…10
+  double insideWeight = 0.75;        ///< against colours foreign to the spine inside, 0…10
+  double outsideWeight = 1.4;        ///< for colours foreign to the spine outside, 0…10
+  /// For colours that change here, once those around the object are known; 0…10, 0: no third look.
+  double rimWeight = 0.3;
+  double contrastReach = 2;  ///< half-length over which contrast is taken, map pixels, 0.5…20
+  /// Share of the best even part's half width whose colours count as the object's in a second look;
+  /// 0 (no second look) … 0.9.
+  double knownShare = 0.5;
+  double doubt = 0.3;   ///< chance given to a curve being misled, 0.001…10
+  double weight = 0.3;  ///< of all evidence against the shape terms, 0…10
+  bool operator==(const EvidenceParams&) const = default;
+};
+
+/// Everything the search can be told; a RibSet depends on nothing else. Weights are as for 100 ribs:
+/// with more of them each counts for less, so that the part does not depend on their number. The defaults are the ones
+/// the benchmark measures.
+struct RibParams {
+  int levels = 128;               ///< K: labels of the dynamic programme, 16…512
+  double maxLevelShare = 0.5;     ///< largest d2 level as a share of the picture's diagonal, 0.01…1
+  double neighbourWeight = 0.7;   ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), 0…100
+  double neighbourFreedom = 0.1;  ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), 0…10
+  double neighbourCap = 8.0;      ///< most that one jump between neighbours costs, 0.01…1000
+  /// Against unequal opposite ribs, once the lean of the stroke is known (lean.h). SpineLoft 3.3.2:
+  /// 0.25, without a lean. 0…100
+  double oppositeWeight = 1.0;
+  double medialOffsetCost = 0.1;  ///< of a stroke being off the middle, per rib, 0…10
+  double priorWeight = 0.02;      ///< pull to a middle level where the energy is flat (method: "Measurements"), 0…10
+  EvidenceParams evidence = {};
+  FairingParams fairing = {};
+  bool operator==(const RibParams&) const = default;
+};
+
+/// Every value finite and in its range.
+bool inRange(const RibParams& params);
+
+}  // namespace spineloft::ribs

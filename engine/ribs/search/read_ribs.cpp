@@ -1,0 +1,141 @@
+#include <cmath>
+#include <span>
+
+#include "engine/ribs/evidence/ink_centreline.h"
+#include "engine/ribs/labels/runner_up.h"
+#include "engine/ribs/search/end_search.h"
+#include "engine/ribs/search/rib_search.h"
+
+namespace spineloft::ribs {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// Edge where the end stands on one; Bridged between two of those; else Guessed.
+const std::vector<RibState>& endStates(const std::vector<int>& labels, bool leftSide, Search& s) {
+  const int ribs = s.problem.ribs;
+  std::vector<RibState>& states = s.states;
+  states.assign(index(ribs), RibState::Guessed);
+  int last = -1;
+  for (int i = 0; i < ribs; ++i) {
+    const int curve = s.curves.layout.sideOf(i, leftSide);
+    if (s.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
+    states[index(i)] = RibState::Edge;
+    if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
+    last = i;
+  }
+  return states;
+}
+
+// Confidence and other places of the ends of one side, from its min-marginals.
+void readRunnersUp(Search& s, const LengthLabels& labels, bool leftSide, RibSet& set) {
+  std::vector<float>& marginals = s.marginals;
+  sideMarginals(s.problem, labels, leftSide, s.workspace, marginals);
+  for (int i = 0; i < s.problem.ribs; ++i) {
+    const int curve = s.curves.layout.sideOf(i, leftSide);
+    const std::size_t reached = index(s.curves.reached[index(curve)]);
+    const auto row = [&](const std::vector<float>& values, std::size_t first) {
+      return std::span<const float>(&values[first], reached);
+    };
+    const std::size_t first = s.curves.at(curve, 0);
+    const RunnerUpRow runnersUp{row(marginals, index(i) * index(s.problem.levels)), row(s.curves.along, first),
+                                row(s.support, first), (leftSide ? labels.left : labels.right)[index(i)],
+                                static_cast<float>(shareOfRib(s))};
+    Rib& rib = set.ribs[index(i)];
+    (leftSide ? rib.leftConfidence : rib.rightConfidence) = confidenceOf(runnersUp);
+    OtherPlaces& others = leftSide ? rib.leftOthers : rib.rightOthers;
+    for (const RunnerUp& rival : findRunnersUp(runnersUp, s.runnersUp)) {
+      others.at[index(others.count++)] = s.curves.point(curve, rival.label);
+    }
+  }
+}
+
+// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair. An end on a
+// fainter edge than others near by is led by these.
+const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftSide, Search& s) {
+  const std::vector<float>& strengths = strengthsOf(labels, leftSide, s);
+  SideLengths& side = s.lengths;
+  side.length.clear();
+  side.trust.clear();
+  for (int i = 0; i < s.problem.ribs; ++i) {
+    const int curve = s.curves.layout.sideOf(i, leftSide);
+    const std::size_t at = s.curves.at(curve, labels[index(i)]);
+    const auto strength = static_cast<double>(strengths[index(i)]);
+    const double support = static_cast<double>(s.support[at]) * strength * strength;
+    const double length = s.curves.along[at];
+    side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
+    side.trust.push_back(support * support);
+  }
+  return fairLengths(side, s.params.fairing, s.fairing);
+}
+
+// One side's ends of `set` at arc lengths along their curves.
+void placeSide(bool leftSide, const std::vector<double>& lengths, Search& s, RibSet& set) {
+  const std::vector<int>& labels = leftSide ? s.labels.left : s.labels.right;
+  const std::vector<RibState>& states = endStates(labels, leftSide, s);
+  for (int i = 0; i < s.problem.ribs; ++i) {
+    Rib& rib = set.ribs[index(i)];
+    const int curve = s.curves.layout.sideOf(i, leftSide);
+    rib.center = s.spine.points[index(i)];
+    (leftSide ? rib.left : rib.right) = s.curves.pointAlong(curve, lengths[index(i)]);
+    (leftSide ? rib.leftState : rib.rightState) = states[index(i)];
+    (leftSide ? rib.leftLevel : rib.rightLevel) = s.levels.d2[index(labels[index(i)])];
+  }
+}
+
+void readEnergy(const Search& s, RibSet& set) {
+  const LengthLabels& labels = s.labels;
+  set.energy = energyOf(s.problem, labels);
+  const double middle = 0.5 * (s.problem.levels - 1);
+  for (const auto* side : {&labels.left, &labels.right}) {
+    for (int label : *side) set.energy.prior += s.params.priorWeight * std::abs(label - middle) / middle;
+  }
+  set.energy.distance -= set.energy.prior;
+}
+
+// The label nearest to an arc length along a curve; not the spine itself where the curve goes on.
+int nearestLabel(const GradientCurves& curves, int curve, double length) {
+  const int reached = curves.reached[index(curve)];
+  const float *along = &curves.along[curves.at(curve, 0)], sought = static_cast<float>(length);
+  int k = reached > 1 ? 1 : 0;
+  while (k + 1 < reached && along[k + 1] - sought < sought - along[k]) ++k;
+  return k;
+}
+
+}  // namespace
+
+void readRibs(bool withRivals, Search& s, RibSet& set) {
+  set.ribs.assign(index(s.problem.ribs), Rib{});
+  for (const bool leftSide : {true, false})
+    placeSide(leftSide, endLengths(leftSide ? s.labels.left : s.labels.right, leftSide, s), s, set);
+  if (withRivals) {
+    readRunnersUp(s, s.labels, true, set);
+    readRunnersUp(s, s.labels, false, set);
+  }
+  s.shapes = {findEnd(true, set, s), findEnd(false, set, s)};
+  readEnergy(s, set);
+}
+
+void readRibsAt(const std::vector<float>& lengths, std::array<EndShape, 2> shapes, Search& s, RibSet& set) {
+  set.ribs.assign(index(s.problem.ribs), Rib{});
+  for (const bool leftSide : {true, false}) {
+    std::vector<int>& labels = leftSide ? s.labels.left : s.labels.right;
+    std::vector<double>& side = s.lengths.length;
+    side.clear();
+    for (int i = 0; i < s.problem.ribs; ++i) {
+      const int curve = s.curves.layout.sideOf(i, leftSide);
+      labels[index(i)] = nearestLabel(s.curves, curve, static_cast<double>(lengths[index(curve)]));
+      const float least = s.curves.along[s.curves.at(curve, std::min(1, s.curves.reached[index(curve)] - 1))];
+      side.push_back(static_cast<double>(std::max(least, lengths[index(curve)])));
+    }
+    placeSide(leftSide, side, s, set);
+  }
+  readRunnersUp(s, s.labels, true, set);
+  readRunnersUp(s, s.labels, false, set);
+  s.shapes = shapes;
+  placeEnd(true, lengths, set, s);
+  placeEnd(false, lengths, set, s);
+  readEnergy(s, set);
+}
+
+}  // namespace spineloft::ribs

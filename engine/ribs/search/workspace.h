@@ -1,0 +1,28 @@
+// Memory that tracing ribs reuses from stroke to stroke.
+#pragma once
+
+#include <memory>
+
+namespace spineloft::ribs {
+
+/// What traceRibs keeps besides its result: field, curves, picture along them, costs, and the tables of
+/// the evidence, the leans and the search. A result never depends on what the memory was used for before. Belongs to
+/// one thread; may be moved.
+class RibWorkspace {
+ public:
+  RibWorkspace();
+  ~RibWorkspace();
+  RibWorkspace(RibWorkspace&&) noexcept;
+  RibWorkspace& operator=(RibWorkspace&&) noexcept;
+
+  struct Search;
+  /// Made when first asked for.
+  Search& search();
+  /// A second one, for the perturbed strokes (ensemble.h).
+  Search& other();
+
+ private:
+  std::unique_ptr<Search> search_, other_;
+};
+
+}  // namespace spineloft::ribs

@@ -1,0 +1,119 @@
+// What the commands do, by group; the table (commands.cpp) names them.
+#pragma once
+
+#include "web/commands/commands.h"
+
+namespace spineloft::app {
+
+/// Rows whose functions are not beside them.
+namespace rows {
+// Board and files.
+Outcome openPicture(const CommandEnv& env, const Json& args);
+Outcome clearBoard(const CommandEnv& env, const Json& args);
+Outcome saveGlb(const CommandEnv& env, const Json& args);
+Outcome saveStl(const CommandEnv& env, const Json& args);
+
+// Parts.
+Outcome drawSpine(const CommandEnv& env, const Json& args);
+Outcome redrawSpine(const CommandEnv& env, const Json& args);
+Outcome newPart(const CommandEnv& env, const Json& args);
+Outcome redrawMode(const CommandEnv& env, const Json& args);
+Outcome deletePart(const CommandEnv& env, const Json& args);
+Outcome selectPart(const CommandEnv& env, const Json& args);
+Outcome nextPart(const CommandEnv& env, const Json& args);
+Outcome renamePart(const CommandEnv& env, const Json& args);
+Outcome showPart(const CommandEnv& env, const Json& args);
+Outcome setSection(const CommandEnv& env, const Json& args);
+Outcome setCaps(const CommandEnv& env, const Json& args);
+Outcome toggleTexture(const CommandEnv& env, const Json& args);
+Outcome setColour(const CommandEnv& env, const Json& args);
+Outcome setParameter(const CommandEnv& env, const Json& args);
+
+// Views.
+Outcome homeView(const CommandEnv& env, const Json& args);
+Outcome fitView(const CommandEnv& env, const Json& args);
+Outcome zoomIn(const CommandEnv& env, const Json& args);
+Outcome zoomOut(const CommandEnv& env, const Json& args);
+Outcome turnLeft(const CommandEnv& env, const Json& args);
+Outcome turnRight(const CommandEnv& env, const Json& args);
+Outcome turnUp(const CommandEnv& env, const Json& args);
+Outcome turnDown(const CommandEnv& env, const Json& args);
+Outcome focusPicture(const CommandEnv& env, const Json& args);
+Outcome focusSolid(const CommandEnv& env, const Json& args);
+}  // namespace rows
+
+// Printing.
+/// Checks the model as it is, and says what it found; when the solver had to be waited for.
+Outcome reportPrint(const CommandEnv& env);
+
+// Cutting out.
+/// Leaves the thing that is being cut out; nothing without one.
+void closeCut(const CommandEnv& env);
+/// The same once its picture, its part or its tool is gone.
+void settleCut(const CommandEnv& env);
+/// Undo and redo of the marks while a thing is being cut out; undo without a mark leaves it. Errors:
+/// NothingToRedo.
+Status undoMark(const CommandEnv& env);
+Status redoMark(const CommandEnv& env);
+bool canUndoMark(const CommandEnv& env);
+bool canRedoMark(const CommandEnv& env);
+
+// Sections.
+/// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
+Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name);
+/// Hands the shelf to the shell, which keeps it.
+void sendShelf(const CommandEnv& env);
+/// Undo and redo of the open board. Errors: NothingToUndo, NothingToRedo.
+Status undoOnBoard(const CommandEnv& env);
+Status redoOnBoard(const CommandEnv& env);
+bool canUndoOnBoard(const CommandEnv& env);
+bool canRedoOnBoard(const CommandEnv& env);
+/// The command of a key while the board is open; null: the board has no use for it.
+const Command* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event);
+
+/// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other
+/// parts of its picture, or beside what is there (pipeline::standBeside). One step.
+std::vector<document::Action> standingActions(const CommandEnv& env, document::Action draw,
+                                              const document::Recipe& recipe);
+/// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
+const document::Part* partOf(const CommandEnv& env, const Json& args);
+/// The lofted part that `args` name, else the selected one; null when there is none.
+const document::Part* loftPartOf(const CommandEnv& env, const Json& args);
+
+// What commands need. A part is selected; it is a loft (has a spine, ribs and sections); one of its ribs is chosen; it
+// stands in a pose; it is a puff or a flat piece; it is in a group. More than one part is in hand. A solid is chosen;
+// there is something to scoop out.
+bool partIsSelected(const CommandEnv& env);
+bool spineIsSelected(const CommandEnv& env);
+bool ribIsChosen(const CommandEnv& env);
+bool poseIsSelected(const CommandEnv& env);
+bool regionIsSelected(const CommandEnv& env);
+bool groupIsSelected(const CommandEnv& env);
+bool severalInHand(const CommandEnv& env);
+bool stepIsChosen(const CommandEnv& env);
+bool somethingToHollow(const CommandEnv& env);
+inline constexpr Condition hasSelection{partIsSelected, Condition::Part};
+inline constexpr Condition hasSpine{spineIsSelected, Condition::Part, Error::NotABone};
+inline constexpr Condition hasChosenRib{ribIsChosen, Condition::Part};
+inline constexpr Condition isPosed{poseIsSelected, Condition::Part};
+inline constexpr Condition hasRegion{regionIsSelected, Condition::Part};
+inline constexpr Condition groupSelected{groupIsSelected, Condition::Part | Condition::Group};
+inline constexpr Condition severalSelected{severalInHand, Condition::Parts};
+inline constexpr Condition hasStep{stepIsChosen, Condition::Step};
+inline constexpr Condition canHollow{somethingToHollow, Condition::Part | Condition::Step};
+
+/// Saves the model in this form, as a download.
+Outcome saveAs(const CommandEnv& env, publish::Format format);
+/// Gives a new look to the part, or to the next part.
+Outcome setLook(const CommandEnv& env, PartId part, const document::Look& look);
+/// The look of the part, or of the next part.
+document::Look lookOf(const CommandEnv& env, PartId part);
+/// The part that `args.part` (or `args.id`) names, else the selected one; no id without one. None: the one that is
+/// named is not there.
+std::optional<PartId> meantPart(const CommandEnv& env, const Json& args);
+/// Its look, or the look of the next part when none is selected.
+document::Look currentLook(const CommandEnv& env);
+/// Turns the camera so that it sees every part, from home or from where it looks.
+void flyTo(const CommandEnv& env, bool home);
+
+}  // namespace spineloft::app

@@ -1,0 +1,73 @@
+#include "web/commands/command_args.h"
+
+#include <cmath>
+#include <limits>
+
+#include "web/commands/command_actions.h"
+
+namespace spineloft::app {
+namespace {
+
+std::optional<PicturePoint> pairOf(const Json& value) {
+  const Json::Array* pair = value.array();
+  if (pair == nullptr || pair->size() < 2) return std::nullopt;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  return PicturePoint{(*pair)[0].number().value_or(nan), (*pair)[1].number().value_or(nan)};
+}
+
+}  // namespace
+
+Outcome missing(std::string_view what) { return Refusal{"ArgumentMissing", "This needs " + std::string(what) + "."}; }
+
+Outcome noPart() { return refuse({Error::NoSuchPart, {}}); }
+
+Outcome noSpine(const document::Part* part) {
+  const bool other = part != nullptr && document::loftOf(*part) == nullptr;
+  return refuse({other ? Error::NotABone : Error::NoSuchPart, {}});
+}
+Outcome noSpine(const CommandEnv& env, const Json& args) { return noSpine(partOf(env, args)); }
+
+std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_view key) {
+  const Json* list = args.find(key);
+  if (list == nullptr || list->array() == nullptr) return std::nullopt;
+  std::vector<PicturePoint> stroke;
+  for (const Json& entry : *list->array()) {
+    const std::optional<PicturePoint> point = pairOf(entry);
+    if (!point) return std::nullopt;
+    stroke.push_back(*point);
+  }
+  return stroke;
+}
+
+std::optional<PicturePoint> pointOf(const Json& args, std::string_view key) {
+  const Json* value = args.find(key);
+  return value ? pairOf(*value) : std::nullopt;
+}
+
+std::optional<geometry::AlongCurve> curveOf(const Json& args, std::string_view key) {
+  const std::optional<std::vector<PicturePoint>> points = strokeOf(args, key);
+  if (!points) return std::nullopt;
+  geometry::AlongCurve curve;
+  for (const PicturePoint p : *points) curve.points.push_back({p.x, p.y});
+  return curve;
+}
+
+std::optional<ribs::EndRef> endOf(const Json& args) {
+  const std::optional<double> rib = args.number("rib");
+  const std::string* side = args.text("side");
+  if (!rib || !(*rib >= 0) || *rib > 1e6 || *rib != std::floor(*rib) || side == nullptr) {
+    return std::nullopt;
+  }
+  if (*side != "left" && *side != "right") return std::nullopt;
+  return ribs::EndRef{static_cast<std::size_t>(*rib), *side == "left" ? ribs::Side::Left : ribs::Side::Right};
+}
+
+PartId idFrom(const Json& args, std::string_view key) {
+  const std::optional<double> id = args.number(key);
+  if (!id || !(*id >= 1) || *id > 4e9 || *id != std::floor(*id)) return {};
+  return PartId{static_cast<std::uint32_t>(*id)};
+}
+
+bool namesPart(const Json& args) { return args.find("part") != nullptr || args.find("id") != nullptr; }
+
+}  // namespace spineloft::app

@@ -1,0 +1,57 @@
+// The ids of the command table, in the order of the alphabet: a public surface. What is written as a CommandId is one
+// of them, or it does not compile; rows of the table as well.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace spineloft::app {
+
+// clang-format off
+inline constexpr auto kCommandIds = std::to_array<std::string_view>({
+    "add-outline-point", "add-rib", "add-slice", "along-shape", "ask-place", "bend-spine", "bone", "both-sides",
+    "brush-larger", "brush-smaller", "cancel", "check-print", "choose-handle", "choose-rib", "clear", "clear-ignored",
+    "coil", "colour-step", "cut", "cut-add", "cut-by-box", "cut-by-scribble", "cut-cancel", "cut-mark", "cut-out",
+    "cut-remove", "cut-start", "cut-use", "delete-model", "delete-outline-point", "delete-part", "delete-rib",
+    "delete-slice", "delete-step", "depth-by-pressure", "draw", "draw-on-sketch", "draw-puff", "draw-sheet",
+    "draw-spine", "drop-on-floor", "duplicate", "duplicate-model", "edge-bevel", "edge-round", "edge-sharp",
+    "edit-slice", "eraser", "extend-spine", "face-front", "fewer-ribs", "find-edges", "fit", "flat-foot",
+    "focus-picture", "focus-solid", "fold-step", "group", "hand", "home-view", "ignore", "ignore-edges",
+    "ignore-whole-picture", "join-ends", "keep-common", "keep-ribs", "keep-slice", "list-down", "list-up",
+    "load-shelf", "lock-rib", "make-puff", "make-sheet", "mirror-copy", "more-ribs", "move", "move-in-list",
+    "move-outline-point", "move-parts", "move-rib-end", "move-slice", "move-spine", "new-model", "new-part",
+    "new-sketch", "next-outline-point", "next-part", "next-picture", "next-point", "next-slice", "nudge",
+    "nudge-outline-point", "nudge-part", "open-file", "open-model", "open-picture", "order-operands", "other-end",
+    "paint-over", "pen", "pen-colour", "pen-size", "pick", "point-opening", "pose-spine", "previous-outline-point",
+    "previous-picture", "previous-point", "puff", "puff-back", "puff-both", "puff-front", "reach-less", "reach-more",
+    "redo", "redraw", "redraw-region", "redraw-spine", "release", "remove-ignore", "remove-picture", "remove-slice",
+    "rename-group", "rename-model", "rename-part", "rename-picture", "rename-slice", "rename-step", "reset-place",
+    "reset-pose", "reset-rib", "reset-ribs", "ribs", "save-3mf", "save-glb", "save-obj", "save-picture",
+    "save-project", "save-project-as", "save-stl", "save-turntable", "scoop-out", "select-all", "select-part",
+    "select-picture", "select-slice", "select-step", "set-along", "set-blend", "set-caps", "set-colour", "set-depth",
+    "set-height", "set-paint", "set-parameter", "set-place", "set-second-colour", "set-section", "set-slices",
+    "set-step", "shape", "shape-ribs", "sheet", "show-along", "show-beside", "show-part", "show-step", "show-trouble",
+    "side-view", "size-like", "slice-add-point", "slice-back", "slice-cancel", "slice-clear", "slice-corner",
+    "slice-done", "slice-draw", "slice-flip", "slice-flip-front", "slice-front-back", "slice-left-right",
+    "slice-move-point", "slice-on", "slice-redo", "slice-remove-point", "slice-start-from", "slice-symmetry",
+    "slice-tool", "slice-traces", "slice-turn", "slice-undo", "snap-to-surface", "solve-again", "stick-together",
+    "symmetry", "take-place", "thicken", "thicker", "thinner", "toggle-facets", "toggle-texture", "turn-down",
+    "turn-left", "turn-right", "turn-up", "undo", "ungroup", "zoom-in", "zoom-out"});
+// clang-format on
+
+class CommandId {
+ public:
+  constexpr CommandId() = default;  ///< none
+  consteval CommandId(const char* id) : id_(id) {
+    if (!std::ranges::binary_search(kCommandIds, id_)) isNoCommand();
+  }
+  constexpr operator std::string_view() const { return id_; }
+  constexpr bool operator==(const CommandId&) const = default;
+
+ private:
+  static void isNoCommand();  ///< what cannot be called while compiling
+  std::string_view id_;
+};
+
+}  // namespace spineloft::app

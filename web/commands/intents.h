@@ -1,0 +1,166 @@
+// What tools, panels and answered questions ask for: a typed function for each command that they call with arguments.
+// The rows of the command table read the same arguments from JSON and end here.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/document/action.h"
+#include "engine/loft/section_drawing.h"
+#include "engine/vision/cut_out.h"
+#include "web/commands/commands.h"
+#include "web/edit/placing.h"
+
+namespace spineloft::app {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+// ---- Parts. Where a part is asked for, none means what the next part is made with. -------------------------------
+
+/// A new part along a line in the picture in view. What is none is as the panels show it.
+struct DrawSpineIntent {
+  std::vector<PicturePoint> stroke;
+  geometry::AlongCurve depth = {};
+  bool cut = false;  ///< the first part of all ends where the thing ends
+  std::optional<loft::SectionShape> section = {};
+  std::optional<loft::CapStyle> startCap = {}, endCap = {};
+};
+Outcome drawSpine(const CommandEnv& env, const DrawSpineIntent& intent);
+Outcome redrawSpine(const CommandEnv& env, PartId part, const std::vector<PicturePoint>& stroke);
+/// None: lets go of all. `add`: besides what is in hand.
+Outcome selectPart(const CommandEnv& env, PartId part, bool add);
+Outcome deletePart(const CommandEnv& env, PartId part);
+Outcome askPartName(const CommandEnv& env, PartId part);
+/// The part, or the solid that it is in.
+Outcome showPart(const CommandEnv& env, PartId part, bool visible);
+/// A cap that is none stays as it is.
+Outcome setCaps(const CommandEnv& env, PartId part, std::optional<loft::CapStyle> start,
+                std::optional<loft::CapStyle> end);
+Outcome setTextured(const CommandEnv& env, PartId part, bool textured);
+Outcome setColour(const CommandEnv& env, PartId part, const Colour& colour);
+Outcome setSecondColour(const CommandEnv& env, PartId part, const Colour& colour);
+Outcome setPaint(const CommandEnv& env, PartId part, surface::Paint paint);
+Outcome setFaceted(const CommandEnv& env, PartId part, bool faceted);
+Outcome setParameter(const CommandEnv& env, PartId part, const std::string& key, double value);
+
+// ---- Spines. `keep`: the ribs go along; else edges are found again. ----------------------------------------------
+
+struct BendSpineIntent {
+  PartId part;
+  int handle = 0;
+  PicturePoint to;
+  double reach = 0;  ///< share of the spine whose points follow, 0…1
+  bool keep = false;
+};
+Outcome bendSpine(const CommandEnv& env, const BendSpineIntent& intent);
+Outcome moveSpine(const CommandEnv& env, PartId part, PicturePoint by, bool keep);
+/// The same ribs along another line.
+Outcome poseAlong(const CommandEnv& env, PartId part, const std::vector<PicturePoint>& stroke);
+Outcome setDepth(const CommandEnv& env, PartId part, const geometry::AlongCurve& depth);
+Outcome setCoil(const CommandEnv& env, PartId part, double turns, double radius);
+Outcome chooseHandle(const CommandEnv& env, int handle);
+
+// ---- Ribs --------------------------------------------------------------------------------------------------------
+
+Outcome chooseRib(const CommandEnv& env, PartId part, ribs::EndRef end);
+Outcome moveRibEnd(const CommandEnv& env, PartId part, ribs::EndRef end, PicturePoint to, double reach);
+/// Another place of an end; ends near by take the like one.
+Outcome takePlace(const CommandEnv& env, PartId part, ribs::EndRef end, int place);
+struct ShapeRibsIntent {
+  PartId part;
+  std::vector<PicturePoint> stroke;
+  double within = 0;  ///< picture pixels that an end may go to meet the line
+  bool both = false;  ///< the other side changes as well
+};
+Outcome shapeRibs(const CommandEnv& env, const ShapeRibsIntent& intent);
+Outcome ignoreForPart(const CommandEnv& env, PartId part, const ribs::IgnoreMark& mark);
+Outcome ignoreForPicture(const CommandEnv& env, PictureId picture, const ribs::IgnoreMark& mark);
+/// A scribble by its number in marksOf.
+Outcome removeIgnored(const CommandEnv& env, std::size_t mark);
+
+// ---- Puffs and flat pieces ---------------------------------------------------------------------------------------
+
+Outcome drawRegion(const CommandEnv& env, const document::Region& region, const document::RegionSolid& solid);
+Outcome redrawRegion(const CommandEnv& env, PartId part, const document::Region& region);
+Outcome moveOutlinePoint(const CommandEnv& env, PartId part, OutlinePoint at, PicturePoint to);
+/// Cuts a thing out of the picture in view, shown before it is used. `part` receives its outline; none: a new part.
+Outcome startCutOut(const CommandEnv& env, const vision::CutHints& hints, PartId part);
+/// Corrects what is being cut out.
+Outcome markCutOut(const CommandEnv& env, const std::vector<PicturePoint>& line, double radius);
+
+// ---- Paper and pictures ------------------------------------------------------------------------------------------
+
+Outcome drawOnSketch(const CommandEnv& env, const image::SketchStroke& stroke);
+Outcome setPenSize(const CommandEnv& env, std::size_t size);  ///< of kPenSizes
+Outcome setPenColour(const CommandEnv& env, const Colour& colour);
+Outcome selectPicture(const CommandEnv& env, PictureId picture);
+Outcome askPictureName(const CommandEnv& env, PictureId picture);
+Outcome removePicture(const CommandEnv& env, PictureId picture);
+
+// ---- Sections along a spine; `key` counts those of the part ------------------------------------------------------
+
+/// All of a part's sections become `shape`, or the one of `key`; of the next part without one.
+Outcome setSection(const CommandEnv& env, PartId part, std::optional<std::size_t> key, const loft::SectionShape& shape);
+/// At a share of the spine; without a shape the one that is picked.
+Outcome addSection(const CommandEnv& env, PartId part, double at, const std::optional<loft::SectionShape>& shape);
+Outcome moveSection(const CommandEnv& env, PartId part, std::size_t key, double to);
+Outcome removeSection(const CommandEnv& env, PartId part, std::size_t key);
+Outcome selectSection(const CommandEnv& env, PartId part, std::size_t key);
+Outcome setBlend(const CommandEnv& env, PartId part, std::size_t key, const loft::Blend& blend);
+/// Values in the unit that is shown (AlongInfo::unit).
+Outcome setAlong(const CommandEnv& env, PartId part, document::AlongKind kind, const geometry::AlongCurve& shown);
+Outcome showAlong(const CommandEnv& env, document::AlongKind kind);
+Outcome askSectionName(const CommandEnv& env, std::uint32_t shelfId);
+Outcome deleteSection(const CommandEnv& env, std::uint32_t shelfId);
+
+// ---- The board on which a section is drawn: refused while it is closed -------------------------------------------
+
+Outcome useBoardTool(const CommandEnv& env, BoardTool tool);
+struct BoardStroke {
+  enum class Kind : std::uint8_t { Freehand, Outline, Corners, Box, Ellipse } kind = Kind::Freehand;
+  std::vector<SectionPoint> points;  ///< of a box and an ellipse: two corners
+};
+Outcome drawOnBoard(const CommandEnv& env, const BoardStroke& stroke);
+Outcome startBoardFrom(const CommandEnv& env, const loft::SectionShape& shape);
+Outcome startBoardFromTrace(const CommandEnv& env, std::size_t trace);
+Outcome moveBoardPoint(const CommandEnv& env, loft::PointRef point, SectionPoint to);
+/// A point after another one at `at`, and from there pulled to `to`.
+Outcome addBoardPoint(const CommandEnv& env, loft::PointRef after, SectionPoint at, std::optional<SectionPoint> to);
+Outcome removeBoardPoint(const CommandEnv& env, loft::PointRef point);
+
+// ---- Where parts stand -------------------------------------------------------------------------------------------
+
+Outcome moveParts(const CommandEnv& env, const std::vector<PartId>& parts, const document::Motion& motion);
+/// Asks for one of the selected part's numbers: "x" … as of placeNumber.
+Outcome askPlace(const CommandEnv& env, const std::string& field);
+/// Of the parts in hand.
+Outcome setSymmetry(const CommandEnv& env, const MirrorAxis* axis);
+Outcome askGroupName(const CommandEnv& env, GroupId group);
+Outcome ungroup(const CommandEnv& env, GroupId group);
+/// None: to the end.
+Outcome moveInList(const CommandEnv& env, const std::vector<PartId>& parts, PartId before);
+
+// ---- Solids made of parts ----------------------------------------------------------------------------------------
+
+/// Ticks or unticks for the next solid.
+Outcome pick(const CommandEnv& env, const document::Operand& operand, bool on);
+Outcome selectStep(const CommandEnv& env, StepId step);
+Outcome setStep(const CommandEnv& env, const document::SetStep& action);
+/// The side of a hollow solid that looks this way opens.
+Outcome openTowards(const CommandEnv& env, StepId step, WorldPoint way);
+Outcome showStep(const CommandEnv& env, StepId step, bool visible);
+Outcome foldStep(const CommandEnv& env, StepId step);
+Outcome askStepName(const CommandEnv& env, StepId step);
+/// Takes the part at fault in hand and looks at the place.
+Outcome showFailure(const CommandEnv& env, StepId step);
+
+// ---- Size --------------------------------------------------------------------------------------------------------
+
+Outcome setHeight(const CommandEnv& env, double mm);
+Outcome sizeLike(const CommandEnv& env, std::size_t thing);                          ///< of things()
+Outcome showBeside(const CommandEnv& env, const std::optional<std::size_t>& thing);  ///< of things()
+
+}  // namespace spineloft::app

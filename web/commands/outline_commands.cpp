@@ -1,0 +1,122 @@
+// Commands about single points of the outline of a puff or a flat piece, for keys.
+#include <array>
+#include <string>
+
+#include "engine/geometry/region.h"
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/edit/region_editing.h"
+#include "web/model/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+constexpr double kStep = 1, kFarStep = 10;  // picture pixels
+
+const document::Part* shownRegion(Env env) {
+  const document::Part* part = document::findPart(env.studio.document(), env.ui.selection);
+  const bool shown =
+      part != nullptr && document::regionOf(part->recipe) != nullptr && document::pictureOf(*part) == env.ui.picture;
+  return shown ? part : nullptr;
+}
+bool regionTool(Env env) { return env.ui.tool == ToolKind::Inflate || env.ui.tool == ToolKind::Extrude; }
+bool byKeys(Env env) { return regionTool(env) && !env.ui.cut && shownRegion(env) != nullptr; }
+bool pointByKeys(Env env) { return byKeys(env) && env.ui.chosen.outline && env.ui.focus == Focus::Picture; }
+
+Outcome step(Env env, int by) {
+  const document::Region& region = *document::regionOf(shownRegion(env)->recipe);
+  takePoints(env.ui, *shownRegion(env));
+  env.ui.chosen = {std::nullopt, -1, neighbourHandle(region, env.ui.chosen.outline, by)};
+  if (!env.ui.chosen.outline) return {};
+  const std::vector<OutlinePoint> handles = outlineHandles(region);
+  std::size_t number = 1;
+  while (number < handles.size() && !(handles[number - 1] == *env.ui.chosen.outline)) ++number;
+  sendStatus(env.host, "Point " + std::to_string(number) + " of " + std::to_string(handles.size()) +
+                           " of the outline. Arrows move it.");
+  env.ui.focus = Focus::Picture;
+  return {};
+}
+Outcome next(Env env, const Json&) { return step(env, 1); }
+Outcome previous(Env env, const Json&) { return step(env, -1); }
+
+/// The region with this outline, if a solid can be made of it. Keys one after the other are one step.
+Outcome change(Env env, document::Region region, const std::string& burst) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
+  if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
+  const auto clean =
+      geometry::cleanRegion(region.contours, region.ribbon,
+                            {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
+  if (!clean) return refuse(clean.failure());
+  const document::Action action = document::RedrawRegion{env.ui.selection, std::move(region)};
+  return outcomeOf(env.studio.act({&action, 1}, burst));
+}
+
+Outcome nudge(Env env, const Json& args) {
+  const document::Region& region = *document::regionOf(shownRegion(env)->recipe);
+  const OutlinePoint at = *env.ui.chosen.outline;
+  std::optional<PicturePoint> by = pointOf(args, "by");
+  const std::string* key = args.text("key");
+  const double way = args.flag("far").value_or(false) ? kFarStep : kStep;
+  if (key != nullptr && *key == "ArrowLeft") by = PicturePoint{-way, 0};
+  if (key != nullptr && *key == "ArrowRight") by = PicturePoint{way, 0};
+  if (key != nullptr && *key == "ArrowUp") by = PicturePoint{0, -way};
+  if (key != nullptr && *key == "ArrowDown") by = PicturePoint{0, way};
+  if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
+  return change(env, withMovedPoint(region, at, pointOf(region, at) + *by),
+                "outline " + std::to_string(env.ui.selection.value) + " " + std::to_string(at.contour) + " " +
+                    std::to_string(at.point));
+}
+
+Outcome add(Env env, const Json&) {
+  const document::Region& region = *document::regionOf(shownRegion(env)->recipe);
+  std::optional<AddedPoint> added = withAddedPoint(region, *env.ui.chosen.outline);
+  if (!added) return refuse({Error::ValueOutOfRange, "point"});
+  const OutlinePoint at = added->at;
+  if (!(added->region == region)) {
+    if (Outcome done = change(env, std::move(added->region), {}); !done) return done;
+  }
+  env.ui.chosen.outline = at;
+  return {};
+}
+
+Outcome remove(Env env, const Json&) {
+  const document::Region& region = *document::regionOf(shownRegion(env)->recipe);
+  const OutlinePoint at = *env.ui.chosen.outline;
+  std::optional<document::Region> left = withoutPoint(region, at);
+  if (!left) {
+    return Refusal{"NotNow", "An outline keeps at least three points. Delete the part instead."};
+  }
+  const std::optional<OutlinePoint> before = neighbourHandle(region, at, -1);
+  if (Outcome done = change(env, std::move(*left), {}); !done) return done;
+  // What comes before the point keeps its number, unless the outline begins anew.
+  env.ui.chosen.outline =
+      before && before->contour == at.contour && before->point < at.point ? before : OutlinePoint{at.contour, 0};
+  return {};
+}
+
+constexpr Argument kNone{}, kBy{"by"};
+constexpr std::string_view kArrows =
+    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
+    "Shift+ArrowUp, Shift+ArrowDown";
+
+constexpr std::array kTable = {
+    Command{"next-outline-point", "Next outline point", "chevron-right", ".", "part", kNone,
+            "Choose the next point of the outline", byKeys, nullptr, next, byKeys},
+    Command{"previous-outline-point", "Outline point before", "chevron-left", ",", "part", kNone,
+            "Choose the point of the outline before", byKeys, nullptr, previous, byKeys},
+    Command{"nudge-outline-point", "Move the outline point", "move", kArrows, "part", kBy,
+            "Arrow keys move the chosen point, with Shift by ten pixels", pointByKeys, nullptr, nudge, pointByKeys},
+    Command{"add-outline-point", "Add outline point", "circle-plus", "Insert, A", "part", kNone,
+            "One more point between the chosen one and the next", pointByKeys, nullptr, add, pointByKeys},
+    Command{"delete-outline-point", "Delete outline point", "circle-minus", "Delete, Backspace", "part", kNone,
+            "The outline goes straight past the chosen point", pointByKeys, nullptr, remove, pointByKeys},
+};
+
+}  // namespace
+
+std::span<const Command> outlineCommands() { return kTable; }
+
+}  // namespace spineloft::app

@@ -1,0 +1,337 @@
+// Commands about puffs and flat pieces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include "engine/document/checks.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/region.h"
+#include "engine/io/json_fields.h"
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
+#include "web/edit/region_editing.h"
+#include "web/model/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
+bool inflateTool(Env env) { return env.ui.tool == ToolKind::Inflate; }
+bool extrudeTool(Env env) { return env.ui.tool == ToolKind::Extrude; }
+
+/// The puff or flat piece that is meant, or null.
+const document::Part* regionPart(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
+}
+
+Outcome noRegion(Env env, const Json& args) {
+  return refuse({partOf(env, args) ? Error::NotARegion : Error::NoSuchPart, {}});
+}
+
+Outcome use(Env env, ToolKind tool, std::string_view hint) {
+  env.ui.tool = tool;
+  env.ui.redraw = env.ui.pointsOf = {};
+  env.ui.cutBy = CutBy::Outline;
+  env.ui.focus = Focus::Picture;
+  sendStatus(env.host, hint);
+  return {};
+}
+Outcome useInflate(Env env, const Json&) {
+  return use(env, ToolKind::Inflate, "Draw a line round a thing, or tap it: it swells.");
+}
+Outcome useExtrude(Env env, const Json&) {
+  return use(env, ToolKind::Extrude, "Draw a line round a thing, or tap it: it becomes a flat piece.");
+}
+
+/// What the arguments say about a region: `line` as a hand draws it, `contours` as they are, or `lines`
+/// with the pen's `width`. None when they say nothing.
+std::optional<document::Region> regionFrom(Env env, const Json& args, PictureId picture) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
+  if (entry == nullptr) return std::nullopt;
+  if (auto line = strokeOf(args, "line")) return regionOfLine(picture, std::move(*line), entry->size);
+  const Json* list = args.find("contours");
+  const bool open = list == nullptr;
+  if (open) list = args.find("lines");
+  if (list == nullptr || list->array() == nullptr) return std::nullopt;
+  document::Region region{picture, {}, 0};
+  for (const Json& one : *list->array()) {
+    auto contour = strokeOf(Json::Object{{"stroke", one}});
+    if (!contour) return std::nullopt;
+    region.contours.push_back(std::move(*contour));
+  }
+  if (open) {
+    const int side = std::max(entry->size.width, entry->size.height);
+    region.ribbon = args.number("width").value_or(0.03 * side);
+  }
+  return region;
+}
+Outcome missingRegion() {
+  return missing("a line: a list of [x, y] picture pixels round the thing (or contours, or lines)");
+}
+
+/// Whether a line went round something twice, or round two things. Where it crosses itself pieces may still hang
+/// together by a thread, and a hole may be open by one, so that areas tell: those of a line that goes round once
+/// agree, but for the small loop where a hand closes it.
+bool crossesItself(const document::Region& region, const geometry::Contours& made) {
+  constexpr double kLoop = 0.05;        // of the area
+  if (region.ribbon > 0) return false;  // open lines may cross; they are one ribbon there
+  if (made.size() > region.contours.size()) return true;
+  if (region.contours.size() != 1) return false;
+  const double round = std::abs(geometry::signedArea(std::span<const PicturePoint>(region.contours.front())));
+  const double left = std::abs(geometry::areaOf(made));
+  return std::abs(round - left) > kLoop * left;
+}
+
+/// Says so when a part of what was drawn is cut off, or when a line went round more than it seems: `made` is what is
+/// left of it.
+void reportChanges(Env env, const document::Region& region, const geometry::Contours& made) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
+  if (entry == nullptr) return;
+  const double room = 1;  // pixels: less is a hand at the edge
+  for (const auto& contour : region.contours) {
+    for (const PicturePoint p : contour) {
+      if (p.x >= -room && p.y >= -room && p.x <= entry->size.width - 1 + room && p.y <= entry->size.height - 1 + room) {
+        continue;
+      }
+      sendStatus(env.host, "What lies outside the picture is cut off.");
+      return;
+    }
+  }
+  if (!crossesItself(region, made)) return;
+  sendHint(env.host,
+           "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
+}
+
+/// The outlines of which a solid will be made; so that what cannot be shown is refused before it is kept.
+Result<geometry::Contours> outlinesOf(Env env, const document::Region& region) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  if (Status drawn = document::checkRegion(env.studio.document(), region); !drawn) return drawn.failure();
+  return geometry::cleanRegion(region.contours, region.ribbon,
+                               {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
+}
+
+Result<inflate::InflateParams> inflateFrom(const Json& args, inflate::InflateParams params) {
+  params.height = args.number("height").value_or(params.height);
+  if (const std::string* sides = args.text("sides")) {
+    if (!io::fromKey(*sides, params.sides)) return {Error::ValueOutOfRange, *sides};
+  }
+  return params;
+}
+Result<extrude::ExtrudeParams> extrudeFrom(const Json& args, extrude::ExtrudeParams params) {
+  params.thickness = args.number("thickness").value_or(params.thickness);
+  params.edgeSize = args.number("edgeSize").value_or(params.edgeSize);
+  params.depth = args.number("depth").value_or(params.depth);
+  if (const std::string* edge = args.text("edge")) {
+    if (!io::fromKey(*edge, params.edge)) return {Error::ValueOutOfRange, *edge};
+  }
+  return params;
+}
+
+Outcome drawInflated(Env env, const Json& args) {
+  auto region = regionFrom(env, args, env.ui.picture);
+  if (!region) return missingRegion();
+  const Result<inflate::InflateParams> params = inflateFrom(args, env.ui.inflate);
+  if (!params) return refuse(params.failure());
+  return drawRegion(env, *region, params.value());
+}
+Outcome drawExtruded(Env env, const Json& args) {
+  auto region = regionFrom(env, args, env.ui.picture);
+  if (!region) return missingRegion();
+  const Result<extrude::ExtrudeParams> params = extrudeFrom(args, env.ui.extrude);
+  if (!params) return refuse(params.failure());
+  return drawRegion(env, *region, params.value());
+}
+
+Outcome redrawRegionRow(Env env, const Json& args) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr) return noRegion(env, args);
+  const auto region = regionFrom(env, args, document::pictureOf(*part));
+  return region ? redrawRegion(env, part->id, *region) : missingRegion();
+}
+
+Outcome movePointRow(Env env, const Json& args) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr) return noRegion(env, args);
+  const std::optional<PicturePoint> to = pointOf(args, "to");
+  const double contour = args.number("contour").value_or(0), point = args.number("point").value_or(-1);
+  if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
+  if (!(contour >= 0 && contour < 1e6 && point >= 0 && point < 1e6)) return refuse({Error::ValueOutOfRange, "point"});
+  return moveOutlinePoint(env, part->id, {static_cast<std::size_t>(contour), static_cast<std::size_t>(point)}, *to);
+}
+
+/// The way of the selected part, or of the next one, with a change; another kind becomes this one.
+template <class Change>
+Outcome shapeInflate(Env env, const Json& args, const Change& change) {
+  const document::Part* part = regionPart(env, args);
+  const document::InflateRecipe* recipe = part ? document::inflateOf(*part) : nullptr;
+  inflate::InflateParams params = recipe ? recipe->inflate : env.ui.inflate;
+  change(params);
+  env.ui.inflate = params;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::ShapeRegion{part->id, params}));
+}
+template <class Change>
+Outcome shapeExtrude(Env env, const Json& args, const Change& change) {
+  const document::Part* part = regionPart(env, args);
+  const document::ExtrudeRecipe* recipe = part ? document::extrudeOf(*part) : nullptr;
+  extrude::ExtrudeParams params = recipe ? recipe->extrude : env.ui.extrude;
+  change(params);
+  env.ui.extrude = params;
+  if (part == nullptr) return {};
+  return outcomeOf(env.studio.act(document::ShapeRegion{part->id, params}));
+}
+
+template <inflate::InflateSides kSides>
+Outcome setSides(Env env, const Json& args) {
+  return shapeInflate(env, args, [](inflate::InflateParams& params) { params.sides = kSides; });
+}
+template <inflate::InflateSides kSides>
+bool hasSides(Env env) {
+  const document::Part* part = regionPart(env, {});
+  if (part != nullptr) return document::inflateOf(*part) && document::inflateOf(*part)->inflate.sides == kSides;
+  return env.ui.inflate.sides == kSides;
+}
+template <extrude::EdgeKind kEdge>
+Outcome setEdge(Env env, const Json& args) {
+  return shapeExtrude(env, args, [](extrude::ExtrudeParams& params) { params.edge = kEdge; });
+}
+template <extrude::EdgeKind kEdge>
+bool hasEdge(Env env) {
+  const document::Part* part = regionPart(env, {});
+  if (part != nullptr) return document::extrudeOf(*part) && document::extrudeOf(*part)->extrude.edge == kEdge;
+  return env.ui.extrude.edge == kEdge;
+}
+
+bool isInflated(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part != nullptr && document::inflateOf(*part) != nullptr;
+}
+bool isExtruded(Env env) { return hasRegion(env) && !isInflated(env); }
+Outcome makeInflated(Env env, const Json& args) {
+  if (regionPart(env, args) == nullptr) return noRegion(env, args);
+  return shapeInflate(env, args, [](inflate::InflateParams&) {});
+}
+Outcome makeExtruded(Env env, const Json& args) {
+  if (regionPart(env, args) == nullptr) return noRegion(env, args);
+  return shapeExtrude(env, args, [](extrude::ExtrudeParams&) {});
+}
+
+/// More or less of what makes the part high: one notch.
+Outcome notch(Env env, const Json& args, double factor) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr) return noRegion(env, args);
+  if (document::inflateOf(*part)) {
+    return shapeInflate(env, args, [&](inflate::InflateParams& params) {
+      params.height = std::clamp(params.height * factor, inflate::kLeastHeight, inflate::kMostHeight);
+    });
+  }
+  return shapeExtrude(env, args, [&](extrude::ExtrudeParams& params) {
+    params.thickness = std::clamp(params.thickness * factor, extrude::kLeastThickness, extrude::kMostThickness);
+  });
+}
+constexpr double kNotch = 1.25;
+Outcome thicker(Env env, const Json& args) { return notch(env, args, kNotch); }
+Outcome thinner(Env env, const Json& args) { return notch(env, args, 1 / kNotch); }
+
+constexpr Argument kNone{}, kLine{"line"}, kPoint{"to"};
+using inflate::InflateSides, extrude::EdgeKind;
+
+constexpr std::array kTable = {
+    Command{"puff", "Puff", "cloud", "U", "tool", kNone, "Draw round a thing or tap it: it swells", hasPicture,
+            inflateTool, useInflate},
+    Command{"sheet", "Flat piece", "puzzle", "Y", "tool", kNone,
+            "Draw round a thing or tap it: it becomes a flat piece", hasPicture, extrudeTool, useExtrude},
+    Command{"puff-both", "Both sides", "unfold-vertical", "", "part", kNone,
+            "The puff swells to the front and to the back", hasPicture, hasSides<InflateSides::Both>,
+            setSides<InflateSides::Both>},
+    Command{"puff-front", "Front only", "arrow-down-from-line", "", "part", kNone, "The puff has a flat back",
+            hasPicture, hasSides<InflateSides::Front>, setSides<InflateSides::Front>},
+    Command{"puff-back", "Back only", "arrow-up-from-line", "", "part", kNone, "The puff has a flat front", hasPicture,
+            hasSides<InflateSides::Back>, setSides<InflateSides::Back>},
+    Command{"edge-sharp", "Sharp edge", "square", "", "part", kNone, "The flat piece has a sharp edge", hasPicture,
+            hasEdge<EdgeKind::Sharp>, setEdge<EdgeKind::Sharp>},
+    Command{"edge-bevel", "Cut edge", "diamond", "", "part", kNone, "The edge of the flat piece is cut off slantwise",
+            hasPicture, hasEdge<EdgeKind::Bevel>, setEdge<EdgeKind::Bevel>},
+    Command{"edge-round", "Round edge", "circle-dot", "", "part", kNone, "The flat piece has a round edge", hasPicture,
+            hasEdge<EdgeKind::Round>, setEdge<EdgeKind::Round>},
+    Command{"make-puff", "Make it a puff", "cloud", "", "part", kNone, "The flat piece swells", hasRegion, isInflated,
+            makeInflated},
+    Command{"make-sheet", "Make it flat", "puzzle", "", "part", kNone, "The puff becomes a flat piece", hasRegion,
+            isExtruded, makeExtruded},
+    Command{"thicker", "Thicker", "plus", "Shift+U", "part", kNone, "A higher puff, a thicker piece", hasRegion,
+            nullptr, thicker},
+    Command{"thinner", "Thinner", "minus", "Shift+Y", "part", kNone, "A lower puff, a thinner piece", hasRegion,
+            nullptr, thinner},
+    Command{"draw-puff", "Puff by numbers", "cloud", "", "part", kLine, "A line in picture pixels", hasPicture, nullptr,
+            drawInflated},
+    Command{"draw-sheet", "Flat piece by numbers", "puzzle", "", "part", kLine, "A line in picture pixels", hasPicture,
+            nullptr, drawExtruded},
+    Command{"redraw-region", "New outline by numbers", "lasso", "", "part", kLine, "A line in picture pixels",
+            hasRegion, nullptr, redrawRegionRow},
+    Command{"move-outline-point", "Move an outline point by numbers", "move", "", "part", kPoint,
+            "A point of the outline and where it goes", hasRegion, nullptr, movePointRow},
+};
+
+}  // namespace
+
+bool regionIsSelected(const CommandEnv& env) { return regionPart(env, {}) != nullptr; }
+
+Outcome drawRegion(Env env, const document::Region& region, const document::RegionSolid& solid) {
+  const Result<geometry::Contours> made = outlinesOf(env, region);
+  if (!made) return refuse(made.failure());
+  const document::DrawRegion draw{region, solid, env.ui.look};
+  const document::Recipe recipe = std::visit(
+      [&]<class Params>(const Params& params) -> document::Recipe {
+        if constexpr (std::is_same_v<Params, inflate::InflateParams>) {
+          return document::InflateRecipe{region, params};
+        } else {
+          return document::ExtrudeRecipe{region, params};
+        }
+      },
+      solid);
+  const Status status = env.studio.act(standingActions(env, draw, recipe));
+  if (!status) return refuse(status.failure());
+  reportChanges(env, region, made.value());
+  env.ui.selection = env.studio.document().parts.back()->id;
+  env.ui.alsoSelected.clear();
+  env.ui.redraw = {};
+  env.ui.framePending = true;
+  return {};
+}
+
+Outcome redrawRegion(Env env, PartId id, const document::Region& region) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr) return noPart();
+  if (document::regionOf(part->recipe) == nullptr) return refuse({Error::NotARegion, {}});
+  const Result<geometry::Contours> made = outlinesOf(env, region);
+  if (!made) return refuse(made.failure());
+  reportChanges(env, region, made.value());
+  const Status status = env.studio.act(document::RedrawRegion{id, region});
+  if (!status) return refuse(status.failure());
+  env.ui.selection = id;
+  env.ui.redraw = {};
+  return {};
+}
+
+Outcome moveOutlinePoint(Env env, PartId id, OutlinePoint at, PicturePoint to) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
+  if (region == nullptr) return refuse({part ? Error::NotARegion : Error::NoSuchPart, {}});
+  if (at.contour >= region->contours.size() || at.point >= region->contours[at.contour].size()) {
+    return refuse({Error::ValueOutOfRange, "point"});
+  }
+  return redrawRegion(env, id, withMovedPoint(*region, at, to));
+}
+
+std::span<const Command> regionCommands() { return kTable; }
+
+}  // namespace spineloft::app

@@ -1,0 +1,608 @@
+// The rows of the command table that are about drawing a section on the board.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/commands/section_json.h"
+#include "web/edit/section_editing.h"
+#include "web/model/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+using loft::Drawing;
+
+SectionBoard* boardOf(Env env) { return env.ui.sections.board ? &*env.ui.sections.board : nullptr; }
+bool isOpen(Env env) { return boardOf(env) != nullptr; }
+Outcome notOpen() { return Refusal{"NotNow", "No slice is being drawn."}; }
+bool canUndo(Env env) {
+  const SectionBoard* board = boardOf(env);
+  return board && (!board->past.empty() || !board->corners.empty());
+}
+bool canRedo(Env env) { return isOpen(env) && !boardOf(env)->future.empty(); }
+bool hasCurves(Env env) { return isOpen(env) && !boardOf(env)->drawing.empty(); }
+bool hasPoint(Env env) { return isOpen(env) && boardOf(env)->point.has_value(); }
+bool canEdit(Env env) { return !env.studio.document().pictures.empty(); }
+bool leftRight(Env env) { return isOpen(env) && boardOf(env)->symmetry.leftRight; }
+bool frontBack(Env env) { return isOpen(env) && boardOf(env)->symmetry.frontBack; }
+bool traces(Env env) { return isOpen(env) && boardOf(env)->traces; }
+bool cornered(Env env) {
+  if (!hasPoint(env)) return false;
+  const SectionBoard& board = *boardOf(env);
+  const auto [curve, point] = *board.point;
+  return curve < board.drawing.size() && point < board.drawing[curve].points.size() &&
+         board.drawing[curve].points[point].corner;
+}
+
+/// The board shows `next`; the part follows.
+Outcome change(Env env, Drawing next) {
+  changeDrawing(*boardOf(env), std::move(next));
+  previewBoard(env.ui, env.studio.document());
+  if (const auto problem = loft::problemOf(boardOf(env)->drawing)) {
+    sendStatus(env.host, loft::sentenceOf(problem->fault));
+  }
+  return {};
+}
+
+Outcome editSection(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr && args.find("part") != nullptr) return refuse({Error::NoSuchPart, {}});
+  std::size_t stop = part ? pickedSectionKey(env.ui, *part) : 0;
+  if (const std::optional<double> index = args.number("slice"); index && part) {
+    const auto count = static_cast<double>(document::loftIn(*part).loft.sections.size());
+    if (!(*index >= 0 && *index < count)) return refuse({Error::ValueOutOfRange, "slice"});
+    stop = static_cast<std::size_t>(*index);
+  }
+  const loft::SectionShape shape = part ? document::loftIn(*part).loft.sections[stop].shape : env.ui.section;
+  if (part) {
+    env.ui.selection = part->id;
+    env.ui.sections.part = part->id;
+    env.ui.sections.stop = stop;
+  }
+  openBoard(env.ui, {part, stop, args.flag("empty").value_or(!shape.drawn())}, shape);
+  sendStatus(env.host, "Draw the slice as a closed curve. Enter when it is done, Escape to leave.");
+  return {};
+}
+
+Outcome done(Env env, const Json&) {
+  const SectionBoard& board = *boardOf(env);
+  if (board.past.empty()) {  // nothing changed
+    closeBoard(env.ui);
+    return {};
+  }
+  Result<loft::SectionShape> made = loft::sectionOf(board.drawing);
+  if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
+  const loft::SectionShape shape = std::move(made).value();
+  if (const document::Part* part = document::findPart(env.studio.document(), board.part)) {
+    std::vector<loft::SectionKey> stops = document::loftIn(*part).loft.sections;
+    stops[std::min(board.stop, stops.size() - 1)].shape = shape;
+    const Status status = env.studio.act(document::SetSections{part->id, std::move(stops)});
+    if (!status) return refuse(status.failure());
+  }
+  env.ui.section = shape;
+  closeBoard(env.ui);
+  sendStatus(env.host, "The slice is done, and on your shelf.");
+  if (const Outcome kept = keepOnShelf(env, shape, nullptr); !kept) sendHint(env.host, kept.refusal().sentence);
+  return {};
+}
+
+Outcome leave(Env env, const Json&) {
+  closeBoard(env.ui);
+  sendStatus(env.host, "The slice is as it was.");
+  return {};
+}
+
+void undo(Env env) {
+  undoBoard(*boardOf(env));
+  previewBoard(env.ui, env.studio.document());
+}
+void redo(Env env) {
+  redoBoard(*boardOf(env));
+  previewBoard(env.ui, env.studio.document());
+}
+Outcome takeBack(Env env, const Json&) {
+  undo(env);
+  return {};
+}
+Outcome onceMore(Env env, const Json&) {
+  redo(env);
+  return {};
+}
+
+Outcome clear(Env env, const Json&) {
+  SectionBoard& board = *boardOf(env);
+  for (const loft::DrawnCurve& curve : board.drawing) {
+    keepTrace(env.ui.sections, loft::outlineOf(curve));
+  }
+  board.corners.clear();
+  board.point.reset();
+  return change(env, {});
+}
+
+struct StrokeKey {
+  std::string_view key;
+  BoardStroke::Kind kind;
+  std::size_t least;  ///< points
+};
+constexpr std::array kStrokes = {
+    StrokeKey{"stroke", BoardStroke::Kind::Freehand, 0}, StrokeKey{"outline", BoardStroke::Kind::Outline, 0},
+    StrokeKey{"corners", BoardStroke::Kind::Corners, 3}, StrokeKey{"box", BoardStroke::Kind::Box, 2},
+    StrokeKey{"ellipse", BoardStroke::Kind::Ellipse, 2}};
+
+/// New curves on the board: {stroke}, {outline}, {corners}, {box: [a, b]} or {ellipse: [a, b]}.
+Outcome draw(Env env, const Json& args) {
+  for (const auto& [key, kind, least] : kStrokes) {
+    auto points = pointsFrom(args.find(key));
+    const bool corners = kind == BoardStroke::Kind::Box || kind == BoardStroke::Kind::Ellipse;
+    if (!points || points->size() < least || (corners && points->size() > least)) continue;
+    return drawOnBoard(env, {kind, std::move(*points)});
+  }
+  return missing("a stroke, an outline, corners, a box or an ellipse");
+}
+
+bool isThere(const SectionBoard& board, loft::PointRef ref) {
+  return ref.curve < board.drawing.size() && ref.point < board.drawing[ref.curve].points.size();
+}
+/// As far off as the board lets a point go.
+SectionPoint within(SectionPoint p) { return {std::clamp(p.x, -2.0, 2.0), std::clamp(p.y, -2.0, 2.0)}; }
+
+/// What a stroke draws, by the symmetry of the board. Errors: as of loft::drawFreehand and drawOutline.
+Result<Drawing> curvesOf(const BoardStroke& stroke, const loft::Symmetry& symmetry) {
+  const auto shape = [&](const loft::DrawnCurve& curve) {
+    if (symmetry.none()) return Result<Drawing>(Drawing{curve});
+    return loft::drawOutline(loft::outlineOf(curve), symmetry);
+  };
+  const std::vector<SectionPoint>& points = stroke.points;
+  switch (stroke.kind) {
+    case BoardStroke::Kind::Freehand:
+      return loft::drawFreehand(points, symmetry);
+    case BoardStroke::Kind::Outline:
+      return loft::drawOutline(points, symmetry);
+    case BoardStroke::Kind::Corners:
+      return shape(loft::polygonCurve(points));
+    case BoardStroke::Kind::Box:
+      return shape(loft::boxCurve(points.front(), points.back()));
+    case BoardStroke::Kind::Ellipse:
+      return shape(loft::ellipseCurve(points.front(), points.back()));
+  }
+  return Error::SectionInvalid;
+}
+
+std::optional<loft::PointRef> pointOf(Env env, const Json& args) {
+  const SectionBoard& board = *boardOf(env);
+  const std::optional<double> curve = args.number("curve"), point = args.number("point");
+  loft::PointRef ref = board.point.value_or(loft::PointRef{board.drawing.size(), 0});
+  if (curve && point) {
+    if (!(*curve >= 0 && *point >= 0 && *curve < 1e6 && *point < 1e6)) return std::nullopt;
+    ref = {static_cast<std::size_t>(*curve), static_cast<std::size_t>(*point)};
+  }
+  return isThere(board, ref) ? std::optional(ref) : std::nullopt;
+}
+Outcome noPoint() { return Refusal{"NoSuchPoint", "There is no such point. Tap one first."}; }
+
+/// Where `args.to` (or another key) is; none when it is no point of the plane.
+std::optional<SectionPoint> placeOf(const Json& args, std::string_view key = "to") {
+  const Json::Array wrapped{args.find(key) ? *args.find(key) : Json()};
+  const Json list(wrapped);
+  const auto to = pointsFrom(&list);
+  return to && !to->empty() && isFinite(to->front()) ? std::optional(to->front()) : std::nullopt;
+}
+
+Outcome movePoint(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  const auto to = placeOf(args);
+  if (!ref) return noPoint();
+  return to ? moveBoardPoint(env, *ref, *to) : missing("a place [x, y]");
+}
+
+Outcome addPoint(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  const auto to = placeOf(args);
+  if (!ref) return noPoint();
+  if (!to) return missing("a place [x, y]");
+  if (args.find("from") == nullptr) return addBoardPoint(env, *ref, *to, std::nullopt);
+  return addBoardPoint(env, *ref, placeOf(args, "from").value_or(*to), *to);
+}
+
+Outcome removePoint(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  return ref ? removeBoardPoint(env, *ref) : noPoint();
+}
+
+Outcome setCorner(Env env, const Json& args) {
+  const auto ref = pointOf(env, args);
+  if (!ref) return noPoint();
+  SectionBoard& board = *boardOf(env);
+  Drawing next = board.drawing;
+  const bool corner = !next[ref->curve].points[ref->point].corner;
+  loft::setCorner(next, *ref, args.flag("corner").value_or(corner), board.symmetry);
+  return change(env, std::move(next));
+}
+
+Outcome useTool(Env env, const Json& args) {
+  const std::string* key = args.text("tool");
+  const std::optional<BoardTool> tool = key ? boardToolFromKey(*key) : std::nullopt;
+  return tool ? useBoardTool(env, *tool) : missing("a tool: pen, line, box, ellipse or points");
+}
+
+void toolChoices(Env env, JsonWriter& json) {
+  constexpr std::array<std::string_view, 5> kLabels = {"Pen", "Straight lines", "Box", "Ellipse", "Points"};
+  for (std::size_t i = 0; i < kLabels.size(); ++i) {
+    const auto tool = static_cast<BoardTool>(i);
+    json.beginObject().key("value").text(boardToolKey(tool)).key("label").text(kLabels[i]);
+    json.key("toggled").flag(isOpen(env) && boardOf(env)->tool == tool).endObject();
+  }
+}
+
+constexpr std::array kFolds = {1, 3, 4, 5, 6, 7, 8};
+
+/// Each press of the wheel takes the next number.
+int foldAfter(int fold) {
+  const auto now = std::ranges::find(kFolds, fold);
+  const bool last = now == kFolds.end() || now + 1 == kFolds.end();
+  return last ? kFolds.front() : *(now + 1);
+}
+bool likeAWheel(Env env) { return isOpen(env) && boardOf(env)->symmetry.fold > 1; }
+
+Outcome setSymmetry(Env env, const loft::Symmetry& symmetry) {
+  SectionBoard& board = *boardOf(env);
+  board.symmetry = symmetry;
+  board.point.reset();
+  if (board.drawing.empty()) return {};
+  return change(env, loft::symmetric(board.drawing, symmetry));
+}
+Outcome setSymmetryRow(Env env, const Json& args) {
+  loft::Symmetry next = boardOf(env)->symmetry;
+  next.leftRight = args.flag("leftRight").value_or(next.leftRight);
+  next.frontBack = args.flag("frontBack").value_or(next.frontBack);
+  const auto stated = args.number("fold");
+  const bool sides = args.flag("leftRight") || args.flag("frontBack");
+  const double fold = stated ? *stated : sides ? next.fold : foldAfter(next.fold);
+  if (!(fold >= 1 && fold <= loft::kMostFold)) return refuse({Error::ValueOutOfRange, "fold"});
+  next.fold = static_cast<int>(fold);
+  return setSymmetry(env, next);
+}
+Outcome toggleLeftRight(Env env, const Json&) {
+  loft::Symmetry next = boardOf(env)->symmetry;
+  next.leftRight = !next.leftRight;
+  return setSymmetry(env, next);
+}
+Outcome toggleFrontBack(Env env, const Json&) {
+  loft::Symmetry next = boardOf(env)->symmetry;
+  next.frontBack = !next.frontBack;
+  return setSymmetry(env, next);
+}
+void foldChoices(Env env, JsonWriter& json) {
+  for (const int fold : kFolds) {
+    json.beginObject().key("value").number(fold).key("label");
+    json.text(fold == 1 ? std::string("No wheel") : "Wheel of " + std::to_string(fold));
+    json.key("toggled").flag(isOpen(env) && boardOf(env)->symmetry.fold == fold).endObject();
+  }
+}
+
+Outcome turn(Env env, loft::Turn how) { return change(env, loft::turned(boardOf(env)->drawing, how)); }
+Outcome flipLeftRight(Env env, const Json&) { return turn(env, loft::Turn::FlipLeftRight); }
+Outcome flipFrontBack(Env env, const Json&) { return turn(env, loft::Turn::FlipFrontBack); }
+Outcome quarterTurn(Env env, const Json&) { return turn(env, loft::Turn::QuarterTurn); }
+
+Outcome toggleTraces(Env env, const Json&) {
+  boardOf(env)->traces = !boardOf(env)->traces;
+  return {};
+}
+
+/// The board holds a preset, a section of the shelf or a trace from now on.
+Outcome start(Env env, const Result<Drawing>& drawing) {
+  if (!drawing) return refuse(drawing.failure());
+  SectionBoard& board = *boardOf(env);
+  board.corners.clear();
+  board.point.reset();
+  board.tool = BoardTool::Points;
+  return change(env, loft::symmetric(drawing.value(), board.symmetry));
+}
+
+Outcome startFrom(Env env, const Json& args) {
+  if (const std::optional<double> trace = args.number("trace")) {
+    if (!(*trace >= 0 && *trace < static_cast<double>(kMostTraces))) return refuse({Error::ValueOutOfRange, "trace"});
+    return startBoardFromTrace(env, static_cast<std::size_t>(*trace));
+  }
+  const Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  if (!shape) return refuse(shape.failure());
+  return shape.value() ? startBoardFrom(env, *shape.value()) : missing("the name of a slice");
+}
+void startChoices(Env, JsonWriter& json) {
+  for (const loft::SectionName& name : loft::sectionNames()) {
+    json.beginObject().key("value").text(name.key).key("label").text(name.label).endObject();
+  }
+}
+
+constexpr std::array kTable = {
+    Command{"edit-slice",
+            "Draw a slice",
+            "square-pen",
+            "",
+            "slice",
+            {},
+            "Draw a slice of your own, or change the chosen one",
+            canEdit,
+            isOpen,
+            editSection},
+    Command{"slice-done", "Done", "check", "", "board", {}, "Use the drawn slice (Enter)", isOpen, nullptr, done},
+    Command{"slice-cancel",
+            "Leave without changing",
+            "x",
+            "",
+            "board",
+            {},
+            "Everything stays as it was (Escape)",
+            isOpen,
+            nullptr,
+            leave},
+    Command{"slice-undo",
+            "Take back",
+            "undo-2",
+            "",
+            "board",
+            {},
+            "Take the last change of the drawing back (Ctrl+Z)",
+            canUndo,
+            nullptr,
+            takeBack},
+    Command{"slice-redo",
+            "Once more",
+            "redo-2",
+            "",
+            "board",
+            {},
+            "Do what was taken back again (Ctrl+Y)",
+            canRedo,
+            nullptr,
+            onceMore},
+    Command{"slice-tool",
+            "Drawing with",
+            "pencil",
+            "",
+            "board",
+            {"tool", toolChoices},
+            "Pen, straight lines, box, ellipse or points",
+            isOpen,
+            nullptr,
+            useTool},
+    Command{"slice-left-right",
+            "Left like right",
+            "flip-vertical-2",
+            "",
+            "board",
+            {},
+            "Both sides are the same",
+            isOpen,
+            leftRight,
+            toggleLeftRight},
+    Command{"slice-front-back",
+            "Front like back",
+            "flip-horizontal-2",
+            "",
+            "board",
+            {},
+            "Front and back are the same",
+            isOpen,
+            frontBack,
+            toggleFrontBack},
+    Command{"slice-symmetry",
+            "Like a wheel",
+            "flower",
+            "",
+            "board",
+            {"fold", foldChoices},
+            "The drawing repeats itself round the middle",
+            isOpen,
+            likeAWheel,
+            setSymmetryRow},
+    Command{"slice-flip",
+            "Flip left and right",
+            "move-horizontal",
+            "",
+            "board",
+            {},
+            "Left becomes right",
+            hasCurves,
+            nullptr,
+            flipLeftRight},
+    Command{"slice-flip-front",
+            "Flip front and back",
+            "refresh-cw",
+            "",
+            "board",
+            {},
+            "Front becomes back",
+            hasCurves,
+            nullptr,
+            flipFrontBack},
+    Command{"slice-turn",
+            "Quarter turn",
+            "rotate-ccw",
+            "",
+            "board",
+            {},
+            "Turn the drawing by a quarter",
+            hasCurves,
+            nullptr,
+            quarterTurn},
+    Command{"slice-corner",
+            "Corner or round",
+            "diamond",
+            "",
+            "board",
+            {},
+            "The touched point becomes a corner, or round",
+            hasPoint,
+            cornered,
+            setCorner},
+    Command{"slice-remove-point",
+            "Remove point",
+            "minus",
+            "",
+            "board",
+            {},
+            "Take the touched point away (Delete)",
+            hasPoint,
+            nullptr,
+            removePoint},
+    Command{
+        "slice-clear", "Empty the board", "eraser", "", "board", {}, "Start with nothing", hasCurves, nullptr, clear},
+    Command{"slice-traces",
+            "Earlier lines",
+            "history",
+            "",
+            "board",
+            {},
+            "Show what was drawn before, to trace it",
+            isOpen,
+            traces,
+            toggleTraces},
+    Command{"slice-start-from",
+            "Start from",
+            "shapes",
+            "",
+            "board",
+            {"section", startChoices},
+            "Begin with one of the slices",
+            isOpen,
+            nullptr,
+            startFrom},
+    Command{"slice-draw",
+            "Draw by numbers",
+            "pencil",
+            "",
+            "board",
+            {"stroke"},
+            "A line, box or ellipse on the board",
+            isOpen,
+            nullptr,
+            draw},
+    Command{"slice-move-point",
+            "Move a point",
+            "mouse-pointer-2",
+            "",
+            "board",
+            {"to"},
+            "Move a point of the drawing",
+            hasCurves,
+            nullptr,
+            movePoint},
+    Command{"slice-add-point",
+            "Add a point",
+            "plus",
+            "",
+            "board",
+            {"to"},
+            "Add a point after another one",
+            hasCurves,
+            nullptr,
+            addPoint},
+};
+
+}  // namespace
+
+Outcome useBoardTool(Env env, BoardTool tool) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  board.tool = tool;
+  board.corners.clear();
+  if (tool != BoardTool::Points) board.point.reset();
+  return {};
+}
+
+Outcome drawOnBoard(Env env, const BoardStroke& stroke) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  const Result<Drawing> curves = curvesOf(stroke, board.symmetry);
+  if (!curves) {
+    return Refusal{std::string(errorName(curves.error())),
+                   curves.failure().detail.empty() ? failureSentence(curves.failure()) : curves.failure().detail};
+  }
+  board.corners.clear();
+  board.point.reset();
+  if (!curves.value().empty()) keepTrace(env.ui.sections, loft::outlineOf(curves.value().front()));
+  return change(env, withCurves(board.drawing, curves.value()));
+}
+
+Outcome startBoardFrom(Env env, const loft::SectionShape& shape) {
+  return isOpen(env) ? start(env, loft::drawingOf(shape)) : notOpen();
+}
+
+Outcome startBoardFromTrace(Env env, std::size_t trace) {
+  if (!isOpen(env)) return notOpen();
+  const auto& lines = env.ui.sections.traces;
+  if (trace >= lines.size()) return refuse({Error::ValueOutOfRange, "trace"});
+  return start(env, loft::drawOutline(lines[trace], {}));
+}
+
+Outcome moveBoardPoint(Env env, loft::PointRef point, SectionPoint to) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  if (!isThere(board, point)) return noPoint();
+  Drawing next = board.drawing;
+  loft::movePoint(next, point, within(to), board.symmetry);
+  board.point = point;
+  return change(env, std::move(next));
+}
+
+Outcome addBoardPoint(Env env, loft::PointRef after, SectionPoint at, std::optional<SectionPoint> to) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  if (!isThere(board, after)) return noPoint();
+  Drawing next = board.drawing;
+  const loft::PointRef added = loft::addPoint(next, after, within(at), board.symmetry);
+  if (to) loft::movePoint(next, added, within(*to), board.symmetry);
+  Outcome outcome = change(env, std::move(next));
+  board.point = added;
+  return outcome;
+}
+
+Outcome removeBoardPoint(Env env, loft::PointRef point) {
+  if (!isOpen(env)) return notOpen();
+  SectionBoard& board = *boardOf(env);
+  if (!isThere(board, point)) return noPoint();
+  Drawing next = board.drawing;
+  loft::removePoint(next, point, board.symmetry);
+  board.point.reset();
+  return change(env, std::move(next));
+}
+
+Status undoOnBoard(const CommandEnv& env) {
+  if (!canUndo(env)) return Error::NothingToUndo;
+  undo(env);
+  return Done{};
+}
+
+Status redoOnBoard(const CommandEnv& env) {
+  if (!canRedo(env)) return Error::NothingToRedo;
+  redo(env);
+  return Done{};
+}
+
+bool canUndoOnBoard(const CommandEnv& env) { return canUndo(env); }
+bool canRedoOnBoard(const CommandEnv& env) { return canRedo(env); }
+
+const Command* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event) {
+  if (!isOpen(env)) return nullptr;
+  const bool control = (event.modifiers & (platform::kControl | platform::kMeta)) != 0;
+  const bool shift = (event.modifiers & platform::kShift) != 0;
+  if (control && (event.key == "z" || event.key == "Z"))
+    return &(shift ? commandOf("slice-redo") : commandOf("slice-undo"));
+  if (control && (event.key == "y" || event.key == "Y")) return &commandOf("slice-redo");
+  if (control) return nullptr;
+  if (event.key == "Enter") return &commandOf("slice-done");
+  if (event.key == "Escape") return &commandOf("slice-cancel");
+  if (event.key == "Delete" || event.key == "Backspace") return &commandOf("slice-remove-point");
+  return nullptr;
+}
+
+std::span<const Command> sectionBoardCommands() { return kTable; }
+
+}  // namespace spineloft::app

@@ -1,0 +1,561 @@
+// The rows of the command table that are about sections along a spine, curves along it, and the shelf.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/commands/section_json.h"
+#include "web/edit/section_editing.h"
+#include "web/model/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+using SectionKeys = std::vector<loft::SectionKey>;
+
+const document::Part* selected(Env env) { return loftPartOf(env, Json()); }
+bool hasSeveral(Env env) {
+  const document::Part* part = selected(env);
+  return part != nullptr && document::loftIn(*part).loft.sections.size() > 1;
+}
+bool hasShelf(Env env) { return !env.ui.sections.shelf.empty(); }
+bool hasDrawn(Env env) { return pickedShape(env.ui, selected(env)).drawn(); }
+bool placing(Env env) { return env.ui.sections.placing; }
+
+/// The section of the part that `args.section` counts (from 0), else the picked one; none when there is
+/// no such section.
+std::optional<std::size_t> sectionKeyOf(Env env, const Json& args, const document::Part& part) {
+  if (args.find("slice") == nullptr) return pickedSectionKey(env.ui, part);
+  const std::optional<double> index = args.number("slice");
+  const auto count = static_cast<double>(document::loftIn(part).loft.sections.size());
+  if (!index || !(*index >= 0 && *index < count)) return std::nullopt;
+  return static_cast<std::size_t>(*index);
+}
+Outcome noSection() { return refuse({Error::ValueOutOfRange, "slice"}); }
+
+/// The sections along a part's spine; null when there is none of this number.
+const SectionKeys* sectionsOf(Env env, PartId id, std::size_t key) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  const document::LoftRecipe* loft = part ? document::loftOf(*part) : nullptr;
+  return loft && key < loft->loft.sections.size() ? &loft->loft.sections : nullptr;
+}
+
+void pick(Env env, PartId part, std::size_t stop) {
+  env.ui.sections.part = part;
+  env.ui.sections.stop = stop;
+}
+
+/// Sections along one spine become each other: they need the same number of curves and holes.
+Outcome setSectionKeys(Env env, PartId part, SectionKeys stops) {
+  const Status status = env.studio.act(document::SetSections{part, std::move(stops)});
+  return outcomeOf(status);
+}
+
+Outcome setSections(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const Json* list = args.find("slices");
+  if (list == nullptr || list->array() == nullptr) return missing("a list of slices");
+  SectionKeys stops;
+  for (const Json& entry : *list->array()) {
+    loft::SectionKey stop;
+    Result<std::optional<loft::SectionShape>> shape = shapeFrom(entry, env.ui.sections);
+    Result<loft::Blend> blend = blendFrom(entry, {});
+    if (!shape) return refuse(shape.failure());
+    if (!blend) return refuse(blend.failure());
+    if (shape.value()) stop.shape = *shape.value();
+    stop.blend = std::move(blend).value();
+    stop.at = entry.number("at").value_or(stop.at);
+    stops.push_back(std::move(stop));
+  }
+  return setSectionKeys(env, part->id, std::move(stops));
+}
+
+Outcome addSectionRow(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::optional<double> at = args.number("at");
+  if (!at) {
+    env.ui.sections.placing = !env.ui.sections.placing;
+    if (env.ui.sections.placing) sendStatus(env.host, "Tap the bone where the slice shall be.");
+    return {};
+  }
+  const Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  if (!shape) return refuse(shape.failure());
+  return addSection(env, part->id, *at, shape.value());
+}
+
+Outcome moveSectionRow(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
+  const std::optional<double> to = args.number("to");
+  if (!stop) return noSection();
+  return to ? moveSection(env, part->id, *stop, *to) : missing("a place from 0 to 1");
+}
+
+Outcome nudge(Env env, double by) {
+  const document::Part* part = selected(env);
+  if (part == nullptr) return noSpine(env, {});
+  const std::size_t stop = pickedSectionKey(env.ui, *part);
+  const auto& stops = document::loftIn(*part).loft.sections;
+  return setSectionKeys(env, part->id, withMovedSectionKey(stops, stop, stops[stop].at + by));
+}
+constexpr double kNudge = 0.02;
+Outcome nudgeOn(Env env, const Json&) { return nudge(env, kNudge); }
+Outcome nudgeBack(Env env, const Json&) { return nudge(env, -kNudge); }
+
+Outcome removeSectionRow(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
+  return stop ? removeSection(env, part->id, *stop) : noSection();
+}
+
+Outcome selectSectionRow(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
+  return stop ? selectSection(env, part->id, *stop) : noSection();
+}
+
+Outcome nextSection(Env env, const Json&) {
+  const document::Part* part = selected(env);
+  if (part == nullptr) return noSpine(env, {});
+  pick(env, part->id, (pickedSectionKey(env.ui, *part) + 1) % document::loftIn(*part).loft.sections.size());
+  sendStatus(env.host, "Slice " + std::to_string(env.ui.sections.stop + 1) + " of " +
+                           std::to_string(document::loftIn(*part).loft.sections.size()) + ".");
+  return {};
+}
+
+Outcome setBlendRow(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
+  if (!stop) return noSection();
+  if (args.text("blend") == nullptr) return missing("a blend");
+  const Result<loft::Blend> blend = blendFrom(args, document::loftIn(*part).loft.sections[*stop].blend);
+  return blend ? setBlend(env, part->id, *stop, blend.value()) : refuse(blend.failure());
+}
+
+void blendChoices(Env env, JsonWriter& json) {
+  const document::Part* part = selected(env);
+  for (const loft::BlendName& name : loft::blendNames()) {
+    const bool on =
+        part && document::loftIn(*part).loft.sections[pickedSectionKey(env.ui, *part)].blend.kind == name.kind;
+    json.beginObject().key("value").text(name.key).key("label").text(name.label);
+    json.key("toggled").flag(on).endObject();
+  }
+}
+
+// ---- Curves along the spine
+// ------------------------------------------------------------------------
+
+Outcome setAlongRow(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::string* key = args.text("kind");
+  const AlongInfo* info = key ? findAlong(*key) : nullptr;
+  if (info == nullptr) return missing("a kind: twist, squash, tilt or bulge");
+  const std::optional<geometry::AlongCurve> curve = curveFrom(args.find("points"));
+  if (!curve) return missing("points: a list of [place, value]");
+  return setAlong(env, part->id, info->kind, *curve);
+}
+
+Outcome alongShape(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr) return noSpine(env, args);
+  const std::string* name = args.text("shape");
+  if (name == nullptr) return missing("a shape such as twist/turn");
+  const std::size_t slash = name->find('/');
+  const AlongInfo* info = findAlong(std::string_view(*name).substr(0, slash));
+  if (info == nullptr || slash == std::string::npos) return refuse({Error::ValueOutOfRange, *name});
+  const std::string_view rest = std::string_view(*name).substr(slash + 1);
+  geometry::AlongCurve curve;
+  if (rest != "none") {
+    const auto shapes = alongShapes();
+    const auto at = std::ranges::find_if(
+        shapes, [&](const AlongShape& shape) { return shape.kind == info->kind && shape.key == rest; });
+    if (at == shapes.end()) return refuse({Error::ValueOutOfRange, *name});
+    curve.points = at->points;
+  }
+  return setAlong(env, part->id, info->kind, curve);
+}
+
+void alongChoices(Env, JsonWriter& json) {
+  const auto put = [&](const AlongInfo& info, std::string_view key, std::string_view label) {
+    json.beginObject().key("value").text(std::string(info.key) + "/" + std::string(key));
+    json.key("label").text(std::string(info.label) + ": " + std::string(label)).endObject();
+  };
+  for (const AlongInfo& info : alongTable()) {
+    put(info, "none", "none");
+    for (const AlongShape& shape : alongShapes()) {
+      if (shape.kind == info.kind) put(info, shape.key, shape.label);
+    }
+  }
+}
+
+Outcome openAlong(Env env, bool open) {
+  env.ui.sections.alongOpen = open;
+  const unsigned section = 1u << static_cast<unsigned>(PanelTab::Along);
+  if (open) {
+    env.ui.tab = PanelTab::Along;
+    env.ui.folded &= ~section;
+    env.ui.sections.revealGraph = true;
+  } else {
+    env.ui.folded |= section;
+  }
+  return {};
+}
+
+Outcome showAlongRow(Env env, const Json& args) {
+  const std::string* key = args.text("kind");
+  if (key == nullptr) return openAlong(env, !env.ui.sections.alongOpen);
+  const AlongInfo* info = findAlong(*key);
+  return info ? showAlong(env, info->kind) : refuse({Error::ValueOutOfRange, *key});
+}
+bool alongShown(Env env) { return env.ui.sections.alongOpen; }
+
+// ---- The shelf
+// ------------------------------------------------------------------------------------
+
+/// Null when there is no such section on the shelf.
+ShelfSection* onShelf(Env env, std::optional<double> id) {
+  auto& shelf = env.ui.sections.shelf;
+  const auto at = std::ranges::find_if(shelf, [&](const ShelfSection& s) { return id && s.id == *id; });
+  return at == shelf.end() ? nullptr : &*at;
+}
+Outcome notOnShelf() { return Refusal{"NoSuchSlice", "There is no such slice on your shelf."}; }
+
+Outcome keepSection(Env env, const Json& args) {
+  Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  if (!shape) return refuse(shape.failure());
+  const loft::SectionShape kept = shape.value().value_or(pickedShape(env.ui, selected(env)));
+  if (!kept.drawn()) return Refusal{"NotNow", "Only slices of your own go on the shelf."};
+  return keepOnShelf(env, kept, args.text("name"));
+}
+
+Outcome renameTo(Env env, std::uint32_t id, const std::string& name) {
+  ShelfSection* section = onShelf(env, id);
+  if (section == nullptr) return notOnShelf();
+  if (name.empty() || name.size() > document::kMaxNameBytes) {
+    return refuse({Error::ValueOutOfRange, "name"});
+  }
+  section->name = name;
+  sendShelf(env);
+  return {};
+}
+
+Outcome renameSection(Env env, const Json& args) {
+  const ShelfSection* section = onShelf(env, args.number("id"));
+  if (section == nullptr) return notOnShelf();
+  const std::string* name = args.text("name");
+  return name ? renameTo(env, section->id, *name) : askSectionName(env, section->id);
+}
+
+Outcome deleteSectionRow(Env env, const Json& args) {
+  const ShelfSection* section = onShelf(env, args.number("id"));
+  return section ? deleteSection(env, section->id) : notOnShelf();
+}
+
+Outcome loadShelf(Env env, const Json& args) {
+  const Json* list = args.find("slices");
+  if (list == nullptr) return missing("slices");
+  readShelf(env.ui.sections, *list);
+  return {};
+}
+
+constexpr std::array kTable = {
+    Command{"add-slice",
+            "Add a slice",
+            "circle-plus",
+            "",
+            "slice",
+            {},
+            "Tap the bone where another slice shall be",
+            hasSpine,
+            placing,
+            addSectionRow},
+    Command{"next-slice",
+            "Next slice",
+            "arrow-right",
+            "",
+            "slice",
+            {},
+            "Choose the next slice along the bone",
+            hasSeveral,
+            nullptr,
+            nextSection},
+    Command{"slice-on",
+            "Slice on",
+            "move-horizontal",
+            "",
+            "slice",
+            {},
+            "Move the chosen slice towards the end",
+            hasSeveral,
+            nullptr,
+            nudgeOn},
+    Command{"slice-back",
+            "Slice back",
+            "move-horizontal",
+            "",
+            "slice",
+            {},
+            "Move the chosen slice towards the beginning",
+            hasSeveral,
+            nullptr,
+            nudgeBack},
+    Command{"remove-slice",
+            "Remove slice",
+            "trash-2",
+            "",
+            "slice",
+            {},
+            "Take the chosen slice off the bone",
+            hasSeveral,
+            nullptr,
+            removeSectionRow},
+    Command{"set-blend",
+            "Change between slices",
+            "chart-spline",
+            "",
+            "slice",
+            {"blend", blendChoices},
+            "How one slice becomes the next",
+            hasSeveral,
+            nullptr,
+            setBlendRow},
+    Command{"along-shape",
+            "Along the bone",
+            "tornado",
+            "",
+            "slice",
+            {"shape", alongChoices},
+            "Twist, flatten or lean the part along its bone",
+            hasSpine,
+            nullptr,
+            alongShape},
+    Command{"show-along",
+            "Graphs along the bone",
+            "chart-line",
+            "",
+            "slice",
+            {},
+            "Show the curves of twist, depth and lean",
+            hasSpine,
+            alongShown,
+            showAlongRow},
+    Command{"keep-slice",
+            "Keep slice",
+            "bookmark-plus",
+            "",
+            "slice",
+            {},
+            "Put the chosen slice on your shelf",
+            hasDrawn,
+            nullptr,
+            keepSection},
+    Command{"set-slices",
+            "Slices by numbers",
+            "layers",
+            "",
+            "slice",
+            {"slices"},
+            "All slices along the bone",
+            hasSpine,
+            nullptr,
+            setSections},
+    Command{"move-slice",
+            "Slide a slice",
+            "move-horizontal",
+            "",
+            "slice",
+            {"to"},
+            "Move a slice along the bone",
+            hasSpine,
+            nullptr,
+            moveSectionRow},
+    Command{"select-slice",
+            "Choose a slice",
+            "circle-dot",
+            "",
+            "slice",
+            {"slice"},
+            "Choose one of the slices along the bone",
+            hasSpine,
+            nullptr,
+            selectSectionRow},
+    Command{"set-along",
+            "Curve by numbers",
+            "chart-spline",
+            "",
+            "slice",
+            {"points"},
+            "Twist, depth, lean or front along the bone",
+            hasSpine,
+            nullptr,
+            setAlongRow},
+    Command{"rename-slice",
+            "Rename a slice",
+            "pencil-line",
+            "",
+            "slice",
+            {"id"},
+            "A name for a slice on your shelf",
+            hasShelf,
+            nullptr,
+            renameSection},
+    Command{"delete-slice",
+            "Delete a slice",
+            "trash-2",
+            "",
+            "slice",
+            {"id"},
+            "Take a slice off your shelf",
+            hasShelf,
+            nullptr,
+            deleteSectionRow},
+    Command{"load-shelf",
+            "Fill the shelf",
+            "bookmark",
+            "",
+            "slice",
+            {"slices"},
+            "The slices that this browser keeps",
+            nullptr,
+            nullptr,
+            loadShelf},
+};
+
+}  // namespace
+
+void sendShelf(const CommandEnv& env) {
+  JsonWriter json;
+  json.beginObject().key("type").text("shelf").key("slices");
+  json.value(shelfJson(env.ui.sections));
+  json.endObject();
+  env.host.send(json.json());
+}
+
+Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name) {
+  SectionUi& sections = env.ui.sections;
+  const auto same = [&](const ShelfSection& section) { return section.shape == shape; };
+  if (std::ranges::any_of(sections.shelf, same)) return {};
+  if (sections.shelf.size() >= kMostShelfSections) {
+    return Refusal{"ShelfFull", "Your shelf is full. Delete a slice to keep this one."};
+  }
+  const std::uint32_t id = ++sections.lastShelfId;
+  const bool named = name && !name->empty() && name->size() <= document::kMaxNameBytes;
+  sections.shelf.push_back({id, named ? *name : "My slice " + std::to_string(id), shape});
+  sendShelf(env);
+  return {};
+}
+
+Outcome setSection(Env env, PartId id, std::optional<std::size_t> key, const loft::SectionShape& shape) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (id && (part == nullptr || document::loftOf(*part) == nullptr)) return noSpine(part);
+  env.ui.section = shape;
+  if (part == nullptr) return {};
+  if (!key) return outcomeOf(env.studio.act(document::SetSection{id, shape}));
+  SectionKeys stops = document::loftIn(*part).loft.sections;
+  if (*key >= stops.size()) return noSection();
+  stops[*key].shape = shape;
+  return setSectionKeys(env, id, std::move(stops));
+}
+
+Outcome addSection(Env env, PartId id, double at, const std::optional<loft::SectionShape>& shape) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
+  if (!(at >= 0 && at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
+  std::size_t added = 0;
+  SectionKeys stops =
+      withSectionKey(document::loftIn(*part).loft.sections, at, shape.value_or(pickedShape(env.ui, part)), added);
+  env.ui.sections.placing = false;
+  if (Outcome done = setSectionKeys(env, id, std::move(stops)); !done) return done;
+  env.ui.selection = id;
+  pick(env, id, added);
+  return {};
+}
+
+Outcome moveSection(Env env, PartId id, std::size_t key, double to) {
+  const SectionKeys* stops = sectionsOf(env, id, key);
+  if (stops == nullptr) return noSection();
+  if (!(to >= 0 && to <= 1)) return refuse({Error::ValueOutOfRange, "to"});
+  Outcome outcome = setSectionKeys(env, id, withMovedSectionKey(*stops, key, to));
+  if (outcome) pick(env, id, key);
+  return outcome;
+}
+
+Outcome removeSection(Env env, PartId id, std::size_t key) {
+  const SectionKeys* stops = sectionsOf(env, id, key);
+  if (stops == nullptr) return noSection();
+  if (stops->size() < 2) return Refusal{"NotNow", "This is the part's only slice. Choose another one instead."};
+  Outcome outcome = setSectionKeys(env, id, withoutSectionKey(*stops, key));
+  if (outcome) pick(env, id, key > 0 ? key - 1 : 0);
+  return outcome;
+}
+
+Outcome selectSection(Env env, PartId id, std::size_t key) {
+  if (sectionsOf(env, id, key) == nullptr) return noSection();
+  env.ui.selection = id;
+  pick(env, id, key);
+  return {};
+}
+
+Outcome setBlend(Env env, PartId id, std::size_t key, const loft::Blend& blend) {
+  const SectionKeys* stops = sectionsOf(env, id, key);
+  if (stops == nullptr) return noSection();
+  SectionKeys changed = *stops;
+  changed[key].blend = blend;
+  return setSectionKeys(env, id, std::move(changed));
+}
+
+Outcome setAlong(Env env, PartId part, document::AlongKind kind, const geometry::AlongCurve& shown) {
+  geometry::AlongCurve curve = shown;
+  for (geometry::AlongPoint& p : curve.points) p.value *= alongInfo(kind).unit;
+  env.ui.sections.along = kind;
+  return outcomeOf(env.studio.act(document::SetAlong{part, kind, std::move(curve)}));
+}
+
+Outcome showAlong(Env env, document::AlongKind kind) {
+  env.ui.sections.along = kind;
+  return openAlong(env, true);
+}
+
+Outcome askSectionName(Env env, std::uint32_t id) {
+  const ShelfSection* section = onShelf(env, id);
+  if (section == nullptr) return notOnShelf();
+  const std::string question = "rename-slice:" + std::to_string(id);
+  return ask(env, {question, "Rename", "A name for this slice", section->name},
+             [id](Env later, const std::string& name) { return renameTo(later, id, name); });
+}
+
+Outcome deleteSection(Env env, std::uint32_t id) {
+  if (std::erase_if(env.ui.sections.shelf, [&](const ShelfSection& s) { return s.id == id; }) == 0) return notOnShelf();
+  sendShelf(env);
+  return {};
+}
+
+Outcome rows::setSection(const CommandEnv& env, const Json& args) {
+  const Result<std::optional<loft::SectionShape>> read = shapeFrom(args, env.ui.sections);
+  if (!read) return refuse(read.failure());
+  if (!read.value()) return missing("the name of a slice, or its contours");
+  const document::Part* part = loftPartOf(env, args);
+  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noSpine(env, args);
+  std::optional<std::size_t> key;
+  if (part && args.find("slice") != nullptr) {
+    key = sectionKeyOf(env, args, *part);
+    if (!key) return noSection();
+  }
+  return app::setSection(env, part ? part->id : PartId{}, key, *read.value());
+}
+
+std::span<const Command> sectionCommands() { return kTable; }
+
+}  // namespace spineloft::app

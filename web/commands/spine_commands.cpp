@@ -1,0 +1,333 @@
+// Commands about spines: moved, bent, posed, coiled, out of the picture's plane.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/geometry/along.h"
+#include "engine/ribs/edit/places.h"
+#include "engine/ribs/edit/spine_gestures.h"
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/edit/editing.h"
+#include "web/model/messages.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kFirstCoil = 3;  // turns
+constexpr double kFarNudge = 10;  // picture pixels, with shift
+
+Subject subjectFor(Env env, PartId part) { return subjectOf(env.studio.document(), env.studio.derived(), part); }
+Subject subjectFor(Env env, const Json& args) {
+  const document::Part* part = loftPartOf(env, args);
+  return part ? subjectFor(env, part->id) : Subject{};
+}
+Outcome noSpineIn(Env env, PartId part) { return noSpine(document::findPart(env.studio.document(), part)); }
+
+bool spineTool(Env env) { return env.ui.tool == ToolKind::Spine; }
+bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
+bool keepsRibs(Env env) { return env.ui.edit.keepRibs; }
+bool findsEdges(Env env) { return !env.ui.edit.keepRibs; }
+bool byPressure(Env env) { return env.ui.edit.depthByPressure; }
+bool penSeen(Env env) { return env.ui.penSeen; }
+bool isJoined(Env env) {
+  const document::Part* part = loftPartOf(env, {});
+  return part != nullptr && document::loftIn(*part).pose.closed;
+}
+bool isCoiled(Env env) {
+  const document::Part* part = loftPartOf(env, {});
+  return part != nullptr && document::loftIn(*part).pose.coilTurns != 0;
+}
+bool pointChosen(Env env) {
+  if (!hasSpine(env)) return false;
+  if (env.ui.tool == ToolKind::Ribs) return env.ui.chosen.end.has_value();
+  return spineTool(env) && env.ui.chosen.handle >= 0;
+}
+
+Outcome useSpineTool(Env env, const Json&) {
+  env.ui.tool = ToolKind::Spine;
+  env.ui.redraw = {};
+  if (hasSpine(env)) return {};
+  for (const document::Part& part : env.studio.document().parts) {
+    const bool fits = document::pictureOf(part) == env.ui.picture && document::loftOf(part) != nullptr;
+    if (fits && pipeline::isVisible(env.studio.document(), part)) env.ui.selection = part.id;
+  }
+  return {};
+}
+
+/// The part on another line; `burst` as Studio::act has it.
+Outcome putLine(Env env, const Subject& subject, std::vector<PicturePoint> line, bool keepRibs,
+                std::string_view burst = {}) {
+  const auto actions = spineActions(*subject.part, std::move(line), keepRibs);
+  return outcomeOf(env.studio.act(actions, burst));
+}
+
+bool keepFor(Env env, const Json& args) { return args.flag("keep").value_or(env.ui.edit.keepRibs); }
+
+Outcome bendSpineRow(Env env, const Json& args) {
+  const Subject subject = subjectFor(env, args);
+  if (!subject) return noSpine(env, args);
+  const std::optional<PicturePoint> to = pointOf(args, "to");
+  if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
+  const double reach = std::clamp(args.number("reach").value_or(env.ui.edit.spineReach), 0.0, 1.0);
+  if (const std::optional<double> handle = args.number("handle")) {
+    if (!(*handle >= 0) || *handle >= kSpineHandles) return refuse({Error::ValueOutOfRange, "handle"});
+    return bendSpine(env, {subject.part->id, static_cast<int>(*handle), *to, reach, keepFor(env, args)});
+  }
+  const double at = args.number("at").value_or(0.5);
+  if (!(at >= 0 && at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
+  return putLine(env, subject, ribs::bendStroke(spineLine(subject), at, *to, reach), keepFor(env, args));
+}
+
+Outcome moveSpineRow(Env env, const Json& args) {
+  const Subject subject = subjectFor(env, args);
+  if (!subject) return noSpine(env, args);
+  const std::optional<PicturePoint> by = pointOf(args, "by");
+  if (!by || !isFinite(*by)) return missing("how far: [x, y] in picture pixels");
+  return moveSpine(env, subject.part->id, *by, keepFor(env, args));
+}
+
+Outcome extendSpine(Env env, const Json& args) {
+  const Subject subject = subjectFor(env, args);
+  if (!subject) return noSpine(env, args);
+  const std::optional<PicturePoint> to = pointOf(args, "to");
+  if (!to || !isFinite(*to)) return missing("where to: [x, y] in picture pixels");
+  const bool atStart = args.flag("start").value_or(false);
+  return putLine(env, subject, ribs::extendStroke(spineLine(subject), atStart, *to), keepFor(env, args));
+}
+
+/// Changes the pose of the part that is meant.
+template <class Change>
+Outcome editPose(Env env, const document::Part* part, const Change& change) {
+  if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
+  document::PoseSpine pose{part->id, document::loftIn(*part).pose};
+  change(pose.pose);
+  return outcomeOf(env.studio.act(pose));
+}
+
+Outcome poseSpineRow(Env env, const Json& args) {
+  const auto stroke = strokeOf(args);
+  const auto depth = curveOf(args, "depth");
+  const Json* given = args.find("stroke");
+  if (given && !stroke && !given->isNull()) {
+    return missing("a stroke: a list of [x, y] picture pixels");
+  }
+  return editPose(env, partOf(env, args), [&](loft::Pose& pose) {
+    if (given) pose.stroke = stroke.value_or(std::vector<PicturePoint>{});
+    if (depth) pose.depth = *depth;
+    pose.coilTurns = args.number("turns").value_or(pose.coilTurns);
+    pose.coilRadius = args.number("radius").value_or(pose.coilRadius);
+    pose.closed = args.flag("closed").value_or(pose.closed);
+  });
+}
+
+Outcome resetPose(Env env, const Json& args) {
+  return editPose(env, partOf(env, args), [](loft::Pose& pose) { pose = {}; });
+}
+
+Outcome setDepthRow(Env env, const Json& args) {
+  const auto depth = curveOf(args, "points");
+  if (!depth) return missing("points: a list of [place, depth], places from 0 to 1 in order");
+  const document::Part* part = partOf(env, args);
+  return part ? setDepth(env, part->id, *depth) : noPart();
+}
+
+Outcome joinEnds(Env env, const Json& args) {
+  return editPose(env, partOf(env, args),
+                  [&](loft::Pose& pose) { pose.closed = args.flag("closed").value_or(!pose.closed); });
+}
+
+/// Twice the mean length of its ribs: a coil whose turns do not touch.
+double fittingRadius(const Subject& subject) {
+  const auto& ribs = subject.shape->ribs.ribs;
+  double sum = 0;
+  for (const ribs::Rib& rib : ribs) sum += distance(rib.left, rib.right) / 2;
+  return ribs.empty() ? 10 : std::round(2 * sum / static_cast<double>(ribs.size()));
+}
+
+Outcome coil(Env env, const Json& args) {
+  const Subject subject = subjectFor(env, args);
+  return editPose(env, partOf(env, args), [&](loft::Pose& pose) {
+    const bool told = args.number("turns") || args.number("radius");
+    if (!told && pose.coilTurns != 0) {
+      pose.coilTurns = pose.coilRadius = 0;
+      return;
+    }
+    pose.coilTurns = args.number("turns").value_or(pose.coilTurns != 0 ? pose.coilTurns : kFirstCoil);
+    const double fitting = subject ? fittingRadius(subject) : 10;
+    pose.coilRadius = args.number("radius").value_or(pose.coilRadius > 0 ? pose.coilRadius : fitting);
+  });
+}
+
+Outcome setKeep(Env env, bool keep) {
+  env.ui.edit.keepRibs = keep;
+  return {};
+}
+Outcome keepRibs(Env env, const Json&) { return setKeep(env, true); }
+Outcome findEdges(Env env, const Json&) { return setKeep(env, false); }
+Outcome togglePressure(Env env, const Json&) {
+  env.ui.edit.depthByPressure = !env.ui.edit.depthByPressure;
+  return {};
+}
+
+Outcome chooseHandleRow(Env env, const Json& args) {
+  const std::optional<double> handle = args.number("handle");
+  if (!handle || !(*handle >= 0) || *handle >= kSpineHandles) return missing("a handle");
+  return chooseHandle(env, static_cast<int>(*handle));
+}
+
+/// From the side for an upright spine, from above for a lying one: where its depth is seen best.
+Outcome sideView(Env env, const Json& args) {
+  const Subject subject = subjectFor(env, args);
+  if (!subject) return noSpine(env, args);
+  UiState& ui = env.ui;
+  const auto& line = subject.shape->centreLine;
+  const auto [left, right] = std::ranges::minmax(line, {}, &ModelPoint::x);
+  const auto [low, high] = std::ranges::minmax(line, {}, &ModelPoint::y);
+  Camera to;
+  if (high.y - low.y >= right.x - left.x) {
+    to.yaw = kPi / 2;
+  } else {
+    to.pitch = kMaxPitch;
+  }
+  const auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
+  if (bounds) to = framed(to, *bounds, ui.layout.solid);
+  ui.focus = Focus::Solid;
+  ui.tool = ToolKind::Spine;
+  ui.selection = subject.part->id;
+  ui.cameraTouched = true;
+  if (env.host.reducedMotion()) {
+    ui.camera = to;
+    ui.flight.reset();
+  } else {
+    ui.flight = CameraFlight{ui.camera, to, env.host.nowMs()};
+  }
+  return {};
+}
+
+/// How far a key or the arguments move a point, picture pixels.
+std::optional<PicturePoint> nudgeOf(const Json& args) {
+  if (args.find("by")) return pointOf(args, "by");
+  const std::string* key = args.text("key");
+  if (key == nullptr) return std::nullopt;
+  const double step = args.flag("far").value_or(false) ? kFarNudge : 1;
+  if (*key == "ArrowLeft") return PicturePoint{-step, 0};
+  if (*key == "ArrowRight") return PicturePoint{step, 0};
+  if (*key == "ArrowUp") return PicturePoint{0, -step};
+  if (*key == "ArrowDown") return PicturePoint{0, step};
+  return std::nullopt;
+}
+
+/// Arrow keys on the chosen rib end or spine point; pressed one after the other they are one step.
+Outcome nudge(Env env, const Json& args) {
+  const std::optional<PicturePoint> by = nudgeOf(args);
+  const Subject subject = subjectFor(env, env.ui.selection);
+  if (!subject) return noSpine(env, args);
+  if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
+  const Chosen& chosen = env.ui.chosen;
+  const std::string part = std::to_string(subject.part->id.value);
+  if (env.ui.tool == ToolKind::Ribs && chosen.end) {
+    const auto& ribs = subject.shape->ribs.ribs;
+    if (chosen.end->rib >= ribs.size()) return noPart();
+    const PicturePoint to = endPoint(ribs[chosen.end->rib], chosen.end->side) + *by;
+    const document::Action action =
+        document::EditRibs{subject.part->id, ribs::dragEnd(sceneOf(subject), *chosen.end, to, env.ui.edit.ribReach)};
+    return outcomeOf(env.studio.act({&action, 1}, "rib " + part + " " + std::to_string(chosen.end->rib)));
+  }
+  const std::string burst = "bone " + part + " " + std::to_string(chosen.handle);
+  if (env.ui.focus == Focus::Solid) {
+    loft::Pose pose = document::loftIn(*subject.part).pose;
+    pose.depth = raiseDepth(pose.depth, handlePlace(chosen.handle), by->x - by->y, env.ui.edit.spineReach);
+    const document::Action action = document::PoseSpine{subject.part->id, std::move(pose)};
+    return outcomeOf(env.studio.act({&action, 1}, "depth of " + burst));
+  }
+  const PicturePoint at = spineHandles(subject)[static_cast<std::size_t>(chosen.handle)];
+  return putLine(env, subject, moveHandle(spineLine(subject), chosen.handle, at + *by, env.ui.edit.spineReach),
+                 env.ui.edit.keepRibs, burst);
+}
+
+constexpr Argument kNone{}, kLine{"stroke"}, kPoint{"to"}, kBy{"by"}, kPoints{"points"}, kHandle{"handle"};
+constexpr std::string_view kArrows =
+    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
+    "Shift+ArrowUp, Shift+ArrowDown";
+
+constexpr std::array kTable = {
+    Command{"bone", "Bone", "bone", "7, M", "tool", kNone, "Bend, move, lengthen or pose the bone", hasParts, spineTool,
+            useSpineTool},
+    Command{"find-edges", "Find edges again", "scan-search", "", "bone", kNone,
+            "A changed bone looks for its ribs in the picture again", hasParts, findsEdges, findEdges},
+    Command{"keep-ribs", "Keep the ribs", "anchor", "K", "bone", kNone, "A changed bone takes its ribs along", hasParts,
+            keepsRibs, keepRibs},
+    Command{"reset-pose", "Back to the picture", "image-down", "", "bone", kNone,
+            "The part stands where it was drawn again", isPosed, nullptr, resetPose},
+    Command{"join-ends", "Join ends", "link", "J", "bone", kNone, "The two ends meet and make a ring", hasSpine,
+            isJoined, joinEnds},
+    Command{"coil", "Coil", "shell", "C", "bone", kNone, "The bone winds like a spring", hasSpine, isCoiled, coil},
+    Command{"side-view", "Side view", "rotate-3d", "V", "bone", kNone,
+            "See the part from the side, and drag its bone out of the picture", hasSpine, nullptr, sideView},
+    Command{"depth-by-pressure", "Depth by pressure", "signature", "", "bone", kNone,
+            "Pressing harder with the pen brings the bone nearer", penSeen, byPressure, togglePressure},
+    Command{"nudge", "Move the chosen point", "move", kArrows, "bone", kBy,
+            "Arrows move it by one pixel, with Shift by ten", pointChosen, nullptr, nudge, pointChosen},
+    Command{"bend-spine", "Bend a bone by numbers", "spline", "", "bone", kPoint,
+            "A place on the bone and where it goes", hasSpine, nullptr, bendSpineRow},
+    Command{"move-spine", "Move a bone by numbers", "move", "", "bone", kBy, "How far, in picture pixels", hasSpine,
+            nullptr, moveSpineRow},
+    Command{"extend-spine", "Lengthen a bone by numbers", "spline", "", "bone", kPoint, "Where its end or start goes",
+            hasSpine, nullptr, extendSpine},
+    Command{"pose-spine", "Pose a bone by numbers", "bone", "", "bone", kLine, "Another line for the same ribs",
+            hasSpine, nullptr, poseSpineRow},
+    Command{"set-depth", "Depth by numbers", "move-3d", "", "bone", kPoints, "Places along the bone and their depth",
+            hasSpine, nullptr, setDepthRow},
+    Command{"choose-handle", "Choose a bone point by number", "crosshair", "", "bone", kHandle,
+            "The number of a point of the bone", hasSpine, nullptr, chooseHandleRow},
+};
+
+}  // namespace
+
+bool poseIsSelected(const CommandEnv& env) {
+  const document::Part* part = loftPartOf(env, {});
+  return part != nullptr && !document::loftIn(*part).pose.isRest();
+}
+
+Outcome bendSpine(Env env, const BendSpineIntent& intent) {
+  const Subject subject = subjectFor(env, intent.part);
+  if (!subject) return noSpineIn(env, intent.part);
+  return putLine(env, subject, moveHandle(spineLine(subject), intent.handle, intent.to, intent.reach), intent.keep);
+}
+
+Outcome moveSpine(Env env, PartId part, PicturePoint by, bool keep) {
+  const Subject subject = subjectFor(env, part);
+  if (!subject) return noSpineIn(env, part);
+  return putLine(env, subject, ribs::shiftStroke(spineLine(subject), by), keep);
+}
+
+Outcome poseAlong(Env env, PartId part, const std::vector<PicturePoint>& stroke) {
+  return editPose(env, document::findPart(env.studio.document(), part),
+                  [&](loft::Pose& pose) { pose.stroke = stroke; });
+}
+
+Outcome setDepth(Env env, PartId part, const geometry::AlongCurve& depth) {
+  return editPose(env, document::findPart(env.studio.document(), part), [&](loft::Pose& pose) { pose.depth = depth; });
+}
+
+Outcome setCoil(Env env, PartId part, double turns, double radius) {
+  return editPose(env, document::findPart(env.studio.document(), part), [&](loft::Pose& pose) {
+    pose.coilTurns = turns;
+    pose.coilRadius = radius;
+  });
+}
+
+Outcome chooseHandle(Env env, int handle) {
+  env.ui.chosen = {std::nullopt, handle};
+  return {};
+}
+
+std::span<const Command> spineCommands() { return kTable; }
+
+}  // namespace spineloft::app

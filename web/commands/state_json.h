@@ -1,0 +1,12 @@
+// The page's state as the contract's `spl_state` gives it.
+#pragma once
+
+#include "web/commands/commands.h"
+#include "web/model/json.h"
+
+namespace spineloft::app {
+
+/// `frames`: how many were drawn so far.
+void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json);
+
+}  // namespace spineloft::app

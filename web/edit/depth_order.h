@@ -1,0 +1,27 @@
+// The order of the list is an order in depth, the front at its top: what a part that changes its place in the list
+// moves to and fro for that.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+
+namespace spineloft::app {
+
+struct DepthMove {
+  double by = 0;       ///< along z of WorldSpace, > 0 nearer to the one who looks at the picture
+  std::string beyond;  ///< the part or solid that it stands before or behind then
+};
+
+/// The least move along z after which `parts` stand in front of all they have passed upwards from the list of
+/// `before` to that of `after`, or behind all they have passed downwards, wherever both are seen from the front
+/// (along z, by the meshes of `derived`). They touch what they stop at, and reach into it by a few percent of the
+/// thinner one's depth, so that sticking them together makes one piece. None where nothing that was passed overlaps
+/// them, where they stand so already, for what is hidden, and for single parts of a solid: the solid is one body.
+std::optional<DepthMove> depthMove(const document::Document& before, const document::Document& after,
+                                   const pipeline::Derived& derived, std::span<const PartId> parts);
+
+}  // namespace spineloft::app

@@ -1,0 +1,62 @@
+// The handles that place parts: where they are on the canvas, and what dragging one means. Constant
+// size on the screen, each a finger wide where a finger is used.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/document/placement.h"
+#include "web/ui/space.h"
+#include "web/ui/ui_state.h"
+#include "web/ui/views.h"
+
+namespace spineloft::app {
+
+/// Unit vector of the world's axis 0, 1, 2.
+WorldPoint axisVector(int axis);
+/// The axis of an arrow or a ring; −1 for other handles.
+int axisOf(GizmoHandle handle);
+/// "x", "y", "z", "turn-x", "turn-y", "turn-z", "plane", "depth", "scale": in the API.
+std::string_view handleKey(GizmoHandle handle);
+/// "Move left and right" …: what a press on it does, in plain words.
+const char* handleWords(GizmoHandle handle);
+
+struct Gizmo {
+  WorldPoint centre;
+  ClientPoint at;      ///< the centre on the canvas
+  double radius = 80;  ///< of the rings, CSS pixels
+  double unit = 0;     ///< world units a CSS pixel at the centre's depth
+
+  struct Knob {
+    GizmoHandle handle = GizmoHandle::None;
+    ClientPoint at;
+  };
+  std::vector<Knob> knobs;  ///< those that can be seen and pressed, the centre last
+  /// Points of the ring about an axis on the canvas, closed.
+  std::vector<ClientPoint> ring(const Camera& camera, const Rect& view, int axis) const;
+};
+
+/// None when the centre is behind the eye or out of the view.
+std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint centre);
+
+/// The handle under a point of the canvas.
+GizmoHandle handleAt(const Gizmo& gizmo, ClientPoint p, bool touch);
+
+/// A drag of a handle: where it began, and the camera it began with.
+struct GizmoDrag {
+  Gizmo gizmo;
+  Camera camera;
+  Rect view;
+  GizmoHandle handle = GizmoHandle::None;
+  ClientPoint from;
+};
+/// The motion of the parts when the pointer is at `to`; turns by whole 15 degrees with `steps`.
+document::Motion motionOf(const GizmoDrag& drag, ClientPoint to, bool steps);
+
+/// Two fingers: `by` CSS pixels in the plane of the view, turned by `angle` radians (clockwise on the
+/// screen) and grown by `factor`, all about the gizmo's centre.
+document::Motion pairMotion(const GizmoDrag& drag, ClientPoint by, double angle, double factor);
+
+}  // namespace spineloft::app

@@ -1,0 +1,84 @@
+#include "web/edit/preview.h"
+
+#include <algorithm>
+
+namespace spineloft::app {
+namespace {
+
+constexpr double kRestMs = 120;        // a hand that has not moved for so long rests
+constexpr double kPreviewShare = 0.6;  // of the time may go into shapes under the pen
+
+}  // namespace
+
+Preview& beginPreview(UiState& ui) {
+  static const document::LoftRecipe kNothingDrawn;
+  Preview& preview = ui.preview.renew();
+  preview.loft() = kNothingDrawn;
+  preview.part = {};
+  preview.look = {};
+  preview.fresh = false;
+  preview.shape.reset();
+  preview.revision = 0;
+  preview.costMs = preview.nextMs = 0;
+  preview.exactMs.reset();
+  preview.pressure.clear();
+  return preview;
+}
+
+Preview& previewPart(UiState& ui, const document::Part& part) {
+  if (ui.preview && ui.preview->part == part.id) return *ui.preview;
+  Preview& preview = beginPreview(ui);
+  preview.part = part.id;
+  preview.recipe = part.recipe;
+  preview.look = part.look;
+  return preview;
+}
+
+Preview& previewNewPart(UiState& ui) {
+  Preview& preview = beginPreview(ui);
+  preview.loft().picture = ui.picture;
+  preview.loft().loft.sections.front().shape = ui.section;
+  preview.loft().loft.startCap = ui.startCap;
+  preview.loft().loft.endCap = ui.endCap;
+  preview.look = ui.look;
+  return preview;
+}
+
+document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line, image::Size size) {
+  constexpr double kOpen = 0.3;     // the gap's share of the way: an open line
+  constexpr double kRibbon = 0.03;  // of the picture's longer side
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+  const double gap = line.empty() ? 0 : distance(line.front(), line.back());
+  document::Region region{picture, {}, 0};
+  if (gap > kOpen * length) {
+    region.ribbon =
+        std::clamp(kRibbon * std::max(size.width, size.height), document::kLeastRibbon, document::kMostRibbon);
+  }
+  region.contours.push_back(std::move(line));
+  return region;
+}
+
+void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
+  if (!ui.preview || ui.preview->settled()) return;
+  Preview& preview = *ui.preview;
+  const double now = host.nowMs();
+  const bool rests = preview.fresh;
+  if (now < (rests ? *preview.exactMs : preview.nextMs)) return;
+  preview.fresh = true;
+  preview.exactMs.reset();
+  pipeline::PartShape& shape = preview.shape.room();
+  const Status made = rests ? studio.preview(preview.recipe, shape) : studio.previewLive(preview.recipe, shape);
+  preview.costMs = host.nowMs() - now;
+  preview.nextMs = host.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
+  if (!made) return;  // the last good one stays
+  if (shape.quality == pipeline::TraceQuality::Live) preview.exactMs = host.nowMs() + kRestMs;
+  preview.shape.renew();
+  preview.revision = ++ui.previewShapes;
+}
+
+const Preview* previewOf(const UiState& ui, PartId part) {
+  return part && ui.preview && ui.preview->part == part && ui.preview->shape ? &*ui.preview : nullptr;
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,66 @@
+#include "web/model/messages.h"
+
+#include "engine/io/json_fields.h"
+#include "web/model/json.h"
+
+namespace spineloft::app {
+namespace {
+
+void sendText(platform::Host& host, std::string_view type, std::string_view name, std::string_view text) {
+  JsonWriter json;
+  json.beginObject().key("type").text(type).key(name).text(text).endObject();
+  host.send(json.json());
+}
+
+void sendToast(platform::Host& host, std::string_view level, std::string_view sentence) {
+  JsonWriter json;
+  json.beginObject().key("type").text("toast").key("level").text(level);
+  json.key("text").text(sentence).endObject();
+  host.send(json.json());
+}
+
+}  // namespace
+
+void sendChanged(platform::Host& host) { host.send(R"({"type":"changed"})"); }
+void sendError(platform::Host& host, std::string_view sentence) { sendToast(host, "error", sentence); }
+void sendInfo(platform::Host& host, std::string_view sentence) { sendToast(host, "info", sentence); }
+void sendHint(platform::Host& host, std::string_view sentence) { sendToast(host, "hint", sentence); }
+void sendWarning(platform::Host& host, std::string_view sentence) { sendToast(host, "warning", sentence); }
+void sendPickPicture(platform::Host& host) { host.send(R"({"type":"pickPicture"})"); }
+void sendCursor(platform::Host& host, std::string_view css) { sendText(host, "cursor", "css", css); }
+void sendStatus(platform::Host& host, std::string_view text) { sendText(host, "status", "text", text); }
+
+void sendQuestion(platform::Host& host, const Question& question) {
+  JsonWriter json;
+  json.beginObject().key("type").text("ask").key("id").text(question.id);
+  json.key("title").text(question.title).key("text").text(question.text);
+  json.key("value").text(question.value).endObject();
+  host.send(json.json());
+}
+
+void sendJournal(platform::Host& host, const JournalStep& step) {
+  JsonWriter json;
+  json.beginObject().key("type").text("journal").key("record").text(step.record);
+  json.key("photos").beginArray();
+  for (const std::uint64_t hash : step.photos) json.text(io::hashKey(hash));
+  json.endArray().key("name").text(step.document.name);
+  json.key("pictures").number(static_cast<double>(step.document.pictures.size()));
+  json.key("parts").number(static_cast<double>(step.document.parts.size())).endObject();
+  host.send(json.json());
+}
+
+void sendTurntable(platform::Host& host, std::string_view what, std::string_view name) {
+  JsonWriter json;
+  json.beginObject().key("type").text("turntable").key("what").text(what).key("name").text(name);
+  json.endObject();
+  host.send(json.json());
+}
+
+void sendKeep(platform::Host& host, std::string_view what, std::string_view id) {
+  JsonWriter json;
+  json.beginObject().key("type").text("keep").key("what").text(what).key("id").text(id);
+  json.endObject();
+  host.send(json.json());
+}
+
+}  // namespace spineloft::app

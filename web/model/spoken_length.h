@@ -1,0 +1,11 @@
+// A length in words.
+#pragma once
+
+#include <string>
+
+namespace spineloft::app {
+
+/// As people say it: "8 mm" below a centimetre, "4 cm", "12.5 cm", "1.2 m" from a metre on.
+std::string spokenLength(double mm);
+
+}  // namespace spineloft::app

@@ -1,0 +1,60 @@
+#include "web/model/wanted_jobs.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace spineloft::app {
+namespace {
+
+/// How far beyond a texture a shape may reach that wears it meanwhile, as a share of its sides.
+constexpr double kBeyond = 0.25;
+
+bool liesOn(const mesh::TriMesh& mesh, const surface::UvArea& area) {
+  const double x = kBeyond * (area.right - area.left), y = kBeyond * (area.bottom - area.top);
+  return std::ranges::all_of(mesh.uv, [&](const auto& uv) {
+    const auto u = static_cast<double>(uv[0]), v = static_cast<double>(uv[1]);
+    return u >= area.left - x && u <= area.right + x && v >= area.top - y && v <= area.bottom + y;
+  });
+}
+
+}  // namespace
+
+std::vector<TraceWork::Wanted> wantedTraces(const document::Document& document, const pipeline::Derived& derived,
+                                            pipeline::Cache& cache) {
+  std::vector<TraceWork::Wanted> wanted;
+  for (const PartId id : derived.wantedRibs) {
+    const document::Part* part = document::findPart(document, id);
+    const auto* loft = part ? document::loftOf(*part) : nullptr;
+    const document::PictureEntry* entry = loft ? document::findPicture(document, loft->picture) : nullptr;
+    if (entry == nullptr) continue;
+    wanted.push_back({pipeline::traceKey(*loft, *entry),
+                      [&document, &cache, id] { return pipeline::makeTrace(document, id, cache); }});
+  }
+  return wanted;
+}
+
+std::vector<TextureWork::Wanted> wantedTextures(const document::Document& document, const pipeline::Derived& derived) {
+  std::vector<TextureWork::Wanted> wanted;
+  for (const PartId id : derived.wantedTextures) {
+    const auto part = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
+    if (part == derived.parts.end() || !part->shape || isDressed(*part->shape)) continue;
+    wanted.push_back(
+        {part->shape->key, [&document, &derived, id] { return pipeline::makeTexture(document, derived, id); }});
+  }
+  return wanted;
+}
+
+void keepEarlierTextures(const pipeline::Derived& before, pipeline::Derived& now) {
+  for (pipeline::DerivedPart& part : now.parts) {
+    if (!part.shape || part.shape->key == 0 || isDressed(*part.shape)) continue;
+    const auto was = std::ranges::find(before.parts, part.id, &pipeline::DerivedPart::id);
+    if (was == before.parts.end() || !was->shape || !was->shape->texture) continue;
+    if (!liesOn(part.shape->mesh, was->shape->texture->area)) continue;
+    auto dressed = std::make_shared<pipeline::PartShape>(*part.shape);
+    dressed->texture = was->shape->texture;
+    dressed->textureKey = was->shape->textureKey;
+    part.shape = std::move(dressed);
+  }
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,25 @@
+// What the derived parts still want, as work for the workers once the shapes are on the screen.
+#pragma once
+
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+#include "web/model/job_queue.h"
+
+namespace spineloft::app {
+
+using TraceWork = JobQueue<pipeline::TraceJob>;
+using TextureWork = JobQueue<pipeline::TextureJob>;
+
+/// Of Derived::wantedRibs; begins as long as all three are as they are.
+std::vector<TraceWork::Wanted> wantedTraces(const document::Document& document, const pipeline::Derived& derived,
+                                            pipeline::Cache& cache);
+/// Of Derived::wantedTextures; begins as long as both are as they are.
+std::vector<TextureWork::Wanted> wantedTextures(const document::Document& document, const pipeline::Derived& derived);
+
+/// Parts that wait for a texture of their own wear that of their earlier shape, where it lies on the same
+/// stretch of the picture: nothing flickers while a part is worked on.
+void keepEarlierTextures(const pipeline::Derived& before, pipeline::Derived& now);
+
+}  // namespace spineloft::app

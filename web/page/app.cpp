@@ -1,0 +1,546 @@
+#include "web/page/app.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/hash.h"
+#include "engine/base/limits.h"
+#include "engine/io/picture_probe.h"
+#include "web/commands/command_actions.h"
+#include "web/commands/state_json.h"
+#include "web/edit/editing.h"
+#include "web/edit/preview.h"
+#include "web/edit/section_editing.h"
+#include "web/edit/solid_editing.h"
+#include "web/model/colour_text.h"
+#include "web/model/messages.h"
+#include "web/panels/panels.h"
+#include "web/panels/theme.h"
+#include "web/scene/scene.h"
+
+namespace spineloft::app {
+namespace {
+
+constexpr double kPumpMs = 16;   // how often finished work is looked for
+constexpr double kWaitMs = 150;  // how often a frame says that the solver is still at it
+constexpr double kTooltipMs = 650;
+constexpr double kLongestStepSeconds = 0.5;
+
+}  // namespace
+
+App::App(Parts parts, const platform::CanvasSize& size)
+    : host_(parts.host),
+      renderer_(std::move(parts.renderer)),
+      fontFiles_(std::move(parts.fonts)),
+      studio_(parts.host, parts.threads) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+  panels::applyTheme();
+  ui_.camera = homeCamera({{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}}, {0, 0, 400, 400});
+  resize(size);
+}
+
+void App::touch(int frames) {
+  framesWanted_ = std::max(framesWanted_, frames);
+  if (!lost_) host_.requestFrame();
+}
+
+void App::resize(const platform::CanvasSize& size) {
+  ui_.canvasWidth = std::max(1.0, size.width);
+  ui_.canvasHeight = std::max(1.0, size.height);
+  ui_.dpr = std::clamp(size.dpr, 0.5, 4.0);
+  if (fontDpr_ != ui_.dpr) {
+    fontDpr_ = ui_.dpr;
+    fonts_ = buildFonts(fontFiles_, ui_.dpr);
+    renderer_->fontsChanged();
+  }
+  layout();
+  touch(2);
+}
+
+void App::layout() {
+  const bool hasPanel = !studio_.document().pictures.empty();
+  ui_.layout = ui_.sections.board ? layoutWithBoard(ui_.canvasWidth, ui_.canvasHeight)
+                                  : layoutFor(ui_.canvasWidth, ui_.canvasHeight, ui_.share, hasPanel);
+  if (!ui_.sections.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
+  const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
+  if (entry != nullptr && ui_.pictureView.fitted) {
+    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead, ui_.barLeft);
+  }
+}
+
+/// Brings what is selected and shown in line with the document, which undo may have changed.
+void App::settle() {
+  const document::Document& document = studio_.document();
+  if (!document::findPicture(document, ui_.picture)) {
+    featureAt(ui_, document.pictures.empty() ? PictureId{} : document.pictures.back()->id);
+    gestures_.cancel(toolEnv());
+  }
+  settleSketching(document, ui_);
+  if (!document::findPicture(document, ui_.pictureMenu)) ui_.pictureMenu = {};
+  if (!document::findPart(document, ui_.selection)) ui_.selection = {};
+  std::erase_if(ui_.alsoSelected,
+                [&](PartId id) { return !ui_.selection || id == ui_.selection || !document::findPart(document, id); });
+  const bool lost = std::ranges::any_of(
+      ui_.placing, [&](const document::PlaceParts::One& one) { return !document::findPart(document, one.part); });
+  if (lost) gestures_.cancel(toolEnv());
+  settleChosen();
+  if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
+  settleCut(env());
+  settleSolids(document, ui_);
+  studio_.expectEdit(ui_.selection);
+  const bool orphaned = ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||
+                                        (ui_.preview->part && !document::findPart(document, ui_.preview->part)));
+  if (orphaned) {
+    gestures_.cancel(toolEnv());
+    ui_.preview.reset();
+  }
+  if (document.parts.empty()) ui_.cameraTouched = false;
+  const auto& board = ui_.sections.board;
+  if (document.pictures.empty() || (board && board->part && !findPart(document, board->part))) {
+    gestures_.cancel(toolEnv());
+    closeBoard(ui_);
+  }
+  layout();
+}
+
+/// What is chosen of a part goes with it, and with the rib.
+void App::settleChosen() {
+  if (chosenOf_ != ui_.selection) {
+    chosenOf_ = ui_.selection;
+    ui_.chosen = {};
+  }
+  const document::Part* part = document::findPart(studio_.document(), ui_.selection);
+  const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
+  const auto there = [&](const OutlinePoint& at) {
+    return region && at.contour < region->contours.size() && at.point < region->contours[at.contour].size();
+  };
+  if (ui_.chosen.outline && !there(*ui_.chosen.outline)) ui_.chosen.outline.reset();
+  if (ui_.hover.outline && !there(*ui_.hover.outline)) ui_.hover.outline.reset();
+  if (!ui_.chosen.end && !ui_.hover.end) return;
+  const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);
+  const std::size_t count = subject ? subject.shape->ribs.ribs.size() : 0;
+  if (ui_.hover.end && ui_.hover.end->rib >= count) ui_.hover = {};
+  if (!ui_.chosen.end || ui_.chosen.end->rib < count) return;
+  if (count == 0) {
+    ui_.chosen.end.reset();
+  } else {
+    ui_.chosen.end->rib = count - 1;
+  }
+}
+
+void App::runCalls() {
+  for (const ActionSink::Action& action : sink_.take()) {
+    if (const Outcome done = action(env()); !done) refused(done.refusal());
+  }
+  settle();
+}
+
+void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); }
+
+void App::frame() {
+  if (lost_) return;
+  framesWanted_ = std::max(0, framesWanted_ - 1);
+  if (studio_.threads() > 0) studio_.pump();
+  settle();
+  reportWaitingPrint();
+  growBoard(ui_, studio_.document());
+  growPreview(ui_, studio_, host_);
+  growSolid();
+  frameNewPart();
+  fly();
+  beginUi();
+  panels::draw({env(), studio_.derived(), fonts_, sink_});
+  ImGui::Render();
+  const bool acted = !sink_.empty();
+  runCalls();
+  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works();
+  if (acted) framesWanted_ = std::max(framesWanted_, 2);
+  buildScene(studio_.document(), studio_.derived(), ui_, scene_);
+  thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
+  scene_.still = !moving && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
+  renderer_->draw(scene_);
+  ++frames_;
+  watchWork();
+  announce();
+  if (moving || framesWanted_ > 0) host_.requestFrame();
+}
+
+void App::frameNewPart() {
+  if (!ui_.framePending) return;
+  const pipeline::Derived& derived = studio_.derived();
+  const bool waiting = std::ranges::any_of(derived.parts, &pipeline::DerivedPart::waiting);
+  if (waiting) return;
+  ui_.framePending = false;
+  if (!ui_.cameraTouched) flyTo(env(), studio_.document().parts.size() == 1);
+}
+
+void App::fly() {
+  if (!ui_.flight) return;
+  const CameraFlight flight = *ui_.flight;
+  const double t = std::clamp((host_.nowMs() - flight.startMs) / flight.lengthMs, 0.0, 1.0);
+  ui_.camera = blend(flight.from, flight.to, t * t * (3 - 2 * t));
+  if (t >= 1) ui_.flight.reset();
+}
+
+void App::beginUi() {
+  ImGuiIO& io = ImGui::GetIO();
+  const double now = host_.nowMs();
+  io.DisplaySize = {static_cast<float>(ui_.canvasWidth), static_cast<float>(ui_.canvasHeight)};
+  io.DisplayFramebufferScale = {static_cast<float>(ui_.dpr), static_cast<float>(ui_.dpr)};
+  io.DeltaTime = static_cast<float>(std::clamp((now - lastFrameMs_) / 1000, 1e-4, kLongestStepSeconds));
+  lastFrameMs_ = now;
+  renderer_->beginUi();
+  ImGui::NewFrame();
+}
+
+void App::watchWork() {
+  if (!studio_.busy() || wakePending_) return;
+  wakePending_ = true;
+  host_.wakeAfter(studio_.works() ? kPumpMs : kWaitMs);
+}
+
+void App::wake() {
+  wakePending_ = tooltipPending_ = false;
+  studio_.sendAmends();
+  // Without threads a search would hold up the ink under the pen, and textures what is in the hand: they
+  // wait.
+  const bool inHand = ui_.sketching.stroke || (gestures_.active() && (ui_.cut || !studio_.activity()));
+  const bool penDown = studio_.threads() == 0 && inHand;
+  if (!penDown && studio_.pump()) {
+    settle();
+    studio_.derived();
+  }
+  watchWork();
+  announce();
+  touch(studio_.busy() && !studio_.works() ? 1 : 2);
+}
+
+/// Tells the shell when something it shows has changed; cheap to compare, at most once a frame.
+void App::announce() {
+  json_.clear();
+  json_.beginArray().number(static_cast<double>(studio_.revision()));
+  json_.number(ui_.solids.step.value).number(static_cast<double>(ui_.solids.picked.size()));
+  json_.number(ui_.selection.value).number(ui_.redraw.value).number(ui_.picture.value);
+  json_.number(static_cast<int>(ui_.tool)).number(static_cast<int>(ui_.focus));
+  json_.number(static_cast<double>(ui_.sketching.penSize * 8 + ui_.sketching.eraserSize));
+  json_.text(colourText(ui_.sketching.colour)).flag(ui_.sketching.menu != PenMenu::None);
+  json_.number(ui_.chosen.end ? static_cast<double>(ui_.chosen.end->rib) : -1);
+  json_.number(ui_.chosen.outline ? static_cast<double>(ui_.chosen.outline->point) : -1);
+  json_.number(ui_.chosen.handle).number(ui_.edit.ribReach).number(ui_.edit.spineReach);
+  json_.flag(ui_.edit.bothSides).flag(ui_.edit.keepRibs).flag(ui_.edit.wholePicture).flag(ui_.edit.paintOver);
+  json_.flag(ui_.edit.depthByPressure).flag(ui_.penSeen).number(ui_.edit.brush);
+  const PictureView& view = ui_.pictureView;
+  json_.number(view.zoom).number(view.centre.x).number(view.centre.y);
+  json_.number(ui_.layout.picture.width).number(ui_.layout.picture.height);
+  json_.flag(studio_.unsaved()).flag(studio_.busy()).flag(ui_.look.textured);
+  json_.number(static_cast<int>(ui_.look.paint)).flag(ui_.look.faceted).text(colourText(ui_.look.second));
+  json_.number(static_cast<double>(ui_.sections.stop)).flag(ui_.sections.board.has_value());
+  if (ui_.sections.board) json_.number(static_cast<double>(ui_.sections.board->past.size()));
+  json_.number(static_cast<double>(ui_.cutBy)).flag(ui_.cut.has_value());
+  if (ui_.cut)
+    json_.flag(ui_.cut->searching).flag(ui_.cut->adding).number(static_cast<double>(ui_.cut->hints.marks.size()));
+  json_.flag(ui_.sections.placing).number(static_cast<double>(ui_.sections.shelf.size()));
+  const std::optional<Studio::Activity> activity = studio_.activity();
+  json_.flag(activity.has_value()).number(activity ? std::floor(activity->done * 20) : 0);
+  json_.endArray();
+  if (json_.json() == announced_) return;
+  announced_ = json_.json();
+  sendChanged(host_);
+}
+
+void App::feedPanels(const platform::PointerEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  using platform::PointerKind;
+  io.AddKeyEvent(ImGuiMod_Shift, (event.modifiers & platform::kShift) != 0);
+  io.AddMouseSourceEvent(event.device == platform::Device::Touch ? ImGuiMouseSource_TouchScreen
+                         : event.device == platform::Device::Pen ? ImGuiMouseSource_Pen
+                                                                 : ImGuiMouseSource_Mouse);
+  const bool gone = event.kind == PointerKind::Leave || event.kind == PointerKind::Cancel;
+  if (!gone) io.AddMousePosEvent(static_cast<float>(event.x), static_cast<float>(event.y));
+  const int button = event.button == 2 ? 1 : 0;
+  if (event.kind == PointerKind::Down && event.button != 1) io.AddMouseButtonEvent(button, true);
+  if (event.kind == PointerKind::Up || gone) {
+    io.AddMouseButtonEvent(0, false);
+    io.AddMouseButtonEvent(1, false);
+  }
+  const bool lifted = event.kind == PointerKind::Up && event.device != platform::Device::Mouse;
+  if (gone || lifted) io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+}
+
+void App::nameRib() {
+  const std::optional<ribs::EndRef>& end = ui_.hover.end ? ui_.hover.end : ui_.chosen.end;
+  const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);
+  const bool rib = end && subject && ui_.tool == ToolKind::Ribs;
+  std::string name = rib ? ribSentence(subject.shape->ribs, *end) : std::string();
+  if (name == named_) return;
+  named_ = std::move(name);
+  sendStatus(host_, named_);
+}
+
+void App::pointer(const platform::PointerEvent& event) {
+  const Hover before = ui_.hover;
+  const bool onPanels = gestures_.pointer(event, toolEnv()) == Gestures::Target::Panels;
+  if (onPanels) {
+    feedPanels(event);
+    touch(4);  // ImGui takes its queued events in over several frames
+    // Something may come of a pointer that rests: a tooltip, or the menu of a long press.
+    const bool mayRest = event.device == platform::Device::Mouse || event.kind == platform::PointerKind::Down;
+    if (!tooltipPending_ && mayRest) {
+      tooltipPending_ = true;
+      host_.wakeAfter(kTooltipMs);
+    }
+  } else if (overPanels_) {
+    ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+    touch(2);
+  }
+  overPanels_ = onPanels;
+  if (!sink_.empty()) runCalls();
+  if (event.kind != platform::PointerKind::Move || gestures_.active()) touch();
+  if (!(ui_.hover == before)) {
+    touch();
+    nameRib();
+  }
+  const std::string_view cursor = gestures_.cursor(toolEnv());
+  if (cursor != cursor_) {
+    cursor_ = cursor;
+    sendCursor(host_, cursor_);
+  }
+}
+
+void App::wheel(const platform::WheelEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (ui_.layout.panel.contains({event.x, event.y})) {
+    io.AddMouseWheelEvent(static_cast<float>(-event.deltaX / 100), static_cast<float>(-event.deltaY / 100));
+    touch(3);
+    return;
+  }
+  gestures_.wheel(event, toolEnv());
+  touch();
+}
+
+/// What is in hand, on the views or on its way out of a panel, goes back to where it came from.
+void App::cancelGesture() {
+  gestures_.cancel(toolEnv());
+  if (!ui_.sections.carried) return;
+  ui_.sections.pressed.reset();
+  ui_.sections.carried.reset();
+  ui_.sections.marked.reset();
+}
+
+bool App::key(const platform::KeyEvent& event) {
+  if (event.code == "Space") {
+    ui_.spaceHeld = event.down;
+    touch();
+    return true;
+  }
+  if (!event.down) return false;
+  if (event.key == "Escape" && ui_.barMenu != BarMenu::None) {
+    ui_.barMenu = BarMenu::None;
+    touch(2);
+    return true;
+  }
+  const bool inHand = gestures_.active() || ui_.sections.carried;
+  if (event.key == "Escape" && inHand) {
+    cancelGesture();
+    touch(2);
+    return true;
+  }
+  if (const Command* onBoard = boardCommandForKey(env(), event)) {
+    if (enabled(*onBoard, env())) sink_.run(*onBoard);
+    runCalls();
+    touch(2);
+    return true;
+  }
+  const CommandEnv now = env();
+  const Command* command = commandForKey(event, &now);
+  if (command == nullptr) return false;
+  // What is in hand is the last thing done, and all that is taken back.
+  if (inHand && command->id == CommandId("undo")) {
+    cancelGesture();
+    touch(2);
+    return true;
+  }
+  if (!enabled(*command, env())) return (event.modifiers & ~platform::kShift) != 0;
+  // Keys that mean something only now also say which one they are.
+  const Json args = command->when == nullptr
+                        ? Json()
+                        : Json::Object{{"key", event.key}, {"far", (event.modifiers & platform::kShift) != 0}};
+  if (const Outcome done = runCommand(env(), *command, args); !done) refused(done.refusal());
+  settle();
+  gestures_.again(toolEnv());
+  nameRib();
+  touch(2);
+  return true;
+}
+
+const std::string& App::addPicture(image::Picture picture, std::string_view name) {
+  Status status = Done{};
+  const int side = std::min(picture.width, picture.height);
+  if (picture.working.empty() || side <= 0) {
+    status = Error::PictureEmpty;
+  } else if (side < kMinPictureSide || std::min(picture.working.width, picture.working.height) < 1) {
+    status = Error::PictureTooSmall;
+  } else {
+    std::vector<document::Action> actions;
+    const bool first = studio_.document().pictures.empty() && studio_.document().parts.empty();
+    auto shared = std::make_shared<const image::Picture>(std::move(picture));
+    actions.push_back(document::AddPicture{std::string(name), std::move(shared)});
+    const std::string stem(name.substr(0, name.rfind('.')));
+    if (first && !stem.empty()) actions.push_back(document::RenameDocument{stem});
+    status = studio_.act(actions);
+  }
+  if (!status) return answerWith(refuse(status.failure()));
+  featureAt(ui_, studio_.document().pictures.back()->id);
+  ui_.selection = {};
+  ui_.redraw = {};
+  ui_.focus = Focus::Picture;
+  settle();
+  studio_.derived();
+  watchWork();
+  touch(3);
+  return answerWith({});
+}
+
+const std::string& App::state() {
+  json_.clear();
+  writeState(env(), frames_, json_);
+  return text_ = json_.json();
+}
+
+const std::string& App::commands() {
+  json_.clear();
+  writeCommands(env(), json_);
+  return text_ = json_.json();
+}
+
+const std::string& App::run(std::string_view id, std::string_view argsJson) {
+  Outcome outcome;
+  const std::optional<Json> args = argsJson.empty() ? Json() : Json::parse(argsJson);
+  if (args) {
+    if (id == "cancel") cancelGesture();
+    outcome = runCommand(env(), id, *args);
+    settle();
+    studio_.derived();
+    watchWork();
+    touch(2);
+  } else {
+    outcome = refuse({Error::JsonInvalid, {}});
+  }
+  return answerWith(outcome);
+}
+
+const std::string& App::answerWith(const Outcome& outcome) {
+  json_.clear();
+  json_.beginObject().key("ok").flag(outcome.ok());
+  if (!outcome) json_.key("error").text(outcome.refusal().error).key("sentence").text(outcome.refusal().sentence);
+  json_.endObject();
+  text_ = json_.json();
+  if (!outcome) lastError_ = text_;
+  return text_;
+}
+
+const std::string& App::lastError() { return text_ = lastError_; }
+
+const std::string& App::probePicture(std::span<const std::uint8_t> file) { return text_ = io::probeJson(file); }
+
+const std::string& App::sentence(std::string_view name) {
+  text_.clear();
+  for (int i = 0; i < static_cast<int>(Error::kCount); ++i) {
+    if (errorName(static_cast<Error>(i)) == name) text_ = errorSentence(static_cast<Error>(i));
+  }
+  return text_;
+}
+
+std::span<const std::uint8_t> App::exportModel(std::string_view format) {
+  exported_.clear();
+  Failure failure{Error::ValueOutOfRange, std::string(format)};
+  if (const std::optional<publish::Format> known = publish::formatFromKey(format)) {
+    Result<publish::Bytes> bytes = studio_.publishNow(*known);
+    if (bytes) {
+      exported_ = std::move(bytes).value();
+      return exported_;
+    }
+    failure = bytes.failure();
+  }
+  json_.clear();
+  json_.beginObject().key("ok").flag(false).key("error").text(errorName(failure.error));
+  json_.key("sentence").text(failureSentence(failure)).endObject();
+  lastError_ = json_.json();
+  return {};
+}
+
+Vec2<platform::CanvasSpace> App::imageToCanvas(double x, double y) {
+  settle();
+  const ClientPoint p = ui_.pictureView.toClient({x, y}, ui_.layout.picture);
+  return {p.x, p.y};
+}
+
+void App::contextLost() {
+  lost_ = true;
+  gestures_.cancel(toolEnv());
+  renderer_->contextLost();
+}
+
+void App::contextRestored() {
+  if (!renderer_->contextRestored()) {
+    sendError(host_, "The graphics did not come back. Reload the page; your picture is still here.");
+    return;
+  }
+  lost_ = false;
+  touch(2);
+}
+
+void App::answer(std::string_view id, std::string_view text) {
+  if (const Outcome done = answerQuestion(env(), id, std::string(text)); !done) refused(done.refusal());
+  runCalls();
+  touch(2);
+}
+
+bool App::idle() {
+  return !studio_.busy() && framesWanted_ == 0 && !ui_.flight && !(ui_.preview && !ui_.preview->settled());
+}
+
+void App::cancelWork() {
+  studio_.cancelWork();
+  ui_.printWaits = false;
+  touch();
+}
+
+void App::solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) {
+  const std::optional<Json> answer = Json::parse(answerJson);
+  if (!answer) return;
+  if (!studio_.takeSolid(*answer, bytes)) return;
+  reportWaitingPrint();
+  announce();
+  touch(2);
+}
+
+/// The check for printing that was asked for before all was made.
+void App::reportWaitingPrint() {
+  if (!ui_.printWaits || !studio_.shapesMade()) return;
+  ui_.printWaits = false;
+  if (const Outcome done = reportPrint(env()); !done) refused(done.refusal());
+}
+
+/// A gesture on a part of a solid changes the solid, as far as the solver keeps up.
+void App::growSolid() {
+  if (!ui_.placing.empty()) {
+    studio_.previewPlaced({ui_.placing});
+    return;
+  }
+  if (!ui_.preview || !ui_.preview->part || !ui_.preview->shape) {
+    studio_.endPreview();
+    return;
+  }
+  const Preview& preview = *ui_.preview;
+  const std::uint64_t key = Hasher().text("preview").number(preview.revision).value();
+  studio_.previewSolid({preview.part, key, &preview.shape->mesh});
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,126 @@
+// One frame of the page: finished work → shapes → panels → commands → scene. The rest of the world
+// talks to it through platform::Page.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "web/commands/action_sink.h"
+#include "web/commands/commands.h"
+#include "web/gl/renderer.h"
+#include "web/model/json.h"
+#include "web/model/keeping.h"
+#include "web/model/studio.h"
+#include "web/page/gestures.h"
+#include "web/platform/host.h"
+#include "web/platform/page.h"
+#include "web/scene/thumbnails.h"
+#include "web/ui/fonts.h"
+#include "web/ui/ui_state.h"
+
+struct ImGuiContext;
+
+namespace spineloft::app {
+
+class App final : public platform::Page {
+ public:
+  struct Parts {
+    platform::Host& host;
+    std::unique_ptr<gl::Renderer> renderer;
+    platform::FontFiles fonts;
+    int threads = 0;
+  };
+  /// Needs a current ImGui context, which it does not own.
+  App(Parts parts, const platform::CanvasSize& size);
+
+  void frame() override;
+  void wake() override;
+  void resize(const platform::CanvasSize& size) override;
+  void pointer(const platform::PointerEvent& event) override;
+  void wheel(const platform::WheelEvent& event) override;
+  bool key(const platform::KeyEvent& event) override;
+  const std::string& addPicture(image::Picture picture, std::string_view name) override;
+  const std::string& probePicture(std::span<const std::uint8_t> file) override;
+  const std::string& state() override;
+  const std::string& commands() override;
+  const std::string& run(std::string_view id, std::string_view argsJson) override;
+  const std::string& lastError() override;
+  const std::string& sentence(std::string_view errorName) override;
+  std::span<const std::uint8_t> exportModel(std::string_view format) override;
+  Vec2<platform::CanvasSpace> imageToCanvas(double x, double y) override;
+  void contextLost() override;
+  void contextRestored() override;
+  void answer(std::string_view id, std::string_view text) override;
+  bool idle() override;
+  void cancelWork() override;
+  void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
+  void finishParts() override { studio_.finishParts(); }
+  const std::string& history() override;
+  const std::string& photos() override;
+  std::shared_ptr<const image::Picture> photo(std::string_view hash) override;
+  const std::string& layPhotoBy(image::Picture photo) override;
+  const std::string& restore(std::string_view base, std::string_view recordsJson) override;
+  const std::string& openProject(std::span<const std::uint8_t> file) override;
+  const image::Image& thumbnail(int width, int height) override;
+  const image::Image& turntable(int width, int height, double turn) override;
+
+  gl::Renderer& renderer() { return *renderer_; }
+  const UiState& ui() const { return ui_; }
+
+ private:
+  CommandEnv env() { return {studio_, ui_, host_}; }
+  tools::ToolEnv toolEnv() { return {studio_.document(), studio_.derived(), ui_, sink_, &picker_}; }
+  /// Something happened: draw soon, and `frames` times at least.
+  void touch(int frames = 1);
+  /// Runs what tools and panels asked for; refusals become toasts.
+  void runCalls();
+  void settle();
+  void cancelGesture();
+  void settleChosen();
+  void showOtherModel();
+  void layout();
+  void reportWaitingPrint();
+  void growSolid();
+  void fly();
+  void frameNewPart();
+  void beginUi();
+  void watchWork();
+  void announce();
+  /// Names the rib end that is lit, for screen readers.
+  void nameRib();
+  void refused(const Refusal& refusal);
+  const std::string& answerWith(const Outcome& outcome);
+  void feedPanels(const platform::PointerEvent& event);
+
+  platform::Host& host_;
+  std::unique_ptr<gl::Renderer> renderer_;
+  platform::FontFiles fontFiles_;
+  Fonts fonts_;
+  double fontDpr_ = 0;
+  Studio studio_;
+  Keeping keeping_{studio_};
+  UiState ui_;
+  Gestures gestures_;
+  ActionSink sink_;
+  Picker picker_;
+  gl::Scene scene_;
+  Thumbnails thumbnails_;
+  JsonWriter json_;
+  std::string text_, lastError_ = "null";
+  std::vector<std::uint8_t> exported_;
+  image::Image thumbnail_;
+  std::string cursor_;
+  PartId chosenOf_;        ///< the part that ui_.chosen is about
+  std::string named_;      ///< the rib end that the status names
+  std::string announced_;  ///< the state that the shell knows of, in short
+  std::uint64_t frames_ = 0;
+  int framesWanted_ = 0;
+  bool wakePending_ = false, tooltipPending_ = false;
+  bool overPanels_ = false;  ///< the last pointer event was for ImGui
+  bool lost_ = false;
+  double lastFrameMs_ = 0;
+};
+
+}  // namespace spineloft::app

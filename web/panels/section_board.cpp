@@ -1,0 +1,359 @@
+// The board on which a section is drawn: tools above, the square, and sections to start from below.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "web/commands/intents.h"
+#include "web/edit/section_editing.h"
+#include "web/panels/bar_menu.h"
+#include "web/panels/draw_lines.h"
+#include "web/panels/section_paint.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr ImU32 kWrong = rgb(0xc8102e);
+constexpr float kStartTile = 46;
+
+/// Buttons in rows that break where the room ends.
+class Flow {
+ public:
+  explicit Flow(float width) : width_(width) {}
+  void next(float width, float gap = 2) {
+    if (used_ > 0 && used_ + gap + width <= width_) {
+      ImGui::SameLine(0, gap);
+      used_ += gap + width;
+    } else {
+      used_ = width;
+    }
+  }
+
+ private:
+  float width_, used_ = 0;
+};
+
+void toolButtons(const PanelEnv& env, Flow& flow, float side) {
+  struct Entry {
+    app::BoardTool tool;
+    const char* icon;
+    const char* tip;
+  };
+  constexpr std::array kTools = {
+      Entry{app::BoardTool::Pen, "pencil", "Draw with the pen"},
+      Entry{app::BoardTool::Line, "waypoints", "Straight lines: tap corner after corner"},
+      Entry{app::BoardTool::Box, "square", "Drag a box"}, Entry{app::BoardTool::Ellipse, "circle", "Drag an ellipse"},
+      Entry{app::BoardTool::Points, "mouse-pointer-2", "Drag points; tap the line for a new one"}};
+  for (const Entry& entry : kTools) {
+    flow.next(side);
+    const bool on = env.ui().sections.board->tool == entry.tool;
+    if (iconButton(env, {entry.icon, entry.icon, entry.tip, on, true, side})) {
+      env.sink.run(app::useBoardTool, entry.tool);
+    }
+  }
+}
+
+/// Each press takes the next number of the wheel.
+void foldButton(const PanelEnv& env, Flow& flow, float side) {
+  const int fold = env.ui().sections.board->symmetry.fold;
+  flow.next(side);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (iconButton(env, {"fold", "flower", "Like a wheel: 3 to 8 times round", fold > 1, true, side})) {
+    env.sink.run("slice-symmetry");
+  }
+  if (fold <= 1) return;
+  const char text[] = {static_cast<char>('0' + fold), '\0'};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 badge{at.x + side - 9, at.y + side - 10};
+  list.AddCircleFilled(badge, 8, kAccent, 16);
+  list.AddText(env.fonts.small, 12.5f, {badge.x - 3.5f, badge.y - 7}, kSurface, text);
+}
+
+void divider(Flow& flow, float side) {
+  flow.next(9);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine({at.x + 4, at.y + 6}, {at.x + 4, at.y + side - 6}, kLine, 1);
+  ImGui::Dummy({9, side});
+}
+
+/// On a phone: the tools in one row, all else in a menu. (Undo and redo are in the row above.)
+void smallToolbar(const PanelEnv& env, float width) {
+  constexpr app::CommandId kMore[] = {"slice-corner",     "slice-remove-point", "slice-left-right",
+                                      "slice-front-back", "slice-symmetry",     "slice-flip",
+                                      "slice-turn",       "slice-traces",       "slice-clear"};
+  const float side = buttonSide(env);
+  const bool points = env.ui().sections.board->tool == app::BoardTool::Points;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  Flow flow(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
+  toolButtons(env, flow, side);
+  const auto room =
+      static_cast<std::size_t>(std::max(1.f, (width + 2) / (side + 2) - static_cast<float>(app::BoardTool::kCount)));
+  const BarSplit split = splitBar(std::span(kMore).subspan(points ? 0 : 2), room, [](app::CommandId) { return false; });
+  for (const app::CommandId id : split.shown) {
+    flow.next(side);
+    commandButton(env, id, side);
+  }
+  if (!split.rest.empty()) {
+    flow.next(side);
+    barMenuButton(env, app::BarMenu::Board, side);
+  }
+  ImGui::PopStyleVar();
+  barMenu(env, app::BarMenu::Board, split, {at.x, at.y, width, side}, kAccent);
+}
+
+void toolbar(const PanelEnv& env, float width) {
+  if (env.ui().layout.stacked) return smallToolbar(env, width);
+  const float side = buttonSide(env) - (env.ui().touch ? 0.f : 2.f);
+  Flow flow(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 2});
+  const auto button = [&](app::CommandId id) {
+    flow.next(side);
+    commandButton(env, id, side);
+  };
+  toolButtons(env, flow, side);
+  divider(flow, side);
+  button("slice-left-right");
+  button("slice-front-back");
+  foldButton(env, flow, side);
+  divider(flow, side);
+  button("slice-undo");
+  button("slice-redo");
+  button("slice-flip");
+  button("slice-turn");
+  if (env.ui().sections.board->tool == app::BoardTool::Points) {
+    button("slice-corner");
+    button("slice-remove-point");
+  }
+  button("slice-traces");
+  button("slice-clear");
+  ImGui::PopStyleVar();
+}
+
+/// Rib, sides and mirrors: what lies below the drawing.
+void paintGround(const PanelEnv& env, ImDrawList& list, const SectionFrame& frame) {
+  const app::SectionBoard& board = *env.ui().sections.board;
+  list.AddRectFilled(frame.at({-1, 1}), frame.at({1, -1}), kSurface, 4);
+  for (const double v : {-0.5, 0.5}) {
+    list.AddLine(frame.at({-1, v}), frame.at({1, v}), kHover);
+    list.AddLine(frame.at({v, -1}), frame.at({v, 1}), kHover);
+  }
+  list.AddRect(frame.at({-1, 1}), frame.at({1, -1}), kLine, 4);
+  styledLine(list, frame.at({-1, 0}), frame.at({1, 0}), {kEdgeRib, 1.6f, LineStyle::Solid});
+  for (const double x : {-1.0, 1.0}) list.AddCircleFilled(frame.at({x, 0}), 4, kEdgeRib, 16);
+  const Pen mirror{kSpine, 1.2f, LineStyle::Dashed};
+  if (board.symmetry.leftRight) styledLine(list, frame.at({0, -1.03}), frame.at({0, 1.03}), mirror);
+  if (board.symmetry.frontBack) styledLine(list, frame.at({-1.03, 0}), frame.at({1.03, 0}), mirror);
+  for (int k = 0; board.symmetry.fold > 1 && k < board.symmetry.fold; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / board.symmetry.fold + 1.5707963;
+    styledLine(list, frame.at({0, 0}), frame.at({1.03 * std::cos(angle), 1.03 * std::sin(angle)}), mirror);
+  }
+  const auto word = [&](SectionPoint at, const char* text) {
+    ImFont* font = env.fonts.small;
+    const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
+    const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text), p = frame.at(at);
+    list.AddText(font, size, {p.x - extent.x / 2, p.y - extent.y / 2}, kMuted, text);
+  };
+  word({0, 1.09}, "front");
+  word({0, -1.09}, "back");
+  const ImVec2 left = frame.at({-1, 0.07}), right = frame.at({1, 0.07});
+  const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
+  list.AddText(env.fonts.small, size, {left.x + 6, left.y - size / 2}, rgb(0x5c6474, 170), "left");
+  const float wide = env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, "right").x;
+  list.AddText(env.fonts.small, size, {right.x - wide - 6, right.y - size / 2}, rgb(0x5c6474, 170), "right");
+}
+
+void paintPoints(const PanelEnv& env, ImDrawList& list, const SectionFrame& frame) {
+  const app::SectionBoard& board = *env.ui().sections.board;
+  const float r = env.ui().touch ? 7.f : 5.f;
+  for (std::size_t c = 0; c < board.shown().size(); ++c) {
+    const auto& points = board.shown()[c].points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const ImVec2 at = frame.at(points[i].at);
+      const bool on = board.point == loft::PointRef{c, i};
+      const ImU32 ink = on ? kAccent : kInk, inside = on ? kAccent : kSurface;
+      if (points[i].corner) {
+        list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, inside, 1);
+        list.AddRect({at.x - r, at.y - r}, {at.x + r, at.y + r}, ink, 1, 0, 1.6f);
+      } else {
+        list.AddCircleFilled(at, r, inside, 16);
+        list.AddCircle(at, r, ink, 16, 1.6f);
+      }
+    }
+  }
+}
+
+/// The line under the pen with its images.
+void paintStroke(const PanelEnv& env, ImDrawList& list, const SectionFrame& frame) {
+  const app::SectionBoard& board = *env.ui().sections.board;
+  const bool closed = board.tool == app::BoardTool::Box || board.tool == app::BoardTool::Ellipse;
+  std::vector<SectionPoint> line = board.stroke;
+  if (closed && !line.empty()) line.push_back(line.front());
+  if (board.tool == app::BoardTool::Line) {
+    line.assign(board.corners.begin(), board.corners.end());
+    if (board.stroke.size() == 2) line.push_back(board.stroke[1]);
+  }
+  if (line.empty()) return;
+  const std::size_t count = loft::images(line.front(), board.symmetry).size();
+  for (std::size_t k = count; k-- > 0;) {
+    std::vector<SectionPoint> image;
+    for (const SectionPoint p : line) image.push_back(loft::images(p, board.symmetry)[k]);
+    paintLine(list, frame, image, {k == 0 ? kAccent : rgb(0xc8431d, 90), 0, k == 0 ? 2.6f : 1.8f});
+  }
+  if (board.tool != app::BoardTool::Line) return;
+  for (std::size_t i = 0; i < board.corners.size(); ++i) {
+    list.AddCircleFilled(frame.at(board.corners[i]), i == 0 ? 7.f : 4.5f, i == 0 ? kGlow : kAccent, 16);
+    list.AddCircle(frame.at(board.corners[i]), i == 0 ? 7.f : 4.5f, kAccent, 16, 1.5f);
+  }
+}
+
+void paintBoard(const PanelEnv& env, const app::Rect& square) {
+  app::SectionBoard& board = *env.ui().sections.board;
+  board.square = square;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low{static_cast<float>(square.x), static_cast<float>(square.y)};
+  const ImVec2 high{static_cast<float>(square.right()), static_cast<float>(square.bottom())};
+  list.AddRectFilled(low, high, kPaper, kRadius);
+  list.PushClipRect(low, high, true);
+  const app::ClientPoint c = square.centre();
+  const SectionFrame frame{{static_cast<float>(c.x), static_cast<float>(c.y)},
+                           static_cast<float>(square.width / 2 / app::kBoardReach)};
+  paintGround(env, list, frame);
+  for (const auto& line : env.ui().sections.traces) {
+    if (board.traces) paintOutlines(list, frame, std::span(&line, 1), {rgb(0x5c6474, 60), 0, 1.4f});
+  }
+  const auto problem = loft::problemOf(board.drawing);
+  std::vector<std::vector<SectionPoint>> outlines;
+  for (const loft::DrawnCurve& curve : board.shown()) outlines.push_back(loft::outlineOf(curve));
+  const bool drawing = !board.stroke.empty();
+  paintOutlines(list, frame, outlines, {rgb(0xc8431d, drawing ? 110u : 255u), rgb(0xf4a88f, 70), 2.2f});
+  if (problem && problem->curve < outlines.size() && !board.live) {
+    paintOutlines(list, frame, std::span(&outlines[problem->curve], 1), {kWrong, 0, 3});
+  }
+  if (board.tool == app::BoardTool::Points) paintPoints(env, list, frame);
+  paintStroke(env, list, frame);
+  list.PopClipRect();
+}
+
+/// Presets, own sections and earlier lines, in a row that scrolls.
+void startRow(const PanelEnv& env, float width) {
+  ImGui::BeginChild("start from", {width, kStartTile + 12}, ImGuiChildFlags_None,
+                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_HorizontalScrollbar);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
+  const auto put = [&](const char* id, std::string_view tip, const loft::SectionShape& shape) {
+    return tile(env, {id, "", tip, {kStartTile, kStartTile}, false},
+                [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
+                  paintSection(list, {centre, radius}, shape, {ink, 0, 1.6f});
+                });
+  };
+  for (const app::ShelfSection& section : env.ui().sections.shelf) {
+    const std::string id = "shelf" + std::to_string(section.id);
+    if (put(id.c_str(), section.name, section.shape)) {
+      env.sink.run(app::startBoardFrom, section.shape);
+    }
+    ImGui::SameLine();
+  }
+  for (const loft::SectionName& name : loft::sectionNames()) {
+    const std::string id(name.key);
+    if (put(id.c_str(), name.label, name.preset)) {
+      env.sink.run(app::startBoardFrom, loft::SectionShape(name.preset));
+    }
+    ImGui::SameLine();
+  }
+  for (std::size_t i = env.ui().sections.traces.size(); i-- > 0;) {
+    const std::string id = "trace" + std::to_string(i);
+    loft::SectionShape shape;
+    shape.contours = {env.ui().sections.traces[i]};
+    if (put(id.c_str(), "An earlier line", shape)) {
+      env.sink.run(app::startBoardFromTrace, i);
+    }
+    ImGui::SameLine();
+  }
+  ImGui::PopStyleVar();
+  dragScroll();
+  ImGui::EndChild();
+}
+
+std::string_view hintOf(const app::SectionBoard& board) {
+  if (board.drawing.empty() && board.corners.empty()) {
+    return board.tool == app::BoardTool::Pen ? "Draw the slice in one go, all the way round."
+                                             : loft::sentenceOf(loft::DrawingFault::Empty);
+  }
+  if (const auto problem = loft::problemOf(board.drawing)) return loft::sentenceOf(problem->fault);
+  switch (board.tool) {
+    case app::BoardTool::Line:
+      return "Tap corner after corner; the first one closes the curve.";
+    case app::BoardTool::Points:
+      return "Drag a point. Tap the line to add one, tap a point twice to take it away.";
+    default:
+      return "A curve inside is a hole, one outside another piece.";
+  }
+}
+
+void titleRow(const PanelEnv& env, float width) {
+  const float height = buttonSide(env);
+  ImGui::AlignTextToFramePadding();
+  label(env.fonts.bold, kInk, "Your slice");
+  if (env.ui().layout.stacked) {
+    for (const app::CommandId id : {app::CommandId("slice-undo"), app::CommandId("slice-redo")}) {
+      ImGui::SameLine(0, 2);
+      commandButton(env, id, height);
+    }
+  }
+  const float done = textButtonWidth(env, "Done") + 12, leave = textButtonWidth(env, "Cancel");
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - done - leave - 6);
+  if (textButton(env, {"cancel", "Cancel", false, true, height, leave})) env.sink.run("slice-cancel");
+  ImGui::SameLine(0, 6);
+  const app::SectionBoard& board = *env.ui().sections.board;
+  const bool can = board.past.empty() || !loft::problemOf(board.drawing);
+  if (textButton(env, {"done", "Done", can, can, height, done})) env.sink.run("slice-done");
+}
+
+}  // namespace
+
+void drawSectionBoard(const PanelEnv& env) {
+  if (!env.ui().sections.board) return;
+  app::UiState& ui = env.ui();
+  const app::Rect card = ui.layout.picture;
+  ui.overlays.push_back(card);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 8});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
+  beginFixed("slice board", card);
+  const bool wide = card.width > card.height * 1.15;  // the tools stand beside the square
+  const float inner = static_cast<float>(card.width) - 20;
+  const float side = static_cast<float>(card.height) - 16;
+  const float column = wide ? inner - std::min(side, inner * 0.62f) - 10 : inner;
+  if (wide) ImGui::BeginGroup();
+  titleRow(env, column);
+  toolbar(env, column);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + column);
+  const app::SectionBoard& board = *ui.sections.board;
+  const bool wrong = !board.past.empty() && !board.drawing.empty() && loft::problemOf(board.drawing);
+  label(env.fonts.small, wrong ? kWrong : kMuted, hintOf(board));
+  ImGui::PopTextWrapPos();
+  app::Rect square;
+  if (wide) {
+    startRow(env, column);
+    ImGui::EndGroup();
+    const double length = std::min<double>(side, inner - column - 10);
+    square = {card.right() - 10 - length, card.y + (card.height - length) / 2, length, length};
+  } else {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const double room = card.bottom() - 8 - at.y - (kStartTile + 18);
+    const double length = std::max(120.0, std::min<double>(inner, room));
+    square = {card.x + 10 + (inner - length) / 2, at.y, length, length};
+    ImGui::SetCursorScreenPos({at.x, at.y + static_cast<float>(length) + 6});
+    startRow(env, inner);
+  }
+  paintBoard(env, square);
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace spineloft::panels

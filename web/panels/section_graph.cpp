@@ -1,0 +1,220 @@
+// Twist, depth, lean and front along the spine: which curve, its graph, shapes for one tap.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
+#include "web/edit/section_editing.h"
+#include "web/panels/curve_graph.h"
+#include "web/panels/draw_lines.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+using document::AlongKind;
+
+app::Rect rectOf(ImVec2 low, ImVec2 high) {
+  return {low.x, low.y, std::max(0.f, high.x - low.x), std::max(0.f, high.y - low.y)};
+}
+
+const char* unitOf(AlongKind kind) {
+  switch (kind) {
+    case AlongKind::Twist:
+      return " turns";
+    case AlongKind::Squash:
+      return " ×";
+    case AlongKind::Tilt:
+      return "°";
+    default:
+      return "";
+  }
+}
+
+/// The values that a graph shows: at least `shown` about the rest, and all points.
+std::pair<double, double> rangeOf(const app::AlongInfo& info, const geometry::AlongCurve& curve) {
+  double most = info.shown;
+  for (const geometry::AlongPoint& p : curve.points) most = std::max(most, std::abs(p.value - info.rest));
+  constexpr std::array kNice = {1.0, 2.0, 3.0, 5.0, 7.0, 11.0, 30.0, 60.0, 70.0};
+  for (const double nice : kNice) {
+    if (nice >= most - 1e-9) {
+      most = nice;
+      break;
+    }
+  }
+  // A point at the edge asks for more room.
+  return {std::max(info.low, info.rest - most), std::min(info.high, info.rest + most)};
+}
+
+/// A drawing of what a kind does.
+void paintKind(ImDrawList& list, AlongKind kind, ImVec2 c, float r, ImU32 ink) {
+  constexpr int kSteps = 24;
+  const auto curve = [&](const auto& y, float phase) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const float t = static_cast<float>(i) / kSteps;
+      list.PathLineTo({c.x - r + 2 * r * t, c.y + y(t + phase) * r});
+    }
+    list.PathStroke(ink, 0, 1.7f);
+  };
+  switch (kind) {
+    case AlongKind::Twist:
+      curve([](float t) { return 0.6f * std::sin(t * 9); }, 0);
+      curve([](float t) { return -0.6f * std::sin(t * 9); }, 0);
+      break;
+    case AlongKind::Squash:
+      curve([](float t) { return 0.75f - 0.65f * t; }, 0);
+      curve([](float t) { return -0.75f + 0.65f * t; }, 0);
+      break;
+    case AlongKind::Tilt:
+      for (const float x : {-0.6f, 0.f, 0.6f}) {
+        list.AddLine({c.x + (x - 0.3f) * r, c.y + 0.7f * r}, {c.x + (x + 0.3f) * r, c.y - 0.7f * r}, ink, 1.7f);
+      }
+      break;
+    default:
+      curve([](float t) { return -0.9f * std::sin(t * 3.14159f) + 0.3f; }, 0);
+      curve([](float) { return 0.3f; }, 0);
+  }
+}
+
+void kinds(const PanelEnv& env, const loft::LoftParams& params, float width, int columns) {
+  const bool labels = !env.ui().layout.strip;
+  const float gap = 4, side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  int index = 0;
+  for (const app::AlongInfo& info : app::alongTable()) {
+    if (index++ % columns != 0) ImGui::SameLine(0, gap);
+    const std::string id(info.key);
+    const bool on = env.ui().sections.along == info.kind;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size{std::floor(side), labels ? 50.f : 44.f};
+    const auto paint = [&](ImDrawList& list, ImVec2 c, float r, ImU32 ink) { paintKind(list, info.kind, c, r, ink); };
+    if (tile(env, {id.c_str(), labels ? info.label : std::string_view(), info.hint, size, on}, paint)) {
+      env.sink.run(app::showAlong, info.kind);
+    }
+    if (!document::alongOf(params, info.kind).empty()) {  // it is in use
+      ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size.x - 8, at.y + 8}, 3.5f, kAccent, 12);
+    }
+  }
+}
+
+void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float width) {
+  const float height = env.ui().touch ? 44.f : 30.f;
+  float room = width;
+  bool first = true;
+  const auto chip = [&](std::string_view key, std::string_view text, const geometry::AlongCurve& curve, bool enabled) {
+    const float wide = textButtonWidth(env, text);
+    if (!first && room >= wide + 4) {
+      ImGui::SameLine(0, 4);
+    } else {
+      room = width;
+    }
+    room -= wide + 4;
+    first = false;
+    const std::string id = "shape-" + std::string(key);
+    if (textButton(env, {id.c_str(), text, false, enabled, height})) {
+      env.sink.run(app::setAlong, env.ui().selection, info.kind, curve);
+    }
+  };
+  for (const app::AlongShape& shape : app::alongShapes()) {
+    if (shape.kind == info.kind) chip(shape.key, shape.label, {shape.points}, true);
+  }
+  chip("none", "Reset", {}, used);
+}
+
+}  // namespace
+
+void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::AlongCurve& curve) {
+  const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + graph.size.x, at.y + graph.size.y};
+  ImGui::Dummy(graph.size);
+  if (env.ui().sections.revealGraph) {
+    ImGui::SetScrollHereY(1);
+    env.ui().sections.revealGraph = false;
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 clipLow = list.GetClipRectMin(), clipHigh = list.GetClipRectMax();
+  constexpr float kPad = 9;  // so that points at the edge can be taken
+  const ImVec2 low{at.x + kPad, at.y + kPad}, high{end.x - kPad, end.y - kPad};
+  app::GraphArea area{graph.kind, rectOf(low, high), {}, graph.low, graph.high};
+  area.visible = rectOf({std::max(at.x, clipLow.x), std::max(at.y, clipLow.y)},
+                        {std::min(end.x, clipHigh.x), std::min(end.y, clipHigh.y)});
+  env.ui().sections.graphs.push_back(area);
+  const auto x = [&](double t) { return low.x + (high.x - low.x) * static_cast<float>(t); };
+  const auto y = [&](double v) {
+    return high.y - (high.y - low.y) * static_cast<float>((v - graph.low) / (graph.high - graph.low));
+  };
+  list.AddRectFilled(at, end, rgb(0xfaf9f6), 8);
+  list.AddRect(at, end, kLine, 8);
+  list.PushClipRect(at, end, true);
+  styledLine(list, {low.x, y(graph.rest)}, {high.x, y(graph.rest)}, {rgb(0x5c6474, 120), 1, LineStyle::Dashed});
+  if (const auto& marked = env.ui().sections.marked; marked && graph.kind == app::GraphArea::Kind::Along) {
+    list.AddLine({x(*marked), at.y}, {x(*marked), end.y}, kGlow, 3);
+  }
+  const auto& hovered = env.ui().hover.along;
+  const bool pointed = hovered && !env.ui().sections.marked && graph.kind == app::GraphArea::Kind::Along;
+  if (pointed) list.AddLine({x(*hovered), at.y}, {x(*hovered), end.y}, kMuted, 1);
+  constexpr int kSteps = 64;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double t = static_cast<double>(i) / kSteps;
+    list.PathLineTo({x(t), y(geometry::valueAt(curve, t, graph.rest))});
+  }
+  list.PathStroke(kSpine, 0, 2.2f);
+  const bool dragging = env.ui().sections.graph.has_value();
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const ImVec2 p{x(curve.points[i].at), y(curve.points[i].value)};
+    const bool on = dragging && i == env.ui().sections.graphPoint;
+    list.AddCircleFilled(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSurface, 20);
+    list.AddCircle(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSpine, 20, 2);
+  }
+  char text[48] = "";
+  if (dragging && env.ui().sections.graphPoint < curve.points.size()) {
+    std::snprintf(text, sizeof text, "%.2g%s", curve.points[env.ui().sections.graphPoint].value, graph.unit);
+  } else if (pointed && !curve.empty()) {
+    std::snprintf(text, sizeof text, "%.2g%s", geometry::valueAt(curve, *hovered, graph.rest), graph.unit);
+  } else if (curve.empty() && graph.kind == app::GraphArea::Kind::Along) {
+    std::snprintf(text, sizeof text, "Tap to bend the line");
+  }
+  list.AddText(env.fonts.small, env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale, {at.x + 8, at.y + 4},
+               kMuted, text);
+  list.PopClipRect();
+}
+
+void alongPanel(const PanelEnv& env, float width) {
+  const document::Part* part = env.selected();
+  if (part == nullptr) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    label(env.fonts.small, kMuted, "Draw or choose a part; then it can be twisted, flattened and leant.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  const app::Preview* preview = app::previewOf(env.ui(), part->id);
+  const loft::LoftParams& params = preview ? preview->loft().loft : document::loftIn(*part).loft;
+  const app::AlongInfo& info = app::alongInfo(env.ui().sections.along);
+  geometry::AlongCurve curve = document::alongOf(document::loftIn(*part).loft, info.kind);
+  for (geometry::AlongPoint& p : curve.points) p.value /= info.unit;
+  const auto [low, high] = rangeOf(info, curve);  // steady while a point is dragged
+  const bool blending = env.ui().sections.graph && !env.ui().sections.graphs.empty() &&
+                        env.ui().sections.graphs.front().kind == app::GraphArea::Kind::Blend;
+  if (env.ui().sections.graph && !blending) curve = *env.ui().sections.graph;
+  const bool strip = env.ui().layout.strip;
+  if (strip) {
+    width -= ImGui::GetStyle().ScrollbarSize + 2;
+    const float left = 4 * 48.f + 12 < width * 0.4f ? 4 * 48.f + 12 : 2 * 48.f + 4;
+    ImGui::BeginGroup();
+    kinds(env, params, left, left > 150 ? 4 : 2);
+    ImGui::EndGroup();
+    ImGui::SameLine(0, 8);
+    curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width - left - 8, 94}},
+               curve);
+  } else {
+    kinds(env, params, width, 4);
+    curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width, 116}}, curve);
+  }
+  shapes(env, info, !document::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
+}
+
+}  // namespace spineloft::panels

@@ -1,0 +1,116 @@
+// The sections along the spine of a part: a bar that shows and picks them, and how one becomes the
+// next.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
+#include "web/edit/section_editing.h"
+#include "web/panels/curve_graph.h"
+#include "web/panels/section_paint.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+using SectionKeys = std::vector<loft::SectionKey>;
+
+/// The spine as a line with the sections on it; a press picks one.
+void bar(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, float width) {
+  const float height = env.ui().touch ? 50.f : 42.f, r = height / 2 - 3;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float left = at.x + r + 2, right = at.x + width - r - 2, y = at.y + height / 2;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine({left, y}, {right, y}, kSpine, 3);
+  list.AddCircleFilled({left, y}, 4, kSpine, 16);
+  if (const auto& marked = env.ui().sections.marked) {
+    const float x = left + (right - left) * static_cast<float>(*marked);
+    list.AddLine({x, at.y}, {x, at.y + height}, kGlow, 3);
+  }
+  for (std::size_t pass = 0; pass < 2; ++pass) {
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+      if ((i == picked) != (pass == 1)) continue;  // the picked one lies on top
+      const ImVec2 c{left + (right - left) * static_cast<float>(stops[i].at), y};
+      ImGui::SetCursorScreenPos({c.x - r, c.y - r});
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::InvisibleButton("stop", {2 * r, 2 * r})) {
+        env.sink.run(app::selectSection, env.ui().selection, i);
+      }
+      registerControl(env, app::Control::Kind::Button, "Slice " + std::to_string(i + 1), true, i == picked);
+      ImGui::PopID();
+      const bool on = i == picked;
+      list.AddCircleFilled(c, r, on ? kAccentSoft : kSurface, 32);
+      list.AddCircle(c, r, on ? kAccent : kMuted, 32, on ? 2.f : 1.2f);
+      paintSection(list, {c, r * 0.56f}, stops[i].shape, {on ? kAccent : kInk, 0, 1.5f});
+    }
+  }
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({width, height});
+}
+
+void blends(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, float width) {
+  const bool strip = env.ui().layout.strip;
+  const int columns = strip ? 6 : 3;
+  const float gap = 6, side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  int index = 0;
+  for (const loft::BlendName& name : loft::blendNames()) {
+    if (index++ % columns != 0) ImGui::SameLine(0, gap);
+    const std::string id = "blend-" + std::string(name.key);
+    const bool on = stops[picked].blend.kind == name.kind;
+    const auto paint = [&](ImDrawList& list, ImVec2 c, float radius, ImU32 ink) {
+      loft::Blend blend = stops[picked].blend;
+      if (blend.kind != name.kind) blend = {name.kind, {{{0, 0}, {0.35, 0.7}, {0.65, 0.3}, {1, 1}}}};
+      constexpr int kSteps = 20;
+      for (int i = 0; i <= kSteps; ++i) {
+        const double t = static_cast<double>(i) / kSteps;
+        list.PathLineTo({c.x + radius * static_cast<float>(2 * t - 1),
+                         c.y - radius * 0.8f * static_cast<float>(2 * loft::blendAt(blend, t) - 1)});
+      }
+      list.PathStroke(ink, 0, 1.8f);
+    };
+    if (tile(env,
+             {id.c_str(),
+              strip ? std::string_view() : name.label,
+              name.label,
+              {std::floor(side), strip ? 44.f : 50.f},
+              on},
+             paint)) {
+      env.sink.run(app::setBlend, env.ui().selection, picked, app::blendOf(name.kind, stops[picked].blend));
+    }
+  }
+}
+
+}  // namespace
+
+void sectionKeyBar(const PanelEnv& env, float width) {
+  const document::Part& part = *env.selected();
+  const app::Preview* preview = app::previewOf(env.ui(), part.id);
+  const SectionKeys& stops = preview ? preview->loft().loft.sections : document::loftIn(part).loft.sections;
+  const std::size_t picked = std::min(app::pickedSectionKey(env.ui(), part), stops.size() - 1);
+  const float side = buttonSide(env);
+  ImGui::Dummy({0, 2});
+  label(env.fonts.small, kMuted, stops.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
+  if (stops.size() > 1) bar(env, stops, picked, width);
+  const bool placing = env.ui().sections.placing;
+  if (textButton(env, {"add", placing ? "Tap the bone …" : "Add a slice", placing, true, side})) {
+    env.sink.run("add-slice");
+  }
+  if (stops.size() < 2) return;
+  ImGui::SameLine(0, 4);
+  commandButton(env, "remove-slice", side);
+  ImGui::SameLine(0, 0);
+  commandButton(env, "next-slice", side);
+  if (picked + 1 >= stops.size()) return;
+  label(env.fonts.small, kMuted, "Change to the next one");
+  blends(env, stops, picked, width);
+  const loft::Blend& blend = stops[picked].blend;
+  if (blend.kind != loft::BlendKind::Custom) return;
+  const geometry::AlongCurve& curve = env.ui().sections.graph ? *env.ui().sections.graph : blend.custom;
+  curveGraph(env, {app::GraphArea::Kind::Blend, -0.5, 1.5, 0, "", {width, 96}}, curve);
+}
+
+}  // namespace spineloft::panels

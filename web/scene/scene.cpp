@@ -1,0 +1,226 @@
+#include "web/scene/scene.h"
+
+#include <algorithm>
+
+#include "engine/base/hash.h"
+#include "engine/mesh/laws.h"
+#include "engine/publish/publish.h"
+#include "web/edit/placing.h"
+#include "web/edit/preview.h"
+
+namespace spineloft::app {
+namespace {
+
+gl::Viewport viewport(const Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
+
+gl::SceneTexture textureOf(const document::PictureEntry& entry, const image::Picture& pixels) {
+  return {entry.contentHash | 1u, &pixels.working};
+}
+
+gl::Mat4 matrixOf(const pipeline::ToWorld& toWorld) {
+  gl::Mat4 out;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      out.m[4 * column + row] = static_cast<float>(toWorld.linear[3 * row + column]);
+    }
+  }
+  const WorldPoint shift = toWorld(ModelPoint{});
+  out.m[12] = static_cast<float>(shift.x);
+  out.m[13] = static_cast<float>(shift.y);
+  out.m[14] = static_cast<float>(shift.z);
+  return out;
+}
+
+/// The mesh as often as it is seen.
+void addCopies(gl::SceneMesh mesh, const pipeline::Copies& copies, gl::Scene& scene) {
+  for (const pipeline::ToWorld& toWorld : copies) {
+    mesh.toWorld = matrixOf(toWorld);
+    mesh.flips = toWorld.flips;
+    scene.meshes.push_back(mesh);
+  }
+}
+
+/// Where a picture's parts get their surface from.
+struct Source {
+  const document::PictureEntry* entry = nullptr;
+  const image::Picture* pixels = nullptr;  ///< null: none
+};
+
+Source sourceOf(const document::Document& document, const pipeline::Derived& derived, PictureId id) {
+  return {document::findPicture(document, id), pipeline::pixelsOf(document, derived, id)};
+}
+
+/// A finished shape has a texture of its own; one in hand, or whose texture is being made, that of an
+/// earlier one or the picture itself.
+void useTexture(const Source& source, const pipeline::PartShape& shape, gl::SceneMesh& mesh) {
+  if (shape.texture) {
+    const surface::UvArea& area = shape.texture->area;
+    mesh.texture = {Hasher().text("texture").number(shape.textureKey).value() | 1u, &shape.texture->pixels};
+    mesh.textureArea = {static_cast<float>(area.left), static_cast<float>(area.top),
+                        static_cast<float>(area.right - area.left), static_cast<float>(area.bottom - area.top)};
+  } else if (!isDressed(shape) && source.pixels) {
+    mesh.texture = textureOf(*source.entry, *source.pixels);
+  }
+}
+
+std::array<float, 3> shares(const std::array<std::uint8_t, 3>& colour) {
+  std::array<float, 3> out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<float>(colour[i]) / 255.f;
+  return out;
+}
+
+void paint(const document::Look& look, const mesh::TriMesh& solid, gl::SceneMesh& mesh) {
+  switch (look.paint) {
+    case surface::Paint::TwoTone: {
+      const mesh::Bounds bounds = mesh::boundsOf(solid);
+      mesh.second = shares(look.second);
+      mesh.split = static_cast<float>((bounds.low[1] + bounds.high[1]) / 2);
+      break;
+    }
+    case surface::Paint::Clay:
+      mesh.finish = gl::Finish::Clay;
+      break;
+    case surface::Paint::Glaze:
+      mesh.finish = gl::Finish::Glaze;
+      break;
+    case surface::Paint::Metal:
+      mesh.finish = gl::Finish::Metal;
+      break;
+    case surface::Paint::Plain:
+    case surface::Paint::kCount:
+      break;
+  }
+}
+
+gl::SceneMesh meshOf(const Source& source, const document::Look& look, const pipeline::PartShape& shape) {
+  gl::SceneMesh mesh;
+  mesh.mesh = &shape.mesh;
+  if (look.textured) useTexture(source, shape, mesh);
+  mesh.colour = shares(look.colour);
+  mesh.faceted = look.faceted;
+  if (!look.textured) paint(look, *mesh.mesh, mesh);
+  return mesh;
+}
+
+/// Of the mesh as it lies on the GPU.
+std::uint64_t keyOf(std::uint64_t shape, const document::Look& look) {
+  return Hasher().text("mesh").number(shape).number(look.faceted).value() | 1u;
+}
+
+void addParts(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
+              gl::Scene& scene) {
+  const std::size_t count = std::min(document.parts.size(), derived.parts.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const document::Part& part = document.parts[i];
+    const auto& shape = derived.parts[i].shape;
+    const Source source = sourceOf(document, derived, document::pictureOf(part));
+    if (!shape || !showsItself(document, derived, part) || source.entry == nullptr) continue;
+    if (previewOf(ui, part.id)) continue;
+    gl::SceneMesh mesh = meshOf(source, part.look, *shape);
+    mesh.key = keyOf(shape->key, part.look);
+    const bool several = document.parts.size() > 1;
+    mesh.glow = several && isSelected(document, ui, part.id) ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
+    addCopies(mesh, shownCopies(ui, part, source.entry->size), scene);
+  }
+}
+
+/// The faces of a solid look as the parts they come from.
+gl::SceneMesh pieceOf(const document::Document& document, const pipeline::Derived& derived, const document::Step& step,
+                      const pipeline::SolidPiece& piece) {
+  gl::SceneMesh mesh;
+  mesh.mesh = &piece.mesh;
+  const auto at =
+      std::ranges::find_if(document.parts, [&](const document::Part& part) { return part.id == piece.part; });
+  document::Look look = step.look;
+  if (at != document.parts.end()) {
+    const auto index = static_cast<std::size_t>(at - document.parts.begin());
+    const document::Part& part = *at;
+    if (!step.ownLook) look = part.look;
+    const Source source = sourceOf(document, derived, document::pictureOf(part));
+    const bool known = index < derived.parts.size() && derived.parts[index].shape;
+    if (look.textured && known && source.entry != nullptr) {
+      useTexture(source, *derived.parts[index].shape, mesh);
+    }
+  }
+  mesh.colour = shares(look.colour);
+  mesh.faceted = look.faceted;
+  if (!look.textured) paint(look, *mesh.mesh, mesh);
+  return mesh;
+}
+
+void addSolids(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
+               gl::Scene& scene) {
+  for (const document::Step& step : document.steps) {
+    const pipeline::DerivedStep* shown = shownSolid(document, derived, step);
+    if (shown == nullptr) continue;
+    std::size_t number = 0;
+    for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
+      gl::SceneMesh mesh = pieceOf(document, derived, step, piece);
+      const std::uint64_t key = Hasher().text("piece").number(shown->solid->key).number(number++).value();
+      mesh.key = Hasher().number(key).number(mesh.faceted).value() | 1u;
+      const bool chosen = piece.part && piece.part == ui.selection;
+      mesh.glow = chosen ? 0.7f : piece.part && piece.part == ui.hover.part ? 0.35f : 0.f;
+      scene.meshes.push_back(mesh);
+    }
+  }
+}
+
+void addPreview(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
+                gl::Scene& scene) {
+  if (!ui.preview || !ui.preview->shape) return;
+  const Preview& preview = *ui.preview;
+  if (solidOf(document, derived, preview.part) != nullptr) return;  // it changes the solid instead
+  const Source source = sourceOf(document, derived, document::pictureOf(preview.recipe));
+  if (source.entry == nullptr) return;
+  gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
+  mesh.key = keyOf(Hasher().text("preview").number(preview.revision).value(), preview.look);
+  addCopies(mesh, previewCopies(document, derived, ui, source.entry->size), scene);
+}
+
+/// The floor lies just below the lowest part.
+void addFloor(gl::Scene& scene) {
+  if (scene.meshes.empty()) return;
+  WorldPoint low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
+  for (const gl::SceneMesh& mesh : scene.meshes) {
+    const auto& m = mesh.toWorld.m;
+    for (const auto& p : mesh.mesh->positions) {
+      const WorldPoint w{m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12],
+                         m[1] * p[0] + m[5] * p[1] + m[9] * p[2] + m[13],
+                         m[2] * p[0] + m[6] * p[1] + m[10] * p[2] + m[14]};
+      low = {std::min(low.x, w.x), std::min(low.y, w.y), std::min(low.z, w.z)};
+      high = {std::max(high.x, w.x), std::max(high.y, w.y), std::max(high.z, w.z)};
+    }
+  }
+  if (!(low.x <= high.x)) return;
+  const WorldPoint size = high - low;
+  scene.floorCentre = {(low.x + high.x) / 2, low.y - 0.002, (low.z + high.z) / 2};
+  scene.floorRadius = std::max({size.x, size.z, size.y * 0.85, 0.1}) * 0.78;
+  scene.floorHeadroom = std::max(size.y * 0.9, 0.05);
+}
+
+}  // namespace
+
+void buildScene(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
+                gl::Scene& scene) {
+  scene.width = ui.canvasWidth;
+  scene.height = ui.canvasHeight;
+  scene.dpr = ui.dpr;
+  scene.pictureView = viewport(ui.layout.picture);
+  scene.solidView = viewport(ui.layout.solid);
+  scene.picture.reset();
+  const Source shown = sourceOf(document, derived, ui.picture);
+  if (shown.entry != nullptr && shown.pixels != nullptr) {
+    scene.picture = textureOf(*shown.entry, *shown.pixels);
+    scene.pictureAt = viewport(pictureRect(ui.pictureView, shown.entry->size, ui.layout.picture));
+  }
+  scene.view = viewOf(ui.camera);
+  scene.projection = projectionOf(ui.camera, ui.layout.solid);
+  scene.meshes.clear();
+  scene.floorRadius = 0;
+  addParts(document, derived, ui, scene);
+  addSolids(document, derived, ui, scene);
+  addPreview(document, derived, ui, scene);
+  addFloor(scene);
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,91 @@
+// What is transient about sections: the open board on which one is drawn, the shelf of own sections,
+// and what is picked along the spine. Part of UiState.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/ids.h"
+#include "engine/document/action.h"
+#include "engine/loft/section_drawing.h"
+#include "web/ui/space.h"
+
+namespace spineloft::app {
+
+/// What a press on the board does.
+enum class BoardTool : std::uint8_t { Pen, Line, Box, Ellipse, Points, kCount };
+/// "pen", "line", "box", "ellipse", "points".
+std::string_view boardToolKey(BoardTool tool);
+std::optional<BoardTool> boardToolFromKey(std::string_view key);
+
+/// The board on which a section is drawn. The document does not change until it is done.
+struct SectionBoard {
+  PartId part;           ///< none: the section of the next part
+  std::size_t stop = 0;  ///< which section of the part
+  loft::Drawing drawing;
+  std::vector<loft::Drawing> past, future;  ///< of this board alone
+  loft::Symmetry symmetry;
+  BoardTool tool = BoardTool::Pen;
+  bool traces = true;                   ///< pale lines of what was drawn before
+  std::optional<loft::PointRef> point;  ///< the one that was touched last
+
+  /// The gesture in hand: what the board would hold, and the line under the pen. None: `drawing`.
+  std::optional<loft::Drawing> live;
+  std::vector<SectionPoint> stroke;
+  std::vector<SectionPoint> corners;  ///< of the straight lines that are not closed yet
+
+  Rect square;  ///< where the board lies on the canvas, with its margin
+  const loft::Drawing& shown() const { return live ? *live : drawing; }
+};
+
+/// The board shows a little more than the square of sections, so that lines may begin outside.
+inline constexpr double kBoardReach = 1.18;
+SectionPoint toSection(const SectionBoard& board, ClientPoint at);
+ClientPoint toCanvas(const SectionBoard& board, SectionPoint p);
+
+/// A section that the visitor keeps, on every model.
+struct ShelfSection {
+  std::uint32_t id = 0;
+  std::string name;
+  loft::SectionShape shape;
+};
+inline constexpr std::size_t kMostShelfSections = 48, kMostTraces = 8;
+
+/// A graph in a panel that a finger can take hold of.
+struct GraphArea {
+  enum class Kind : std::uint8_t { Along, Blend } kind = Kind::Along;
+  Rect at;                   ///< of the whole graph
+  Rect visible;              ///< what of it the panel shows
+  double low = 0, high = 1;  ///< values at its foot and top
+};
+
+struct SectionUi {
+  std::optional<SectionBoard> board;
+  std::vector<std::vector<SectionPoint>> traces;  ///< what was drawn before, latest last
+  std::vector<ShelfSection> shelf;
+  std::uint32_t lastShelfId = 0;
+
+  PartId part;                                ///< whose section `stop` is
+  std::size_t stop = 0;                       ///< the section that tiles change, of several along the spine
+  bool placing = false;                       ///< a tap on the part puts a section there
+  std::optional<loft::SectionShape> pressed;  ///< the tile under the finger
+  std::optional<loft::SectionShape> carried;  ///< a tile that is dragged to a part
+  ClientPoint carriedTo;
+
+  bool alongOpen = false;    ///< the panel shows the graphs
+  bool revealGraph = false;  ///< the next frame scrolls them into view
+  document::AlongKind along = document::AlongKind::Twist;
+  std::optional<geometry::AlongCurve> graph;  ///< as it is while a point is dragged
+  std::size_t graphPoint = 0;
+  std::vector<GraphArea> graphs;  ///< where they are, as of the last frame
+
+  ClientPoint lastTap;  ///< on the board or a graph, to tell double taps
+  double lastTapMs = -1e9;
+
+  std::optional<double> marked;  ///< place along the spine that the pointer is at, on either side
+};
+
+}  // namespace spineloft::app

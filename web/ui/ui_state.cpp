@@ -1,0 +1,32 @@
+#include "web/ui/ui_state.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace spineloft::app {
+
+std::string_view toolKey(ToolKind tool) {
+  static constexpr std::array<std::string_view, static_cast<std::size_t>(ToolKind::kCount)> kKeys = {
+      "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move"};
+  return tool < ToolKind::kCount ? kKeys[static_cast<std::size_t>(tool)] : std::string_view();
+}
+
+std::string_view controlKey(Control::Kind kind) {
+  static constexpr std::array<std::string_view, 8> kKeys = {"button", "row",     "grip", "field",
+                                                            "slider", "section", "tab",  "words"};
+  return kKeys[static_cast<std::size_t>(kind)];
+}
+
+void featureAt(UiState& ui, PictureId picture) {
+  if (ui.picture == picture) return;
+  if (ui.picture) ui.seen.push_back({ui.picture, ui.pictureView});
+  ui.picture = picture;
+  ui.pictureView.fitted = true;
+  const auto at = std::ranges::find(ui.seen, picture, &SeenPicture::picture);
+  if (at == ui.seen.end()) return;
+  ui.pictureView = at->view;
+  ui.seen.erase(at);
+}
+
+}  // namespace spineloft::app

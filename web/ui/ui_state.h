@@ -1,0 +1,278 @@
+// Everything transient: what is selected, where the views look, what the pen is drawing. Never
+// saved, never undone.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/ids.h"
+#include "engine/document/action.h"
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+#include "engine/ribs/edit/edit_gestures.h"
+#include "web/model/cut_draft.h"
+#include "web/model/print_report.h"
+#include "web/ui/layout.h"
+#include "web/ui/reusable.h"
+#include "web/ui/section_ui.h"
+#include "web/ui/sizing.h"
+#include "web/ui/sketching.h"
+#include "web/ui/views.h"
+
+namespace spineloft::app {
+
+class Outcome;
+struct CommandEnv;
+/// What the answer to a question does, by the question's id.
+using Answers = std::map<std::string, std::function<Outcome(const CommandEnv&, const std::string&)>, std::less<>>;
+
+enum class ToolKind : std::uint8_t {
+  Draw,     ///< a new part, or a new line for one
+  Hand,     ///< moves the picture
+  Ribs,     ///< drags rib ends, adds, deletes, locks ribs
+  Shape,    ///< a line that nearby rib ends grow or shrink to
+  Spine,    ///< moves, bends and extends the spine; a new stroke reposes
+  Ignore,   ///< scribbles over edges that do not count
+  Inflate,  ///< a line round a thing: it swells
+  Extrude,  ///< the same: a flat piece
+  Pen,      ///< draws on a sketch
+  Eraser,   ///< paper again
+  Place,    ///< moves, turns and scales parts in the solid view
+  kCount
+};
+/// "draw", "hand", "ribs", "shape", "spine", "ignore", "puff", "sheet", "pen", "eraser", "move".
+std::string_view toolKey(ToolKind tool);
+enum class Focus : std::uint8_t { Picture, Solid };
+/// The bar whose menu is open: see panels/bar_menu.h.
+enum class BarMenu : std::uint8_t { None, Picture, Solid, Edit, Board };
+enum class PanelTab : std::uint8_t { Parts, Section, Along, Ends, Look, Size, Place };
+
+/// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
+/// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
+/// allows, and both views show it in place of the part. See preview.h.
+struct Preview {
+  document::Recipe recipe;
+  PartId part;  ///< the one that it replaces on the screen; none: a new part
+  document::Look look;
+  bool fresh = false;                   ///< `shape` is of this very recipe
+  Reusable<pipeline::PartShape> shape;  ///< the last one that could be made
+  std::uint64_t revision = 0;           ///< of `shape`; none other had it
+  double costMs = 0;                    ///< what the last shape took
+  double nextMs = 0;                    ///< not before this time is the next one made
+  /// From this time on, if the hand rests, the shape is made exactly; none: it is exact.
+  std::optional<double> exactMs;
+  std::vector<double> pressure;  ///< of the pen, one a point of a stroke that is being drawn
+  bool settled() const { return fresh && !exactMs; }
+  /// The loft that `recipe` is; gestures of lofts make it one.
+  document::LoftRecipe& loft() {
+    auto* loft = std::get_if<document::LoftRecipe>(&recipe);
+    return loft ? *loft : recipe.emplace<document::LoftRecipe>();
+  }
+  const document::LoftRecipe& loft() const {
+    static const document::LoftRecipe kNone;
+    const auto* loft = std::get_if<document::LoftRecipe>(&recipe);
+    return loft ? *loft : kNone;
+  }
+};
+
+/// Where the strip of pictures shows a small copy of one.
+struct Thumbnail {
+  PictureId picture;
+  Rect at;
+};
+
+/// What the panels show on the canvas: something that can be pressed, or words that lie above a view.
+struct Control {
+  enum class Kind : std::uint8_t { Button, Row, Grip, Field, Slider, Section, Tab, Words };
+  Kind kind = Kind::Button;
+  std::string words;  ///< as it says, or what it does
+  Rect at;
+  bool inSight = true;  ///< nothing of the panel that it is in hides its middle
+  bool enabled = true, on = false;
+};
+/// "button", "row", "grip", "field", "slider", "section", "tab", "words".
+std::string_view controlKey(Control::Kind kind);
+
+/// A point of the region of a part, as drawn.
+struct OutlinePoint {
+  std::size_t contour = 0, point = 0;
+  bool operator==(const OutlinePoint&) const = default;
+};
+
+/// Handles of the gizmo that places parts, see web/edit/gizmo.h.
+enum class GizmoHandle : std::uint8_t {
+  None,
+  MoveX,
+  MoveY,
+  MoveZ,  ///< arrows along the world's axes
+  TurnX,
+  TurnY,
+  TurnZ,  ///< rings about them
+  Plane,  ///< in the plane of the view
+  Depth,  ///< away from the eye and back
+  Scale,
+};
+
+/// What lies under the pointer: lit in the views, and what a press would act on.
+struct Hover {
+  PartId part;                      ///< in either view
+  std::optional<ribs::EndRef> end;  ///< of the selected part
+  int other = -1;                   ///< one of the other places of the lit end
+  int handle = -1;                  ///< of the spine of the selected part
+  bool spine = false;               ///< its spine, beside the handles
+  int depth = -1;                   ///< a handle of its depth, in the solid view
+  int mark = -1;                    ///< a scribble (see marksOf)
+  GizmoHandle gizmo = GizmoHandle::None;
+  std::optional<OutlinePoint> outline;  ///< of the selected puff or flat piece
+  std::optional<double> along;          ///< a place of the selected part's spine: at it, or in a graph
+  std::optional<ClientPoint> brush;     ///< where an eraser or a scribble would begin
+  bool operator==(const Hover&) const = default;
+};
+
+/// What arrows move and what commands about ribs mean, of the selected part.
+struct Chosen {
+  std::optional<ribs::EndRef> end;
+  int handle = -1;
+  std::optional<OutlinePoint> outline = {};  ///< of a puff or a flat piece
+  bool operator==(const Chosen&) const = default;
+};
+
+/// What the gesture in hand draws and reaches; empty between gestures.
+struct InHand {
+  std::vector<PicturePoint> stroke;   ///< picture pixels
+  double radius = 0;                  ///< of a brush, picture pixels; 0: a thin line
+  bool box = false;                   ///< the stroke's first and last point span a box
+  std::vector<ribs::EndRef> touched;  ///< rib ends that it moves
+  std::optional<ribs::EndRef> end;    ///< the one that is dragged
+  int depth = -1;                     ///< the handle of the depth that is dragged
+};
+
+/// How the tools work; lasts until it is changed.
+struct EditOptions {
+  double ribReach = 0.06;        ///< of a dragged rib end, share of the spine's length, 0…0.5
+  double spineReach = 0.25;      ///< of a dragged spine point, the same
+  bool bothSides = false;        ///< a line changes the other side of the ribs as well
+  bool keepRibs = false;         ///< a changed spine takes its ribs along; else edges are found again
+  bool wholePicture = false;     ///< a scribble counts for all parts of the picture
+  bool paintOver = false;        ///< what a scribble covers is not on the part
+  bool depthByPressure = false;  ///< a pen's pressure becomes the depth of the spine
+  double brush = 14;             ///< radius of a scribble, CSS pixels
+  bool operator==(const EditOptions&) const = default;
+};
+inline constexpr double kMostReach = 0.5;
+
+/// How parts are taken in hand; lasts until it is changed.
+struct PlaceOptions {
+  bool snap = false;  ///< a dragged part settles on the surface under the pointer
+  bool operator==(const PlaceOptions&) const = default;
+};
+
+/// What a drag of puff and flat piece is: the thing's outline, a box round it, or a scribble over it.
+enum class CutBy : std::uint8_t { Outline, Box, Scribble };
+
+/// A row of the part list: a part, the group whose first part it is, or a solid (and no part).
+struct ListRow {
+  PartId part;
+  GroupId group;
+  StepId step = {};
+  bool operator==(const ListRow&) const = default;
+};
+
+/// A camera on its way.
+struct CameraFlight {
+  Camera from, to;
+  double startMs = 0, lengthMs = 300;
+};
+
+/// How a picture was looked at when another came into view.
+struct SeenPicture {
+  PictureId picture;
+  PictureView view;
+};
+
+/// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.
+struct SolidUi {
+  StepId step;                            ///< the chosen solid
+  bool pointing = false;                  ///< a tap on it says where it is open
+  std::vector<document::Operand> picked;  ///< ticked, in this order
+  std::vector<StepId> folded;             ///< whose parts the list does not show
+};
+
+struct UiState {
+  Layout layout;
+  double canvasWidth = 0, canvasHeight = 0, dpr = 1;
+  double share = 0.5;  ///< of the views' room that the picture has
+
+  ToolKind tool = ToolKind::Draw;
+  Focus focus = Focus::Picture;
+  PanelTab tab = PanelTab::Section;
+  unsigned folded = 1u << static_cast<unsigned>(PanelTab::Along);  ///< bits of the column's sections
+  PartId selection;
+  Hover hover;
+  Chosen chosen;
+  InHand inHand;
+  EditOptions edit;
+  PictureId picture;          ///< the one in the picture view (see featureAt)
+  bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
+  PartId redraw;              ///< the next stroke is for this part
+  /// The puff or flat piece whose outline points are in hand: it was tapped or chosen since a drawing tool was
+  /// taken; what is only just drawn has none, so that the next line may begin on it.
+  PartId pointsOf;
+  bool pointsKnown = false;  ///< some were in hand: nobody has to be told how
+  PictureId pictureMenu;     ///< whose small menu is open
+  Sketching sketching;       ///< pen and eraser
+
+  PictureView pictureView;
+  std::vector<SeenPicture> seen;  ///< how the other pictures were last looked at
+  bool legendOpen = false;        ///< on a phone, where it is folded at first
+  BarMenu barMenu = BarMenu::None;
+  double barHead = 0;  ///< CSS pixels that a bar takes at the head of the picture view on a phone
+  double barLeft = 0;  ///< CSS pixels that a column takes at the left of a low picture view
+  Camera camera;
+  std::optional<CameraFlight> flight;
+  bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
+
+  /// What the next part is made with.
+  loft::SectionShape section;
+  loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
+  document::Look look;
+  inflate::InflateParams inflate;
+  extrude::ExtrudeParams extrude;
+  std::optional<CutDraft> cut;  ///< what is being cut out of the picture
+  CutBy cutBy = CutBy::Outline;
+  std::optional<PrintReport> print;   ///< the last check for printing
+  bool printWaits = false;            ///< one was asked for, and waits for the solver
+  std::optional<std::size_t> beside;  ///< of things(): what stands beside the solid, to compare
+  bool secondColour = false;          ///< the colours of the panel are for what is below
+
+  std::vector<PartId> alsoSelected;  ///< besides `selection`, each once (see placing.h)
+  PlaceOptions place;
+  /// Where the gesture in hand has the parts it holds; empty between gestures.
+  std::vector<document::PlaceParts::One> placing;
+  std::optional<ListRow> listDrag;       ///< the row of the part list that is dragged
+  GizmoHandle held = GizmoHandle::None;  ///< by the gesture in hand
+
+  Answers answers;  ///< to what was asked so far
+
+  Reusable<Preview> preview;
+  std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
+  SectionUi sections;
+  SolidUi solids;
+  double busySinceMs = -1;  ///< when the work began that goes on; < 0: none does
+  bool spaceHeld = false;
+  bool touch = false;                 ///< the last pointer was a finger: larger targets
+  bool penSeen = false;               ///< a pen was used: fingers no longer draw
+  std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame
+  std::vector<Rect> overlays;         ///< ImGui windows above the views, as of the last frame
+  std::vector<Control> controls;      ///< as of the last frame
+};
+
+/// Brings a picture into view as it was last looked at, the first time whole.
+void featureAt(UiState& ui, PictureId picture);
+
+}  // namespace spineloft::app
