@@ -181,19 +181,19 @@ TEST_CASE("slices are added, slid along the bone by their handle, and pulled off
   CHECK(*rig.run("set-blend", R"({"slice":7,"blend":"ease"})").text("error") == "ValueOutOfRange");
 }
 
-TEST_CASE("slices are moved and removed by number, and undo brings one back") {
+TEST_CASE("sections are moved and removed by number, and undo brings one back") {
   PartRig rig;
   REQUIRE(rig.ok("add-slice", R"({"at":1,"section":"star"})"));
   REQUIRE(rig.ok("add-slice", R"({"at":0.5,"section":"square"})"));
   REQUIRE(rig.ok("move-slice", R"({"slice":1,"to":0.3})"));
-  REQUIRE(rig.slices().size() == 3);
-  CHECK(*rig.slices()[1].number("at") == doctest::Approx(0.3));
-  CHECK(*rig.slices()[1].text("section") == "square");
+  REQUIRE(rig.sections().size() == 3);
+  CHECK(*rig.sections()[1].number("at") == doctest::Approx(0.3));
+  CHECK(*rig.sections()[1].text("section") == "square");
   REQUIRE(rig.ok("remove-slice", R"({"slice":1})"));
-  REQUIRE(rig.slices().size() == 2);
-  CHECK(*rig.slices()[1].text("section") == "star");
+  REQUIRE(rig.sections().size() == 2);
+  CHECK(*rig.sections()[1].text("section") == "star");
   REQUIRE(rig.ok("undo"));
-  CHECK(rig.slices().size() == 3);
+  CHECK(rig.sections().size() == 3);
 }
 
 TEST_CASE("a tap puts a slice on the bone while one waits for its place") {
