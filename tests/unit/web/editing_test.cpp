@@ -215,15 +215,17 @@ TEST_CASE("a bone that keeps its ribs is posed, one that does not is traced agai
   for (const bool keep : {true, false}) {
     Editor rig("bone");
     rig.run(keep ? "keep-ribs" : "find-edges");
-    const PicturePoint grip = rig.handle(3);
+    const PicturePoint grip = rig.handle(3), left = rig.end(15, "left"), right = rig.end(15, "right");
     rig.drag(grip, grip + PicturePoint{9, 0});
     CHECK(rig.state().find("preview")->flag("fresh") == true);
     rig.drop();
+    if (keep) CHECK(gap(rig.end(15, "left"), left) + gap(rig.end(15, "right"), right) == 0);
     CHECK(gap(rig.handle(3), grip + PicturePoint{9, 0}) < 2.5);
     CHECK((rig.poseStroke() > 0) == keep);
     CHECK(rig.undo() == rig.steps + 1);
     CHECK(rig.run("reset-pose").flag("ok") == keep);
     CHECK(rig.poseStroke() == 0);
+    if (keep) CHECK(gap(rig.handle(3), grip) == 0);
   }
 }
 

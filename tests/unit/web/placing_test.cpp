@@ -153,6 +153,27 @@ TEST_CASE("dragging an arrow moves the part in one step, with the solid followin
   CHECK(page.move() == std::vector<double>{0, 0, 0});
 }
 
+TEST_CASE("the ring turns, the lower right knob scales, the middle moves in the plane of the view: one step each") {
+  Placed page;
+  page.run("home-view");
+  page.settle();
+  const auto placement = [&](const char* key, std::size_t i) {
+    return *page.part().find("placement")->find(key)->array()->at(i).number();
+  };
+  const double undo = *page.state().number("undo");
+  page.drag(page.knob("turn-y"), {45, 12});
+  CHECK(std::abs(placement("degrees", 1)) > 5);
+  page.drag(page.knob("scale"), {40, 40});
+  CHECK(*page.part().find("placement")->number("scale") > 1.2);
+  const std::vector<double> before = page.move();
+  page.drag(page.knob("plane"), {-50, 20});
+  CHECK(page.move()[0] < before[0] - 0.02);
+  CHECK(*page.state().number("undo") == undo + 3);
+  for (int i = 0; i < 3; ++i) page.run("undo");
+  CHECK(placement("turn", 0) == 1);
+  CHECK(page.move() == std::vector<double>{0, 0, 0});
+}
+
 TEST_CASE("arrow keys move by a millimetre, with shift by ten, and keys pressed in a row are one step") {
   Placed page;
   page.run("home-view");
@@ -250,6 +271,7 @@ TEST_CASE("what faces the front again is turned by nothing at all, and so is wha
          {R"({"degrees": [-35, 120, 0]})", R"({"degrees": [20, -75, 160]})", R"({"degrees": [7, 11, 13]})"}) {
       page.run("move-parts", angles);
     }
+    page.run(round % 2 == 0 ? "turn-left" : "turn-up");  // from wherever it is seen
     page.settle();
     CHECK(*page.part().find("placement")->find("turn")->array()->at(0).number() < 0.999);
     page.run("face-front");

@@ -231,6 +231,12 @@ TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
   CHECK(rig.parts() == 0);
   CHECK(rig.run("draw-puff", R"({"contours":[[[-90,-90],[290,-90],[290,290],[-90,290]]]})").flag("ok") == true);
   CHECK(rig.host.said("cut off"));
+  // A region that crosses itself is untangled.
+  CHECK(rig.run("draw-sheet", R"({"contours":[[[40,40],[120,120],[120,40],[40,120]]]})").flag("ok") == true);
+  rig.settle();
+  CHECK(rig.parts() == 2);
+  CHECK(*lastPart(rig).number("triangles") > 100);
+  CHECK(lastPart(rig).find("failure")->isNull());
 }
 
 TEST_CASE(

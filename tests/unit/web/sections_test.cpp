@@ -181,6 +181,21 @@ TEST_CASE("slices are added, slid along the bone by their handle, and pulled off
   CHECK(*rig.run("set-blend", R"({"slice":7,"blend":"ease"})").text("error") == "ValueOutOfRange");
 }
 
+TEST_CASE("sections are moved and removed by number, and undo brings one back") {
+  PartRig rig;
+  REQUIRE(rig.ok("add-slice", R"({"at":1,"section":"star"})"));
+  REQUIRE(rig.ok("add-slice", R"({"at":0.5,"section":"square"})"));
+  REQUIRE(rig.ok("move-slice", R"({"slice":1,"to":0.3})"));
+  REQUIRE(rig.sections().size() == 3);
+  CHECK(*rig.sections()[1].number("at") == doctest::Approx(0.3));
+  CHECK(*rig.sections()[1].text("section") == "square");
+  REQUIRE(rig.ok("remove-slice", R"({"slice":1})"));
+  REQUIRE(rig.sections().size() == 2);
+  CHECK(*rig.sections()[1].text("section") == "star");
+  REQUIRE(rig.ok("undo"));
+  CHECK(rig.sections().size() == 3);
+}
+
 TEST_CASE("a tap puts a slice on the bone while one waits for its place") {
   PartRig rig;
   REQUIRE(rig.ok("add-slice"));
@@ -220,6 +235,12 @@ TEST_CASE("a point of the graph in the panel is added by a press and dragged") {
   const app::Json squash = *rig.part().find("along")->find("squash");
   REQUIRE(squash.array()->size() == 3);
   CHECK(*(*(*squash.array())[1].array())[1].number() < 0.6);
+  rig.pointer(PointerKind::Down, x, at.y + at.height * 0.8);
+  rig.pointer(PointerKind::Move, x, at.y + at.height * 0.2);
+  CHECK(rig.key("Escape", "Escape"));
+  rig.pointer(PointerKind::Up, x, at.y + at.height * 0.2);
+  rig.settle();
+  CHECK(*rig.part().find("along")->find("squash") == squash);
   CHECK(rig.ok("undo"));
   CHECK(rig.part().find("along")->find("squash")->array()->empty());
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -357,6 +358,14 @@ TEST_CASE("a tap on the solid says where it is open, once; a drag, a miss and Es
   rig.click(x, y);
   CHECK_FALSE(pointing());
   CHECK(opening() == "front");
+
+  // Seen from behind it is the back.
+  const_cast<app::UiState&>(rig.app->ui()).camera.yaw += std::numbers::pi;
+  rig.run("point-opening");
+  rig.settle();
+  rig.click(x, y);
+  CHECK_FALSE(pointing());
+  CHECK(opening() == "back");
 
   // Another solid, or none, is not asked for its opening.
   rig.run("point-opening");
