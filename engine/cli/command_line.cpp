@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kCommands{"loft", "open", "edges", "bench"};
 constexpr const char* kModelFile =
-    "must end in .glb, .obj, .zip (OBJ with its picture), .stl, .3mf or .spineloft; .glb and .spineloft can be opened "
-    "again and edited";
+    ".glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and the last "
+    "can "
+    "be opened again and edited";
 
 bool isHelp(std::string_view word) { return word == "--help" || word == "-h"; }
 
@@ -39,13 +40,15 @@ std::vector<std::string> keysOf(const Names& names) {
   return keys;
 }
 
+std::string listOf(const std::vector<std::string>& keys) { return CLI::detail::join(keys, ", "); }
+
 /// One of these words.
 CLI::Validator oneOf(const std::vector<std::string>& keys) {
-  const std::string listed = CLI::detail::join(keys, ", ");
+  const std::string listed = listOf(keys);
   const auto check = [keys, listed](const std::string& word) {
     return std::ranges::find(keys, word) != keys.end() ? "" : "there is no " + word + "; there are " + listed;
   };
-  return CLI::Validator(check, listed);
+  return CLI::Validator(check, "");
 }
 
 /// A file that has one form only must not have the name of another.
@@ -53,7 +56,7 @@ CLI::Validator endsIn(const std::string& ending) {
   const auto check = [ending](const std::string& name) {
     return lowerExtension(name) == ending ? "" : name + " must end in ." + ending;
   };
-  return CLI::Validator(check, "FILE." + ending);
+  return CLI::Validator(check, "");
 }
 
 /// The same for texts, whose names may also have no ending at all.
@@ -62,7 +65,7 @@ CLI::Validator endsInIfAtAll(const std::string& ending) {
     const std::string has = lowerExtension(name);
     return has.empty() || has == ending ? "" : name + " must end in ." + ending;
   };
-  return CLI::Validator(check, "FILE." + ending);
+  return CLI::Validator(check, "");
 }
 
 CLI::Validator modelFile() {
@@ -71,7 +74,7 @@ CLI::Validator modelFile() {
                ? ""
                : name + " must end in .glb, .obj, .zip, .stl, .3mf or .spineloft";
   };
-  return CLI::Validator(check, "FILE");
+  return CLI::Validator(check, "");
 }
 
 std::optional<double> numberOf(const std::string& text) {
@@ -90,17 +93,18 @@ CLI::Validator inRange(double least, double most, bool whole = false) {
     const bool fits = value && *value >= least && *value <= most && (!whole || *value == std::floor(*value));
     return fits ? "" : words + " is wanted, not " + (text.empty() ? "nothing" : text);
   };
-  return CLI::Validator(check, "N");
+  return CLI::Validator(check, "");
 }
 
 /// The program's commands, which write what they read into their arguments.
 class CommandLine {
  public:
   CommandLine() {
+    app_.name("spineloft");
     app_.description("spineloft " SPINELOFT_VERSION ": a picture and one stroke become a solid part");
     app_.add_flag("--version")->description("the version");
     app_.require_subcommand(1);
-    app_.footer("Exit code: 0 success, 2 wrong usage, 3 bad input or output.");
+    app_.footer("Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n");
     addLoft(*app_.add_subcommand("loft", "a picture and a stroke become a part"));
     addOpen(*app_.add_subcommand("open", "derives a saved model again and writes it in any of the forms of loft"));
     addEdges(*app_.add_subcommand("edges", "the edges that were found, as large as the picture"));
@@ -123,64 +127,72 @@ class CommandLine {
   OpenArguments open_;
   EdgesArguments edges_;
   BenchArguments bench_;
-  bool objSpace_ = false;  // whether --obj-space is given
+  CLI::Option *section_ = nullptr, *caps_ = nullptr, *objSpace_ = nullptr;
 };
 
 void CommandLine::addLoft(CLI::App& app) {
-  app.add_option("IMAGE", loft_.image, "the picture to loft from");
-  app.add_option("--stroke", loft_.stroke, "JSON: a list of [x, y] picture pixels, or {\"spines\": {name: list}}");
-  app.add_option("--stroke-name", loft_.strokeName, "which of the spines (default: the first)");
+  app.add_option("IMAGE", loft_.image, "the picture to loft from")->type_name("");
+  app.add_option("--stroke", loft_.stroke, "JSON: a list of [x, y] picture pixels, or {\"spines\": {name: list}}")
+      ->option_text("FILE");
+  app.add_option("--stroke-name", loft_.strokeName, "which of the spines (default: the first)")->option_text("NAME");
   app.add_option_function<std::string>(
          "--stroke-ends", [this](const std::string& ends) { loft_.wholeStroke = ends == "keep"; },
-         "cut (default): what clearly went past the thing is left off")
-      ->check(oneOf({"cut", "keep"}));
-  CLI::Option* section = app.add_option_function<std::string>(
-      "--section", [this](const std::string& key) { loft_.section = *loft::sectionFromKey(key); }, "the cross-section");
-  section->check(oneOf(keysOf(loft::sectionNames())));
-  CLI::Option* caps = app.add_option_function<std::string>(
-      "--caps", [this](const std::string& key) { loft_.caps = *loft::capFromKey(key); }, "both ends");
-  caps->check(oneOf(keysOf(loft::capNames())));
+         "cut (default): what clearly went past the thing is left off; keep")
+      ->check(oneOf({"cut", "keep"}))
+      ->option_text("WHAT");
+  section_ = app.add_option_function<std::string>(
+      "--section", [this](const std::string& key) { loft_.section = *loft::sectionFromKey(key); },
+      listOf(keysOf(loft::sectionNames())));
+  section_->check(oneOf(keysOf(loft::sectionNames())))->option_text("NAME");
+  caps_ = app.add_option_function<std::string>(
+      "--caps", [this](const std::string& key) { loft_.caps = *loft::capFromKey(key); },
+      listOf(keysOf(loft::capNames())));
+  caps_->check(oneOf(keysOf(loft::capNames())))->option_text("NAME");
   app.add_option("--recipe", loft_.recipe,
                  "instead of --section and --caps: JSON of a part or of a whole document, as projects hold it; then "
                  "IMAGE and --stroke are only needed where the recipe has no picture or no stroke of its own")
-      ->excludes(section)
-      ->excludes(caps);
+      ->option_text("FILE");
   std::ostringstream height;
   height << "height of the model in GLB and STL (default " << document::Document{}.height.value << ")";
   app.add_option_function<std::string>(
          "--height-mm", [this](const std::string& text) { loft_.heightMm = numberOf(text); }, height.str())
-      ->check(inRange(document::kMinHeightMm, document::kMaxHeightMm));
-  app.add_option("--out", loft_.out, kModelFile)->check(modelFile());
-  app.add_option_function<std::string>(
-         "--obj-space",
-         [this](const std::string& space) {
-           objSpace_ = true;
-           loft_.objInPicture = space == "image";
-         },
-         "world (default: y up, millimetres) or image (picture pixels, y down, z towards the viewer)")
-      ->check(oneOf({"image", "world"}));
-  app.add_option("--mask", loft_.mask, "the part's silhouette, as large as the picture")->check(endsIn("png"));
-  app.add_option("--ribs", loft_.ribs, "the ribs' ends in picture pixels")->check(endsInIfAtAll("json"));
-  app.add_option("--report", loft_.report, "sizes, energy, mesh measures and times")->check(endsInIfAtAll("json"));
+      ->check(inRange(document::kMinHeightMm, document::kMaxHeightMm))
+      ->option_text("N");
+  app.add_option("--out", loft_.out, kModelFile)->check(modelFile())->option_text("FILE");
+  objSpace_ = app.add_option_function<std::string>(
+      "--obj-space", [this](const std::string& space) { loft_.objInPicture = space == "image"; },
+      "world (default: y up, millimetres) or image (picture pixels, y down, z towards the viewer)");
+  objSpace_->check(oneOf({"image", "world"}))->option_text("SPACE");
+  app.add_option("--mask", loft_.mask, "the part's silhouette, as large as the picture")
+      ->check(endsIn("png"))
+      ->option_text("FILE.png");
+  app.add_option("--ribs", loft_.ribs, "the ribs' ends in picture pixels")
+      ->check(endsInIfAtAll("json"))
+      ->option_text("FILE.json");
+  app.add_option("--report", loft_.report, "sizes, energy, mesh measures and times")
+      ->check(endsInIfAtAll("json"))
+      ->option_text("FILE.json");
 }
 
 void CommandLine::addOpen(CLI::App& app) {
-  app.add_option("FILE", open_.file, "the project to open, .spineloft or .glb")->required();
-  app.add_option("--out", open_.out, kModelFile)->check(modelFile());
-  app.add_option("--document", open_.document, "the document as JSON")->check(endsInIfAtAll("json"));
-  app.add_option("--report", open_.report, "counts and times")->check(endsInIfAtAll("json"));
+  app.add_option("FILE", open_.file, "the project to open, .spineloft or .glb")->required()->type_name("");
+  app.add_option("--out", open_.out, kModelFile)->check(modelFile())->option_text("FILE");
+  app.add_option("--document", open_.document, "the document as JSON")
+      ->check(endsInIfAtAll("json"))
+      ->option_text("FILE.json");
+  app.add_option("--report", open_.report, "counts and times")->check(endsInIfAtAll("json"))->option_text("FILE.json");
 }
 
 void CommandLine::addEdges(CLI::App& app) {
-  app.add_option("IMAGE", edges_.image, "the picture whose edges are wanted")->required();
-  app.add_option("--out", edges_.out, "the edges")->required()->check(endsIn("png"));
+  app.add_option("IMAGE", edges_.image, "the picture whose edges are wanted")->required()->type_name("");
+  app.add_option("--out", edges_.out, "the edges")->required()->check(endsIn("png"))->option_text("FILE.png");
 }
 
 void CommandLine::addBench(CLI::App& app) {
-  app.add_option("DATA_DIR", bench_.folder, "the folder with the cases")->required();
-  app.add_option("--json", bench_.json, "the report")->check(endsInIfAtAll("json"));
-  app.add_option("--jobs", bench_.jobs, "cases at a time (default 1)")->check(inRange(1, 64, true));
-  app.add_option("--overlays", bench_.overlays, "a folder for pictures of what was found");
+  app.add_option("DATA_DIR", bench_.folder, "the folder with the cases")->required()->type_name("");
+  app.add_option("--json", bench_.json, "the report")->check(endsInIfAtAll("json"))->option_text("FILE.json");
+  app.add_option("--jobs", bench_.jobs, "cases at a time (default 1)")->check(inRange(1, 64, true))->option_text("N");
+  app.add_option("--overlays", bench_.overlays, "a folder for pictures of what was found")->option_text("DIR");
 }
 
 /// Outputs must not fall on one another or on an input; empty names are none.
@@ -203,8 +215,11 @@ std::optional<UsageProblem> clash(std::span<const std::string> inputs, std::span
 std::optional<UsageProblem> CommandLine::problemOfLoft() const {
   if (loft_.image.empty() && loft_.recipe.empty()) return UsageProblem{"Name the picture to loft from."};
   if (loft_.stroke.empty() && loft_.recipe.empty()) return UsageProblem{"Name the stroke's file with --stroke."};
-  if (objSpace_ && (loft_.out.empty() || publish::formatFromKey(lowerExtension(loft_.out)) != publish::Format::Obj))
+  if (objSpace_->count() > 0 &&
+      (loft_.out.empty() || publish::formatFromKey(lowerExtension(loft_.out)) != publish::Format::Obj))
     return UsageProblem{"The option --obj-space needs an --out that ends in .obj."};
+  if (!loft_.recipe.empty() && section_->count() + caps_->count() > 0)
+    return UsageProblem{"The section and the caps stand in the recipe; leave --section and --caps out."};
   return clash(std::array{loft_.image, loft_.stroke, loft_.recipe},
                std::array{loft_.out, loft_.mask, loft_.ribs, loft_.report});
 }

@@ -215,20 +215,27 @@ bool bmpComplete(const Reader& file, image::Size size) {
 // ---- WebP
 // -----------------------------------------------------------------------------------------
 
-Result<PictureInfo> probeWebp(const Reader& file) {
-  if (!file.has(0, 30)) return Error::PictureTruncated;
+bool webpSaysItsSize(const Reader& file) {
+  constexpr std::array<std::string_view, 3> kKinds{"VP8X", "VP8L", "VP8 "};
+  return file.has(0, 30) &&
+         std::ranges::any_of(kKinds, [&](std::string_view kind) { return file.startsWith(12, kind); });
+}
+
+PictureInfo probeWebp(const Reader& file) {
+  if (!webpSaysItsSize(file)) return PictureInfo{PictureFormat::Webp, {}, 1};
   if (file.startsWith(12, "VP8X"))
     return PictureInfo{PictureFormat::Webp, {sideOf(file.little(24, 3) + 1), sideOf(file.little(27, 3) + 1)}, 1};
   if (file.startsWith(12, "VP8L")) {
     const std::uint32_t packed = file.little(21, 4);
     return PictureInfo{PictureFormat::Webp, {sideOf((packed & 0x3fff) + 1), sideOf((packed >> 14 & 0x3fff) + 1)}, 1};
   }
-  if (!file.startsWith(12, "VP8 ")) return Error::PictureTruncated;
   return PictureInfo{
       PictureFormat::Webp, {sideOf(file.little(26, 2) & 0x3fff), sideOf(file.little(28, 2) & 0x3fff)}, 1};
 }
 
-bool webpComplete(const Reader& file) { return std::uint64_t{file.little(4, 4)} + 8 <= file.size(); }
+bool webpComplete(const Reader& file) {
+  return webpSaysItsSize(file) && std::uint64_t{file.little(4, 4)} + 8 <= file.size();
+}
 
 // ---- AVIF and HEIC
 // --------------------------------------------------------------------------------

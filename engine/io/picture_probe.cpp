@@ -14,11 +14,15 @@ constexpr std::array<const char*, 7> kFormats{"png", "jpeg", "bmp", "gif", "webp
 Result<PictureInfo> accepted(ByteView file) {
   const Result<PictureInfo> info = probePicture(file);
   if (!info.ok()) return info;
-  const bool isHidden = !isDecoded(info.value().format) && info.value().size == image::Size{};
-  if (!isHidden) {
-    if (const Status size = checkPictureSize(info.value().size); !size.ok()) return size.failure();
+  const auto [format, size, orientation] = info.value();
+  const bool whole = pictureDataComplete(file, info.value());
+  // A browser finds the size that these hide.
+  const bool isHidden = size == image::Size{} && (format == PictureFormat::Avif || format == PictureFormat::Heic);
+  const bool isCut = size == image::Size{} && format == PictureFormat::Webp && !whole;
+  if (!isHidden && !isCut) {
+    if (const Status fits = checkPictureSize(size); !fits.ok()) return fits.failure();
   }
-  if (!pictureDataComplete(file, info.value())) return Error::PictureTruncated;
+  if (!whole) return Error::PictureTruncated;
   return info;
 }
 

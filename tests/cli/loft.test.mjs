@@ -259,7 +259,7 @@ test('a stroke drawn past both ends of the bar is cut to it, unless it is to be 
     folder.path('ribs.json'),
   );
   assert.equal(wrong.status, 2);
-  assert.match(wrong.stderr, /cut or keep/);
+  assert.match(wrong.stderr, /cut, keep/);
 });
 
 test('equal input gives equal files', (t) => {
