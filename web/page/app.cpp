@@ -503,7 +503,9 @@ void App::solved(std::string_view answerJson, std::span<const std::uint8_t> byte
 
 /// The check for printing that was asked for before all was made.
 void App::reportWaitingPrint() {
-  if (!ui_.printWaits || !studio_.shapesMade()) return;
+  if (!ui_.printWaits) return;
+  studio_.derived();
+  if (!studio_.shapesMade()) return;
   ui_.printWaits = false;
   if (const Outcome done = reportPrint(env()); !done) refused(done.refusal());
 }
