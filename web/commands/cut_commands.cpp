@@ -230,30 +230,33 @@ Outcome cutBy(Env env, const Json& args) {
   return {};
 }
 
-constexpr Argument kNone{}, kAt{"at"}, kLine{"line"};
+constexpr Argument kAt{"at"}, kLine{"line"};
 
+// clang-format off
 constexpr std::array kTable = {
-    Command{"cut-by-box", "Box", "square-dashed", "", "tool", kNone,
-            "Drag a box round a thing: it is cut out of the picture", hasPicture, cutsBy<CutBy::Box>,
-            cutBy<CutBy::Box>},
-    Command{"cut-by-scribble", "Scribble", "highlighter", "", "tool", kNone,
-            "Scribble over a thing: it is cut out of the picture", hasPicture, cutsBy<CutBy::Scribble>,
-            cutBy<CutBy::Scribble>},
-    Command{"cut-add", "Add", "brush", "", "part", kNone, "Draw over what belongs to the thing", hasDraft, adds,
-            setBrush<true>},
-    Command{"cut-remove", "Take away", "eraser", "", "part", kNone, "Draw over what does not belong to the thing",
-            hasDraft, removes, setBrush<false>},
-    Command{"cut-use", "Use this", "check", "Enter", "part", kNone, "What is tinted becomes the part", hasShape,
-            nullptr, cutUse, hasDraft},
-    Command{"cut-cancel", "Not this", "x", "", "part", kNone, "Leaves everything as it was", hasDraft, nullptr,
-            cutCancel},
-    Command{"cut-out", "Cut out by a point", "lasso", "", "part", kAt, "A point on the thing, or a box round it",
-            hasPicture, nullptr, cutOut},
-    Command{"cut-start", "Show a cut-out by a point", "lasso", "", "part", kAt, "The same, shown before it is used",
-            hasPicture, nullptr, cutStart},
-    Command{"cut-mark", "Correct a cut-out by numbers", "brush", "", "part", kLine,
-            "A line in picture pixels, inside or not", hasDraft, nullptr, cutMark},
+    Command{.id = "cut-by-box", .label = "Box", .icon = "square-dashed", .group = "tool",
+            .hint = "Drag a box round a thing: it is cut out of the picture", .enabled = hasPicture,
+            .toggled = cutsBy<CutBy::Box>, .run = cutBy<CutBy::Box>},
+    Command{.id = "cut-by-scribble", .label = "Scribble", .icon = "highlighter", .group = "tool",
+            .hint = "Scribble over a thing: it is cut out of the picture", .enabled = hasPicture,
+            .toggled = cutsBy<CutBy::Scribble>, .run = cutBy<CutBy::Scribble>},
+    Command{.id = "cut-add", .label = "Add", .icon = "brush", .group = "part",
+            .hint = "Draw over what belongs to the thing", .enabled = hasDraft, .toggled = adds, .run = setBrush<true>},
+    Command{.id = "cut-remove", .label = "Take away", .icon = "eraser", .group = "part",
+            .hint = "Draw over what does not belong to the thing", .enabled = hasDraft, .toggled = removes,
+            .run = setBrush<false>},
+    Command{.id = "cut-use", .label = "Use this", .icon = "check", .shortcut = "Enter", .group = "part",
+            .hint = "What is tinted becomes the part", .enabled = hasShape, .run = cutUse, .when = hasDraft},
+    Command{.id = "cut-cancel", .label = "Not this", .icon = "x", .group = "part",
+            .hint = "Leaves everything as it was", .enabled = hasDraft, .run = cutCancel},
+    Command{.id = "cut-out", .label = "Cut out by a point", .icon = "lasso", .group = "part", .argument = kAt,
+            .hint = "A point on the thing, or a box round it", .enabled = hasPicture, .run = cutOut},
+    Command{.id = "cut-start", .label = "Show a cut-out by a point", .icon = "lasso", .group = "part", .argument = kAt,
+            .hint = "The same, shown before it is used", .enabled = hasPicture, .run = cutStart},
+    Command{.id = "cut-mark", .label = "Correct a cut-out by numbers", .icon = "brush", .group = "part",
+            .argument = kLine, .hint = "A line in picture pixels, inside or not", .enabled = hasDraft, .run = cutMark},
 };
+// clang-format on
 
 }  // namespace
 

@@ -97,23 +97,30 @@ Outcome remove(Env env, const Json&) {
   return {};
 }
 
-constexpr Argument kNone{}, kBy{"by"};
+constexpr Argument kBy{"by"};
 constexpr std::string_view kArrows =
     "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
     "Shift+ArrowUp, Shift+ArrowDown";
 
+// clang-format off
 constexpr std::array kTable = {
-    Command{"next-outline-point", "Next outline point", "chevron-right", ".", "part", kNone,
-            "Choose the next point of the outline", byKeys, nullptr, next, byKeys},
-    Command{"previous-outline-point", "Outline point before", "chevron-left", ",", "part", kNone,
-            "Choose the point of the outline before", byKeys, nullptr, previous, byKeys},
-    Command{"nudge-outline-point", "Move the outline point", "move", kArrows, "part", kBy,
-            "Arrow keys move the chosen point, with Shift by ten pixels", pointByKeys, nullptr, nudge, pointByKeys},
-    Command{"add-outline-point", "Add outline point", "circle-plus", "Insert, A", "part", kNone,
-            "One more point between the chosen one and the next", pointByKeys, nullptr, add, pointByKeys},
-    Command{"delete-outline-point", "Delete outline point", "circle-minus", "Delete, Backspace", "part", kNone,
-            "The outline goes straight past the chosen point", pointByKeys, nullptr, remove, pointByKeys},
+    Command{.id = "next-outline-point", .label = "Next outline point", .icon = "chevron-right", .shortcut = ".",
+            .group = "part", .hint = "Choose the next point of the outline", .enabled = byKeys, .run = next,
+            .when = byKeys},
+    Command{.id = "previous-outline-point", .label = "Outline point before", .icon = "chevron-left", .shortcut = ",",
+            .group = "part", .hint = "Choose the point of the outline before", .enabled = byKeys, .run = previous,
+            .when = byKeys},
+    Command{.id = "nudge-outline-point", .label = "Move the outline point", .icon = "move", .shortcut = kArrows,
+            .group = "part", .argument = kBy, .hint = "Arrow keys move the chosen point, with Shift by ten pixels",
+            .enabled = pointByKeys, .run = nudge, .when = pointByKeys},
+    Command{.id = "add-outline-point", .label = "Add outline point", .icon = "circle-plus", .shortcut = "Insert, A",
+            .group = "part", .hint = "One more point between the chosen one and the next", .enabled = pointByKeys,
+            .run = add, .when = pointByKeys},
+    Command{.id = "delete-outline-point", .label = "Delete outline point", .icon = "circle-minus",
+            .shortcut = "Delete, Backspace", .group = "part", .hint = "The outline goes straight past the chosen point",
+            .enabled = pointByKeys, .run = remove, .when = pointByKeys},
 };
+// clang-format on
 
 }  // namespace
 

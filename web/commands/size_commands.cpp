@@ -205,39 +205,26 @@ Outcome flatFoot(Env env, const Json& args) {
   return cutBelow(env, bounds->low.y + (bounds->high.y - bounds->low.y) * *mm / height);
 }
 
-constexpr Argument kNone{};
-
+// clang-format off
 constexpr std::array kTable = {
-    Command{"set-height", "How tall?", "ruler", "", "file", kNone, "Height of the finished model", hasParts, nullptr,
-            setHeightRow},
-    Command{"size-like",
-            "As tall as",
-            "ruler",
-            "",
-            "file",
-            {"thing", likeChoices},
-            "As tall as a coin, a cupcake or a hand",
-            hasParts,
-            nullptr,
-            sizeLikeRow},
-    Command{"show-beside",
-            "Show beside it",
-            "ruler",
-            "",
-            "view",
-            {"thing", besideChoices},
-            "A coin, a cupcake or a hand beside the solid, as large as it is",
-            hasParts,
-            nullptr,
-            showBesideRow},
-    Command{"check-print", "Check for printing", "scan-search", "", "file", kNone,
-            "Closed, size, thinnest wall, and whether it stands", hasParts, nullptr, checkPrint},
-    Command{"thicken", "Make it thick enough", "maximize", "", "file", kNone,
-            "Thicker walls and flat pieces, or all of it larger, until its thinnest place can be printed", hasParts,
-            nullptr, thicken},
-    Command{"flat-foot", "Flat foot", "footprints", "", "file", kNone, "Cut flat below, as much as it needs to stand",
-            hasParts, nullptr, flatFoot},
+    Command{.id = "set-height", .label = "How tall?", .icon = "ruler", .group = "file",
+            .hint = "Height of the finished model", .enabled = hasParts, .run = setHeightRow},
+    Command{.id = "size-like", .label = "As tall as", .icon = "ruler", .group = "file",
+            .argument = {"thing", likeChoices}, .hint = "As tall as a coin, a cupcake or a hand", .enabled = hasParts,
+            .run = sizeLikeRow},
+    Command{.id = "show-beside", .label = "Show beside it", .icon = "ruler", .group = "view",
+            .argument = {"thing", besideChoices},
+            .hint = "A coin, a cupcake or a hand beside the solid, as large as it is", .enabled = hasParts,
+            .run = showBesideRow},
+    Command{.id = "check-print", .label = "Check for printing", .icon = "scan-search", .group = "file",
+            .hint = "Closed, size, thinnest wall, and whether it stands", .enabled = hasParts, .run = checkPrint},
+    Command{.id = "thicken", .label = "Make it thick enough", .icon = "maximize", .group = "file",
+            .hint = "Thicker walls and flat pieces, or all of it larger, until its thinnest place can be printed",
+            .enabled = hasParts, .run = thicken},
+    Command{.id = "flat-foot", .label = "Flat foot", .icon = "footprints", .group = "file",
+            .hint = "Cut flat below, as much as it needs to stand", .enabled = hasParts, .run = flatFoot},
 };
+// clang-format on
 
 }  // namespace
 

@@ -251,42 +251,52 @@ Outcome nudge(Env env, const Json& args) {
                  env.ui.edit.keepRibs, burst);
 }
 
-constexpr Argument kNone{}, kLine{"stroke"}, kPoint{"to"}, kBy{"by"}, kPoints{"points"}, kHandle{"handle"};
+constexpr Argument kLine{"stroke"}, kPoint{"to"}, kBy{"by"}, kPoints{"points"}, kHandle{"handle"};
 constexpr std::string_view kArrows =
     "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
     "Shift+ArrowUp, Shift+ArrowDown";
 
+// clang-format off
 constexpr std::array kTable = {
-    Command{"bone", "Bone", "bone", "7, M", "tool", kNone, "Bend, move, lengthen or pose the bone", hasParts, spineTool,
-            useSpineTool},
-    Command{"find-edges", "Find edges again", "scan-search", "", "bone", kNone,
-            "A changed bone looks for its ribs in the picture again", hasParts, findsEdges, findEdges},
-    Command{"keep-ribs", "Keep the ribs", "anchor", "K", "bone", kNone, "A changed bone takes its ribs along", hasParts,
-            keepsRibs, keepRibs},
-    Command{"reset-pose", "Back to the picture", "image-down", "", "bone", kNone,
-            "The part stands where it was drawn again", isPosed, nullptr, resetPose},
-    Command{"join-ends", "Join ends", "link", "J", "bone", kNone, "The two ends meet and make a ring", hasSpine,
-            isJoined, joinEnds},
-    Command{"coil", "Coil", "shell", "C", "bone", kNone, "The bone winds like a spring", hasSpine, isCoiled, coil},
-    Command{"side-view", "Side view", "rotate-3d", "V", "bone", kNone,
-            "See the part from the side, and drag its bone out of the picture", hasSpine, nullptr, sideView},
-    Command{"depth-by-pressure", "Depth by pressure", "signature", "", "bone", kNone,
-            "Pressing harder with the pen brings the bone nearer", penSeen, byPressure, togglePressure},
-    Command{"nudge", "Move the chosen point", "move", kArrows, "bone", kBy,
-            "Arrows move it by one pixel, with Shift by ten", pointChosen, nullptr, nudge, pointChosen},
-    Command{"bend-spine", "Bend a bone by numbers", "spline", "", "bone", kPoint,
-            "A place on the bone and where it goes", hasSpine, nullptr, bendSpineRow},
-    Command{"move-spine", "Move a bone by numbers", "move", "", "bone", kBy, "How far, in picture pixels", hasSpine,
-            nullptr, moveSpineRow},
-    Command{"extend-spine", "Lengthen a bone by numbers", "spline", "", "bone", kPoint, "Where its end or start goes",
-            hasSpine, nullptr, extendSpine},
-    Command{"pose-spine", "Pose a bone by numbers", "bone", "", "bone", kLine, "Another line for the same ribs",
-            hasSpine, nullptr, poseSpineRow},
-    Command{"set-depth", "Depth by numbers", "move-3d", "", "bone", kPoints, "Places along the bone and their depth",
-            hasSpine, nullptr, setDepthRow},
-    Command{"choose-handle", "Choose a bone point by number", "crosshair", "", "bone", kHandle,
-            "The number of a point of the bone", hasSpine, nullptr, chooseHandleRow},
+    Command{.id = "bone", .label = "Bone", .icon = "bone", .shortcut = "7, M", .group = "tool",
+            .hint = "Bend, move, lengthen or pose the bone", .enabled = hasParts, .toggled = spineTool,
+            .run = useSpineTool},
+    Command{.id = "find-edges", .label = "Find edges again", .icon = "scan-search", .group = "bone",
+            .hint = "A changed bone looks for its ribs in the picture again", .enabled = hasParts,
+            .toggled = findsEdges, .run = findEdges},
+    Command{.id = "keep-ribs", .label = "Keep the ribs", .icon = "anchor", .shortcut = "K", .group = "bone",
+            .hint = "A changed bone takes its ribs along", .enabled = hasParts, .toggled = keepsRibs, .run = keepRibs},
+    Command{.id = "reset-pose", .label = "Back to the picture", .icon = "image-down", .group = "bone",
+            .hint = "The part stands where it was drawn again", .enabled = isPosed, .run = resetPose},
+    Command{.id = "join-ends", .label = "Join ends", .icon = "link", .shortcut = "J", .group = "bone",
+            .hint = "The two ends meet and make a ring", .enabled = hasSpine, .toggled = isJoined, .run = joinEnds},
+    Command{.id = "coil", .label = "Coil", .icon = "shell", .shortcut = "C", .group = "bone",
+            .hint = "The bone winds like a spring", .enabled = hasSpine, .toggled = isCoiled, .run = coil},
+    Command{.id = "side-view", .label = "Side view", .icon = "rotate-3d", .shortcut = "V", .group = "bone",
+            .hint = "See the part from the side, and drag its bone out of the picture", .enabled = hasSpine,
+            .run = sideView},
+    Command{.id = "depth-by-pressure", .label = "Depth by pressure", .icon = "signature", .group = "bone",
+            .hint = "Pressing harder with the pen brings the bone nearer", .enabled = penSeen, .toggled = byPressure,
+            .run = togglePressure},
+    Command{.id = "nudge", .label = "Move the chosen point", .icon = "move", .shortcut = kArrows, .group = "bone",
+            .argument = kBy, .hint = "Arrows move it by one pixel, with Shift by ten", .enabled = pointChosen,
+            .run = nudge, .when = pointChosen},
+    Command{.id = "bend-spine", .label = "Bend a bone by numbers", .icon = "spline", .group = "bone",
+            .argument = kPoint, .hint = "A place on the bone and where it goes", .enabled = hasSpine,
+            .run = bendSpineRow},
+    Command{.id = "move-spine", .label = "Move a bone by numbers", .icon = "move", .group = "bone", .argument = kBy,
+            .hint = "How far, in picture pixels", .enabled = hasSpine, .run = moveSpineRow},
+    Command{.id = "extend-spine", .label = "Lengthen a bone by numbers", .icon = "spline", .group = "bone",
+            .argument = kPoint, .hint = "Where its end or start goes", .enabled = hasSpine, .run = extendSpine},
+    Command{.id = "pose-spine", .label = "Pose a bone by numbers", .icon = "bone", .group = "bone", .argument = kLine,
+            .hint = "Another line for the same ribs", .enabled = hasSpine, .run = poseSpineRow},
+    Command{.id = "set-depth", .label = "Depth by numbers", .icon = "move-3d", .group = "bone", .argument = kPoints,
+            .hint = "Places along the bone and their depth", .enabled = hasSpine, .run = setDepthRow},
+    Command{.id = "choose-handle", .label = "Choose a bone point by number", .icon = "crosshair", .group = "bone",
+            .argument = kHandle, .hint = "The number of a point of the bone", .enabled = hasSpine,
+            .run = chooseHandleRow},
 };
+// clang-format on
 
 }  // namespace
 

@@ -35,7 +35,7 @@ std::optional<Json> from(const Library& read, int depth) {
     }
     case Library::value_t::object: {
       Json::Object members;
-      for (const auto& [name, each] : read.items()) {
+      for (const auto& [name, each] : read.get_ref<const Library::object_t&>()) {
         std::optional<Json> value = from(each, depth + 1);
         if (!value) return std::nullopt;
         members.emplace_back(name, std::move(*value));

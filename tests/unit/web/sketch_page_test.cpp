@@ -278,6 +278,8 @@ TEST_CASE("several pictures: each part remembers its own, and choosing a part sh
   CHECK(*rig.run("select-picture", R"({"id":9})").text("error") == "NoSuchPicture");
   rig.run("rename-picture", R"({"name":"Bottle"})");
   CHECK(*picture(rig.state()).text("name") == "Bottle");
+  rig.run("rename-picture", R"({"picture":2})");
+  CHECK(rig.host.said(R"("id":"rename-picture:2")"));
   rig.app->answer("rename-picture:2", "Jar");
   CHECK(*(*rig.state().find("pictureList")->array())[1].text("name") == "Jar");
 }
