@@ -102,7 +102,10 @@ async function page(env) {
 
 const kBuilds = {
   native: { needs: ['native'], build: () => buildTargets('native-release', ['spineloft_tests', 'spineloft']) },
-  command: { needs: ['native'], build: () => buildTargets('native-release', ['spineloft', 'spineloft_accuracy', 'spineloft_bench']) },
+  command: {
+    needs: ['native'],
+    build: () => buildTargets('native-release', ['spineloft', 'spineloft_accuracy', 'spineloft_bench']),
+  },
   asan: { needs: ['native'], build: () => buildTargets('native-asan', ['spineloft_tests']) },
   wasm: {
     needs: ['wasm'],
