@@ -21,8 +21,7 @@ inline bool isDecoded(PictureFormat format) { return format <= PictureFormat::Gi
 /// What a picture file says about itself.
 struct PictureInfo {
   PictureFormat format = PictureFormat::Png;
-  image::Size
-      size;  ///< as declared and stored, before the orientation is applied; 0 × 0 where WebP, AVIF or HEIC hide it
+  image::Size size;     ///< as stored, before the orientation is applied; 0 × 0 where WebP, AVIF or HEIC hide it
   int orientation = 1;  ///< EXIF orientation, 1…8; 1 where there is none
   bool operator==(const PictureInfo&) const = default;
 };
