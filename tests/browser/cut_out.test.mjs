@@ -2,12 +2,18 @@
 // do is said by tests/unit/web: cut_test, regions_test and words_test.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { drawWithFinger, drawWithMouse } from './support/hands.mjs';
-import { done, exported, kPhone, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { drawWithMouse } from './support/hands.mjs';
+import { done, exported, onPage, openPicture, run, state, useSite } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
+
+const boxRound = [
+  [45, 85],
+  [240, 160],
+  [435, 235],
+];
 
 /** Square picture pixels of outlines, holes and all. */
 function areaOf(contours) {
@@ -17,45 +23,6 @@ function areaOf(contours) {
       return sum + px * y - x * py;
     }, 0);
   return Math.abs(contours.reduce((sum, points) => sum + twice(points) / 2, 0));
-}
-
-const boxRound = [
-  [45, 85],
-  [240, 160],
-  [435, 235],
-];
-
-for (const [name, options, draw] of [
-  ['the mouse', {}, drawWithMouse],
-  ['a finger on a phone', kPhone, drawWithFinger],
-]) {
-  test(`a box cuts the thing out, brushes correct it, and it becomes a part in one step, with ${name}`, () =>
-    onPage(kit, { ...options, alone: true }, async (page) => {
-      await openPicture(page, tube.png, 'tube.png');
-      await run(page, 'puff');
-      const { undo } = await state(page);
-      await done(page, 'cut-by-box');
-      await draw(page, boxRound);
-      const whole = (await state(page)).cut;
-      assert.ok(whole && whole.contours.length >= 1, 'something is cut out');
-      const area = areaOf(whole.contours);
-      await run(page, 'cut-remove');
-      const middle = tube.middle[30];
-      await draw(page, [[middle[0], middle[1] - 45], middle, [middle[0], middle[1] + 45]]);
-      const less = (await state(page)).cut;
-      assert.equal(less.marks, 1);
-      assert.ok(areaOf(less.contours) < area - 200, `${areaOf(less.contours)} of ${area}`);
-      await done(page, 'undo');
-      assert.ok(Math.abs(areaOf((await state(page)).cut.contours) - area) < 1);
-      assert.equal((await state(page)).parts.length, 0);
-      await done(page, 'cut-use');
-      const now = await state(page);
-      assert.equal(now.cut, null);
-      assert.equal(now.parts.length, 1);
-      assert.equal(now.undo, undo + 1);
-      assert.ok(Math.abs(areaOf(now.parts[0].contours) - area) < 1);
-      assert.ok((await exported(page, 'stl')).length > 1000);
-    }));
 }
 
 test('a line round a thing becomes a puff and a flat piece with the mouse, in one step each', () =>
@@ -78,4 +45,32 @@ test('a line round a thing becomes a puff and a flat piece with the mouse, in on
     assert.ok((await exported(page, 'glb')).length > 10000);
     await run(page, 'undo');
     assert.equal((await state(page)).parts.length, 1);
+  }));
+
+test('a box cuts the thing out, brushes correct it, and it becomes a part in one step', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    await run(page, 'puff');
+    const { undo } = await state(page);
+    await done(page, 'cut-by-box');
+    await drawWithMouse(page, boxRound);
+    const whole = (await state(page)).cut;
+    assert.ok(whole && whole.contours.length >= 1, 'something is cut out');
+    const area = areaOf(whole.contours);
+    await run(page, 'cut-remove');
+    const middle = tube.middle[30];
+    await drawWithMouse(page, [[middle[0], middle[1] - 45], middle, [middle[0], middle[1] + 45]]);
+    const less = (await state(page)).cut;
+    assert.equal(less.marks, 1);
+    assert.ok(areaOf(less.contours) < area - 200, `${areaOf(less.contours)} of ${area}`);
+    await done(page, 'undo');
+    assert.ok(Math.abs(areaOf((await state(page)).cut.contours) - area) < 1);
+    assert.equal((await state(page)).parts.length, 0);
+    await done(page, 'cut-use');
+    const now = await state(page);
+    assert.equal(now.cut, null);
+    assert.equal(now.parts.length, 1);
+    assert.equal(now.undo, undo + 1);
+    assert.ok(Math.abs(areaOf(now.parts[0].contours) - area) < 1);
+    assert.ok((await exported(page, 'stl')).length > 1000);
   }));

@@ -9,7 +9,6 @@ import {
   framed,
   idle,
   kPhone,
-  kSharp,
   kTablet,
   onPage,
   openPicture,
@@ -47,7 +46,7 @@ for (const [name, screen] of Object.entries({ 'a tablet': kTablet, 'a phone': kP
 }
 
 test('a phone: the page fits its width and every command is within reach', () =>
-  withTube({ ...kPhone, alone: true }, async (page) => {
+  withTube(kPhone, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
     for (const id of ['#bar-more', '#bar-save', '[data-command=draw]', '[data-command=undo]']) {
       const box = await page.locator(id).first().boundingBox();
@@ -67,10 +66,13 @@ test('a phone: the page fits its width and every command is within reach', () =>
       labels.some((label) => label.startsWith('Slice')),
       labels.join(),
     );
+    await page.keyboard.press('Escape');
   }));
 
 test('the smallest phone: one column of tools beside the picture, and a tap on the dots brings the others by their names', () =>
-  withTube({ ...kPhone, ...kSharp, viewport: { width: 320, height: 568 } }, async (page) => {
+  withTube(kPhone, async (page) => {
+    await page.setViewportSize({ width: 320, height: 568 });
+    await idle(page);
     await done(page, 'draw-spine', { stroke: tube.middle });
     const [first, last] = await toClient(page, [
       [0, 0],
@@ -82,8 +84,6 @@ test('the smallest phone: one column of tools beside the picture, and a tap on t
     assert.ok(last.y - first.y > 110 || last.x - first.x > 200, 'and large enough to draw on');
     const views = canvas.height - Math.floor(0.3 * canvas.height);
     const foot = canvas.y + Math.round((views - 8) / 2);
-    // A first touch makes the targets as large as fingers.
-    await tapWith(page, 1, { x: canvas.x + 12, y: canvas.y + 12 });
     const closed = await pixels(page);
     await page.touchscreen.tap(column + 26, foot - 10 - 26);
     await idle(page);
@@ -91,29 +91,11 @@ test('the smallest phone: one column of tools beside the picture, and a tap on t
     await page.touchscreen.tap(column - 60, canvas.y + 10 + 4 * 46 + 22);
     await idle(page);
     assert.equal((await state(page)).tool, 'hand');
-  }));
-
-test('a pen draws, the solid grows with it, and its palm does not disturb', () =>
-  withTube({ ...kTablet, alone: true }, async (page) => {
-    const before = await pixels(page);
-    await drawWithPen(page, tube.middle, {
-      midway: async () => {
-        const session = await page.context().newCDPSession(page);
-        const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
-        const [palm] = await toClient(page, [[tube.width * 0.5, tube.height * 0.9]]);
-        await touch('touchStart', { ...palm, id: 5 });
-        await touch('touchMove', { x: palm.x - 60, y: palm.y, id: 5 });
-        await touch('touchEnd');
-        await page.waitForFunction(() => window.spineloft.state().preview?.fresh);
-        await framed(page);
-        assert.ok(difference(before, await pixels(page)) > 0.01);
-      },
-    });
-    assert.equal(await partCount(page), 1);
+    await page.setViewportSize(kPhone.viewport);
   }));
 
 test('every coalesced move of a fast pen arrives, and a pen that lifts ends the stroke', () =>
-  withTube({ alone: true }, async (page) => {
+  withTube({}, async (page) => {
     const path = await toClient(page, tube.middle);
     const points = await page.evaluate(async (list) => {
       const canvas = document.getElementById('canvas');
@@ -174,7 +156,7 @@ test('dragging in the solid view turns it, and Home brings it back', () =>
   }));
 
 test('a stroke in hand is dropped without a trace by Escape, the right button and a second finger', () =>
-  withTube({ hasTouch: true }, async (page) => {
+  withTube(kTablet, async (page) => {
     const before = await state(page);
     const path = await toClient(page, line([90, 190], [300, 150], 5));
     const pressed = async () => {
@@ -209,6 +191,26 @@ test('a stroke in hand is dropped without a trace by Escape, the right button an
     await touch('touchEnd');
     await session.detach();
     await dropped('a second finger');
+  }));
+
+// After the finger's: once a pen was seen, fingers move the picture.
+test('a pen draws, the solid grows with it, and its palm does not disturb', () =>
+  withTube(kTablet, async (page) => {
+    const before = await pixels(page);
+    await drawWithPen(page, tube.middle, {
+      midway: async () => {
+        const session = await page.context().newCDPSession(page);
+        const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
+        const [palm] = await toClient(page, [[tube.width * 0.5, tube.height * 0.9]]);
+        await touch('touchStart', { ...palm, id: 5 });
+        await touch('touchMove', { x: palm.x - 60, y: palm.y, id: 5 });
+        await touch('touchEnd');
+        await page.waitForFunction(() => window.spineloft.state().preview?.fresh);
+        await framed(page);
+        assert.ok(difference(before, await pixels(page)) > 0.01);
+      },
+    });
+    assert.equal(await partCount(page), 1);
   }));
 
 test('a stroke that ends outside of the canvas still ends', () =>

@@ -3,15 +3,26 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { dragFingers, dragMouse, onCanvas } from './support/hands.mjs';
-import { done, exported, idle, onPage, openPicture, openWithPart, run, state, useSite } from './support/page.mjs';
+import {
+  done,
+  exported,
+  idle,
+  kTablet,
+  onPage,
+  openPicture,
+  openWithPart,
+  run,
+  state,
+  useSite,
+} from './support/page.mjs';
 import { samples, tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const [lemur, other] = samples();
 
 /** The first sample with its part in hand. */
-const withPart = (work, options = {}) =>
-  onPage(kit, options, async (page) => {
+const withPart = (work) =>
+  onPage(kit, kTablet, async (page) => {
     await openWithPart(page, lemur.bytes, lemur.spine, 'lemur');
     await done(page, 'move');
     await work(page);
@@ -47,26 +58,23 @@ test('an arrow moves a part along its axis in one step, Esc takes a drag back, a
   }));
 
 test('a finger drags the body, two fingers turn and grow it', () =>
-  withPart(
-    async (page) => {
-      const middle = await knob(page, 'plane');
-      await dragFingers(page, [middle], [{ x: middle.x + 40, y: middle.y }]);
-      assert.ok(length((await part(page)).placement.move) > 0.02);
-      const at = await knob(page, 'plane');
-      await dragFingers(
-        page,
-        [at, { x: at.x + 60, y: at.y }],
-        [
-          { x: at.x - 20, y: at.y - 10 },
-          { x: at.x + 80, y: at.y + 40 },
-        ],
-      );
-      const { placement } = await part(page);
-      assert.ok(placement.scale > 1.3, `${placement.scale}`);
-      assert.ok(length(placement.degrees) > 5, `${placement.degrees}`);
-    },
-    { hasTouch: true },
-  ));
+  withPart(async (page) => {
+    const middle = await knob(page, 'plane');
+    await dragFingers(page, [middle], [{ x: middle.x + 40, y: middle.y }]);
+    assert.ok(length((await part(page)).placement.move) > 0.02);
+    const at = await knob(page, 'plane');
+    await dragFingers(
+      page,
+      [at, { x: at.x + 60, y: at.y }],
+      [
+        { x: at.x - 20, y: at.y - 10 },
+        { x: at.x + 80, y: at.y + 40 },
+      ],
+    );
+    const { placement } = await part(page);
+    assert.ok(placement.scale > 1.3, `${placement.scale}`);
+    assert.ok(length(placement.degrees) > 5, `${placement.degrees}`);
+  }));
 
 test('the first part of a further picture stands beside the others, in the step that draws it', () =>
   withPart(async (page) => {
@@ -93,7 +101,7 @@ async function depths(page) {
 }
 
 test('with Snap on, a part that is dragged over another one comes to lie on its surface; without, it goes into it', () =>
-  onPage(kit, { alone: true }, async (page) => {
+  onPage(kit, kTablet, async (page) => {
     const tube = tubePicture();
     await openWithPart(page, tube.png, tube.middle.slice(14, 41));
     await run(page, 'duplicate');
@@ -126,4 +134,5 @@ test('with Snap on, a part that is dragged over another one comes to lie on its 
       await run(page, 'undo');
       await idle(page);
     }
+    await page.keyboard.press('Shift+S');
   }));

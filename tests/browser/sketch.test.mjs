@@ -9,7 +9,6 @@ import {
   idle,
   kPhone,
   kSharp,
-  kTablet,
   onPage,
   pixels,
   run,
@@ -44,7 +43,7 @@ async function inkAt(page, x, y, reach = 12) {
 }
 
 test('from the start page to paper, two lines, a bone and a solid', () =>
-  onPage(kit, { alone: true, ...kSharp }, async (page) => {
+  onPage(kit, kSharp, async (page) => {
     await page.getByRole('button', { name: 'Draw on paper' }).click();
     await idle(page);
     let now = await state(page);
@@ -71,7 +70,7 @@ test('from the start page to paper, two lines, a bone and a solid', () =>
   }));
 
 test('a pen draws wider when it is pressed harder, with the ink on the screen before it lifts; the eraser makes paper again', () =>
-  onPage(kit, { ...kTablet, ...kSharp }, async (page) => {
+  onPage(kit, kSharp, async (page) => {
     await run(page, 'new-sketch', kPaper);
     await run(page, 'pen-size', { size: 'bold' });
     const across = (y, from = 100, to = 600) => [
@@ -122,7 +121,7 @@ test('a phone: paper fits, a finger draws, two fingers take the stroke back', ()
   }));
 
 test('several files dropped at once all open, in their order; each part stays with its own', () =>
-  onPage(kit, {}, async (page) => {
+  onPage(kit, kSharp, async (page) => {
     const tube = tubePicture();
     const grey = paintedPng(300, 200, (x) => (x < 150 ? [40, 40, 40] : [230, 230, 230]));
     await dropFiles(page, [kit.file('one.png', tube.png), kit.file('two.png', grey)]);

@@ -39,36 +39,33 @@ const ring = (radius, count = 14) =>
     return [radius * Math.cos(angle), radius * Math.sin(angle)];
   });
 
-for (const [name, options, device] of [
-  ['the mouse', {}, 'mouse'],
-  ['a finger on a phone', kPhone, 'finger'],
-]) {
-  test(`a slice with a hole is drawn with ${name}; it is one step, and on the shelf after a reload`, () =>
-    withPart({ ...options, alone: true }, async (page) => {
-      const before = (await state(page)).undo;
-      await done(page, 'edit-slice');
-      for (const radius of [0.85, 0.4]) await strokeAlong(page, device, await onBoard(page, ring(radius)));
-      assert.equal((await state(page)).sliceBoard.curves.length, 2);
-      await done(page, 'slice-done');
-      const now = await state(page);
-      assert.equal(now.sliceBoard, null);
-      assert.equal(now.undo, before + 1);
-      assert.deepEqual([now.parts[0].slices[0].curves, now.parts[0].slices[0].holes], [1, 1]);
-      await reload(page);
-      assert.deepEqual(
-        (await state(page)).shelf.map((slice) => slice.name),
-        ['My slice 1'],
-      );
-    }));
+/** Draws a slice with a hole on the board. */
+async function drawWithHole(page, device) {
+  const before = (await state(page)).undo;
+  await done(page, 'edit-slice');
+  for (const radius of [0.85, 0.4]) await strokeAlong(page, device, await onBoard(page, ring(radius)));
+  assert.equal((await state(page)).sliceBoard.curves.length, 2);
+  await done(page, 'slice-done');
+  const now = await state(page);
+  assert.equal(now.sliceBoard, null);
+  assert.equal(now.undo, before + 1);
+  assert.deepEqual([now.parts[0].slices[0].curves, now.parts[0].slices[0].holes], [1, 1]);
 }
 
-test('a shelf that is no shelf, or too much, does no harm', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    for (const text of ['{', '[1, {"contours": [[[0, 0]]]}]', 'null']) {
-      await page.evaluate((value) => localStorage.setItem('spineloft.shelf.1', value), text);
-      await reload(page);
-      assert.deepEqual((await state(page)).shelf, []);
-    }
+test('a slice with a hole is drawn with a finger on a phone, in one step', () =>
+  withPart(kPhone, (page) => drawWithHole(page, 'finger')));
+
+test('a slice with a hole is drawn with the mouse; it is on the shelf after a reload, and a shelf that is none does no harm', () =>
+  withPart({}, async (page) => {
+    await drawWithHole(page, 'mouse');
+    await reload(page);
+    assert.deepEqual(
+      (await state(page)).shelf.map((slice) => slice.name),
+      ['My slice 1'],
+    );
+    await page.evaluate(() => localStorage.setItem('spineloft.shelf.1', '{'));
+    await reload(page);
+    assert.deepEqual((await state(page)).shelf, []);
   }));
 
 test('a slice is dragged out of the panel onto the part; Escape leaves it where it was', () =>

@@ -47,9 +47,28 @@ const root = async (page) => (await steps(page)).findLast((step) => step.root);
 
 const measureStl = (bytes) => measure(parseStl(bytes));
 
-/** The page once more, with what was put under it; its two parts stuck together. */
-async function stuckAnew(page) {
-  await reload(page);
+/** In the page: workers that die with the next request, or get it damaged, when they are told to. */
+function frailWorkers() {
+  const Plain = window.Worker;
+  window.endNext = false;
+  window.damage = null;
+  window.Worker = class extends Plain {
+    postMessage(message, transfer) {
+      const meshes = Object.values(message.meshes ?? {});
+      if (window.damage && meshes.length > 0) {
+        window.damage(meshes[0], message);
+        window.damage = null;
+      }
+      super.postMessage(message, transfer);
+      if (!window.endNext || !message.nodes) return;
+      window.endNext = false;
+      this.terminate();
+    }
+  };
+}
+
+/** Both parts stuck together. */
+async function stuck(page) {
   await withBoth(page);
   await done(page, 'stick-together');
   const good = await root(page);
@@ -79,7 +98,7 @@ async function dragRib(page, part, by, midway) {
 }
 
 test('two drawn parts are stuck together, and the solid follows a rib, undo, redo, a reload and release', () =>
-  onPage(kit, { alone: true }, async (page) => {
+  onPage(kit, {}, async (page) => {
     await openPicture(page, lemur.bytes, 'lemur');
     await drawWithMouse(page, lemur.spine);
     await page.keyboard.press('n');
@@ -145,7 +164,7 @@ test('cut, kept common and moved away: each is a solid, and sets say how large',
   }));
 
 test('a scooped out part is as thin as its wall, open at its end, and says when the wall is too thick', () =>
-  withTwo({ alone: true }, async (page) => {
+  withTwo({}, async (page) => {
     await run(page, 'select-part', { id: 2 });
     await run(page, 'delete-part');
     await run(page, 'select-part', { id: 1 });
@@ -181,20 +200,8 @@ test('a scooped out part is as thin as its wall, open at its end, and says when 
   }));
 
 test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await page.addInitScript(() => {
-      const Plain = window.Worker;
-      window.endNext = false;
-      window.Worker = class extends Plain {
-        postMessage(message, transfer) {
-          super.postMessage(message, transfer);
-          if (!window.endNext || !message.nodes) return;
-          window.endNext = false;
-          this.terminate();
-        }
-      };
-    });
-    const good = await stuckAnew(page);
+  onPage(kit, { script: frailWorkers }, async (page) => {
+    const good = await stuck(page);
 
     // The browser ends the worker in the middle of a job, and tells nobody.
     await page.evaluate(() => {
@@ -240,22 +247,8 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
   }));
 
 test('a mesh that arrives damaged names its part, and one that breaks the solver down leaves the model whole', () =>
-  onPage(kit, { alone: true }, async (page, { troubles }) => {
-    await page.addInitScript(() => {
-      const Plain = window.Worker;
-      window.damage = null;
-      window.Worker = class extends Plain {
-        postMessage(message, transfer) {
-          const meshes = Object.values(message.meshes ?? {});
-          if (window.damage && meshes.length > 0) {
-            window.damage(meshes[0], message);
-            window.damage = null;
-          }
-          super.postMessage(message, transfer);
-        }
-      };
-    });
-    const good = await stuckAnew(page);
+  onPage(kit, { script: frailWorkers }, async (page, { troubles }) => {
+    const good = await stuck(page);
 
     // A face is missing: the library refuses the part.
     await page.evaluate(() => {
@@ -297,7 +290,7 @@ test('a mesh that arrives damaged names its part, and one that breaks the solver
 const kOpenings = Math.min(10, 4 * kRounds);
 
 test(`opening and closing a model with solids ${5 * kOpenings} times leaves the memory as it was`, () =>
-  withTwo({ alone: true }, async (page) => {
+  withTwo({}, async (page) => {
     await run(page, 'stick-together');
     await done(page, 'scoop-out', { step: 1, wall: 0.01 });
     const session = await page.context().newCDPSession(page);

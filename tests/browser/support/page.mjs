@@ -59,15 +59,22 @@ export function useSite() {
     for (const site of Object.values(kit.sites)) await site.close();
     if (kit.folder) rmSync(kit.folder, { recursive: true });
   });
-  /** A ready page in a context of its own; options are Playwright's, and `isolated` and `query` of the address. */
-  kit.open = async ({ isolated = kEngines[0].isolated, query = '', ...context } = {}) => {
+  /**
+   * A ready page in a context of its own; options are Playwright's, `isolated` and `query` of the address, and `script`,
+   * a function that runs in the page before its own.
+   */
+  kit.open = async ({ isolated = kEngines[0].isolated, query = '', script, ...context } = {}) => {
     const opened = await openPage(kit.browser, kit.sites[isolated].url + query, { ...kQuick, ...context });
     await opened.page.evaluate(() => window.spineloft.ready);
+    if (script) {
+      await opened.page.addInitScript(script);
+      await reload(opened.page);
+    }
     return opened;
   };
   /** The page that the tests with these options share, begun anew; settings that outlast a model stay as they are. */
   kit.page = async (options) => {
-    const key = JSON.stringify(options);
+    const key = JSON.stringify({ ...options, script: String(options.script) });
     const known = kit.shared.get(key);
     if (known) {
       if (await known.page.evaluate(beginAnew)) return known;
