@@ -82,7 +82,7 @@ std::optional<std::vector<Operand>> meant(Env env, const Json& args) {
   return roots;
 }
 
-bool severalRoots(Env env) { return rootsOf(env.studio.document()).size() >= 2; }
+bool severalRoots(Env env) { return hasSeveralRoots(env.studio.document()); }
 bool hasSteps(Env env) { return !env.studio.document().steps.empty(); }
 bool hasHollow(Env env) { return hasStep(env) && chosenStep(env)->kind == StepKind::Hollow; }
 bool isPointing(Env env) { return env.ui.solids.pointing; }

@@ -61,16 +61,28 @@ void writeStep(JsonWriter& json, const CommandEnv& env, const document::Step& st
   json.endObject();
 }
 
+/// The part, or the solid that it is in.
+Operand rootOperand(const document::Document& document, const document::Part& part) {
+  const document::Step* root = rootOf(document, {part.id, {}});
+  return root ? Operand{{}, root->id} : Operand{part.id, {}};
+}
+
 }  // namespace
 
 std::vector<Operand> rootsOf(const document::Document& document) {
   std::vector<Operand> roots;
   for (const document::Part& part : document.parts) {
-    const document::Step* root = rootOf(document, {part.id, {}});
-    const Operand operand = root ? Operand{{}, root->id} : Operand{part.id, {}};
+    const Operand operand = rootOperand(document, part);
     if (std::ranges::find(roots, operand) == roots.end()) roots.push_back(operand);
   }
   return roots;
+}
+
+bool hasSeveralRoots(const document::Document& document) {
+  const auto& parts = document.parts;
+  return std::ranges::any_of(parts, [&](const document::Part& part) {
+    return rootOperand(document, part) != rootOperand(document, parts.front());
+  });
 }
 
 void settleSolids(const document::Document& document, UiState& ui) {

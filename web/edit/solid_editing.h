@@ -16,6 +16,8 @@ namespace spineloft::app {
 void settleSolids(const document::Document& document, UiState& ui);
 /// Parts and solids that stand for themselves, in the order of the list.
 std::vector<document::Operand> rootsOf(const document::Document& document);
+/// Whether there are at least two of them; asks for no memory.
+bool hasSeveralRoots(const document::Document& document);
 bool isPicked(const UiState& ui, document::Operand operand);
 /// Millimetres of the finished model a unit of the world; 0 without anything to see.
 double millimetresPerUnit(const CommandEnv& env);

@@ -110,7 +110,7 @@ bool holdsWhole(const PanelEnv& env) {
 }
 
 bool canTick(const PanelEnv& env, document::Operand operand) {
-  return holderOf(env.document(), operand) == nullptr && app::rootsOf(env.document()).size() > 1;
+  return holderOf(env.document(), operand) == nullptr && app::hasSeveralRoots(env.document());
 }
 
 void tickButton(const PanelEnv& env, document::Operand operand, float size) {
@@ -182,7 +182,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
 
 void solidPanel(const PanelEnv& env, float width) {
   const document::Step* step = app::chosenStep(env.env);
-  const bool several = app::rootsOf(env.document()).size() > 1;
+  const bool several = app::hasSeveralRoots(env.document());
   if (!several && step == nullptr && env.selected() == nullptr) return;
   const float side = buttonSide(env);
   ImGui::Dummy({0, 4});

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <string>
 
 #include "engine/base/rng.h"
 #include "tests/unit/web/rig.h"
@@ -61,11 +63,9 @@ Json randomValue(Rng& rng, int depth) {
       return list;
     }
     default: {
-      Json::Object members;
-      for (std::uint32_t i = rng.below(4); i > 0; --i) {
-        members.emplace_back(randomText(rng), randomValue(rng, depth + 1));
-      }
-      return members;
+      std::map<std::string, Json> members;  // names of an object are in no order, and each counts once
+      for (std::uint32_t i = rng.below(4); i > 0; --i) members[randomText(rng)] = randomValue(rng, depth + 1);
+      return Json(Json::Object(members.begin(), members.end()));
     }
   }
 }
