@@ -65,7 +65,7 @@ for (const [name, context] of Object.entries({
 test('by keyboard alone: open a sample, make a part, change it, save it', () =>
   onPage(kit, { alone: true }, async (page) => {
     await page.keyboard.press('Tab');
-    assert.equal(await focused(page), 'choose');
+    assert.equal(await focused(page), 'open-picture');
     const onSample = () => page.evaluate(() => document.activeElement.closest('#samples') !== null);
     for (let i = 0; i < 4 && !(await onSample()); ++i) await page.keyboard.press('Tab');
     await page.keyboard.press('Enter');
@@ -213,7 +213,7 @@ test('every button and menu item that runs a command carries its id, and no othe
       const found = await page.evaluate((others) => {
         const ids = new Set(window.spineloft.commands().map(({ id }) => id));
         const buttons = [...document.querySelectorAll('button, [role^=menuitem]')];
-        const isHelp = (element) => element.textContent.startsWith('Keys and gestures');
+        const isHelp = (element) => element.textContent.trim().startsWith('Keys and gestures');
         return {
           count: document.querySelectorAll('[data-command]').length,
           unknown: [...document.querySelectorAll('[data-command]')]
