@@ -9,7 +9,7 @@
 namespace spineloft::app {
 namespace {
 
-void showPicture(const UiState& ui, const document::PictureEntry& entry, ShellView::Picture& picture) {
+void showPicture(const UiState& ui, const document::PictureEntry& entry, ViewPicture& picture) {
   const auto corner = [&](double x, double y) { return ui.pictureView.toClient({x, y}, ui.layout.picture); };
   picture.size = entry.size;
   picture.strokes = entry.sketch.size();
@@ -19,7 +19,7 @@ void showPicture(const UiState& ui, const document::PictureEntry& entry, ShellVi
   picture.bottomRight = corner(entry.size.width - 0.5, entry.size.height - 0.5);
 }
 
-void showPart(const pipeline::Derived& derived, const document::Part& part, ShellView::Selected& selected) {
+void showPart(const pipeline::Derived& derived, const document::Part& part, ViewSelected& selected) {
   const auto at = std::ranges::find(derived.parts, part.id, &pipeline::DerivedPart::id);
   selected.id = part.id;
   selected.name = part.name;
@@ -70,7 +70,7 @@ void viewOf(const CommandEnv& env, ShellView& view) {
   view.historyBudget = env.studio.history().budget();
   view.unsaved = env.studio.unsaved();
   if (const auto activity = env.studio.activity()) {
-    ShellView::Activity& shown = filled(view.activity);
+    ViewActivity& shown = filled(view.activity);
     shown.label = activity->label;
     shown.done = static_cast<int>(activity->done * ShellView::kActivitySteps);
   } else {
@@ -87,7 +87,7 @@ void writePicture(const ShellView& view, JsonWriter& json) {
     json.null();
     return;
   }
-  const ShellView::Picture& picture = *view.picture;
+  const ViewPicture& picture = *view.picture;
   json.beginObject().key("width").number(picture.size.width).key("height").number(picture.size.height);
   json.key("sketch").flag(picture.sketch).key("strokes").number(static_cast<double>(picture.strokes));
   json.key("finished").flag(picture.finished);
@@ -102,7 +102,7 @@ void writeSelected(const ShellView& view, JsonWriter& json) {
     json.null();
     return;
   }
-  const ShellView::Selected& part = *view.selected;
+  const ViewSelected& part = *view.selected;
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
   json.key("kind").text(document::kindKey(part.kind)).key("ribs").number(static_cast<double>(part.ribs)).endObject();
 }

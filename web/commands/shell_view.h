@@ -15,40 +15,43 @@
 
 namespace spineloft::app {
 
+/// The picture in view.
+struct ViewPicture {
+  image::Size size;  ///< original pixels
+  std::size_t strokes = 0;
+  bool sketch = false, finished = false;  ///< as looksFinished
+  ClientPoint topLeft, bottomRight;       ///< its corners on the canvas
+  bool operator==(const ViewPicture&) const = default;
+};
+
+struct ViewSelected {
+  PartId id;
+  std::string name;
+  document::PartKind kind = document::PartKind::Loft;
+  std::size_t ribs = 0;
+  bool operator==(const ViewSelected&) const = default;
+};
+
+struct ViewActivity {
+  std::string label;
+  int done = 0;  ///< of ShellView::kActivitySteps
+  bool operator==(const ViewActivity&) const = default;
+};
+
 struct ShellView {
-  /// The picture in view.
-  struct Picture {
-    image::Size size;  ///< original pixels
-    std::size_t strokes = 0;
-    bool sketch = false, finished = false;  ///< as looksFinished
-    ClientPoint topLeft, bottomRight;       ///< its corners on the canvas
-    bool operator==(const Picture&) const = default;
-  };
-  struct Selected {
-    PartId id;
-    std::string name;
-    document::PartKind kind = document::PartKind::Loft;
-    std::size_t ribs = 0;
-    bool operator==(const Selected&) const = default;
-  };
-  struct Activity {
-    std::string label;
-    int done = 0;  ///< of kActivitySteps
-    bool operator==(const Activity&) const = default;
-  };
   static constexpr int kActivitySteps = 20;
   /// More than the command table has rows.
   static constexpr std::size_t kMostCommands = 256;
 
   std::string documentName;
   std::size_t pictures = 0, parts = 0, picked = 0;  ///< `picked`: ticked for the next solid
-  std::optional<Picture> picture;
-  std::optional<Selected> selected;
+  std::optional<ViewPicture> picture;
+  std::optional<ViewSelected> selected;
   ToolKind tool = ToolKind::Draw;
   bool penMenu = false;  ///< a menu of the pen is open
   std::size_t undo = 0, redo = 0, historyBytes = 0, historyBudget = 0;
   bool unsaved = false;
-  std::optional<Activity> activity;
+  std::optional<ViewActivity> activity;
   /// By place in the command table. A command that is no toggle is never toggled.
   std::bitset<kMostCommands> enabled, toggled;
   bool operator==(const ShellView&) const = default;
