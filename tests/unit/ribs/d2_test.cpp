@@ -114,7 +114,7 @@ TEST_CASE("far away d2 is the Euclidean distance, and repeated points change not
 
 TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyond one pixel") {
   Rng rng(14);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(60); ++round) {
     const Points p = fixtures::wander(rng, 2 + rng.below(200), 4);
     const D2Field field(p);
     for (int i = 0; i < 30; ++i) {
@@ -126,7 +126,8 @@ TEST_CASE("the single-precision kernel agrees with double precision to 3e-5 beyo
       const double d2 = std::sqrt(field.length() / value);
       CHECK(d2 == doctest::Approx(exact.d2).epsilon(3e-5));
       const PicturePoint g{static_cast<double>(quick.gradientX), static_cast<double>(quick.gradientY)};
-      CHECK(distance(g * (-0.5 * d2 / value), exact.gradient) < 3e-4);
+      // Coordinates of 1,000 px are rounded to 6e-5 px, which a pixel away turns the gradient by several times that.
+      CHECK(distance(g * (-0.5 * d2 / value), exact.gradient) < 1e-3);
     }
   }
 }
