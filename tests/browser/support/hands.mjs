@@ -117,8 +117,10 @@ export async function dragFingers(page, from, to) {
 export async function tapWith(page, fingers, at) {
   const session = await page.context().newCDPSession(page);
   const touchPoints = Array.from({ length: fingers }, (_, id) => ({ x: at.x + 70 * id, y: at.y, id }));
-  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints });
-  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  // A tap is short by the events' own clock, however busy the page is.
+  const timestamp = Date.now() / 1000;
+  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints, timestamp });
+  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [], timestamp: timestamp + 0.05 });
   await session.detach();
   await idle(page);
 }
