@@ -1,0 +1,442 @@
+"""One scene: a function of (VERSION, seed). Everything random comes from one generator seeded with both."""
+
+from dataclasses import dataclass, field
+
+import cv2
+import numpy as np
+
+import damage
+import drawings
+import families
+import grounds
+import looks
+import profiles
+import spines
+import strokes
+from colours import colour, lab_shift
+from solids import Solid, room
+
+VERSION = 1
+FIRST_TRAINING_SEED = 10_000
+NO_EDGE = (50, 120)  # Canny thresholds of "no edge nearby"
+
+
+def side_of(seed):
+    return "validation" if seed < FIRST_TRAINING_SEED else "training"
+
+
+@dataclass
+class Scene:
+    seed: int
+    picture: np.ndarray = None  # BGR uint8
+    mask: np.ndarray = None  # 255 part, 128 do not care, 0 not
+    visible: np.ndarray = None  # None where nothing hides the part
+    solid: Solid = None
+    strokes: dict = field(default_factory=dict)
+    said: dict = field(default_factory=dict)  # what case.json says besides
+
+
+def _size(r, low, high):
+    """(w, h): log-uniform, mostly lying or standing as the thing does."""
+    long_side = int(np.exp(r.uniform(np.log(270), np.log(1100))))
+    short_side = int(long_side / r.choice([1.0, 4 / 3, 3 / 2, 16 / 9, r.uniform(1, 1.9)]))
+    lies = high[0] - low[0] > high[1] - low[1]
+    return (long_side, short_side) if lies == (r.random() < 0.85) else (short_side, long_side)
+
+
+UNIT_STEPS = 220
+
+
+SLENDEREST = 45  # length over width
+
+
+def unit_thing(r, spine, profile):
+    """A thing of one family with a line one unit long that does not touch itself: (points, left, right, profile)."""
+    while True:
+        shape = profiles.FAMILIES[profile](r)
+        unit = spines.points_of(spines.FAMILIES[spine](r), r)
+        turn = r.uniform(0, 2 * np.pi)
+        if shape.turned and spine == "straight" and r.random() < 0.75:  # such things stand
+            turn = np.pi / 2 + np.radians(r.normal(0, 8)) + (np.pi if r.random() < 0.1 else 0)
+            unit = unit @ _rotation(-np.arctan2(*(unit[-1] - unit[0])[::-1])).T
+        unit = spines.resampled(unit @ _rotation(turn).T, UNIT_STEPS)
+        slender = shape.slender * r.uniform(0.8, 1.25)
+        if spine in ("serpentine", "spiral", "wander", "ring"):
+            slender = max(slender, r.uniform(8, 26))
+        place = np.linspace(0, 1, UNIT_STEPS)
+        left, right = (np.interp(place, profiles.U, v) / (2 * slender) for v in (shape.left, shape.right))
+        while not room(unit, left, right) and slender < SLENDEREST:
+            left, right, slender = left * 0.88, right * 0.88, slender / 0.88
+        if slender < SLENDEREST:
+            left, right = (_rounded(v, shape.ends, 1 / UNIT_STEPS) for v in (left, right))
+            return unit, left, right, shape
+
+
+def extent(thing):
+    """The box (low, high) of a unit thing."""
+    unit, left, right, _ = thing
+    _, normal = spines.frame(unit)
+    sides = np.concatenate([unit - normal * left[:, None], unit + normal * right[:, None]])
+    return sides.min(0), sides.max(0)
+
+
+def placed(r, thing, size, scale=None):
+    """The solid of a unit thing: nearly as large as the picture allows, or `scale` of that and anywhere."""
+    unit, left, right, shape = thing
+    low, high = extent(thing)
+    w, h = size
+    fill = scale if scale else 1 - 0.42 * r.random() ** 1.6
+    factor = fill * 0.98 * min(w / (high[0] - low[0]), h / (high[1] - low[1]))
+    if scale is None and r.random() < 0.13:
+        solid = _reaching_out(r, thing, size, factor * r.uniform(1.15, 1.9))
+        if solid:
+            return solid
+    spare = np.array([w, h]) - factor * (high - low)
+    start = r.uniform(0.1, 0.9, 2) * spare if scale is None else r.uniform(-0.2, 1.2, 2) * spare
+    return _sized(r, thing, factor, start - low * factor)
+
+
+def _reaching_out(r, thing, size, factor):
+    """The thing so large and so placed that it leaves the picture at one end; None where that leaves too little."""
+    for _ in range(6):
+        tip = thing[0][r.choice([0, -1])] * factor
+        solid = _sized(r, thing, factor, r.uniform(0.08, 0.92, 2) * np.array(size) - tip, flat=True)
+        if 0.45 < solid.cut(size) < 0.97 and solid.ends.count("cut") == 1:
+            return solid
+    return None
+
+
+def _sized(r, thing, factor, start, flat=False):
+    """A solid from a unit thing: `factor` px a unit, moved by `start`, mostly at least 5 px wide."""
+    unit, left, right, shape = thing
+    factor_across = factor * max(1.0, 5 / max(1e-6, factor * np.median(left + right)))
+    points = unit * factor + start
+    count = int(np.clip(np.linalg.norm(np.diff(points, axis=0), axis=1).sum() / 2.5, 90, 900))
+    points = spines.resampled(points, count)
+    left, right = (np.interp(np.linspace(0, 1, count), np.linspace(0, 1, UNIT_STEPS), v) * factor_across for v in (left, right))
+    seen_from_above = shape.turned and not flat and np.ptp(spines.frame(points)[0], axis=0).max() < 0.5 and r.random() < 0.8
+    bulge = r.uniform(0.03, 0.38) * r.choice([-1, 1]) if seen_from_above else 0
+    return Solid(points, left, right, bulge, shape.ends)
+
+
+def make_solid(r, size, spine, profile, scale=None):
+    return placed(r, unit_thing(r, spine, profile), size, scale)
+
+
+def _rotation(angle):
+    return np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+
+
+def _rounded(half, ends, step):
+    """Round and pointed ends close over a length of about the half width."""
+    half = half.copy()
+    for at, end in ((0, ends[0]), (-1, ends[1])):
+        if end in ("round", "point"):
+            reach = half[0 if at == 0 else -1] * (1.0 if end == "round" else 2.2) + 2 * step
+            distance = np.arange(len(half)) * step
+            distance = distance if at == 0 else distance[::-1]
+            f = np.clip(distance / max(reach, 1e-9), 0, 1)
+            half *= np.sqrt(np.maximum(0, 1 - (1 - f) ** 2)) if end == "round" else f**0.8
+    return np.maximum(half, 1e-5)
+
+
+def lay(r, picture, solid, material, side, ground=None, base=None):
+    """Draws a solid into the picture (in place). Returns its coverage [h, w] and base colour."""
+    size = picture.shape[1::-1]
+    cover = solid.coverage(size)
+    x0, y0, x1, y1 = box = solid.box(size)
+    if x1 - x0 < 3 or y1 - y0 < 3:
+        return cover, colour(r)
+    strip, base = looks.look(r, solid, material, side, base)
+    along, across = solid.coordinates(box)
+    rows, columns = strip.picture.shape[:2]
+    seen = cv2.remap(strip.picture, (across + looks.REACH) * np.float32((columns - 1) / (2 * looks.REACH)),
+                     along * np.float32(rows - 1), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    if solid.bulge:
+        _mouth(r, seen, solid, box, base)
+    if strip.wet and ground is not None:  # glass: the ground, displaced by the round
+        x, y = np.meshgrid(np.arange(x0, x1, dtype=np.float32), np.arange(y0, y1, dtype=np.float32))
+        lens = r.uniform(-1.5, 1.5) * np.median(solid.half) * across**3
+        index = np.clip(along * (len(solid.normal) - 1), 0, len(solid.normal) - 1).astype(np.int32)
+        normal = solid.normal.astype(np.float32)[index]
+        through = cv2.remap(ground, x + lens * normal[..., 0], y + lens * normal[..., 1], cv2.INTER_LINEAR,
+                            borderMode=cv2.BORDER_REFLECT)
+        bright = np.clip(seen.max(2, keepdims=True) * 1.4 - 0.6, 0, 1)
+        wet = strip.wet * (1 - bright) * np.clip(1.25 - np.abs(across)[..., None] ** 6, 0, 1)
+        seen = seen + wet * (through * (0.55 + 0.45 * base) - seen)
+    soft = cover[y0:y1, x0:x1, None]
+    here = picture[y0:y1, x0:x1]
+    here += soft * (np.clip(seen, 0, 1) - here)
+    if material == "fur":
+        _hairs(r, picture, seen, solid, box)
+    return cover, base
+
+
+def _mouth(r, seen, solid, box, base):
+    """The open top, lid or foot of a turned thing seen from above or below."""
+    at = 0 if solid.bulge > 0 else -1
+    ellipse = np.rint((solid.mouth(at) - box[:2]) * 16).astype(np.int32)
+    inner = np.float32(base) * r.uniform(0.15, 1.2)
+    cv2.fillPoly(seen, [ellipse], inner.tolist(), cv2.LINE_AA, 4)
+    if r.random() < 0.7:
+        tone = np.float32(base) * r.uniform(0.6, 1.6)
+        cv2.polylines(seen, [ellipse], True, np.clip(tone, 0, 1).tolist(), max(1, int(0.04 * solid.half[at])), cv2.LINE_AA, 4)
+
+
+def _hairs(r, picture, seen, solid, box):
+    """Hairs over the outline."""
+    width = 2 * np.median(solid.half)
+    long_hair = r.uniform(0.03, 0.15) * width
+    for sign in (-1, 1):
+        edge = solid.side(sign)
+        for i in r.integers(0, len(edge), int(min(900, 1.5 * solid.length / max(1.0, 0.02 * width)))):
+            root = edge[i] - solid.normal[i] * sign * r.uniform(0, 0.1) * solid.half[i]
+            tip = root + (solid.normal[i] * sign * r.uniform(0.2, 1) + solid.tangent[i] * r.normal(0, 0.7)) * long_hair
+            at = np.rint(root - box[:2]).astype(int)
+            if 0 <= at[0] < seen.shape[1] and 0 <= at[1] < seen.shape[0]:
+                cv2.line(picture, tuple(np.rint(root * 16).astype(int).tolist()), tuple(np.rint(tip * 16).astype(int).tolist()),
+                         np.clip(seen[at[1], at[0]] * r.uniform(0.8, 1.1), 0, 1).tolist(), 1, cv2.LINE_AA, 4)
+
+
+def _shadow(r, picture, cover, width):
+    """A cast shadow beside the thing."""
+    move = np.float32([[1, 0, r.uniform(-0.5, 0.5) * width], [0, 1, r.uniform(-0.1, 0.5) * width]])
+    shade = cv2.warpAffine(cover, move, cover.shape[::-1])
+    shade = grounds.soft(shade, max(1.0, r.uniform(0.03, 0.3) * width))
+    picture *= (1 - np.float32(r.uniform(0.15, 0.7)) * shade)[..., None]
+
+
+def _match_ground(r, picture, cover, base):
+    """A ground whose tone at the rim is 2..12 Lab units from the thing's."""
+    ring = cv2.dilate(cover, np.ones((9, 9))) - cover
+    inside = picture[ring > 0.5].mean(0) if (ring > 0.5).any() else picture.mean((0, 1))
+    angle = r.standard_normal(3)
+    shift = angle / np.linalg.norm(angle) * r.uniform(2, 12)
+    wanted = lab_shift(np.float32(base) * r.uniform(0.6, 1.0), *shift)
+    picture += np.float32(wanted - inside)
+    np.clip(picture, 0, 1, out=picture)
+
+
+def outline_of(solid):
+    """The outline in the picture [m, 2]: one side there, the other back."""
+    return np.concatenate([solid.side(-1)[solid.shown], solid.side(1)[solid.shown][::-1]])
+
+
+def _occluders(r, picture, solid, width, side, size):
+    """Rods, fingers, leaves and cards in front. Returns what they cover."""
+    hidden = np.zeros(size[::-1], np.float32)
+    part = solid.coverage(size)
+    for _ in range(r.integers(1, 4)):
+        if (hidden * part).sum() > 0.25 * part.sum():
+            break
+        centre = solid.points[r.integers(solid.shown.start, solid.shown.stop)] + r.uniform(-0.5, 0.5, 2) * width
+        angle = r.uniform(0, 2 * np.pi)
+        way = np.array([np.cos(angle), np.sin(angle)])
+        kind = r.random()
+        if kind < 0.35:  # fingers
+            skin = cv2.cvtColor(np.float32([[[r.uniform(8, 28), r.uniform(0.25, 0.6), r.uniform(0.3, 0.95)]]]), cv2.COLOR_HSV2BGR)[0, 0]
+            thick = width * r.uniform(0.12, 0.3)
+            for k in range(r.integers(1, 5)):
+                tip = centre + np.array([-way[1], way[0]]) * thick * 2.1 * k
+                line = np.stack([tip, tip + way * max(size)])
+                line = spines.resampled(line, 60)
+                half = np.full(60, thick) * np.sqrt(np.clip(np.arange(60) * max(size) / 60 / thick, 0.02, 1))
+                cover, _ = lay(r, picture, Solid(line, half, half), "plain", side, None, skin)
+                hidden = np.maximum(hidden, cover)
+        elif kind < 0.8:
+            spine, profile = r.choice(["straight", "bend", "wander"]), r.choice(["rod", "branch", "spindle", "taper"])
+            thing = make_solid(r, size, spine, profile, r.uniform(0.4, 1.2))
+            thing.points += centre - thing.points[len(thing.points) // 2]
+            most = r.uniform(0.1, 0.35) * width
+            thing.half *= min(1.0, most / thing.half.max())
+            cover, _ = lay(r, picture, thing, r.choice(["matte", "plain", "gloss", "photo"]), side)
+            hidden = np.maximum(hidden, cover)
+        else:  # a card or box
+            corners = cv2.boxPoints((tuple(map(float, centre + way * width * 0.5)), (width * r.uniform(0.3, 0.8), min(width, 0.25 * solid.length) * r.uniform(0.3, 1.0)), float(np.degrees(angle))))
+            card = np.zeros(size[::-1], np.uint8)
+            cv2.fillPoly(card, [np.int32(corners)], 255, cv2.LINE_AA)
+            cover = card.astype(np.float32) / 255
+            picture += cover[..., None] * (colour(r) - picture)
+            hidden = np.maximum(hidden, cover)
+    return hidden
+
+
+def _extra(r, picture, solid, width, side, size, material):
+    """Other things about: copies beside it, things behind, a handle. They go under the part."""
+    if r.random() < 0.35:
+        for _ in range(r.integers(1, 4)):
+            twin = Solid(solid.points, solid.half, solid.half, solid.bulge, solid.ends)
+            away = r.uniform(-1, 1, 2)
+            twin.points = solid.points + away / np.linalg.norm(away) * width * r.uniform(1.05, 3)
+            lay(r, picture, twin, material, side, picture.copy())
+    if r.random() < 0.25:
+        for _ in range(r.integers(1, 4)):
+            thing = make_solid(r, size, *families.pick(r, side)[:2], r.uniform(0.2, 0.9))
+            lay(r, picture, thing, r.choice(looks.MATERIALS[:6]), side, picture.copy())
+
+
+def _handle(r, picture, solid, width, side):
+    """A bow at one side, as on mugs and jugs: not the part."""
+    n = len(solid.points)
+    a, b = int(n * r.uniform(0.08, 0.3)), int(n * r.uniform(0.6, 0.9))
+    sign = r.choice([-1, 1])
+    start, end = solid.side(sign)[a], solid.side(sign)[b]
+    out = solid.normal[(a + b) // 2] * sign * np.linalg.norm(end - start) * r.uniform(0.4, 0.9)
+    t = np.linspace(0, 1, 60)[:, None]
+    line = (1 - t) ** 3 * start + 3 * t * (1 - t) ** 2 * (start + out) + 3 * t * t * (1 - t) * (end + out) + t**3 * end
+    half = np.full(60, width * r.uniform(0.04, 0.1))
+    return Solid(spines.resampled(line, 60), half, half)
+
+
+def _body(r, solid, at, width):
+    """What an open end goes on into: a rounded body around the end."""
+    way = solid.tangent[at] * (-1 if at == 0 else 1)
+    reach = width * r.uniform(0.8, 1.6)
+    start = solid.points[at] + way * reach * r.uniform(0.75, 0.95)
+    across = np.array([-way[1], way[0]]) * r.choice([-1, 1])
+    tilt = r.uniform(-0.8, 0.8)
+    way = way * np.cos(tilt) + across * np.sin(tilt)
+    line = spines.resampled(np.stack([start - way * reach * 0.9, start + way * reach * r.uniform(1, 2.5)]), 80)
+    u = np.linspace(0, 1, 80)
+    half = reach * np.sqrt(np.maximum(1e-4, 1 - (2 * u - 1) ** 2)) * (1 + 0.1 * spines.wave(r, 80, 3))
+    return Solid(line, half, half)
+
+
+def _mask_of(cover, care):
+    mask = np.where(cover >= 0.5, 255, 0).astype(np.uint8)
+    if care is not None:
+        mask[(care >= 0.5) & (mask == 0)] = 128
+    return mask
+
+
+def _photo_like(r, seed, size, side, thing, profile, material):
+    """A shaded thing over a photo or a made ground."""
+    scene = Scene(seed)
+    over_photo = r.random() < 0.62
+    if over_photo:
+        picture, ground_name = grounds.photo(r, size, side)
+    else:
+        ground_name = families.pick_ground(r, side)
+        picture = grounds.MADE[ground_name](r, size)
+    picture = np.ascontiguousarray(picture, np.float32)
+    solid = placed(r, thing, size)
+    width = 2 * float(np.median(solid.half[solid.shown]))
+    cover = solid.coverage(size)
+    tags = []
+    base = None
+    if r.random() < 0.2:
+        base = colour(r)
+        _match_ground(r, picture, cover, base)
+        tags.append("low_contrast")
+    if r.random() < 0.45:
+        _shadow(r, picture, cover, width)
+        tags.append("shadow")
+    _extra(r, picture, solid, width, side, size, material)
+    care, bodies = None, []
+    for at in (0, -1):
+        if solid.ends[at] == "open":
+            body = _body(r, solid, at, width)
+            body_cover, base = lay(r, picture, body, material, side, picture.copy(), base)
+            care = body_cover if care is None else np.maximum(care, body_cover)
+    if profile in ("cup", "vase", "jar", "bottle") and r.random() < (0.75 if profile == "cup" else 0.2):
+        _, base = lay(r, picture, _handle(r, picture, solid, width, side), material, side, picture.copy(), base)
+        tags.append("handle")
+    ground = picture.copy()
+    cover, base = lay(r, picture, solid, material, side, ground, base)
+    outline = outline_of(solid)
+    missing = 0.0
+    if r.random() < 0.38:
+        gone = damage.erase(r, picture, ground, outline, width, r.uniform(0.08, 0.55))
+        missing = 100 * gone.mean()
+    hidden = None
+    if r.random() < 0.16:
+        bitten = damage.bites(r, picture, ground, cover > 0.5, outline, width)
+        hidden = bitten.astype(np.float32)
+    if r.random() < 0.28:
+        in_front = _occluders(r, picture, solid, width, side, size)
+        hidden = in_front if hidden is None else np.maximum(hidden, in_front)
+    scene.picture, sigma = damage.camera(r, picture)
+    scene.said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "missing": missing,
+                  "noise": sigma, "tags": tags, "look": material}
+    _finish(scene, solid, cover, care, hidden)
+    return scene
+
+
+def _drawing(r, seed, size, side, thing, profile):
+    scene = Scene(seed)
+    picture = np.ascontiguousarray(grounds.paper(r, size), np.float32)
+    solid = placed(r, thing, size)
+    width = 2 * float(np.median(solid.half[solid.shown]))
+    cover = solid.coverage(size)
+    ink = np.zeros(size[::-1], np.uint8)
+    pen = drawings.Pen(r, picture)
+    care = None
+    for at in (0, -1):
+        if solid.ends[at] == "open":
+            body = _body(r, solid, at, width)
+            body_cover = body.coverage(size)
+            drawings.outline(r, pen, ink, body, 0.1)
+            ink[cover > 0.5] = 0
+            care = body_cover if care is None else np.maximum(care, body_cover)
+    if r.random() < 0.3:  # other drawings on the sheet
+        for _ in range(r.integers(1, 4)):
+            other = make_solid(r, size, *families.pick(r, side)[:2], r.uniform(0.15, 0.8))
+            layer = np.zeros_like(ink)
+            drawings.outline(r, pen, layer, other, 0.0)
+            layer[cover > 0.5] = 0
+            ink = cv2.max(ink, layer)
+    if profile == "cup" and r.random() < 0.7:
+        drawings.outline(r, pen, ink, _handle(r, None, solid, width, side), 0.0)
+        ink[cover > 0.5] = 0
+    if r.random() < 0.4:
+        drawings.fill(r, picture, solid, cover)
+    share = r.uniform(0.05, 0.5) if r.random() < 0.5 else 0.0
+    missing = 100 * drawings.outline(r, pen, ink, solid, share)
+    if r.random() < 0.6:
+        drawings.details(r, pen, ink, solid)
+    if r.random() < 0.4:
+        ink = drawings.hatching(r, pen, ink, solid, cover)
+    drawings.ink_on(r, picture, ink, pen)
+    hidden = None
+    if r.random() < 0.08:
+        hidden = _occluders(r, picture, solid, width, side, size)
+    if r.random() < 0.5:
+        scene.picture, sigma = damage.camera(r, picture)
+    else:
+        scene.picture, sigma = np.clip(picture * 255 + 0.5, 0, 255).astype(np.uint8), 0.0
+        scene.said["quality"] = 97
+    scene.said |= {"category": "sketch", "background": "paper", "missing": missing, "noise": sigma, "tags": ["drawing"],
+                  "look": "drawing", "tolerance": max(1.0, pen.thick / 2)}
+    _finish(scene, solid, cover, care, hidden)
+    return scene
+
+
+def _finish(scene, solid, cover, care, hidden):
+    scene.solid = solid
+    scene.mask = _mask_of(cover, care)
+    if hidden is not None:
+        scene.visible = scene.mask.copy()
+        scene.visible[hidden >= 0.5] = 0
+        part = scene.mask == 255
+        scene.said["occlusion"] = 100.0 * float((part & (scene.visible != 255)).sum()) / max(1, part.sum())
+
+
+def make(seed):
+    """The scene of a seed."""
+    cv2.setNumThreads(1)
+    r = np.random.default_rng([VERSION, seed])
+    side = side_of(seed)
+    drawn = r.random() < 0.3
+    spine, profile, material = families.pick(r, side, drawn)
+    thing = unit_thing(r, spine, profile)
+    size = _size(r, *extent(thing))
+    if drawn:
+        scene = _drawing(r, seed, size, side, thing, profile)
+    else:
+        scene = _photo_like(r, seed, size, side, thing, profile, material)
+    scene.said.update(spine=spine, profile=profile, side=side)
+    scene.said.setdefault("quality", int(r.integers(45, 98)))
+    axis = scene.solid.axis()
+    kinds = ["careful", "sloppy", "offcentre"] + [k for k in ("short", "over") if r.random() < 0.35]
+    scene.strokes = {kind: strokes.stroke(r, axis, kind) for kind in kinds}
+    return scene
