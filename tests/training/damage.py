@@ -46,7 +46,7 @@ def erase(r, picture, ground, outline, width, share):
     ways = r.choice(["blur", "fade", "cover", "shadow", "glare", "smear", "haze"], r.integers(1, 4))
     for a, b in _runs(gone):
         run = outline[a:b]
-        reach = max(3.0, r.uniform(0.1, 0.45) * width)
+        reach = max(3.0, r.uniform(0.08, 0.3) * width)
         low = np.maximum(0, np.floor(run.min(0) - 3 * reach).astype(int))
         high = np.ceil(run.max(0) + 3 * reach).astype(int) + 1
         here = picture[low[1] : high[1], low[0] : high[0]]

@@ -33,7 +33,7 @@ def case_of(scene):
     name = f"{scene.seed:06d}"
     return {
         "id": name, "title": f"{said['profile']} along {said['spine']}, {said['look']}", "category": said["category"],
-        "subject": said["profile"], "part": "whole object", "source": {"name": "make_scenes.py", "url": ""},
+        "subject": said["profile"], "part": "whole object", "source": {"name": "tests/training", "url": ""},
         "image": "image.jpg", "width": w, "height": h, "mask": "mask.png",
         **({"mask_visible": "mask_visible.png"} if scene.visible is not None else {}),
         "boundary_tolerance_px": round(float(said.get("tolerance", 1.0)), 2),

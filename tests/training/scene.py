@@ -358,7 +358,7 @@ def _photo_like(r, seed, size, side, thing, profile, material):
     scene.picture, sigma = damage.camera(r, picture)
     scene.said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "missing": missing,
                   "noise": sigma, "tags": tags, "look": material}
-    _finish(scene, solid, cover, care, hidden)
+    finish(scene, solid, cover, care, hidden)
     return scene
 
 
@@ -407,11 +407,12 @@ def _drawing(r, seed, size, side, thing, profile):
         scene.said["quality"] = 97
     scene.said |= {"category": "sketch", "background": "paper", "missing": missing, "noise": sigma, "tags": ["drawing"],
                   "look": "drawing", "tolerance": max(1.0, pen.thick / 2)}
-    _finish(scene, solid, cover, care, hidden)
+    finish(scene, solid, cover, care, hidden)
     return scene
 
 
-def _finish(scene, solid, cover, care, hidden):
+def finish(scene, solid, cover, care, hidden):
+    """Masks of the part, whole and visible."""
     scene.solid = solid
     scene.mask = _mask_of(cover, care)
     if hidden is not None:
