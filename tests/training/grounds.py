@@ -159,7 +159,7 @@ def paper(r, size):
     """Paper for drawings: white to brown, grain, creases, ruled or squared; now and then a photo of it in poor light."""
     w, h = size
     tone = np.float32([1, 1, 1]) if r.random() < 0.4 else np.float32([0.9, 0.95, 0.97]) * r.uniform(0.75, 1.02)
-    if r.random() < 0.1:
+    if r.random() < 0.16:
         tone = colour(r)
     out = _plane(size, np.clip(tone, 0, 1))
     if r.random() < 0.25:

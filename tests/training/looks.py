@@ -220,8 +220,11 @@ def _streaks(r, strip, across):
     return total
 
 
-def look(r, solid, material, side, base=None):
-    """A strip with paint and light. Returns it and its base colour."""
+STRONG = ("bands", "long_stripes", "waves", "label", "cap", "checks", "spots")
+
+
+def look(r, solid, material, side, base=None, bold=False):
+    """A strip with paint and light, `bold` = with strong paint. Returns it and its base colour."""
     base = colour(r) if base is None else base
     if material == "metal":
         base = lab_shift(near(r, np.float32([0.6, 0.6, 0.6]), 0.1), r.uniform(-25, 25), r.uniform(-4, 10), r.uniform(-6, 35))
@@ -233,6 +236,9 @@ def look(r, solid, material, side, base=None):
     count = {"plain": 0, "photo": 0, "glass": r.integers(0, 3), "wood": r.integers(0, 2)}.get(material, r.integers(0, 4))
     for name in r.choice(list(PATTERNS), count):
         PATTERNS[name](r, strip, base)
+    if bold:
+        for name in r.choice(STRONG, r.integers(1, 4)):
+            PATTERNS[name](r, strip, base)
     if material == "fur":
         grain(r, strip, base)
         speckle(r, strip, base)

@@ -16,7 +16,7 @@ import strokes
 from colours import colour, lab_shift
 from solids import Solid, room
 
-VERSION = 1
+VERSION = 2
 FIRST_TRAINING_SEED = 10_000
 NO_EDGE = (50, 120)  # Canny thresholds of "no edge nearby"
 
@@ -67,6 +67,8 @@ def unit_thing(r, spine, profile):
         left, right = (np.interp(place, profiles.U, v) / (2 * slender) for v in (shape.left, shape.right))
         while not room(unit, left, right) and slender < SLENDEREST:
             left, right, slender = left * 0.88, right * 0.88, slender / 0.88
+        if not shape.turned and r.random() < 0.2:  # grows out of something
+            shape.ends = ("open", shape.ends[1])
         if slender < SLENDEREST:
             left, right = (_rounded(v, shape.ends, 1 / UNIT_STEPS) for v in (left, right))
             return unit, left, right, shape
@@ -140,14 +142,14 @@ def _rounded(half, ends, step):
     return np.maximum(half, 1e-5)
 
 
-def lay(r, picture, solid, material, side, ground=None, base=None):
-    """Draws a solid into the picture (in place). Returns its coverage [h, w] and base colour."""
+def lay(r, picture, solid, material, side, ground=None, base=None, bold=False):
+    """Draws a solid into the picture (in place), `bold` = with strong paint. Returns its coverage [h, w] and base colour."""
     size = picture.shape[1::-1]
     cover = solid.coverage(size)
     x0, y0, x1, y1 = box = solid.box(size)
     if x1 - x0 < 3 or y1 - y0 < 3:
         return cover, colour(r)
-    strip, base = looks.look(r, solid, material, side, base)
+    strip, base = looks.look(r, solid, material, side, base, bold)
     along, across = solid.coordinates(box)
     rows, columns = strip.picture.shape[:2]
     seen = cv2.remap(strip.picture, (across + looks.REACH) * np.float32((columns - 1) / (2 * looks.REACH)),
@@ -206,14 +208,31 @@ def _shadow(r, picture, cover, width):
     picture *= (1 - np.float32(r.uniform(0.15, 0.7)) * shade)[..., None]
 
 
-def _match_ground(r, picture, cover, base):
-    """A ground whose tone at the rim is 2..12 Lab units from the thing's."""
-    ring = cv2.dilate(cover, np.ones((9, 9))) - cover
-    inside = picture[ring > 0.5].mean(0) if (ring > 0.5).any() else picture.mean((0, 1))
-    angle = r.standard_normal(3)
-    shift = angle / np.linalg.norm(angle) * r.uniform(2, 12)
-    wanted = lab_shift(np.float32(base) * r.uniform(0.6, 1.0), *shift)
-    picture += np.float32(wanted - inside)
+def _ring_tone(picture, ring, far):
+    """The mean colour of the pixels of a ring, spread over the picture."""
+    tone = grounds.soft(picture * ring[..., None], far)
+    share = grounds.soft(ring, far)
+    return tone / np.maximum(share, 1e-3)[..., None]
+
+
+def _blend_in(r, picture, cover, seen, width):
+    """Moves the ground near the thing to within 2..12 Lab units of the thing's rim, all along it. `seen` = the thing drawn
+    on the ground."""
+    h, w = cover.shape
+    scale = min(1.0, 160 / max(h, w))
+    small = [cv2.resize(v, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA) for v in (picture, cover, seen)]
+    ground, inside, thing = small
+    reach = max(1, int(round(0.12 * width * scale)))
+    kernel = np.ones((2 * reach + 1, 2 * reach + 1))
+    far = max(1.5, 0.25 * width * scale)
+    wanted = _ring_tone(thing, inside - cv2.erode(inside, kernel), far)
+    outside = np.clip(cv2.dilate(inside, kernel) - inside, 0, 1)
+    shift = wanted - _ring_tone(ground, outside, far)
+    away = r.standard_normal(3)
+    mean = np.clip(wanted[outside > 0.5].mean(0) if (outside > 0.5).any() else wanted.mean((0, 1)), 0, 1)
+    shift += lab_shift(mean, *(away / np.linalg.norm(away) * r.uniform(2, 12))) - mean
+    near_by = np.clip(2 * cv2.GaussianBlur(cv2.dilate(inside, kernel), (0, 0), far * r.uniform(1, 3)), 0, 1)
+    picture += cv2.resize(shift * near_by[..., None], (w, h), interpolation=cv2.INTER_LINEAR)
     np.clip(picture, 0, 1, out=picture)
 
 
@@ -302,6 +321,24 @@ def _body(r, solid, at, width):
     return Solid(line, half, half)
 
 
+def _limbs(r, solid, width):
+    """Twigs, leaves, fins and legs that grow out of a thing's sides: it is attached to them, they are not the part."""
+    out = []
+    for _ in range(r.integers(1, 6)):
+        i, sign = int(r.integers(solid.shown.start, solid.shown.stop)), r.choice([-1, 1])
+        root = solid.points[i] + solid.normal[i] * (sign * 0.4 * solid.half[i])
+        way = solid.normal[i] * sign + solid.tangent[i] * r.normal(0, 0.7)
+        way /= np.linalg.norm(way)
+        far = solid.half[i] + width * r.uniform(0.2, 1.4)
+        t = np.linspace(0, 1, 60)[:, None]
+        bent = np.array([-way[1], way[0]]) * r.uniform(-0.5, 0.5) * far
+        half = width * r.uniform(0.04, 0.22)
+        shape = r.choice(["rod", "leaf"])
+        thick = half * (np.sin(np.pi * (0.15 + 0.85 * t[:, 0])) ** 0.8 + 0.05 if shape == "leaf" else 1 - 0.6 * t[:, 0])
+        out.append(Solid(spines.resampled(root + way * (t * far) + bent * t * t, 60), thick, thick))
+    return out
+
+
 def _mask_of(cover, care):
     mask = np.where(cover >= 0.5, 255, 0).astype(np.uint8)
     if care is not None:
@@ -323,26 +360,33 @@ def _photo_like(r, seed, size, side, thing, profile, material):
     width = 2 * float(np.median(solid.half[solid.shown]))
     cover = solid.coverage(size)
     tags = []
-    base = None
-    if r.random() < 0.2:
-        base = colour(r)
-        _match_ground(r, picture, cover, base)
-        tags.append("low_contrast")
+    base, bold = None, r.random() < 0.12
     if r.random() < 0.45:
         _shadow(r, picture, cover, width)
         tags.append("shadow")
     _extra(r, picture, solid, width, side, size, material)
-    care, bodies = None, []
+    care = None
     for at in (0, -1):
         if solid.ends[at] == "open":
             body = _body(r, solid, at, width)
             body_cover, base = lay(r, picture, body, material, side, picture.copy(), base)
             care = body_cover if care is None else np.maximum(care, body_cover)
+    if profile not in profiles.TURNED and r.random() < 0.2:
+        for limb in _limbs(r, solid, width):
+            limb_cover, base = lay(r, picture, limb, material, side, picture.copy(), base)
+            care = limb_cover if care is None else np.maximum(care, limb_cover)
+        tags.append("limbs")
     if profile in ("cup", "vase", "jar", "bottle") and r.random() < (0.75 if profile == "cup" else 0.2):
         _, base = lay(r, picture, _handle(r, picture, solid, width, side), material, side, picture.copy(), base)
         tags.append("handle")
     ground = picture.copy()
-    cover, base = lay(r, picture, solid, material, side, ground, base)
+    layer = picture.copy()
+    cover, base = lay(r, layer, solid, material, side, ground, base, bold)
+    if r.random() < (0.7 if bold else 0.15):
+        _blend_in(r, ground, cover, layer, width)
+        tags.append("low_contrast")
+        layer = ground * (1 - cover[..., None]) + layer * cover[..., None]
+    picture = layer
     outline = outline_of(solid)
     missing = 0.0
     if r.random() < 0.38:
@@ -378,6 +422,7 @@ def _drawing(r, seed, size, side, thing, profile):
             drawings.outline(r, pen, ink, body, 0.1)
             ink[cover > 0.5] = 0
             care = body_cover if care is None else np.maximum(care, body_cover)
+    limbs = _limbs(r, solid, width) if profile not in profiles.TURNED and r.random() < 0.25 else []
     if r.random() < 0.3:  # other drawings on the sheet
         for _ in range(r.integers(1, 4)):
             other = make_solid(r, size, *families.pick(r, side)[:2], r.uniform(0.15, 0.8))
@@ -392,6 +437,16 @@ def _drawing(r, seed, size, side, thing, profile):
         drawings.fill(r, picture, solid, cover)
     share = r.uniform(0.05, 0.5) if r.random() < 0.5 else 0.0
     missing = 100 * drawings.outline(r, pen, ink, solid, share)
+    joined = r.random() < 0.5  # no line where they grow out
+    for limb in limbs:
+        limb_cover = limb.coverage(size)
+        layer = np.zeros_like(ink)
+        drawings.outline(r, pen, layer, limb, 0.0)
+        layer[cover > 0.5] = 0
+        if joined:
+            ink[limb_cover > 0.7] = 0
+        ink = cv2.max(ink, layer)
+        care = limb_cover if care is None else np.maximum(care, limb_cover)
     if r.random() < 0.6:
         drawings.details(r, pen, ink, solid)
     if r.random() < 0.4:
