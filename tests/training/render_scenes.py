@@ -383,8 +383,7 @@ def finished(r, seed, side, picture, cover, hidden, axis, names, background):
     scene.said = {"category": "render3d", "background": background, "missing": missing, "noise": sigma, "tags": ["render"],
                   "look": names[2], "spine": names[0], "profile": names[1], "side": side, "quality": int(r.integers(60, 98))}
     scenes.finish(scene, scene.solid, cover, None, hidden if hidden.any() else None)
-    kinds = ["careful", "sloppy", "offcentre"] + [k for k in ("short", "over") if r.random() < 0.35]
-    scene.strokes = {k: strokes.stroke(r, axis, k) for k in kinds}
+    scene.strokes = strokes.strokes_of(r, axis, scene.mask.shape[::-1])
     return scene
 
 

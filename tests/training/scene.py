@@ -492,7 +492,5 @@ def make(seed):
         scene = _photo_like(r, seed, size, side, thing, profile, material)
     scene.said.update(spine=spine, profile=profile, side=side)
     scene.said.setdefault("quality", int(r.integers(45, 98)))
-    axis = scene.solid.axis()
-    kinds = ["careful", "sloppy", "offcentre"] + [k for k in ("short", "over") if r.random() < 0.35]
-    scene.strokes = {kind: strokes.stroke(r, axis, kind) for kind in kinds}
+    scene.strokes = strokes.strokes_of(r, scene.solid.axis(), size)
     return scene

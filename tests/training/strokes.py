@@ -22,6 +22,22 @@ def _stretch(axis, start, end, count):
     return points, normal, np.interp(inside, arc, axis[:, 2])
 
 
+def strokes_of(r, axis, size):
+    """All strokes of a scene of `size` (w, h): careful, sloppy and off-centre always, short and over in a third each."""
+    kinds = ["careful", "sloppy", "offcentre"] + [k for k in ("short", "over") if r.random() < 0.35]
+    return {kind: _inside(stroke(r, axis, kind), size) for kind in kinds}
+
+
+def _inside(drawn, size):
+    """The stroke's longest run in the picture; where none is left, the stroke pushed back into it."""
+    inside = ((drawn >= 0) & (drawn <= np.array(size) - 1)).all(1)
+    edges = np.flatnonzero(np.diff(np.r_[0, inside.astype(np.int8), 0]))
+    a, b = max(zip(edges[::2], edges[1::2]), key=lambda run: run[1] - run[0], default=(0, 0))
+    if b - a < 8:
+        return np.clip(drawn, 0, np.array(size) - 1)
+    return drawn if b - a == len(drawn) else resampled(drawn[a:b], max(2, b - a))
+
+
 def stroke(r, axis, kind):
     """One stroke [40..120, 2] px. `axis` [n, 3] = middle line and full width from tip to tip."""
     length = np.linalg.norm(np.diff(axis[:, :2], axis=0), axis=1).sum()
@@ -36,7 +52,9 @@ def stroke(r, axis, kind):
     if kind in ("careful", "over"):
         side += r.uniform(0.005, 0.02) * wave(r, count, r.integers(3, 7))
     elif kind == "sloppy":
-        side += r.uniform(0.04, 0.1) * np.clip(wave(r, count, r.integers(3, 9)), -1.3, 1.3)
+        turns = r.integers(3, 9)
+        steepest = 0.3 / (turns * wide)  # a hand sways less on a short thick thing
+        side += min(r.uniform(0.04, 0.1), steepest) * np.clip(wave(r, count, turns), -1.3, 1.3)
         side += 0.012 * wave(r, count, 30)
     else:
         away = r.uniform(0.08, 0.33) if kind == "offcentre" else r.uniform(0, 0.1)
