@@ -6,7 +6,7 @@ import numpy as np
 import spines
 from grounds import soft
 
-SUPER = 3
+SUPER = 4
 
 
 class Camera:
@@ -79,7 +79,7 @@ def _run(cover, line, way):
     x = (line[:, :1] + way[:, :1] * steps).astype(np.float32)
     y = (line[:, 1:] + way[:, 1:] * steps).astype(np.float32)
     inside = cv2.remap(cover, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0) >= 0.5
-    return np.where(inside.all(1), steps[-1], steps[np.argmin(inside, 1)])
+    return np.where(inside.all(1), steps[-1], np.maximum(0, steps[np.argmin(inside, 1)] - 0.25))
 
 
 def without(picture, cover):

@@ -12,8 +12,11 @@ import families
 import grounds
 import looks
 import make_scenes
+import meshes
+import models
 import photos
 import profiles
+import projecting
 import scene as scenes
 import spines
 import strokes
@@ -117,6 +120,23 @@ class Laws(unittest.TestCase):
             picture = ground(np.random.default_rng(5), (130, 90))
             self.assertEqual(picture.shape, (90, 130, 3), name)
             self.assertTrue(np.isfinite(picture).all(), name)
+
+    def test_a_projected_tube_has_the_width_that_its_distance_gives(self):
+        profile = np.ones(30)
+        vertices, quads, _ = meshes.turned(profile, 1.0, 0.1)
+        facing = np.stack([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]], 1)  # columns right, up, backwards: looking along +y
+        camera = projecting.Camera(np.array([0, -50.0, 0.5]), facing, 10_000.0, np.zeros(2), (160, 260))
+        cover = camera.cover(vertices, quads)
+        self.assertAlmostEqual(float(cover.sum()) / (200 * 40), 1.0, delta=0.03)
+        axis = projecting.measured(cover, camera.project(np.stack([0 * profile, 0 * profile, np.linspace(1, 0, 30)], 1)))
+        self.assertAlmostEqual(float(np.median(axis[:, 2])), 40.0, delta=0.7)
+        self.assertAlmostEqual(float(np.median(axis[:, 0])), 79.5, delta=0.5)
+
+    def test_sides_share_no_model(self):
+        paths = [{path for word in ("used", "clutter") for path, _ in models.names(side, word)}
+                 for side in ("validation", "training")]
+        self.assertTrue(paths[0] and paths[1])
+        self.assertFalse(paths[0] & paths[1])
 
 
 if __name__ == "__main__":
