@@ -41,6 +41,7 @@ class Measured:
         self.points, self.half = axis[:, :2], axis[:, 2] / 2
         self.tangent, self.normal = spines.frame(self.points)
         self.shown, self.ends = slice(0, len(axis)), ("flat", "flat")
+        self.length = float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
         self._axis = axis
 
     def side(self, sign):
@@ -51,23 +52,23 @@ class Measured:
 
 
 def measured(cover, guide):
-    """The middle line with widths [n, 3] of a mask about a guide line [n, 2] through it, or None where it does not lead
-    through most of the mask: the middle of the run across, smoothed, twice."""
+    """The middle line with widths [n, 3] of a mask about a smooth guide line [n, 2] through it, or None where the guide does
+    not lead through most of the mask: the middle of the run across the guide, smoothed over a tenth of the length."""
     h, w = cover.shape
     line = spines.resampled(guide, 160)
-    for _ in range(2):
-        inside = ((line > 1) & (line < [w - 2, h - 2])).all(1)
-        at = np.rint(np.clip(line, 0, [w - 1, h - 1])).astype(int)
-        inside &= cover[at[:, 1], at[:, 0]] >= 0.5
-        if inside.mean() < 0.7:
-            return None
-        line = spines.resampled(line[np.flatnonzero(inside)[0] : np.flatnonzero(inside)[-1] + 1], 160)
-        _, normal = spines.frame(line)
-        left, right = (_run(cover, line, sign * normal) for sign in (-1, 1))
-        middle = line + normal * ((right - left) / 2)[:, None]
-        for axis in (0, 1):
-            middle[:, axis] = np.convolve(np.pad(middle[:, axis], 4, mode="edge"), np.ones(9) / 9, "valid")
-        line = middle
+    inside = ((line > 1) & (line < [w - 2, h - 2])).all(1)
+    at = np.rint(np.clip(line, 0, [w - 1, h - 1])).astype(int)
+    inside &= cover[at[:, 1], at[:, 0]] >= 0.5
+    if inside.mean() < 0.7:
+        return None
+    line = spines.resampled(line[np.flatnonzero(inside)[0] : np.flatnonzero(inside)[-1] + 1], 160)
+    _, normal = spines.frame(line)
+    left, right = (_run(cover, line, sign * normal) for sign in (-1, 1))
+    offset = (right - left) / 2
+    trusted = np.arange(160)[8:-8]  # beyond, runs end in a corner of the end as often as in a side
+    offset = np.interp(np.arange(160), trusted, offset[trusted])
+    kernel = np.exp(-0.5 * (np.arange(-36, 37) / 12.0) ** 2)
+    line = line + normal * np.convolve(np.pad(offset, 36, mode="edge"), kernel / kernel.sum(), "valid")[:, None]
     _, normal = spines.frame(line)
     left, right = (_run(cover, line, sign * normal) for sign in (-1, 1))
     return np.concatenate([line, np.maximum(0.5, left + right)[:, None]], 1)

@@ -12,11 +12,12 @@ import grounds
 import looks
 import profiles
 import spines
+import stamps
 import strokes
 from colours import colour, lab_shift
 from solids import Solid, room
 
-VERSION = 2
+VERSION = 3
 FIRST_TRAINING_SEED = 10_000
 NO_EDGE = (50, 120)  # Canny thresholds of "no edge nearby"
 
@@ -210,9 +211,10 @@ def _shadow(r, picture, cover, width):
 
 def _ring_tone(picture, ring, far):
     """The mean colour of the pixels of a ring, spread over the picture."""
+    mean = (picture * ring[..., None]).sum((0, 1)) / max(1e-6, float(ring.sum()))
     tone = grounds.soft(picture * ring[..., None], far)
-    share = grounds.soft(ring, far)
-    return tone / np.maximum(share, 1e-3)[..., None]
+    share = grounds.soft(ring, far)[..., None]
+    return (tone + 0.02 * mean) / (share + 0.02)  # far from the ring the mean of all of it
 
 
 def _blend_in(r, picture, cover, seen, width):
@@ -231,7 +233,8 @@ def _blend_in(r, picture, cover, seen, width):
     away = r.standard_normal(3)
     mean = np.clip(wanted[outside > 0.5].mean(0) if (outside > 0.5).any() else wanted.mean((0, 1)), 0, 1)
     shift += lab_shift(mean, *(away / np.linalg.norm(away) * r.uniform(2, 12))) - mean
-    near_by = np.clip(2 * cv2.GaussianBlur(cv2.dilate(inside, kernel), (0, 0), far * r.uniform(1, 3)), 0, 1)
+    wide = grounds.soft(cv2.dilate(inside, kernel), far * r.uniform(1.5, 4))
+    near_by = 1 - (1 - np.clip(wide, 0, 1)) ** 3
     picture += cv2.resize(shift * near_by[..., None], (w, h), interpolation=cv2.INTER_LINEAR)
     np.clip(picture, 0, 1, out=picture)
 
@@ -241,10 +244,9 @@ def outline_of(solid):
     return np.concatenate([solid.side(-1)[solid.shown], solid.side(1)[solid.shown][::-1]])
 
 
-def _occluders(r, picture, solid, width, side, size):
+def _occluders(r, picture, solid, part, width, side, size):
     """Rods, fingers, leaves and cards in front. Returns what they cover."""
     hidden = np.zeros(size[::-1], np.float32)
-    part = solid.coverage(size)
     for _ in range(r.integers(1, 4)):
         if (hidden * part).sum() > 0.25 * part.sum():
             break
@@ -271,7 +273,9 @@ def _occluders(r, picture, solid, width, side, size):
             cover, _ = lay(r, picture, thing, r.choice(["matte", "plain", "gloss", "photo"]), side)
             hidden = np.maximum(hidden, cover)
         else:  # a card or box
-            corners = cv2.boxPoints((tuple(map(float, centre + way * width * 0.5)), (width * r.uniform(0.3, 0.8), min(width, 0.25 * solid.length) * r.uniform(0.3, 1.0)), float(np.degrees(angle))))
+            sides = width * r.uniform(0.3, 0.8), min(width, 0.25 * solid.length) * r.uniform(0.3, 1.0)
+            middle = tuple(map(float, centre + way * width * 0.5))
+            corners = cv2.boxPoints((middle, sides, float(np.degrees(angle))))
             card = np.zeros(size[::-1], np.uint8)
             cv2.fillPoly(card, [np.int32(corners)], 255, cv2.LINE_AA)
             cover = card.astype(np.float32) / 255
@@ -294,7 +298,7 @@ def _extra(r, picture, solid, width, side, size, material):
             lay(r, picture, thing, r.choice(looks.MATERIALS[:6]), side, picture.copy())
 
 
-def _handle(r, picture, solid, width, side):
+def _handle(r, solid, width):
     """A bow at one side, as on mugs and jugs: not the part."""
     n = len(solid.points)
     a, b = int(n * r.uniform(0.08, 0.3)), int(n * r.uniform(0.6, 0.9))
@@ -346,62 +350,93 @@ def _mask_of(cover, care):
     return mask
 
 
-def _photo_like(r, seed, size, side, thing, profile, material):
-    """A shaded thing over a photo or a made ground."""
-    scene = Scene(seed)
+def _ground(r, size, side):
+    """A photo or made ground, sometimes with cut-out things about: (picture, its name, whether it is a photo)."""
     over_photo = r.random() < 0.62
     if over_photo:
-        picture, ground_name = grounds.photo(r, size, side)
+        picture, name = grounds.photo(r, size, side)
     else:
-        ground_name = families.pick_ground(r, side)
-        picture = grounds.MADE[ground_name](r, size)
+        name = families.pick_ground(r, side)
+        picture = grounds.MADE[name](r, size)
     picture = np.ascontiguousarray(picture, np.float32)
+    if r.random() < 0.22:
+        for _ in range(r.integers(1, 4)):
+            stamp = str(r.choice(stamps.names(side, "clutter")))
+            seen, cover, _ = stamps.warped(r, stamp, size, r.uniform(0.15, 0.7))
+            stamps.lay(picture, seen, cover)
+    return picture, name, over_photo
+
+
+def _attached(r, picture, solid, profile, material, side, width, base, tags):
+    """What the part is attached to, under it: bodies at open ends, limbs, a handle. Returns the do-not-care cover or None."""
+    care = None
+    attached = [_body(r, solid, at, width) for at in (0, -1) if solid.ends[at] == "open"]
+    if profile not in profiles.TURNED and r.random() < 0.2:
+        attached += _limbs(r, solid, width)
+        tags.append("limbs")
+    for body in attached:
+        cover, _ = lay(r, picture, body, material, side, picture.copy(), base)
+        care = cover if care is None else np.maximum(care, cover)
+    if profile in ("cup", "vase", "jar", "bottle") and r.random() < (0.75 if profile == "cup" else 0.2):
+        lay(r, picture, _handle(r, solid, width), material, side, picture.copy(), base)
+        tags.append("handle")
+    return care
+
+
+def _photo_like(r, seed, size, side, thing, profile, material):
+    """A shaded thing over a photo or a made ground."""
+    picture, ground_name, over_photo = _ground(r, size, side)
     solid = placed(r, thing, size)
     width = 2 * float(np.median(solid.half[solid.shown]))
     cover = solid.coverage(size)
-    tags = []
-    base, bold = None, r.random() < 0.12
+    tags, base, bold = [], colour(r), r.random() < 0.12
     if r.random() < 0.45:
         _shadow(r, picture, cover, width)
         tags.append("shadow")
     _extra(r, picture, solid, width, side, size, material)
-    care = None
-    for at in (0, -1):
-        if solid.ends[at] == "open":
-            body = _body(r, solid, at, width)
-            body_cover, base = lay(r, picture, body, material, side, picture.copy(), base)
-            care = body_cover if care is None else np.maximum(care, body_cover)
-    if profile not in profiles.TURNED and r.random() < 0.2:
-        for limb in _limbs(r, solid, width):
-            limb_cover, base = lay(r, picture, limb, material, side, picture.copy(), base)
-            care = limb_cover if care is None else np.maximum(care, limb_cover)
-        tags.append("limbs")
-    if profile in ("cup", "vase", "jar", "bottle") and r.random() < (0.75 if profile == "cup" else 0.2):
-        _, base = lay(r, picture, _handle(r, picture, solid, width, side), material, side, picture.copy(), base)
-        tags.append("handle")
-    ground = picture.copy()
+    care = _attached(r, picture, solid, profile, material, side, width, base, tags)
     layer = picture.copy()
-    cover, base = lay(r, layer, solid, material, side, ground, base, bold)
-    if r.random() < (0.7 if bold else 0.15):
-        _blend_in(r, ground, cover, layer, width)
-        tags.append("low_contrast")
-        layer = ground * (1 - cover[..., None]) + layer * cover[..., None]
-    picture = layer
+    cover, _ = lay(r, layer, solid, material, side, picture, base, bold)
+    said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "tags": tags, "look": material}
+    return _spoiled(r, Scene(seed, solid=solid, said=said), picture, layer, cover, care, 0.7 if bold else 0.15)
+
+
+def _cut_out(r, seed, size, side):
+    """A photographed thing cut out and laid over a photo or a made ground; None where its middle line is not fair."""
+    picture, ground_name, over_photo = _ground(r, size, side)
+    layer = picture.copy()
+    found = stamps.thing(r, layer, size, side)
+    if found is None:
+        return None
+    cover, solid, name = found
+    if r.random() < 0.4:
+        plain = layer - picture * (1 - cover[..., None])
+        _shadow(r, picture, cover, 2 * float(np.median(solid.half)))
+        layer = plain + picture * (1 - cover[..., None])
+    said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "tags": ["cut_out"],
+            "look": "cut_out", "spine": "straight", "profile": name}
+    return _spoiled(r, Scene(seed, solid=solid, said=said), picture, layer, cover, None, 0.15)
+
+
+def _spoiled(r, scene, ground, picture, cover, care, blending):
+    """The finished scene of a thing drawn on its ground: blended in, erased, bitten, hidden, photographed."""
+    solid, side, size = scene.solid, side_of(scene.seed), cover.shape[::-1]
+    width = 2 * float(np.median(solid.half[solid.shown]))
+    if r.random() < blending:
+        _blend_in(r, ground, cover, picture, width)
+        scene.said["tags"].append("low_contrast")
+        picture = ground * (1 - cover[..., None]) + picture * cover[..., None]
     outline = outline_of(solid)
-    missing = 0.0
+    missing, hidden = 0.0, None
     if r.random() < 0.38:
-        gone = damage.erase(r, picture, ground, outline, width, r.uniform(0.08, 0.55))
-        missing = 100 * gone.mean()
-    hidden = None
+        missing = 100 * damage.erase(r, picture, ground, outline, width, r.uniform(0.08, 0.55)).mean()
     if r.random() < 0.16:
-        bitten = damage.bites(r, picture, ground, cover > 0.5, outline, width)
-        hidden = bitten.astype(np.float32)
+        hidden = damage.bites(r, picture, ground, cover > 0.5, outline, width).astype(np.float32)
     if r.random() < 0.28:
-        in_front = _occluders(r, picture, solid, width, side, size)
+        in_front = _occluders(r, picture, solid, cover, width, side, size)
         hidden = in_front if hidden is None else np.maximum(hidden, in_front)
     scene.picture, sigma = damage.camera(r, picture)
-    scene.said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "missing": missing,
-                  "noise": sigma, "tags": tags, "look": material}
+    scene.said |= {"missing": float(missing), "noise": sigma}
     finish(scene, solid, cover, care, hidden)
     return scene
 
@@ -431,7 +466,7 @@ def _drawing(r, seed, size, side, thing, profile):
             layer[cover > 0.5] = 0
             ink = cv2.max(ink, layer)
     if profile == "cup" and r.random() < 0.7:
-        drawings.outline(r, pen, ink, _handle(r, None, solid, width, side), 0.0)
+        drawings.outline(r, pen, ink, _handle(r, solid, width), 0.0)
         ink[cover > 0.5] = 0
     if r.random() < 0.4:
         drawings.fill(r, picture, solid, cover)
@@ -454,7 +489,7 @@ def _drawing(r, seed, size, side, thing, profile):
     drawings.ink_on(r, picture, ink, pen)
     hidden = None
     if r.random() < 0.08:
-        hidden = _occluders(r, picture, solid, width, side, size)
+        hidden = _occluders(r, picture, solid, cover, width, side, size)
     if r.random() < 0.5:
         scene.picture, sigma = damage.camera(r, picture)
     else:
@@ -482,15 +517,16 @@ def make(seed):
     cv2.setNumThreads(1)
     r = np.random.default_rng([VERSION, seed])
     side = side_of(seed)
-    drawn = r.random() < 0.3
+    kind = r.random()
+    drawn = kind < 0.3
     spine, profile, material = families.pick(r, side, drawn)
     thing = unit_thing(r, spine, profile)
     size = _size(r, *extent(thing))
+    scene = _cut_out(r, seed, size, side) if kind > 0.93 else None
     if drawn:
         scene = _drawing(r, seed, size, side, thing, profile)
-    else:
+    elif scene is None:
         scene = _photo_like(r, seed, size, side, thing, profile, material)
-    scene.said.update(spine=spine, profile=profile, side=side)
-    scene.said.setdefault("quality", int(r.integers(45, 98)))
+    scene.said = {"spine": spine, "profile": profile, "side": side, "quality": int(r.integers(45, 98))} | scene.said
     scene.strokes = strokes.strokes_of(r, scene.solid.axis(), size)
     return scene
