@@ -8,7 +8,7 @@ from grounds import soft
 from spines import wave
 
 
-def _pieces(r, count, share):
+def pieces(r, count, share):
     """Which of `count` outline points go: `share` of them, in pieces of different length."""
     gone = np.zeros(count, bool)
     for _ in range(40):
@@ -30,8 +30,15 @@ def _weight(shape, polyline, reach, softness):
     """A soft band along a polyline, float32 [h, w] in 0..1."""
     scale = min(1.0, 8 / max(reach, 1))
     small = np.zeros((max(2, int(shape[0] * scale)), max(2, int(shape[1] * scale))), np.uint8)
-    cv2.polylines(small, [np.rint(polyline * scale * 16).astype(np.int32)], False, 255, max(1, int(2 * reach * scale)),
-                  cv2.LINE_AA, 4)
+    cv2.polylines(
+        small,
+        [np.rint(polyline * scale * 16).astype(np.int32)],
+        False,
+        255,
+        max(1, int(2 * reach * scale)),
+        cv2.LINE_AA,
+        4,
+    )
     small = cv2.GaussianBlur(small, (0, 0), max(0.4, softness * reach * scale))
     return cv2.resize(small, shape[1::-1], interpolation=cv2.INTER_LINEAR).astype(np.float32) * np.float32(1 / 255)
 
@@ -41,8 +48,9 @@ def _to(picture, weight, target):
 
 
 def erase(r, picture, ground, outline, width, share):
-    """Takes `share` of the outline away, each piece in its own way. Returns the mask of outline points that are gone."""
-    gone = _pieces(r, len(outline), share)
+    """Takes `share` of the outline away, each piece in its own way. Returns the mask of outline points that are
+    gone."""
+    gone = pieces(r, len(outline), share)
     ways = r.choice(["blur", "fade", "cover", "shadow", "glare", "smear", "haze"], r.integers(1, 4))
     for a, b in _runs(gone):
         run = outline[a:b]
@@ -99,7 +107,15 @@ def _haze(r, here, behind, weight, run, reach):
     _to(here, np.minimum(1, 1.4 * weight) * np.float32(r.uniform(0.85, 0.98)), here.reshape(-1, 3).mean(0))
 
 
-WAYS = {"blur": _blur, "fade": _fade, "cover": _cover, "shadow": _shadow, "glare": _glare, "smear": _smear, "haze": _haze}
+WAYS = {
+    "blur": _blur,
+    "fade": _fade,
+    "cover": _cover,
+    "shadow": _shadow,
+    "glare": _glare,
+    "smear": _smear,
+    "haze": _haze,
+}
 
 
 def bites(r, picture, ground, mask, outline, width):
@@ -141,6 +157,8 @@ def camera(r, picture):
         grey = cv2.GaussianBlur(grey, (0, 0), 0.7) * 2
     out = picture * 255 + grey[..., None]
     if sigma > 3:  # colour noise, coarser than the grey noise as after a camera's own denoising
-        half = r.standard_normal((h // 2 + 1, w // 2 + 1, 3), dtype=np.float32) * np.float32(sigma * r.uniform(0.2, 0.8))
+        half = r.standard_normal((h // 2 + 1, w // 2 + 1, 3), dtype=np.float32) * np.float32(
+            sigma * r.uniform(0.2, 0.8)
+        )
         out += cv2.resize(half, (w, h), interpolation=cv2.INTER_LINEAR)
     return np.clip(out, 0, 255).astype(np.uint8), sigma

@@ -4,6 +4,7 @@ import cv2
 import numpy as np
 
 from colours import colour, near, noise
+from damage import pieces
 from spines import resampled, wave
 
 
@@ -58,13 +59,11 @@ def _arc(solid, i, sign=1):
 
 def outline(r, pen, ink, solid, gone_share):
     """Both sides and the ends, with gaps. Returns the share of the outline left out."""
-    from damage import _pieces
-
     n = len(solid.points)
     left_out = []
     shift = r.uniform(0, 0.02) * solid.half.max() if r.random() < 0.3 else 0
     for sign in (-1, 1):
-        gone = _pieces(r, n, gone_share) if gone_share else np.zeros(n, bool)
+        gone = pieces(r, n, gone_share) if gone_share else np.zeros(n, bool)
         left_out.append(gone.mean())
         path = solid.side(sign)
         over = int(r.integers(0, 4))  # lines that overshoot or stop before the corner
@@ -133,12 +132,17 @@ def details(r, pen, ink, solid):
         elif kind < 0.8:
             a, b = sorted(r.integers(0, n, 2))
             if b - a > 8:
-                box = [solid.points[k] + solid.normal[k] * (s * 0.7 * solid.half[k]) for k, s in ((a, -1), (b, -1), (b, 1), (a, 1), (a, -1))]
+                box = [
+                    solid.points[k] + solid.normal[k] * (s * 0.7 * solid.half[k])
+                    for k, s in ((a, -1), (b, -1), (b, 1), (a, 1), (a, -1))
+                ]
                 pen.line(ink, np.array(box), 0.8)
         else:
             angle = np.linspace(0, 2 * np.pi, 24)[:, None]
             at = solid.points[i] + solid.normal[i] * r.uniform(-0.5, 0.5) * solid.half[i]
-            pen.line(ink, at + solid.half[i] * r.uniform(0.05, 0.3) * np.concatenate([np.cos(angle), np.sin(angle)], 1), 0.8)
+            pen.line(
+                ink, at + solid.half[i] * r.uniform(0.05, 0.3) * np.concatenate([np.cos(angle), np.sin(angle)], 1), 0.8
+            )
 
 
 def fill(r, picture, solid, inside):

@@ -1,10 +1,12 @@
-"""Which kinds of things and made grounds belong to which side: no combination, and some families not at all, on both."""
+"""Which kinds of things and made grounds belong to which side: no combination, and some families not at all, on
+both."""
 
 import hashlib
 
 import looks
 import profiles
 import spines
+from grounds import MADE
 
 VALIDATION_SHARE = 0.15
 OWN_SHARE = 0.12  # of validation's draws of its own families, those that are kept: they are a part of it, not most
@@ -41,7 +43,5 @@ def pick(r, side, drawn=False):
 
 def pick_ground(r, side):
     """A random made ground; validation has one of its own besides the common ones."""
-    from grounds import MADE
-
     names = [n for n in MADE if side == "validation" or n not in ONLY_VALIDATION]
     return str(r.choice(names))

@@ -102,13 +102,17 @@ def clutter(r, size):
             if r.random() < 0.4:
                 cv2.polylines(out, [np.int32(corners)], True, colour(r).tolist(), r.integers(1, 4), cv2.LINE_AA)
         elif kind < 0.6:
-            cv2.ellipse(out, centre, (int(far), int(far * r.uniform(0.3, 1))), r.uniform(0, 180), 0, 360, tone, -1, cv2.LINE_AA)
+            cv2.ellipse(
+                out, centre, (int(far), int(far * r.uniform(0.3, 1))), r.uniform(0, 180), 0, 360, tone, -1, cv2.LINE_AA
+            )
         elif kind < 0.85:
             other = (int(r.uniform(0, w)), int(r.uniform(0, h)))
             cv2.line(out, centre, other, tone, int(r.integers(1, max(2, int(0.03 * w)))), cv2.LINE_AA)
         else:
             text = "".join(r.choice(list("abcdefghinoprstuABCDEFG 0123456789"), r.integers(3, 12)))
-            cv2.putText(out, text, centre, int(r.integers(0, 8)), r.uniform(0.4, 3), tone, r.integers(1, 4), cv2.LINE_AA)
+            cv2.putText(
+                out, text, centre, int(r.integers(0, 8)), r.uniform(0.4, 3), tone, r.integers(1, 4), cv2.LINE_AA
+            )
     if r.random() < 0.6:
         out = soft(out, max(0.6, r.uniform(0.001, 0.012) * w))
     return _lit(r, out * (1 + 0.06 * noise(r, (h, w), 30, 3))[..., None], 0.5)
@@ -156,7 +160,8 @@ MADE = {f.__name__: f for f in (studio, wall, planks, clutter, meadow, cloth, ti
 
 
 def paper(r, size):
-    """Paper for drawings: white to brown, grain, creases, ruled or squared; now and then a photo of it in poor light."""
+    """Paper for drawings: white to brown, grain, creases, ruled or squared; now and then a photo of it in poor
+    light."""
     w, h = size
     tone = np.float32([1, 1, 1]) if r.random() < 0.4 else np.float32([0.9, 0.95, 0.97]) * r.uniform(0.75, 1.02)
     if r.random() < 0.16:

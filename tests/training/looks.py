@@ -25,14 +25,14 @@ class Strip:
     wet: float = 0.0  # how much of the ground is seen through it
 
 
-def blank(solid, base):
+def blank(length, half, base):
     """A strip of one colour, its raster a little finer than the picture's."""
-    rows = int(np.clip(solid.length, 48, 1600))
-    columns = int(np.clip(solid.half.max() * 2.2, 16, 700))
+    rows = int(np.clip(length, 48, 1600))
+    columns = int(np.clip(half.max() * 2.2, 16, 700))
     along = np.linspace(0, 1, rows, dtype=np.float32)[:, None]
     across = np.linspace(-REACH, REACH, columns, dtype=np.float32)[None]
-    half = np.interp(along[:, 0], np.linspace(0, 1, len(solid.half)), solid.half).astype(np.float32)[:, None]
-    return Strip(np.tile(np.float32(base), (rows, columns, 1)), along, across, solid.length, half)
+    half = np.interp(along[:, 0], np.linspace(0, 1, len(half)), half).astype(np.float32)[:, None]
+    return Strip(np.tile(np.float32(base), (rows, columns, 1)), along, across, length, half)
 
 
 def _mix(strip, amount, tone):
@@ -82,7 +82,7 @@ def label(r, strip, base):
     start = r.uniform(0.1, 0.7)
     end = min(0.97, start + r.uniform(0.1, 0.4))
     side = r.uniform(-1.2, 0.1), r.uniform(0.3, 1.3)
-    here = ((strip.along > start) & (strip.along < end) & (strip.across > side[0]) & (strip.across < side[1]))
+    here = (strip.along > start) & (strip.along < end) & (strip.across > side[0]) & (strip.across < side[1])
     _mix(strip, here.astype(np.float32) * np.float32(r.uniform(0.85, 1)), tone)
     rows, columns = np.nonzero(here.any(1))[0], np.nonzero(here.any(0))[0]
     if len(rows) < 12 or len(columns) < 12:
@@ -90,15 +90,31 @@ def label(r, strip, base):
     paper = np.ascontiguousarray(strip.picture[rows[0] : rows[-1], columns[0] : columns[-1]])
     h, w = paper.shape[:2]
     if r.random() < 0.7:
-        cv2.rectangle(paper, (int(w * 0.03), int(h * 0.04)), (int(w * 0.97), int(h * 0.96)), ink.tolist(), max(1, h // 60))
+        cv2.rectangle(
+            paper, (int(w * 0.03), int(h * 0.04)), (int(w * 0.97), int(h * 0.96)), ink.tolist(), max(1, h // 60)
+        )
     for _ in range(r.integers(1, 7)):
         x, y = int(r.uniform(0, 0.6) * w), int(r.uniform(0.15, 1) * h)
         text = "".join(r.choice(list("abcdefghiklmnoprstuvwABCDEFGHIKLMNOPRSTUVW 0123456789"), r.integers(3, 12)))
-        cv2.putText(paper, text, (x, y), int(r.integers(0, 8)), r.uniform(0.1, 0.5) * h / 40, ink.tolist(), max(1, h // 60),
-                    cv2.LINE_AA)
+        cv2.putText(
+            paper,
+            text,
+            (x, y),
+            int(r.integers(0, 8)),
+            r.uniform(0.1, 0.5) * h / 40,
+            ink.tolist(),
+            max(1, h // 60),
+            cv2.LINE_AA,
+        )
     if r.random() < 0.5:
-        cv2.circle(paper, (int(w * r.uniform(0.2, 0.8)), int(h * r.uniform(0.2, 0.8))), int(h * r.uniform(0.1, 0.3)),
-                   colour(r).tolist(), -1, cv2.LINE_AA)
+        cv2.circle(
+            paper,
+            (int(w * r.uniform(0.2, 0.8)), int(h * r.uniform(0.2, 0.8))),
+            int(h * r.uniform(0.1, 0.3)),
+            colour(r).tolist(),
+            -1,
+            cv2.LINE_AA,
+        )
     strip.picture[rows[0] : rows[-1], columns[0] : columns[-1]] = paper
 
 
@@ -138,11 +154,15 @@ def checks(r, strip, base):
 
 def liquid(r, strip, base):
     level = r.uniform(0.2, 0.8)
-    _mix(strip, (strip.along + 0 * strip.across > level).astype(np.float32) * np.float32(r.uniform(0.5, 0.95)), colour(r))
+    _mix(
+        strip, (strip.along + 0 * strip.across > level).astype(np.float32) * np.float32(r.uniform(0.5, 0.95)), colour(r)
+    )
 
 
-PATTERNS = {f.__name__: f for f in (bands, rings, long_stripes, waves, label, cap, spots, grain, blotches, speckle,
-                                    checks, liquid)}
+PATTERNS = {
+    f.__name__: f
+    for f in (bands, rings, long_stripes, waves, label, cap, spots, grain, blotches, speckle, checks, liquid)
+}
 
 
 def photo_texture(r, strip, side):
@@ -182,7 +202,12 @@ def light(r, strip, solid, material):
     tangent, normal = solid.tangent[index].astype(np.float32), solid.normal[index].astype(np.float32)
     total = np.full(across.shape, np.float32(r.uniform(0.25, 0.75)))
     shine = np.zeros(across.shape, np.float32)
-    hard = {"gloss": r.uniform(15, 80), "glass": r.uniform(20, 90), "ceramic": r.uniform(10, 50), "metal": r.uniform(4, 20)}
+    hard = {
+        "gloss": r.uniform(15, 80),
+        "glass": r.uniform(20, 90),
+        "ceramic": r.uniform(10, 50),
+        "metal": r.uniform(4, 20),
+    }
     for _ in range(r.integers(1, 3)):
         angle, height = r.uniform(0, 2 * np.pi), r.uniform(0.15, 0.95)
         flat = np.float32([np.cos(angle), np.sin(angle)]) * np.sqrt(1 - height * height)
@@ -227,13 +252,17 @@ def look(r, solid, material, side, base=None, bold=False):
     """A strip with paint and light, `bold` = with strong paint. Returns it and its base colour."""
     base = colour(r) if base is None else base
     if material == "metal":
-        base = lab_shift(near(r, np.float32([0.6, 0.6, 0.6]), 0.1), r.uniform(-25, 25), r.uniform(-4, 10), r.uniform(-6, 35))
-    strip = blank(solid, base)
+        base = lab_shift(
+            near(r, np.float32([0.6, 0.6, 0.6]), 0.1), r.uniform(-25, 25), r.uniform(-4, 10), r.uniform(-6, 35)
+        )
+    strip = blank(solid.length, solid.half, base)
     if material == "photo":
         photo_texture(r, strip, side)
     if material == "wood":
         grain(r, strip, base)
-    count = {"plain": 0, "photo": 0, "glass": r.integers(0, 3), "wood": r.integers(0, 2)}.get(material, r.integers(0, 4))
+    count = {"plain": 0, "photo": 0, "glass": r.integers(0, 3), "wood": r.integers(0, 2)}.get(
+        material, r.integers(0, 4)
+    )
     for name in r.choice(list(PATTERNS), count):
         PATTERNS[name](r, strip, base)
     if bold:

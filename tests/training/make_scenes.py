@@ -32,20 +32,42 @@ def case_of(scene):
     rounded = lambda points: [[round(float(v), 2) for v in p] for p in points]  # noqa: E731
     name = f"{scene.seed:06d}"
     return {
-        "id": name, "title": f"{said['profile']} along {said['spine']}, {said['look']}", "category": said["category"],
-        "subject": said["profile"], "part": "whole object", "source": {"name": "tests/training", "url": ""},
-        "image": "image.jpg", "width": w, "height": h, "mask": "mask.png",
+        "id": name,
+        "title": f"{said['profile']} along {said['spine']}, {said['look']}",
+        "category": said["category"],
+        "subject": said["profile"],
+        "part": "whole object",
+        "source": {"name": "tests/training", "url": ""},
+        "image": "image.jpg",
+        "width": w,
+        "height": h,
+        "mask": "mask.png",
         **({"mask_visible": "mask_visible.png"} if scene.visible is not None else {}),
         "boundary_tolerance_px": round(float(said.get("tolerance", 1.0)), 2),
         "ends": {k: "open" if e in ("open", "cut") else "closed" for k, e in zip(("start", "end"), scene.solid.ends)},
-        "difficulty": {"occlusion_pct": round(said.get("occlusion", 0.0), 1), "missing_boundary_pct": round(said["missing"], 1),
-                       "noise_sigma": round(said["noise"], 1), "no_edge_pct": round(faint, 1),
-                       "inner_edges_per_1000px": round(1000.0 * float(((edges > 0) & (scene.mask == 255)).sum()) / max(1, part), 1),
-                       "tags": said["tags"]},
-        "scene": {"version": scenes.VERSION, "seed": scene.seed, "split": said["side"], "kind": said["category"],
-                  "spine": said["spine"], "profile": said["profile"], "look": said["look"],
-                  "object": f"{said['spine']}/{said['profile']}/{said['look']}", "background": said["background"]},
-        "spines": {k: rounded(v) for k, v in scene.strokes.items()}, "axis": rounded(scene.solid.axis()),
+        "difficulty": {
+            "occlusion_pct": round(said.get("occlusion", 0.0), 1),
+            "missing_boundary_pct": round(said["missing"], 1),
+            "noise_sigma": round(said["noise"], 1),
+            "no_edge_pct": round(faint, 1),
+            "inner_edges_per_1000px": round(
+                1000.0 * float(((edges > 0) & (scene.mask == 255)).sum()) / max(1, part), 1
+            ),
+            "tags": said["tags"],
+        },
+        "scene": {
+            "version": scenes.VERSION,
+            "seed": scene.seed,
+            "split": said["side"],
+            "kind": said["category"],
+            "spine": said["spine"],
+            "profile": said["profile"],
+            "look": said["look"],
+            "object": f"{said['spine']}/{said['profile']}/{said['look']}",
+            "background": said["background"],
+        },
+        "spines": {k: rounded(v) for k, v in scene.strokes.items()},
+        "axis": rounded(scene.solid.axis()),
         "coordinates": "pixels, x right, y down, pixel centres at integers",
     }
 

@@ -1,4 +1,5 @@
-"""Meshes for renders: a line swept with a round section, closed at its ends or open and hollow. Arrays only, no Blender."""
+"""Meshes for renders: a line swept with a round section, closed at its ends or open and hollow. Arrays only, no
+Blender."""
 
 import numpy as np
 
@@ -6,14 +7,17 @@ AROUND = 56
 
 
 def sweep(line, side, up, right, left, height=1.0, bulge_ends=True):
-    """A tube about `line` [n, 3]: `side`, `up` [n, 3] unit vectors across, half widths to either side [n], and the height of
-    the section over its width. Returns (vertices [m, 3], quads [k, 4], uv [m, 2])."""
+    """A tube about `line` [n, 3]: `side`, `up` [n, 3] unit vectors across, half widths to either side [n], and the
+    height of the section over its width. Returns (vertices [m, 3], quads [k, 4], uv [m, 2])."""
     angle = np.linspace(-np.pi, np.pi, AROUND + 1)  # the seam, uv 0 and 1, lies at the back
     c, s = np.sin(angle), np.cos(angle)
     wide = np.where(c[None] > 0, right[:, None], left[:, None])
     half = (right + left) / 2
-    points = (line[:, None] + side[:, None] * (c[None] * wide)[..., None]
-              + up[:, None] * (s[None] * half[:, None] * height)[..., None])
+    points = (
+        line[:, None]
+        + side[:, None] * (c[None] * wide)[..., None]
+        + up[:, None] * (s[None] * half[:, None] * height)[..., None]
+    )
     n, k = points.shape[:2]
     arc = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
     uv = np.stack(np.broadcast_arrays(np.linspace(0, 1, k)[None], (arc / max(arc[-1], 1e-9))[:, None]), 2)
@@ -32,8 +36,8 @@ def sweep(line, side, up, right, left, height=1.0, bulge_ends=True):
 
 
 def turned(profile, length, radius, wall=None):
-    """A thing turned about the z axis, its start on top: `profile` [n] half widths relative to `radius`. With `wall` (share
-    of the radius) it is a vessel, open on top."""
+    """A thing turned about the z axis, its start on top: `profile` [n] half widths relative to `radius`. With `wall`
+    (share of the radius) it is a vessel, open on top."""
     n = len(profile)
     z = np.linspace(length, 0, n)
     outer = profile * radius

@@ -1,4 +1,5 @@
-"""The bank of furniture models for renders: which of sweethome3d-furniture are one upright or long piece, and which are refused."""
+"""The bank of furniture models for renders: which of sweethome3d-furniture are one upright or long piece, and which
+are refused."""
 
 import argparse
 import hashlib

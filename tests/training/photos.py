@@ -1,4 +1,5 @@
-"""The bank of photographs that scenes are made of: which files of which Debian packages, refused or not, and reading them."""
+"""The bank of photographs that scenes are made of: which files of which Debian packages, refused or not, and reading
+them."""
 
 import argparse
 import hashlib
@@ -149,7 +150,9 @@ def build(packages_folder, reserved_file, cases_folder):
         rows.append(f"{sha}\t{package}\t{name}\t{word}\t{most}\t{case}\t{split_of(sha) if word == 'used' else ''}")
         if word == "used":
             scale = min(1, LONG_SIDE / max(picture.shape[:2]))
-            small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA) if scale < 1 else picture
+            small = (
+                cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA) if scale < 1 else picture
+            )
             cv2.imwrite(str(bank / "photos" / f"{sha[:16]}.jpg"), small, [cv2.IMWRITE_JPEG_QUALITY, 92])
     LIST.write_text("\n".join(rows) + "\n")
     print(f"{sum(r.split(chr(9))[3] == 'used' for r in rows)} photos used, list in {LIST}")

@@ -1,4 +1,5 @@
-"""Width profiles: half width along the middle line, relative to the widest place, and what a thing of that kind looks like."""
+"""Width profiles: half width along the middle line, relative to the widest place, and what a thing of that kind
+looks like."""
 
 from dataclasses import dataclass
 
@@ -9,7 +10,8 @@ from spines import wave
 
 @dataclass
 class Profile:
-    """One drawn profile: `left`, `right` half widths at equal steps of the line (widest 1), ends, and its proportions."""
+    """One drawn profile: `left`, `right` half widths at equal steps of the line (widest 1), ends, and its
+    proportions."""
 
     left: np.ndarray
     right: np.ndarray
@@ -37,8 +39,15 @@ def bottle(r):
     neck, shoulder, length = r.uniform(0.18, 0.5), r.uniform(0.03, 0.25), r.uniform(0.12, 0.4)
     lip = neck * r.uniform(1.0, 1.3)
     top = r.uniform(0.02, 0.05)
-    body = _through((0, lip), (top, lip), (top + 0.005, neck), (length, neck * r.uniform(1, 1.3)),
-                    (min(0.7, length + shoulder), 1), (0.94, r.uniform(0.85, 1)), (1, r.uniform(0.75, 1)))
+    body = _through(
+        (0, lip),
+        (top, lip),
+        (top + 0.005, neck),
+        (length, neck * r.uniform(1, 1.3)),
+        (min(0.7, length + shoulder), 1),
+        (0.94, r.uniform(0.85, 1)),
+        (1, r.uniform(0.75, 1)),
+    )
     return Profile(body, body, ("flat", "flat"), r.uniform(2.0, 5.0), True)
 
 
@@ -52,8 +61,14 @@ def vase(r):
 def jar(r):
     lid = r.uniform(0.6, 1.0)
     height = r.uniform(0.1, 0.25)
-    body = _through((0, lid), (height, lid), (height + 0.01, lid * r.uniform(0.8, 0.98)), (height + 0.1, 1), (0.92, 1),
-                    (1, r.uniform(0.8, 1)))
+    body = _through(
+        (0, lid),
+        (height, lid),
+        (height + 0.01, lid * r.uniform(0.8, 0.98)),
+        (height + 0.1, 1),
+        (0.92, 1),
+        (1, r.uniform(0.8, 1)),
+    )
     return Profile(body, body, ("flat", "flat"), r.uniform(1.0, 2.2), True)
 
 
@@ -64,8 +79,15 @@ def cup(r):
 
 def goblet(r):
     bowl, stem = r.uniform(0.3, 0.55), r.uniform(0.06, 0.16)
-    body = _through((0, r.uniform(0.6, 0.9)), (bowl * 0.5, 1), (bowl, stem * 2), (bowl + 0.05, stem), (0.88, stem),
-                    (0.96, r.uniform(0.6, 0.95)), (1, r.uniform(0.7, 1)))
+    body = _through(
+        (0, r.uniform(0.6, 0.9)),
+        (bowl * 0.5, 1),
+        (bowl, stem * 2),
+        (bowl + 0.05, stem),
+        (0.88, stem),
+        (0.96, r.uniform(0.6, 0.95)),
+        (1, r.uniform(0.7, 1)),
+    )
     return Profile(body, body, ("flat", "flat"), r.uniform(1.6, 2.8), True)
 
 
@@ -96,12 +118,19 @@ def taper(r):
 
 def tail(r):
     body = (1 - U) ** r.uniform(0.5, 1.1) * (1 + 0.08 * wave(r, COUNT, 8)) + 0.04
-    return Profile(body / body.max(), body / body.max(), (r.choice(["open", "round"]), "point"), r.uniform(4, 14), False)
+    return Profile(
+        body / body.max(), body / body.max(), (r.choice(["open", "round"]), "point"), r.uniform(4, 14), False
+    )
 
 
 def neck(r):
-    body = _through((0, r.uniform(0.8, 1)), (r.uniform(0.3, 0.5), r.uniform(0.35, 0.6)), (0.75, r.uniform(0.3, 0.5)),
-                    (0.9, r.uniform(0.45, 0.8)), (1, r.uniform(0.2, 0.4)))
+    body = _through(
+        (0, r.uniform(0.8, 1)),
+        (r.uniform(0.3, 0.5), r.uniform(0.35, 0.6)),
+        (0.75, r.uniform(0.3, 0.5)),
+        (0.9, r.uniform(0.45, 0.8)),
+        (1, r.uniform(0.2, 0.4)),
+    )
     return Profile(body, body, ("open", "round"), r.uniform(3, 8), False)
 
 
@@ -144,6 +173,26 @@ def banana(r):
     return Profile(body / bulge, body, ("flat", "round"), r.uniform(3, 6), False)
 
 
-FAMILIES = {f.__name__: f for f in (bottle, vase, jar, cup, goblet, baluster, steps, rod, taper, tail, neck, spindle,
-                                    pear, branch, segments, lumpy, banana)}
+FAMILIES = {
+    f.__name__: f
+    for f in (
+        bottle,
+        vase,
+        jar,
+        cup,
+        goblet,
+        baluster,
+        steps,
+        rod,
+        taper,
+        tail,
+        neck,
+        spindle,
+        pear,
+        branch,
+        segments,
+        lumpy,
+        banana,
+    )
+}
 TURNED = ("bottle", "vase", "jar", "cup", "goblet", "baluster", "steps")

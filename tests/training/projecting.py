@@ -10,8 +10,8 @@ SUPER = 4
 
 
 class Camera:
-    """A pin-hole camera: `place` [3], `facing` [3, 3] (columns right, up, backwards), `focal` px, `centre` px = what of the
-    view lies in the picture's middle (up positive), `size` (w, h)."""
+    """A pin-hole camera: `place` [3], `facing` [3, 3] (columns right, up, backwards), `focal` px, `centre` px = what
+    of the view lies in the picture's middle (up positive), `size` (w, h)."""
 
     def __init__(self, place, facing, focal, centre, size):
         self.place, self.facing, self.focal, self.centre, self.size = place, facing, focal, centre, size
@@ -52,8 +52,9 @@ class Measured:
 
 
 def measured(cover, guide):
-    """The middle line with widths [n, 3] of a mask about a smooth guide line [n, 2] through it, or None where the guide does
-    not lead through most of the mask: the middle of the run across the guide, smoothed over a tenth of the length."""
+    """The middle line with widths [n, 3] of a mask about a smooth guide line [n, 2] through it, or None where the
+    guide does not lead through most of the mask: the middle of the run across the guide, smoothed over a tenth of
+    the length."""
     h, w = cover.shape
     line = spines.resampled(guide, 160)
     inside = ((line > 1) & (line < [w - 2, h - 2])).all(1)

@@ -64,8 +64,11 @@ def material_of(r, kind, picture=None, base=None):
         tone = colour(r) if base is None else base
         shader.inputs["Base Color"].default_value = (*[float(v) ** 2.2 for v in tone[::-1]], 1)
     shader.inputs["Roughness"].default_value = {
-        "gloss": r.uniform(0.03, 0.3), "ceramic": r.uniform(0.1, 0.35), "glass": r.uniform(0, 0.08),
-        "metal": r.uniform(0.05, 0.45)}.get(kind, r.uniform(0.4, 1))
+        "gloss": r.uniform(0.03, 0.3),
+        "ceramic": r.uniform(0.1, 0.35),
+        "glass": r.uniform(0, 0.08),
+        "metal": r.uniform(0.05, 0.45),
+    }.get(kind, r.uniform(0.4, 1))
     shader.inputs["Metallic"].default_value = 1.0 if kind == "metal" else 0.0
     shader.inputs["Transmission"].default_value = r.uniform(0.8, 1) if kind == "glass" else 0.0
     shader.inputs["Clearcoat"].default_value = float(kind == "ceramic")
@@ -80,10 +83,8 @@ def material_of(r, kind, picture=None, base=None):
 
 def paint(r, kind, side, base):
     """The picture wrapped about a thing, without light."""
-    class Flat:
-        length, half = 700.0, np.full(100, 90.0)
 
-    strip = looks.blank(Flat, base)
+    strip = looks.blank(700.0, np.full(100, 90.0), base)
     if kind == "photo":
         looks.photo_texture(r, strip, side)
     if kind == "wood":
@@ -192,7 +193,13 @@ def ground_picture(r, side):
 
 def plane(name, corners, picture, r):
     uv = np.float32([[0, 0], [1, 0], [1, 1], [0, 1]]) * (r.uniform(1, 4) if r.random() < 0.4 else 1)
-    return object_of(name, np.float64(corners), np.array([[0, 1, 2, 3]]), uv, material_of(r, r.choice(["matte", "plain", "gloss"]), picture))
+    return object_of(
+        name,
+        np.float64(corners),
+        np.array([[0, 1, 2, 3]]),
+        uv,
+        material_of(r, r.choice(["matte", "plain", "gloss"]), picture),
+    )
 
 
 def stage(r, side, lying):
@@ -263,7 +270,9 @@ def look_at(r, size, points, lying):
     height = np.radians(r.uniform(48, 90) if lying else r.uniform(2, 38))
     turn = r.uniform(0, 2 * np.pi) if lying else r.normal(0, 0.3) - np.pi / 2
     away = r.uniform(1.8, 5)
-    camera.location = middle + away * np.array([np.cos(height) * np.cos(turn), np.cos(height) * np.sin(turn), np.sin(height)])
+    camera.location = middle + away * np.array(
+        [np.cos(height) * np.cos(turn), np.cos(height) * np.sin(turn), np.sin(height)]
+    )
     facing = (Vector(middle) - camera.location).to_track_quat("-Z", "Y").to_matrix()
     roll = r.uniform(0, 2 * np.pi) if lying else np.radians(r.normal(0, 6))
     facing = facing @ Matrix.Rotation(roll, 3, "Z")
@@ -291,7 +300,11 @@ def settings(size, samples, r):
     world.cycles.device, world.cycles.samples = "CPU", samples
     world.cycles.use_adaptive_sampling, world.cycles.adaptive_threshold = True, 0.05
     world.cycles.max_bounces, world.cycles.diffuse_bounces, world.cycles.glossy_bounces = 6, 2, 3
-    world.cycles.transmission_bounces, world.cycles.caustics_reflective, world.cycles.caustics_refractive = 6, False, False
+    world.cycles.transmission_bounces, world.cycles.caustics_reflective, world.cycles.caustics_refractive = (
+        6,
+        False,
+        False,
+    )
     world.cycles.sample_clamp_indirect = 3
     world.cycles.seed = int(r.integers(1 << 30))
     world.render.threads_mode, world.render.threads = "FIXED", 1
@@ -340,7 +353,7 @@ def make(seed, samples):
     points, faces = world_mesh(thing)
     background = stage(r, side, lying)
     others = clutter(r, side, lying, np.abs(points[:, :2]).max())
-    size = (int(np.exp(r.uniform(np.log(270), np.log(430)))), int(np.exp(r.uniform(np.log(270), np.log(430)))))
+    size = (int(np.exp(r.uniform(np.log(270), np.log(400)))), int(np.exp(r.uniform(np.log(270), np.log(400)))))
     camera = look_at(r, size, points, lying)
     settings(size, samples, r)
     cover = camera.cover(points, faces)
@@ -380,8 +393,18 @@ def finished(r, seed, side, picture, cover, hidden, axis, names, background):
         gone = damage.erase(r, picture, behind, scenes.outline_of(scene.solid), width, r.uniform(0.08, 0.5))
         missing = 100 * gone.mean()
     scene.picture, sigma = damage.camera(r, picture)
-    scene.said = {"category": "render3d", "background": background, "missing": missing, "noise": sigma, "tags": ["render"],
-                  "look": names[2], "spine": names[0], "profile": names[1], "side": side, "quality": int(r.integers(60, 98))}
+    scene.said = {
+        "category": "render3d",
+        "background": background,
+        "missing": missing,
+        "noise": sigma,
+        "tags": ["render"],
+        "look": names[2],
+        "spine": names[0],
+        "profile": names[1],
+        "side": side,
+        "quality": int(r.integers(60, 98)),
+    }
     scenes.finish(scene, scene.solid, cover, None, hidden if hidden.any() else None)
     scene.strokes = strokes.strokes_of(r, axis, scene.mask.shape[::-1])
     return scene
@@ -391,7 +414,7 @@ def main():
     say = argparse.ArgumentParser(description=__doc__)
     say.add_argument("--seeds", required=True, help="FIRST:END, END not included; from 10000 on they are for training")
     say.add_argument("--out", type=Path, required=True)
-    say.add_argument("--samples", type=int, default=12)
+    say.add_argument("--samples", type=int, default=8)
     given = say.parse_args(sys.argv[sys.argv.index("--") + 1 :])
     first, end = map(int, given.seeds.split(":"))
     cv2.setNumThreads(1)

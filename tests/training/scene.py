@@ -116,8 +116,12 @@ def _sized(r, thing, factor, start, flat=False):
     points = unit * factor + start
     count = int(np.clip(np.linalg.norm(np.diff(points, axis=0), axis=1).sum() / 2.5, 90, 900))
     points = spines.resampled(points, count)
-    left, right = (np.interp(np.linspace(0, 1, count), np.linspace(0, 1, UNIT_STEPS), v) * factor_across for v in (left, right))
-    seen_from_above = shape.turned and not flat and np.ptp(spines.frame(points)[0], axis=0).max() < 0.5 and r.random() < 0.8
+    left, right = (
+        np.interp(np.linspace(0, 1, count), np.linspace(0, 1, UNIT_STEPS), v) * factor_across for v in (left, right)
+    )
+    seen_from_above = (
+        shape.turned and not flat and np.ptp(spines.frame(points)[0], axis=0).max() < 0.5 and r.random() < 0.8
+    )
     bulge = r.uniform(0.03, 0.38) * r.choice([-1, 1]) if seen_from_above else 0
     return Solid(points, left, right, bulge, shape.ends)
 
@@ -144,7 +148,8 @@ def _rounded(half, ends, step):
 
 
 def lay(r, picture, solid, material, side, ground=None, base=None, bold=False):
-    """Draws a solid into the picture (in place), `bold` = with strong paint. Returns its coverage [h, w] and base colour."""
+    """Draws a solid into the picture (in place), `bold` = with strong paint. Returns its coverage [h, w] and base
+    colour."""
     size = picture.shape[1::-1]
     cover = solid.coverage(size)
     x0, y0, x1, y1 = box = solid.box(size)
@@ -153,8 +158,13 @@ def lay(r, picture, solid, material, side, ground=None, base=None, bold=False):
     strip, base = looks.look(r, solid, material, side, base, bold)
     along, across = solid.coordinates(box)
     rows, columns = strip.picture.shape[:2]
-    seen = cv2.remap(strip.picture, (across + looks.REACH) * np.float32((columns - 1) / (2 * looks.REACH)),
-                     along * np.float32(rows - 1), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    seen = cv2.remap(
+        strip.picture,
+        (across + looks.REACH) * np.float32((columns - 1) / (2 * looks.REACH)),
+        along * np.float32(rows - 1),
+        cv2.INTER_LINEAR,
+        borderMode=cv2.BORDER_REPLICATE,
+    )
     if solid.bulge:
         _mouth(r, seen, solid, box, base)
     if strip.wet and ground is not None:  # glass: the ground, displaced by the round
@@ -162,8 +172,13 @@ def lay(r, picture, solid, material, side, ground=None, base=None, bold=False):
         lens = r.uniform(-1.5, 1.5) * np.median(solid.half) * across**3
         index = np.clip(along * (len(solid.normal) - 1), 0, len(solid.normal) - 1).astype(np.int32)
         normal = solid.normal.astype(np.float32)[index]
-        through = cv2.remap(ground, x + lens * normal[..., 0], y + lens * normal[..., 1], cv2.INTER_LINEAR,
-                            borderMode=cv2.BORDER_REFLECT)
+        through = cv2.remap(
+            ground,
+            x + lens * normal[..., 0],
+            y + lens * normal[..., 1],
+            cv2.INTER_LINEAR,
+            borderMode=cv2.BORDER_REFLECT,
+        )
         bright = np.clip(seen.max(2, keepdims=True) * 1.4 - 0.6, 0, 1)
         wet = strip.wet * (1 - bright) * np.clip(1.25 - np.abs(across)[..., None] ** 6, 0, 1)
         seen = seen + wet * (through * (0.55 + 0.45 * base) - seen)
@@ -183,7 +198,9 @@ def _mouth(r, seen, solid, box, base):
     cv2.fillPoly(seen, [ellipse], inner.tolist(), cv2.LINE_AA, 4)
     if r.random() < 0.7:
         tone = np.float32(base) * r.uniform(0.6, 1.6)
-        cv2.polylines(seen, [ellipse], True, np.clip(tone, 0, 1).tolist(), max(1, int(0.04 * solid.half[at])), cv2.LINE_AA, 4)
+        cv2.polylines(
+            seen, [ellipse], True, np.clip(tone, 0, 1).tolist(), max(1, int(0.04 * solid.half[at])), cv2.LINE_AA, 4
+        )
 
 
 def _hairs(r, picture, seen, solid, box):
@@ -197,8 +214,15 @@ def _hairs(r, picture, seen, solid, box):
             tip = root + (solid.normal[i] * sign * r.uniform(0.2, 1) + solid.tangent[i] * r.normal(0, 0.7)) * long_hair
             at = np.rint(root - box[:2]).astype(int)
             if 0 <= at[0] < seen.shape[1] and 0 <= at[1] < seen.shape[0]:
-                cv2.line(picture, tuple(np.rint(root * 16).astype(int).tolist()), tuple(np.rint(tip * 16).astype(int).tolist()),
-                         np.clip(seen[at[1], at[0]] * r.uniform(0.8, 1.1), 0, 1).tolist(), 1, cv2.LINE_AA, 4)
+                cv2.line(
+                    picture,
+                    tuple(np.rint(root * 16).astype(int).tolist()),
+                    tuple(np.rint(tip * 16).astype(int).tolist()),
+                    np.clip(seen[at[1], at[0]] * r.uniform(0.8, 1.1), 0, 1).tolist(),
+                    1,
+                    cv2.LINE_AA,
+                    4,
+                )
 
 
 def _shadow(r, picture, cover, width):
@@ -218,8 +242,8 @@ def _ring_tone(picture, ring, far):
 
 
 def _blend_in(r, picture, cover, seen, width):
-    """Moves the ground near the thing to within 2..12 Lab units of the thing's rim, all along it. `seen` = the thing drawn
-    on the ground."""
+    """Moves the ground near the thing to within 2..12 Lab units of the thing's rim, all along it. `seen` = the thing
+    drawn on the ground."""
     h, w = cover.shape
     scale = min(1.0, 160 / max(h, w))
     small = [cv2.resize(v, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA) for v in (picture, cover, seen)]
@@ -255,7 +279,9 @@ def _occluders(r, picture, solid, part, width, side, size):
         way = np.array([np.cos(angle), np.sin(angle)])
         kind = r.random()
         if kind < 0.35:  # fingers
-            skin = cv2.cvtColor(np.float32([[[r.uniform(8, 28), r.uniform(0.25, 0.6), r.uniform(0.3, 0.95)]]]), cv2.COLOR_HSV2BGR)[0, 0]
+            skin = cv2.cvtColor(
+                np.float32([[[r.uniform(8, 28), r.uniform(0.25, 0.6), r.uniform(0.3, 0.95)]]]), cv2.COLOR_HSV2BGR
+            )[0, 0]
             thick = width * r.uniform(0.12, 0.3)
             for k in range(r.integers(1, 5)):
                 tip = centre + np.array([-way[1], way[0]]) * thick * 2.1 * k
@@ -306,7 +332,9 @@ def _handle(r, solid, width):
     start, end = solid.side(sign)[a], solid.side(sign)[b]
     out = solid.normal[(a + b) // 2] * sign * np.linalg.norm(end - start) * r.uniform(0.4, 0.9)
     t = np.linspace(0, 1, 60)[:, None]
-    line = (1 - t) ** 3 * start + 3 * t * (1 - t) ** 2 * (start + out) + 3 * t * t * (1 - t) * (end + out) + t**3 * end
+    line = (
+        (1 - t) ** 3 * start + 3 * t * (1 - t) ** 2 * (start + out) + 3 * t * t * (1 - t) * (end + out) + t**3 * end
+    )
     half = np.full(60, width * r.uniform(0.04, 0.1))
     return Solid(spines.resampled(line, 60), half, half)
 
@@ -368,7 +396,8 @@ def _ground(r, size, side):
 
 
 def _attached(r, picture, solid, profile, material, side, width, base, tags):
-    """What the part is attached to, under it: bodies at open ends, limbs, a handle. Returns the do-not-care cover or None."""
+    """What the part is attached to, under it: bodies at open ends, limbs, a handle. Returns the do-not-care cover or
+    None."""
     care = None
     attached = [_body(r, solid, at, width) for at in (0, -1) if solid.ends[at] == "open"]
     if profile not in profiles.TURNED and r.random() < 0.2:
@@ -397,7 +426,12 @@ def _photo_like(r, seed, size, side, thing, profile, material):
     care = _attached(r, picture, solid, profile, material, side, width, base, tags)
     layer = picture.copy()
     cover, _ = lay(r, layer, solid, material, side, picture, base, bold)
-    said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "tags": tags, "look": material}
+    said = {
+        "category": "photo" if over_photo else "procedural",
+        "background": ground_name,
+        "tags": tags,
+        "look": material,
+    }
     return _spoiled(r, Scene(seed, solid=solid, said=said), picture, layer, cover, care, 0.7 if bold else 0.15)
 
 
@@ -413,8 +447,14 @@ def _cut_out(r, seed, size, side):
         plain = layer - picture * (1 - cover[..., None])
         _shadow(r, picture, cover, 2 * float(np.median(solid.half)))
         layer = plain + picture * (1 - cover[..., None])
-    said = {"category": "photo" if over_photo else "procedural", "background": ground_name, "tags": ["cut_out"],
-            "look": "cut_out", "spine": "straight", "profile": name}
+    said = {
+        "category": "photo" if over_photo else "procedural",
+        "background": ground_name,
+        "tags": ["cut_out"],
+        "look": "cut_out",
+        "spine": "straight",
+        "profile": name,
+    }
     return _spoiled(r, Scene(seed, solid=solid, said=said), picture, layer, cover, None, 0.15)
 
 
@@ -495,8 +535,15 @@ def _drawing(r, seed, size, side, thing, profile):
     else:
         scene.picture, sigma = np.clip(picture * 255 + 0.5, 0, 255).astype(np.uint8), 0.0
         scene.said["quality"] = 97
-    scene.said |= {"category": "sketch", "background": "paper", "missing": missing, "noise": sigma, "tags": ["drawing"],
-                  "look": "drawing", "tolerance": max(1.0, pen.thick / 2)}
+    scene.said |= {
+        "category": "sketch",
+        "background": "paper",
+        "missing": missing,
+        "noise": sigma,
+        "tags": ["drawing"],
+        "look": "drawing",
+        "tolerance": max(1.0, pen.thick / 2),
+    }
     finish(scene, solid, cover, care, hidden)
     return scene
 

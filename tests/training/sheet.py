@@ -7,7 +7,13 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-TONES = {"careful": (0, 255, 0), "sloppy": (0, 160, 255), "offcentre": (255, 60, 255), "short": (255, 255, 0), "over": (255, 0, 0)}
+TONES = {
+    "careful": (0, 255, 0),
+    "sloppy": (0, 160, 255),
+    "offcentre": (255, 60, 255),
+    "short": (255, 255, 0),
+    "over": (255, 0, 0),
+}
 CELL, COLUMNS = 300, 6
 
 
@@ -20,7 +26,9 @@ def cell(folder, truth):
             lines, _ = cv2.findContours((mask == level).astype(np.uint8), cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
             cv2.drawContours(picture, lines, -1, tone, max(1, picture.shape[1] // 300))
         for kind, points in case["spines"].items():
-            cv2.polylines(picture, [np.int32(np.rint(points))], False, TONES.get(kind, (0, 0, 0)), max(1, picture.shape[1] // 300))
+            cv2.polylines(
+                picture, [np.int32(np.rint(points))], False, TONES.get(kind, (0, 0, 0)), max(1, picture.shape[1] // 300)
+            )
     scale = CELL / max(picture.shape[:2])
     small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)[:CELL, :CELL]
     out = np.full((CELL, CELL, 3), 60, np.uint8)

@@ -1,4 +1,5 @@
-"""A thing in the picture: a middle line with two half widths, its exact mask, and (along, across) coordinates for every pixel."""
+"""A thing in the picture: a middle line with two half widths, its exact mask, and (along, across) coordinates for
+every pixel."""
 
 import cv2
 import numpy as np
@@ -10,8 +11,8 @@ ARC = np.linspace(-1, 1, 13)
 
 
 class Solid:
-    """`points` [n, 2] px at equal steps, `left`, `right` [n] half widths px, `bulge` = height over width of its ellipses
-    (how far it is seen from above or below; positive bulges towards the end), `ends` as in Profile."""
+    """`points` [n, 2] px at equal steps, `left`, `right` [n] half widths px, `bulge` = height over width of its
+    ellipses (how far it is seen from above or below; positive bulges towards the end), `ends` as in Profile."""
 
     def __init__(self, points, left, right, bulge=0.0, ends=("round", "round")):
         self.tangent, normal = spines.frame(points)
@@ -27,7 +28,9 @@ class Solid:
         t = np.asarray(across)[None, :, None]
         out = self.points[:, None] + self.normal[:, None] * (t * self.half[:, None, None])
         if self.bulge:
-            out = out + self.tangent[:, None] * (self.bulge * self.half[:, None, None] * np.sqrt(np.maximum(0, 1 - t * t)))
+            out = out + self.tangent[:, None] * (
+                self.bulge * self.half[:, None, None] * np.sqrt(np.maximum(0, 1 - t * t))
+            )
         return out
 
     def side(self, sign):
@@ -38,8 +41,11 @@ class Solid:
         """The ellipse seen at the start (0) or end (-1) of a turned thing [48, 2]."""
         angle = np.linspace(0, 2 * np.pi, 48)[:, None]
         reach = self.half[at]
-        return (self.points[at] + self.normal[at] * (np.cos(angle) * reach)
-                + self.tangent[at] * (np.sin(angle) * reach * self.bulge))
+        return (
+            self.points[at]
+            + self.normal[at] * (np.cos(angle) * reach)
+            + self.tangent[at] * (np.sin(angle) * reach * self.bulge)
+        )
 
     def coverage(self, size, grow=0.0):
         """Share of every pixel that the thing covers, float32 [h, w]; `size` = (w, h). `grow` px widen it."""
@@ -131,8 +137,14 @@ def room(points, left, right):
     p, half = points[::step], np.maximum(left, right)[::step]
     tangent, _ = spines.frame(p)
     gap = np.linalg.norm(np.diff(p, axis=0), axis=1).mean()
-    turn = np.abs(np.arctan2(tangent[:-1, 0] * tangent[1:, 1] - tangent[:-1, 1] * tangent[1:, 0],
-                             (tangent[:-1] * tangent[1:]).sum(1))) / gap
+    turn = (
+        np.abs(
+            np.arctan2(
+                tangent[:-1, 0] * tangent[1:, 1] - tangent[:-1, 1] * tangent[1:, 0], (tangent[:-1] * tangent[1:]).sum(1)
+            )
+        )
+        / gap
+    )
     if (turn * np.maximum(half[1:], half[:-1]) > 0.85).any():
         return False
     apart = np.abs(np.subtract.outer(np.arange(len(p)), np.arange(len(p)))) * gap

@@ -1,4 +1,5 @@
-"""Middle lines. A family is a curvature along the line: turning angles (radians) of equal steps, integrated to points."""
+"""Middle lines. A family is a curvature along the line: turning angles (radians) of equal steps, integrated to
+points."""
 
 import numpy as np
 

@@ -1,4 +1,5 @@
-"""The bank of cut-out photographs of things (tuxpaint-stamps-default, GPL-2): which are one long piece, and reading them."""
+"""The bank of cut-out photographs of things (tuxpaint-stamps-default, GPL-2): which are one long piece, and reading
+them."""
 
 import argparse
 import hashlib
@@ -82,8 +83,8 @@ def read(name):
 
 
 def warped(r, name, size, fill, bend=0.0):
-    """A stamp turned, mirrored, sheared and bent, `fill` of the picture large: (BGR float [h, w, 3], cover [h, w], and the
-    ends of its long axis [60, 2])."""
+    """A stamp turned, mirrored, sheared and bent, `fill` of the picture large: (BGR float [h, w, 3], cover [h, w],
+    and the ends of its long axis [60, 2])."""
     stamp = read(name)
     stamp = stamp[:, ::-1] if r.random() < 0.5 else stamp
     alpha = stamp[..., 3]
@@ -93,7 +94,9 @@ def warped(r, name, size, fill, bend=0.0):
     way = np.array([np.sin(np.radians(-angle)), np.cos(np.radians(-angle))])
     reach = (np.stack([x, y], 1) - middle) @ way
     turn = r.uniform(0, 360) if r.random() < 0.5 else angle + r.normal(0, 10)
-    linear = cv2.getRotationMatrix2D((0, 0), turn, 1.0)[:, :2] @ np.array([[1, r.uniform(-0.1, 0.1)], [0, r.uniform(0.8, 1.2)]])
+    linear = cv2.getRotationMatrix2D((0, 0), turn, 1.0)[:, :2] @ np.array(
+        [[1, r.uniform(-0.1, 0.1)], [0, r.uniform(0.8, 1.2)]]
+    )
     corners = np.stack([x, y], 1)[:: max(1, len(x) // 3000)] @ linear.T
     low, high = corners.min(0), corners.max(0)
     w, h = size
@@ -108,11 +111,20 @@ def warped(r, name, size, fill, bend=0.0):
     at = back[0, 0] * u + back[0, 1] * v, back[1, 0] * u + back[1, 1] * v
     soft = stamp.astype(np.float32) / 255
     soft[..., :3] *= soft[..., 3:]
-    seen = cv2.remap(cv2.GaussianBlur(soft, (0, 0), max(0.01, 0.4 / scale)) if scale < 0.7 else soft, *at, cv2.INTER_LINEAR,
-                     borderMode=cv2.BORDER_CONSTANT, borderValue=(0, 0, 0, 0))
+    seen = cv2.remap(
+        cv2.GaussianBlur(soft, (0, 0), max(0.01, 0.4 / scale)) if scale < 0.7 else soft,
+        *at,
+        cv2.INTER_LINEAR,
+        borderMode=cv2.BORDER_CONSTANT,
+        borderValue=(0, 0, 0, 0),
+    )
     cover = seen[..., 3]
     axis = (middle + way * np.linspace(reach.min(), reach.max(), 60)[:, None]) @ linear.T + shift
-    axis[:, 0] += bend * (np.sin(np.pi * (axis[:, 1] - shift[1] - low[1]) / max(1.0, high[1] - low[1])) - 0.5) * (high[0] - low[0])
+    axis[:, 0] += (
+        bend
+        * (np.sin(np.pi * (axis[:, 1] - shift[1] - low[1]) / max(1.0, high[1] - low[1])) - 0.5)
+        * (high[0] - low[0])
+    )
     tone = (r.uniform(0.6, 1.2) * r.uniform(0.85, 1.15, 3)).astype(np.float32)
     return np.clip(seen[..., :3] * tone, 0, 1), cover, axis
 
@@ -126,7 +138,9 @@ def lay(picture, seen, cover):
 def thing(r, picture, size, side):
     """Lays a long stamp: (cover, middle line as Measured, name), or None where its line leaves it."""
     name = str(r.choice(names(side, "long")))
-    seen, cover, axis = warped(r, name, size, 0.97 - 0.4 * r.random() ** 1.6, r.uniform(-0.35, 0.35) if r.random() < 0.4 else 0.0)
+    seen, cover, axis = warped(
+        r, name, size, 0.97 - 0.4 * r.random() ** 1.6, r.uniform(-0.35, 0.35) if r.random() < 0.4 else 0.0
+    )
     line = measured(cover, axis)
     if line is None:
         return None

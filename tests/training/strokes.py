@@ -23,7 +23,8 @@ def _stretch(axis, start, end, count):
 
 
 def strokes_of(r, axis, size):
-    """All strokes of a scene of `size` (w, h): careful, sloppy and off-centre always, short and over in a third each."""
+    """All strokes of a scene of `size` (w, h): careful, sloppy and off-centre always, short and over in a third
+    each."""
     kinds = ["careful", "sloppy", "offcentre"] + [k for k in ("short", "over") if r.random() < 0.35]
     return {kind: _inside(stroke(r, axis, kind), size) for kind in kinds}
 
@@ -43,8 +44,13 @@ def stroke(r, axis, kind):
     length = np.linalg.norm(np.diff(axis[:, :2], axis=0), axis=1).sum()
     count = int(np.clip(length / 6, 40, 120))
     wide = axis[:, 2].max() / max(length, 1e-9)
-    ends = {"careful": (0.01, 0.06), "sloppy": (0.03, 0.13), "offcentre": (0.02, 0.09), "short": (0.12, 0.3),
-            "over": (-0.12, -0.01)}[kind]
+    ends = {
+        "careful": (0.01, 0.06),
+        "sloppy": (0.03, 0.13),
+        "offcentre": (0.02, 0.09),
+        "short": (0.12, 0.3),
+        "over": (-0.12, -0.01),
+    }[kind]
     reach = [r.uniform(*ends) for _ in range(2)]
     reach = [min(v, 0.25 * wide + 0.03) if kind == "careful" else v for v in reach]
     points, normal, width = _stretch(axis, reach[0], 1 - reach[1], count)

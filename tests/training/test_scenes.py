@@ -1,4 +1,5 @@
-"""Laws of the scenes, run by hand: `python3 -m unittest -v` in this folder (needs the bank of photos, see README.md)."""
+"""Laws of the scenes, run by hand: `python3 -m unittest -v` in this folder (needs the bank of photos, see
+README.md)."""
 
 import json
 import tempfile
@@ -56,7 +57,9 @@ class Laws(unittest.TestCase):
             for kind, stroke in scene.strokes.items():
                 self.assertTrue(np.isfinite(stroke).all())
                 middle = stroke[len(stroke) // 5 : -len(stroke) // 5]
-                axis = np.stack([np.interp(np.linspace(0, 1, 2000), np.linspace(0, 1, len(axis)), c) for c in axis.T], 1)
+                axis = np.stack(
+                    [np.interp(np.linspace(0, 1, 2000), np.linspace(0, 1, len(axis)), c) for c in axis.T], 1
+                )
                 gap = np.linalg.norm(middle[:, None] - axis[None, :, :2], axis=2)
                 at = gap.argmin(1)
                 far = gap[np.arange(len(at)), at] / np.maximum(axis[at, 2], 5)
@@ -132,13 +135,17 @@ class Laws(unittest.TestCase):
         camera = projecting.Camera(np.array([0, -50.0, 0.5]), facing, 10_000.0, np.zeros(2), (160, 260))
         cover = camera.cover(vertices, quads)
         self.assertAlmostEqual(float(cover.sum()) / (200 * 40), 1.0, delta=0.03)
-        axis = projecting.measured(cover, camera.project(np.stack([0 * profile, 0 * profile, np.linspace(1, 0, 30)], 1)))
+        axis = projecting.measured(
+            cover, camera.project(np.stack([0 * profile, 0 * profile, np.linspace(1, 0, 30)], 1))
+        )
         self.assertAlmostEqual(float(np.median(axis[:, 2])), 40.0, delta=0.7)
         self.assertAlmostEqual(float(np.median(axis[:, 0])), 79.5, delta=0.5)
 
     def test_sides_share_no_model(self):
-        paths = [{path for word in ("used", "clutter") for path, _ in models.names(side, word)}
-                 for side in ("validation", "training")]
+        paths = [
+            {path for word in ("used", "clutter") for path, _ in models.names(side, word)}
+            for side in ("validation", "training")
+        ]
         self.assertTrue(paths[0] and paths[1])
         self.assertFalse(paths[0] & paths[1])
 
