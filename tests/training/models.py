@@ -60,9 +60,28 @@ def axis_of(points, faces):
     return None
 
 
+def _counts(data):
+    """How many vertices and faces: two models with the same numbers are taken for one model."""
+    points, faces = _geometry(data.decode("latin1"))
+    return len(points), len(faces)
+
+
+def _reserved_counts(package_folder, reserved):
+    """The counts of all reserved models."""
+    found = set()
+    for archive in package_folder.rglob("*.sh3f"):
+        with zipfile.ZipFile(archive) as content:
+            for name in (n for n in content.namelist() if n.endswith(".obj")):
+                data = content.read(name)
+                if hashlib.sha256(data).hexdigest() in reserved:
+                    found.add(_counts(data))
+    return found
+
+
 def build(package_folder, reserved_file):
     """Unpacks the models that can be used and writes the list."""
     reserved = {line.split()[1] for line in reserved_file.read_text().splitlines() if line[0] != "#"}
+    twins = _reserved_counts(package_folder, reserved)
     rows = ["sha256\tarchive\tfile\tverdict\taxis\tside"]
     for archive in sorted(package_folder.rglob("*.sh3f")):
         with zipfile.ZipFile(archive) as content:
@@ -74,6 +93,8 @@ def build(package_folder, reserved_file):
                     word = "reserved"
                 elif any(part in name for part in REFUSED):
                     word = "case"
+                elif _counts(data) in twins:
+                    word = "twin"
                 elif len(data) > 5_000_000:
                     word = "large"
                 else:
