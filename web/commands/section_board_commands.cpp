@@ -320,12 +320,12 @@ void startChoices(Env, JsonWriter& json) {
 
 // clang-format off
 constexpr std::array kTable = {
-    Command{.id = "edit-slice", .label = "Draw a slice", .icon = "square-pen", .group = "slice",
+    Command{.id = "edit-slice", .label = "Draw or change a slice", .icon = "square-pen", .group = "slice",
             .hint = "Draw a slice of your own, or change the chosen one", .enabled = canEdit, .toggled = isOpen,
             .run = editSection},
     Command{.id = "slice-done", .label = "Done", .icon = "check", .shortcut = "Enter", .group = "board",
             .hint = "Use the drawn slice", .enabled = isOpen, .run = done, .mode = &kBoardMode},
-    Command{.id = "slice-cancel", .label = "Leave without changing", .icon = "x", .group = "board",
+    Command{.id = "slice-cancel", .label = "Cancel", .icon = "x", .group = "board",
             .hint = "Everything stays as it was (Escape)", .enabled = isOpen, .run = leaveRow},
     Command{.id = "slice-undo", .label = "Take back", .icon = "undo-2", .group = "board",
             .hint = "Take the last change of the drawing back (Ctrl+Z)", .enabled = canUndo, .run = takeBack},
