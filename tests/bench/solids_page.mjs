@@ -4,7 +4,8 @@ import { join } from 'node:path';
 import { openPage, startBrowser } from '../../.ci/lib/browser.mjs';
 import { distDir } from '../../.ci/lib/paths.mjs';
 import { serveFolder } from '../../.ci/lib/server.mjs';
-import { loft, seeded, turned } from '../browser/support/lofts.mjs';
+import { loft, turned } from '../browser/support/lofts.mjs';
+import { seeded } from '../support/random.mjs';
 import { busiest, workerTimes } from './worker_cpu.mjs';
 
 const kPages = 5;

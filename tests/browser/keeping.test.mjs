@@ -14,14 +14,15 @@ import {
   reload,
   run,
   state,
+  toClient,
   toastText,
   useSite,
 } from './support/page.mjs';
 import { history, inStore, models, smallTube as tube } from './support/keeping.mjs';
 
 const kit = useSite();
-/** Every test begins on a device that has kept nothing. */
-const onEmptyDevice = (work) => onPage(kit, { alone: true }, work);
+/** Every test begins on a device that has kept nothing; what is kept does not depend on the window. */
+const onEmptyDevice = (work) => onPage(kit, { alone: true, viewport: { width: 640, height: 480 } }, work);
 const drawPart = (page) => openWithPart(page, tube.png, tube.middle);
 
 /** A second tab of the same browser profile. */
@@ -66,9 +67,13 @@ test('what is not finished yet, a stroke in hand, is all that a reload loses', (
   onEmptyDevice(async (page) => {
     await drawPart(page);
     const before = await history(page);
-    await page.mouse.move(200, 300);
+    const [from, to] = await toClient(page, [
+      [20, 20],
+      [60, 25],
+    ]);
+    await page.mouse.move(from.x, from.y);
     await page.mouse.down();
-    await page.mouse.move(300, 320);
+    await page.mouse.move(to.x, to.y);
     await reload(page);
     assert.equal(await history(page), before);
   }));

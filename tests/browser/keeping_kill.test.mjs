@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import test from 'node:test';
 import { startSite } from '../../.ci/lib/browser.mjs';
+import { seeded } from '../support/random.mjs';
 import { idle, kRounds, openPicture, run, toClient } from './support/page.mjs';
 import { history, smallTube, startKeptBrowser } from './support/keeping.mjs';
 
@@ -14,14 +15,6 @@ const kKills = 25 * kRounds;
 const kModelKills = 20;
 /** A page that cannot be killed or does not come up in that time fails the test instead of holding it up. */
 const kPatienceMs = 60_000;
-
-function seeded(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 4294967296;
-  };
-}
 
 const presentOf = (text) => JSON.stringify(JSON.parse(text).present);
 

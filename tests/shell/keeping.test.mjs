@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { IDBFactory } from 'fake-indexeddb';
 import { loadShell } from '../browser/support/shell.mjs';
+import { seeded } from '../support/random.mjs';
 
 const { JournalWriter, ModelStore, packPhoto, unpackPhoto, whenText } = await loadShell(`
   export { JournalWriter } from './keep/journal_writer.ts';
@@ -12,14 +13,6 @@ const { JournalWriter, ModelStore, packPhoto, unpackPhoto, whenText } = await lo
   export { packPhoto, unpackPhoto } from './keep/pack.ts';
   export { whenText } from './keep/models_view.ts';
 `);
-
-function seeded(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 4294967296;
-  };
-}
 
 /** An engine in a few lines: its history is a list of words, a record is one word, a photo's pixels follow from its hash. */
 class FakeEngine {

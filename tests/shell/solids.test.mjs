@@ -21,7 +21,7 @@ import {
 test('join, cut and common of two parts hold what sets say', () => {
   const kernel = fresh(),
     meshes = { rod: loft() };
-  const alone = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const alone = measure(meshes.rod).volume;
   const pair = [rod(1), rod(2, turned(Math.PI / 2, 0.5, -0.5))];
   const [join, cut, common] = ['join', 'cut', 'common'].map(
     (kind) => lawful(solve(kernel, [node(pair, { kind })], meshes), kind).volume,
@@ -46,7 +46,7 @@ test('every face belongs to its part and keeps its place in the picture', () => 
 test('parts that coincide, touch or lie a hair apart make solids', () => {
   const kernel = fresh(),
     meshes = { rod: loft() };
-  const alone = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const alone = measure(meshes.rod).volume;
   const volume = (operands, what) => lawful(solve(kernel, [node(operands)], meshes), what).volume;
   near(volume([rod(1), rod(2)], 'the same twice'), alone, 1e-4, 'the same twice');
   near(

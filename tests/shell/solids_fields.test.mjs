@@ -77,7 +77,7 @@ test('no line of a grid stays inside a solid that it has left, even one that run
     quad(low(i, lastColumn), low(i + 1, lastColumn), high(i + 1, lastColumn), high(i, lastColumn));
   }
   const mesh = { positions: Float32Array.from(points.flat()), triangles: Uint32Array.from(triangles) };
-  assert.equal(measure({ ...mesh, mergeFrom: [], mergeTo: [] }).open, 0);
+  assert.equal(measure(mesh).open, 0);
   const { values } = new DistanceField(mesh.positions, mesh.triangles, grid, 1);
   let inside = 0;
   values.forEach((value, i) => {
@@ -98,21 +98,19 @@ test('the surface on a grid is closed, outward and does not cross itself, whatev
         grid,
         sample(grid, () => random() - 0.4),
       ),
-      { volume, open } = measure({ ...surface, mergeFrom: [], mergeTo: [] });
+      { volume, open } = measure(surface);
     assert.ok(open === 0 && volume > 0, `seed ${seed}: ${open} open edges, volume ${volume}`);
     const edges = new Set(surface.triangles.map((a, i) => a * 10000 + surface.triangles[i % 3 === 2 ? i - 2 : i + 1]));
     assert.equal(edges.size, surface.triangles.length, `seed ${seed}: two faces at every edge`);
     assert.equal(selfCrossing(surface), null, `seed ${seed}`);
   }
   const grid = gridOver({ min: [-0.6, -0.6, -0.6], max: [0.6, 0.6, 0.6] }, 0.03);
-  const ball = measure({
-    ...surfaceWhere(
+  const ball = measure(
+    surfaceWhere(
       grid,
       sample(grid, (x, y, z) => 0.5 - Math.hypot(x, y, z)),
     ),
-    mergeFrom: [],
-    mergeTo: [],
-  });
+  );
   near(ball.volume, (4 / 3) * Math.PI * 0.5 ** 3, 0.004, 'the volume of a ball');
   assert.equal(ball.euler, 2);
 });

@@ -20,10 +20,13 @@ import {
 
 const { countOf } = shell;
 
+/** The part `body`, scooped out from its end. */
+const cup = (wall = 0.04) => node([rod(1, identity, 'body')], { kind: 'hollow', wall, opening: [1, 0, 0] });
+
 test('a hollow is as thick as its wall, open where it should be', () => {
   const kernel = fresh(),
     meshes = { rod: loft({ rings: 40, around: 48, radius: 0.25 }) };
-  const outer = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const outer = measure(meshes.rod).volume;
   const closed = lawful(solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.05 })], meshes), 'closed').volume;
   const open = lawful(
     solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.05, opening: [1, 0, 0] })], meshes),
@@ -47,7 +50,7 @@ test('a hollow is as thick as its wall, open where it should be', () => {
 
 test('a flat lid that leans a little opens as a whole, a dome as far as it was asked to', () => {
   const meshes = { rod: loft({ rings: 40, around: 48, radius: 0.25 }) };
-  const outer = measure({ ...meshes.rod, mergeFrom: [], mergeTo: [] }).volume;
+  const outer = measure(meshes.rod).volume;
   const scooped = (angle) =>
     outer -
     lawful(
@@ -64,11 +67,7 @@ test('a mug: body, handle and hollow inside', () => {
     body: loft({ rings: 30, around: 40, radius: 0.3 }),
     handle: loft({ rings: 40, around: 12, length: 0.9, radius: 0.05, bend: 3.2 }),
   };
-  const hollow = node([{ mesh: 'body', part: 1, matrix: identity }], {
-    kind: 'hollow',
-    wall: 0.04,
-    opening: [1, 0, 0],
-  });
+  const hollow = cup();
   const mug = node(
     [{ node: hollow.key }, { mesh: 'handle', part: 2, matrix: [0, 1, 0, 0, 1, 0, 0, 0, 0, 0, -1, 0, 0.2, 0.28, 0, 1] }],
     { step: 2 },
@@ -86,7 +85,7 @@ test('a scooped out mug is a solid for programs that join corners by place, in e
       body: loft({ rings: 48, around: 64, radius: between(0.4, 0.5), wave: between(0, 0.1) }),
       handle: loft({ rings: 64, around: 32, length: 1.1, radius: between(0.04, 0.09), bend: between(3.4, 4.4) }),
     };
-    const hollow = node([rod(1, identity, 'body')], { kind: 'hollow', wall: between(0.03, 0.06), opening: [1, 0, 0] });
+    const hollow = cup(between(0.03, 0.06));
     const handle = rod(2, turned(between(-0.3, -0.1), 0.2, between(0.35, 0.4), between(0, 0.01)), 'handle');
     const solved = solve(fresh(), [hollow, node([{ node: hollow.key }, handle], { step: 2 })], meshes);
     lawful(solved, `mug ${i}`);
@@ -100,11 +99,7 @@ test('what is stuck to a hollow thing does not stand into its inside, however de
     bar: loft({ rings: 10, around: 12, length: 1.2, radius: 0.05 }),
   };
   const kernel = fresh();
-  const hollow = node([{ mesh: 'body', part: 1, matrix: identity }], {
-    kind: 'hollow',
-    wall: 0.04,
-    opening: [1, 0, 0],
-  });
+  const hollow = cup();
   const empty = lawful(solve(kernel, [hollow], meshes), 'the cup').volume;
   // A bar right through, square to the cup: what stands out of it on both sides is all that it adds.
   const bar = { mesh: 'bar', part: 2, matrix: turned(Math.PI / 2, 0.4, -0.6) };

@@ -218,7 +218,7 @@ test('puffs and flat pieces of these tests are closed and outward', () => {
   const random = seeded(2);
   for (let i = 0; i < 10; i += 1) {
     for (const [kind, mesh] of Object.entries(meshesOf(random))) {
-      const { open, volume, euler } = measure({ ...mesh, mergeFrom: [], mergeTo: [] });
+      const { open, volume, euler } = measure(mesh);
       assert.deepEqual([open, euler, volume > 0], [0, kind === 'ring' ? 0 : 2, true], kind);
     }
   }
@@ -326,7 +326,7 @@ test('fifty times the same puff or flat piece, a hair apart or not, is that one'
         part: i + 1,
         matrix: shifted(...[0, 1, 2].map(() => apart * (random() - 0.5))),
       }));
-      const alone = measure({ ...meshes[mesh], mergeFrom: [], mergeTo: [] });
+      const alone = measure(meshes[mesh]);
       const { volume, euler, shells } = lawful(solve(fresh(), [node(operands)], meshes), mesh);
       assert.ok(Math.abs(volume / alone.volume - 1) < 1e-7, `${mesh}: ${volume} and ${alone.volume}`);
       assert.deepEqual([euler, shells], [alone.euler, 1], `${mesh} ${apart} apart`);

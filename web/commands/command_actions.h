@@ -51,25 +51,12 @@ Outcome reportPrint(const CommandEnv& env);
 void closeCut(const CommandEnv& env);
 /// The same once its picture, its part or its tool is gone.
 void settleCut(const CommandEnv& env);
-/// Undo and redo of the marks while a thing is being cut out; undo without a mark leaves it. Errors:
-/// NothingToRedo.
-Status undoMark(const CommandEnv& env);
-Status redoMark(const CommandEnv& env);
-bool canUndoMark(const CommandEnv& env);
-bool canRedoMark(const CommandEnv& env);
 
 // Sections.
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
 Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name);
 /// Hands the shelf to the shell, which keeps it.
 void sendShelf(const CommandEnv& env);
-/// Undo and redo of the open board. Errors: NothingToUndo, NothingToRedo.
-Status undoOnBoard(const CommandEnv& env);
-Status redoOnBoard(const CommandEnv& env);
-bool canUndoOnBoard(const CommandEnv& env);
-bool canRedoOnBoard(const CommandEnv& env);
-/// The command of a key while the board is open; null: the board has no use for it.
-const Command* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event);
 
 /// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other
 /// parts of its picture, or beside what is there (pipeline::standBeside). One step.

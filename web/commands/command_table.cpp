@@ -4,6 +4,7 @@
 
 #include "web/commands/command_actions.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/modes.h"
 #include "web/edit/section_editing.h"
 #include "web/model/swatches.h"
 
@@ -15,14 +16,8 @@ using Env = const CommandEnv&;
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool hasAnything(Env env) { return hasPicture(env) || hasParts(env); }
-bool canUndo(Env env) {
-  if (env.ui.cut) return canUndoMark(env);
-  return env.ui.sections.board ? canUndoOnBoard(env) : env.studio.undoSteps() > 0;
-}
-bool canRedo(Env env) {
-  if (env.ui.cut) return canRedoMark(env);
-  return env.ui.sections.board ? canRedoOnBoard(env) : env.studio.redoSteps() > 0;
-}
+bool canUndo(Env env) { return topMode(env, &Mode::undo).canUndo(env); }
+bool canRedo(Env env) { return topMode(env, &Mode::redo).canRedo(env); }
 
 bool drawing(Env env) { return env.ui.tool == ToolKind::Draw; }
 bool hand(Env env) { return env.ui.tool == ToolKind::Hand; }
@@ -31,13 +26,11 @@ bool textured(Env env) { return currentLook(env).textured; }
 bool focusOnPicture(Env env) { return env.ui.focus == Focus::Picture; }
 bool focusOnSolid(Env env) { return env.ui.focus == Focus::Solid; }
 
-Outcome undo(Env env, const Json&) {
-  if (env.ui.cut) return outcomeOf(undoMark(env));
-  return outcomeOf(env.ui.sections.board ? undoOnBoard(env) : env.studio.undo());
-}
-Outcome redo(Env env, const Json&) {
-  if (env.ui.cut) return outcomeOf(redoMark(env));
-  return outcomeOf(env.ui.sections.board ? redoOnBoard(env) : env.studio.redo());
+Outcome undo(Env env, const Json& args) { return topMode(env, &Mode::undo).undo(env, args); }
+Outcome redo(Env env, const Json& args) { return topMode(env, &Mode::redo).redo(env, args); }
+Outcome cancel(Env env, const Json&) {
+  topMode(env, &Mode::cancel).cancel(env);
+  return {};
 }
 Outcome useDraw(Env env, const Json&) {
   env.ui.tool = ToolKind::Draw;
@@ -48,34 +41,6 @@ Outcome useHand(Env env, const Json&) {
   env.ui.redraw = {};
   return {};
 }
-Outcome cancel(Env env, const Json&) {
-  if (env.ui.sections.board) {
-    closeBoard(env.ui);
-  } else if (env.ui.cut) {
-    closeCut(env);
-  } else if (env.ui.sections.placing) {
-    env.ui.sections.placing = false;
-  } else if (env.ui.pictureMenu || env.ui.sketching.menu != PenMenu::None) {
-    env.ui.pictureMenu = {};
-    env.ui.sketching.menu = PenMenu::None;
-  } else if (env.ui.solids.pointing) {
-    env.ui.solids.pointing = false;
-  } else if (env.ui.preview) {
-    env.ui.preview.reset();
-  } else if (env.ui.redraw) {
-    env.ui.redraw = {};
-  } else if (env.studio.activity()) {
-    env.studio.cancelWork();
-  } else if (env.ui.chosen != Chosen{}) {
-    env.ui.chosen = {};
-  } else if (env.ui.tool != ToolKind::Draw && env.ui.tool != ToolKind::Hand) {
-    env.ui.tool = ToolKind::Draw;
-  } else {
-    env.ui.selection = {};
-  }
-  return {};
-}
-
 void partChoices(Env env, JsonWriter& json) {
   for (const document::Part& part : env.studio.document().parts) {
     json.beginObject().key("value").number(part.id.value).key("label").text(part.name);

@@ -8,6 +8,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/modes.h"
 #include "web/model/messages.h"
 
 namespace spineloft::app {
@@ -106,10 +107,13 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
 
 const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env) {
   const Command* found = nullptr;
+  auto above = modes().end();  // of the mode of `found`
   for (const Command& command : commandTable()) {
-    if (command.shortcut.empty() || !matches(command.shortcut, event)) continue;
-    if (command.when != nullptr && env && command.when(*env)) return &command;
-    if (command.when == nullptr && found == nullptr) found = &command;
+    const auto mode = std::find(modes().begin(), above, command.mode);
+    const bool counts = command.mode == nullptr ? found == nullptr : env && mode != above && command.mode->open(*env);
+    if (!counts || !matches(command.shortcut, event)) continue;
+    found = &command;
+    above = mode;
   }
   return found;
 }

@@ -58,6 +58,10 @@ struct Condition {
   bool operator()(const CommandEnv& env) const { return holds == nullptr || holds(env); }
 };
 
+/// What a command, a step of undo or Escape does.
+using Run = Outcome(const CommandEnv&, const Json& args);
+struct Mode;
+
 struct Command {
   CommandId id = {};
   std::string_view label = {}, icon = {};
@@ -68,10 +72,10 @@ struct Command {
   std::string_view hint = {};
   Condition enabled = nullptr;
   bool (*toggled)(const CommandEnv&) = nullptr;  ///< null: it is no toggle
-  Outcome (*run)(const CommandEnv&, const Json& args) = nullptr;
-  /// Its keys count only while this holds, and then before those of other commands; `run` is told
-  /// {key, far: with shift}. Null: its keys always count.
-  bool (*when)(const CommandEnv&) = nullptr;
+  Run* run = nullptr;
+  /// Its keys count only while this mode is open (see modes.h); `run` is told {key, far: with shift}. Null: they
+  /// always count, after those of modes.
+  const Mode* mode = nullptr;
 };
 
 /// In the order of the command bar; ids and shortcuts are unique.
@@ -85,7 +89,7 @@ bool enabled(const Command& command, const CommandEnv& env);
 Outcome runCommand(const CommandEnv& env, const Command& command, const Json& args);
 Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args);
 
-/// The command of a key, or null; without `env` those whose keys only count now and then are left out.
+/// The command of a key, or null: that of the topmost open mode which has one. Without `env` modes are left out.
 const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env = nullptr);
 
 /// One choice of a menu, as Argument::choices writes them.

@@ -9,6 +9,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/commands/modes.h"
 #include "web/edit/preview.h"
 #include "web/model/messages.h"
 
@@ -218,6 +219,25 @@ Outcome cutCancel(Env env, const Json&) {
   return {};
 }
 
+/// Without a mark it leaves the cut-out.
+Outcome undoMark(Env env, const Json& args) {
+  CutDraft& draft = *env.ui.cut;
+  if (draft.hints.marks.empty()) return cutCancel(env, args);
+  draft.undone.push_back(std::move(draft.hints.marks.back()));
+  draft.hints.marks.pop_back();
+  search(env);
+  return {};
+}
+
+Outcome redoMark(Env env, const Json&) {
+  CutDraft& draft = *env.ui.cut;
+  draft.hints.marks.push_back(std::move(draft.undone.back()));
+  draft.undone.pop_back();
+  search(env);
+  return {};
+}
+bool canRedo(Env env) { return hasDraft(env) && !env.ui.cut->undone.empty(); }
+
 template <CutBy kWay>
 Outcome cutBy(Env env, const Json& args) {
   env.ui.cutBy = args.flag("on").value_or(env.ui.cutBy != kWay) ? kWay : CutBy::Outline;
@@ -246,7 +266,7 @@ constexpr std::array kTable = {
             .hint = "Draw over what does not belong to the thing", .enabled = hasDraft, .toggled = removes,
             .run = setBrush<false>},
     Command{.id = "cut-use", .label = "Use this", .icon = "check", .shortcut = "Enter", .group = "part",
-            .hint = "What is tinted becomes the part", .enabled = hasShape, .run = cutUse, .when = hasDraft},
+            .hint = "What is tinted becomes the part", .enabled = hasShape, .run = cutUse, .mode = &kCutMode},
     Command{.id = "cut-cancel", .label = "Not this", .icon = "x", .group = "part",
             .hint = "Leaves everything as it was", .enabled = hasDraft, .run = cutCancel},
     Command{.id = "cut-out", .label = "Cut out by a point", .icon = "lasso", .group = "part", .argument = kAt,
@@ -303,29 +323,7 @@ void settleCut(const CommandEnv& env) {
   if (gone || !tool || env.ui.picture != draft.picture || env.ui.sections.board) closeCut(env);
 }
 
-bool canUndoMark(const CommandEnv& env) { return hasDraft(env); }
-bool canRedoMark(const CommandEnv& env) { return hasDraft(env) && !env.ui.cut->undone.empty(); }
-
-Status undoMark(const CommandEnv& env) {
-  CutDraft& draft = *env.ui.cut;
-  if (draft.hints.marks.empty()) {
-    closeCut(env);
-    return Done{};
-  }
-  draft.undone.push_back(std::move(draft.hints.marks.back()));
-  draft.hints.marks.pop_back();
-  search(env);
-  return Done{};
-}
-
-Status redoMark(const CommandEnv& env) {
-  CutDraft& draft = *env.ui.cut;
-  if (draft.undone.empty()) return Error::NothingToRedo;
-  draft.hints.marks.push_back(std::move(draft.undone.back()));
-  draft.undone.pop_back();
-  search(env);
-  return Done{};
-}
+constinit const Mode kCutMode{"cut-out", hasDraft, closeCut, undoMark, redoMark, hasDraft, canRedo};
 
 std::span<const Command> cutCommands() { return kTable; }
 

@@ -6,6 +6,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/modes.h"
 #include "web/edit/region_editing.h"
 #include "web/model/messages.h"
 
@@ -106,23 +107,26 @@ constexpr std::string_view kArrows =
 constexpr std::array kTable = {
     Command{.id = "next-outline-point", .label = "Next outline point", .icon = "chevron-right", .shortcut = ".",
             .group = "part", .hint = "Choose the next point of the outline", .enabled = byKeys, .run = next,
-            .when = byKeys},
+            .mode = &kOutlineMode},
     Command{.id = "previous-outline-point", .label = "Outline point before", .icon = "chevron-left", .shortcut = ",",
             .group = "part", .hint = "Choose the point of the outline before", .enabled = byKeys, .run = previous,
-            .when = byKeys},
+            .mode = &kOutlineMode},
     Command{.id = "nudge-outline-point", .label = "Move the outline point", .icon = "move", .shortcut = kArrows,
             .group = "part", .argument = kBy, .hint = "Arrow keys move the chosen point, with Shift by ten pixels",
-            .enabled = pointByKeys, .run = nudge, .when = pointByKeys},
+            .enabled = pointByKeys, .run = nudge, .mode = &kOutlinePointMode},
     Command{.id = "add-outline-point", .label = "Add outline point", .icon = "circle-plus", .shortcut = "Insert, A",
             .group = "part", .hint = "One more point between the chosen one and the next", .enabled = pointByKeys,
-            .run = add, .when = pointByKeys},
+            .run = add, .mode = &kOutlinePointMode},
     Command{.id = "delete-outline-point", .label = "Delete outline point", .icon = "circle-minus",
             .shortcut = "Delete, Backspace", .group = "part", .hint = "The outline goes straight past the chosen point",
-            .enabled = pointByKeys, .run = remove, .when = pointByKeys},
+            .enabled = pointByKeys, .run = remove, .mode = &kOutlinePointMode},
 };
 // clang-format on
 
 }  // namespace
+
+constinit const Mode kOutlineMode{"outline", byKeys};
+constinit const Mode kOutlinePointMode{"outline-point", pointByKeys};
 
 std::span<const Command> outlineCommands() { return kTable; }
 

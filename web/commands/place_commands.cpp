@@ -10,6 +10,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/commands/modes.h"
 #include "web/edit/depth_order.h"
 #include "web/edit/gizmo.h"
 #include "web/edit/placing.h"
@@ -492,7 +493,7 @@ constexpr std::array kTable = {
             .group = "part", .hint = "Take all parts in hand", .enabled = hasParts, .run = selectAll},
     Command{.id = "nudge-part", .label = "Move by keys", .icon = "move", .shortcut = kKeys, .group = "place",
             .argument = kKey, .hint = "Arrows move the part by a millimetre, with Shift by ten",
-            .enabled = hasSelection, .run = nudgePart, .when = holdsParts},
+            .enabled = hasSelection, .run = nudgePart, .mode = &kPartsMode},
     Command{.id = "ask-place", .label = "Place by numbers", .icon = "ruler", .group = "place", .argument = kField,
             .hint = "Type a place in millimetres, a turn in degrees, a size in percent", .enabled = hasSelection,
             .run = askPlaceRow},
@@ -558,6 +559,8 @@ bool groupIsSelected(const CommandEnv& env) {
   return std::ranges::any_of(
       document.parts, [&](const document::Part& part) { return part.group && isSelected(document, env.ui, part.id); });
 }
+
+constinit const Mode kPartsMode{"parts", holdsParts};
 
 std::span<const Command> placeCommands() { return kTable; }
 

@@ -9,6 +9,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/commands/modes.h"
 #include "web/edit/editing.h"
 #include "web/model/messages.h"
 
@@ -348,7 +349,7 @@ constexpr std::array kTable = {
             .hint = "One more rib beside the chosen one", .enabled = hasSpine, .run = addRib},
     Command{.id = "delete-rib", .label = "Delete rib", .icon = "circle-minus", .shortcut = "Delete, Backspace",
             .group = "ribs", .hint = "Leave the chosen rib out", .enabled = hasChosenRib, .run = deleteRib,
-            .when = ribsByKeys},
+            .mode = &kRibMode},
     Command{.id = "lock-rib", .label = "Lock rib", .icon = "lock", .shortcut = "L", .group = "ribs",
             .hint = "The chosen rib stays where it is", .enabled = hasChosenRib, .toggled = locked, .run = lockRib},
     Command{.id = "reset-rib", .label = "Reset rib", .icon = "rotate-ccw", .shortcut = "Shift+R", .group = "ribs",
@@ -455,6 +456,8 @@ Outcome removeIgnored(Env env, std::size_t mark) {
   if (ofPicture >= marks.picture.size()) return noScribble();
   return outcomeOf(env.studio.act(document::IgnoreForPicture{env.ui.picture, without(marks.picture, ofPicture)}));
 }
+
+constinit const Mode kRibMode{"rib", ribsByKeys};
 
 std::span<const Command> ribCommands() { return kTable; }
 

@@ -7,6 +7,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/commands/modes.h"
 #include "web/commands/section_json.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
@@ -91,26 +92,23 @@ Outcome done(Env env, const Json&) {
   return {};
 }
 
-Outcome leave(Env env, const Json&) {
+void leave(Env env) {
   closeBoard(env.ui);
   sendStatus(env.host, "The slice is as it was.");
+}
+Outcome leaveRow(Env env, const Json&) {
+  leave(env);
   return {};
 }
 
-void undo(Env env) {
+Outcome takeBack(Env env, const Json&) {
   undoBoard(*boardOf(env));
   previewBoard(env.ui, env.studio.document());
-}
-void redo(Env env) {
-  redoBoard(*boardOf(env));
-  previewBoard(env.ui, env.studio.document());
-}
-Outcome takeBack(Env env, const Json&) {
-  undo(env);
   return {};
 }
 Outcome onceMore(Env env, const Json&) {
-  redo(env);
+  redoBoard(*boardOf(env));
+  previewBoard(env.ui, env.studio.document());
   return {};
 }
 
@@ -322,13 +320,13 @@ void startChoices(Env, JsonWriter& json) {
 
 // clang-format off
 constexpr std::array kTable = {
-    Command{.id = "edit-slice", .label = "Draw a slice", .icon = "square-pen", .group = "slice",
+    Command{.id = "edit-slice", .label = "Draw or change a slice", .icon = "square-pen", .group = "slice",
             .hint = "Draw a slice of your own, or change the chosen one", .enabled = canEdit, .toggled = isOpen,
             .run = editSection},
-    Command{.id = "slice-done", .label = "Done", .icon = "check", .group = "board",
-            .hint = "Use the drawn slice (Enter)", .enabled = isOpen, .run = done},
-    Command{.id = "slice-cancel", .label = "Leave without changing", .icon = "x", .group = "board",
-            .hint = "Everything stays as it was (Escape)", .enabled = isOpen, .run = leave},
+    Command{.id = "slice-done", .label = "Done", .icon = "check", .shortcut = "Enter", .group = "board",
+            .hint = "Use the drawn slice", .enabled = isOpen, .run = done, .mode = &kBoardMode},
+    Command{.id = "slice-cancel", .label = "Cancel", .icon = "x", .group = "board",
+            .hint = "Everything stays as it was (Escape)", .enabled = isOpen, .run = leaveRow},
     Command{.id = "slice-undo", .label = "Take back", .icon = "undo-2", .group = "board",
             .hint = "Take the last change of the drawing back (Ctrl+Z)", .enabled = canUndo, .run = takeBack},
     Command{.id = "slice-redo", .label = "Once more", .icon = "redo-2", .group = "board",
@@ -352,8 +350,9 @@ constexpr std::array kTable = {
     Command{.id = "slice-corner", .label = "Corner or round", .icon = "diamond", .group = "board",
             .hint = "The touched point becomes a corner, or round", .enabled = hasPoint, .toggled = cornered,
             .run = setCorner},
-    Command{.id = "slice-remove-point", .label = "Remove point", .icon = "minus", .group = "board",
-            .hint = "Take the touched point away (Delete)", .enabled = hasPoint, .run = removePoint},
+    Command{.id = "slice-remove-point", .label = "Remove point", .icon = "minus",
+            .shortcut = "Delete, Backspace", .group = "board", .hint = "Take the touched point away",
+            .enabled = hasPoint, .run = removePoint, .mode = &kBoardMode},
     Command{.id = "slice-clear", .label = "Empty the board", .icon = "eraser", .group = "board",
             .hint = "Start with nothing", .enabled = hasCurves, .run = clear},
     Command{.id = "slice-traces", .label = "Earlier lines", .icon = "history", .group = "board",
@@ -439,34 +438,7 @@ Outcome removeBoardPoint(Env env, loft::PointRef point) {
   return change(env, std::move(next));
 }
 
-Status undoOnBoard(const CommandEnv& env) {
-  if (!canUndo(env)) return Error::NothingToUndo;
-  undo(env);
-  return Done{};
-}
-
-Status redoOnBoard(const CommandEnv& env) {
-  if (!canRedo(env)) return Error::NothingToRedo;
-  redo(env);
-  return Done{};
-}
-
-bool canUndoOnBoard(const CommandEnv& env) { return canUndo(env); }
-bool canRedoOnBoard(const CommandEnv& env) { return canRedo(env); }
-
-const Command* boardCommandForKey(const CommandEnv& env, const platform::KeyEvent& event) {
-  if (!isOpen(env)) return nullptr;
-  const bool control = (event.modifiers & (platform::kControl | platform::kMeta)) != 0;
-  const bool shift = (event.modifiers & platform::kShift) != 0;
-  if (control && (event.key == "z" || event.key == "Z"))
-    return &(shift ? commandOf("slice-redo") : commandOf("slice-undo"));
-  if (control && (event.key == "y" || event.key == "Y")) return &commandOf("slice-redo");
-  if (control) return nullptr;
-  if (event.key == "Enter") return &commandOf("slice-done");
-  if (event.key == "Escape") return &commandOf("slice-cancel");
-  if (event.key == "Delete" || event.key == "Backspace") return &commandOf("slice-remove-point");
-  return nullptr;
-}
+constinit const Mode kBoardMode{"slice-board", isOpen, leave, takeBack, onceMore, canUndo, canRedo};
 
 std::span<const Command> sectionBoardCommands() { return kTable; }
 

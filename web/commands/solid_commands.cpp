@@ -316,7 +316,7 @@ constexpr std::array kTable = {
             .hint = "Make one solid of the ticked parts", .enabled = severalRoots, .run = stickTogether},
     Command{.id = "cut", .label = "Cut out", .icon = "squares-subtract", .group = "part",
             .hint = "Cut the other ticked parts out of the first", .enabled = severalRoots, .run = cut},
-    Command{.id = "keep-common", .label = "Keep what they share", .icon = "squares-intersect", .group = "part",
+    Command{.id = "keep-common", .label = "Overlap", .icon = "squares-intersect", .group = "part",
             .hint = "Keep only where the ticked parts overlap", .enabled = severalRoots, .run = keepIntersection},
     Command{.id = "scoop-out", .label = "Scoop out", .icon = "cup-soda", .group = "part",
             .argument = {"opening", openings}, .hint = "Make it hollow, with a wall and an opening",

@@ -10,6 +10,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/commands/modes.h"
 #include "web/edit/editing.h"
 #include "web/model/messages.h"
 
@@ -280,7 +281,7 @@ constexpr std::array kTable = {
             .run = togglePressure},
     Command{.id = "nudge", .label = "Move the chosen point", .icon = "move", .shortcut = kArrows, .group = "bone",
             .argument = kBy, .hint = "Arrows move it by one pixel, with Shift by ten", .enabled = pointChosen,
-            .run = nudge, .when = pointChosen},
+            .run = nudge, .mode = &kPointMode},
     Command{.id = "bend-spine", .label = "Bend a bone by numbers", .icon = "spline", .group = "bone",
             .argument = kPoint, .hint = "A place on the bone and where it goes", .enabled = hasSpine,
             .run = bendSpineRow},
@@ -337,6 +338,8 @@ Outcome chooseHandle(Env env, int handle) {
   env.ui.chosen = {std::nullopt, handle};
   return {};
 }
+
+constinit const Mode kPointMode{"point", pointChosen};
 
 std::span<const Command> spineCommands() { return kTable; }
 

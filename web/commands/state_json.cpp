@@ -10,6 +10,7 @@
 #include "web/edit/placing.h"
 #include "web/model/colour_text.h"
 
+#include "web/commands/modes.h"
 #include "web/commands/section_json.h"
 #include "web/edit/solid_editing.h"
 
@@ -384,7 +385,11 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   json.key("selection");
   ui.selection ? json.number(ui.selection.value) : json.null();
   json.key("tool").text(toolKey(ui.tool));
-  json.key("redraw");
+  json.key("modes").beginArray();
+  for (const Mode* mode : modes()) {
+    if (mode->open(env)) json.text(mode->name);
+  }
+  json.endArray().key("redraw");
   ui.redraw ? json.number(ui.redraw.value) : json.null();
   json.key("undo").number(static_cast<double>(studio.undoSteps()));
   json.key("redo").number(static_cast<double>(studio.redoSteps()));

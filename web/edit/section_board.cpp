@@ -71,6 +71,7 @@ void openBoard(UiState& ui, const BoardStart& start, const loft::SectionShape& s
   }
   ui.sections.board = std::move(board);
   ui.sections.placing = false;
+  closeMenus(ui);
   ui.preview.reset();
 }
 

@@ -303,7 +303,7 @@ void App::wheel(const platform::WheelEvent& event) {
 }
 
 /// What is in hand, on the views or on its way out of a panel, goes back to where it came from.
-void App::cancelGesture() {
+void App::drop() {
   gestures_.cancel(toolEnv());
   if (!ui_.sections.carried) return;
   ui_.sections.pressed.reset();
@@ -318,35 +318,12 @@ bool App::key(const platform::KeyEvent& event) {
     return true;
   }
   if (!event.down) return false;
-  if (event.key == "Escape" && ui_.barMenu != BarMenu::None) {
-    ui_.barMenu = BarMenu::None;
-    touch(2);
-    return true;
-  }
-  const bool inHand = gestures_.active() || ui_.sections.carried;
-  if (event.key == "Escape" && inHand) {
-    cancelGesture();
-    touch(2);
-    return true;
-  }
-  if (const Command* onBoard = boardCommandForKey(env(), event)) {
-    if (enabled(*onBoard, env())) sink_.run(*onBoard);
-    runCalls();
-    touch(2);
-    return true;
-  }
   const CommandEnv now = env();
   const Command* command = commandForKey(event, &now);
   if (command == nullptr) return false;
-  // What is in hand is the last thing done, and all that is taken back.
-  if (inHand && command->id == CommandId("undo")) {
-    cancelGesture();
-    touch(2);
-    return true;
-  }
   if (!enabled(*command, env())) return (event.modifiers & ~platform::kShift) != 0;
-  // Keys that mean something only now also say which one they are.
-  const Json args = command->when == nullptr
+  // Keys that mean something in a mode only also say which one they are.
+  const Json args = command->mode == nullptr
                         ? Json()
                         : Json::Object{{"key", event.key}, {"far", (event.modifiers & platform::kShift) != 0}};
   if (const Outcome done = runCommand(env(), *command, args); !done) refused(done.refusal());
@@ -402,7 +379,6 @@ const std::string& App::run(std::string_view id, std::string_view argsJson) {
   Outcome outcome;
   const std::optional<Json> args = argsJson.empty() ? Json() : Json::parse(argsJson);
   if (args) {
-    if (id == "cancel") cancelGesture();
     outcome = runCommand(env(), id, *args);
     settle();
     studio_.derived();

@@ -25,7 +25,7 @@ struct ImGuiContext;
 
 namespace spineloft::app {
 
-class App final : public platform::Page {
+class App final : public platform::Page, Hand {
  public:
   struct Parts {
     platform::Host& host;
@@ -71,14 +71,15 @@ class App final : public platform::Page {
   const UiState& ui() const { return ui_; }
 
  private:
-  CommandEnv env() { return {studio_, ui_, host_}; }
+  CommandEnv env() { return {studio_, ui_, host_, this}; }
   tools::ToolEnv toolEnv() { return {studio_.document(), studio_.derived(), ui_, sink_, &picker_}; }
   /// Something happened: draw soon, and `frames` times at least.
   void touch(int frames = 1);
   /// Runs what tools and panels asked for; refusals become toasts.
   void runCalls();
   void settle();
-  void cancelGesture();
+  bool holds() const override { return gestures_.active() || ui_.sections.carried; }
+  void drop() override;
   void settleChosen();
   void showOtherModel();
   void layout();

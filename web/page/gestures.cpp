@@ -136,13 +136,12 @@ void Gestures::press(const PointerEvent& event, const tools::ToolEnv& env) {
 
 std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place place,
                                                const tools::ToolEnv& env) const {
-  using Mode = tools::TurnSolid::Mode;
   const UiState& ui = env.ui;
   const bool shift = (event.modifiers & platform::kShift) != 0;
   const bool plain = event.button == 0 && !ui.spaceHeld;
   if (place == Place::Solid) {
     if (plain && !shift) return tools::solidTool(env, toolEvent(event));
-    return std::make_unique<tools::TurnSolid>(Mode::Pan);
+    return std::make_unique<tools::TurnSolid>(tools::TurnSolid::Mode::Pan);
   }
   const bool finger = event.device == Device::Touch && ui.penSeen;
   return tools::pictureTool(plain && !finger ? ui.tool : ToolKind::Hand);

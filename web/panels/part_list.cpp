@@ -108,9 +108,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   }
   if (bins) {
     ImGui::SameLine(0, 0);
-    if (iconButton(env, {"trash", "trash-2", "Delete  (Delete)", false, true, height})) {
-      env.sink.run(app::deletePart, part.id);
-    }
+    if (namedButton(env, "delete-part", height)) env.sink.run(app::deletePart, part.id);
   }
   ImGui::PopID();
 }
@@ -138,9 +136,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
     env.sink.run(app::selectPart, place.parts.front(), false);
   }
   ImGui::SameLine(0, 0);
-  if (iconButton(env, {"ungroup", "ungroup", "Each part by itself again", false, true, height})) {
-    env.sink.run(app::ungroup, group.id);
-  }
+  if (namedButton(env, "ungroup", height)) env.sink.run(app::ungroup, group.id);
   ImGui::PopID();
   ImGui::PopID();
 }

@@ -65,11 +65,12 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
   ImGui::PopID();
 }
 
-bool menuRow(const PanelEnv& env, const char* icon, const char* text) {
+/// The row of a command that is told which picture it is about.
+bool menuRow(const PanelEnv& env, const app::Command& command) {
   const float height = env.ui().touch ? 44.f : 34.f, width = kMenuWidth - 8;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton(text, {width, height});
-  registerControl(env, app::Control::Kind::Button, text);
+  const bool pressed = ImGui::InvisibleButton(command.icon.data(), {width, height});
+  registerControl(env, app::Control::Kind::Button, command.label);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
@@ -77,8 +78,9 @@ bool menuRow(const PanelEnv& env, const char* icon, const char* text) {
   const float scale = ImGui::GetIO().FontGlobalScale;
   ImFont *icons = env.fonts.icons, *font = env.fonts.text;
   const float size = icons->FontSize * scale, line = font->FontSize * scale;
-  list.AddText(icons, size, {at.x + 9, at.y + (height - size) / 2}, kInk, iconText(icon));
-  list.AddText(font, line, {at.x + 18 + size, at.y + (height - line) / 2}, kInk, text);
+  list.AddText(icons, size, {at.x + 9, at.y + (height - size) / 2}, kInk, iconText(command.icon));
+  list.AddText(font, line, {at.x + 18 + size, at.y + (height - line) / 2}, kInk, command.label.data(),
+               command.label.data() + command.label.size());
   return pressed;
 }
 
@@ -94,8 +96,8 @@ void menu(const PanelEnv& env, const app::Rect& strip) {
   const app::Rect card{std::clamp(x, 0., std::max(0., ui.canvasWidth - kMenuWidth)),
                        std::clamp(y, 0., std::max(0., ui.canvasHeight - height)), kMenuWidth, height};
   beginCard(env, "picture menu", card);
-  if (menuRow(env, "pencil-line", "Rename")) env.sink.run(app::askPictureName, ui.pictureMenu);
-  if (menuRow(env, "trash-2", "Remove")) env.sink.run(app::removePicture, ui.pictureMenu);
+  if (menuRow(env, app::commandOf("rename-picture"))) env.sink.run(app::askPictureName, ui.pictureMenu);
+  if (menuRow(env, app::commandOf("remove-picture"))) env.sink.run(app::removePicture, ui.pictureMenu);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const app::ClientPoint pointer{mouse.x, mouse.y};
   const bool outside = !card.contains(pointer) && !strip.contains(pointer);

@@ -44,15 +44,11 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   const bool isInflated = document::inflateOf(part) != nullptr;
   constexpr float kGap = 6;
   const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 44.f : 54.f;
-  const struct {
-    app::CommandId id;
-    const char* text;
-  } puffs[] = {{"puff-both", "Both"}, {"puff-front", "Front"}, {"puff-back", "Back"}},
-    edges[] = {{"edge-sharp", "Sharp"}, {"edge-bevel", "Cut"}, {"edge-round", "Round"}};
+  constexpr app::CommandId kSides[] = {"puff-both", "puff-front", "puff-back"},
+                           kEdges[] = {"edge-sharp", "edge-bevel", "edge-round"};
   for (int i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0, kGap);
-    const auto& choice = isInflated ? puffs[i] : edges[i];
-    commandTile(env, choice.id, choice.text, {each, height});
+    commandTile(env, isInflated ? kSides[i] : kEdges[i], {each, height});
   }
   for (const document::ParamInfo& info : document::paramTable(document::kindOf(part))) {
     slider(env, part, info, width);

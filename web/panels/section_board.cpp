@@ -63,9 +63,7 @@ void foldButton(const PanelEnv& env, Flow& flow, float side) {
   const int fold = env.ui().sections.board->symmetry.fold;
   flow.next(side);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (iconButton(env, {"fold", "flower", "Like a wheel: 3 to 8 times round", fold > 1, true, side})) {
-    env.sink.run("slice-symmetry");
-  }
+  commandButton(env, "slice-symmetry", side);
   if (fold <= 1) return;
   const char text[] = {static_cast<char>('0' + fold), '\0'};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -305,13 +303,12 @@ void titleRow(const PanelEnv& env, float width) {
       commandButton(env, id, height);
     }
   }
-  const float done = textButtonWidth(env, "Done") + 12, leave = textButtonWidth(env, "Cancel");
+  const auto widthOf = [&](app::CommandId id) { return textButtonWidth(env, app::commandOf(id).label); };
+  const float done = widthOf("slice-done") + 12, leave = widthOf("slice-cancel");
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - done - leave - 6);
-  if (textButton(env, {"cancel", "Cancel", false, true, height, leave})) env.sink.run("slice-cancel");
+  commandText(env, {"slice-cancel", leave});
   ImGui::SameLine(0, 6);
-  const app::SectionBoard& board = *env.ui().sections.board;
-  const bool can = board.past.empty() || !loft::problemOf(board.drawing);
-  if (textButton(env, {"done", "Done", can, can, height, done})) env.sink.run("slice-done");
+  commandText(env, {"slice-done", done, true});
 }
 
 }  // namespace

@@ -81,19 +81,15 @@ void ownSection(const PanelEnv& env, const loft::SectionShape& chosen) {
   const float side = buttonSide(env);
   const auto& shelf = env.ui().sections.shelf;
   const auto kept = std::ranges::find_if(shelf, [&](const app::ShelfSection& s) { return s.shape == chosen; });
-  if (textButton(env, {"change", "Change it", false, true, side})) env.sink.run("edit-slice");
+  commandText(env, {"edit-slice"});
   ImGui::SameLine(0, 4);
   if (kept == shelf.end()) {
     commandButton(env, "keep-slice", side);
     return;
   }
-  if (iconButton(env, {"name", "pencil-line", "Rename " + kept->name, false, true, side})) {
-    env.sink.run(app::askSectionName, kept->id);
-  }
+  if (namedButton(env, "rename-slice", side)) env.sink.run(app::askSectionName, kept->id);
   ImGui::SameLine(0, 0);
-  if (iconButton(env, {"drop", "trash-2", "Take it off your shelf", false, true, side})) {
-    env.sink.run(app::deleteSection, kept->id);
-  }
+  if (namedButton(env, "delete-slice", side)) env.sink.run(app::deleteSection, kept->id);
 }
 
 }  // namespace
@@ -105,7 +101,7 @@ void sectionChooser(const PanelEnv& env, float width) {
   Grid grid(env, width);
   if (env.ui().layout.strip) {  // first where little shows at once
     grid.place();
-    commandTile(env, "edit-slice", "Draw", grid.size());
+    commandTile(env, "edit-slice", grid.size());
   }
   for (const loft::SectionName& name : loft::sectionNames()) {
     const std::string key(name.key);
@@ -127,7 +123,7 @@ void sectionChooser(const PanelEnv& env, float width) {
   }
   if (!env.ui().layout.strip) {
     grid.place();
-    commandTile(env, "edit-slice", "Draw", grid.size());
+    commandTile(env, "edit-slice", grid.size());
   }
   ImGui::PopStyleVar();
   if (chosen.drawn() && !env.ui().sections.board) ownSection(env, chosen);

@@ -95,10 +95,7 @@ void sectionKeyBar(const PanelEnv& env, float width) {
   ImGui::Dummy({0, 2});
   label(env.fonts.small, kMuted, stops.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
   if (stops.size() > 1) bar(env, stops, picked, width);
-  const bool placing = env.ui().sections.placing;
-  if (textButton(env, {"add", placing ? "Tap the bone …" : "Add a slice", placing, true, side})) {
-    env.sink.run("add-slice");
-  }
+  commandText(env, {"add-slice"});
   if (stops.size() < 2) return;
   ImGui::SameLine(0, 4);
   commandButton(env, "remove-slice", side);

@@ -31,16 +31,13 @@ double nextHeight(double mm, int direction) {
 
 void howTall(const PanelEnv& env, float width) {
   const double mm = env.document().height.value;
-  const bool can = !env.document().parts.empty();
+  const bool can = app::enabled(app::commandOf("set-height"), env.env);
   const float side = buttonSide(env);
   const auto step = [&](int direction) { env.sink.run(app::setHeight, nextHeight(mm, direction)); };
   if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
   ImGui::SameLine(0, 4);
   const std::string text = app::spokenLength(mm);
-  if (textButton(env, {"type", text, false, can, side, std::max(60.f, width - 2 * side - 8)})) {
-    env.sink.run("set-height");
-  }
-  tooltip("Type how tall it is to be, in cm or mm");
+  commandText(env, {"set-height", std::max(60.f, width - 2 * side - 8), false, text});
   ImGui::SameLine(0, 4);
   if (iconButton(env, {"higher", "plus", "Taller", false, can, side})) step(+1);
 }
@@ -84,19 +81,16 @@ void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
   ImGui::PopTextWrapPos();
   const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);
   if (fix == nullptr) return;
-  if (textButton(env, {line.fix.data(), fix->label, true, true, buttonSide(env), width})) env.sink.run(*fix);
+  commandText(env, {fix->id, width, true});
 }
 
 void printing(const PanelEnv& env, float width) {
-  const bool can = !env.document().parts.empty();
   const std::optional<app::PrintReport>& report = env.ui().print;
   const bool fresh = report && report->of == env.document();
   bool& seen = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("seen"));
   const bool news = !std::exchange(seen, fresh) && fresh;
   if (!fresh) {
-    if (textButton(env, {"check", "Check for printing", false, can, buttonSide(env), width})) {
-      env.sink.run("check-print");
-    }
+    commandText(env, {"check-print", width});
     return;
   }
   for (const app::PrintLine& line : app::printLines(*report)) reportLine(env, line, width);

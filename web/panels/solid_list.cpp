@@ -75,9 +75,7 @@ void openingChooser(const PanelEnv& env, const document::Step& step, float width
     action.opening.side = side;
     env.sink.run(app::setStep, action);
   }
-  const bool pointing = env.ui().solids.pointing;
-  const char* text = pointing ? "Now tap the solid there" : "Tap the place on the solid";
-  if (textButton(env, {"point", text, pointing, true, buttonSide(env), width})) env.sink.run("point-opening");
+  commandText(env, {"point-opening", width});
 }
 
 void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
@@ -194,31 +192,29 @@ void solidPanel(const PanelEnv& env, float width) {
     ImGui::PopTextWrapPos();
     ImGui::PushID(static_cast<int>(each.id.value));
     const float half = std::min((width - 4) / 2, 110.f);
-    if (app::hasPlace(env.env, each) && textButton(env, {"where", "Show where", false, true, side, half})) {
+    if (app::hasPlace(env.env, each) &&
+        textButton(env, {"where", app::commandOf("show-trouble").label, false, true, side, half})) {
       env.sink.run(app::showFailure, each.id);
     }
     if (app::hasPlace(env.env, each)) ImGui::SameLine(0, 4);
-    if (textButton(env, {"again", "Try again", false, true, side, half})) env.sink.run("solve-again");
+    commandText(env, {"solve-again", half});
     ImGui::PopID();
   }
-  const struct {
-    app::CommandId id;
-    const char* text;
-  } makers[] = {{"stick-together", "Stick"}, {"cut", "Cut out"}, {"keep-common", "Overlap"}};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
   const float each = std::min(74.f, (width - 12) / 4);
   int tiles = 0;
-  const auto tile = [&](app::CommandId id, const char* text) {
+  const auto tile = [&](app::CommandId id) {
     if (tiles++ % 4 != 0) ImGui::SameLine();
-    commandTile(env, id, text, {each, 52});
+    commandTile(env, id, {each, 52});
   };
   if (several) {
-    for (const auto& [id, text] : makers) tile(id, text);
+    for (const app::CommandId id : std::initializer_list<app::CommandId>{"stick-together", "cut", "keep-common"})
+      tile(id);
   }
-  if (step == nullptr || step->kind != StepKind::Hollow) tile("scoop-out", "Scoop out");
-  if (step != nullptr) tile("release", "Break apart");
+  if (step == nullptr || step->kind != StepKind::Hollow) tile("scoop-out");
+  if (step != nullptr) tile("release");
   // A bin beside one of its parts would take that part alone.
-  if (holdsWhole(env)) tile("delete-step", "Delete");
+  if (holdsWhole(env)) tile("delete-step");
   ImGui::PopStyleVar();
   if (step != nullptr) chosenSolid(env, *step, width);
 }

@@ -327,7 +327,7 @@ void drawActivity(const PanelEnv& env) {
   list.AddRectFilled(at, {at.x + length * done, at.y + 6}, kAccent, 3);
   const float side = env.ui().touch ? 44.f : 34.f;
   ImGui::SetCursorPos({static_cast<float>(width) - side - 8, (52 - side) / 2});
-  if (iconButton(env, {"stop", "x", "Cancel", false, true, side})) env.env.studio.cancelWork();
+  if (iconButton(env, {"stop", "x", app::commandOf("cancel").label, false, true, side})) env.env.studio.cancelWork();
   ImGui::End();
   ImGui::PopStyleVar();
 }

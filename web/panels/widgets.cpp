@@ -155,6 +155,12 @@ void commandButton(const PanelEnv& env, app::CommandId id, float size) {
   }
 }
 
+bool namedButton(const PanelEnv& env, app::CommandId id, float size) {
+  const app::Command& command = app::commandOf(id);
+  const std::string name{std::string_view(id)}, tip = tipOf(command);
+  return iconButton(env, {name.c_str(), command.icon, tip, false, true, size, 0, command.label});
+}
+
 float wordButtonWidth(const PanelEnv& env, std::string_view text, float height) {
   const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
   return height + env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x + 8;
@@ -220,6 +226,17 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   return pressed && button.enabled;
 }
 
+void commandText(const PanelEnv& env, const CommandText& button) {
+  const app::Command& command = app::commandOf(button.id);
+  const std::string name{std::string_view(button.id)};
+  const bool on = command.toggled != nullptr && command.toggled(env.env);
+  const std::string_view text = button.value.empty() ? command.label : button.value;
+  const bool pressed = textButton(
+      env, {name.c_str(), text, on || button.primary, app::enabled(command, env.env), buttonSide(env), button.width});
+  tooltip(command.hint);
+  if (pressed) env.sink.run(command);
+}
+
 bool WordButtons::button(const char* id, std::string_view text, bool on) {
   constexpr float kGap = 4;
   const float need = textButtonWidth(env_, text);
@@ -258,11 +275,11 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   return pressed;
 }
 
-void commandTile(const PanelEnv& env, app::CommandId id, std::string_view text, ImVec2 size) {
+void commandTile(const PanelEnv& env, app::CommandId id, ImVec2 size) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)};
   const bool on = command.toggled != nullptr && command.toggled(env.env);
-  const std::string_view below = size.y < 50 ? std::string_view() : text;
+  const std::string_view below = size.y < 50 ? std::string_view() : command.label;
   const bool can = app::enabled(command, env.env);
   const bool pressed = tile(env, {name.c_str(), below, command.hint, size, on, command.label, can},
                             [&](ImDrawList& list, ImVec2 c, float, ImU32) {

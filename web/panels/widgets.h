@@ -49,6 +49,9 @@ bool iconButton(const PanelEnv& env, const IconButton& button);
 /// The button of a command; runs it when pressed. Tools have their own colours.
 void commandButton(const PanelEnv& env, app::CommandId id, float size);
 
+/// The button of a command about what the caller names; true: it was pressed, and the caller runs it.
+bool namedButton(const PanelEnv& env, app::CommandId id, float size);
+
 /// A button with words; `primary` is the one that ends the work.
 struct TextButton {
   const char* id = "";
@@ -60,6 +63,15 @@ struct TextButton {
 bool textButton(const PanelEnv& env, const TextButton& button);
 /// How wide such a button becomes by itself.
 float textButtonWidth(const PanelEnv& env, std::string_view text);
+
+/// A button of a command that says its word, or the value that it changes; filled while the command is on.
+struct CommandText {
+  app::CommandId id;
+  float width = 0;              ///< 0: as wide as the words need
+  bool primary = false;         ///< the one that ends the work
+  std::string_view value = {};  ///< empty: the command's word
+};
+void commandText(const PanelEnv& env, const CommandText& button);
 
 /// Such buttons side by side, in as many rows as they need.
 class WordButtons {
@@ -96,8 +108,8 @@ struct Tile {
 using TilePaint = std::function<void(ImDrawList&, ImVec2, float, ImU32)>;
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
 
-/// A tile that runs a command, with its icon and a word.
-void commandTile(const PanelEnv& env, app::CommandId id, std::string_view text, ImVec2 size);
+/// A tile that runs a command, with its icon and its word, or the first of its words where there is no room for all.
+void commandTile(const PanelEnv& env, app::CommandId id, ImVec2 size);
 
 /// Scrolls the current window when a finger or the mouse drags its content.
 void dragScroll();

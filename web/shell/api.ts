@@ -226,6 +226,8 @@ export interface State {
   selection: number | null;
   /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move' */
   tool: string;
+  /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
+  modes: string[];
   /** Steps that undo and redo could go. */
   undo: number;
   redo: number;

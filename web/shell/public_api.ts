@@ -41,6 +41,7 @@ const kBeforeReady: State = {
   groups: [],
   snap: false,
   gizmo: null,
+  modes: ['model'],
   hover: { part: null, end: null, other: -1, handle: -1, bone: false, depth: -1, mark: -1 },
   chosen: { end: null, handle: -1, outline: null },
   touched: [],

@@ -18,6 +18,12 @@ std::string_view controlKey(Control::Kind kind) {
   return kKeys[static_cast<std::size_t>(kind)];
 }
 
+void closeMenus(UiState& ui) {
+  ui.barMenu = BarMenu::None;
+  ui.pictureMenu = {};
+  ui.sketching.menu = PenMenu::None;
+}
+
 void featureAt(UiState& ui, PictureId picture) {
   if (ui.picture == picture) return;
   if (ui.picture) ui.seen.push_back({ui.picture, ui.pictureView});

@@ -272,6 +272,7 @@ struct UiState {
   std::vector<Control> controls;      ///< as of the last frame
 };
 
+void closeMenus(UiState& ui);
 /// Brings a picture into view as it was last looked at, the first time whole.
 void featureAt(UiState& ui, PictureId picture);
 

@@ -1,6 +1,6 @@
 // Meshes that go through themselves, do not, or nearly do: the same numbers as in tests/unit/mesh/self_crossing_test.cpp,
 // which asks the same questions of the engine. What is true of each is in tests/golden/crossing_verdicts.txt.
-import { seeded } from './lofts.mjs';
+import { seeded } from '../../support/random.mjs';
 
 const kFaces = [
   [0, 2, 3, 1],

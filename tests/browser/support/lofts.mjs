@@ -1,12 +1,4 @@
 // Lofts as the engine makes them, and places for them. Each function stands alone, so that a page can be given its text.
-export function seeded(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 4294967296;
-  };
-}
-
 /** A loft as the engine makes it: rings of `around` points along a line that bends by `bend`, closed by hubs. */
 export function loft({ rings = 24, around = 16, length = 1, radius = 0.1, bend = 0, wave = 0 } = {}) {
   const positions = [],

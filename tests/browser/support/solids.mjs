@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import create from 'manifold-3d';
 import { selfCrossingFile } from '../../../.ci/lib/site.mjs';
-import { identity, loft, seeded, shifted, turned } from './lofts.mjs';
+import { seeded } from '../../support/random.mjs';
+import { identity, loft, shifted, turned } from './lofts.mjs';
 import { loadShell } from './shell.mjs';
 
 export { identity, loft, seeded, shifted, turned };
@@ -154,7 +155,7 @@ export function diagonal(positions) {
 }
 
 /** Volume, genus and what breaks the law that a solid is closed and outward, by counting. */
-export function measure({ positions, triangles, mergeFrom, mergeTo }) {
+export function measure({ positions, triangles, mergeFrom = [], mergeTo = [] }) {
   const together = merged({ triangles, mergeFrom, mergeTo }, positions.length / 3);
   const edges = new Map(),
     used = new Set();
