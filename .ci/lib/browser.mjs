@@ -41,7 +41,9 @@ export function startBrowser() {
  * `troubles` collects console errors, uncaught exceptions, failed requests and requests that leave the origin.
  */
 export async function openPage(browser, url, contextOptions = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...contextOptions });
+  // A service worker would answer what tests hold back or alter.
+  const usual = { viewport: { width: 1440, height: 900 }, serviceWorkers: 'block' };
+  const context = await browser.newContext({ ...usual, ...contextOptions });
   const page = await context.newPage();
   const troubles = [];
   const origin = new URL(url).origin;

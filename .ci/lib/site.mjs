@@ -111,7 +111,7 @@ const iconFont = {
 /** The engine's test for meshes that go through themselves, which the worker of solids loads. */
 export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
 
-async function bundle(folder, entryPoints, define) {
+async function bundle(folder, entryPoints, define, place = { outdir: 'assets', entryNames: '[name]-[hash]' }) {
   const esbuild = await import('esbuild');
   const result = await esbuild
     .build({
@@ -124,8 +124,8 @@ async function bundle(folder, entryPoints, define) {
       metafile: true,
       legalComments: 'none',
       logLevel: 'silent',
-      outdir: join(folder, 'assets'),
-      entryNames: '[name]-[hash]',
+      outdir: join(folder, place.outdir),
+      entryNames: place.entryNames,
       assetNames: '[name]-[hash]',
       loader: {
         '.svg': 'text',
@@ -137,7 +137,7 @@ async function bundle(folder, entryPoints, define) {
         '.wasm': 'file',
         '.glsl': 'text',
       },
-      define,
+      define: { 'process.env.NODE_ENV': '"production"', ...define },
       alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
@@ -156,6 +156,37 @@ async function bundle(folder, entryPoints, define) {
     };
   }
   return outputs;
+}
+
+/** Copies the web app's manifest, its icons under their hashed names. */
+function putManifest(folder, text, assets) {
+  const linked = text.replace(/"assets\/([^"]+)"/g, (whole, path) => {
+    if (!assets[path]) throw new Stop(`${kManifest} names assets/${path}, which does not exist.`);
+    return `"${assets[path]}"`;
+  });
+  put(folder, kManifest, linked);
+}
+
+/** The names of the web app's manifest and of the service worker, beside index.html. */
+const kManifest = 'site.webmanifest';
+const kServiceWorker = 'service_worker.js';
+
+/** Every file of the site as the service worker stores it: what all pages need, and what each engine's do. */
+function filesToStore(folder, engines) {
+  const entry = (path) => {
+    const bytes = readFileSync(join(folder, path));
+    if (/-([0-9A-Z]{8}|[0-9a-f]{10})\.[a-z0-9]+$/.test(path)) return { url: path, revision: null };
+    // A release that is put in place while this one is being stored is refused by its sum.
+    const integrity = `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
+    return { url: path, revision: contentHash(bytes), integrity };
+  };
+  const ofEngines = new Set(Object.values(engines).flatMap(({ js, wasm }) => [js, wasm]));
+  return {
+    page: filesUnder(folder)
+      .filter((path) => !ofEngines.has(path))
+      .map(entry),
+    ...Object.fromEntries(Object.entries(engines).map(([name, { js, wasm }]) => [name, [js, wasm].map(entry)])),
+  };
 }
 
 /** The page with its script, style sheet and asset links under their hashed names. */
@@ -216,6 +247,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
   mkdirSync(fresh, { recursive: true });
   const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
   const assets = putAssets(fresh);
+  const isWhole = engines.length === Object.keys(enginePrograms).length;
   const site = {
     version,
     ...Object.fromEntries(
@@ -226,6 +258,8 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     ),
     assets,
     workers: {},
+    // A site with an engine to come is not worth storing.
+    serviceWorker: isWhole ? kServiceWorker : '',
   };
   const workers = readdirSync(shell).filter((name) => name.endsWith('.worker.ts'));
   if (workers.length) {
@@ -238,6 +272,12 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
   }
   const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
   put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
+  putManifest(fresh, readFileSync(join(shell, kManifest), 'utf8'), assets);
+  if (isWhole) {
+    const files = filesToStore(fresh, { threads: site.threads, single: site.single });
+    const define = { SPINELOFT_FILES: JSON.stringify(files) };
+    await bundle(fresh, ['web/shell/offline/service_worker.ts'], define, { outdir: '.', entryNames: '[name]' });
+  }
   if (twins) await compress(fresh);
   if (keep && existsSync(distDir)) cpSync(distDir, fresh, { recursive: true, force: false });
   const old = join(buildDir, `site-old-${shortHash(Date.now())}`);

@@ -69,6 +69,9 @@ constexpr std::array kTexts = {
     ErrorText{Error::SolverStopped, "SolverStopped",
               "Putting the parts together was interrupted. Nothing is lost: change a part or press \"Try "
               "again\"."},
+    ErrorText{Error::SolverUnreachable, "SolverUnreachable",
+              "What puts parts together could not be loaded. Nothing is lost: check the connection and press \"Try "
+              "again\"."},
     ErrorText{Error::FileUnreadable, "FileUnreadable", "The file cannot be read. Check its name and try again."},
     ErrorText{Error::FileUnwritable, "FileUnwritable",
               "The file cannot be written. Check the folder and the free space."},

@@ -51,7 +51,8 @@ enum class Error {
   WallTooThick,       ///< no room inside for a hollow, or none at its opening
   PartCrossesItself,  ///< a part goes through itself in a way that cannot be mended
   SolidFailed,        ///< the solver refused it
-  SolverStopped,      ///< the solver's worker died or could not be loaded
+  SolverStopped,      ///< the solver's worker died
+  SolverUnreachable,  ///< the solver's worker could not be loaded
   // files and work
   FileUnreadable,   ///< cannot be opened or read
   FileUnwritable,   ///< cannot be written

@@ -40,23 +40,28 @@ class FakeEngine {
 
 let ids = 0;
 function writerOf(engine, store, more = {}) {
-  const log = { kept: 0, troubles: [], taken: 0 };
+  const log = { kept: 0, troubles: [], since: [], taken: 0 };
   const writer = new JournalWriter(
     engine,
     store,
     more.token ?? 'me',
     {
       begin: async () => more.id ?? `model-${(ids += 1)}`,
-      reopen: async () => store,
+      reopen: more.reopen ?? (async () => store),
       kept: () => {
         log.kept += 1;
       },
-      trouble: (failure) => log.troubles.push(failure?.code ?? null),
+      trouble: (failure, since) => {
+        log.troubles.push(failure?.code ?? null);
+        if (failure) log.since.push(since);
+      },
       taken: () => {
         log.taken += 1;
       },
     },
     more.now ?? (() => 1000),
+    // No test waits: what is to run later is run by hand.
+    more.later ?? (() => () => undefined),
   );
   return { writer, log };
 }
@@ -284,6 +289,65 @@ test('a full disk is told once, not on every step, and everything is kept as soo
   assert.deepEqual((await readBack(store, 'a')).words, engine.words);
   assert.equal(writer.isSafe, true);
   store.close();
+});
+
+test('while the disk is full it is tried again by itself, with pauses that double up to five minutes, until all is kept', async () => {
+  const store = await freshStore();
+  const engine = new FakeEngine();
+  let now = 1000,
+    waiting = null;
+  const pauses = [];
+  const later = (ms, work) => {
+    pauses.push(ms);
+    waiting = { at: now + ms, work };
+    return () => (waiting = null);
+  };
+  const { writer, log } = writerOf(engine, store, { id: 'a', now: () => now, later });
+  const original = ModelStore.prototype.write;
+  ModelStore.prototype.write = async () => {
+    throw Object.assign(new Error('full'), { name: 'QuotaExceededError' });
+  };
+  writer.take(engine.step('one'));
+  await settle(writer);
+  for (let i = 0; i < 9; ++i) {
+    const { at, work } = waiting;
+    now = at;
+    work();
+    await settle(writer);
+  }
+  ModelStore.prototype.write = original;
+  assert.deepEqual(
+    pauses,
+    [5, 10, 20, 40, 80, 160, 300, 300, 300, 300].map((seconds) => 1000 * seconds),
+  );
+  assert.deepEqual([log.troubles, log.since], [['full'], [1000]]);
+  now = waiting.at;
+  waiting.work();
+  await settle(writer);
+  assert.equal(waiting, null);
+  assert.deepEqual(log.troubles, ['full', null]);
+  assert.deepEqual((await readBack(store, 'a')).words, ['one']);
+  store.close();
+});
+
+test("when the site's data is cleared under an open page, the next step keeps everything anew", async () => {
+  const store = await freshStore();
+  const engine = new FakeEngine();
+  const { writer, log } = writerOf(engine, store, { id: 'a', reopen: () => ModelStore.open() });
+  writer.take(engine.step('one', 'photo'));
+  await settle(writer);
+  store.close();
+  await new Promise((resolve) => {
+    indexedDB.deleteDatabase('spineloft').onsuccess = resolve;
+  });
+  writer.take(engine.step('two'));
+  await settle(writer);
+  assert.deepEqual(log.troubles, []);
+  assert.equal(writer.isSafe, true);
+  const fresh = await ModelStore.open();
+  assert.deepEqual(await fresh.missingPhotos(['photo']), []);
+  assert.deepEqual((await readBack(fresh, 'a')).words, ['one', 'two']);
+  fresh.close();
 });
 
 test('without a store every page goes on, and trouble is told at the first step only', async () => {

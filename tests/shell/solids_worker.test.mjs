@@ -123,7 +123,7 @@ test('a worker that dies is said and started anew; a hundred cancels leave nothi
     solver = new Solver(memory(workers, answers));
   solver.ask(solveEvent(1));
   workers[0].onerror({});
-  assert.deepEqual(answers, [{ lost: true, bytes: null }]);
+  assert.deepEqual(answers, [{ lost: true, loaded: false, bytes: null }]);
   for (let id = 2; id < 102; id += 1) {
     solver.ask(solveEvent(id));
     const worker = workers.at(-1);
@@ -152,7 +152,7 @@ test('a worker that cannot start is said at the first request, and tried again a
   solver.start();
   assert.deepEqual(answers, []);
   solver.ask(solveEvent(1));
-  assert.deepEqual(answers, [{ lost: true, bytes: null }]);
+  assert.deepEqual(answers, [{ lost: true, loaded: false, bytes: null }]);
   isRefused = false;
   solver.ask(solveEvent(2));
   assert.deepEqual(Object.keys(requestsOf(workers[0])[0].meshes), ['a']);

@@ -124,7 +124,7 @@ void Derivation::reportSolids() {
     if (!step.failure) continue;
     reportedSteps_.push_back(entry);
     const Error error = step.failure->error;
-    if (error == Error::Cancelled || error == Error::SolverStopped) continue;  // told already
+    if (isWithoutAnswer(error)) continue;  // told already
     const bool toldOfPart = std::ranges::any_of(derived_.parts, [&](const pipeline::DerivedPart& derived) {
       return derived.id == step.faulty && derived.failure && derived.failure->error == error;
     });

@@ -220,8 +220,7 @@ void SolidWork::refineLabels(const pipeline::Derived& derived) {
   for (const pipeline::DerivedPart& part : derived.parts) {
     if (!part.shape) continue;
     std::erase_if(failures_, [key = publish::aloneKey(part.id, *part.shape)](const StepFailure& failed) {
-      const Error error = failed.failure.error;
-      return failed.key == key && (error == Error::Cancelled || error == Error::SolverStopped);
+      return failed.key == key && isWithoutAnswer(failed.failure.error);
     });
   }
 }
@@ -306,7 +305,9 @@ void SolidWork::keepFailure(StepFailure failed) {
 }
 
 bool SolidWork::take(const Json& answer, std::span<const std::uint8_t> bytes) {
-  if (answer.flag("lost").value_or(false)) return takeLoss();
+  if (answer.flag("lost").value_or(false)) {
+    return takeLoss(answer.flag("loaded").value_or(true) ? Error::SolverStopped : Error::SolverUnreachable);
+  }
   if (answer.text("key") != nullptr) return takeSolid(answer, bytes);
   if (!asked_ || answer.number("id") != asked_->id) return false;
   if (const auto done = answer.number("progress")) asked_->done = std::clamp(*done, 0.0, 1.0);
@@ -314,14 +315,14 @@ bool SolidWork::take(const Json& answer, std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-bool SolidWork::takeLoss() {
+bool SolidWork::takeLoss(Error reason) {
   if (!asked_) return false;
   const Asked lost = *std::exchange(asked_, std::nullopt);
   if (lost.purpose != Purpose::Document) return true;
   for (const std::uint64_t key : lost.keys) {
-    if (!solids_.find(key)) keepFailure({key, {Error::SolverStopped, {}}, {}, {}});
+    if (!solids_.find(key)) keepFailure({key, {reason, {}}, {}, {}});
   }
-  sendError(host_, errorSentence(Error::SolverStopped));
+  sendError(host_, errorSentence(reason));
   return true;
 }
 

@@ -19,6 +19,11 @@
 
 namespace spineloft::app {
 
+/// Whether a solid is missing because its making ended early, not because it cannot be made.
+inline bool isWithoutAnswer(Error error) {
+  return error == Error::Cancelled || error == Error::SolverStopped || error == Error::SolverUnreachable;
+}
+
 class SolidWork {
  public:
   explicit SolidWork(platform::Host& host) : host_(host) {}
@@ -41,7 +46,7 @@ class SolidWork {
   /// that it makes ready while nothing else is asked for.
   void expect(PartId part);
 
-  /// What the solver says: {id, done}, {id, progress}, {lost} or {id, step, key, ms, mesh | failure}, with the
+  /// What the solver says: {id, done}, {id, progress}, {lost, loaded} or {id, step, key, ms, mesh | failure}, with the
   /// arrays of the mesh as bytes: positions, uv, corners, both lists of merged vertices. True when something
   /// changed.
   bool take(const Json& answer, std::span<const std::uint8_t> bytes);
@@ -85,7 +90,7 @@ class SolidWork {
   void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose);
   void keepFailure(StepFailure failed);
   const StepFailure* failureOf(std::uint64_t key) const;
-  bool takeLoss();
+  bool takeLoss(Error reason);
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
 
   platform::Host& host_;

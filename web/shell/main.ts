@@ -13,6 +13,7 @@ import { loadFonts } from './fonts.ts';
 import { watchInputKind } from './input_kind.ts';
 import { connectKeyboard } from './keyboard.ts';
 import { KeyboardPen } from './keyboard_pen.ts';
+import { receiveFiles, startOffline } from './offline/offline.ts';
 import { Page } from './page.ts';
 import { connectPointer } from './pointer.ts';
 import { installApi } from './public_api.ts';
@@ -120,9 +121,14 @@ function main(): void {
     () => pending?.(),
     () => page.showLoading(null),
   );
-  connectFiles(
-    (files) => whenReady(() => void page.openFiles(files)),
-    () => toast('That was not a file. Drop a PNG or JPEG picture or a model from your device.', 'error'),
+  const open = (files: File[]) => whenReady(() => void page.openFiles(files));
+  receiveFiles(open);
+  ready.then(
+    () => startOffline({ hasUnsavedWork: () => page.hasUnsavedWork }),
+    () => undefined,
+  );
+  connectFiles(open, () =>
+    toast('That was not a file. Drop a PNG or JPEG picture or a model from your device.', 'error'),
   );
   buildStartPage(
     (sample) => {

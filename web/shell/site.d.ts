@@ -16,9 +16,16 @@ interface SpineLoftSite {
   readonly assets: Readonly<Record<string, string>>;
   /** Every web/shell/NAME.worker.ts, bundled on its own: 'NAME' → its path, for new Worker(url, {type: 'module'}). */
   readonly workers: Readonly<Record<string, string>>;
+  /** The service worker beside index.html; empty while the site is not whole. */
+  readonly serviceWorker: string;
 }
 
 declare const SPINELOFT_SITE: SpineLoftSite;
+
+/** In the service worker: all files of the release, by who needs them. `revision` is null where the name has a hash. */
+declare const SPINELOFT_FILES: Readonly<
+  Record<'page' | 'threads' | 'single', readonly { url: string; revision: string | null; integrity?: string }[]>
+>;
 
 // Files that can be imported: SVG as text (lucide-static/icons/NAME.svg), fonts and pictures as their hashed URL,
 // relative to the importing script: new URL(interUrl, import.meta.url).

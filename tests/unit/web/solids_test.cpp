@@ -176,6 +176,19 @@ TEST_CASE("a wall that was set too thin is set thicker, as tall as the model was
   CHECK(wall() == doctest::Approx(0.002));
 }
 
+TEST_CASE("a solver that could not be loaded is told apart from one that died, and one can try again") {
+  Stuck rig;
+  rig.lost(false);
+  CHECK(rig.settle());
+  CHECK(*rig.step().text("failure") == "SolverUnreachable");
+  CHECK(rig.host.said("could not be loaded. Nothing is lost"));
+  rig.run("solve-again");
+  rig.state();
+  rig.answer(rig.lastAsked());
+  CHECK(rig.settle());
+  CHECK(rig.status() == "ready");
+}
+
 TEST_CASE("when the solver dies it is said, the last good solid stays, and one can try again") {
   Stuck rig;
   rig.answer(rig.lastAsked());

@@ -81,7 +81,7 @@ struct TwoBars : Rig {
     done(request);
   }
   void done(const app::Json& request) { say(answerTo(request, {{"done", true}})); }
-  void lost() { say(app::Json::Object{{"lost", true}}); }
+  void lost(bool loaded = true) { say(app::Json::Object{{"lost", true}, {"loaded", loaded}}); }
 
   void tick(int part, bool on = true) {
     run("pick", R"({"part": )" + std::to_string(part) + R"(, "on": )" + (on ? "true}" : "false}"));

@@ -39,8 +39,8 @@ export interface WriterEvents {
   /** The store again after it failed. */
   reopen(): Promise<ModelStore>;
   kept(info: ModelInfo): void;
-  /** Keeping does not work (null: it works again). Told once, not on every step. */
-  trouble(failure: StoreFailure | null): void;
+  /** Keeping does not work, since that time (null: it works again). Told once, not on every step. */
+  trouble(failure: StoreFailure | null, since: number): void;
   /** Another tab writes this model now. */
   taken(): void;
 }
@@ -49,8 +49,9 @@ export interface WriterEvents {
 const kLongJournal = 256 * 1024,
   kLongestJournal = 4 * 1024 * 1024,
   kMostRecords = 400;
-/** After a failure the next try waits that long. */
-const kRetryMs = 5000;
+/** After a failure the next try waits that long, and twice as long after each further one, up to the longest. */
+const kRetryMs = 5000,
+  kLongestRetryMs = 5 * 60 * 1000;
 /** Deleted models can be brought back for that long. */
 export const kTrashMs = 10 * 60 * 1000;
 
@@ -67,6 +68,9 @@ export class JournalWriter {
   private known = new Set<string>();
   private failure: StoreFailure | null = null;
   private failedAt = -Infinity;
+  private failingSince = 0;
+  private pause = kRetryMs;
+  private cancelRetry: () => void = () => undefined;
   private stopped = false;
   private newId: string | null = null; // of a model whose first write is still to come
 
@@ -76,6 +80,11 @@ export class JournalWriter {
     private readonly token: string,
     private readonly events: WriterEvents,
     private readonly now: () => number = Date.now,
+    /** Runs something later; what it returns calls that off. */
+    private readonly later: (ms: number, work: () => void) => () => void = (ms, work) => {
+      const timer = setTimeout(work, ms);
+      return () => clearTimeout(timer);
+    },
   ) {}
 
   get model(): string | null {
@@ -113,6 +122,7 @@ export class JournalWriter {
 
   /** A tab that took the model over writes it now: nothing is written here any more. */
   stop(): void {
+    this.cancelRetry();
     this.stopped = true;
     this.pending = [];
   }
@@ -144,7 +154,7 @@ export class JournalWriter {
 
   private start(): void {
     if (this.running || this.stopped) return;
-    if (this.failure && this.now() - this.failedAt < kRetryMs) {
+    if (this.failure && this.now() - this.failedAt < this.pause) {
       this.pending = [];
       this.wantsBase = true;
       return;
@@ -187,10 +197,9 @@ export class JournalWriter {
 
   /** True when a second try makes sense. */
   private async mend(failure: StoreFailure): Promise<boolean> {
-    if (failure.code === 'photo-missing') {
-      this.known.clear();
-      return true;
-    }
+    // The visitor may have cleared the site's data: nothing counts as kept.
+    this.known.clear();
+    if (failure.code === 'photo-missing') return true;
     if (failure.code !== 'failed' || !this.store) return false;
     this.store = await this.events.reopen().catch(() => this.store);
     return true;
@@ -198,12 +207,17 @@ export class JournalWriter {
 
   private report(failure: StoreFailure | null): void {
     const changed = failure?.code !== this.failure?.code;
-    this.failure = failure;
+    this.cancelRetry();
     if (failure) {
       this.failedAt = this.now();
+      if (!this.failure) [this.failingSince, this.pause] = [this.failedAt, kRetryMs];
+      else this.pause = Math.min(2 * this.pause, kLongestRetryMs);
       this.pending = [];
+      // Without a store there is nothing to wait for.
+      if (this.store) this.cancelRetry = this.later(this.pause, () => this.retry());
     }
-    if (changed) this.events.trouble(failure);
+    this.failure = failure;
+    if (changed) this.events.trouble(failure, this.failingSince);
   }
 
   /** One transaction. What is asked of the engine is asked before the first await: it all belongs together. */

@@ -63,6 +63,7 @@ export class Keeper {
   ) {
     this.writer = this.makeWriter();
     document.addEventListener('visibilitychange', () => this.seen());
+    window.addEventListener('focus', () => this.writer.retry());
   }
 
   /** Id of the open model; null while it is empty and new. */
@@ -416,7 +417,7 @@ export class Keeper {
         return this.store;
       },
       kept: (info) => this.onKept(info),
-      trouble: (failure) => this.onTrouble(failure),
+      trouble: (failure, since) => this.onTrouble(failure, since),
       taken: () => this.lose(),
     });
   }
@@ -428,7 +429,7 @@ export class Keeper {
     this.page.changed();
   }
 
-  private onTrouble(failure: StoreFailure | null): void {
+  private onTrouble(failure: StoreFailure | null, since: number): void {
     if (!failure) {
       hideBanner('trouble');
       toast('Your work is kept on this device again.');
@@ -438,7 +439,8 @@ export class Keeper {
     const actions = [{ label: 'Save a file', command: 'save-project', run: () => this.engine.run('save-project') }];
     if (real.code === 'full')
       actions.push({ label: 'Your models', command: 'open-model', run: () => this.page.showModels() });
-    showBanner({ id: 'trouble', text: real.message, actions, canDismiss: true });
+    const time = new Date(since).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
+    showBanner({ id: 'trouble', text: `Not kept since ${time}. ${real.message}`, actions, canDismiss: true });
     this.page.changed();
   }
 
@@ -462,7 +464,8 @@ export class Keeper {
 
   private seen(): void {
     if (document.visibilityState === 'hidden') void this.keepThumbnail();
-    else this.writer.retry();
+    // A page that is hidden may never be seen again.
+    this.writer.retry();
   }
 
   /** Once there is a part: browsers keep what they were asked to keep. */

@@ -36,6 +36,8 @@ export class Solver {
   private bytes = 0;
   private expected: number | null = null;
   private wasStarted = false;
+  /** The worker has loaded all that it needs. */
+  private isLoaded = false;
 
   constructor(private readonly host: SolverHost) {}
 
@@ -95,6 +97,7 @@ export class Solver {
   private started(): SolidWorker {
     const worker = this.host.start();
     this.wasStarted = true;
+    this.isLoaded = false;
     worker.onmessage = ({ data }) => this.take(data);
     worker.onerror = () => {
       if (this.worker === worker) this.lost();
@@ -105,7 +108,7 @@ export class Solver {
 
   private lost(): void {
     this.stop();
-    this.host.answer(JSON.stringify({ lost: true }), null);
+    this.host.answer(JSON.stringify({ lost: true, loaded: this.isLoaded }), null);
   }
 
   private take(message: WorkerMessage): void {
@@ -123,7 +126,10 @@ export class Solver {
       case 'progress':
         this.host.answer(JSON.stringify({ id: message.id, progress: message.done }), null);
         break;
-      default: // it is ready, or alive
+      case 'ready':
+        this.isLoaded = true;
+        break;
+      default: // it is alive
     }
   }
 }
