@@ -1,5 +1,5 @@
 // A small static server for dist/: right types, strong caching for hashed names, compressed twins, no way out of the folder.
-import { createReadStream, statSync } from 'node:fs';
+import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, sep } from 'node:path';
 import { Stop } from './run.mjs';
@@ -63,7 +63,15 @@ function accepts(request, encoding) {
   });
 }
 
-async function answer(request, response, { folder, basePath, isolated, later }) {
+/** The content security policy that a site's page states; as a header it holds for its workers too. Null where there is none. */
+function policyOf(folder) {
+  const page = join(folder, 'index.html');
+  const found =
+    existsSync(page) && /http-equiv="Content-Security-Policy" content="([^"]+)"/.exec(readFileSync(page, 'utf8'));
+  return found ? found[1] : null;
+}
+
+async function answer(request, response, { folder, basePath, isolated, later, policy }) {
   const finish = (status, text) => {
     response.writeHead(status, { 'Content-Type': 'text/plain; charset=utf-8', 'Cache-Control': 'no-cache' });
     response.end(request.method === 'HEAD' ? undefined : text);
@@ -74,6 +82,7 @@ async function answer(request, response, { folder, basePath, isolated, later }) 
     response.setHeader('Cross-Origin-Opener-Policy', 'same-origin');
     response.setHeader('Cross-Origin-Embedder-Policy', 'require-corp');
   }
+  if (policy) response.setHeader('Content-Security-Policy', policy);
   if (request.method !== 'GET' && request.method !== 'HEAD') return finish(405, 'Only GET and HEAD are answered.\n');
   // Not the URL class: it would resolve `..` before it can be refused.
   const path = request.url.replace(/[?#].*$/, '');
@@ -124,14 +133,15 @@ function listen(server, port, host) {
 /**
  * Serves `folder` and resolves to `{url, port, close()}`. With `port` 0 any free port is used, otherwise the first
  * free one from `port` on. `isolated` sends the two headers that make threads possible; `basePath` ("/" or "/a/b/")
- * is where the site hangs. `later`, a map from paths to promises of paths (null: it failed), names files that are still being
+ * is where the site hangs; `bare` leaves the content security policy to the page, as plain hosts do. `later`, a map from paths to promises of paths (null: it failed), names files that are still being
  * made: who asks for one waits and is sent on to where it is then.
  */
 export async function serveFolder(folder, options = {}) {
-  const { port = 0, host = 'localhost', isolated = true, basePath = '/', later } = options;
+  const { port = 0, host = 'localhost', isolated = true, basePath = '/', later, bare = false } = options;
   const base = normalize(folder);
+  const policy = bare ? null : policyOf(base);
   const server = createServer((request, response) =>
-    answer(request, response, { folder: base, basePath, isolated, later }),
+    answer(request, response, { folder: base, basePath, isolated, later, policy }),
   );
   const tries = port === 0 ? [0] : Array.from({ length: 20 }, (_, index) => port + index);
   for (const candidate of tries) {

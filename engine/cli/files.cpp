@@ -1,5 +1,8 @@
 #include "engine/cli/files.h"
 
+#include <algorithm>
+#include <array>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -37,6 +40,31 @@ bool writeBytes(const fs::path& path, const Bytes& bytes) {
   const bool kept = std::fflush(file.get()) == 0 && ::fsync(fileno(file.get())) == 0;
   return std::fclose(file.release()) == 0 && whole && kept;
 }
+
+/// Keeps the signals that people and systems end programs with waiting while files are half written.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : kEnding) sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+  }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  /// What came meanwhile takes effect.
+  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  /// Whether one has come.
+  bool any() const {
+    sigset_t waiting;
+    sigpending(&waiting);
+    return std::ranges::any_of(kEnding, [&](int signal) { return sigismember(&waiting, signal) == 1; });
+  }
+
+ private:
+  static constexpr std::array<int, 3> kEnding = {SIGINT, SIGTERM, SIGHUP};
+  sigset_t before_{};
+};
 
 /// One output on its way to its name.
 struct Pending {
@@ -103,6 +131,7 @@ Result<std::string> readText(const std::string& path) {
 }
 
 Status writeAll(const std::vector<OutputFile>& files) {
+  const HeldSignals signals;
   std::vector<Pending> pending;
   for (const OutputFile& file : files) {
     pending.push_back({file.path, besideOf(file.path, "new"), besideOf(file.path, "old")});
@@ -115,7 +144,7 @@ Status writeAll(const std::vector<OutputFile>& files) {
     std::error_code problem;
     if (fs::is_directory(pending[i].final, problem)) return fail(i);
     pending[i].written = true;
-    if (!writeBytes(pending[i].fresh, files[i].bytes)) return fail(i);
+    if (!writeBytes(pending[i].fresh, files[i].bytes) || signals.any()) return fail(i);
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (!place(pending[i])) return fail(i);

@@ -25,8 +25,8 @@ struct OutputFile {
 };
 
 /// Writes every file beside its final name first and then gives all of them their names, so that a
-/// reader never sees half a file, and after a failure every file is as it was before.
-/// Error: FileUnwritable with the file's name.
+/// reader never sees half a file, and after a failure every file is as it was before. A signal that is to end the
+/// program waits until then, and counts as a failure. Error: FileUnwritable with the file's name.
 Status writeAll(const std::vector<OutputFile>& files);
 
 /// Whether both paths lead to the same file, whether or not it exists.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/cli/files.h"
+#include "engine/cli/printable.h"
 #include "engine/cli/program.h"
 #include "engine/io/json_values.h"
 #include "engine/io/project_file.h"
@@ -88,7 +89,7 @@ Status runOpen(const OpenArguments& arguments, Console console) {
   }
 
   std::ostream& out = console.out;
-  out << opened.document.name << ": " << opened.document.pictures.size() << " pictures, "
+  out << onOneLine(opened.document.name) << ": " << opened.document.pictures.size() << " pictures, "
       << opened.document.parts.size() << " parts";
   if (!opened.notes.clean()) {
     out << " (damaged: " << opened.notes.dropped << " left out, " << opened.notes.repaired << " mended)";

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <variant>
 
+#include "engine/cli/printable.h"
 #include "engine/mesh/self_crossing.h"
 #include "engine/pipeline/solid.h"
 
@@ -12,11 +13,8 @@ namespace spineloft::cli {
 namespace {
 
 /// To a list that is one line.
-void addName(std::string name, std::string& names) {
-  for (char& c : name) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  names += (names.empty() ? "" : ", ") + name;
+void addName(const std::string& name, std::string& names) {
+  names += (names.empty() ? "" : ", ") + onOneLine(name);
 }
 
 int finish(const Status& status, std::ostream& err) {
@@ -55,13 +53,19 @@ int runCommand(const Arguments& arguments, Console console) {
 }  // namespace
 
 int run(std::span<const std::string_view> words, Console console) {
+  Printable out(console.out), err(console.err);
+  const auto flushed = [&](int code) {
+    out.flush();
+    err.flush();
+    return code;
+  };
   try {
-    return runCommand(parseArguments(words), console);
+    return flushed(runCommand(parseArguments(words), {out, err}));
   } catch (const std::bad_alloc&) {
-    return finish(Error::OutOfMemory, console.err);
+    return flushed(finish(Error::OutOfMemory, err));
   } catch (const std::exception& problem) {
     // File systems may throw where no error code can be asked for.
-    return finish({Error::FileUnreadable, problem.what()}, console.err);
+    return flushed(finish({Error::FileUnreadable, problem.what()}, err));
   }
 }
 
@@ -72,10 +76,7 @@ std::string sentenceOf(const Failure& failure) {
   std::string sentence(words);
   if (!failure.detail.empty()) sentence += " (" + failure.detail + ")";
   // Details may quote file names and messages with line breaks.
-  for (char& c : sentence) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return sentence + '.';
+  return onOneLine(sentence + '.');
 }
 
 void reportSeparateParts(const document::Document& document, std::ostream& err) {

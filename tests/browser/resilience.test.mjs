@@ -5,7 +5,11 @@ import { openPage, startSite } from '../../.ci/lib/browser.mjs';
 import { drawWithMouse } from './support/hands.mjs';
 import {
   difference,
+  done,
+  downloaded,
+  exported,
   idle,
+  kEngines,
   kSharp,
   kWindow,
   onPage,
@@ -44,6 +48,52 @@ async function atRest(page) {
   await page.locator('#toasts .toast').first().waitFor({ state: 'detached' });
   await idle(page);
 }
+
+test('the worker of solids can ask no other host, whether or not the host sends a policy', async (t) => {
+  const elsewhere = await startSite();
+  t.after(() => elsewhere.close());
+  for (const bare of [true, false]) {
+    const site = await startSite({ isolated: kEngines[0].isolated, bare });
+    t.after(() => site.close());
+    const { page, close } = await openPage(kit.browser, site.url, { viewport: kWindow });
+    t.after(close);
+    await openWithPart(page, tube.png, tube.middle);
+    const started = page.waitForEvent('worker', (worker) => worker.url().startsWith('blob:'));
+    await run(page, 'new-part');
+    await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [y + 60, x - 60]) });
+    await run(page, 'stick-together');
+    const worker = await started;
+    await idle(page);
+    const asked = (address) =>
+      worker.evaluate(
+        (at) =>
+          fetch(at).then(
+            () => true,
+            () => false,
+          ),
+        address,
+      );
+    assert.equal(await asked(site.url), true);
+    assert.equal(await asked(elsewhere.url), false);
+  }
+});
+
+test('with graphics that never come back an edit, exporting and saving go on, and a banner offers to load again', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await page.evaluate(() =>
+      document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext(),
+    );
+    await run(page, 'set-section', { section: 'square' });
+    await idle(page);
+    assert.ok((await exported(page, 'glb')).length > 1000);
+    const { name } = await downloaded(page, () => page.keyboard.press('Control+s'));
+    assert.match(name, /\.spineloft$/);
+    const banner = page.locator('#banners [data-id=graphics]');
+    await banner.waitFor();
+    await banner.getByRole('button', { name: 'Load again' }).click();
+    await page.waitForFunction(() => window.spineloft?.state().parts.length === 1);
+  }));
 
 test('a lost WebGL context comes back with the same pixels and nothing lost', () =>
   onPage(kit, { alone: true, ...kSharp }, async (page) => {

@@ -1,12 +1,53 @@
 // What the command line refuses: the exit code, one sentence, and nothing left behind.
 import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
 import { chmodSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { barFolder, barPng, barStroke, fails } from '../support/cli.mjs';
+import { barFolder, barPng, barStroke, fails, program, run } from '../support/cli.mjs';
 
 const kUsage = 2;
 const kInput = 3;
+
+test('control characters in names reach the terminal as text', (t) => {
+  const folder = barFolder(t);
+  const { stderr } = run(
+    'loft',
+    folder.path('a\u001b[2Jb\u0007\u009bc\u007fé.png'),
+    '--stroke',
+    folder.path('stroke.json'),
+  );
+  assert.match(stderr, /a\\x1b\[2Jb\\x07\\x9bc\\x7fé\.png/);
+});
+
+test('a signal while files are written ends the program and leaves them as before, or all of them new', async (t) => {
+  const folder = barFolder(t);
+  const outputs = ['a.glb', 'b.json', 'c.png'].map((name) => folder.path(name));
+  const words = ['loft', folder.path('bar.png'), '--stroke', folder.path('stroke.json'), '--out', outputs[0]];
+  words.push('--report', outputs[1], '--mask', outputs[2]);
+  const begun = Date.now();
+  assert.equal(run(...words).status, 0);
+  const lasts = Date.now() - begun;
+  let killed = 0;
+  for (let i = 0; i < 24; i += 1) {
+    for (const file of outputs) writeFileSync(file, 'old');
+    const child = spawn(program, words, { stdio: 'ignore' });
+    const ended = new Promise((resolve) => child.on('exit', (code, signal) => resolve(signal)));
+    // Most of them near the end, where it writes.
+    setTimeout(() => child.kill(i % 2 ? 'SIGTERM' : 'SIGINT'), lasts * (0.5 + i / 40));
+    if ((await ended) !== null) killed += 1;
+    const old = outputs.map((file) => readFileSync(file, 'latin1') === 'old');
+    assert.ok(
+      old.every((is) => is === old[0]),
+      String(old),
+    );
+    assert.deepEqual(
+      folder.list().filter((name) => name.startsWith('.')),
+      [],
+    );
+  }
+  assert.ok(killed > 0, 'none of them was in time');
+});
 
 test('wrong usage ends with 2 and says what is wrong', (t) => {
   const folder = barFolder(t);

@@ -143,11 +143,6 @@ void App::runCalls() {
 void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); }
 
 void App::frame() {
-  if (lost_) {
-    framesWanted_ = 0;
-    announce();
-    return;
-  }
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
@@ -157,21 +152,26 @@ void App::frame() {
   growSolid();
   frameNewPart();
   fly();
+  // Work goes on where nothing can be drawn: it can still be saved.
+  if (!lost_) drawFrame();
+  watchWork();
+  announce();
+  if (moving() || framesWanted_ > 0) host_.requestFrame();
+}
+
+bool App::moving() const { return ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works(); }
+
+void App::drawFrame() {
   beginUi();
   panels::draw({env(), studio_.derived(), fonts_, sink_});
   ImGui::Render();
-  const bool acted = !sink_.empty();
+  if (!sink_.empty()) framesWanted_ = std::max(framesWanted_, 2);
   runCalls();
-  const bool moving = ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works();
-  if (acted) framesWanted_ = std::max(framesWanted_, 2);
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
-  scene_.still = !moving && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
+  scene_.still = !moving() && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
   renderer_->draw(scene_);
   ++frames_;
-  watchWork();
-  announce();
-  if (moving || framesWanted_ > 0) host_.requestFrame();
 }
 
 void App::frameNewPart() {

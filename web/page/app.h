@@ -88,6 +88,9 @@ class App final : public platform::Page, Hand {
   void fly();
   void frameNewPart();
   void beginUi();
+  void drawFrame();
+  /// Something on the screen moves by itself, or work is under way.
+  bool moving() const;
   void watchWork();
   void announce();
   /// Names the rib end that is lit, for screen readers.

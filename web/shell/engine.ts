@@ -211,11 +211,22 @@ export function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): S
   });
 }
 
+/** A worker under the page's content security policy: from a file it would have that of its own headers, which plain hosts do not send. */
+function startWorker(path: string, name: string): Worker {
+  const script = `import ${JSON.stringify(new URL(path, document.baseURI).href)};`;
+  const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+  const worker = new Worker(address, { type: 'module', name });
+  // Read by then, or the worker has failed.
+  worker.addEventListener('message', () => URL.revokeObjectURL(address), { once: true });
+  worker.addEventListener('error', () => URL.revokeObjectURL(address), { once: true });
+  return worker;
+}
+
 function solverOf(engine: Engine): Solver {
   return new Solver({
     start: () => {
       const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
-      const worker = new Worker(new URL(SPINELOFT_SITE.workers['solids']!, document.baseURI), { type: 'module', name });
+      const worker = startWorker(SPINELOFT_SITE.workers['solids']!, name);
       worker.addEventListener('message', ({ data }) => {
         if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
       });

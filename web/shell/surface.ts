@@ -1,4 +1,5 @@
 // The canvas as a surface: its size in CSS pixels, the device pixel ratio, and the WebGL context's life.
+import { hideBanner, showBanner } from './banner.ts';
 import type { Engine, Size } from './engine.ts';
 
 /** Browsers on tablets refuse canvases beyond this many pixels. */
@@ -44,14 +45,32 @@ export interface ContextPage {
   say(text: string): void;
 }
 
+/** Graphics that are not back by then stay away. */
+const kLongPauseMs = 5000;
+
 /** The document lives in the engine, so a lost context costs nothing but the pixels. */
 export function watchContext({ canvas, engine, say }: ContextPage): void {
+  const id = 'graphics';
+  let timer = 0;
+  const stayAway = () =>
+    showBanner({
+      id,
+      text: 'This device draws nothing any more. Your work is safe: save a file or load the page again.',
+      actions: [
+        { label: 'Save a file', command: 'save-project', run: () => engine.run('save-project') },
+        { label: 'Load again', run: () => location.reload() },
+      ],
+      canDismiss: true,
+    });
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault(); // asks the browser to restore it
     engine.contextLost();
     say('The graphics paused; your work is kept.');
+    timer = window.setTimeout(stayAway, kLongPauseMs);
   });
   canvas.addEventListener('webglcontextrestored', () => {
+    clearTimeout(timer);
+    hideBanner(id);
     engine.contextRestored();
     say('The graphics are back.');
   });

@@ -303,6 +303,25 @@ TEST_CASE("a lost context draws nothing, loses nothing and comes back") {
   CHECK(rig.parts() == 1);
 }
 
+TEST_CASE("while the graphics are lost an edit is worked out, and saving and exporting give files" *
+          doctest::test_suite("threads")) {
+  for (const int threads : {0, 2}) {
+    Rig rig({1200, 700, 1}, threads);
+    rig.openBar();
+    rig.drawBar();
+    REQUIRE(rig.settle());
+    rig.app->contextLost();
+    rig.run("set-section", R"({"section":"gear"})");
+    REQUIRE(rig.settle());
+    CHECK(rig.app->idle());
+    CHECK(rig.run("save-project").flag("ok") == true);
+    REQUIRE(rig.settle());
+    REQUIRE(rig.host.files.size() == 1);
+    CHECK(rig.host.files[0].first.ends_with(".spineloft"));
+    CHECK(rig.app->exportModel("glb").size() > 1000);
+  }
+}
+
 TEST_CASE("saving works beside the page and hands over one file; until then the work counts as unsaved" *
           doctest::test_suite("threads")) {
   for (const int threads : {0, 2}) {
