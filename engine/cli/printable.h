@@ -10,16 +10,16 @@ namespace spineloft::cli {
 /// The text with spaces for its line breaks.
 std::string onOneLine(std::string text);
 
-/// Hands text on to `out`, which outlives it, with every control character but the line break (C0, DEL and, in UTF-8,
-/// C1) as "\xNN".
+/// Hands text on to `terminal`, which outlives it, with every control character but the line break (C0, DEL and, in
+/// UTF-8, C1) as "\xNN".
 class Printable : public std::ostream {
  public:
-  explicit Printable(std::ostream& out) : std::ostream(nullptr), buffer_(out) { rdbuf(&buffer_); }
+  explicit Printable(std::ostream& terminal) : std::ostream(nullptr), buffer_(terminal) { rdbuf(&buffer_); }
 
  private:
   class Buffer : public std::streambuf {
    public:
-    explicit Buffer(std::ostream& out) : out_(out) {}
+    explicit Buffer(std::ostream& terminal) : out_(terminal) {}
 
    protected:
     int_type overflow(int_type c) override;

@@ -13,9 +13,7 @@ namespace spineloft::cli {
 namespace {
 
 /// To a list that is one line.
-void addName(const std::string& name, std::string& names) {
-  names += (names.empty() ? "" : ", ") + onOneLine(name);
-}
+void addName(const std::string& name, std::string& names) { names += (names.empty() ? "" : ", ") + onOneLine(name); }
 
 int finish(const Status& status, std::ostream& err) {
   if (status.ok()) return kExitSuccess;
