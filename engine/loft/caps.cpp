@@ -124,8 +124,8 @@ void keepWithinSides(const CapSite& site, std::vector<PicturePoint>& fan) {
   const double knob = std::clamp((most / half - kSlightly) / (kBroadly - kSlightly), 0.0, 1.0);
   // The circle through both ends of the last chord that runs on from the sides: half the angle between them is the
   // one between its radii there and the chord.
-  const double lean = std::acos(std::clamp(dot(left, right), -1.0, 1.0)) / 2;
-  const double radius = half / std::cos(std::min(lean, 1.4));
+  const double halfAngle = std::acos(std::clamp(dot(left, right), -1.0, 1.0)) / 2;
+  const double radius = half / std::cos(std::min(halfAngle, 1.4));
   const PicturePoint centre = inside - site.travel * std::sqrt(std::max(0.0, radius * radius - half * half));
   for (PicturePoint& p : fan) {
     const PicturePoint run = sides[1].kept(sides[0].kept(p, inside), inside);

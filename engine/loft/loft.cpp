@@ -307,7 +307,7 @@ Status loftPlan(const Plan& plan, LoftParams& params, LoftWorkspace::Tables& tab
   for (CapStyle* cap : {&params.startCap, &params.endCap}) {
     if (many || ring || (*cap == CapStyle::Open && !plan.track.hollow())) *cap = CapStyle::Flat;
   }
-  // Nearly always the first try is lawful. Ribs that touch or lie in one line need the stricter
+  // Nearly always the first try is valid. Ribs that touch or lie in one line need the stricter
   // ones.
   constexpr std::array kStrictness = {1.0, 1.0, 8.0, 64.0};
   for (std::size_t attempt = 0; attempt < kStrictness.size(); ++attempt) {

@@ -217,20 +217,20 @@ void appendShape(const SectionTrack& track, double share, const Along& along, st
 Station stationOf(const Flat& flat, const Along& along, const PosedSpine* spine) {
   const PicturePoint middle = flat.chord.middle(), half = flat.chord.across() / 2;
   const PicturePoint forward = normalized(forwardOf(half));
-  const PicturePoint lean = middle + forward * (flat.depth * std::tan(along.tilt));
+  const PicturePoint sheared = middle + forward * (flat.depth * std::tan(along.tilt));
   Station station;
   station.middle = middle;
   station.half = half;
   if (spine == nullptr) {
     station.centre = {middle.x, -middle.y, 0};
     station.across = {half.x, -half.y, 0};
-    station.depth = {lean.x - middle.x, middle.y - lean.y, flat.depth};
+    station.depth = {sheared.x - middle.x, middle.y - sheared.y, flat.depth};
     return station;
   }
   const double at = flat.chord.at;
   station.centre = carried(*spine, at, middle);
   station.across = carried(*spine, at, middle + half) - station.centre;
-  station.depth = carried(*spine, at, lean, flat.depth) - station.centre;
+  station.depth = carried(*spine, at, sheared, flat.depth) - station.centre;
   return station;
 }
 

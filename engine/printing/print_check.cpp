@@ -121,7 +121,7 @@ void findStand(std::span<const mesh::TriMesh> parts, double ground, PrintCheck& 
   check.volume = volume;
   if (!(volume > 0)) return;
   const Point centre = weighted / volume;
-  check.lean = tippingAngleOf(std::move(foot), {centre.x, centre.z}, centre.y - ground);
+  check.tippingAngle = tippingAngleOf(std::move(foot), {centre.x, centre.z}, centre.y - ground);
 }
 
 bool fits(const std::array<double, 3>& size, const std::array<double, 3>& volume) {

@@ -26,7 +26,7 @@ inline constexpr double kMoreThanNeeded = 1.01;
 inline constexpr double kWallSlant = 0.349;
 /// So much of the surface may be on thinner walls: what is less is a speck.
 inline constexpr double kThinShare = 0.01;
-/// How far a model should lean before it falls, radians (3°): a floor and a table are never quite level.
+/// The least tipping angle of a model that stands, radians (3°): a floor and a table are never quite level.
 inline constexpr double kLeastTippingAngle = 0.0524;
 /// What lies this near to the ground is stood on, millimetres: a first layer and a half.
 inline constexpr double kFootReach = 0.3;
@@ -44,10 +44,10 @@ struct PrintCheck {
   double thinnest = 0;
   std::array<double, 3> thinAt{};  ///< a place that thin, in the meshes' space
   std::size_t thinPart = 0;        ///< and the part that it is on
-  /// The least angle by which it can lean before it falls over, radians; not above 0 when it falls by
+  /// The least angle by which it can be tipped before it falls over, radians; not above 0 when it falls by
   /// itself.
-  double lean = 0;
-  bool stands() const { return lean >= kLeastTippingAngle; }
+  double tippingAngle = 0;
+  bool stands() const { return tippingAngle >= kLeastTippingAngle; }
   /// What does not stand would on a flat foot (see flatFoot).
   bool footHelps = false;
   bool thick() const { return thinnest >= kLeastWall; }

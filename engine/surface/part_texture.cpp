@@ -153,14 +153,14 @@ struct Lie {
 };
 
 /// What a part keeps of its picture.
-struct Kept {
+struct KeptPixels {
   image::Mask inner;  ///< and carries on to where it keeps nothing
-  image::Mask rim;    ///< and only wears: a little of what is behind may be mixed into it
+  image::Mask rim;    ///< and shows as it is: a little of what is behind may be mixed into it
 };
 
 /// The picture of a part: what it keeps, and its colours carried on over the rest. Empty when it keeps
 /// nothing.
-image::Image worn(const image::Image& shown, const Kept& kept) {
+image::Image coloursOf(const image::Image& shown, const KeptPixels& kept) {
   image::Image out = padEdges(shown, kept.inner);
   if (out.empty()) return out;
   for (std::size_t i = 0; i < kept.rim.pixels.size(); ++i) {
@@ -209,7 +209,7 @@ struct TextureSteps::State {
   Lie lie;
   image::Mask inner;     ///< what can be kept where the part is sure
   image::Mask familiar;  ///< what is not foreign
-  Kept kept;
+  KeptPixels kept;
   Untold untold;
   std::size_t crossed = 0;          ///< of the crossings that were looked at
   std::optional<ColourPyramid> in;  ///< the part's colours, from what it keeps
@@ -347,7 +347,7 @@ void TextureSteps::State::finish() {
       last(cut.right - wide.left, wide.width(), shown.width), last(cut.bottom - wide.top, wide.height(), shown.height)};
   const UvArea around = uvOf(wide, whole()), share = uvOf(own, size());
   const double width = around.right - around.left, height = around.bottom - around.top;
-  image::Image pixels = worn(cutOut(shown, own), {cutOut(kept.inner, own), cutOut(kept.rim, own)});
+  image::Image pixels = coloursOf(cutOut(shown, own), {cutOut(kept.inner, own), cutOut(kept.rim, own)});
   if (pixels.empty()) return;
   made = PartTexture{std::move(pixels),
                      {around.left + share.left * width, around.top + share.top * height,

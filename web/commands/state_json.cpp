@@ -256,7 +256,7 @@ void writePrint(JsonWriter& json, const document::Document& document, const UiSt
       .key("size")
       .beginArray();
   for (const double side : check.size) json.number(side);
-  json.endArray().key("thinnest").number(check.thinnest).key("lean").number(check.lean);
+  json.endArray().key("thinnest").number(check.thinnest).key("lean").number(check.tippingAngle);
   json.key("stands").flag(check.stands()).key("volume").number(check.volume).key("printer");
   const auto printers = printing::printers();
   check.printer < printers.size() ? json.text(printers[check.printer].name) : json.null();

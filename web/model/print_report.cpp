@@ -56,7 +56,7 @@ PrintLine closedLine(const printing::PrintCheck& check) {
 }
 
 PrintLine standLine(const printing::PrintCheck& check) {
-  const double degrees = check.lean * 180 / std::numbers::pi;
+  const double degrees = check.tippingAngle * 180 / std::numbers::pi;
   if (check.stands()) {
     return {true, "It stands: it can lean " + number(std::floor(degrees), 0) + "° before it falls."};
   }

@@ -188,7 +188,7 @@ TEST_CASE("a box leans until its centre is over its edge") {
   // 10 wide, 40 high, 20 deep: it falls over its narrow side at atan(5 / 20).
   const mesh::TriMesh box = movedBox({10, 40, 20}, {100, 3, -50});
   const PrintCheck check = checkPrint({&box, 1});
-  CHECK(check.lean == doctest::Approx(std::atan2(5.0, 20.0)).epsilon(1e-4));
+  CHECK(check.tippingAngle == doctest::Approx(std::atan2(5.0, 20.0)).epsilon(1e-4));
   CHECK(check.stands());
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("what stands on a point falls, and so does what hangs out too far") {
   CHECK_FALSE(checkPrint({&tip, 1}).stands());
   const std::array leaning = {movedBox({4, 10, 4}, {0, 5, 0}), movedBox({40, 4, 4}, {20, 12, 0})};
   CHECK_FALSE(checkPrint(leaning).stands());
-  CHECK(checkPrint(leaning).lean < 0);
+  CHECK(checkPrint(leaning).tippingAngle < 0);
   const std::array even = {movedBox({40, 10, 40}, {0, 5, 0}), movedBox({40, 4, 4}, {20, 12, 0})};
   CHECK(checkPrint(even).stands());
 }
