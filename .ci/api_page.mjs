@@ -30,7 +30,7 @@ A part that is \`waiting\` is shown with a preliminary shape and settles in a mo
 
 const kCommands = `## Commands
 
-Arguments of \`run(id, args)\`; \`?\` marks what may be left out, \`|\` alternatives. Without \`part\` the selected part is meant, without \`parts\` all parts in hand, without \`step\` the chosen solid.
+Arguments of \`run(id, args)\`; \`?\` marks what may be left out, \`|\` alternatives. Without \`part\` the selected part is meant, of settings (sections, ends, looks, parameters) and places all parts in hand; \`parts\` names several; without \`step\` the chosen solid.
 Places and reaches are shares of the spine's length, 0…1. Ribs, sections and points count from 0. \`side\` is \`'left'\` or \`'right'\` as seen in the drawing direction. \`stroke\` and \`line\` are lists
 of \`[x, y]\`, \`to\` and \`by\` are \`[x, y]\`. With \`keep: true\` the ribs go along with a changed spine, else they are searched again; the default is the state of the switch on the page.
 
@@ -53,6 +53,7 @@ const kGroups = {
   look: 'Surface',
   place: 'Placing',
   view: 'Views',
+  help: 'Help',
 };
 
 /** The exported declarations of a formatted TypeScript file, in order: {kind, name, doc, text}. */

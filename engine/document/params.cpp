@@ -33,10 +33,13 @@ std::span<const ParamInfo> loftTable() {
   constexpr auto kSpine = &LoftRecipe::spine;
   constexpr auto kLoft = &LoftRecipe::loft;
   static const std::array kTable = {
-      entry<LoftRecipe, kSpine, &SpineParams::ribs>({"ribs", "Ribs", "ribs", 2, 400, 1}),
-      entry<LoftRecipe, kSpine, &SpineParams::smoothness>({"smoothness", "Smoothing of the bone", "", 0, 0.2, 0.005}),
-      entry<LoftRecipe, kLoft, &LoftParams::sectionPoints>({"sides", "Corners around", "", 12, 128, 4}),
-      entry<LoftRecipe, kLoft, &LoftParams::capRings>({"cap-rings", "Rings of round ends", "", 1, 32, 1}),
+      entry<LoftRecipe, kSpine, &SpineParams::ribs>({"ribs", "Ribs", "ribs", 2, 400, 1, Measure::Plain, true}),
+      entry<LoftRecipe, kSpine, &SpineParams::smoothness>(
+          {"smoothness", "Smoothing of the bone", "", 0, 0.2, 0.005, Measure::Percent, true}),
+      entry<LoftRecipe, kLoft, &LoftParams::sectionPoints>(
+          {"sides", "Corners around", "", 12, 128, 4, Measure::Plain, true}),
+      entry<LoftRecipe, kLoft, &LoftParams::capRings>(
+          {"cap-rings", "Rings of round ends", "", 1, 32, 1, Measure::Plain, true}),
   };
   return kTable;
 }
@@ -46,9 +49,9 @@ std::span<const ParamInfo> inflateTable() {
   constexpr auto kPuff = &InflateRecipe::inflate;
   static const std::array kTable = {
       entry<InflateRecipe, kPuff, &InflateParams::height>(
-          {"height", "Height", "times", inflate::kLeastHeight, inflate::kMostHeight, 0.05}),
+          {"height", "Height", "times", inflate::kLeastHeight, inflate::kMostHeight, 0.05, Measure::Percent}),
       entry<InflateRecipe, kPuff, &InflateParams::points>(
-          {"points", "Points", "", inflate::kLeastPoints, inflate::kMostPoints, 100}),
+          {"points", "Points", "", inflate::kLeastPoints, inflate::kMostPoints, 100, Measure::Plain, true}),
   };
   return kTable;
 }
@@ -57,12 +60,13 @@ std::span<const ParamInfo> extrudeTable() {
   using extrude::ExtrudeParams;
   constexpr auto kSheet = &ExtrudeRecipe::extrude;
   static const std::array kTable = {
-      entry<ExtrudeRecipe, kSheet, &ExtrudeParams::thickness>(
-          {"thickness", "Thickness", "of the picture", extrude::kLeastThickness, extrude::kMostThickness, 0.002}),
+      entry<ExtrudeRecipe, kSheet, &ExtrudeParams::thickness>({"thickness", "Thickness", "of the picture",
+                                                               extrude::kLeastThickness, extrude::kMostThickness, 0.002,
+                                                               Measure::Length}),
       entry<ExtrudeRecipe, kSheet, &ExtrudeParams::edgeSize>(
-          {"edge-size", "Size of the edge", "of half the thickness", 0, 1, 0.05}),
+          {"edge-size", "Size of the edge", "of half the thickness", 0, 1, 0.05, Measure::Percent}),
       entry<ExtrudeRecipe, kSheet, &ExtrudeParams::depth>(
-          {"depth", "Nearer", "of the picture", -extrude::kMostDepth, extrude::kMostDepth, 0.005}),
+          {"depth", "Nearer", "of the picture", -extrude::kMostDepth, extrude::kMostDepth, 0.005, Measure::Length}),
   };
   return kTable;
 }

@@ -2,6 +2,7 @@
 // loft by their kind.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -10,11 +11,20 @@
 
 namespace spineloft::document {
 
+/// What a number is shown as.
+enum class Measure : std::uint8_t {
+  Plain,    ///< as it is
+  Percent,  ///< a share: 1 is 100 %
+  Length,   ///< a share of the longer side of a picture: a length of the model
+};
+
 struct ParamInfo {
   std::string_view key;    ///< in files and in the API
   std::string_view label;  ///< on the page
   std::string_view unit;   ///< "", "px", "ribs" …
   double low = 0, high = 0, step = 0;
+  Measure measure = Measure::Plain;
+  bool forFew = false;  ///< it changes how finely a part is made, not what it is
   /// Expect a recipe of the table's kind.
   double (*get)(const Recipe&) = nullptr;
   /// Expects a value within the range, on a whole step.

@@ -9,6 +9,7 @@
 
 #include "engine/base/hash.h"
 #include "engine/pipeline/keys.h"
+#include "engine/pipeline/outline_ink.h"
 #include "engine/pipeline/part_texture.h"
 #include "engine/ribs/search/overshoot.h"
 
@@ -100,11 +101,17 @@ const image::Picture* pixelsOf(const document::Document& document, const Derived
 
 namespace {
 
-// Scribbles that may cover a part: of its picture, and its own.
-std::array<std::span<const ribs::IgnoreMark>, 2> marksOver(const document::Part& part,
-                                                           const document::PictureEntry& entry) {
+// What may cover a part: scribbles of its picture, the ink of its outline, its own scribbles.
+struct MarksOver {
+  std::vector<ribs::IgnoreMark> ofPicture;
+  std::span<const ribs::IgnoreMark> own;
+  std::array<std::span<const ribs::IgnoreMark>, 2> spans() const { return {ofPicture, own}; }
+};
+MarksOver marksOver(const document::Part& part, const PartShape& shape, const document::PictureEntry& entry) {
   const auto* loft = std::get_if<document::LoftRecipe>(&part.recipe);
-  return {entry.ignored, loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
+  MarksOver marks{outlineInk(shape, entry), loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
+  marks.ofPicture.insert(marks.ofPicture.end(), entry.ignored.begin(), entry.ignored.end());
+  return marks;
 }
 
 // Whether an earlier part has the same shape.
@@ -127,8 +134,9 @@ void assignTextures(const document::Document& document, std::size_t number, Cach
   const document::PictureEntry* entry = findPicture(document, pictureOf(part));
   const image::Picture* pixels = pixelsOf(document, derived, pictureOf(part));
   if (entry == nullptr) return;
+  const MarksOver marks = marksOver(part, *shape, *entry);
   derived.parts[number].shape =
-      cache.assignTextures(shape->key, pixels ? textureStage(*shape, *pixels, marksOver(part, *entry)) : nullptr);
+      cache.assignTextures(shape->key, pixels ? textureStage(*shape, *pixels, marks.spans()) : nullptr);
 }
 
 }  // namespace
@@ -142,7 +150,7 @@ std::shared_ptr<TextureJob> makeTexture(const document::Document& document, cons
   for (std::size_t i = 0; entry != nullptr && i < count; ++i) {
     if (document.pictures[i]->id != entry->id || !derived.pictures[i]) continue;
     try {
-      return std::make_shared<TextureJob>(at->shape, derived.pictures[i], marksOver(*part, *entry));
+      return std::make_shared<TextureJob>(at->shape, derived.pictures[i], marksOver(*part, *at->shape, *entry).spans());
     } catch (const std::bad_alloc&) {
       return nullptr;
     }

@@ -138,12 +138,14 @@ test('the command bar mirrors the command table', () =>
       .locator('#bar-items button:visible')
       .evaluateAll((list) => list.map((button) => button.dataset.command));
     await page.locator('#bar-more').click();
-    const more = await page.getByRole('menu').innerText();
-    for (const command of commands) {
-      if (command.argument?.kind === 'api' || command.id.startsWith('save-') || shown.includes(command.id)) continue;
-      if (command.group === 'board' && !command.enabled) continue; // of use only while a slice is drawn
-      assert.ok(more.includes(command.label), `${command.id} is in the More menu`);
-    }
+    const now = await page.evaluate(() => window.spineloft.commands());
+    const offered = now.filter(({ id, menu, enabled }) => menu && enabled && !shown.includes(id));
+    assert.deepEqual(
+      (
+        await page.locator('.menu [data-command]').evaluateAll((list) => list.map(({ dataset }) => dataset.command))
+      ).sort(),
+      offered.map(({ id }) => id).sort(),
+    );
   }));
 
 /** Controls of commands, in the bar and in the open menu, that do not say what the table says; [] is right. */
@@ -180,17 +182,19 @@ test('menus say what the command table says, whatever was done, also while they 
       await run(page, id, args);
       await page.locator('#bar-more').click();
       assert.deepEqual(await differing(page), [], id);
-      if (id === 'snap-to-surface') assert.equal(await item(id).getAttribute('aria-checked'), 'true');
-      if (id === 'select-all') assert.equal(await item('group').getAttribute('aria-disabled'), null);
       await page.keyboard.press('Escape');
     }
+    await run(page, 'select-part', { id: 1 });
     await page.locator('#bar-more').click();
-    for (const isOn of ['false', 'true']) {
-      await run(page, 'snap-to-surface');
-      assert.equal(await item('snap-to-surface').getAttribute('aria-checked'), isOn);
+    for (const [id, isOff] of [
+      ['delete-part', 'true'],
+      ['undo', null],
+    ]) {
+      await run(page, id);
+      if (id === 'undo') await run(page, 'select-part', { id: 1 });
+      assert.equal(await item('duplicate').getAttribute('aria-disabled'), isOff);
       assert.deepEqual(await differing(page), []);
     }
-    await run(page, 'snap-to-surface');
     await page.keyboard.press('Escape');
   }));
 
@@ -200,6 +204,7 @@ const kNoCommand = [
   '#bar-save',
   '#camera',
   '#progress-cancel',
+  '#coach-close',
   '.sample-open',
   '.model-more',
   '.dialog-close',
@@ -213,14 +218,13 @@ test('every button and menu item that runs a command carries its id, and no othe
       const found = await page.evaluate((others) => {
         const ids = new Set(window.spineloft.commands().map(({ id }) => id));
         const buttons = [...document.querySelectorAll('button, [role^=menuitem]')];
-        const isHelp = (element) => element.textContent.trim().startsWith('Keys and gestures');
         return {
           count: document.querySelectorAll('[data-command]').length,
           unknown: [...document.querySelectorAll('[data-command]')]
             .map(({ dataset }) => dataset.command)
             .filter((id) => !ids.has(id)),
           without: buttons
-            .filter((element) => !element.dataset.command && !element.matches(others) && !isHelp(element))
+            .filter((element) => !element.dataset.command && !element.matches(others))
             .map((element) => element.outerHTML.slice(0, 120)),
         };
       }, kNoCommand);
@@ -264,7 +268,7 @@ test('the shortcut sheet lists the keys of the table and closes with Escape', ()
   onPage(kit, {}, async (page) => {
     await openPicture(page, tube.png, 'tube.png');
     await page.keyboard.press('?');
-    const sheet = page.getByRole('dialog', { name: 'Keys and gestures' });
+    const sheet = page.getByRole('dialog', { name: 'Help' });
     const text = await sheet.innerText();
     for (const { label, shortcut } of await page.evaluate(() => window.spineloft.commands())) {
       if (shortcut)
@@ -294,14 +298,18 @@ test('what happens is said in live regions: the picture, the parts, refusals', (
     assert.match(await line.innerText(), /tube\.png is open: 480 by 360 pixels/);
     assert.equal(await page.locator('#status-end').innerText(), 'No part yet');
     await done(page, 'draw-spine', { stroke: tube.middle });
-    await page.waitForFunction(() => /^1 part · .*: \d+ ribs$/.test(document.getElementById('status-end').textContent));
+    await page.waitForFunction(() => /^1 part · ./.test(document.getElementById('status-end').textContent));
     await run(page, 'delete-part');
     const [at] = await toClient(page, [[100, 100]]);
     const twiceRound = Array.from({ length: 14 }, (_, i) => ({
       x: at.x + 50 * Math.sin(i),
       y: at.y + 50 * (1 - Math.cos(i)),
     }));
-    await strokeAlong(page, 'mouse', twiceRound);
+    await strokeAlong(page, 'mouse', [
+      ...twiceRound,
+      { x: at.x + 160, y: at.y + 100 },
+      { x: at.x + 330, y: at.y + 110 },
+    ]);
     assert.match(await toastText(page), /crosses itself/);
   }));
 

@@ -341,10 +341,11 @@ test('a model whose base is damaged is said and stays in the list; the page work
     assert.equal((await models(page)).length, 2);
   }));
 
-test('the status line tells how much undo history there is', () =>
+test('Help tells how much undo history there is', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);
-    assert.match(await page.locator('#status-history').innerText(), /^Undo history: [1-9]\d* KB of 64 MB$/);
+    await page.locator('#bar-help').click();
+    assert.match(await page.getByRole('dialog', { name: 'Help' }).innerText(), /Undo history: [1-9]\d* KB of 64 MB/);
   }));
 
 test('Ctrl+S saves a project file; dropped on the page it opens as a model of its own, and the open one stays', () =>

@@ -9,6 +9,7 @@ import { drawWithMouse, press } from './support/hands.mjs';
 import {
   answer,
   chooseFromMore,
+  chooseFromSearch,
   done,
   dropFiles,
   exported,
@@ -90,7 +91,7 @@ async function tapPicture(page, point, modifiers) {
 }
 
 async function tall(page, text) {
-  await chooseFromMore(page, 'How tall?');
+  await chooseFromSearch(page, 'How tall?');
   await answer(page, text);
 }
 

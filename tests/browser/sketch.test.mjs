@@ -58,7 +58,7 @@ test('from the start page to paper, two lines, a bone and a solid', () =>
     now = await state(page);
     assert.equal(now.picture.strokes, 2);
     assert.equal(now.parts.length, 0);
-    assert.match(await page.locator('#hint').innerText(), /bone/);
+    assert.match(await page.locator('#hint').innerText(), /middle/);
     assert.ok((await inkAt(page, 240, 410)) > 10);
     await page.locator('#bar-items [data-command=draw]').click();
     await drawWithMouse(page, middle);

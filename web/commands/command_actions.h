@@ -1,6 +1,9 @@
 // What the commands do, by group; the table (commands.cpp) names them.
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "web/commands/commands.h"
 
 namespace spineloft::app {
@@ -58,10 +61,25 @@ Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, cons
 /// Hands the shelf to the shell, which keeps it.
 void sendShelf(const CommandEnv& env);
 
-/// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other
-/// parts of its picture, or beside what is there (pipeline::standBeside). One step.
-std::vector<document::Action> standingActions(const CommandEnv& env, document::Action draw,
-                                              const document::Recipe& recipe);
+/// How a new part comes to stand.
+struct Standing {
+  std::vector<document::Action> actions;  ///< one step
+  std::optional<Lie> lie;                 ///< with what it was drawn over; none: nothing
+};
+/// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other parts of its
+/// picture, or beside what is there (pipeline::standBeside). With `lie`, what others would hide comes to lie on them.
+Standing standingActions(const CommandEnv& env, document::Action draw, const document::Recipe& recipe, bool lie);
+/// The newest part stands so: for as long as it is new it can be told otherwise.
+void tellStanding(const CommandEnv& env, const Standing& standing);
+/// The selected part is new, and was drawn over others.
+bool partIsNew(const CommandEnv& env);
+/// The parts of `args.parts`, the one of `args.part`, or all in hand with their groups. Empty when there is none, or
+/// one is not there.
+std::vector<PartId> partsFrom(const CommandEnv& env, const Json& args);
+/// One action for each of `parts` that `action` gives one, as one step, and a sentence on how many where they are
+/// several. Nothing to do is no step.
+Outcome setOnAll(const CommandEnv& env, const std::vector<PartId>& parts,
+                 const std::function<std::optional<document::Action>(const document::Part&)>& action);
 /// The part that `args.part` (or `args.id`) names, else the selected one; null when there is none.
 const document::Part* partOf(const CommandEnv& env, const Json& args);
 /// The lofted part that `args` name, else the selected one; null when there is none.
@@ -91,14 +109,17 @@ inline constexpr Condition canHollow{somethingToHollow, Condition::Part | Condit
 
 /// Saves the model in this form, as a download.
 Outcome saveAs(const CommandEnv& env, publish::Format format);
-/// Gives a new look to the part, or to the next part.
-Outcome setLook(const CommandEnv& env, PartId part, const document::Look& look);
+/// Changes the looks of the parts, and that of the next part: none means only that one.
+Outcome changeLooks(const CommandEnv& env, const std::vector<PartId>& parts,
+                    const std::function<void(document::Look&)>& change);
 /// The look of the part, or of the next part.
 document::Look lookOf(const CommandEnv& env, PartId part);
-/// The part that `args.part` (or `args.id`) names, else the selected one; no id without one. None: the one that is
-/// named is not there.
-std::optional<PartId> meantPart(const CommandEnv& env, const Json& args);
-/// Its look, or the look of the next part when none is selected.
+/// As partsFrom, for a setting: empty without a selection, which means the next part. None: one that is named is not
+/// there.
+std::optional<std::vector<PartId>> meantParts(const CommandEnv& env, const Json& args);
+/// The look of the selected one of `parts`, else of the first; of the next part without one.
+document::Look lookMeant(const CommandEnv& env, const std::vector<PartId>& parts);
+/// The look of the selected part, or of the next part when none is selected.
 document::Look currentLook(const CommandEnv& env);
 /// Turns the camera so that it sees every part, from home or from where it looks.
 void flyTo(const CommandEnv& env, bool home);

@@ -41,6 +41,20 @@ Outcome useHand(Env env, const Json&) {
   env.ui.redraw = {};
   return {};
 }
+bool allTools(Env env) { return env.ui.allTools; }
+Outcome moreTools(Env env, const Json& args) {
+  env.ui.allTools = args.flag("on").value_or(!env.ui.allTools);
+  return {};
+}
+Outcome findCommandByWords(Env env, const Json&) {
+  sendShow(env.host, "find-command");
+  return {};
+}
+Outcome help(Env env, const Json&) {
+  sendShow(env.host, "help");
+  return {};
+}
+
 void partChoices(Env env, JsonWriter& json) {
   for (const document::Part& part : env.studio.document().parts) {
     json.beginObject().key("value").number(part.id.value).key("label").text(part.name);
@@ -76,21 +90,21 @@ void colourChoices(Env env, JsonWriter& json) {
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "open-picture", .label = "Open picture", .icon = "image-plus", .shortcut = "Ctrl+O", .group = "file",
-            .hint = "Choose a photo or a drawing", .run = rows::openPicture},
-    Command{.id = "draw", .label = "Draw", .icon = "pencil", .shortcut = "1, D", .group = "tool",
+            .hint = "Choose a photo or a drawing", .menu = "Pictures", .run = rows::openPicture},
+    Command{.id = "draw", .label = "Line", .icon = "pencil", .shortcut = "1, D", .group = "tool",
             .hint = "Draw one line along the middle of the thing", .enabled = hasPicture, .toggled = drawing,
             .run = useDraw},
     Command{.id = "hand", .label = "Move picture", .icon = "hand", .shortcut = "2", .group = "tool",
             .hint = "Drag the picture about", .enabled = hasPicture, .toggled = hand, .run = useHand},
     Command{.id = "new-part", .label = "New part", .icon = "plus", .shortcut = "N", .group = "part",
-            .hint = "The next line makes a new part", .enabled = hasPicture, .run = rows::newPart},
+            .hint = "The next line makes a new part", .menu = "Part", .enabled = hasPicture, .run = rows::newPart},
     Command{.id = "redraw", .label = "Draw again", .icon = "pencil-line", .shortcut = "R", .group = "part",
             .hint = "The next line replaces the one of this part", .enabled = hasSelection, .toggled = redrawing,
             .run = rows::redrawMode},
     Command{.id = "undo", .label = "Undo", .icon = "undo-2", .shortcut = "Ctrl+Z", .group = "edit",
             .hint = "Take back the last step", .enabled = canUndo, .run = undo},
     Command{.id = "redo", .label = "Redo", .icon = "redo-2", .shortcut = "Shift+Ctrl+Z, Ctrl+Y", .group = "edit",
-            .hint = "Do it again after all", .enabled = canRedo, .run = redo},
+            .hint = "Do it again after all", .menu = "Part", .enabled = canRedo, .run = redo},
     Command{.id = "delete-part", .label = "Delete part", .icon = "trash-2", .shortcut = "Delete, Backspace",
             .group = "edit", .hint = "Delete this part", .enabled = hasSelection, .run = rows::deletePart},
     Command{.id = "select-part", .label = "Select part", .icon = "list", .group = "part",
@@ -147,6 +161,9 @@ constexpr std::array kTable = {
             .run = rows::focusPicture},
     Command{.id = "focus-solid", .label = "Solid view", .icon = "box", .shortcut = "4", .group = "view",
             .hint = "Keys go to the solid", .enabled = hasPicture, .toggled = focusOnSolid, .run = rows::focusSolid},
+    Command{.id = "more-tools", .label = "More tools", .icon = "shapes", .group = "view",
+            .hint = "Ribs, bone, shape and the others beside the first tools", .toggled = allTools,
+            .run = moreTools},
     Command{.id = "save-glb", .label = "Save GLB", .icon = "download", .group = "file",
             .hint = "3D model with colours, for most programs", .enabled = hasParts, .run = rows::saveGlb},
     Command{.id = "save-stl", .label = "Save STL", .icon = "download", .group = "file",
@@ -155,6 +172,10 @@ constexpr std::array kTable = {
             .enabled = hasAnything, .run = rows::clearBoard},
     Command{.id = "cancel", .label = "Cancel", .icon = "x", .shortcut = "Escape", .group = "edit",
             .hint = "Stop what is going on", .run = cancel},
+    Command{.id = "find-command", .label = "Find a command", .icon = "search", .shortcut = "/", .group = "help",
+            .hint = "All that can be done here, by its words", .menu = "Help", .run = findCommandByWords},
+    Command{.id = "help", .label = "Help", .icon = "circle-question-mark", .shortcut = "?", .group = "help",
+            .hint = "How it is done: things to make, gestures, keys", .menu = "Help", .run = help},
 };
 // clang-format on
 

@@ -149,7 +149,9 @@ void writeCommands(const CommandEnv& env, JsonWriter& json) {
     json.key("toggled");
     command.toggled ? json.flag(command.toggled(env)) : json.null();
     if (!command.argument.key.empty()) writeArgument(env, command.argument, json);
-    json.key("hint").text(command.hint).endObject();
+    json.key("hint").text(command.hint).key("menu");
+    command.menu.empty() ? json.null() : json.text(command.menu);
+    json.endObject();
   }
   json.endArray();
 }

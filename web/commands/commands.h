@@ -62,6 +62,9 @@ struct Condition {
 using Run = Outcome(const CommandEnv&, const Json& args);
 struct Mode;
 
+/// What a menu can hold that is read at a glance and fits a small screen.
+inline constexpr std::size_t kMostInMenu = 14;
+
 struct Command {
   CommandId id = {};
   std::string_view label = {}, icon = {};
@@ -70,6 +73,9 @@ struct Command {
   std::string_view group = {};  ///< file, tool, edit, part, view
   Argument argument = {};
   std::string_view hint = {};
+  /// The heading under which the menu "More" offers it while it can be run; empty: the search finds it. At most
+  /// kMostInMenu rows have one.
+  std::string_view menu = {};
   Condition enabled = nullptr;
   bool (*toggled)(const CommandEnv&) = nullptr;  ///< null: it is no toggle
   Run* run = nullptr;

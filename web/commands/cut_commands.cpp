@@ -35,7 +35,7 @@ Outcome take(Env env) {
   const document::Region region{draft.picture, draft.shape.contours, 0};
   const document::RegionSolid solid =
       draft.flat ? document::RegionSolid(env.ui.extrude) : document::RegionSolid(env.ui.inflate);
-  Outcome done = draft.part ? redrawRegion(env, draft.part, region) : drawRegion(env, region, solid);
+  Outcome done = draft.part ? redrawRegion(env, draft.part, region) : drawRegion(env, region, solid, true);
   if (!done) return done;
   env.ui.cut.reset();
   if (!atOnce) sendStatus(env.host, {});

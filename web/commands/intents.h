@@ -25,6 +25,7 @@ struct DrawSpineIntent {
   std::vector<PicturePoint> stroke;
   geometry::AlongCurve depth = {};
   bool cut = false;  ///< the first part of all ends where the thing ends
+  bool lie = false;  ///< what other parts would hide comes to lie on them
   std::optional<loft::SectionShape> section = {};
   std::optional<loft::CapStyle> startCap = {}, endCap = {};
 };
@@ -36,15 +37,17 @@ Outcome deletePart(const CommandEnv& env, PartId part);
 Outcome askPartName(const CommandEnv& env, PartId part);
 /// The part, or the solid that it is in.
 Outcome showPart(const CommandEnv& env, PartId part, bool visible);
+// Settings are for all of `parts` that they fit, in one step; for none of them: the next part is made so.
+using Parts = std::vector<PartId>;
 /// A cap that is none stays as it is.
-Outcome setCaps(const CommandEnv& env, PartId part, std::optional<loft::CapStyle> start,
+Outcome setCaps(const CommandEnv& env, const Parts& parts, std::optional<loft::CapStyle> start,
                 std::optional<loft::CapStyle> end);
-Outcome setTextured(const CommandEnv& env, PartId part, bool textured);
-Outcome setColour(const CommandEnv& env, PartId part, const Colour& colour);
-Outcome setSecondColour(const CommandEnv& env, PartId part, const Colour& colour);
-Outcome setPaint(const CommandEnv& env, PartId part, surface::Paint paint);
-Outcome setFaceted(const CommandEnv& env, PartId part, bool faceted);
-Outcome setParameter(const CommandEnv& env, PartId part, const std::string& key, double value);
+Outcome setTextured(const CommandEnv& env, const Parts& parts, bool textured);
+Outcome setColour(const CommandEnv& env, const Parts& parts, const Colour& colour);
+Outcome setSecondColour(const CommandEnv& env, const Parts& parts, const Colour& colour);
+Outcome setPaint(const CommandEnv& env, const Parts& parts, surface::Paint paint);
+Outcome setFaceted(const CommandEnv& env, const Parts& parts, bool faceted);
+Outcome setParameter(const CommandEnv& env, const Parts& parts, const std::string& key, double value);
 
 // ---- Spines. `keep`: the ribs go along; else edges are found again. ----------------------------------------------
 
@@ -83,7 +86,8 @@ Outcome removeIgnored(const CommandEnv& env, std::size_t mark);
 
 // ---- Puffs and flat pieces ---------------------------------------------------------------------------------------
 
-Outcome drawRegion(const CommandEnv& env, const document::Region& region, const document::RegionSolid& solid);
+/// `lie` as of DrawSpineIntent.
+Outcome drawRegion(const CommandEnv& env, const document::Region& region, const document::RegionSolid& solid, bool lie);
 Outcome redrawRegion(const CommandEnv& env, PartId part, const document::Region& region);
 Outcome moveOutlinePoint(const CommandEnv& env, PartId part, OutlinePoint at, PicturePoint to);
 /// Cuts a thing out of the picture in view, shown before it is used. `part` receives its outline; none: a new part.
@@ -102,8 +106,9 @@ Outcome removePicture(const CommandEnv& env, PictureId picture);
 
 // ---- Sections along a spine; `key` counts those of the part ------------------------------------------------------
 
-/// All of a part's sections become `shape`, or the one of `key`; of the next part without one.
-Outcome setSection(const CommandEnv& env, PartId part, std::optional<std::size_t> key, const loft::SectionShape& shape);
+/// All sections of the parts become `shape`, or the one of `key` of the only part; of the next part without one.
+Outcome setSection(const CommandEnv& env, const Parts& parts, std::optional<std::size_t> key,
+                   const loft::SectionShape& shape);
 /// At a share of the spine; without a shape the one that is picked.
 Outcome addSection(const CommandEnv& env, PartId part, double at, const std::optional<loft::SectionShape>& shape);
 Outcome moveSection(const CommandEnv& env, PartId part, std::size_t key, double to);
@@ -111,7 +116,8 @@ Outcome removeSection(const CommandEnv& env, PartId part, std::size_t key);
 Outcome selectSection(const CommandEnv& env, PartId part, std::size_t key);
 Outcome setBlend(const CommandEnv& env, PartId part, std::size_t key, const loft::Blend& blend);
 /// Values in the unit that is shown (AlongInfo::unit).
-Outcome setAlong(const CommandEnv& env, PartId part, document::AlongKind kind, const geometry::AlongCurve& shown);
+Outcome setAlong(const CommandEnv& env, const Parts& parts, document::AlongKind kind,
+                 const geometry::AlongCurve& shown);
 Outcome showAlong(const CommandEnv& env, document::AlongKind kind);
 Outcome askSectionName(const CommandEnv& env, std::uint32_t shelfId);
 Outcome deleteSection(const CommandEnv& env, std::uint32_t shelfId);

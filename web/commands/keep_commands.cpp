@@ -59,7 +59,7 @@ constexpr std::array kTable = {
     Command{.id = "new-model", .label = "New model", .icon = "file-plus", .group = "model",
             .hint = "Begin another one; this one stays in your models", .enabled = hasWork, .run = newModel},
     Command{.id = "open-model", .label = "Your models", .icon = "layout-grid", .shortcut = "Shift+Ctrl+O",
-            .group = "model", .hint = "Go on with a model that this device keeps", .run = openModel},
+            .group = "model", .hint = "Go on with a model that this device keeps", .menu = "Model", .run = openModel},
     Command{.id = "open-file", .label = "Open model file", .icon = "folder-open", .group = "model",
             .hint = "A .spineloft file, or a GLB that was saved here", .run = openFile},
     Command{.id = "duplicate-model", .label = "Duplicate model", .icon = "copy", .group = "model",

@@ -25,8 +25,8 @@ Outcome setPaintRow(Env env, const Json& args) {
   if (key == nullptr) return missing("a paint: plain, two-tone, clay, glaze or metal");
   const std::optional<surface::Paint> paint = surface::paintFromKey(*key);
   if (!paint) return refuse({Error::ValueOutOfRange, *key});
-  const std::optional<PartId> part = meantPart(env, args);
-  return part ? setPaint(env, *part, *paint) : noPart();
+  const std::optional<Parts> parts = meantParts(env, args);
+  return parts ? setPaint(env, *parts, *paint) : noPart();
 }
 
 Outcome setSecondColourRow(Env env, const Json& args) {
@@ -34,14 +34,14 @@ Outcome setSecondColourRow(Env env, const Json& args) {
   if (text == nullptr) return missing("a colour such as #f1ede4");
   const auto colour = colourFrom(*text);
   if (!colour) return refuse({Error::ValueOutOfRange, *text});
-  const std::optional<PartId> part = meantPart(env, args);
-  return part ? setSecondColour(env, *part, *colour) : noPart();
+  const std::optional<Parts> parts = meantParts(env, args);
+  return parts ? setSecondColour(env, *parts, *colour) : noPart();
 }
 
 Outcome toggleFacets(Env env, const Json& args) {
-  const std::optional<PartId> part = meantPart(env, args);
-  if (!part) return noPart();
-  return setFaceted(env, *part, args.flag("faceted").value_or(!lookOf(env, *part).faceted));
+  const std::optional<Parts> parts = meantParts(env, args);
+  if (!parts) return noPart();
+  return setFaceted(env, *parts, args.flag("faceted").value_or(!lookMeant(env, *parts).faceted));
 }
 
 Outcome saveObjZip(Env env, const Json&) { return saveAs(env, publish::Format::ObjZip); }
@@ -95,25 +95,23 @@ constexpr std::array kTable = {
 
 }  // namespace
 
-Outcome setPaint(Env env, PartId part, surface::Paint paint) {
-  document::Look look = lookOf(env, part);
-  look.textured = false;
-  look.paint = paint;
-  return setLook(env, part, look);
+Outcome setPaint(Env env, const Parts& parts, surface::Paint paint) {
+  return changeLooks(env, parts, [&](document::Look& look) {
+    look.textured = false;
+    look.paint = paint;
+  });
 }
 
-Outcome setSecondColour(Env env, PartId part, const Colour& colour) {
-  document::Look look = lookOf(env, part);
-  look.textured = false;
-  look.paint = surface::Paint::TwoTone;
-  look.second = colour;
-  return setLook(env, part, look);
+Outcome setSecondColour(Env env, const Parts& parts, const Colour& colour) {
+  return changeLooks(env, parts, [&](document::Look& look) {
+    look.textured = false;
+    look.paint = surface::Paint::TwoTone;
+    look.second = colour;
+  });
 }
 
-Outcome setFaceted(Env env, PartId part, bool faceted) {
-  document::Look look = lookOf(env, part);
-  look.faceted = faceted;
-  return setLook(env, part, look);
+Outcome setFaceted(Env env, const Parts& parts, bool faceted) {
+  return changeLooks(env, parts, [&](document::Look& look) { look.faceted = faceted; });
 }
 
 std::span<const Command> lookCommands() { return kTable; }

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/document/params.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/intents.h"
+#include "web/edit/depth_order.h"
 #include "web/edit/editing.h"
 #include "web/edit/placing.h"
 #include "web/edit/region_editing.h"
@@ -42,18 +44,43 @@ std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key, loft
 
 }  // namespace
 
-std::vector<document::Action> standingActions(Env env, document::Action draw, const document::Recipe& recipe) {
-  std::vector<document::Action> actions{std::move(draw)};
+Standing standingActions(Env env, document::Action draw, const document::Recipe& recipe, bool lie) {
+  constexpr double kHidden = 0.5;  // of a part: it would not be seen where it was drawn
+  Standing out{{std::move(draw)}, {}};
   const document::Document& document = env.studio.document();
-  if (document.parts.empty()) return actions;
+  const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(recipe));
+  if (document.parts.empty() || entry == nullptr) return out;
   pipeline::PartShape shape;
-  if (!env.studio.preview(recipe, shape)) return actions;  // the drawing itself says why
-  const document::Placement placement =
-      pipeline::standBeside(document, env.studio.derived(), document::pictureOf(recipe), shape.mesh);
-  if (placement.isRest()) return actions;
+  if (!env.studio.preview(recipe, shape)) return out;  // the drawing itself says why
+  const pipeline::Derived& derived = env.studio.derived();
+  document::Placement placement = pipeline::standBeside(document, derived, entry->id, shape.mesh);
+  if (lie) {
+    Body body;
+    body.add(pipeline::worldMesh(shape.mesh, *pipeline::copiesInWorld(placement, {}, entry->size).begin()));
+    const Lying lying = lyingOf(document, derived, body, {});
+    if (lying.front) out.lie = Lie::Inside;
+    if (lying.front && *lying.front > 0 && lying.hidden >= kHidden) {
+      if (placement.isRest()) placement.pivot = body.bounds->centre();
+      placement.move.z += *lying.front;
+      out.lie = Lie::InFront;
+    }
+  }
+  if (placement.isRest()) return out;
   const PartId next{document.lastPartId + 1};
-  actions.push_back(document::PlaceParts{{{next, placement, {}}}});
-  return actions;
+  out.actions.push_back(document::PlaceParts{{{next, placement, {}}}});
+  return out;
+}
+
+void tellStanding(Env env, const Standing& standing) {
+  env.ui.newPart.reset();
+  if (!standing.lie) return;
+  env.ui.newPart = NewPart{env.ui.selection, *standing.lie, env.studio.undoSteps()};
+  if (*standing.lie == Lie::InFront) sendStatus(env.host, "It lies on what it was drawn over.");
+}
+
+bool partIsNew(Env env) {
+  const std::optional<NewPart>& part = env.ui.newPart;
+  return part && part->part == env.ui.selection && part->undo == env.studio.undoSteps();
 }
 
 const document::Part* partOf(const CommandEnv& env, const Json& args) {
@@ -71,21 +98,64 @@ const document::Part* loftPartOf(const CommandEnv& env, const Json& args) {
   return part != nullptr && document::loftOf(*part) != nullptr ? part : nullptr;
 }
 
-std::optional<PartId> meantPart(const CommandEnv& env, const Json& args) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr && namesPart(args)) return std::nullopt;
-  return part ? part->id : PartId{};
+std::vector<PartId> partsFrom(const CommandEnv& env, const Json& args) {
+  const document::Document& document = env.studio.document();
+  if (const Json* list = args.find("parts"); list != nullptr && list->array()) {
+    std::vector<PartId> parts;
+    for (const Json& one : *list->array()) {
+      const PartId id = idFrom(Json::Object{{"id", one}}, "id");
+      if (document::findPart(document, id) == nullptr) return {};
+      if (std::ranges::count(parts, id) == 0) parts.push_back(id);
+    }
+    return parts;
+  }
+  if (namesPart(args)) {
+    const document::Part* part = partOf(env, args);
+    return part ? std::vector<PartId>{part->id} : std::vector<PartId>{};
+  }
+  return selectedParts(document, env.ui);
 }
 
-Outcome setLook(const CommandEnv& env, PartId part, const document::Look& look) {
-  env.ui.look = look;
-  if (!part) return {};
-  return outcomeOf(env.studio.act(document::SetLook{part, look}));
+std::optional<std::vector<PartId>> meantParts(const CommandEnv& env, const Json& args) {
+  std::vector<PartId> parts = partsFrom(env, args);
+  const bool named = namesPart(args) || args.find("parts") != nullptr;
+  if (named && parts.empty()) return std::nullopt;
+  return parts;
+}
+
+Outcome setOnAll(const CommandEnv& env, const std::vector<PartId>& parts,
+                 const std::function<std::optional<document::Action>(const document::Part&)>& action) {
+  std::vector<document::Action> actions;
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    if (part == nullptr) return noPart();
+    if (std::optional<document::Action> one = action(*part)) actions.push_back(*std::move(one));
+  }
+  if (actions.empty()) return {};
+  const Status status = env.studio.act(actions);
+  if (status && actions.size() > 1) sendStatus(env.host, "Set on " + std::to_string(actions.size()) + " parts.");
+  return outcomeOf(status);
+}
+
+Outcome changeLooks(const CommandEnv& env, const std::vector<PartId>& parts,
+                    const std::function<void(document::Look&)>& change) {
+  env.ui.look = lookMeant(env, parts);
+  change(env.ui.look);
+  return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
+    document::Look look = part.look;
+    change(look);
+    return document::SetLook{part.id, look};
+  });
 }
 
 document::Look lookOf(const CommandEnv& env, PartId id) {
   const document::Part* part = document::findPart(env.studio.document(), id);
   return part ? part->look : env.ui.look;
+}
+
+document::Look lookMeant(const CommandEnv& env, const std::vector<PartId>& parts) {
+  const bool leads = std::ranges::count(parts, env.ui.selection) > 0;
+  return lookOf(env, parts.empty() ? PartId{} : leads ? env.ui.selection : parts.front());
 }
 
 document::Look currentLook(const CommandEnv& env) { return lookOf(env, env.ui.selection); }
@@ -98,13 +168,38 @@ constexpr std::string_view kCutSentence =
 constexpr std::string_view kNothingFound =
     "Nothing was found beside your line, so its width is a guess. Draw through a thing, or pull the ends of the ribs.";
 
-/// Whether every rib of the newest part is a guess although its picture has been looked at.
-bool foundNothing(Env env) {
+/// Share of the rib ends of the newest part that are guesses although its picture has been looked at.
+double guessedShare(Env env) {
   const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
-  if (!newest.shape) return false;
-  return std::ranges::all_of(newest.shape->generated.ribs, [](const ribs::Rib& rib) {
-    return rib.leftState == ribs::RibState::Guessed && rib.rightState == ribs::RibState::Guessed;
-  });
+  if (!newest.shape || newest.shape->generated.ribs.empty()) return 0;
+  double guessed = 0;
+  for (const ribs::Rib& rib : newest.shape->generated.ribs) {
+    guessed += (rib.leftState == ribs::RibState::Guessed ? 1 : 0) + (rib.rightState == ribs::RibState::Guessed ? 1 : 0);
+  }
+  return guessed / (2 * static_cast<double>(newest.shape->generated.ribs.size()));
+}
+
+/// A line that found little beside it may have missed the thing.
+void tellGuesses(Env env) {
+  constexpr double kMany = 0.25;
+  const double share = guessedShare(env);
+  if (share < kMany) return;
+  const std::string percent = std::to_string(static_cast<int>(std::lround(100 * share)));
+  const std::string some = percent +
+                           " % of the ends are guesses: the dotted ones. Draw again along the middle of the " +
+                           "thing, or pull them.";
+  sendOffer(env.host, {share >= 1 ? kNothingFound : some, "Try again", "redraw", {}});
+}
+
+/// A line round a thing is no line through it: a puff can be made of it.
+Outcome refusedLine(Env env, const DrawSpineIntent& intent, const Failure& failure) {
+  if (!intent.lie || !closesOutline(intent.stroke)) return refuse(failure);
+  Json::Array line;
+  for (const PicturePoint& p : intent.stroke) line.push_back(Json::Array{p.x, p.y});
+  sendOffer(env.host, {"That line goes round a thing. A puff swells from its outline; a part needs a line "
+                       "through its middle.",
+                       "Puff it up", "draw-puff", Json::Object{{"line", std::move(line)}}});
+  return {};
 }
 
 }  // namespace
@@ -128,18 +223,16 @@ Outcome drawSpine(Env env, const DrawSpineIntent& intent) {
   recipe.stroke = draw.stroke;
   recipe.loft.sections.front().shape = draw.section;
   recipe.pose.depth = draw.depth;
-  const Status status = env.studio.act(standingActions(env, std::move(draw), recipe));
-  if (!status) return refuse(status.failure());
-  if (shorter) {
-    sendHint(env.host, kCutSentence);
-  } else if (foundNothing(env)) {
-    sendHint(env.host, kNothingFound);
-  }
+  const Standing standing = standingActions(env, std::move(draw), recipe, intent.lie);
+  const Status status = env.studio.act(standing.actions);
+  if (!status) return refusedLine(env, intent, status.failure());
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
   sendStatus(env.host, {});  // what it asked for is done
+  tellStanding(env, standing);
+  shorter ? sendHint(env.host, kCutSentence) : tellGuesses(env);
   return {};
 }
 
@@ -176,6 +269,7 @@ Outcome drawSpine(Env env, const Json& args) {
   intent.endCap = capOf(args, "end", env.ui.endCap);
   if (!intent.startCap || !intent.endCap) return refuse({Error::ValueOutOfRange, "start or end"});
   intent.cut = args.flag("cut").value_or(false);
+  intent.lie = args.flag("lie").value_or(false);
   return app::drawSpine(env, intent);
 }
 
@@ -279,30 +373,45 @@ Outcome showPart(Env env, PartId id, bool visible) {
   return outcomeOf(env.studio.act(document::ShowPart{id, visible}));
 }
 
-Outcome setCaps(Env env, PartId id, std::optional<loft::CapStyle> start, std::optional<loft::CapStyle> end) {
-  const document::Part* part = document::findPart(env.studio.document(), id);
-  if (id && (part == nullptr || document::loftOf(*part) == nullptr)) return noSpine(part);
+Outcome setCaps(Env env, const Parts& parts, std::optional<loft::CapStyle> start, std::optional<loft::CapStyle> end) {
+  const auto isLoft = [&](PartId id) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    return part != nullptr && document::loftOf(*part) != nullptr;
+  };
+  const auto lead = std::ranges::find_if(parts, isLoft);
+  if (lead == parts.end() && !parts.empty()) return noSpine(document::findPart(env.studio.document(), parts.front()));
+  const document::Part* part = lead == parts.end() ? nullptr : document::findPart(env.studio.document(), *lead);
   env.ui.startCap = start.value_or(part ? document::loftIn(*part).loft.startCap : env.ui.startCap);
   env.ui.endCap = end.value_or(part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::SetCaps{id, env.ui.startCap, env.ui.endCap}));
+  return setOnAll(env, parts, [&](const document::Part& each) -> std::optional<document::Action> {
+    const document::LoftRecipe* loft = document::loftOf(each);
+    if (loft == nullptr) return std::nullopt;
+    return document::SetCaps{each.id, start.value_or(loft->loft.startCap), end.value_or(loft->loft.endCap)};
+  });
 }
 
-Outcome setTextured(Env env, PartId part, bool textured) {
-  document::Look look = lookOf(env, part);
-  look.textured = textured;
-  return setLook(env, part, look);
+Outcome setTextured(Env env, const Parts& parts, bool textured) {
+  return changeLooks(env, parts, [&](document::Look& look) { look.textured = textured; });
 }
 
-Outcome setColour(Env env, PartId part, const Colour& colour) {
-  document::Look look = lookOf(env, part);
-  look.textured = false;
-  look.colour = colour;
-  return setLook(env, part, look);
+Outcome setColour(Env env, const Parts& parts, const Colour& colour) {
+  return changeLooks(env, parts, [&](document::Look& look) {
+    look.textured = false;
+    look.colour = colour;
+  });
 }
 
-Outcome setParameter(Env env, PartId part, const std::string& key, double value) {
-  return outcomeOf(env.studio.act(document::SetParameter{part, key, value}));
+Outcome setParameter(Env env, const Parts& parts, const std::string& key, double value) {
+  const auto has = [&](PartId id) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    return part != nullptr && document::findParam(document::kindOf(*part), key) != nullptr;
+  };
+  // What none of them has is refused by name.
+  const bool none = std::ranges::none_of(parts, has);
+  return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
+    if (!none && !has(part.id)) return std::nullopt;
+    return document::SetParameter{part.id, key, value};
+  });
 }
 
 namespace rows {
@@ -346,19 +455,22 @@ Outcome showPart(Env env, const Json& args) {
 }
 
 Outcome setCaps(Env env, const Json& args) {
-  const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noSpine(env, args);
-  auto start = capOf(args, "start", part ? document::loftIn(*part).loft.startCap : env.ui.startCap);
-  auto end = capOf(args, "end", part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
-  if (args.text("both") != nullptr) start = end = capOf(args, "both", {});
-  if (!start || !end) return refuse({Error::ValueOutOfRange, "start or end"});
-  return app::setCaps(env, part ? part->id : PartId{}, start, end);
+  const std::optional<Parts> parts = meantParts(env, args);
+  if (!parts) return noSpine(env, args);
+  std::optional<loft::CapStyle> start, end;
+  for (const auto& [key, caps] : {std::pair{"start", &start}, std::pair{"end", &end}}) {
+    const std::string* name = args.text("both") ? args.text("both") : args.text(key);
+    if (name == nullptr) continue;
+    *caps = loft::capFromKey(*name);
+    if (!*caps) return refuse({Error::ValueOutOfRange, "start or end"});
+  }
+  return app::setCaps(env, *parts, start, end);
 }
 
 Outcome toggleTexture(Env env, const Json& args) {
-  const std::optional<PartId> part = meantPart(env, args);
-  if (!part) return noPart();
-  return setTextured(env, *part, args.flag("textured").value_or(!lookOf(env, *part).textured));
+  const std::optional<Parts> parts = meantParts(env, args);
+  if (!parts) return noPart();
+  return setTextured(env, *parts, args.flag("textured").value_or(!lookMeant(env, *parts).textured));
 }
 
 Outcome setColour(Env env, const Json& args) {
@@ -366,17 +478,17 @@ Outcome setColour(Env env, const Json& args) {
   if (text == nullptr) return missing("a colour such as #ec9e5c");
   const auto colour = colourFrom(*text);
   if (!colour) return refuse({Error::ValueOutOfRange, *text});
-  const std::optional<PartId> part = meantPart(env, args);
-  return part ? app::setColour(env, *part, *colour) : noPart();
+  const std::optional<Parts> parts = meantParts(env, args);
+  return parts ? app::setColour(env, *parts, *colour) : noPart();
 }
 
 Outcome setParameter(Env env, const Json& args) {
-  const document::Part* part = partOf(env, args);
+  const Parts parts = partsFrom(env, args);
   const std::string* key = args.text("key");
   const std::optional<double> value = args.number("value");
-  if (part == nullptr) return noPart();
+  if (parts.empty()) return noPart();
   if (key == nullptr || !value) return missing("a key and a value");
-  return app::setParameter(env, part->id, *key, *value);
+  return app::setParameter(env, parts, *key, *value);
 }
 
 }  // namespace rows

@@ -87,6 +87,7 @@ Outcome clearBoard(Env env, const Json&) {
   env.ui.redraw = {};
   env.ui.preview.reset();
   env.ui.cameraTouched = false;
+  resetNextPart(env.ui);
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/edit/depth_order.h"
+#include "web/edit/front_field.h"
 #include "web/edit/gizmo.h"
 #include "web/edit/placing.h"
 #include "web/model/messages.h"
@@ -20,7 +21,6 @@ namespace spineloft::app {
 namespace {
 
 using Env = const CommandEnv&;
-using Parts = std::vector<PartId>;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kNudgeMm = 1, kFarNudgeMm = 10;
@@ -34,26 +34,6 @@ bool snaps(Env env) { return env.ui.place.snap; }
 bool symmetric(Env env) {
   const document::Part* part = partOf(env, {});
   return part != nullptr && part->mirror.has_value();
-}
-
-/// The parts of `args.parts`, the one of `args.part`, or the selected ones with their groups. Empty
-/// when there is none, or one is not there.
-Parts partsFrom(Env env, const Json& args) {
-  const document::Document& document = documentOf(env);
-  if (const Json* list = args.find("parts"); list != nullptr && list->array()) {
-    Parts parts;
-    for (const Json& one : *list->array()) {
-      const PartId id = idFrom(Json::Object{{"id", one}}, "id");
-      if (document::findPart(document, id) == nullptr) return {};
-      if (std::ranges::count(parts, id) == 0) parts.push_back(id);
-    }
-    return parts;
-  }
-  if (namesPart(args)) {
-    const document::Part* part = partOf(env, args);
-    return part ? Parts{part->id} : Parts{};
-  }
-  return selectedParts(document, env.ui);
 }
 
 /// Numbers under `key`; none unless there are as many as `N`, all finite.
@@ -265,11 +245,11 @@ Outcome dropOnFloor(Env env, const Json& args) {
   return act(env, parts, motion);
 }
 
-/// The axis of a mirror: left and right when none is named; null for another name.
-const MirrorAxis* axisFrom(const Json& args) {
+/// The axis of a mirror of these parts: the likely one when none is named; null for another name.
+const MirrorAxis* axisFor(Env env, const Parts& parts, const Json& args) {
   const auto axes = mirrorAxes();
   const std::string* name = args.text("axis");
-  if (name == nullptr) return &axes.front();
+  if (name == nullptr) return &likelyAxis(documentOf(env), env.studio.derived(), parts);
   const auto at = std::ranges::find(axes, *name, &MirrorAxis::key);
   return at == axes.end() ? nullptr : &*at;
 }
@@ -341,7 +321,7 @@ Outcome duplicate(Env env, const Json& args) {
 
 Outcome mirrorCopy(Env env, const Json& args) {
   const Parts parts = partsFrom(env, args);
-  const MirrorAxis* axis = axisFrom(args);
+  const MirrorAxis* axis = axisFor(env, parts, args);
   if (parts.empty()) return noPart();
   if (axis == nullptr) return missing("an axis: x, y or z");
   const std::uint32_t last = documentOf(env).lastPartId;
@@ -365,12 +345,12 @@ Outcome mirrorAcross(Env env, const Parts& parts, const MirrorAxis* axis) {
 Outcome symmetry(Env env, const Json& args) {
   const std::string* name = args.text("axis");
   const bool off = name != nullptr ? *name == "off" : symmetric(env);
-  const MirrorAxis* axis = off ? nullptr : axisFrom(args);
   const Parts parts = partsFrom(env, args);
+  const MirrorAxis* axis = off ? nullptr : axisFor(env, parts, args);
   if (!parts.empty() && !off && axis == nullptr) return missing("an axis: x, y, z or off");
   Outcome done = mirrorAcross(env, parts, axis);
   if (done && !off && name == nullptr) {
-    sendStatus(env.host, "Left and right are alike now. Under \"Place\" it can be front and back.");
+    sendStatus(env.host, std::string(axis->words) + " are alike now. Other sides can be chosen beside it.");
   }
   return done;
 }
@@ -412,6 +392,40 @@ Outcome selectAll(Env env, const Json&) {
     if (part.id != env.ui.selection) env.ui.alsoSelected.push_back(part.id);
   }
   return {};
+}
+
+/// The part before, within or behind what it overlaps.
+template <Lie kLie>
+Outcome lieSo(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  const document::PictureEntry* entry = part ? findPicture(documentOf(env), document::pictureOf(*part)) : nullptr;
+  if (entry == nullptr) return noPart();
+  const PartId id = part->id;
+  const pipeline::Derived& derived = env.studio.derived();
+  const auto shown = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
+  if (shown == derived.parts.end() || !shown->shape) return Refusal{"NotNow", "This part has no shape."};
+  double by = 0;
+  if (kLie == Lie::Inside) {
+    const auto drawn = pipeline::standBeside(documentOf(env), derived, entry->id, shown->shape->mesh);
+    by = drawn.move.z - part->placement.move.z;
+  } else {
+    const Lying lying = lyingOf(documentOf(env), derived, bodyAlone(documentOf(env), derived, id), id);
+    const std::optional<double> way = kLie == Lie::InFront ? lying.front : lying.behind;
+    if (!way) return Refusal{"NotNow", "It overlaps no other part in the picture."};
+    by = *way;
+  }
+  const bool fresh = partIsNew(env);
+  document::Motion motion;
+  motion.move = {0, 0, by};
+  if (by != 0) {
+    if (Outcome done = act(env, {id}, motion); !done) return done;
+  }
+  if (fresh) env.ui.newPart = NewPart{id, kLie, env.studio.undoSteps()};
+  return {};
+}
+template <Lie kLie>
+bool liesSo(Env env) {
+  return partIsNew(env) && env.ui.newPart->lie == kLie;
 }
 
 /// The list is an order in depth: what goes past others goes before or behind them, in the same step.
@@ -478,11 +492,20 @@ constexpr std::array kTable = {
     Command{.id = "reset-place", .label = "Reset turn and size", .icon = "rotate-ccw", .group = "place",
             .hint = "As it was drawn, but it stays where it is", .enabled = hasSelection, .run = resetPlace},
     Command{.id = "duplicate", .label = "Duplicate", .icon = "copy", .shortcut = "Ctrl+D", .group = "place",
-            .hint = "One more of the same", .enabled = hasSelection, .run = duplicate},
+            .hint = "One more of the same", .menu = "Part", .enabled = hasSelection, .run = duplicate},
+    Command{.id = "in-front", .label = "In front", .icon = "arrow-down-from-line", .group = "place",
+            .hint = "It lies on what it overlaps in the picture", .enabled = hasSelection,
+            .toggled = liesSo<Lie::InFront>, .run = lieSo<Lie::InFront>},
+    Command{.id = "inside", .label = "Inside", .icon = "circle-dot", .group = "place",
+            .hint = "As deep as everything else of its picture", .enabled = hasSelection,
+            .toggled = liesSo<Lie::Inside>, .run = lieSo<Lie::Inside>},
+    Command{.id = "behind", .label = "Behind", .icon = "arrow-up-from-line", .group = "place",
+            .hint = "It lies behind what it overlaps in the picture", .enabled = hasSelection,
+            .toggled = liesSo<Lie::Behind>, .run = lieSo<Lie::Behind>},
     Command{.id = "mirror-copy", .label = "Mirrored copy", .icon = "flip-horizontal-2", .group = "place",
             .argument = kAxis, .hint = "A copy on the other side", .enabled = hasSelection, .run = mirrorCopy},
     Command{.id = "symmetry", .label = "Symmetry", .icon = "flip-vertical-2", .group = "place", .argument = kSymmetry,
-            .hint = "The other side always follows", .enabled = hasSelection, .toggled = symmetric, .run = symmetry},
+            .hint = "The other side always follows", .menu = "Part", .enabled = hasSelection, .toggled = symmetric, .run = symmetry},
     Command{.id = "group", .label = "Group", .icon = "group", .shortcut = "Ctrl+G", .group = "place",
             .hint = "Take these parts in hand together", .enabled = severalSelected, .run = group},
     Command{.id = "ungroup", .label = "Ungroup", .icon = "ungroup", .shortcut = "Shift+Ctrl+G", .group = "place",

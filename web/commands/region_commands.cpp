@@ -141,14 +141,14 @@ Outcome drawInflated(Env env, const Json& args) {
   if (!region) return missingRegion();
   const Result<inflate::InflateParams> params = inflateFrom(args, env.ui.inflate);
   if (!params) return refuse(params.failure());
-  return drawRegion(env, *region, params.value());
+  return drawRegion(env, *region, params.value(), args.flag("lie").value_or(false));
 }
 Outcome drawExtruded(Env env, const Json& args) {
   auto region = regionFrom(env, args, env.ui.picture);
   if (!region) return missingRegion();
   const Result<extrude::ExtrudeParams> params = extrudeFrom(args, env.ui.extrude);
   if (!params) return refuse(params.failure());
-  return drawRegion(env, *region, params.value());
+  return drawRegion(env, *region, params.value(), args.flag("lie").value_or(false));
 }
 
 Outcome redrawRegionRow(Env env, const Json& args) {
@@ -168,26 +168,30 @@ Outcome movePointRow(Env env, const Json& args) {
   return moveOutlinePoint(env, part->id, {static_cast<std::size_t>(contour), static_cast<std::size_t>(point)}, *to);
 }
 
-/// The way of the selected part, or of the next one, with a change; another kind becomes this one.
+/// The way of the parts that are meant, or of the next one, with a change. The selected one becomes this kind if it is
+/// another; others keep theirs and do not change.
+template <class Recipe, class Params, class Change>
+Outcome shapeAll(Env env, const Json& args, Params& next, Params Recipe::* member, const Change& change) {
+  const document::Part* lead = regionPart(env, args);
+  const Recipe* recipe = lead ? std::get_if<Recipe>(&lead->recipe) : nullptr;
+  if (recipe) next = recipe->*member;
+  change(next);
+  if (lead == nullptr) return {};
+  return setOnAll(env, partsFrom(env, args), [&](const document::Part& part) -> std::optional<document::Action> {
+    const Recipe* own = std::get_if<Recipe>(&part.recipe);
+    if (own == nullptr && part.id != lead->id) return std::nullopt;
+    Params params = own ? own->*member : next;
+    if (own) change(params);
+    return document::ShapeRegion{part.id, params};
+  });
+}
 template <class Change>
 Outcome shapeInflate(Env env, const Json& args, const Change& change) {
-  const document::Part* part = regionPart(env, args);
-  const document::InflateRecipe* recipe = part ? document::inflateOf(*part) : nullptr;
-  inflate::InflateParams params = recipe ? recipe->inflate : env.ui.inflate;
-  change(params);
-  env.ui.inflate = params;
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::ShapeRegion{part->id, params}));
+  return shapeAll(env, args, env.ui.inflate, &document::InflateRecipe::inflate, change);
 }
 template <class Change>
 Outcome shapeExtrude(Env env, const Json& args, const Change& change) {
-  const document::Part* part = regionPart(env, args);
-  const document::ExtrudeRecipe* recipe = part ? document::extrudeOf(*part) : nullptr;
-  extrude::ExtrudeParams params = recipe ? recipe->extrude : env.ui.extrude;
-  change(params);
-  env.ui.extrude = params;
-  if (part == nullptr) return {};
-  return outcomeOf(env.studio.act(document::ShapeRegion{part->id, params}));
+  return shapeAll(env, args, env.ui.extrude, &document::ExtrudeRecipe::extrude, change);
 }
 
 template <inflate::InflateSides kSides>
@@ -295,7 +299,7 @@ constexpr std::array kTable = {
 
 bool regionIsSelected(const CommandEnv& env) { return regionPart(env, {}) != nullptr; }
 
-Outcome drawRegion(Env env, const document::Region& region, const document::RegionSolid& solid) {
+Outcome drawRegion(Env env, const document::Region& region, const document::RegionSolid& solid, bool lie) {
   const Result<geometry::Contours> made = outlinesOf(env, region);
   if (!made) return refuse(made.failure());
   const document::DrawRegion draw{region, solid, env.ui.look};
@@ -308,13 +312,15 @@ Outcome drawRegion(Env env, const document::Region& region, const document::Regi
         }
       },
       solid);
-  const Status status = env.studio.act(standingActions(env, draw, recipe));
+  const Standing standing = standingActions(env, draw, recipe, lie);
+  const Status status = env.studio.act(standing.actions);
   if (!status) return refuse(status.failure());
   reportChanges(env, region, made.value());
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
+  tellStanding(env, standing);
   return {};
 }
 

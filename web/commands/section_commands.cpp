@@ -156,6 +156,14 @@ void blendChoices(Env env, JsonWriter& json) {
 // ---- Curves along the spine
 // ------------------------------------------------------------------------
 
+/// The lofts that `args` name, else those in hand.
+Parts loftsFrom(Env env, const Json& args) {
+  Parts parts = partsFrom(env, args);
+  std::erase_if(parts,
+                [&](PartId id) { return document::loftOf(*document::findPart(env.studio.document(), id)) == nullptr; });
+  return parts;
+}
+
 Outcome setAlongRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
@@ -164,7 +172,7 @@ Outcome setAlongRow(Env env, const Json& args) {
   if (info == nullptr) return missing("a kind: twist, squash, tilt or bulge");
   const std::optional<geometry::AlongCurve> curve = curveFrom(args.find("points"));
   if (!curve) return missing("points: a list of [place, value]");
-  return setAlong(env, part->id, info->kind, *curve);
+  return setAlong(env, loftsFrom(env, args), info->kind, *curve);
 }
 
 Outcome alongShape(Env env, const Json& args) {
@@ -184,7 +192,7 @@ Outcome alongShape(Env env, const Json& args) {
     if (at == shapes.end()) return refuse({Error::ValueOutOfRange, *name});
     curve.points = at->points;
   }
-  return setAlong(env, part->id, info->kind, curve);
+  return setAlong(env, loftsFrom(env, args), info->kind, curve);
 }
 
 void alongChoices(Env, JsonWriter& json) {
@@ -337,16 +345,25 @@ Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, cons
   return {};
 }
 
-Outcome setSection(Env env, PartId id, std::optional<std::size_t> key, const loft::SectionShape& shape) {
-  const document::Part* part = document::findPart(env.studio.document(), id);
-  if (id && (part == nullptr || document::loftOf(*part) == nullptr)) return noSpine(part);
+Outcome setSection(Env env, const Parts& parts, std::optional<std::size_t> key, const loft::SectionShape& shape) {
+  const auto loftIn = [&](PartId id) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    return part ? document::loftOf(*part) : nullptr;
+  };
+  if (!parts.empty() && std::ranges::none_of(parts, loftIn)) {
+    return noSpine(document::findPart(env.studio.document(), parts.front()));
+  }
   env.ui.section = shape;
-  if (part == nullptr) return {};
-  if (!key) return outcomeOf(env.studio.act(document::SetSection{id, shape}));
-  SectionKeys stops = document::loftIn(*part).loft.sections;
-  if (*key >= stops.size()) return noSection();
-  stops[*key].shape = shape;
-  return setSectionKeys(env, id, std::move(stops));
+  if (key && parts.size() == 1) {
+    SectionKeys stops = loftIn(parts.front())->loft.sections;
+    if (*key >= stops.size()) return noSection();
+    stops[*key].shape = shape;
+    return setSectionKeys(env, parts.front(), std::move(stops));
+  }
+  return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
+    if (document::loftOf(part) == nullptr) return std::nullopt;
+    return document::SetSection{part.id, shape};
+  });
 }
 
 Outcome addSection(Env env, PartId id, double at, const std::optional<loft::SectionShape>& shape) {
@@ -396,11 +413,15 @@ Outcome setBlend(Env env, PartId id, std::size_t key, const loft::Blend& blend) 
   return setSectionKeys(env, id, std::move(changed));
 }
 
-Outcome setAlong(Env env, PartId part, document::AlongKind kind, const geometry::AlongCurve& shown) {
+Outcome setAlong(Env env, const Parts& parts, document::AlongKind kind, const geometry::AlongCurve& shown) {
   geometry::AlongCurve curve = shown;
   for (geometry::AlongPoint& p : curve.points) p.value *= alongInfo(kind).unit;
   env.ui.sections.along = kind;
-  return outcomeOf(env.studio.act(document::SetAlong{part, kind, std::move(curve)}));
+  const bool several = parts.size() > 1;
+  return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
+    if (several && document::loftOf(part) == nullptr) return std::nullopt;
+    return document::SetAlong{part.id, kind, curve};
+  });
 }
 
 Outcome showAlong(Env env, document::AlongKind kind) {
@@ -426,14 +447,17 @@ Outcome rows::setSection(const CommandEnv& env, const Json& args) {
   const Result<std::optional<loft::SectionShape>> read = shapeFrom(args, env.ui.sections);
   if (!read) return refuse(read.failure());
   if (!read.value()) return missing("the name of a slice, or its contours");
-  const document::Part* part = loftPartOf(env, args);
-  if (part == nullptr && (namesPart(args) || partOf(env, args))) return noSpine(env, args);
+  const std::optional<Parts> meant = meantParts(env, args);
+  if (!meant) return noSpine(env, args);
+  const Parts parts = loftsFrom(env, args);
+  if (parts.empty() && !meant->empty()) return noSpine(env, args);
   std::optional<std::size_t> key;
-  if (part && args.find("slice") != nullptr) {
+  if (const document::Part* part = loftPartOf(env, args); part != nullptr && args.find("slice") != nullptr) {
     key = sectionKeyOf(env, args, *part);
     if (!key) return noSection();
+    return app::setSection(env, {part->id}, key, *read.value());
   }
-  return app::setSection(env, part ? part->id : PartId{}, key, *read.value());
+  return app::setSection(env, parts, key, *read.value());
 }
 
 std::span<const Command> sectionCommands() { return kTable; }

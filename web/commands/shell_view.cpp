@@ -27,6 +27,22 @@ void showPart(const pipeline::Derived& derived, const document::Part& part, View
   selected.ribs = at != derived.parts.end() && at->shape ? at->shape->ribs.ribs.size() : 0;
 }
 
+/// What a visitor who is led through the first steps has made.
+void countKinds(const document::Document& document, ShellView& view) {
+  const auto isShaped = [](const document::Part& part) {
+    const document::LoftRecipe* loft = document::loftOf(part);
+    if (loft == nullptr) return false;
+    const auto& sections = loft->loft.sections;
+    return sections.size() > 1 || sections.front().shape != loft::SectionShape{};
+  };
+  const auto count = [](auto number) { return static_cast<std::size_t>(number); };
+  view.solids = document.steps.size();
+  view.hollow = count(std::ranges::count(document.steps, document::StepKind::Hollow, &document::Step::kind));
+  view.mirrored =
+      count(std::ranges::count_if(document.parts, [](const document::Part& part) { return part.mirror.has_value(); }));
+  view.shaped = count(std::ranges::count_if(document.parts, isShaped));
+}
+
 void showCommands(const CommandEnv& env, ShellView& view) {
   view.enabled.reset();
   view.toggled.reset();
@@ -52,6 +68,9 @@ void viewOf(const CommandEnv& env, ShellView& view) {
   view.pictures = document.pictures.size();
   view.parts = document.parts.size();
   view.picked = ui.solids.picked.size();
+  countKinds(document, view);
+  view.turned = ui.cameraTouched;
+  view.checked = ui.print.has_value();
   if (const document::PictureEntry* entry = document::findPicture(document, ui.picture)) {
     showPicture(ui, *entry, filled(view.picture));
   } else {
@@ -134,6 +153,11 @@ void writeView(const ShellView& view, JsonWriter& json) {
   count("pictures", view.pictures);
   count("parts", view.parts);
   count("picked", view.picked);
+  count("solids", view.solids);
+  count("hollow", view.hollow);
+  count("mirrored", view.mirrored);
+  count("shaped", view.shaped);
+  json.key("turned").flag(view.turned).key("checked").flag(view.checked);
   writePicture(view, json);
   writeSelected(view, json);
   json.key("tool").text(toolKey(view.tool)).key("penMenu").flag(view.penMenu);

@@ -45,6 +45,9 @@ struct ShellView {
 
   std::string documentName;
   std::size_t pictures = 0, parts = 0, picked = 0;  ///< `picked`: ticked for the next solid
+  std::size_t solids = 0, hollow = 0;               ///< made of parts, and those of them that are hollow
+  std::size_t mirrored = 0, shaped = 0;  ///< parts with a live other side; with another section than the first
+  bool turned = false, checked = false;  ///< the camera by the visitor; for printing, as the model is
   std::optional<ViewPicture> picture;
   std::optional<ViewSelected> selected;
   ToolKind tool = ToolKind::Draw;

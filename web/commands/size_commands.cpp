@@ -217,7 +217,7 @@ constexpr std::array kTable = {
             .hint = "A coin, a cupcake or a hand beside the solid, as large as it is", .enabled = hasParts,
             .run = showBesideRow},
     Command{.id = "check-print", .label = "Check for printing", .icon = "scan-search", .group = "file",
-            .hint = "Closed, size, thinnest wall, and whether it stands", .enabled = hasParts, .run = checkPrint},
+            .hint = "Closed, size, thinnest wall, and whether it stands", .menu = "Print", .enabled = hasParts, .run = checkPrint},
     Command{.id = "thicken", .label = "Make it thick enough", .icon = "maximize", .group = "file",
             .hint = "Thicker walls and flat pieces, or all of it larger, until its thinnest place can be printed",
             .enabled = hasParts, .run = thicken},

@@ -199,7 +199,7 @@ void pictureChoices(Env env, JsonWriter& json) {
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "new-sketch", .label = "Draw on paper", .icon = "square-pen", .group = "file",
-            .hint = "A blank sheet to draw on with a pen", .run = newSketch},
+            .hint = "A blank sheet to draw on with a pen", .menu = "Pictures", .run = newSketch},
     Command{.id = "pen", .label = "Pen", .icon = "pen", .shortcut = "B", .group = "tool", .hint = "Draw on the paper",
             .enabled = onPaper, .toggled = penInHand, .run = usePen},
     Command{.id = "eraser", .label = "Eraser", .icon = "eraser", .shortcut = "E", .group = "tool",
@@ -234,9 +234,10 @@ Outcome drawOnSketch(Env env, const image::SketchStroke& stroke) {
   const bool wasFinished = looksFinished(*sketch);
   const Status status = env.studio.act(document::DrawOnSketch{env.ui.picture, stroke});
   if (!status) return refuse(status.failure());
-  if (!wasFinished && looksFinished(*shownSketch(env.studio.document(), env.ui))) {
-    sendStatus(env.host, "Now draw a bone through it.");
-  }
+  if (wasFinished || !looksFinished(*shownSketch(env.studio.document(), env.ui))) return {};
+  // What is closed is whole; two open lines may go on.
+  if (env.ui.tool == ToolKind::Pen && closesOutline(stroke.points)) env.ui.tool = ToolKind::Draw;
+  sendStatus(env.host, "Now draw a line through its middle, or take Puff or Flat piece.");
   return {};
 }
 

@@ -99,12 +99,40 @@ void choose(Env env, const Step& step) {
   env.ui.alsoSelected.erase(env.ui.alsoSelected.begin());
 }
 
-/// Selects what was just made.
+std::string nameOf(Env env, const Operand& operand) {
+  const document::Document& document = env.studio.document();
+  if (const Step* step = document::findStep(document, operand.step)) return step->name;
+  const document::Part* part = document::findPart(document, operand.part);
+  return part ? part->name : std::string();
+}
+
+/// What came of putting together, in a sentence.
+std::string saidOf(Env env, const Step& step) {
+  const std::string first = nameOf(env, step.operands.front());
+  const std::size_t others = step.operands.size() - 1;
+  const std::string rest = others == 1 ? nameOf(env, step.operands.back()) : std::to_string(others) + " others";
+  switch (step.kind) {
+    case StepKind::Join:
+      return first + " and " + rest + " are one piece now: " + step.name + ".";
+    case StepKind::Cut:
+      return first + " is without " + rest + " now: " + step.name + ".";
+    case StepKind::Intersection:
+      return "What " + first + " and " + rest + " share is left: " + step.name + ".";
+    case StepKind::Hollow:
+    case StepKind::kCount:
+      break;
+  }
+  return first + " is hollow now: " + step.name + ". Where it is open can be chosen below the list.";
+}
+
+/// Selects what was just made, and says it.
 Outcome choose(Env env, const Status& status) {
   if (!status) return refuse(status.failure());
   const auto& steps = env.studio.document().steps;
   env.ui.solids.picked.clear();
-  if (!steps.empty()) choose(env, *steps.back());
+  if (steps.empty()) return {};
+  choose(env, *steps.back());
+  sendStatus(env.host, saidOf(env, *steps.back()));
   return {};
 }
 
@@ -313,16 +341,16 @@ void openings(Env env, JsonWriter& json) {
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "stick-together", .label = "Stick together", .icon = "squares-unite", .group = "part",
-            .hint = "Make one solid of the ticked parts", .enabled = severalRoots, .run = stickTogether},
+            .hint = "Make one solid of the ticked parts", .menu = "Together", .enabled = severalRoots, .run = stickTogether},
     Command{.id = "cut", .label = "Cut out", .icon = "squares-subtract", .group = "part",
-            .hint = "Cut the other ticked parts out of the first", .enabled = severalRoots, .run = cut},
+            .hint = "Cut the other ticked parts out of the first", .menu = "Together", .enabled = severalRoots, .run = cut},
     Command{.id = "keep-common", .label = "Overlap", .icon = "squares-intersect", .group = "part",
             .hint = "Keep only where the ticked parts overlap", .enabled = severalRoots, .run = keepIntersection},
     Command{.id = "scoop-out", .label = "Scoop out", .icon = "cup-soda", .group = "part",
-            .argument = {"opening", openings}, .hint = "Make it hollow, with a wall and an opening",
+            .argument = {"opening", openings}, .hint = "Make it hollow, with a wall and an opening", .menu = "Together",
             .enabled = canHollow, .run = scoopOut},
     Command{.id = "release", .label = "Break apart", .icon = "unlink", .group = "part",
-            .hint = "Undo the solid; its parts stay", .enabled = hasStep, .run = release},
+            .hint = "Undo the solid; its parts stay", .menu = "Together", .enabled = hasStep, .run = release},
     Command{.id = "set-step", .label = "Opening", .icon = "cup-soda", .group = "part",
             .argument = {"opening", openings}, .hint = "Where the hollow solid is open", .enabled = hasStep,
             .run = setStepRow},

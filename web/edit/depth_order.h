@@ -8,6 +8,7 @@
 
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
+#include "web/edit/front_field.h"
 
 namespace spineloft::app {
 
@@ -23,5 +24,14 @@ struct DepthMove {
 /// them, where they stand so already, for what is hidden, and for single parts of a solid: the solid is one body.
 std::optional<DepthMove> depthMove(const document::Document& before, const document::Document& after,
                                    const pipeline::Derived& derived, std::span<const PartId> parts);
+
+/// How a thing lies with those that it overlaps in the picture.
+struct Lying {
+  double hidden = 0;             ///< share of it that they hide, as seen from the front, 0…1
+  std::optional<double> front;   ///< along z, after which it lies on all of them, touching them as of depthMove
+  std::optional<double> behind;  ///< the same behind them; both none where it overlaps nothing
+};
+/// Of a thing with this body; `without`: the part that it is already.
+Lying lyingOf(const document::Document& document, const pipeline::Derived& derived, const Body& own, PartId without);
 
 }  // namespace spineloft::app

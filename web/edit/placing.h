@@ -51,12 +51,19 @@ std::vector<document::Action> placeActions(const document::Document& document, c
 struct MirrorAxis {
   const char* key;    ///< "x"
   const char* words;  ///< "Left and right"
+  const char* brief;  ///< on a small picture
   WorldPoint normal;
 };
 /// All of them, the commonest first.
 std::span<const MirrorAxis> mirrorAxes();
 /// Whether the plane lies between the sides of this axis.
 bool isAcross(const document::MirrorPlane& plane, const MirrorAxis& axis);
+
+/// The way in which these parts most likely have another side. Left and right where everything else is alike there and
+/// the parts are not in its middle; front and back where they stand before or behind it, as a wing drawn on a bird
+/// that is seen from the side.
+const MirrorAxis& likelyAxis(const document::Document& document, const pipeline::Derived& derived,
+                             std::span<const PartId> parts);
 
 /// A plane through the middle of everything but `parts` (of themselves: at their right, upper or front
 /// side, when there is nothing else).

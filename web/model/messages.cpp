@@ -25,9 +25,17 @@ void sendError(platform::Host& host, std::string_view sentence) { sendToast(host
 void sendInfo(platform::Host& host, std::string_view sentence) { sendToast(host, "info", sentence); }
 void sendHint(platform::Host& host, std::string_view sentence) { sendToast(host, "hint", sentence); }
 void sendWarning(platform::Host& host, std::string_view sentence) { sendToast(host, "warning", sentence); }
+void sendOffer(platform::Host& host, const Offer& offer) {
+  JsonWriter json;
+  json.beginObject().key("type").text("toast").key("level").text("hint").key("text").text(offer.sentence);
+  json.key("offer").beginObject().key("label").text(offer.label).key("command").text(offer.command);
+  json.key("args").value(offer.args).endObject().endObject();
+  host.send(json.json());
+}
 void sendPickPicture(platform::Host& host) { host.send(R"({"type":"pickPicture"})"); }
 void sendCursor(platform::Host& host, std::string_view css) { sendText(host, "cursor", "css", css); }
 void sendStatus(platform::Host& host, std::string_view text) { sendText(host, "status", "text", text); }
+void sendShow(platform::Host& host, std::string_view dialog) { sendText(host, "show", "dialog", dialog); }
 
 void sendQuestion(platform::Host& host, const Question& question) {
   JsonWriter json;

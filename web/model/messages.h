@@ -7,6 +7,7 @@
 
 #include "engine/base/result.h"
 #include "engine/document/document.h"
+#include "web/model/json.h"
 #include "web/platform/host.h"
 
 namespace spineloft::app {
@@ -15,6 +16,12 @@ void sendError(platform::Host& host, std::string_view sentence);
 void sendInfo(platform::Host& host, std::string_view sentence);
 /// Nothing failed, and what was done may not be what was meant.
 void sendHint(platform::Host& host, std::string_view sentence);
+/// The same with a button that runs a command of the table with these arguments.
+struct Offer {
+  std::string_view sentence, label, command;
+  Json args;
+};
+void sendOffer(platform::Host& host, const Offer& offer);
 /// Nothing failed, but what was found wants a look.
 void sendWarning(platform::Host& host, std::string_view sentence);
 void sendPickPicture(platform::Host& host);
@@ -26,6 +33,9 @@ struct Question {
   std::string_view id, title, text, value;
 };
 void sendQuestion(platform::Host& host, const Question& question);
+
+/// A dialog of the shell: "help" or "find-command".
+void sendShow(platform::Host& host, std::string_view dialog);
 
 /// Pictures of the model that the shell makes and saves: "png" or "gif", with this name before the ending.
 void sendTurntable(platform::Host& host, std::string_view what, std::string_view name);

@@ -1,5 +1,7 @@
 #include "web/model/spoken_length.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <string>
 
 namespace spineloft::app {
@@ -16,12 +18,15 @@ std::string plainNumber(double value, int digits) {
   return out;
 }
 
+std::string lengthWith(double mm, int digits) {
+  if (mm >= 1000) return plainNumber(mm / 1000, digits + 2) + " m";
+  if (mm >= 10) return plainNumber(mm / 10, digits + 1) + " cm";
+  return plainNumber(mm, std::max(1, digits)) + " mm";
+}
+
 }  // namespace
 
-std::string spokenLength(double mm) {
-  if (mm >= 1000) return plainNumber(mm / 1000, 4) + " m";
-  if (mm >= 10) return plainNumber(mm / 10, 3) + " cm";
-  return plainNumber(mm, 2) + " mm";
-}
+std::string spokenLength(double mm) { return lengthWith(mm, 2); }
+std::string roundLength(double mm) { return lengthWith(mm, 0); }
 
 }  // namespace spineloft::app

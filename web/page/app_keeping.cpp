@@ -88,6 +88,7 @@ void App::showOtherModel() {
   ui_.selection = ui_.redraw = {};
   ui_.picture = {};
   ui_.seen.clear();
+  resetNextPart(ui_);
   ui_.pictureView.fitted = true;
   ui_.tool = ToolKind::Draw;
   ui_.focus = Focus::Picture;

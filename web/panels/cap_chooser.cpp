@@ -6,6 +6,7 @@
 
 #include "engine/loft/loft.h"
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -67,7 +68,8 @@ void row(const PanelEnv& env, bool atStart, loft::CapStyle chosen, float width) 
     const std::string words = std::string(name.label) + (atStart ? ", where you began" : ", where you stopped");
     if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, words}, paint)) {
       const std::optional<loft::CapStyle> cap = name.style, same;
-      env.sink.run(app::setCaps, env.ui().selection, atStart ? cap : same, atStart ? same : cap);
+      env.sink.run(app::setCaps, app::selectedParts(env.document(), env.ui()), atStart ? cap : same,
+                   atStart ? same : cap);
     }
   }
   ImGui::PopStyleVar();

@@ -3,10 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <span>
 #include <string>
 
+#include "web/commands/command_actions.h"
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/theme.h"
@@ -25,7 +28,8 @@ struct Item {
   bool words = false;  ///< says what it does where there is room
 };
 
-std::span<const Item> itemsOf(const app::UiState& ui) {
+std::span<const Item> itemsOf(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
   // The most used first: the last ones wait in a menu where there is no room.
   static constexpr Item kRibs[] = {{"add-rib", true}, {"delete-rib", true}, {"lock-rib", true}, {"reset-rib"},
                                    {"reach-less"},    {"reach-more"},       {"fewer-ribs"},     {"more-ribs"}};
@@ -50,6 +54,11 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
                                     {"edge-sharp", true},
                                     {"edge-bevel", true},
                                     {"edge-round", true}};
+  static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
+  static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
+  const bool draws =
+      ui.tool == app::ToolKind::Draw || ui.tool == app::ToolKind::Inflate || ui.tool == app::ToolKind::Extrude;
+  if (draws && !ui.cut && !ui.preview && app::partIsNew(env.env)) return kNew;
   switch (ui.tool) {
     case app::ToolKind::Inflate:
       return ui.cut ? std::span<const Item>(kCut) : kPuff;
@@ -66,6 +75,10 @@ std::span<const Item> itemsOf(const app::UiState& ui) {
     case app::ToolKind::Ignore:
       return kIgnore;
     case app::ToolKind::Draw:
+      if (const document::PictureEntry* paper = app::shownSketch(env.document(), ui)) {
+        // What the outline becomes is chosen where it was drawn.
+        if (env.document().parts.empty() && app::looksFinished(*paper)) return kWays;
+      }
       if (ui.penSeen) return kDraw;
       return {};
     default:
@@ -129,9 +142,12 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   const int size = entry ? std::max(entry->size.width, entry->size.height) : 100;
   auto value = static_cast<float>(own);
   ImGui::SetNextItemWidth(width);
-  const bool changed =
-      turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, "%.1f turns")
-            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), "%.0f px wide");
+  // Pixels of the picture as lengths of the model.
+  const double mm = static_cast<double>(value) / size * app::mmPerUnit(env.document(), env.derived);
+  char wide[40];
+  std::snprintf(wide, sizeof wide, "%.1f mm wide", mm);
+  const bool changed = turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, "%.1f turns")
+                             : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), wide);
   registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
   if (changed) {
     own = static_cast<double>(value);
@@ -164,6 +180,21 @@ void coilCard(const PanelEnv& env, const app::Rect& above) {
   coilSlider(env, *part, false, each);
   ImGui::End();
   ImGui::PopFont();
+  ImGui::PopStyleVar(2);
+}
+
+/// The ways in which the parts in hand have another side, as small pictures: below the buttons, while they have one.
+void sidesCard(const PanelEnv& env, const app::Rect& above) {
+  const document::Part* part = env.selected();
+  if (part == nullptr || !part->mirror || env.ui().tool != app::ToolKind::Place) return;
+  const double width = std::min(300.0, env.ui().layout.solid.width - 2 * kMargin);
+  const app::Rect card{above.right() - width, above.bottom() + 6, width, 66};
+  env.ui().overlays.push_back(card);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  beginFixed("sides", card);
+  sidesTiles(env, *part->mirror, static_cast<float>(width) - 2 * static_cast<float>(kPadding));
+  ImGui::End();
   ImGui::PopStyleVar(2);
 }
 
@@ -206,7 +237,7 @@ void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, co
 }  // namespace
 
 void drawEditBar(const PanelEnv& env) {
-  const std::span<const Item> items = itemsOf(env.ui());
+  const std::span<const Item> items = itemsOf(env);
   const bool places = env.ui().tool == app::ToolKind::Place;  // which works in the solid view
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = places ? layout.solid : layout.picture;
@@ -238,6 +269,7 @@ void drawEditBar(const PanelEnv& env) {
   paintBar(env, card, cells, split, colour);
   barMenu(env, app::BarMenu::Edit, split.bar, card, colour);
   coilCard(env, card);
+  sidesCard(env, card);
 }
 
 }  // namespace spineloft::panels

@@ -11,6 +11,7 @@
 #include "engine/surface/finish.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/model/swatches.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -61,7 +62,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
 void pictureOrColour(const PanelEnv& env, bool textured, float width) {
   const std::array choices = {Choice{"picture", "Picture", textured}, Choice{"colour", "Colour", !textured}};
   if (const auto pressed = pill(env, choices, width)) {
-    env.sink.run(app::setTextured, env.ui().selection, *pressed == 0);
+    env.sink.run(app::setTextured, app::selectedParts(env.document(), env.ui()), *pressed == 0);
   }
 }
 
@@ -123,7 +124,7 @@ void paints(const PanelEnv& env, const document::Look& look, float width) {
     const bool pressed =
         tile(env, {finishes[i].key.data(), finishes[i].label, finishes[i].label, {wide, 58}, on},
              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32) { ball(list, centre, radius * 0.95f, shown); });
-    if (pressed) env.sink.run(app::setPaint, env.ui().selection, finishes[i].paint);
+    if (pressed) env.sink.run(app::setPaint, app::selectedParts(env.document(), env.ui()), finishes[i].paint);
   }
   ImGui::PopStyleVar();
 }
@@ -165,7 +166,8 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
       list.AddCircle(centre, radius + 2.5f, kLine, 36, 2);
     }
     if (pressed) {
-      env.sink.run(second ? app::setSecondColour : app::setColour, env.ui().selection, app::rgbOf(swatch));
+      env.sink.run(second ? app::setSecondColour : app::setColour, app::selectedParts(env.document(), env.ui()),
+                   app::rgbOf(swatch));
     }
   }
   ImGui::PopStyleVar();
@@ -174,7 +176,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
 void smoothOrFaceted(const PanelEnv& env, bool faceted, float width) {
   const std::array choices = {Choice{"smooth", "Smooth", !faceted}, Choice{"faceted", "Facets", faceted}};
   if (const auto pressed = pill(env, choices, width)) {
-    env.sink.run(app::setFaceted, env.ui().selection, *pressed == 1);
+    env.sink.run(app::setFaceted, app::selectedParts(env.document(), env.ui()), *pressed == 1);
   }
 }
 

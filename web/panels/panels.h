@@ -48,6 +48,8 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width); 
 void sectionKeyBar(const PanelEnv& env, float width);  ///< sections along the selected part's spine
 void alongPanel(const PanelEnv& env, float width);     ///< twist, depth, lean, front along the spine
 void capChooser(const PanelEnv& env, float width);
+/// Which sides follow each other, as small pictures.
+void sidesTiles(const PanelEnv& env, const document::MirrorPlane& mirror, float width);
 void placePanel(const PanelEnv& env, float width);  ///< where the selected part stands, in numbers
 void lookPanel(const PanelEnv& env, float width);
 void sizePanel(const PanelEnv& env, float width);  ///< how tall, and the check for printing

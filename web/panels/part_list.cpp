@@ -70,9 +70,10 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }
   const auto& c = part.look.colour;
-  const ImVec2 dot{at.x + 15, at.y + height / 2};
-  list.AddCircleFilled(dot, 6.5f, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255), 24);
-  list.AddCircle(dot, 6.5f, part.look.textured ? kMuted : rgb(0x1f2430, 60), 24, 1.3f);
+  // A patch of its colour: the circle in the row is the tick.
+  const ImVec2 low{at.x + 8, at.y + height / 2 - 7}, high{at.x + 22, at.y + height / 2 + 7};
+  list.AddRectFilled(low, high, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255), 4);
+  list.AddRect(low, high, part.look.textured ? kMuted : rgb(0x1f2430, 60), 4, 0, 1.3f);
   const float textHeight = ImGui::GetTextLineHeight();
   const std::string name = shortened(ImGui::GetFont(), part.name, width - buttons - grips - 4);
   list.AddText({at.x + 30, at.y + (height - textHeight) / 2},
@@ -88,7 +89,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   if (pressed) {
     if (takesMore(env)) {
       env.sink.run(app::selectPart, part.id, true);
-    } else if (selected && ImGui::IsMouseDoubleClicked(0)) {
+    } else if (selected && secondClick()) {
       env.sink.run(app::askPartName, part.id);
     } else {
       env.sink.run(app::selectPart, part.id, false);
@@ -130,7 +131,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   list.AddText(env.fonts.icons, size * 1.1f, {at.x + 8, at.y + (height - size * 1.1f) / 2}, kMuted, iconText("group"));
   list.AddText(env.fonts.bold, size, {at.x + 30, at.y + (height - size) / 2}, kInk, group.name.c_str());
   list.PopClipRect();
-  if (pressed && ImGui::IsMouseDoubleClicked(0)) {
+  if (pressed && secondClick()) {
     env.sink.run(app::askGroupName, group.id);
   } else if (pressed) {
     env.sink.run(app::selectPart, place.parts.front(), false);

@@ -1,7 +1,9 @@
 // Where the selected part stands, in numbers that can be typed.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "web/commands/intents.h"
@@ -44,19 +46,39 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   if (pressed) env.sink.run(app::askPlace, what.key);
 }
 
-/// Which sides follow each other: the button above begins with left and right.
-void sidesChooser(const PanelEnv& env, const document::MirrorPlane& mirror, float width) {
-  label(env.fonts.small, kMuted, "Alike on both sides");
-  WordButtons row(env, width);
-  for (const app::MirrorAxis& axis : app::mirrorAxes()) {
-    const bool on = app::isAcross(mirror, axis);
-    if (row.button(axis.key, axis.words, on) && !on) {
-      env.sink.run(app::setSymmetry, &axis);
-    }
-  }
+/// A thing and its other side, with the plane between them; of front and back the one behind the other.
+void paintSides(ImDrawList& list, const app::MirrorAxis& axis, ImVec2 c, float r, ImU32 colour) {
+  const bool across = axis.normal.x != 0, upright = axis.normal.y != 0;
+  const ImU32 faint = rgb(0x5c6474, 110);
+  const ImVec2 off = across ? ImVec2(r * 0.55f, 0) : upright ? ImVec2(0, r * 0.5f) : ImVec2(r * 0.28f, -r * 0.28f);
+  const float size = r * 0.36f;
+  list.AddCircleFilled({c.x + off.x, c.y + off.y}, size, faint, 20);
+  list.AddCircleFilled({c.x - off.x, c.y - off.y}, size, colour, 20);
+  if (across) list.AddLine({c.x, c.y - r}, {c.x, c.y + r}, faint, 1.4f);
+  if (upright) list.AddLine({c.x - r, c.y}, {c.x + r, c.y}, faint, 1.4f);
+  if (!across && !upright) list.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, faint, 1.4f);
 }
 
 }  // namespace
+
+void sidesTiles(const PanelEnv& env, const document::MirrorPlane& mirror, float width) {
+  constexpr float kGap = 6;
+  const auto axes = app::mirrorAxes();
+  const auto count = static_cast<float>(axes.size());
+  const float each = std::floor((width - kGap * (count - 1)) / count);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
+  for (const app::MirrorAxis& axis : axes) {
+    if (&axis != &axes.front()) ImGui::SameLine();
+    const bool on = app::isAcross(mirror, axis);
+    const auto paint = [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 colour) {
+      paintSides(list, axis, centre, radius, colour);
+    };
+    if (tile(env, {axis.key, axis.brief, axis.words, {each, 56}, on, axis.words}, paint) && !on) {
+      env.sink.run(app::setSymmetry, &axis);
+    }
+  }
+  ImGui::PopStyleVar();
+}
 
 void placePanel(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
@@ -85,7 +107,10 @@ void placePanel(const PanelEnv& env, float width) {
     if (ImGui::GetContentRegionAvail().x < side) ImGui::NewLine();
     commandButton(env, id, side);
   }
-  if (part->mirror) sidesChooser(env, *part->mirror, width);
+  if (part->mirror) {
+    label(env.fonts.small, kMuted, "Alike on both sides");
+    sidesTiles(env, *part->mirror, std::min(width, 300.f));
+  }
   ImGui::PopStyleVar();
 }
 

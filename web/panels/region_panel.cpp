@@ -6,6 +6,7 @@
 
 #include "engine/document/params.h"
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -13,29 +14,41 @@
 namespace spineloft::panels {
 namespace {
 
+/// How a number of this measure is shown: times a factor, in a unit.
+struct Shown {
+  double factor = 1;
+  const char* format = "%.2f";
+};
+Shown shownAs(const PanelEnv& env, const document::ParamInfo& info) {
+  if (info.measure == document::Measure::Percent) return {100, "%.0f %%"};
+  if (info.measure == document::Measure::Plain) return {1, info.step >= 1 ? "%.0f" : "%.2f"};
+  return {app::mmPerUnit(env.document(), env.derived), "%.1f mm"};
+}
+
 /// A slider that shows what it would do and does it when it is let go.
 void slider(const PanelEnv& env, const document::Part& part, const document::ParamInfo& info, float width) {
   const app::Preview* preview = app::previewOf(env.ui(), part.id);
   const bool mine = preview && document::kindOf(preview->recipe) == document::kindOf(part);
-  auto value = static_cast<float>(info.get(mine ? preview->recipe : part.recipe));
+  const Shown as = shownAs(env, info);
+  if (!(as.factor > 0)) return;  // nothing to measure by
+  auto value = static_cast<float>(info.get(mine ? preview->recipe : part.recipe) * as.factor);
   label(env.fonts.small, kMuted, info.label);
   ImGui::SetNextItemWidth(width);
   const std::string id = "##" + std::string(info.key);
-  const bool whole = info.step >= 1;
-  const bool changed =
-      ImGui::SliderFloat(id.c_str(), &value, static_cast<float>(info.low), static_cast<float>(info.high),
-                         whole ? "%.0f" : "%.2f", info.low > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  const bool changed = ImGui::SliderFloat(id.c_str(), &value, static_cast<float>(info.low * as.factor),
+                                          static_cast<float>(info.high * as.factor), as.format,
+                                          info.low > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   registerControl(env, app::Control::Kind::Slider, info.label);
   if (changed) {
     app::Preview& shown = app::previewPart(env.ui(), part);
     shown.recipe = part.recipe;
-    info.set(shown.recipe, std::clamp(static_cast<double>(value), info.low, info.high));
+    info.set(shown.recipe, std::clamp(static_cast<double>(value) / as.factor, info.low, info.high));
     shown.fresh = false;
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
-  const double chosen = std::clamp(static_cast<double>(value), info.low, info.high);
+  const double chosen = std::clamp(static_cast<double>(value) / as.factor, info.low, info.high);
   env.ui().preview.reset();
-  env.sink.run(app::setParameter, part.id, std::string(info.key), chosen);
+  env.sink.run(app::setParameter, app::selectedParts(env.document(), env.ui()), std::string(info.key), chosen);
 }
 
 }  // namespace
@@ -50,11 +63,19 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
     if (i > 0) ImGui::SameLine(0, kGap);
     commandTile(env, isInflated ? kSides[i] : kEdges[i], {each, height});
   }
-  for (const document::ParamInfo& info : document::paramTable(document::kindOf(part))) {
-    slider(env, part, info, width);
+  const auto table = document::paramTable(document::kindOf(part));
+  for (const document::ParamInfo& info : table) {
+    if (!info.forFew) slider(env, part, info, width);
   }
   const app::CommandId other = isInflated ? app::CommandId("make-sheet") : app::CommandId("make-puff");
   wordButton(env, {other, width, buttonSide(env), kAccent});
+  if (std::ranges::none_of(table, &document::ParamInfo::forFew)) return;
+  bool& more = env.ui().moreNumbers;
+  const std::string_view text = more ? "Less about this" : "More about this";
+  if (textButton(env, {"more", text, false, true, buttonSide(env), width})) more = !more;
+  for (const document::ParamInfo& info : table) {
+    if (more && info.forFew) slider(env, part, info, width);
+  }
 }
 
 }  // namespace spineloft::panels

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
@@ -23,7 +24,8 @@ void choose(const PanelEnv& env, const loft::SectionShape& shape) {
   const document::Part* part = env.selected();
   std::optional<std::size_t> key;
   if (part && document::loftIn(*part).loft.sections.size() > 1) key = app::pickedSectionKey(env.ui(), *part);
-  env.sink.run(app::setSection, part ? part->id : PartId{}, key, shape);
+  const app::Parts inHand = app::selectedParts(env.document(), env.ui());
+  env.sink.run(app::setSection, key ? app::Parts{part->id} : inHand, key, shape);
 }
 
 /// The tiles, in rows.

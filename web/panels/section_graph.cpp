@@ -8,6 +8,7 @@
 #include <string>
 
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/curve_graph.h"
@@ -117,7 +118,7 @@ void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float wi
     first = false;
     const std::string id = "shape-" + std::string(key);
     if (textButton(env, {id.c_str(), text, false, enabled, height})) {
-      env.sink.run(app::setAlong, env.ui().selection, info.kind, curve);
+      env.sink.run(app::setAlong, app::selectedParts(env.document(), env.ui()), info.kind, curve);
     }
   };
   for (const app::AlongShape& shape : app::alongShapes()) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
+#include "web/edit/placing.h"
 #include "web/panels/short_list.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -44,6 +47,12 @@ bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
   return open;
 }
 
+/// A heading that says how many parts its settings are for, where they are several.
+std::string forParts(const PanelEnv& env, std::string_view text) {
+  const std::size_t count = app::selectedParts(env.document(), env.ui()).size();
+  return std::string(text) + (count > 1 ? " of " + std::to_string(count) + " parts" : "");
+}
+
 /// The selected part when it is a puff or a flat piece, else null.
 const document::Part* selectedRegion(const PanelEnv& env) {
   const document::Part* part = env.selected();
@@ -52,10 +61,17 @@ const document::Part* selectedRegion(const PanelEnv& env) {
 
 const char* titleOf(const document::Part& region) { return document::inflateOf(region) ? "Puff" : "Flat piece"; }
 
+/// Few panels at first: before the first part there is nothing to set, and curves and numbers come with all tools.
+bool isOffered(const PanelEnv& env, app::PanelTab tab) {
+  if (env.ui().allTools || tab == app::PanelTab::Parts) return true;
+  return !env.document().parts.empty() && tab != app::PanelTab::Along && tab != app::PanelTab::Place;
+}
+
 /// A part without a spine has nothing along it and no ends.
-ShortList<Tab> tabsFor(const document::Part* region) {
+ShortList<Tab> tabsFor(const PanelEnv& env, const document::Part* region) {
   ShortList<Tab> shown;
   for (Tab tab : kTabs) {
+    if (!isOffered(env, tab.tab)) continue;
     if (region && (tab.tab == app::PanelTab::Along || tab.tab == app::PanelTab::Ends)) continue;
     if (region && tab.tab == app::PanelTab::Section) tab.label = titleOf(*region);
     shown.push_back(tab);
@@ -71,24 +87,29 @@ void column(const PanelEnv& env) {
   ImGui::SameLine(width - side + 8);
   commandButton(env, "new-part", side);
   partList(env);
+  if (!isOffered(env, app::PanelTab::Section)) return;
   if (const document::Part* region = selectedRegion(env)) {
-    if (section(env, app::PanelTab::Section, titleOf(*region))) regionPanel(env, *region, width);
+    if (section(env, app::PanelTab::Section, forParts(env, titleOf(*region)).c_str())) regionPanel(env, *region, width);
   } else {
-    if (section(env, app::PanelTab::Section, env.selected() ? "Slice" : "Slice of the next part")) {
+    const std::string title = env.selected() ? forParts(env, "Slice") : "Slice of the next part";
+    if (section(env, app::PanelTab::Section, title.c_str())) {
       sectionChooser(env, width);
     }
-    if (section(env, app::PanelTab::Along, "Twist and depth")) alongPanel(env, width);
-    if (section(env, app::PanelTab::Ends, "Ends")) capChooser(env, width);
+    if (isOffered(env, app::PanelTab::Along) && section(env, app::PanelTab::Along, "Twist and depth")) {
+      alongPanel(env, width);
+    }
+    if (section(env, app::PanelTab::Ends, forParts(env, "Ends").c_str())) capChooser(env, width);
   }
-  if (section(env, app::PanelTab::Look, "Look")) lookPanel(env, width);
+  if (section(env, app::PanelTab::Look, forParts(env, "Look").c_str())) lookPanel(env, width);
   if (!env.document().parts.empty() && section(env, app::PanelTab::Size, "How tall?")) sizePanel(env, width);
-  if (env.selected() && section(env, app::PanelTab::Place, "Place")) placePanel(env, width);
+  const bool placed = env.selected() != nullptr && isOffered(env, app::PanelTab::Place);
+  if (placed && section(env, app::PanelTab::Place, "Place")) placePanel(env, width);
   ImGui::Dummy({0, 8});
 }
 
 void tabs(const PanelEnv& env, float width) {
   const float height = env.ui().touch ? 44.f : 38.f;
-  const ShortList<Tab> shown = tabsFor(selectedRegion(env));
+  const ShortList<Tab> shown = tabsFor(env, selectedRegion(env));
   const float each = std::min(width / static_cast<float>(shown.size()), 140.f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
@@ -96,7 +117,7 @@ void tabs(const PanelEnv& env, float width) {
     if (i > 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::InvisibleButton(shown[i].label, {each, height})) env.ui().tab = shown[i].tab;
-    const bool on = env.ui().tab == shown[i].tab;
+    const bool on = env.ui().tab == shown[i].tab || shown.size() == 1;
     registerControl(env, app::Control::Kind::Tab, shown[i].label, true, on);
     ImFont* font = on ? env.fonts.bold : env.fonts.text;
     ImGui::PushFont(font);
@@ -125,7 +146,10 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   const float inside = ImGui::GetContentRegionAvail().x;  // a scroll bar takes some
   const document::Part* region = selectedRegion(env);
   const bool boneOnly = env.ui().tab == app::PanelTab::Along || env.ui().tab == app::PanelTab::Ends;
-  switch (region && boneOnly ? app::PanelTab::Section : env.ui().tab) {
+  const app::PanelTab wanted = region && boneOnly ? app::PanelTab::Section : env.ui().tab;
+  const bool there = isOffered(env, wanted);
+  const app::PanelTab first = isOffered(env, app::PanelTab::Section) ? app::PanelTab::Section : app::PanelTab::Parts;
+  switch (there ? wanted : first) {
     case app::PanelTab::Parts:
       partList(env);
       break;

@@ -36,7 +36,7 @@ void howTall(const PanelEnv& env, float width) {
   const auto step = [&](int direction) { env.sink.run(app::setHeight, nextHeight(mm, direction)); };
   if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
   ImGui::SameLine(0, 4);
-  const std::string text = app::spokenLength(mm);
+  const std::string text = app::roundLength(mm);
   commandText(env, {"set-height", std::max(60.f, width - 2 * side - 8), false, text});
   ImGui::SameLine(0, 4);
   if (iconButton(env, {"higher", "plus", "Taller", false, can, side})) step(+1);

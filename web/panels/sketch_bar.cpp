@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kRoomForAll = 630;  // CSS pixels of the view from which sizes and inks are all shown
 constexpr float kMargin = 10;
-constexpr const char* kSpineLine = "Draw bone";
+constexpr const char* kSpineLine = "Line";
 
 ImU32 colourOf(const std::array<std::uint8_t, 3>& c) { return IM_COL32(c[0], c[1], c[2], 255); }
 

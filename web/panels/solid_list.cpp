@@ -101,6 +101,8 @@ void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string
   for (const float dy : {-5.f, 0.f, 5.f}) list.AddCircleFilled({at.x + 3, at.y + size.y / 2 + dy}, 1.4f, kMuted, 8);
 }
 
+bool secondClick() { return ImGui::GetIO().MouseClickedLastCount[0] == 2; }
+
 bool holdsWhole(const PanelEnv& env) {
   const document::Step* step = app::chosenStep(env.env);
   return step != nullptr && env.ui().selection &&
@@ -155,7 +157,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
                              : kInk,
                name.c_str());
   if (pressed) {
-    const bool twice = selected && ImGui::IsMouseDoubleClicked(0);
+    const bool twice = selected && secondClick();
     env.sink.run(twice ? app::askStepName : app::selectStep, step.id);
   }
   ImGui::SameLine(0, 0);

@@ -49,4 +49,8 @@ void solidRows(const PanelEnv& env, const document::Step& step, float width, con
   }
 }
 
+/// The press that was just let go was the second of two in quick succession: a press on a button counts when it is let
+/// go, when ImGui tells of a double click no more.
+bool secondClick();
+
 }  // namespace spineloft::panels

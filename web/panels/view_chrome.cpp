@@ -270,12 +270,14 @@ void drawViewChrome(const PanelEnv& env) {
                          layout.picture.height};
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) {
-    const std::string size = app::spokenLength(env.document().height.value);
+    const std::string size = app::roundLength(env.document().height.value);
     const std::string solid = env.document().parts.empty() ? "Solid" : "Solid, " + size + " tall";
     chip(env, layout.solid, solid.c_str(), !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
   constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
+  constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
+  constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
   constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",         "bone", "sheet",
                                             "shape", "hand", "ignore-edges", "fit"};
   constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "hand",     "ribs",   "shape",
@@ -288,7 +290,9 @@ void drawViewChrome(const PanelEnv& env) {
   const bool bare = env.document().parts.empty();
   const app::Rect paper = sketchBarRect(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
-  const Ids all = (few || onPaper) && bare ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
+  const Ids simple = few ? Ids(kSimpleFew) : Ids(kSimple);
+  const Ids full = (few || onPaper) && bare ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
+  const Ids all = env.ui().allTools ? full : simple;
   const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the spine
   const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;
   const app::Rect bar =

@@ -340,6 +340,8 @@ export interface Command {
   toggled?: boolean | null;
   /** One sentence about what it does. */
   hint?: string;
+  /** The heading under which the menu "More" offers it while it can be run; null: the search finds it. */
+  menu?: string | null;
   /** What `run` wants besides the id. */
   argument?: {
     key: string;

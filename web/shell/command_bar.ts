@@ -12,8 +12,6 @@ type Run = (id: string, args?: Record<string, unknown>) => void;
 const kBar = [
   'open-picture',
   '|',
-  'pen',
-  'eraser',
   'draw',
   'new-part',
   '|',
@@ -24,38 +22,14 @@ const kBar = [
   'set-caps',
   'delete-part',
 ];
-/** Buttons that are there only while they can be used: pen and eraser are for paper. */
-const kOnlyWhenPossible = new Set(['pen', 'eraser']);
-/** What moves into the More menu first when the bar is too narrow. */
-const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture', 'eraser', 'pen'];
-const kGroupTitles: Record<string, string> = {
-  file: 'File',
-  picture: 'Picture',
-  draw: 'Draw',
-  tool: 'Tools',
-  edit: 'Edit',
-  history: 'Edit',
-  part: 'Part',
-  ribs: 'Ribs',
-  bone: 'Bone',
-  slice: 'Slice',
-  place: 'Places',
-  section: 'Slice',
-  board: 'Drawing a slice',
-  caps: 'Ends',
-  look: 'Look',
-  view: 'View',
-  model: 'Model',
-  help: 'Help',
-};
-
-function isForPeople(command: Command): boolean {
-  return command.argument?.kind !== 'api';
-}
-
+/** The headings of the menu in their order; others stand behind them. */
+const kHeadings = ['Model', 'Pictures', 'Part', 'Together', 'Print', 'Help'];
+/** What leaves the bar first when it is too narrow: the panel, or the More menu, has it as well. */
+const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture'];
 export class CommandBar {
   private readonly items = byId('bar-items');
   private readonly more = byId<HTMLButtonElement>('bar-more');
+  private readonly help = byId<HTMLButtonElement>('bar-help');
   private readonly save = byId<HTMLButtonElement>('bar-save');
   private readonly toolbar = byId('bar');
   private readonly buttons = new Map<string, HTMLButtonElement>();
@@ -64,11 +38,12 @@ export class CommandBar {
 
   constructor(
     private readonly run: Run,
-    private readonly showShortcuts: () => void,
     /** The table with the choices as they are now. */
     private readonly allNow: () => Command[],
   ) {
     this.more.append(icon('ellipsis'), make('span', { class: 'bar-label' }, 'More'));
+    this.help.append(icon('circle-question-mark'), make('span', { class: 'bar-label' }, 'Help'));
+    this.help.addEventListener('click', () => this.run('help'));
     this.save.append(icon('download'), make('span', {}, 'Save'), icon('chevron-down'));
     this.more.addEventListener('click', () => toggleMenu(this.more, 'More', this.moreGroups()));
     this.save.addEventListener('click', () => this.openSaveMenu());
@@ -80,11 +55,7 @@ export class CommandBar {
   /** Shows the table as it is now; focus stays, and so does an open menu. */
   update(commands: Command[]): void {
     this.commands = commands;
-    const ids = kBar.filter(
-      (id) =>
-        id === '|' || commands.some((command) => command.id === id && (command.enabled || !kOnlyWhenPossible.has(id))),
-    );
-    if (this.items.dataset.ids !== ids.join(' ')) this.rebuild(ids);
+    if (this.buttons.size === 0) this.rebuild(kBar);
     for (const command of commands) this.updateButton(command);
     const savable = this.saveCommands().some((command) => command.enabled);
     setAttribute(this.save, 'aria-disabled', savable ? null : 'true');
@@ -108,7 +79,6 @@ export class CommandBar {
         return button;
       }),
     );
-    this.items.dataset.ids = ids.join(' ');
     this.setStop(this.stops()[0]);
   }
 
@@ -213,25 +183,19 @@ export class CommandBar {
     };
   }
 
-  /** Everything that has no visible button, by group. */
+  /** What the table offers here and now, under its headings; what the bar shows is left out. */
   private moreGroups(): MenuGroup[] {
     const groups: MenuGroup[] = [];
-    const shown = (id: string) => this.buttons.has(id) && !this.hidden.has(id);
-    for (const command of this.commands) {
-      if (shown(command.id) || command.id.startsWith('save-') || !isForPeople(command)) continue;
-      if (command.group === 'board' && !command.enabled) continue; // of use only while a slice is drawn
-      const title = kGroupTitles[command.group] ?? command.group;
-      const group = groups.find((candidate) => candidate.title === title);
+    for (const command of this.allNow()) {
+      const isShown = this.buttons.has(command.id) && !this.hidden.has(command.id);
+      if (!command.menu || !command.enabled || isShown) continue;
       const item = command.argument?.choices ? this.leadingItem(command) : this.plainItem(command, false);
+      const group = groups.find(({ title }) => title === command.menu);
       if (group) group.items.push(item);
-      else if (command.group === 'model') groups.unshift({ title, items: [item] });
-      else groups.push({ title, items: [item] });
+      else groups.push({ title: command.menu, items: [item] });
     }
-    groups.push({
-      title: 'Help',
-      items: [{ label: 'Keys and gestures', icon: 'keyboard', shortcut: '?', run: this.showShortcuts }],
-    });
-    return groups;
+    const place = ({ title }: MenuGroup) => (kHeadings.includes(title) ? kHeadings.indexOf(title) : kHeadings.length);
+    return groups.sort((a, b) => place(a) - place(b));
   }
 
   private fit(): void {

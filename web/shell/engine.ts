@@ -12,16 +12,25 @@ import { waitForEnd } from './solids/lifeline.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 
+/** A button of a toast that runs a command of the table. */
+export interface Offer {
+  label: string;
+  command: string;
+  args: Record<string, unknown> | null;
+}
+
 /** What the engine tells the shell; see `Host`. */
 export type EngineEvent =
   | { type: 'changed'; view: ShellView }
-  | { type: 'toast'; level: 'info' | 'hint' | 'warning' | 'error'; text: string }
+  | { type: 'toast'; level: 'info' | 'hint' | 'warning' | 'error'; text: string; offer?: Offer }
   | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
   | { type: 'pickPicture' }
   | { type: 'ask'; id: string; title: string; text: string; value?: string }
   | { type: 'cursor'; css: string }
   | { type: 'shelf'; slices: unknown[] }
   | { type: 'status'; text: string }
+  /** A dialog of the shell. */
+  | { type: 'show'; dialog: 'help' | 'find-command' }
   | { type: 'stopSolving' }
   /** The part of a solid that is chosen, and so the likely one to be edited next. */
   | { type: 'expectEdit'; part: number | null }

@@ -16,7 +16,8 @@ const kCompactWidth = 1000;
 function adviceFor({ picture, parts, tool, penMenu }: ShellView): string {
   if (!picture || parts > 0 || penMenu) return ''; // a menu needs the room
   if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
-  if (picture.sketch && tool !== 'draw') return picture.finished ? 'Now draw a bone through it' : '';
+  if (picture.sketch && tool !== 'draw') return picture.finished ? 'Take Line and draw through its middle' : '';
+  if (picture.sketch && picture.finished) return ''; // line, puff and flat are offered beside the drawing
   if (tool === 'puff' || tool === 'sheet') return ''; // the bar of the tool is there
   return 'Draw a line through the middle of the thing';
 }

@@ -116,6 +116,8 @@ import {
   SquareStack,
   Ungroup,
   PaintRoller,
+  Search,
+  CircleQuestionMark,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -234,6 +236,8 @@ const kIcons: Record<string, string> = {
   'square-stack': SquareStack,
   ungroup: Ungroup,
   'paint-roller': PaintRoller,
+  search: Search,
+  'circle-question-mark': CircleQuestionMark,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

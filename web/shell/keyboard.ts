@@ -35,21 +35,25 @@ function belongsToElement(event: KeyboardEvent): boolean {
 export interface KeyboardPage {
   engine: Engine;
   pen: KeyboardPen;
-  /** Opens the shortcut sheet. */
-  showShortcuts(): void;
+  /** Opens a dialog that is about no model. */
+  show(dialog: 'help' | 'find-command'): void;
   /** True while shortcuts of the drawing make no sense (start page). */
   isQuiet(): boolean;
   /** True while nothing can be changed here: the model is open in another tab. */
   isLocked(): boolean;
 }
 
+/** Keys that count everywhere, on the start page and where nothing can be changed. */
+const kEverywhere = { '?': 'help', '/': 'find-command' } as const;
+
 /** Listens on the window; Tab is never taken, so focus always moves on. */
 export function connectKeyboard(page: KeyboardPage): void {
   const listen = (event: KeyboardEvent, down: boolean) => {
     if (event.key === 'Tab' || event.isComposing || event.defaultPrevented || belongsToElement(event)) return;
-    if (down && event.key === '?' && !event.ctrlKey && !event.metaKey) {
+    const dialog = kEverywhere[event.key as keyof typeof kEverywhere];
+    if (down && dialog && !event.ctrlKey && !event.metaKey) {
       event.preventDefault();
-      page.showShortcuts();
+      page.show(dialog);
       return;
     }
     if (page.isLocked()) return;

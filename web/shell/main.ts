@@ -82,7 +82,7 @@ function connect(page: Page, engine: Engine): void {
   connectKeyboard({
     engine,
     pen,
-    showShortcuts: () => page.showShortcuts(),
+    show: (dialog) => page.show(dialog),
     isQuiet: () => page.isOnStartPage,
     isLocked: () => page.isReadOnly,
   });

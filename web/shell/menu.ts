@@ -165,5 +165,7 @@ export function toggleMenu(anchor: HTMLElement, label: string, groups: MenuGroup
   anchor.setAttribute('aria-expanded', 'true');
   document.addEventListener('pointerdown', outside, true);
   openMenu = { close, anchor, element: menu };
-  (elements.find((element) => element.getAttribute('aria-checked') === 'true') ?? elements[0])?.focus();
+  // A list of choices opens at the one that is chosen, any other menu at its top.
+  const chosen = elements.find((element) => element.matches('[role=menuitemradio][aria-checked=true]'));
+  (chosen ?? elements[0])?.focus();
 }

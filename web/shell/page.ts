@@ -1,12 +1,16 @@
 // The page around the running engine: keeps the DOM in step with the document.
 import type { Command } from './api.ts';
 import { CommandBar } from './command_bar.ts';
-import { askChoice, askText, showShortcutSheet } from './dialogs.ts';
+import { openCommandSearch } from './command_search.ts';
+import { askChoice, askText } from './dialogs.ts';
 import { byId } from './dom.ts';
-import type { Engine, EngineEvent } from './engine.ts';
+import type { Engine, EngineEvent, Offer } from './engine.ts';
 import { Failure, sentenceOf } from './failure.ts';
 import { download, isModelFile, pickModel, pickPicture } from './files.ts';
+import { Coach } from './coach.ts';
 import { Guide } from './guide.ts';
+import { showHelp } from './help.ts';
+import { icon } from './icons.ts';
 import { Keeper } from './keep/keeper.ts';
 import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
@@ -15,8 +19,12 @@ import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
 import type { ShellView } from './shell_view.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
+import { ToolChoice, wantsAllTools } from './tool_choice.ts';
+import { kSamples, sampleAddress } from './start_page.ts';
 import type { Sample } from './start_page.ts';
+import type { Task } from './tasks.ts';
 import { toast } from './toasts.ts';
+import type { ToastAction } from './toasts.ts';
 import { gifOf, pngOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
 import { isSolidLikely, startSolver } from './warm_up.ts';
@@ -32,9 +40,12 @@ export class Page {
   private turning = false;
   private readonly opening = new Set<AbortController>();
   private readonly canvas = byId<HTMLCanvasElement>('canvas');
+  private readonly home = byId<HTMLButtonElement>('home');
   private readonly bar: CommandBar;
   private readonly progress = new ProgressBar();
   private readonly guide = new Guide();
+  private readonly coach = new Coach();
+  private readonly tools = new ToolChoice();
   private readonly models = new ModelsView({
     list: () => this.listModels(),
     elsewhere: () => this.keeper?.elsewhere() ?? Promise.resolve(new Set()),
@@ -48,9 +59,10 @@ export class Page {
   constructor() {
     this.bar = new CommandBar(
       (id, args) => this.run(id, args),
-      () => this.showShortcuts(),
       () => this.engine?.commands() ?? [],
     );
+    this.home.prepend(icon('house'));
+    this.home.addEventListener('click', () => this.run('new-model'));
   }
 
   /** The engine runs: from now on the DOM follows it. */
@@ -58,6 +70,7 @@ export class Page {
     this.engine = engine;
     this.table = engine.commands();
     engine.run('load-shelf', { slices: readShelf() });
+    engine.run('more-tools', { on: wantsAllTools() });
     watchShelf((slices) => this.run('load-shelf', { slices }));
     this.keeper = new Keeper(engine, {
       changed: () => this.refresh(),
@@ -104,7 +117,7 @@ export class Page {
         this.refresh(event.view);
         break;
       case 'toast':
-        toast(event.text, event.level);
+        toast(event.text, event.level, event.offer && this.actionOf(event.offer));
         break;
       case 'file':
         download(event.name, event.mediaType, event.bytes);
@@ -125,6 +138,9 @@ export class Page {
       case 'status':
         this.say(event.text);
         break;
+      case 'show':
+        this.show(event.dialog);
+        break;
       case 'turntable':
         void this.turntable(event);
         break;
@@ -135,6 +151,10 @@ export class Page {
         this.keeper?.handle(event);
         break;
     }
+  }
+
+  private actionOf({ label, command, args }: Offer): ToastAction {
+    return { label, command, run: () => this.run(command, args ?? undefined) };
   }
 
   /** Saves a picture of the model, or the model turning round. */
@@ -188,8 +208,33 @@ export class Page {
       );
   }
 
-  showShortcuts(): void {
-    if (this.engine) showShortcutSheet(this.engine.commands());
+  /** Opens a dialog that is about no model: also where nothing can be changed. */
+  show(dialog: 'help' | 'find-command'): void {
+    const commands = this.engine?.commands();
+    if (!commands) return;
+    if (dialog === 'help') showHelp({ commands, facts: this.facts(), begin: (task) => void this.begin(task) });
+    else openCommandSearch(commands, (id, args) => this.run(id, args));
+  }
+
+  /** What is of use to few: the numbers behind the model. */
+  private facts(): string[] {
+    const { view } = this;
+    if (!view?.picture) return [];
+    const ribs = view.selected?.kind === 'loft' ? [`${view.selected.name} has ${view.selected.ribs} ribs.`] : [];
+    return [...ribs, `${historyText(view)}.`];
+  }
+
+  /** Begins a task on a model of its own, or leads once more through the first steps of the one that is open. */
+  private async begin(task: Task | null): Promise<void> {
+    this.coach.begin(task);
+    if (task) {
+      if (!this.isOnStartPage) await this.keeper?.newModel();
+      if (!this.isOnStartPage) return; // the visitor would rather stay
+      const sample = kSamples.find(({ id }) => id === task.on);
+      if (sample) await this.openSample(sample, sampleAddress(sample), true);
+      else this.drawOnPaper();
+    }
+    this.refresh();
   }
 
   say(text: string): void {
@@ -332,12 +377,17 @@ export class Page {
     byId('start').hidden = hasPicture;
     // A board that was emptied can still be undone.
     byId('bar').hidden = !hasPicture && view.undo + view.redo === 0;
+    this.home.disabled = !hasPicture;
+    this.home.title = hasPicture ? 'Home: the start page, with your models' : '';
+    byId('home-word').textContent = hasPicture ? 'Home' : 'SpineLoft';
     this.canvas.inert = !hasPicture || this.readOnly;
     void this.models.update();
-    this.bar.update(commandsNow(this.table, view));
+    const commands = commandsNow(this.table, view);
+    this.tools.see(commands.find(({ id }) => id === 'more-tools')?.toggled === true);
+    this.bar.update(commands);
     this.guide.update(view);
+    this.coach.update(view);
     byId('status-end').textContent = hasPicture ? summary(view) : '';
-    byId('status-history').textContent = view.undo + view.redo > 0 ? historyText(view) : '';
     this.showProgress();
   }
 
@@ -355,9 +405,7 @@ function placeOf({ undo, redo, selected, tool }: ShellView): string {
 function summary({ parts, selected }: ShellView): string {
   if (parts === 0) return 'No part yet';
   const count = parts === 1 ? '1 part' : `${parts} parts`;
-  if (!selected) return count;
-  const what = { loft: `${selected.ribs} ribs`, puff: 'puff', sheet: 'flat piece' }[selected.kind];
-  return `${count} · ${selected.name}: ${what}`;
+  return selected ? `${count} · ${selected.name}` : count;
 }
 
 /** "Undo history: 12 KB of 64 MB". */

@@ -8,6 +8,14 @@ export interface ShellView {
   parts: number;
   /** Ticked for the next solid. */
   picked: number;
+  /** Solids made of parts; those of them that are hollow; parts with a live other side; parts with another slice than the round one. */
+  solids: number;
+  hollow: number;
+  mirrored: number;
+  shaped: number;
+  /** The solid view was turned; the model was checked for printing as it is. */
+  turned: boolean;
+  checked: boolean;
   /** The one in view, with its corners on the canvas; `finished`: something is drawn on it that a spine could go through. */
   picture: {
     width: number;

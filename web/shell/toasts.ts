@@ -21,6 +21,8 @@ const kMost = 4;
 /** A button of a toast. */
 export interface ToastAction {
   label: string;
+  /** Id of the command that it runs. */
+  command?: string;
   run(): void;
 }
 
@@ -40,7 +42,11 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
     make('p', {}, text),
   );
   if (action) {
-    const button = make('button', { type: 'button', class: 'button toast-action' }, action.label);
+    const button = make(
+      'button',
+      { type: 'button', class: 'button toast-action', 'data-command': action.command },
+      action.label,
+    );
     button.addEventListener('click', () => {
       element.remove();
       action.run();

@@ -1,7 +1,8 @@
-// One tooltip for all buttons: on hover after a moment, on keyboard focus at once.
+// One tooltip for all buttons: on hover after a moment, on keyboard focus at once, under a finger that stays.
 import { make } from './dom.ts';
 
-const kDelayMs = 450;
+const kDelayMs = 450,
+  kStayMs = 500;
 
 /** Elements with `data-tip` (and `data-keys`) get a tooltip; it only repeats what aria already says. */
 export function connectTooltips(root: HTMLElement): void {
@@ -29,7 +30,30 @@ export function connectTooltips(root: HTMLElement): void {
     timer = window.setTimeout(() => show(anchor), kDelayMs);
   });
   root.addEventListener('pointerout', hide);
-  root.addEventListener('pointerdown', hide);
+  // A finger that stays asks for the name, and does nothing when it is lifted.
+  let isNamed = false;
+  root.addEventListener('pointerdown', (event) => {
+    hide();
+    isNamed = false;
+    const anchor = anchorOf(event);
+    if (event.pointerType !== 'touch' || !anchor) return;
+    timer = window.setTimeout(() => {
+      isNamed = true;
+      show(anchor);
+    }, kStayMs);
+  });
+  root.addEventListener(
+    'click',
+    (event) => {
+      if (!isNamed) return;
+      isNamed = false;
+      hide();
+      event.preventDefault();
+      event.stopPropagation();
+    },
+    true,
+  );
+  root.addEventListener('contextmenu', (event) => event.preventDefault());
   root.addEventListener('focusin', (event) => {
     const anchor = anchorOf(event);
     if (anchor?.matches(':focus-visible')) show(anchor);

@@ -127,7 +127,7 @@ void DragGraph::commit(const ToolEnv& env) {
   } else {
     const app::AlongInfo& info = app::alongInfo(env.ui.sections.along);
     for (AlongPoint& p : curve.points) p.value = std::clamp(p.value, info.low, info.high);
-    env.sink.run(app::setAlong, part->id, info.kind, curve);
+    env.sink.run(app::setAlong, app::Parts{part->id}, info.kind, curve);
   }
 }
 

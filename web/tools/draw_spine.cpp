@@ -54,7 +54,8 @@ void DrawSpine::commit(const ToolEnv& env) {
   if (redraw) {
     env.sink.run(app::redrawSpine, redraw, recipe.stroke);
   } else {
-    env.sink.run(app::drawSpine, app::DrawSpineIntent{recipe.stroke, recipe.pose.depth, true});
+    env.sink.run(app::drawSpine,
+                 app::DrawSpineIntent{.stroke = recipe.stroke, .depth = recipe.pose.depth, .cut = true, .lie = true});
   }
   env.ui.preview.reset();
 }

@@ -141,9 +141,9 @@ void RegionTool::drawn(const ToolEnv& env, const std::vector<PicturePoint>& line
   if (redraw != nullptr) {
     env.sink.run(app::redrawRegion, redraw->id, region);
   } else if (env.ui.tool == app::ToolKind::Extrude) {
-    env.sink.run(app::drawRegion, region, env.ui.extrude);
+    env.sink.run(app::drawRegion, region, env.ui.extrude, true);
   } else {
-    env.sink.run(app::drawRegion, region, env.ui.inflate);
+    env.sink.run(app::drawRegion, region, env.ui.inflate, true);
   }
 }
 

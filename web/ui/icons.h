@@ -124,6 +124,8 @@ inline constexpr std::array kIcons = {
     Icon{"arrow-up-from-line", 58458},
     Icon{"scan-face", 58225},
     Icon{"square-stack", 58530},
+    Icon{"search", 57681},
+    Icon{"circle-question-mark", 57474},
     Icon{"chevron-up", 57456},
     Icon{"chevron-down", 57453},
 };

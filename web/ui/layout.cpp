@@ -7,11 +7,23 @@
 
 namespace spineloft::app {
 
+namespace {
+
+/// A strip below the views of a phone on its side would have room for one row.
+constexpr double kLeastForStrip = 400;
+
+bool isStrip(double width, double height) {
+  const bool stacked = width < kStackedWidth && height >= kLowShape * width;
+  return width < kPanelWidthFrom && (stacked || height >= kLeastForStrip);
+}
+
+}  // namespace
+
 Layout layoutFor(double width, double height, double share, bool hasPanel) {
   share = std::clamp(share, kMinShare, kMaxShare);
   Layout out;
   out.stacked = width < kStackedWidth && height >= kLowShape * width;
-  out.strip = width < kPanelWidthFrom;
+  out.strip = isStrip(width, height);
   Rect views{0, 0, width, height};
   if (hasPanel && out.strip) {
     const double full = width >= kFlatStripFrom ? kFlatStripHeight : kStripHeight;
@@ -54,7 +66,7 @@ Layout layoutWithBoard(double width, double height) {
   constexpr double kTallShare = 0.27, kWideShare = 0.58;  // of the solid above, of the board beside
   Layout out;
   out.stacked = width < kStackedWidth && height >= kLowShape * width;
-  out.strip = width < kPanelWidthFrom;
+  out.strip = isStrip(width, height);
   if (out.stacked) {
     const double solid = std::floor(height * kTallShare);
     out.solid = {0, 0, width, solid};

@@ -10,11 +10,9 @@ namespace {
 constexpr double kClosedShare = 0.25;  // of a line's length may be missing between its ends
 constexpr double kLeastLength = 0.12;  // of the longer side of the paper, for a line that counts
 
-double lengthOf(const image::SketchStroke& stroke) {
+double lengthOf(std::span<const PicturePoint> line) {
   double length = 0;
-  for (std::size_t i = 1; i < stroke.points.size(); ++i) {
-    length += distance(stroke.points[i - 1], stroke.points[i]);
-  }
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
   return length;
 }
 
@@ -38,15 +36,18 @@ void settleSketching(const document::Document& document, UiState& ui) {
   if (ui.tool != ToolKind::Pen && ui.tool != ToolKind::Eraser) ui.sketching.menu = PenMenu::None;
 }
 
+bool closesOutline(std::span<const PicturePoint> line) {
+  return line.size() > 2 && distance(line.front(), line.back()) < kClosedShare * lengthOf(line);
+}
+
 bool looksFinished(const document::PictureEntry& sketch) {
   const double least = kLeastLength * std::max(sketch.size.width, sketch.size.height);
   int lines = 0;
   for (const image::SketchStroke& stroke : sketch.sketch) {
-    const double length = lengthOf(stroke);
+    const double length = lengthOf(stroke.points);
     if (stroke.erase || length < least) continue;
     ++lines;
-    const double gap = distance(stroke.points.front(), stroke.points.back());
-    if (length > 2 * least && gap < kClosedShare * length) return true;
+    if (length > 2 * least && closesOutline(stroke.points)) return true;
   }
   return lines >= 2;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "engine/document/document.h"
@@ -43,6 +44,8 @@ const document::PictureEntry* shownSketch(const document::Document& document, co
 std::size_t& sizeInHand(UiState& ui);
 /// Pen and eraser are for paper: on a photo the line through it is drawn instead.
 void settleSketching(const document::Document& document, UiState& ui);
+/// A line that comes back to about where it began.
+bool closesOutline(std::span<const PicturePoint> line);
 /// Something is drawn that a spine could go through: a line that comes back to where it began, or two
 /// lines that are there to stay.
 bool looksFinished(const document::PictureEntry& sketch);

@@ -24,6 +24,17 @@ void closeMenus(UiState& ui) {
   ui.sketching.menu = PenMenu::None;
 }
 
+void resetNextPart(UiState& ui) {
+  const UiState fresh;
+  ui.section = fresh.section;
+  ui.startCap = fresh.startCap;
+  ui.endCap = fresh.endCap;
+  ui.look = fresh.look;
+  ui.inflate = fresh.inflate;
+  ui.extrude = fresh.extrude;
+  ui.secondColour = fresh.secondColour;
+}
+
 void featureAt(UiState& ui, PictureId picture) {
   if (ui.picture == picture) return;
   if (ui.picture) ui.seen.push_back({ui.picture, ui.pictureView});

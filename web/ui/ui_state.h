@@ -195,6 +195,15 @@ struct SeenPicture {
   PictureView view;
 };
 
+/// How a part lies with what it was drawn over.
+enum class Lie : std::uint8_t { InFront, Inside, Behind };
+/// The last part, for as long as nothing else was done.
+struct NewPart {
+  PartId part;
+  Lie lie = Lie::Inside;
+  std::size_t undo = 0;  ///< steps that there were then
+};
+
 /// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.
 struct SolidUi {
   StepId step;                            ///< the chosen solid
@@ -263,7 +272,10 @@ struct UiState {
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
   SectionUi sections;
   SolidUi solids;
-  double busySinceMs = -1;  ///< when the work began that goes on; < 0: none does
+  std::optional<NewPart> newPart;  ///< where it was drawn over others
+  bool allTools = true;            ///< else the views have those of a first visit
+  bool moreNumbers = false;        ///< panels show the numbers that few need
+  double busySinceMs = -1;         ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
   bool touch = false;                 ///< the last pointer was a finger: larger targets
   bool penSeen = false;               ///< a pen was used: fingers no longer draw
@@ -273,6 +285,10 @@ struct UiState {
 };
 
 void closeMenus(UiState& ui);
+
+/// The next part is made as the first one of a new page.
+void resetNextPart(UiState& ui);
+
 /// Brings a picture into view as it was last looked at, the first time whole.
 void featureAt(UiState& ui, PictureId picture);
 

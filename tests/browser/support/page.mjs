@@ -36,6 +36,8 @@ async function beginAnew() {
   await api.idle();
   for (const close of document.querySelectorAll('#toasts .toast-close')) close.click();
   localStorage.clear();
+  await api.run('more-tools', { on: true });
+  await api.idle();
   const { picture, parts, undo, tool } = api.state();
   const isOpen = document.querySelector('dialog[open], [role=menu], #banners .banner') !== null;
   return picture === null && parts.length === 0 && undo === 0 && tool === 'draw' && !isOpen;
@@ -60,16 +62,18 @@ export function useSite() {
     if (kit.folder) rmSync(kit.folder, { recursive: true });
   });
   /**
-   * A ready page in a context of its own; options are Playwright's, `isolated` and `query` of the address, and `script`,
-   * a function that runs in the page before its own.
+   * A ready page in a context of its own, with all tools; options are Playwright's, `isolated` and `query` of the
+   * address, `firstVisit`: with the first tools only, and `script`, a function that runs in the page before its own.
    */
-  kit.open = async ({ isolated = kEngines[0].isolated, query = '', script, ...context } = {}) => {
+  kit.open = async ({ isolated = kEngines[0].isolated, query = '', script, firstVisit, ...context } = {}) => {
     const opened = await openPage(kit.browser, kit.sites[isolated].url + query, { ...kQuick, ...context });
     await opened.page.evaluate(() => window.spineloft.ready);
     if (script) {
       await opened.page.addInitScript(script);
       await reload(opened.page);
     }
+    // The first tools are for a first visit; `firstVisit` tests what that shows.
+    if (!firstVisit) await run(opened.page, 'more-tools', { on: true });
     return opened;
   };
   /** The page that the tests with these options share, begun anew; settings that outlast a model stay as they are. */
@@ -238,6 +242,14 @@ export async function chooseFromMore(page, ...words) {
       .locator('[role^=menuitem]')
       .filter({ has: page.locator('.menu-label').getByText(word, { exact: true }) })
       .click();
+  await idle(page);
+}
+
+/** Finds a command by its words, as a hand does, and runs it. */
+export async function chooseFromSearch(page, words) {
+  await page.keyboard.press('/');
+  await page.getByRole('combobox').fill(words);
+  await page.keyboard.press('Enter');
   await idle(page);
 }
 

@@ -1,0 +1,73 @@
+#include "engine/pipeline/outline_ink.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/geometry/polyline.h"
+
+namespace spineloft::pipeline {
+namespace {
+
+constexpr double kBeside = 0.012;  // of the longer side of the paper that an outline may lie beside its ink
+constexpr double kSoft = 1.5;      // pixels that the rim of a line reaches beyond its radius
+
+using Line = std::vector<PicturePoint>;
+
+/// Closed: the rib ends of one side, round the end, those of the other side back, round the start.
+Line outlineOf(const ribs::RibSet& set) {
+  Line out;
+  for (const ribs::Rib& rib : set.ribs) out.push_back(rib.left);
+  out.insert(out.end(), set.endFan.points.begin(), set.endFan.points.end());
+  for (auto rib = set.ribs.rbegin(); rib != set.ribs.rend(); ++rib) out.push_back(rib->right);
+  out.insert(out.end(), set.startFan.points.rbegin(), set.startFan.points.rend());
+  return out;
+}
+
+std::vector<Line> outlinesOf(const PartShape& shape) {
+  if (!shape.contours.empty()) return shape.contours;
+  return {outlineOf(shape.ribs)};
+}
+
+/// Whether the point is within `reach` of one of the closed lines.
+bool liesAlong(const std::vector<Line>& outlines, PicturePoint p, double reach) {
+  return std::ranges::any_of(outlines, [&](const Line& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (geometry::distanceToSegment(p, line[i], line[(i + 1) % line.size()]) <= reach) return true;
+    }
+    return false;
+  });
+}
+
+/// The stretches of the stroke along the outlines.
+void addStretches(const image::SketchStroke& stroke, const std::vector<Line>& outlines, double beside,
+                  std::vector<ribs::IgnoreMark>& out) {
+  ribs::IgnoreMark mark{{}, stroke.radius + kSoft, true};
+  const auto finish = [&] {
+    if (!mark.stroke.empty()) out.push_back(mark);
+    mark.stroke.clear();
+  };
+  for (const PicturePoint p : stroke.points) {
+    if (liesAlong(outlines, p, stroke.radius + beside)) {
+      mark.stroke.push_back(p);
+    } else {
+      finish();
+    }
+  }
+  finish();
+}
+
+}  // namespace
+
+std::vector<ribs::IgnoreMark> outlineInk(const PartShape& shape, const document::PictureEntry& entry) {
+  std::vector<ribs::IgnoreMark> out;
+  if (!entry.isSketch()) return out;
+  const std::vector<Line> outlines = outlinesOf(shape);
+  const double beside = kBeside * std::max(entry.size.width, entry.size.height);
+  for (const auto& stroke : entry.sketch) {
+    const image::SketchStroke& ink = stroke;
+    if (!ink.erase) addStretches(ink, outlines, beside, out);
+  }
+  return out;
+}
+
+}  // namespace spineloft::pipeline

@@ -1,0 +1,104 @@
+// A first visit, and a later one: few commands in sight, all of them in the search, a way home, and what to do next.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { drawWithMouse } from './support/hands.mjs';
+import {
+  done,
+  framed,
+  idle,
+  kPhone,
+  onPage,
+  openPicture,
+  openWithPart,
+  reload,
+  run,
+  state,
+  useSite,
+} from './support/page.mjs';
+import { tubePicture } from './support/pictures.mjs';
+
+const kit = useSite();
+const tube = tubePicture();
+const kMostInMenu = 14;
+
+for (const [name, context] of Object.entries({ desktop: {}, phone: kPhone })) {
+  test(`More is short, opens at its top and offers only what can be done (${name})`, () =>
+    onPage(kit, context, async (page) => {
+      await openWithPart(page, tube.png, tube.middle);
+      for (const change of [null, ['duplicate'], ['select-all'], ['stick-together'], ['new-part']]) {
+        if (change) await done(page, ...change);
+        await page.locator('#bar-more').click();
+        const items = page.locator('.menu [role^=menuitem]');
+        const count = await items.count();
+        assert.ok(count > 0 && count <= kMostInMenu, `${change}: ${count}`);
+        assert.equal(await page.locator('.menu [aria-disabled=true]').count(), 0);
+        assert.equal(await items.first().evaluate((item) => item === document.activeElement), true);
+        assert.equal(await page.locator('.menu').evaluate((menu) => menu.scrollTop), 0);
+        await page.keyboard.press('Escape');
+      }
+    }));
+}
+
+test('the search finds every command by its label, and runs what is chosen', () =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await page.keyboard.press('/');
+    const search = page.getByRole('combobox');
+    await search.waitFor();
+    const commands = await page.evaluate(() => window.spineloft.commands());
+    for (const { id, label, argument } of commands) {
+      if (argument?.kind === 'api') continue;
+      await search.fill(label);
+      assert.ok((await page.locator(`[role=option][data-command=${id}]`).count()) > 0, `${id}: ${label}`);
+    }
+    await search.fill('star');
+    await page.keyboard.press('Enter');
+    await idle(page);
+    assert.equal((await state(page)).parts[0].section, 'star');
+    assert.equal(await page.locator('dialog').count(), 0);
+  }));
+
+test('Home shows the start page and keeps the model; Help tells and begins', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await page.locator('#home').click();
+    await page.locator('#start').waitFor();
+    assert.equal((await state(page)).picture, null);
+    assert.equal(await page.locator('#home').isDisabled(), true, 'there is nowhere else to go home to');
+    await page.locator('#models-cards .model-open').first().click();
+    await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+    await page.locator('#bar-help').click();
+    const help = page.getByRole('dialog', { name: 'Help' });
+    await help.getByText('A sausage').click();
+    await help.getByRole('button', { name: 'Make one' }).first().click();
+    await page.waitForFunction(() => window.spineloft.state().picture?.sketch === true);
+    assert.equal((await state(page)).parts.length, 0, 'on a model of its own');
+    assert.match(await page.locator('#coach').innerText(), /outline/);
+  }));
+
+test('a first visit has few tools, is led on after the first part, and what was chosen is remembered', () =>
+  onPage(kit, { alone: true, firstVisit: true }, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const words = async () => {
+      await framed(page);
+      return (await state(page)).controls.map((control) => control.words);
+    };
+    const few = await words();
+    for (const label of ['Line', 'Puff', 'Flat piece', 'More tools']) assert.ok(few.includes(label), few.join());
+    assert.ok(!few.includes('Ribs') && !few.includes('Bone'), few.join());
+    await drawWithMouse(page, tube.middle);
+    const coach = page.locator('#coach');
+    assert.match(await coach.innerText(), /turn it round \(1 of/);
+    await run(page, 'focus-solid');
+    await run(page, 'turn-left');
+    await page.waitForFunction(() => /\(2 of/.test(document.getElementById('coach-words').textContent));
+    await page.locator('#coach-close').click();
+    assert.equal(await coach.isVisible(), false);
+    await run(page, 'more-tools');
+    assert.ok((await words()).includes('Ribs'));
+    await page.waitForFunction(() => localStorage.getItem('spineloft.tools') === 'all');
+    await reload(page);
+    await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+    assert.ok((await words()).includes('Ribs'));
+    assert.equal(await coach.isVisible(), false, 'what was closed stays closed');
+  }));

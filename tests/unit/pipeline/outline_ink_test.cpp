@@ -1,0 +1,97 @@
+#include "engine/pipeline/outline_ink.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/document/update.h"
+#include "engine/pipeline/derive.h"
+
+using namespace spineloft;
+using namespace spineloft::document;
+
+namespace {
+
+constexpr PicturePoint kMiddle{200, 200};
+constexpr double kRadius = 120, kPen = 3;
+
+std::vector<PicturePoint> arc(double radius, double from, double to) {
+  std::vector<PicturePoint> out;
+  for (int i = 0; i <= 120; ++i) {
+    const double angle = from + (to - from) * i / 120;
+    out.push_back(kMiddle + PicturePoint{std::cos(angle), std::sin(angle)} * radius);
+  }
+  return out;
+}
+std::vector<PicturePoint> ring(double radius) { return arc(radius, 0, 2 * std::numbers::pi); }
+
+/// Paper with these lines of the pen, and a puff with an outline of this radius.
+Document drawn(const std::vector<std::vector<PicturePoint>>& lines, double radius) {
+  Document document = update({}, AddSketch{"", {400, 400}}).value();
+  for (const auto& line : lines) {
+    image::SketchStroke stroke;
+    stroke.points = line;
+    stroke.radius = kPen;
+    document = update(document, DrawOnSketch{PictureId{1}, stroke}).value();
+  }
+  Region region;
+  region.picture = PictureId{1};
+  region.contours = {ring(radius)};
+  return update(document, DrawRegion{region, inflate::InflateParams{}, {}}).value();
+}
+
+std::shared_ptr<const pipeline::PartShape> shapeOf(const Document& document) {
+  pipeline::Cache cache;
+  return pipeline::deriveWithEdges(document, cache, {}).value().parts[0].shape;
+}
+
+/// The darkest pixel of the texture, 0…255.
+int darkest(const pipeline::PartShape& shape) {
+  REQUIRE(shape.texture);
+  const std::vector<std::uint8_t>& pixels = shape.texture->pixels.pixels;
+  int out = 255;
+  for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
+    out = std::min<int>(out, std::max({pixels[i], pixels[i + 1], pixels[i + 2]}));
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the ink of a part's outline is not on it, wherever in the line the outline runs") {
+  for (const double radius : {kRadius - kPen, kRadius, kRadius + kPen}) {
+    CAPTURE(radius);
+    const Document document = drawn({ring(kRadius)}, radius);
+    CHECK(darkest(*shapeOf(document)) > 200);
+  }
+}
+
+TEST_CASE("what is drawn on the part stays on it") {
+  const Document document = drawn({ring(kRadius), ring(kRadius / 3)}, kRadius);
+  const auto shape = shapeOf(document);
+  CHECK(darkest(*shape) < 80);
+  for (const ribs::IgnoreMark& mark : pipeline::outlineInk(*shape, *document.pictures.front())) {
+    for (const PicturePoint p : mark.stroke) CHECK(distance(p, kMiddle) > kRadius / 2);
+  }
+}
+
+TEST_CASE("of a line that follows the outline and leaves it, only what follows it is ink of the outline") {
+  std::vector<PicturePoint> line = arc(kRadius, 0, std::numbers::pi);
+  const PicturePoint last = line.back();
+  for (int i = 1; i <= 40; ++i) line.push_back(last + (kMiddle - last) * (i / 40.0));
+  const Document document = drawn({line}, kRadius);
+  const auto marks = pipeline::outlineInk(*shapeOf(document), *document.pictures.front());
+  REQUIRE(marks.size() == 1);
+  CHECK(marks[0].covers);
+  CHECK(marks[0].radius > kPen);
+  CHECK(marks[0].stroke.size() >= 121);
+  CHECK(marks[0].stroke.size() < 121 + 10);
+}
+
+TEST_CASE("a photo has no ink") {
+  PictureEntry photo;
+  photo.size = {400, 400};
+  CHECK(pipeline::outlineInk(*shapeOf(drawn({ring(kRadius)}, kRadius)), photo).empty());
+}

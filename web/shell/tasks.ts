@@ -1,0 +1,144 @@
+// Things to make, step by step: one sentence for each, and how the page sees that it is done.
+import type { ShellView } from './shell_view.ts';
+
+export interface TaskStep {
+  say: string;
+  /** Whether it is done, `now` as against how things were when the task began. */
+  done(now: ShellView, start: ShellView): boolean;
+}
+
+export interface Task {
+  id: string;
+  title: string;
+  minutes: number;
+  /** What it begins with: a sample by its id, or paper. */
+  on: string;
+  /** One sentence about how to begin. */
+  start: string;
+  steps: TaskStep[];
+}
+
+type Done = TaskStep['done'];
+
+const turned: Done = (now) => now.turned;
+const saved: Done = (now) => now.parts > 0 && !now.unsaved;
+const parts =
+  (count: number): Done =>
+  (now) =>
+    now.parts >= count;
+const joined: Done = (now, start) => now.solids > start.solids;
+const hollow: Done = (now, start) => now.hollow > start.hollow;
+const mirrored: Done = (now, start) => now.mirrored > start.mirrored;
+const otherShape: Done = (now) => now.shaped > 0;
+const outlined: Done = (now) => now.parts > 0 || now.picture?.finished === true;
+
+const save: TaskStep = { say: 'Press Save to keep it as a file', done: saved };
+const turn: TaskStep = { say: 'Drag in the other view to turn it round', done: turned };
+const outline = (what: string): TaskStep => ({ say: `Draw the outline of ${what} with the pen`, done: outlined });
+
+/** What the first visit is led through after its first part. */
+export const kFirstVisit: TaskStep[] = [
+  turn,
+  { say: 'Choose another slice: a star, a square …', done: otherShape },
+  { say: 'Draw another line: it makes a second part', done: parts(2) },
+  { say: 'Press Stick under the list: the parts become one', done: joined },
+  save,
+];
+
+export const kTasks: Task[] = [
+  {
+    id: 'sausage',
+    title: 'A sausage',
+    minutes: 2,
+    on: 'paper',
+    start: 'Begin with Draw on paper.',
+    steps: [outline('a long sausage'), { say: 'Draw a line from end to end', done: parts(1) }, turn, save],
+  },
+  {
+    id: 'vase',
+    title: 'A vase',
+    minutes: 4,
+    on: 'paper',
+    start: 'Begin with Draw on paper.',
+    steps: [
+      outline('a vase'),
+      { say: 'Draw a line down its middle, from the rim to the foot', done: parts(1) },
+      { say: 'Press Scoop out: it becomes hollow', done: hollow },
+      turn,
+      save,
+    ],
+  },
+  {
+    id: 'mug',
+    title: 'A mug with a handle',
+    minutes: 6,
+    on: 'paper',
+    start: 'Begin with Draw on paper.',
+    steps: [
+      outline('a mug, without its handle'),
+      { say: 'Draw a line down its middle', done: parts(1) },
+      { say: 'Press Scoop out: it becomes hollow', done: hollow },
+      { say: 'Draw a line for the handle, from the mug and back to it', done: parts(2) },
+      { say: 'Press Stick: mug and handle become one', done: (now, start) => now.solids >= start.solids + 2 },
+      save,
+    ],
+  },
+  {
+    id: 'zucchini',
+    title: 'A zucchini behind a hand',
+    minutes: 3,
+    on: 'zucchini',
+    start: 'Begin with the picture of the zucchini: the hand may stay in front of it.',
+    steps: [{ say: 'Draw a line along the zucchini, also under the fingers', done: parts(1) }, turn, save],
+  },
+  {
+    id: 'bird',
+    title: 'A bird with two wings',
+    minutes: 8,
+    on: 'paper',
+    start: 'Begin with Draw on paper.',
+    steps: [
+      outline('a bird from the side'),
+      { say: 'Take Puff and tap the bird: it swells', done: parts(1) },
+      { say: 'With Puff, draw a line round a wing on it', done: parts(2) },
+      { say: 'Choose Symmetry: the wing comes on the other side, too', done: mirrored },
+      { say: 'Tick both in the list and press Stick', done: joined },
+      save,
+    ],
+  },
+  {
+    id: 'robot',
+    title: 'A robot',
+    minutes: 10,
+    on: 'paper',
+    start: 'Begin with Draw on paper.',
+    steps: [
+      { say: 'Draw a line for the body', done: parts(1) },
+      { say: 'Choose the square as its slice', done: otherShape },
+      { say: 'Draw lines for head, arms and legs', done: parts(4) },
+      { say: 'Tick them all and press Stick', done: joined },
+      { say: 'Choose Check for printing in More', done: (now) => now.checked },
+      save,
+    ],
+  },
+];
+
+/** Follows what is done of a list of steps, in any order: what was done once stays done. */
+export class Steps {
+  private readonly done: Set<TaskStep> = new Set();
+
+  constructor(
+    readonly steps: TaskStep[],
+    private readonly start: ShellView,
+  ) {}
+
+  /** The first step that is not done; null: all are. */
+  next(now: ShellView): TaskStep | null {
+    for (const step of this.steps) if (step.done(now, this.start)) this.done.add(step);
+    return this.steps.find((step) => !this.done.has(step)) ?? null;
+  }
+
+  get count(): { done: number; all: number } {
+    return { done: this.done.size, all: this.steps.length };
+  }
+}
