@@ -40,19 +40,15 @@ void members(V& v, T& value) {
 }
 template <class V, Is<ribs::EvidenceParams> T>
 void members(V& v, T& value) {
-  auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight, outsideWeight, rimWeight,
-         contrastReach, knownShare, doubt, weight] = value;
+  auto& [learnedWeight, proximityWeight, doubt, weight] = value;
+  v("learnedWeight", learnedWeight);
   v("proximityWeight", proximityWeight);
-  v("contrastWeight", contrastWeight);
-  v("localContrastWeight", localContrastWeight);
-  v("beyondWeight", beyondWeight);
-  v("insideWeight", insideWeight);
-  v("outsideWeight", outsideWeight);
-  v("rimWeight", rimWeight);
-  v("contrastReach", contrastReach);
-  v("knownShare", knownShare);
   v("doubt", doubt);
   v("weight", weight);
+  // What versions before 0.2 weighed; the network stands for it.
+  for (const char* key : {"contrastWeight", "localContrastWeight", "beyondWeight", "insideWeight", "outsideWeight",
+                          "rimWeight", "contrastReach", "knownShare"})
+    v.retired(key);
 }
 template <class V, Is<ribs::FairingParams> T>
 void members(V& v, T& value) {
@@ -383,6 +379,8 @@ class WriteMembers {
   void elementsIfAny(const char* key, const std::vector<Box<T>>& values) {
     if (!values.empty()) elements(key, values);
   }
+  /// A key that earlier versions wrote.
+  void retired(const char*) {}
   void beyond(const std::string& extra) {
     if (!extra.empty()) putBack(out_, extra);
   }
@@ -513,6 +511,8 @@ std::string takeRest(Json& object, const Reading& reading);
 class ReadMembers {
  public:
   ReadMembers(Json& object, const Reading& reading) : object_(object), reading_(reading) {}
+  /// Known, and without a meaning.
+  void retired(const char* key) { object_.erase(key); }
   template <class T>
   void operator()(const char* key, T& value) {
     const auto at = object_.find(key);

@@ -19,14 +19,9 @@ void Cache::keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEd
   ignored_.keep(key, std::move(ignored), bytes);
 }
 
-std::shared_ptr<const TracedRibs> Cache::tracedSoFar(std::uint64_t key) {
-  auto known = traced_.find(key);
-  return known ? known : byStroke_.find(key);
-}
-
 void Cache::keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced) {
   const std::size_t bytes = bytesOf(*traced);
-  (traced->quality == TraceQuality::Ensemble ? traced_ : byStroke_).keep(key, std::move(traced), bytes);
+  traced_.keep(key, std::move(traced), bytes);
 }
 
 std::shared_ptr<const PartShape> Cache::shape(std::uint64_t key) {
@@ -105,7 +100,7 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 }
 
 std::size_t Cache::bytes() const {
-  std::size_t sum = ignored_.bytes() + traced_.bytes() + byStroke_.bytes();
+  std::size_t sum = ignored_.bytes() + traced_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

@@ -7,7 +7,6 @@
 #include <span>
 #include <utility>
 
-#include "engine/base/hash.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/outline_ink.h"
 #include "engine/pipeline/part_texture.h"
@@ -33,9 +32,8 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(const document:
   return known;
 }
 
-// What a shape is made for: a part, once and for all; one that is seen at once, by its stroke alone where others were
-// not asked yet; or one whose stroke is being drawn.
-enum class Purpose : std::uint8_t { Part, Seen, Live };
+// What a shape is made for: a part as it is, or one whose stroke is being drawn.
+enum class Purpose : std::uint8_t { Part, Live };
 
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
 Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache, Purpose purpose,
@@ -47,7 +45,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
   const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry.contentHash);
   // Without edges the ribs are guessed: that is no result to keep.
   std::shared_ptr<const TracedRibs> traced;
-  if (edges) traced = purpose == Purpose::Part ? cache.traced(key) : cache.tracedSoFar(key);
+  if (edges) traced = cache.traced(key);
   if (!traced) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
     if (edges) {
@@ -59,8 +57,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
     if (live) {
       if (Status made = liveStage(recipe, evidence, cache.live()); !made.ok()) return made;
     } else {
-      Result<TracedRibs> made = purpose == Purpose::Part ? traceStage(recipe, evidence, Progress{}, cache.ribMemory())
-                                                         : strokeStage(recipe, evidence, cache.ribMemory());
+      Result<TracedRibs> made = traceStage(recipe, evidence, Progress{}, cache.ribMemory());
       if (!made) return made.failure();
       traced = std::make_shared<const TracedRibs>(std::move(made).value());
       if (edges) cache.keepTraced(key, traced);
@@ -125,7 +122,7 @@ bool standsBefore(const Derived& derived, std::size_t number) {
 void assignTextures(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
                     Derived& derived) {
   const std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
-  if (!shape || isDressed(*shape) || shape->quality != TraceQuality::Ensemble) return;
+  if (!shape || isDressed(*shape)) return;
   const document::Part& part = document.parts[number];
   if (finish == Finish::Later) {
     if (!standsBefore(derived, number)) derived.wantedTextures.push_back(part.id);
@@ -160,31 +157,24 @@ std::shared_ptr<TextureJob> makeTexture(const document::Document& document, cons
 
 namespace {
 
-// Shapes that their stroke alone decided on are kept under keys of their own.
-std::uint64_t keyBefore(std::uint64_t key) { return Hasher().text("by its stroke").number(key).value(); }
-
 DerivedPart derivePart(const document::Part& part, const document::PictureEntry& entry, Cache& cache,
-                       const Clock& clock, Finish finish) {
+                       const Clock& clock) {
   DerivedPart result{part.id, nullptr, std::nullopt, false};
   const std::uint64_t key = shapeKey(part.recipe, entry);
-  const auto* loft = document::loftOf(part);
   const bool known = !needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr;
   result.shape = cache.shape(key);
-  const bool seen = finish == Finish::Later && loft && !cache.traced(traceKey(*loft, entry));
-  if (!result.shape && seen) result.shape = cache.shape(keyBefore(key));
   if (!result.shape && !known) result.waiting = true;
   if (!result.shape && known) {
     PartShape shape;
-    const Status made = shapeOf(part.recipe, entry, cache, seen ? Purpose::Seen : Purpose::Part, shape, clock);
+    const Status made = shapeOf(part.recipe, entry, cache, Purpose::Part, shape, clock);
     if (made.ok()) {
-      shape.key = shape.quality == TraceQuality::Ensemble ? key : keyBefore(key);
+      shape.key = key;
       result.shape = std::make_shared<const PartShape>(std::move(shape));
       cache.keepShape(result.shape);
     } else {
       result.failure = made.failure();
     }
   }
-  if (result.shape && result.shape->quality != TraceQuality::Ensemble) result.waiting = true;
   return result;
 }
 
@@ -201,43 +191,12 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
   }
   for (const document::Part& part : document.parts) {
     const document::PictureEntry* entry = findPicture(document, pictureOf(part));
-    derived.parts.push_back(entry ? derivePart(part, *entry, cache, clock, finish)
+    derived.parts.push_back(entry ? derivePart(part, *entry, cache, clock)
                                   : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false});
-    const std::size_t number = derived.parts.size() - 1;
-    const DerivedPart& made = derived.parts.back();
-    if (made.shape && made.waiting && !standsBefore(derived, number)) derived.wantedRibs.push_back(part.id);
-    assignTextures(document, number, cache, finish, derived);
+    assignTextures(document, derived.parts.size() - 1, cache, finish, derived);
   }
   cache.endRound(usedEdges);
   return derived;
-}
-
-std::shared_ptr<TraceJob> makeTrace(const document::Document& document, PartId id, Cache& cache) {
-  const document::Part* part = document::findPart(document, id);
-  const auto* loft = part ? document::loftOf(*part) : nullptr;
-  const document::PictureEntry* entry = loft ? findPicture(document, loft->picture) : nullptr;
-  const auto edges = entry ? cache.edges(entry->contentHash) : nullptr;
-  if (!edges) return nullptr;
-  const auto ignored = ignoredEdgesOf(*loft, *entry, *edges, cache);
-  if (!ignored) return nullptr;
-  try {
-    return std::make_shared<TraceJob>(traceKey(*loft, *entry), *loft, edges, ignored.value(), entry->size);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
-
-void takeTrace(const TraceJob& making, Cache& cache) {
-  std::shared_ptr<const TracedRibs> traced = making.traced();
-  if (!traced) {
-    // Better those of the stroke by itself than none, and than asking for ever.
-    const auto before = cache.tracedSoFar(making.key());
-    if (!before) return;
-    TracedRibs settled = *before;
-    settled.quality = TraceQuality::Ensemble;
-    traced = std::make_shared<const TracedRibs>(std::move(settled));
-  }
-  cache.keepTraced(making.key(), traced);
 }
 
 namespace {
@@ -253,7 +212,7 @@ Status shapeFor(Purpose purpose, const document::Document& document, const docum
 
 Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
                     const Clock& clock) {
-  return shapeFor(Purpose::Seen, document, recipe, cache, shape, clock);
+  return shapeFor(Purpose::Part, document, recipe, cache, shape, clock);
 }
 
 Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,

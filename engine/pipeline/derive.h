@@ -16,7 +16,6 @@
 #include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/part_texture.h"
 #include "engine/pipeline/solid.h"
-#include "engine/pipeline/trace_job.h"
 #include "engine/vision/edges.h"
 
 namespace spineloft::pipeline {
@@ -26,7 +25,7 @@ struct DerivedPart {
   PartId id;
   std::shared_ptr<const PartShape> shape;  ///< null while `waiting` and after a failure
   std::optional<Failure> failure;
-  /// The edges of its picture are not in the cache yet; or, with a shape, its ribs are those of its stroke alone yet.
+  /// The edges of its picture are not in the cache yet.
   bool waiting = false;
   /// Of a part in no step that goes through itself: its mesh without that (ModelSpace, with UV), which goes into files
   /// in its stead. Filled by whoever has a solver, when a file is wanted.
@@ -43,9 +42,6 @@ struct Derived {
   /// Pictures whose edges are not in the cache, each once: let a worker find them (detectEdges),
   /// keep them in the cache, derive again.
   std::vector<PictureId> wantedEdges;
-  /// Parts of quality Single whose ensemble is wanted, one of each shape: let a worker run it (makeTrace), take the
-  /// result (takeTrace), derive again.
-  std::vector<PartId> wantedRibs;
   /// Parts whose texture is not made yet, one of each shape: let a worker make it (makeTexture), assign it to the
   /// shape in the cache, derive again.
   std::vector<PartId> wantedTextures;
@@ -57,25 +53,18 @@ struct Derived {
 /// The pixels of a picture of the document; null when there is no such picture or no pixels.
 const image::Picture* pixelsOf(const document::Document& document, const Derived& derived, PictureId id);
 
-/// Whether ensembles and textures are computed at once, or left for workers while the page shows the parts without
-/// them.
+/// Whether textures are computed at once, or left for workers while the page shows the parts without them.
 enum class Finish : std::uint8_t { Now, Later };
 
 /// Derives every part; a cached shape costs one hash of its recipe, and where only what comes after
 /// the ribs changed, the ribs are not traced again. Never looks for edges itself.
 Derived derive(const document::Document& document, Cache& cache, const Clock& clock = {}, Finish finish = Finish::Now);
 
-/// The job of the ensemble of one of `wantedRibs`. Null when there is no such loft, its edges are not known, or no
-/// memory.
-std::shared_ptr<TraceJob> makeTrace(const document::Document& document, PartId part, Cache& cache);
-/// Keeps the result of the ensemble; if it failed, the ribs of the stroke alone.
-void takeTrace(const TraceJob& making, Cache& cache);
-
 /// The job of the texture of one of `wantedTextures`. Null when there is no such part with a shape, or no memory.
 std::shared_ptr<TextureJob> makeTexture(const document::Document& document, const Derived& derived, PartId part);
 
 /// What a recipe would become with the edges known so far (guessed ribs where there are none yet),
-/// for a part that is not in the document or differs from it. Quality Single, unless its ensemble is known. Traced
+/// for a part that is not in the document or differs from it. Traced
 /// ribs are used again: while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture,
 /// those of the stages.
 Result<PartShape> previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,

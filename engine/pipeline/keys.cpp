@@ -18,10 +18,8 @@ void mix(Hasher& hasher, const ribs::SpineParams& params) {
   mixAll(hasher, ribs, minSpacing, smoothness);
 }
 void mix(Hasher& hasher, const ribs::EvidenceParams& params) {
-  const auto& [proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight, outsideWeight,
-               rimWeight, contrastReach, knownShare, doubt, weight] = params;
-  mixAll(hasher, proximityWeight, contrastWeight, localContrastWeight, beyondWeight, insideWeight, outsideWeight,
-         rimWeight, contrastReach, knownShare, doubt, weight);
+  const auto& [learnedWeight, proximityWeight, doubt, weight] = params;
+  mixAll(hasher, learnedWeight, proximityWeight, doubt, weight);
 }
 void mix(Hasher& hasher, const ribs::FairingParams& params) {
   const auto& [stiffness, leastTrust, corner, outlier] = params;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "engine/loft/loft.h"
-#include "engine/ribs/search/ensemble.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -85,23 +84,9 @@ Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const ribs::Pi
   try {
     Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
     if (!spine) return spine.failure();
-    Result<ribs::RibSet> found = ribs::ensembleRibs(spine.value(), picture, recipe.ribs, progress, memory);
+    Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), picture, recipe.ribs, progress, memory);
     if (!found) return found.failure();
     return TracedRibs{std::move(spine).value(), std::move(found).value()};
-  } catch (const std::bad_alloc&) {
-    return Error::OutOfMemory;
-  }
-}
-
-Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
-                               ribs::RibWorkspace& memory) {
-  try {
-    Result<ribs::Spine> spine = ribs::cleanSpine(recipe.stroke, picture.size, recipe.spine);
-    if (!spine) return spine.failure();
-    Result<ribs::RibSet> found = ribs::traceRibs(spine.value(), picture, recipe.ribs, Progress(), memory);
-    if (!found) return found.failure();
-    const TraceQuality quality = picture.edges.empty() ? TraceQuality::Ensemble : TraceQuality::Single;
-    return TracedRibs{std::move(spine).value(), std::move(found).value(), quality};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
@@ -114,8 +99,7 @@ Status liveStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence
     if (!cleaned.ok()) return cleaned;
     const Result<bool> exact = pen.trace.move(traced.spine, picture, recipe.ribs, traced.generated);
     if (!exact) return exact.failure();
-    const TraceQuality rested = picture.edges.empty() ? TraceQuality::Ensemble : TraceQuality::Single;
-    traced.quality = exact.value() ? rested : TraceQuality::Live;
+    traced.quality = exact.value() ? TraceQuality::Final : TraceQuality::Live;
     return Done{};
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;

@@ -33,15 +33,14 @@ struct StageMs {
   bool operator==(const StageMs&) const = default;
 };
 
-/// Where ribs come from: a live trace under the pen (live_trace.h), the stroke alone, or the ensemble (ensemble.h),
-/// which is final.
-enum class TraceQuality : std::uint8_t { Live, Single, Ensemble };
+/// Where ribs come from: a live trace under the pen (live_trace.h), or the whole one, which is final.
+enum class TraceQuality : std::uint8_t { Live, Final };
 
 /// What a stroke finds in its picture, before anything is done to it by hand.
 struct TracedRibs {
   ribs::Spine spine;
   ribs::RibSet generated;
-  TraceQuality quality = TraceQuality::Ensemble;
+  TraceQuality quality = TraceQuality::Final;
 };
 
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
@@ -59,7 +58,7 @@ struct PartShape {
   /// Equals `key` once its texture is known. Before that 0, or the key of the earlier shape of the part whose texture
   /// is shown in the meantime.
   std::uint64_t textureKey = 0;
-  TraceQuality quality = TraceQuality::Ensemble;  ///< of its ribs; what has none is as final
+  TraceQuality quality = TraceQuality::Final;  ///< of its ribs; what has none is as final
   std::uint64_t key = 0;                          ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;  ///< times of its ribs and loft stages; what was known already took none
 };
@@ -76,17 +75,12 @@ std::size_t bytesOf(const ribs::IgnoredEdges& ignored);
 Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges, std::span<const ribs::IgnoreMark> ofPicture,
                                         std::span<const ribs::IgnoreMark> ofPart);
 
-/// First stage: cleanSpine → ensembleRibs, for everything in a recipe that traceKey covers. The edges may
+/// First stage: cleanSpine → traceRibs, for everything in a recipe that traceKey covers. The edges may
 /// be empty (no evidence yet: guessed ribs); those to ignore are part of
 /// the evidence, the marks in the recipe are not looked at. `memory` is reused and never shows in the
 /// result. Errors: those of the two, OutOfMemory.
 Result<TracedRibs> traceStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
                               const Progress& progress, ribs::RibWorkspace& memory);
-
-/// The same from the stroke alone, in a seventh of the time: cleanSpine → traceRibs. Without edges the result equals
-/// that of traceStage.
-Result<TracedRibs> strokeStage(const document::LoftRecipe& recipe, const ribs::PictureEvidence& picture,
-                               ribs::RibWorkspace& memory);
 
 /// What a stroke under the pen is traced in, from move to move.
 struct LivePen {

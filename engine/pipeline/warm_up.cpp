@@ -32,7 +32,7 @@ image::Picture tinyPicture() {
   return image::makePicture(std::move(image));
 }
 
-/// The same stroke as it grows, with enough ribs for a live trace to follow it.
+/// The same stroke as it grows.
 Status underThePen(document::LoftRecipe recipe, const ribs::PictureEvidence& picture) {
   constexpr std::size_t kMoves = 8;
   recipe.spine.minSpacing = 1;
@@ -46,8 +46,7 @@ Status underThePen(document::LoftRecipe recipe, const ribs::PictureEvidence& pic
   return Done{};
 }
 
-/// Other hands run the stages of the stroke itself once more.
-Status everyStage(const image::Picture& picture, bool withHands) {
+Status everyStage(const image::Picture& picture) {
   const Result<image::EdgeMap> edges = vision::detectEdges(picture, {}, Progress());
   if (!edges) return edges.failure();
   document::LoftRecipe recipe;
@@ -55,8 +54,7 @@ Status everyStage(const image::Picture& picture, bool withHands) {
   const ribs::PictureEvidence evidence{edges.value(), {picture.width, picture.height}};
   ribs::RibWorkspace memory;
   ShapeMemory shapeMemory;
-  const Result<TracedRibs> traced =
-      withHands ? traceStage(recipe, evidence, Progress(), memory) : strokeStage(recipe, evidence, memory);
+  const Result<TracedRibs> traced = traceStage(recipe, evidence, Progress(), memory);
   if (!traced) return traced.failure();
   const Result<PartShape> shape = shapeStage(recipe, traced.value(), evidence.size, shapeMemory);
   if (!shape) return shape.failure();
@@ -69,7 +67,7 @@ Status warmUp(int rounds) {
   try {
     const image::Picture picture = tinyPicture();
     for (int round = 0; round < std::clamp(rounds, 1, 100); ++round) {
-      if (Status status = everyStage(picture, round == 0); !status.ok()) return status;
+      if (Status status = everyStage(picture); !status.ok()) return status;
     }
     return Done{};
   } catch (const std::bad_alloc&) {

@@ -54,7 +54,7 @@ class Planner {
   }
 
  private:
-  /// The step's node; none while something in it has no shape, or one that perturbed strokes are yet to be asked about.
+  /// The step's node; none while something in it has no shape.
   std::optional<std::size_t> add(const Step& step, std::size_t depth) {
     if (depth > document_.steps.size()) return std::nullopt;
     SolidPlan::Node node;
@@ -120,9 +120,7 @@ class Planner {
 
   const pipeline::PartShape* shapeOf(PartId id) const {
     const auto at = std::ranges::find(derived_.parts, id, &pipeline::DerivedPart::id);
-    const bool known =
-        at != derived_.parts.end() && at->shape && at->shape->quality == pipeline::TraceQuality::Ensemble;
-    return known ? at->shape.get() : nullptr;
+    return at != derived_.parts.end() ? at->shape.get() : nullptr;
   }
 
   /// The part in its place, and its twin where it has live symmetry; none while it has no shape.

@@ -94,10 +94,7 @@ struct Desk {
     if (!derived.parts[0].shape) std::exit(1);
     return {std::move(drawn), std::move(derived)};
   }
-  // The steps in which it asks perturbed strokes, and those in which it gets its texture after that.
-  std::shared_ptr<pipeline::TraceJob> ask(int ribs, int wobble) {
-    return pipeline::makeTrace(lift(ribs, wobble).model, PartId{1}, cache);
-  }
+  // The steps in which it gets its texture after that.
   std::shared_ptr<pipeline::TextureJob> assignTextures(int wobble) {
     const Lifted lifted = lift(100, wobble);
     return pipeline::makeTexture(lifted.model, pipeline::derive(lifted.model, cache), PartId{1});
@@ -165,13 +162,6 @@ void reportPenStages(const image::Picture& picture, const image::EdgeMap& edges,
     report.stage(ribs == 100 ? "pen move to mesh" : "pen move to mesh, 200 ribs", kMoves, move);
     report.stage(ribs == 100 ? "pen up to mesh" : "pen up to mesh, 200 ribs", 21,
                  [&](int) { desk.lift(ribs, ++wobble); });
-    std::vector<std::shared_ptr<pipeline::TraceJob>> asked;
-    for (int i = 0; i < 13; ++i) asked.push_back(desk.ask(ribs, ++wobble));
-    std::size_t next = 0;
-    report.stage(ribs == 100 ? "other hands, after that" : "other hands, after that, 200 ribs", 11, [&](int) {
-      for (const auto making = asked[next++]; making->step();) {
-      }
-    });
   }
   // How long a page without workers stands still for a texture, and how long the whole takes.
   int steps = 0;

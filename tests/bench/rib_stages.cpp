@@ -10,6 +10,7 @@
 #include "engine/ribs/evidence/evidence.h"
 #include "engine/ribs/field/curves.h"
 #include "engine/ribs/labels/rib_lengths.h"
+#include "engine/ribs/learned/likelihood.h"
 #include "engine/ribs/search/ribs.h"
 #include "tests/bench/accuracy/d2_grid.h"
 #include "tests/bench/scene.h"
@@ -92,12 +93,10 @@ void reportRibStages(const image::EdgeMap& edges, image::Size size, Report& repo
                [&](int) { ribs::traceCurves(spine, field, levels, 11, size, curves); });
   report.value("curves of 100 ribs and fans: steps a curve", static_cast<double>(curves.steps) / curves.layout.total());
   ribs::UnwrappedImage strip;
-  ribs::BoundaryTerms terms;
-  std::vector<float> costs;
+  ribs::Boundary boundary;
   report.stage("evidence of 100 ribs", 41, [&](int) {
     ribs::unwrapImage(curves, edges, nullptr, strip);
-    ribs::boundaryTerms(curves, strip, {}, terms);
-    ribs::boundaryCosts(curves, strip, terms, {}, costs);
+    ribs::findBoundary(curves, strip, ribs::builtInNetwork(), {}, boundary);
   });
   for (const int count : {128, 256}) reportPairSearch(count, report);
 }

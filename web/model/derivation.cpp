@@ -31,11 +31,6 @@ Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool&
       host_(host),
       pool_(pool),
       solids_(host),
-      traces_(pool_,
-              [this](const pipeline::TraceJob& job) {
-                pipeline::takeTrace(job, cache_);
-                stale_ = true;
-              }),
       textures_(pool_, [this](const pipeline::TextureJob& job) {
         cache_.assignTextures(job.key(), job.texture());
         stale_ = true;
@@ -82,7 +77,6 @@ void Derivation::refresh() {
     preview_->steps = std::move(steps);
   }
   for (const PictureId id : derived_.wantedEdges) findEdges(id);
-  traces_.update(wantedTraces(document(), derived_, cache_));
   textures_.update(wantedTextures(document(), derived_));
   noteTimes(before);
   report();
@@ -90,14 +84,10 @@ void Derivation::refresh() {
   if (allMade()) finishing_ = false;
 }
 
-// What a person waited for: where perturbed strokes were asked meanwhile, the time of the stroke stays.
 void Derivation::noteTimes(const pipeline::Derived& before) {
   for (const pipeline::DerivedPart& part : derived_.parts) {
     const bool known = std::ranges::any_of(before.parts, [&](const pipeline::DerivedPart& other) {
-      if (!part.shape || !other.shape) return false;
-      const bool asked = other.id == part.id && other.shape->quality != part.shape->quality &&
-                         part.shape->quality == pipeline::TraceQuality::Ensemble;
-      return asked || part.shape->key == other.shape->key;
+      return part.shape && other.shape && part.shape->key == other.shape->key;
     });
     if (!part.shape || known) continue;
     lastMs_.ribs = part.shape->ms.ribs;

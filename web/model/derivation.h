@@ -48,7 +48,7 @@ class Derivation {
   std::vector<PartId> crossingParts();
 
   /// Every shape and every solid is what it is going to be; pictures on them may still be made.
-  bool shapesMade() const { return !stale_ && !behind_ && searching_.empty() && !traces_.busy() && !solids_.busy(); }
+  bool shapesMade() const { return !stale_ && !behind_ && searching_.empty() && !solids_.busy(); }
   /// Nothing that a file is to hold is still being made.
   bool allMade() const { return shapesMade() && !textures_.busy(); }
   /// Makes all of it, here and now: ribs and textures, not solids.
@@ -91,7 +91,6 @@ class Derivation {
   std::vector<std::pair<PartId, Error>> reported_;
   std::vector<std::pair<StepId, Error>> reportedSteps_;
   SolidWork solids_;
-  TraceWork traces_;
   TextureWork textures_;
 };
 

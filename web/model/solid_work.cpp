@@ -185,8 +185,7 @@ void SolidWork::updateAlone(const document::Document& document, pipeline::Derive
     part.mended.reset();
     part.crossesAt.reset();
     const document::Part* known = document::findPart(document, part.id);
-    const bool isFinal = part.shape && part.shape->quality == pipeline::TraceQuality::Ensemble;
-    if (known == nullptr || !known->visible || !isFinal || rootOf(document, {part.id, {}}) != nullptr) continue;
+    if (known == nullptr || !known->visible || !part.shape || rootOf(document, {part.id, {}}) != nullptr) continue;
     const Looked* looked = lookOver(*part.shape, alone);
     if (looked == nullptr || !looked->crosses) continue;
     const std::uint64_t key = publish::aloneKey(part.id, *part.shape);

@@ -19,20 +19,6 @@ bool liesOn(const mesh::TriMesh& mesh, const surface::UvArea& area) {
 
 }  // namespace
 
-std::vector<TraceWork::Wanted> wantedTraces(const document::Document& document, const pipeline::Derived& derived,
-                                            pipeline::Cache& cache) {
-  std::vector<TraceWork::Wanted> wanted;
-  for (const PartId id : derived.wantedRibs) {
-    const document::Part* part = document::findPart(document, id);
-    const auto* loft = part ? document::loftOf(*part) : nullptr;
-    const document::PictureEntry* entry = loft ? document::findPicture(document, loft->picture) : nullptr;
-    if (entry == nullptr) continue;
-    wanted.push_back({pipeline::traceKey(*loft, *entry),
-                      [&document, &cache, id] { return pipeline::makeTrace(document, id, cache); }});
-  }
-  return wanted;
-}
-
 std::vector<TextureWork::Wanted> wantedTextures(const document::Document& document, const pipeline::Derived& derived) {
   std::vector<TextureWork::Wanted> wanted;
   for (const PartId id : derived.wantedTextures) {

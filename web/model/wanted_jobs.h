@@ -9,12 +9,8 @@
 
 namespace spineloft::app {
 
-using TraceWork = JobQueue<pipeline::TraceJob>;
 using TextureWork = JobQueue<pipeline::TextureJob>;
 
-/// Of Derived::wantedRibs; begins as long as all three are as they are.
-std::vector<TraceWork::Wanted> wantedTraces(const document::Document& document, const pipeline::Derived& derived,
-                                            pipeline::Cache& cache);
 /// Of Derived::wantedTextures; begins as long as both are as they are.
 std::vector<TextureWork::Wanted> wantedTextures(const document::Document& document, const pipeline::Derived& derived);
 

@@ -8,8 +8,7 @@ bool inRange(const RibParams& p) {
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   const EvidenceParams& e = p.evidence;
   for (double weight :
-       {e.proximityWeight, e.contrastWeight, e.localContrastWeight, e.beyondWeight, e.insideWeight, e.outsideWeight,
-        e.rimWeight, e.weight, p.medialOffsetCost, p.priorWeight, p.neighbourFreedom}) {
+       {e.learnedWeight, e.proximityWeight, e.weight, p.medialOffsetCost, p.priorWeight, p.neighbourFreedom}) {
     if (!within(weight, 0, 10)) return false;
   }
   const FairingParams& f = p.fairing;
@@ -18,8 +17,7 @@ bool inRange(const RibParams& p) {
     return false;
   }
   return within(p.levels, 16, 512) && within(p.maxLevelShare, 0.01, 1) && within(p.neighbourWeight, 0, 100) &&
-         within(p.neighbourCap, 0.01, 1000) && within(p.oppositeWeight, 0, 100) && within(e.contrastReach, 0.5, 20) &&
-         within(e.doubt, 0.001, 10) && within(e.knownShare, 0, 0.9);
+         within(p.neighbourCap, 0.01, 1000) && within(p.oppositeWeight, 0, 100) && within(e.doubt, 0.001, 10);
 }
 
 }  // namespace spineloft::ribs

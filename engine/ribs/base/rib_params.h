@@ -15,24 +15,12 @@ struct FairingParams {
   bool operator==(const FairingParams&) const = default;
 };
 
-/// Which evidence counts how much; a weight of 0 switches a term off. The terms are those of
-/// evidence.h; the weights are the maximum-likelihood ones of a softmax over the labels of single
-/// curves against true outlines, checked by leaving one category of pictures out.
+/// Which evidence counts how much (method: "Where is the boundary?").
 struct EvidenceParams {
-  double proximityWeight = 2.2;      ///< nearness to a Canny edge (the paper's only evidence), 0…10
-  double contrastWeight = 3.2;       ///< contrast across the contour, coherent along it, 0…10
-  double localContrastWeight = 1.2;  ///< the same, against the contrasts near by, 0…10
-  double beyondWeight = 0.55;        ///< against edges further out, 0…10
-  double insideWeight = 0.75;        ///< against colours foreign to the spine inside, 0…10
-  double outsideWeight = 1.4;        ///< for colours foreign to the spine outside, 0…10
-  /// For colours that change here, once those around the object are known; 0…10, 0: no third look.
-  double rimWeight = 0.3;
-  double contrastReach = 2;  ///< half-length over which contrast is taken, map pixels, 0.5…20
-  /// Share of the best even part's half width whose colours count as the object's in a second look;
-  /// 0 (no second look) … 0.9.
-  double knownShare = 0.5;
-  double doubt = 0.3;   ///< chance given to a curve being misled, 0.001…10
-  double weight = 0.3;  ///< of all evidence against the shape terms, 0…10
+  double learnedWeight = 1;    ///< of the network's scores (learned/network.h), 0…10
+  double proximityWeight = 1;  ///< of nearness to a Canny edge (the paper's only evidence), 0…10
+  double doubt = 0.05;         ///< chance given to a curve being misled, 0.001…10
+  double weight = 0.6;         ///< of all evidence against the shape terms, 0…10
   bool operator==(const EvidenceParams&) const = default;
 };
 

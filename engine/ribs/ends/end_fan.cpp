@@ -219,13 +219,4 @@ void fanOf(const EndSite& site, const EndOutline& outline, EndFan& fan) {
   }
 }
 
-void fanThrough(const EndSite& site, EndShape shape, std::span<const PicturePoint> points, EndFan& fan) {
-  if (shape != EndShape::Flat || points.empty()) {
-    fan.points.assign(points.begin(), points.end());
-    return;
-  }
-  const EndFrame frame(site);
-  withCorners(frame, frame.t(points[points.size() / 2]), site.left, points, site.right, fan.points);
-}
-
 }  // namespace spineloft::ribs

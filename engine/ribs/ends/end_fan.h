@@ -62,8 +62,4 @@ void followEnd(const EndSite& site, LengthWorkspace& workspace, EndOutline& outl
 /// The fan's share of an outline, in place of what `fan` held. A flat one has its two corners as points too.
 void fanOf(const EndSite& site, const EndOutline& outline, EndFan& fan);
 
-/// The fan through points that were found otherwise, from the left to the right; a flat one gets its two corners at the
-/// level of their middle.
-void fanThrough(const EndSite& site, EndShape shape, std::span<const PicturePoint> points, EndFan& fan);
-
 }  // namespace spineloft::ribs

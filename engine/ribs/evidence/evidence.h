@@ -1,5 +1,5 @@
-// What a picture says about where a gradient curve leaves the object (SpineLoft 3.3.2; method:
-// "Where is the boundary?"). Every term is a function of the unwrapped picture alone.
+// The picture along the gradient curves, and how foreign its colours are to the object (method: "Where is the
+// boundary?").
 #pragma once
 
 #include <array>
@@ -43,15 +43,6 @@ struct UnwrappedImage {
 void unwrapImage(const GradientCurves& curves, const image::EdgeMap& edges, const IgnoredEdges* ignored,
                  UnwrappedImage& strip);
 
-/// How strongly the colour changes *across* the level sets and *along with the neighbours*: the Lab
-/// difference over ± `reach` (picture pixels of arc length along the curve), averaged as a vector
-/// over `neighbours` curves to either side, under a few slants of the contour of which the
-/// strongest counts. An edge seen end-on, short hatching and noise average out; a contour stays.
-struct ContrastParams {
-  double reach = 2;
-  int neighbours = 2;
-  double slant = 0.15;  ///< step between the five slants tried, rise over run
-};
 /// Cells of every Lab channel; the cell of a colour is (lightness · bins + a) · bins + b.
 inline constexpr int kColourBins = 12;
 /// Colours in a few cells, and how they spread over them.
@@ -62,20 +53,6 @@ struct ColourTables {
   std::vector<float> around, aroundStretches;             ///< the same
   std::vector<float> values;                              ///< memory of sortColours
 };
-
-/// Memory of the terms that is reused from strip to strip.
-struct EvidenceScratch {
-  ColourTables colours;
-  std::vector<std::array<float, 4>> differences;
-  std::vector<const std::array<float, 4>*> rows;
-  std::vector<std::int32_t> shifted;
-  std::vector<std::uint16_t> half, far;
-  std::vector<float> strongest, window, sums, logOdds;
-};
-
-/// Lab units, curves × levels.
-void contourContrast(const GradientCurves& curves, const UnwrappedImage& strip, const ContrastParams& params,
-                     EvidenceScratch& scratch, std::vector<float>& contrast);
 
 /// Sorts the colours of a strip into cells; what spineLogOdds is asked about.
 void sortColours(const GradientCurves& curves, const UnwrappedImage& strip, ColourTables& colours);
@@ -98,40 +75,5 @@ struct KnownReach {
 /// distributions, so that ink on paper, where both are paper, gives 0.
 void spineLogOdds(const GradientCurves& curves, const UnwrappedImage& strip, const KnownReach& known,
                   ColourTables& colours, std::vector<float>& logOdds);
-
-/// The terms of the boundary's score, each curves × levels.
-struct BoundaryTerms {
-  std::vector<float> contrast;       ///< contour contrast against the whole strip's strongest, 0…1
-  std::vector<float> localContrast;  ///< the same against the neighbouring curves' strongest, 0…1
-  std::vector<float> beyond;         ///< log(1 + edges between this place and twice as far): outlines lie outside
-  std::vector<float> inside;         ///< mean novelty between the spine and here
-  std::vector<float> outside;        ///< mean novelty from here to half as far again
-  /// Mean novelty from there to two and a half times as far: where the spine's colours come back, what
-  /// lies in between was a stripe or a highlight. Weighed as a share of `outside`.
-  std::vector<float> farther;
-  /// Mean novelty just outside (a fifth of the way from the spine) less that just inside. Empty where
-  /// the colours around the object are not known.
-  std::vector<float> rim;
-  EvidenceScratch scratch;
-};
-void boundaryTerms(const GradientCurves& curves, const UnwrappedImage& strip, const EvidenceParams& params,
-                   BoundaryTerms& terms);
-
-/// Fills all but `inside`, `outside`, `farther` and `rim`, and sorts the colours that those are read
-/// from.
-void contourTerms(const GradientCurves& curves, const UnwrappedImage& strip, const EvidenceParams& params,
-                  BoundaryTerms& terms);
-
-/// Fills `inside`, `outside`, `farther` and `rim` alone, with more of the object known (see
-/// spineLogOdds), in terms that boundaryTerms filled for the same strip.
-void colourTerms(const GradientCurves& curves, const UnwrappedImage& strip, const KnownReach& known,
-                 BoundaryTerms& terms);
-
-/// Costs of all curves and levels: −log(p + doubt), where p is the softmax along each curve of the
-/// weighted terms, relative to an even spread over three
-/// sixteenths of the labels. `doubt` bounds what a
-/// single misled curve can cost.
-void boundaryCosts(const GradientCurves& curves, const UnwrappedImage& strip, const BoundaryTerms& terms,
-                   const EvidenceParams& params, std::vector<float>& costs);
 
 }  // namespace spineloft::ribs

@@ -80,7 +80,7 @@ struct End {
     (leftSide ? moved.left : moved.right) = outline.points[index(at)];
     (leftSide ? moved.leftLevel : moved.rightLevel) = s.levels.d2[index(label)];
     (leftSide ? moved.leftState : moved.rightState) =
-        s.support[s.curves.at(curve, label)] < kOnEdge ? RibState::Guessed : RibState::Edge;
+        s.boundary.support[s.curves.at(curve, label)] < kOnEdge ? RibState::Guessed : RibState::Edge;
   }
 };
 
@@ -110,19 +110,6 @@ EndShape findEnd(bool atStart, RibSet& set, Search& s) {
   for (int i = 0; i < right; ++i) end.move(i, false, freed, left + s.curves.layout.fan + i);
   fanOf(before, freed, fan);
   return freed.guess.shape;
-}
-
-void placeEnd(bool atStart, const std::vector<float>& lengths, RibSet& set, Search& s) {
-  const End end{atStart, set, s};
-  EndOutline& outline = s.ends[0];
-  outline.points.clear();
-  for (int i = 0; i < s.curves.layout.fan; ++i) {
-    const int curve = atStart ? s.curves.layout.startFan(i) : s.curves.layout.endFan(i);
-    if (lengths[index(curve)] < 1) continue;
-    outline.points.push_back(s.curves.pointAlong(curve, static_cast<double>(lengths[index(curve)])));
-  }
-  const double half = std::max(1.0, distance(end.rib(0).left, end.rib(0).right) / 2);
-  fanThrough(end.site(0, 0, half), s.shapes[atStart ? 0 : 1], outline.points, atStart ? set.startFan : set.endFan);
 }
 
 }  // namespace spineloft::ribs

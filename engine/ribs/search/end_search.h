@@ -13,8 +13,4 @@ namespace spineloft::ribs {
 /// moved. O((ribs moved + fan) · levels).
 EndShape findEnd(bool atStart, RibSet& set, Search& s);
 
-/// The fan of that end where its curves are to end at these lengths (of every curve, picture pixels), shaped as
-/// `s.shapes` says; without curves that go nowhere.
-void placeEnd(bool atStart, const std::vector<float>& lengths, RibSet& set, Search& s);
-
 }  // namespace spineloft::ribs

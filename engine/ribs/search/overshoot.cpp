@@ -78,7 +78,7 @@ const std::vector<float>& logOddsToMiddle(double half, Search& s) {
       known.outside[curve] = kSurelyOutside * std::max(length, static_cast<float>(half));
     }
   }
-  EvidenceScratch& scratch = s.terms.scratch;
+  BoundaryScratch& scratch = s.boundary.scratch;
   spineLogOdds(s.curves, s.strip, known, scratch.colours, scratch.logOdds);
   return scratch.logOdds;
 }
@@ -93,7 +93,7 @@ Along lookAlong(double half, Search& s) {
     for (const bool leftSide : {true, false}) {
       const int curve = s.curves.layout.sideOf(i, leftSide);
       const int label = (leftSide ? s.labels.left : s.labels.right)[index(i)];
-      support += static_cast<double>(s.support[s.curves.at(curve, label)]) / 2;
+      support += static_cast<double>(s.boundary.support[s.curves.at(curve, label)]) / 2;
       for (int k = 0; k < s.curves.reached[index(curve)]; ++k, ++count) {
         const std::size_t at = s.curves.at(curve, k);
         if (static_cast<double>(s.curves.along[at]) > kNear * half) break;

@@ -19,7 +19,7 @@ const std::vector<RibState>& endStates(const std::vector<int>& labels, bool left
   int last = -1;
   for (int i = 0; i < ribs; ++i) {
     const int curve = s.curves.layout.sideOf(i, leftSide);
-    if (s.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
+    if (s.boundary.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
     states[index(i)] = RibState::Edge;
     if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
     last = i;
@@ -27,7 +27,8 @@ const std::vector<RibState>& endStates(const std::vector<int>& labels, bool left
   return states;
 }
 
-// Confidence and other places of the ends of one side, from its min-marginals.
+// Confidence and other places of the ends of one side, from its min-marginals. Places on an edge of the picture are
+// offered, likely or not.
 void readRunnersUp(Search& s, const LengthLabels& labels, bool leftSide, RibSet& set) {
   std::vector<float>& marginals = s.marginals;
   sideMarginals(s.problem, labels, leftSide, s.workspace, marginals);
@@ -39,8 +40,8 @@ void readRunnersUp(Search& s, const LengthLabels& labels, bool leftSide, RibSet&
     };
     const std::size_t first = s.curves.at(curve, 0);
     const RunnerUpRow runnersUp{row(marginals, index(i) * index(s.problem.levels)), row(s.curves.along, first),
-                                row(s.support, first), (leftSide ? labels.left : labels.right)[index(i)],
-                                static_cast<float>(shareOfRib(s))};
+                                row(s.edges ? s.strip.proximity : s.boundary.support, first),
+                                (leftSide ? labels.left : labels.right)[index(i)], static_cast<float>(shareOfRib(s))};
     Rib& rib = set.ribs[index(i)];
     (leftSide ? rib.leftConfidence : rib.rightConfidence) = confidenceOf(runnersUp);
     OtherPlaces& others = leftSide ? rib.leftOthers : rib.rightOthers;
@@ -50,19 +51,33 @@ void readRunnersUp(Search& s, const LengthLabels& labels, bool leftSide, RibSet&
   }
 }
 
-// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair. An end on a
-// fainter edge than others near by is led by these.
+// Where the boundary is between the labels next to the chosen one: the mean of their places, by their chances.
+double placeBetween(const Search& s, int curve, int label) {
+  constexpr int kNext = 2;
+  const std::size_t row = s.curves.at(curve, 0);
+  const int last = s.curves.reached[index(curve)] - 1;
+  const double own = s.curves.along[row + index(label)];
+  double sum = 0, mass = 0;
+  for (int k = std::max(1, label - kNext); k <= std::min(last, label + kNext); ++k) {
+    const auto chance = static_cast<double>(s.boundary.chance[row + index(k)]);
+    sum += chance * (static_cast<double>(s.curves.along[row + index(k)]) - own);
+    mass += chance;
+  }
+  // A chance of one label has to be there before the others can move it.
+  constexpr double kLeast = 0.02;
+  return own + sum / std::max(kLeast, mass);
+}
+
+// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair.
 const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftSide, Search& s) {
-  const std::vector<float>& strengths = strengthsOf(labels, leftSide, s);
   SideLengths& side = s.lengths;
   side.length.clear();
   side.trust.clear();
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = s.curves.layout.sideOf(i, leftSide);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
-    const auto strength = static_cast<double>(strengths[index(i)]);
-    const double support = static_cast<double>(s.support[at]) * strength * strength;
-    const double length = s.curves.along[at];
+    const auto support = static_cast<double>(s.boundary.support[at]);
+    const double length = placeBetween(s, curve, labels[index(i)]);
     side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
     side.trust.push_back(support * support);
   }
@@ -93,15 +108,6 @@ void readEnergy(const Search& s, RibSet& set) {
   set.energy.distance -= set.energy.prior;
 }
 
-// The label nearest to an arc length along a curve; not the spine itself where the curve goes on.
-int nearestLabel(const GradientCurves& curves, int curve, double length) {
-  const int reached = curves.reached[index(curve)];
-  const float *along = &curves.along[curves.at(curve, 0)], sought = static_cast<float>(length);
-  int k = reached > 1 ? 1 : 0;
-  while (k + 1 < reached && along[k + 1] - sought < sought - along[k]) ++k;
-  return k;
-}
-
 }  // namespace
 
 void readRibs(bool withRivals, Search& s, RibSet& set) {
@@ -113,28 +119,6 @@ void readRibs(bool withRivals, Search& s, RibSet& set) {
     readRunnersUp(s, s.labels, false, set);
   }
   s.shapes = {findEnd(true, set, s), findEnd(false, set, s)};
-  readEnergy(s, set);
-}
-
-void readRibsAt(const std::vector<float>& lengths, std::array<EndShape, 2> shapes, Search& s, RibSet& set) {
-  set.ribs.assign(index(s.problem.ribs), Rib{});
-  for (const bool leftSide : {true, false}) {
-    std::vector<int>& labels = leftSide ? s.labels.left : s.labels.right;
-    std::vector<double>& side = s.lengths.length;
-    side.clear();
-    for (int i = 0; i < s.problem.ribs; ++i) {
-      const int curve = s.curves.layout.sideOf(i, leftSide);
-      labels[index(i)] = nearestLabel(s.curves, curve, static_cast<double>(lengths[index(curve)]));
-      const float least = s.curves.along[s.curves.at(curve, std::min(1, s.curves.reached[index(curve)] - 1))];
-      side.push_back(static_cast<double>(std::max(least, lengths[index(curve)])));
-    }
-    placeSide(leftSide, side, s, set);
-  }
-  readRunnersUp(s, s.labels, true, set);
-  readRunnersUp(s, s.labels, false, set);
-  s.shapes = shapes;
-  placeEnd(true, lengths, set, s);
-  placeEnd(false, lengths, set, s);
   readEnergy(s, set);
 }
 

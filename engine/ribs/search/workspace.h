@@ -18,11 +18,9 @@ class RibWorkspace {
   struct Search;
   /// Made when first asked for.
   Search& search();
-  /// A second one, for the perturbed strokes (ensemble.h).
-  Search& other();
 
  private:
-  std::unique_ptr<Search> search_, other_;
+  std::unique_ptr<Search> search_;
 };
 
 }  // namespace spineloft::ribs

@@ -138,7 +138,11 @@ Status runAccuracy(const AccuracyArguments& arguments, std::ostream& out) {
   if (folders.empty()) return {Error::FileUnreadable, "no case.json below " + arguments.folder};
   const std::array files{arguments.json, arguments.ablation, arguments.leaveOneOut};
   if (Status status = cli::prepareOutputs(files, arguments.overlays); !status.ok()) return status;
-  Result<Rows> rows = rowsOf(arguments, *variationFromKey(arguments.variation), folders);
+  Variation variation = *variationFromKey(arguments.variation);
+  for (const std::string& one : arguments.set) {
+    if (!setNumber(one, variation)) return {Error::ValueOutOfRange, "--set " + one};
+  }
+  Result<Rows> rows = rowsOf(arguments, variation, folders);
   if (!rows.ok()) return rows.failure();
   io::BenchReport report{{}, std::move(rows).value(), {}};
   const cli::RowGroups groups = cli::groupsOf(report.rows);

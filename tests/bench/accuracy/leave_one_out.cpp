@@ -27,9 +27,6 @@ struct Weight {
   double& (*of)(RibParams&);
 };
 constexpr std::array kWeights{Weight{"evidence", [](RibParams& p) -> double& { return p.evidence.weight; }},
-                              Weight{"contrast", [](RibParams& p) -> double& { return p.evidence.contrastWeight; }},
-                              Weight{"outside", [](RibParams& p) -> double& { return p.evidence.outsideWeight; }},
-                              Weight{"rim", [](RibParams& p) -> double& { return p.evidence.rimWeight; }},
                               Weight{"neighbour", [](RibParams& p) -> double& { return p.neighbourWeight; }},
                               Weight{"opposite", [](RibParams& p) -> double& { return p.oppositeWeight; }}};
 // Shares of the defaults that are tried, where the search begins, and how often it goes round.

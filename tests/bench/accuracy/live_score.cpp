@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/ribs/search/ensemble.h"
 #include "engine/ribs/search/live_trace.h"
 
 namespace spineloft::accuracy {
@@ -38,7 +37,7 @@ LiveScore scoreLive(std::span<const PicturePoint> stroke, const image::EdgeMap& 
     ++made;
     score.followed += found.value().exact ? 0 : 1;
     if (move * kMoments / moves == (move - 1) * kMoments / moves) continue;
-    const auto whole = ribs::ensembleRibs(spine.value(), {edges, size}, params, Progress(), memory);
+    const auto whole = ribs::traceRibs(spine.value(), {edges, size}, params, Progress(), memory);
     if (!whole) continue;
     ++looked;
     score.upPct = apartPct(whole.value(), found.value().set);

@@ -21,6 +21,7 @@ void addOptions(CLI::App& app, accuracy::AccuracyArguments& to) {
   app.add_option("--jobs", to.jobs, "threads")->check(CLI::Range(1, 64));
   app.add_option("--overlays", to.overlays, "a folder for pictures of what was found");
   app.add_option("--variation", to.variation, "of the method")->check(CLI::IsMember(variationKeys()));
+  app.add_option("--set", to.set, "KEY=VALUE: another value of a parameter");
   app.add_option("--ablation", to.ablation, "a table of all variations, Markdown");
   app.add_option("--leave-one-out", to.leaveOneOut, "a table of weights chosen without each category, Markdown");
   app.add_option("--live", to.live, "moves of a stroke under the pen, held against the whole trace")

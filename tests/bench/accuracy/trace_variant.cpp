@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "engine/ribs/search/ensemble_votes.h"
 #include "engine/ribs/search/rib_search.h"
 #include "tests/bench/accuracy/algorithm_one.h"
 
@@ -12,8 +11,6 @@ namespace spineloft::accuracy {
 namespace {
 
 using ribs::Search;
-
-constexpr double kAnywhere = std::numeric_limits<double>::infinity();
 
 // Gradient curves of the Euclidean distance d∞ in place of those of d2: straight lines through the same seeds, along
 // the normals and around the ends. They stop where another part of the spine is nearer, for there d∞ has no gradient.
@@ -41,41 +38,32 @@ void straighten(image::Size picture, Search& s) {
 }
 
 // bestLabels, by Algorithm 1.
-void sampledLabels(bool withColours, Search& s) {
-  s.contest = {};
-  for (std::size_t i = 0; i < s.parts.count; ++i) {
-    adoptHypothesis(i, withColours, s);
+void sampledLabels(Search& s) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ribs::WidthHypothesis& part : s.parts.span()) {
+    assumeWidth(part, s);
     s.trial = algorithmOne(s.problem, {});
     const double energy = energyOf(s.problem, s.trial).total();
-    if (energy >= s.contest.least) continue;
-    s.contest.least = energy;
-    s.contest.chosen = i;
+    if (energy >= least) continue;
+    least = energy;
     s.labels = s.trial;
   }
-  if (s.contest.last != s.contest.chosen) adoptHypothesis(s.contest.chosen, withColours, s);
 }
 
 // searchLabels with stages exchanged.
 Status searchVariant(const ribs::Spine& spine, const ribs::PictureEvidence& picture, const ribs::RibParams& params,
                      const TraceVariant& variant, Search& s) {
-  if (Status begun = beginSearch(spine, picture, params, kAnywhere, s); !begun.ok()) return begun;
+  if (Status begun = beginSearch(spine, picture, params, s); !begun.ok()) return begun;
   if (variant.euclidean) straighten(picture.size, s);
   unwrapImage(s.curves, picture.edges, picture.ignored, s.strip);
-  findContours(s);
-  firstEvidence(s);
+  findEvidence(s);
   fillProblem(s);
   fitWidthHypotheses(s);
-  const bool withColours = usesColours(picture, params);
   if (variant.sampled) {
-    sampledLabels(withColours, s);
-    return Done{};
+    sampledLabels(s);
+  } else {
+    bestLabels(s);
   }
-  bestLabels(withColours, s);
-  if (withColours && !variant.nearest) tryOuterHypothesis(s);
-  if (!withColours || !(params.evidence.rimWeight > 0)) return Done{};
-  stiffLengths(s);
-  thirdEvidence(s);
-  findLabels(s.problem, kAnywhere, s.workspace, s.labels);
   return Done{};
 }
 
@@ -84,21 +72,11 @@ Status searchVariant(const ribs::Spine& spine, const ribs::PictureEvidence& pict
 Result<ribs::RibSet> variantRibs(const ribs::Spine& spine, const ribs::PictureEvidence& picture,
                                  const ribs::RibParams& params, const TraceVariant& variant) {
   ribs::RibWorkspace memory;
-  Search &s = memory.search(), &other = memory.other();
-  ribs::RibSet own, found;
+  Search& s = memory.search();
   if (Status searched = searchVariant(spine, picture, params, variant, s); !searched.ok()) return searched.failure();
-  const bool alone = variant.alone || !hasEnsemble(spine, picture);
-  readRibs(alone, s, own);
-  if (alone) return own;
-  std::vector<ribs::EnsembleVote> votes{voteOf(own, s, s)};
-  for (const ribs::PerturbedStroke& stroke : ribs::kPerturbedStrokes) {
-    const Result<ribs::Spine> perturbed = perturbedSpine(stroke, own, picture.size);
-    if (!perturbed || !searchVariant(perturbed.value(), picture, params, variant, other).ok()) continue;
-    readRibs(false, other, found);
-    votes.push_back(voteOf(found, other, s));
-  }
-  readVotes(votes, s, own);
-  return own;
+  ribs::RibSet found;
+  readRibs(true, s, found);
+  return found;
 }
 
 }  // namespace spineloft::accuracy

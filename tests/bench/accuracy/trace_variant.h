@@ -9,12 +9,10 @@ namespace spineloft::accuracy {
 struct TraceVariant {
   bool euclidean = false;  ///< curves of the Euclidean distance d∞ instead of d2 (SpineLoft's figure 17)
   bool sampled = false;    ///< the paper's Algorithm 1 instead of the exact optimum (algorithm_one.h)
-  bool nearest = false;    ///< without the outer hypothesis (outer_hypothesis.h)
-  bool alone = false;      ///< no ensemble: the stroke itself decides
   bool operator==(const TraceVariant&) const = default;
 };
 
-/// ribs::ensembleRibs with stages exchanged, from the same steps (rib_search.h, ensemble_votes.h); with none exchanged
+/// ribs::traceRibs with stages exchanged, from the same steps (rib_search.h); with none exchanged
 /// it is the same. Its laws and errors. The picture has edges.
 Result<ribs::RibSet> variantRibs(const ribs::Spine& spine, const ribs::PictureEvidence& picture,
                                  const ribs::RibParams& params, const TraceVariant& variant);

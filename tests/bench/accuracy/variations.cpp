@@ -1,6 +1,9 @@
 #include "tests/bench/accuracy/variations.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace spineloft::accuracy {
@@ -8,13 +11,6 @@ namespace {
 
 using ribs::EvidenceParams;
 using ribs::RibParams;
-
-/// The product with one weight of the evidence at 0.
-Variation without(double EvidenceParams::* weight, std::string_view key, std::string_view title) {
-  Variation out{key, title, {}, {}};
-  out.params.evidence.*weight = 0;
-  return out;
-}
 
 /// Every curve to itself: its own best label.
 RibParams separate() {
@@ -27,10 +23,7 @@ RibParams separate() {
 /// Nearness to a Canny edge alone, as in the paper.
 RibParams edgesAlone() {
   RibParams params;
-  EvidenceParams& e = params.evidence;
-  e.contrastWeight = e.localContrastWeight = e.beyondWeight = 0;
-  e.insideWeight = e.outsideWeight = 0;
-  e.knownShare = e.rimWeight = 0;
+  params.evidence.learnedWeight = 0;
   return params;
 }
 
@@ -42,20 +35,7 @@ std::vector<Variation> listed() {
       {"d-inf-separate", "d-infinity and no optimisation", separate(), {.euclidean = true}},
       {"algorithm-1", "the paper's Algorithm 1 instead of the optimum", {}, {.sampled = true}},
       {"edges-alone", "the paper's evidence: nearness to an edge alone", edgesAlone(), {}},
-      {"edges-algorithm-1",
-       "the paper's evidence and its Algorithm 1, without other hands",
-       edgesAlone(),
-       {.sampled = true, .alone = true}},
-      without(&EvidenceParams::proximityWeight, "no-edges", "without nearness to an edge"),
-      without(&EvidenceParams::contrastWeight, "no-contrast", "without contrast along the contour"),
-      without(&EvidenceParams::localContrastWeight, "no-local", "without contrast against what is near"),
-      without(&EvidenceParams::beyondWeight, "no-beyond", "without edges further out"),
-      without(&EvidenceParams::insideWeight, "no-inside", "without colours inside"),
-      without(&EvidenceParams::outsideWeight, "no-outside", "without colours outside"),
-      without(&EvidenceParams::knownShare, "no-second-look", "without a second look at the colours"),
-      without(&EvidenceParams::rimWeight, "no-third-look", "without a third look at the colours"),
-      {"no-farther", "without a look beyond the part", {}, {.nearest = true}},
-      {"alone", "without asking other hands", {}, {.alone = true}}};
+      {"edges-algorithm-1", "the paper's evidence and its Algorithm 1", edgesAlone(), {.sampled = true}}};
   Variation shape{"no-neighbours", "without the neighbour term", {}, {}};
   shape.params.neighbourWeight = 0;
   all.push_back(shape);
@@ -79,6 +59,27 @@ const Variation* variationFromKey(std::string_view key) {
   const auto all = variations();
   const auto at = std::ranges::find(all, key, &Variation::key);
   return at == all.end() ? nullptr : &*at;
+}
+
+bool setNumber(std::string_view keyAndValue, Variation& variation) {
+  RibParams& p = variation.params;
+  EvidenceParams& e = p.evidence;
+  const std::pair<std::string_view, double*> numbers[]{{"proximityWeight", &e.proximityWeight},
+                                                       {"learnedWeight", &e.learnedWeight},
+                                                       {"doubt", &e.doubt},
+                                                       {"weight", &e.weight},
+                                                       {"neighbourWeight", &p.neighbourWeight},
+                                                       {"neighbourFreedom", &p.neighbourFreedom},
+                                                       {"neighbourCap", &p.neighbourCap},
+                                                       {"oppositeWeight", &p.oppositeWeight},
+                                                       {"medialOffsetCost", &p.medialOffsetCost},
+                                                       {"priorWeight", &p.priorWeight},
+                                                       {"stiffness", &p.fairing.stiffness}};
+  const std::size_t equals = std::min(keyAndValue.find('='), keyAndValue.size());
+  const auto* at = std::ranges::find(numbers, keyAndValue.substr(0, equals), [](const auto& n) { return n.first; });
+  if (at == std::ranges::end(numbers) || equals + 1 >= keyAndValue.size()) return false;
+  *at->second = std::atof(std::string(keyAndValue.substr(equals + 1)).c_str());
+  return true;
 }
 
 }  // namespace spineloft::accuracy

@@ -22,4 +22,7 @@ std::span<const Variation> variations();
 /// nullptr when there is none of that name.
 const Variation* variationFromKey(std::string_view key);
 
+/// Sets one number of the method: "learnedWeight=1". False where there is no such number.
+bool setNumber(std::string_view keyAndValue, Variation& variation);
+
 }  // namespace spineloft::accuracy

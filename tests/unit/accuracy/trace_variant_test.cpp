@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/ribs/search/ensemble.h"
+#include "engine/ribs/search/ribs.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -20,12 +20,10 @@ TEST_CASE("with nothing exchanged a variant is the product, and each exchange is
     const fixtures::Points stroke{{90, 150 - 90 * slope}, {270, 150 + 90 * slope}};
     const Spine spine = cleanSpine(stroke, kPicture, {.ribs = 60}).value();
     const auto variant = [&](const TraceVariant& of) { return variantRibs(spine, picture, {}, of).value(); };
-    RibWorkspace memory;
-    const RibSet single = traceRibs(spine, picture, {}, Progress(), memory).value();
-    CHECK(variant({}) == ensembleRibs(spine, picture, {}, Progress(), memory).value());
-    CHECK(variant({.alone = true}) == single);
-    CHECK(variant({.sampled = true, .alone = true}).energy.total() >= single.energy.total() - 1e-3);
-    const RibSet straight = variant({.euclidean = true, .alone = true});
+    const RibSet single = traceRibs(spine, picture, {}, Progress()).value();
+    CHECK(variant({}) == single);
+    CHECK(variant({.sampled = true}).energy.total() >= single.energy.total() - 1e-3);
+    const RibSet straight = variant({.euclidean = true});
     CHECK(straight.ribs.size() == single.ribs.size());
     if (slope > 0) continue;
     // Along a straight stroke the normals of d∞ stay upright.

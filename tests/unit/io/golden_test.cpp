@@ -74,6 +74,7 @@ struct KeyCollector {
     document::Operand operand;
     members(*this, operand);
   }
+  void retired(const char*) {}
   void beyond(std::string&) {}
 };
 
@@ -174,13 +175,22 @@ TEST_CASE("the golden document with paints reads as what was written") {
   CHECK(read.parts[1]->look == shell);
 }
 
-TEST_CASE("the golden document with a weight of the search reads as what was written") {
+TEST_CASE("the golden document with a weight that the search has no more reads as one without it") {
   const document::Document read = readWhole("golden/document-v1-rims.json");
   REQUIRE(read.parts.size() == 1);
   document::LoftRecipe tail;
   tail.picture = PictureId{1};
   tail.stroke = {{20, 40}, {100, 40}};
-  tail.ribs.evidence.rimWeight = 0.5;
+  CHECK(read.parts[0]->recipe == document::Recipe(tail));
+}
+
+TEST_CASE("the golden document with a weight of the search reads as what was written") {
+  const document::Document read = readWhole("golden/document-v1-learned.json");
+  REQUIRE(read.parts.size() == 1);
+  document::LoftRecipe tail;
+  tail.picture = PictureId{1};
+  tail.stroke = {{20, 40}, {100, 40}};
+  tail.ribs.evidence.learnedWeight = 0.5;
   CHECK(read.parts[0]->recipe == document::Recipe(tail));
 }
 

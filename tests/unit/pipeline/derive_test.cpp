@@ -197,7 +197,7 @@ TEST_CASE("edited ribs lie over the generated ones, and both are there to be see
   testing::requireLawful(shape->mesh);
 }
 
-TEST_CASE("a preview is what the part shows at once, and is traced only once; then other hands are asked") {
+TEST_CASE("a preview is what the part becomes, and is traced only once") {
   const Document document = ellipseDocument();
   Cache cache;
   deriveWithEdges(document, cache, {}).value();
@@ -206,56 +206,19 @@ TEST_CASE("a preview is what the part shows at once, and is traced only once; th
   const LoftRecipe& recipe = *document::loftOf(*next.parts[1]);
   const auto preview = previewShape(document, recipe, cache);
   REQUIRE(preview.ok());
-  CHECK(preview.value().quality == TraceQuality::Single);
-  const auto making = makeTrace(next, PartId{2}, cache);
-  REQUIRE(making);
+  CHECK(preview.value().quality == TraceQuality::Final);
+  // Ribs that are known need no edges.
   forgetEdges(cache, document);
-  const Derived first = derive(next, cache, {}, Finish::Later);
-  CHECK(first.parts[1].shape->ribs == preview.value().ribs);
-  CHECK(first.parts[1].shape->mesh == preview.value().mesh);
-  CHECK(first.parts[1].waiting);
-  CHECK(first.wantedRibs == std::vector{PartId{2}});
-  testing::requireLawful(first.parts[1].shape->mesh);
-  int steps = 1;
-  for (; making->step(); ++steps) CHECK(making->traced() == nullptr);
-  CHECK(steps == 7);
-  takeTrace(*making, cache);
-  const Derived settled = derive(next, cache, {}, Finish::Later);
-  CHECK_FALSE(settled.parts[1].waiting);
-  CHECK(settled.wantedRibs.empty());
-  CHECK(settled.parts[1].shape->quality == TraceQuality::Ensemble);
-  CHECK(settled.parts[1].shape->key != first.parts[1].shape->key);
-  testing::requireLawful(settled.parts[1].shape->mesh);
+  const Derived later = derive(next, cache, {}, Finish::Later);
+  REQUIRE(later.parts[1].shape);
+  CHECK(later.parts[1].shape->ribs == preview.value().ribs);
+  CHECK(later.parts[1].shape->mesh == preview.value().mesh);
+  CHECK_FALSE(later.parts[1].waiting);
+  testing::requireLawful(later.parts[1].shape->mesh);
   Cache anew;
   const auto whole = deriveWithEdges(next, anew, {}).value().parts[1].shape;
-  CHECK(settled.parts[1].shape->ribs == whole->ribs);
-  CHECK(settled.parts[1].shape->mesh == whole->mesh);
-  CHECK(settled.parts[1].shape->key == whole->key);
-  CHECK_FALSE(whole->ribs == preview.value().ribs);
-  CHECK(previewShape(document, recipe, cache).value().ribs == whole->ribs);
-}
-
-TEST_CASE("where hands can't be asked, the stroke decides, and nobody asks again") {
-  const Document document = ellipseDocument();
-  Cache cache;
-  CHECK(makeTrace(document, PartId{1}, cache) == nullptr);
-  CHECK(derive(document, cache, {}, Finish::Later).wantedRibs.empty());
-  findEdges(cache, document);
-  const auto making = makeTrace(document, PartId{1}, cache);
-  REQUIRE(making);
-  const auto shown = derive(document, cache, {}, Finish::Later).parts[0].shape;
-  REQUIRE(shown);
-  // Not a step was taken, as when there is no memory for one.
-  takeTrace(*making, cache);
-  const Derived settled = derive(document, cache, {}, Finish::Later);
-  CHECK(settled.wantedRibs.empty());
-  CHECK(settled.parts[0].shape->ribs == shown->ribs);
-  CHECK(makeTrace(document, PartId{9}, cache) == nullptr);
-  LoftRecipe brief = *document::loftOf(*document.parts[0]);
-  brief.stroke = {{60, 72}};
-  TraceJob none(7, brief, std::make_shared<const image::EdgeMap>(), nullptr, {192, 144});
-  CHECK_FALSE(none.step());
-  CHECK(none.traced() == nullptr);
+  CHECK(whole->ribs == preview.value().ribs);
+  CHECK(whole->key == later.parts[1].shape->key);
 }
 
 TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
@@ -276,12 +239,12 @@ TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
   }
   CHECK(near);
   const auto whole = previewShape(document, recipe, other);
-  CHECK(whole.value().quality == TraceQuality::Single);
+  CHECK(whole.value().quality == TraceQuality::Final);
   CHECK(previewShape(document, recipe, cache).value().generated == whole.value().generated);
   // Ribs that are known are used, whatever is done to the shape.
   recipe.loft.sectionPoints = 32;
   const auto coarser = liveShape(document, recipe, cache);
-  CHECK(coarser.value().quality == TraceQuality::Single);
+  CHECK(coarser.value().quality == TraceQuality::Final);
   CHECK(coarser.value().generated == whole.value().generated);
 }
 

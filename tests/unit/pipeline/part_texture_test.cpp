@@ -344,14 +344,6 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     const auto whole = shapeOf(document);
     pipeline::Cache later;
     later.keepEdges(document.pictures[0]->contentHash, cache.edges(document.pictures[0]->contentHash));
-    const pipeline::Derived before = pipeline::derive(document, later, {}, pipeline::Finish::Later);
-    // Not worth one before it is known where the ribs end.
-    CHECK(before.wantedTextures.empty());
-    const auto trace = pipeline::makeTrace(document, PartId{1}, later);
-    REQUIRE(trace);
-    while (trace->step()) {
-    }
-    pipeline::takeTrace(*trace, later);
     const pipeline::Derived derived = pipeline::derive(document, later, {}, pipeline::Finish::Later);
     REQUIRE(derived.wantedTextures == std::vector{PartId{1}});
     CHECK(derived.parts[0].shape->texture == nullptr);

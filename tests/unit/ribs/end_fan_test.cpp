@@ -88,32 +88,6 @@ TEST_CASE("where nothing is to be seen an end is round and as long as half its w
   CHECK(guess.extent < 1.1);
 }
 
-TEST_CASE("the corners of a flat end never stand farther out than the side that leads to them") {
-  const MadeUp made(flat, 30);
-  const bool leftIsUp = made.left.y < made.right.y;
-  for (const double inwards : {0.0, 0.1, 0.4, 0.8}) {
-    // Straight on, or ever more of it rounded before it ends: from the left side to the right one.
-    std::vector<PicturePoint> points;
-    for (const double share : {-1.0, -0.9, -0.5, 0.0, 0.5, 0.9, 1.0}) {
-      const double across = (1 - inwards) * share * kHalf, over = std::abs(share) == 1     ? 10
-                                                                  : std::abs(share) == 0.9 ? 24
-                                                                                           : 30;
-      points.push_back({kLast + over, 150 + (leftIsUp ? across : -across)});
-    }
-    EndFan fan;
-    fanThrough(made.site(), EndShape::Flat, points, fan);
-    REQUIRE(fan.points.size() == points.size() + 2);
-    const auto out = [](PicturePoint p) { return std::abs(p.y - 150); };
-    const std::size_t middle = fan.points.size() / 2;
-    for (std::size_t i = 1; i <= middle; ++i) CHECK(out(fan.points[i]) <= out(fan.points[i - 1]) + 1e-9);
-    for (std::size_t i = middle; i + 1 < fan.points.size(); ++i)
-      CHECK(out(fan.points[i]) <= out(fan.points[i + 1]) + 1e-9);
-    // As far ahead as the end.
-    for (const PicturePoint p : fan.points) CHECK(p.x <= kLast + 30 + 1e-9);
-    CHECK(std::ranges::count_if(fan.points, [](PicturePoint p) { return p.x > kLast + 29.9; }) == 5);
-  }
-}
-
 TEST_CASE("a part goes on to the object's end beyond the stroke, whatever its shape, and no farther") {
   for (const Ending ending : {flat, round, pointed}) {
     const double x = farthest(traced(ending));

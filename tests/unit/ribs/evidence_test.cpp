@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/ribs/labels/medial_offset.h"
+#include "engine/ribs/learned/likelihood.h"
 #include "tests/unit/ribs/fixtures.h"
 
 using namespace spineloft;
@@ -54,33 +56,6 @@ void paint(image::EdgeMap& map, const std::function<bool(PicturePoint)>& where, 
 
 }  // namespace
 
-TEST_CASE("contrast is strong on a contour along the spine and nothing away from it") {
-  const Scene scene(fixtures::mapOf(kPicture, inBar));
-  std::vector<float> contrast;
-  EvidenceScratch scratch;
-  contourContrast(scene.curves, scene.strip, {}, scratch, contrast);
-  CHECK(scene.at(contrast, 30) > 30);
-  CHECK(scene.at(contrast, 15) < 1);
-  CHECK(scene.at(contrast, 60) < 1);
-}
-
-TEST_CASE("contrast of stripes that run along the curves, and of hatching, is far below a contour's") {
-  // Stripes across the spine are edges seen end-on.
-  const Scene stripes(fixtures::mapOf(kPicture, [](PicturePoint p) { return std::fmod(p.x, 12) < 6; }));
-  std::vector<float> contrast;
-  EvidenceScratch scratch;
-  contourContrast(stripes.curves, stripes.strip, {}, scratch, contrast);
-  CHECK(stripes.at(contrast, 30) < 6);
-  // Short strokes, each as wide as one rib is far from the next.
-  const Scene hatching(fixtures::mapOf(kPicture, [](PicturePoint p) {
-    return std::fmod(p.x, 9) < 3 && std::fmod(p.y + 7 * std::floor(p.x / 9), 23) < 9;
-  }));
-  double sum = 0;
-  contourContrast(hatching.curves, hatching.strip, {}, scratch, contrast);
-  for (int k = 5; k < 60; ++k) sum += static_cast<double>(contrast[hatching.curves.at(30, k)]) / 55;
-  CHECK(sum < 12);
-}
-
 TEST_CASE("colours that the spine never sees are novel, its own are not") {
   image::EdgeMap map = fixtures::mapOf(kPicture, inBar);
   paint(map, [](PicturePoint p) { return p.y < 80; }, 90, 50);
@@ -123,38 +98,11 @@ TEST_CASE("what is known to lie around the object is foreign to it, ink and pape
   CHECK(scene.at(both, 15) < -0.5);
 }
 
-TEST_CASE("the rim is strongest where the object's colours give way to those around it") {
-  const Scene scene(fixtures::mapOf(kPicture, inBar));
-  BoundaryTerms terms;
-  boundaryTerms(scene.curves, scene.strip, {}, terms);
-  CHECK(terms.rim.empty());  // nothing is known of what is around it
-  for (const float ends : {22.f, 30.f, 40.f}) {
-    const std::vector<float> known(static_cast<std::size_t>(scene.curves.layout.total()), ends);
-    colourTerms(scene.curves, scene.strip, {known, known}, terms);
-    CHECK(scene.at(terms.rim, 30) > 1);
-    CHECK(scene.at(terms.rim, 30) > scene.at(terms.rim, 20));
-    CHECK(scene.at(terms.rim, 30) > scene.at(terms.rim, 45));
-    CHECK(std::abs(scene.at(terms.rim, 90)) < 0.3);
-  }
-}
-
 TEST_CASE("where the spine sees what there is everywhere, colour says nothing") {
   const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint) { return false; }));
   std::vector<float> logOdds;
   spineLogOdds(scene.curves, scene.strip, {}, scene.colours, logOdds);
   for (float v : logOdds) CHECK(std::abs(v) < 0.05f);
-}
-
-TEST_CASE("with two outlines in a row, the inner one has more beyond it than the outer") {
-  const Scene scene(fixtures::mapOf(kPicture, [](PicturePoint p) {
-    const double away = std::abs(p.y - 150);
-    return (away > 20 && away < 23) || (away > 45 && away < 48);
-  }));
-  BoundaryTerms terms;
-  boundaryTerms(scene.curves, scene.strip, {}, terms);
-  CHECK(scene.at(terms.beyond, 23) > scene.at(terms.beyond, 48) + 0.2);
-  CHECK(scene.at(terms.contrast, 48) > 0.8);
-  CHECK(scene.at(terms.localContrast, 48) > 0.8);
 }
 
 TEST_CASE("a rib stands for the picture up to its neighbours: noise averages out along the contour") {
@@ -180,44 +128,39 @@ TEST_CASE("a rib stands for the picture up to its neighbours: noise averages out
   CHECK(spread(10) < 0.5 * spread(200));
 }
 
-TEST_CASE("colours of the spine that come back farther outside speak against a place") {
-  const auto bar = [](PicturePoint p) { return std::abs(p.y - 150) < 60; };
-  image::EdgeMap map = fixtures::mapOf(kPicture, bar);
-  paint(map, [](PicturePoint p) { return std::abs(std::abs(p.y - 150) - 25) < 3; }, 90, 0);
-  const Scene scene(map);
-  BoundaryTerms terms;
-  boundaryTerms(scene.curves, scene.strip, {}, terms);
-  CHECK(scene.at(terms.farther, 22) < scene.at(terms.farther, 60) - 0.5);
-}
-
-TEST_CASE("the cheapest place of a curve is the outline, with any one term switched off") {
+TEST_CASE("the likeliest place of a curve is the outline, for the network and for nearness to an edge alone") {
   const Scene scene(fixtures::mapOf(kPicture, inBar));
-  double EvidenceParams::* const weights[] = {&EvidenceParams::proximityWeight,     &EvidenceParams::contrastWeight,
-                                              &EvidenceParams::localContrastWeight, &EvidenceParams::beyondWeight,
-                                              &EvidenceParams::insideWeight,        &EvidenceParams::outsideWeight};
-  for (const auto weight : weights) {
-    EvidenceParams params;
-    params.*weight = 0;
-    BoundaryTerms terms;
-    std::vector<float> costs;
-    boundaryTerms(scene.curves, scene.strip, params, terms);
-    boundaryCosts(scene.curves, scene.strip, terms, params, costs);
+  for (const RibNetwork* network : {builtInNetwork(), static_cast<const RibNetwork*>(nullptr)}) {
+    Boundary boundary;
+    findBoundary(scene.curves, scene.strip, network, {}, boundary);
     for (int c = 10; c < 50; ++c) {
-      const float* row = &costs[scene.curves.at(c, 0)];
+      const float* row = &boundary.costs[scene.curves.at(c, 0)];
       const float* best = std::min_element(row + 1, row + scene.curves.reached[static_cast<std::size_t>(c)]);
       CHECK(std::abs(scene.curves.along[scene.curves.at(c, static_cast<int>(best - row))] - 30) < 3);
     }
   }
 }
 
-TEST_CASE("what one curve can say is bounded by doubt, whatever the picture") {
+TEST_CASE("chances of a curve sum to one, support is their sum close by, and doubt bounds what a curve can cost") {
   const Scene scene(fixtures::mapOf(kPicture, inBar));
-  BoundaryTerms terms;
-  std::vector<float> costs;
+  Boundary boundary;
   const EvidenceParams params;
-  boundaryTerms(scene.curves, scene.strip, params, terms);
-  boundaryCosts(scene.curves, scene.strip, terms, params, costs);
-  for (float cost : costs) {
+  findBoundary(scene.curves, scene.strip, builtInNetwork(), params, boundary);
+  for (int c = 0; c < scene.strip.curves; ++c) {
+    const float* chance = &boundary.chance[scene.curves.at(c, 0)];
+    const int reached = scene.curves.reached[static_cast<std::size_t>(c)];
+    double sum = 0;
+    for (int k = 0; k < scene.strip.levels; ++k) {
+      sum += static_cast<double>(chance[k]);
+      double close = 0;  // within two of a hundred labels
+      for (int q = std::max(1, k - 2); k > 0 && q <= std::min(reached - 1, k + 2); ++q)
+        close += static_cast<double>(chance[q]);
+      if (k < reached)
+        CHECK(static_cast<double>(boundary.support[scene.curves.at(c, k)]) == doctest::Approx(close).epsilon(1e-3));
+    }
+    CHECK(sum == doctest::Approx(1).epsilon(1e-4));
+  }
+  for (float cost : boundary.costs) {
     CHECK(cost <= -std::log(params.doubt) + 1e-4);
     CHECK(cost >= -std::log(3 * scene.strip.levels / 16.0 + params.doubt) - 1e-4);
   }

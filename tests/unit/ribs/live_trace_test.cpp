@@ -60,15 +60,15 @@ TEST_CASE(
     "ribs under the pen are within three hundredths of the width of those of a whole trace, one and a half on the "
     "mean") {
   LiveTrace live;
-  int followed = 0, moves = 0;
+  int moves = 0;
   double sum = 0;
   for (double to = 90; to <= 540; to += 5) {
     CAPTURE(to);
     const Spine spine = spineTo(to);
     const LiveTrace::Ribs found = moved(live, spine);
-    followed += found.exact ? 0 : 1;
+    CHECK_FALSE(found.exact);
     const double away = apart(whole(spine), found.set);
-    CHECK(away < (found.exact ? 1e-12 : 0.03));
+    CHECK(away < 0.03);
     sum += away;
     ++moves;
     for (const Rib& rib : found.set.ribs) {
@@ -81,8 +81,6 @@ TEST_CASE(
       }
     }
   }
-  // Whole traces are the exception: while the stroke is short.
-  CHECK(followed > 60);
   CHECK(sum < 0.015 * moves);
 }
 
@@ -96,39 +94,12 @@ TEST_CASE("equal moves give equal ribs, whatever was drawn before") {
   }
 }
 
-TEST_CASE("a short stroke, another stroke, other marks and other parameters get a whole trace") {
+TEST_CASE("where nothing is known of the picture, ribs under the pen are those of a whole trace") {
   LiveTrace live;
-  const Spine brief = spineTo(60 + 2.0 * (LiveTrace::kShort - 8)), long1 = spineTo(400), far = spineTo(400, 40);
-  REQUIRE(brief.points.size() < LiveTrace::kShort);
-  CHECK(moved(live, brief).exact);
-  const auto exactly = [&](const Spine& spine) {
-    const LiveTrace::Ribs found = moved(live, spine);
-    CHECK(found.exact);
-    CHECK(found.set == whole(spine));
-  };
-  exactly(brief);
-  exactly(long1);
-  CHECK_FALSE(moved(live, long1).exact);
-  exactly(far);
-  CHECK_FALSE(moved(live, far).exact);
-  RibParams stiff;
-  stiff.neighbourWeight = 1.5;
-  CHECK(live.move(far, {thing(), kPicture}, stiff).value().exact);
-  CHECK_FALSE(live.move(far, {thing(), kPicture}, stiff).value().exact);
-  const IgnoredEdges marks;
-  CHECK(live.move(far, {thing(), kPicture, &marks}, stiff).value().exact);
-  CHECK(live.move(far, {image::EdgeMap{}, kPicture}, stiff).value().exact);
-  CHECK(live.move(far, {image::EdgeMap{}, kPicture}, stiff).value().exact);
-}
-
-TEST_CASE("a pen that stays where it is comes to rest, too") {
-  LiveTrace live;
-  for (double to = 90; to <= 540; to += 6) moved(live, spineTo(to));
-  const Spine spine = spineTo(540);
-  RibSet last;
-  for (int i = 0; i < 12; ++i) last = moved(live, spine).set;
-  CHECK(moved(live, spine).set == last);
-  CHECK(apart(whole(spine), last) < 0.015);
+  const PictureEvidence nothing{image::EdgeMap{}, kPicture};
+  const LiveTrace::Ribs found = live.move(spineTo(300), nothing, {}).value();
+  CHECK(found.exact);
+  CHECK(found.set == traceRibs(spineTo(300), nothing, {}, Progress()).value());
 }
 
 TEST_CASE("a live trace refuses what a whole trace refuses") {

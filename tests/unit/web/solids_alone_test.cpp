@@ -199,7 +199,6 @@ TEST_CASE(
   TwoBars rig;
   const auto isChecked = [&] { return !rig.state().find("print")->isNull(); };
   rig.run("coil", R"({"part": 1, "turns": 6, "radius": 12})");
-  // The shape of the coil is there at once; its last word is the perturbed strokes', in a moment.
   CHECK(*rig.run("check-print").flag("ok"));
   CHECK_FALSE(isChecked());
   rig.settle();

@@ -1,0 +1,40 @@
+// Where every curve leaves the object, by the network: probabilities, and the costs that the search is made with
+// (method: "Where is the boundary?").
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/ribs/base/rib_params.h"
+#include "engine/ribs/learned/network.h"
+
+namespace spineloft::ribs {
+
+/// Memory of findBoundary.
+struct BoundaryScratch {
+  ColourTables colours;
+  std::vector<float> logOdds;
+  ChannelScratch channels;
+  StripChannels strip;
+  NetworkScratch network;
+  std::array<std::vector<float>, 2> scores;
+};
+
+/// Of every curve, fans included, and label: curves × levels.
+struct Boundary {
+  std::vector<float> chance;   ///< probability that the curve leaves the object at the label; a curve's sum to 1
+  std::vector<float> support;  ///< probability that it does so there or close by, 0…1
+  std::vector<float> costs;    ///< −log(chance + doubt), relative to an even spread over three sixteenths of the labels
+  BoundaryScratch scratch;
+};
+
+/// Scores of every curve and label: a softmax along a curve gives the probability that the part ends there. The colours
+/// of `scratch` are sorted. Replaces `scores`.
+void learnedScores(const RibNetwork& network, const GradientCurves& curves, const UnwrappedImage& strip,
+                   BoundaryScratch& scratch, std::vector<float>& scores);
+
+/// Fills `boundary` from a strip sampled along `curves`. Without a network nearness to an edge has to do.
+void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, const RibNetwork* network,
+                  const EvidenceParams& params, Boundary& boundary);
+
+}  // namespace spineloft::ribs

@@ -1,0 +1,237 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "engine/base/rng.h"
+#include "engine/ribs/learned/likelihood.h"
+#include "engine/ribs/search/rib_search.h"
+#include "tests/support/test_files.h"
+#include "tests/unit/ribs/fixtures.h"
+
+using namespace spineloft;
+using namespace spineloft::ribs;
+
+namespace {
+
+float number(Rng& rng) { return static_cast<float>(rng.uniform(-1, 1)); }
+
+Plane randomPlane(Rng& rng, int rows, int columns, int channels) {
+  Plane plane;
+  plane.shape(rows, columns, channels);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      for (int c = 0; c < channels; ++c) plane.at(y, x)[c] = number(rng);
+    }
+  }
+  return plane;
+}
+
+Convolution randomLayer(Rng& rng, Convolution layer) {
+  layer.weights.resize(layer.weightCount());
+  layer.biases.resize(static_cast<std::size_t>(layer.outputs));
+  for (float& w : layer.weights) w = number(rng);
+  for (float& b : layer.biases) b = number(rng);
+  return layer;
+}
+
+// A convolution as the definition has it, with nothing beyond the plane.
+double plainSum(const Convolution& layer, const Plane& in, int row, int column, int output) {
+  double sum = static_cast<double>(layer.biases[static_cast<std::size_t>(output)]);
+  for (int i = 0; i < layer.side; ++i) {
+    for (int j = 0; j < layer.side; ++j) {
+      const int y = row * layer.rowStep + (i - layer.side / 2) * layer.apart;
+      const int x = column * layer.columnStep + (j - layer.side / 2) * layer.apart;
+      if (y < 0 || x < 0 || y >= in.rows || x >= in.columns) continue;
+      for (int c = 0; c < in.channels; ++c) {
+        const int at = ((i * layer.side + j) * layer.inputs + c) * layer.outputs + output;
+        sum += static_cast<double>(layer.weights[static_cast<std::size_t>(at)]) * static_cast<double>(in.at(y, x)[c]);
+      }
+    }
+  }
+  return sum;
+}
+
+double farthest(const std::vector<float>& a, const std::vector<float>& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, static_cast<double>(std::abs(a[i] - b[i])));
+  return most;
+}
+
+StripChannels randomStrip(Rng& rng, int rows, int levels) {
+  StripChannels strip;
+  strip.rows = rows;
+  strip.levels = levels;
+  for (auto& planes : strip.planes) {
+    planes.resize(strip.at(rows, 0));
+    for (float& value : planes) value = number(rng);
+  }
+  return strip;
+}
+
+const RibNetwork& network() {
+  REQUIRE(builtInNetwork() != nullptr);
+  return *builtInNetwork();
+}
+
+// The scores of a dark bar on a light ground.
+std::vector<float> scoresOfBar(const std::vector<PicturePoint>& points, CurveLayout& layout) {
+  constexpr image::Size kPicture{240, 160};
+  const image::EdgeMap map = fixtures::mapOf(
+      kPicture, [](PicturePoint p) { return p.x > 30 && p.x < 210 && std::abs(p.y - 80) < 20 + p.x / 20; });
+  RibWorkspace memory;
+  Search& s = memory.search();
+  REQUIRE(beginSearch(Spine{points}, {map, kPicture}, {}, s).ok());
+  unwrapImage(s.curves, map, nullptr, s.strip);
+  sortColours(s.curves, s.strip, s.boundary.scratch.colours);
+  layout = s.curves.layout;
+  std::vector<float> scores;
+  learnedScores(network(), s.curves, s.strip, s.boundary.scratch, scores);
+  return scores;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("unit/ribs");
+
+TEST_CASE("a layer is the sum that its definition says, for every shape, step and distance of the taps") {
+  Rng rng(1);
+  const Convolution shapes[] = {{.side = 3, .inputs = 16, .outputs = 12, .columnStep = 2},
+                                {.side = 3, .inputs = 12, .outputs = 24, .rowStep = 2, .columnStep = 2},
+                                {.side = 3, .inputs = 8, .outputs = 24, .apart = 4},
+                                {.side = 3, .inputs = 5, .outputs = 16, .apart = 2},
+                                {.side = 1, .inputs = 72, .outputs = 24},
+                                {.side = 1, .inputs = 12, .outputs = 4}};
+  for (const Convolution& shape : shapes) {
+    const Convolution layer = randomLayer(rng, shape);
+    const Plane in = randomPlane(rng, 6, 14, layer.inputs);
+    const Plane added = randomPlane(rng, in.rows / layer.rowStep, in.columns / layer.columnStep, layer.outputs);
+    for (const After after : {After::Nothing, After::Rectified, After::AddedAndRectified}) {
+      Plane out;
+      convolve(layer, in, after, after == After::AddedAndRectified ? &added : nullptr, out);
+      double most = 0;
+      for (int y = 0; y < out.rows; ++y) {
+        for (int x = 0; x < out.columns; ++x) {
+          for (int o = 0; o < layer.outputs; ++o) {
+            double expected = plainSum(layer, in, y, x, o);
+            if (after == After::AddedAndRectified) expected += static_cast<double>(added.at(y, x)[o]);
+            if (after != After::Nothing) expected = std::max(0.0, expected);
+            most = std::max(most, std::abs(expected - static_cast<double>(out.at(y, x)[o])));
+          }
+        }
+      }
+      CHECK(most < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("joined sides hold one side, the other, and the mean of both along the columns") {
+  Rng rng(2);
+  const Plane own = randomPlane(rng, 5, 3, 2), other = randomPlane(rng, 5, 3, 2);
+  Plane joined;
+  joinSides(own, other, joined);
+  for (int x = 0; x < 3; ++x) {
+    for (int c = 0; c < 2; ++c) {
+      double sum = 0;
+      for (int y = 0; y < 5; ++y) sum += static_cast<double>(own.at(y, x)[c]) + static_cast<double>(other.at(y, x)[c]);
+      for (int y = 0; y < 5; ++y) {
+        CHECK(joined.at(y, x)[c] == own.at(y, x)[c]);
+        CHECK(joined.at(y, x)[2 + c] == other.at(y, x)[c]);
+        CHECK(static_cast<double>(joined.at(y, x)[4 + c]) == doctest::Approx(sum / 10).epsilon(1e-5));
+      }
+    }
+  }
+}
+
+TEST_CASE("the network gives the scores that the program which trained it gives") {
+  const std::vector<std::uint8_t> file = testing::testFile("golden/ribs-net.fixture");
+  std::uint32_t rows = 0, levels = 0;
+  std::memcpy(&rows, file.data(), 4);
+  std::memcpy(&levels, file.data() + 4, 4);
+  StripChannels strip;
+  strip.rows = static_cast<int>(rows);
+  strip.levels = static_cast<int>(levels);
+  const std::size_t cells = std::size_t{rows} * levels, inputs = cells * kChannels;
+  REQUIRE(file.size() == 8 + 2 * inputs + 2 * 4 * cells);
+  const std::uint8_t* from = file.data() + 8;
+  for (auto& planes : strip.planes) {
+    for (std::size_t i = 0; i < inputs; ++i)
+      planes.push_back(static_cast<float>(static_cast<std::int8_t>(*from++)) / 127);
+  }
+  NetworkScratch scratch;
+  std::array<std::vector<float>, 2> scores;
+  network().run(strip, scratch, scores);
+  for (const std::vector<float>& side : scores) {
+    std::vector<float> expected(cells);
+    std::memcpy(expected.data(), from, 4 * cells);
+    from += 4 * cells;
+    CHECK(farthest(side, expected) < 1e-3);
+  }
+}
+
+TEST_CASE("swapping the sides of a strip swaps the network's scores, exactly, whatever ran before") {
+  Rng rng(3);
+  NetworkScratch scratch;
+  std::array<std::vector<float>, 2> scores, swapped, again;
+  StripChannels strip = randomStrip(rng, 24, 56);
+  network().run(strip, scratch, scores);
+  std::swap(strip.planes[0], strip.planes[1]);
+  network().run(strip, scratch, swapped);
+  CHECK(swapped[0] == scores[1]);
+  CHECK(swapped[1] == scores[0]);
+  network().run(randomStrip(rng, 64, 128), scratch, again);
+  network().run(strip, scratch, again);
+  CHECK(again == swapped);
+}
+
+TEST_CASE("the scores of a stroke that is drawn backwards are those of the stroke, with the sides swapped") {
+  std::vector<PicturePoint> points;
+  for (int i = 0; i < 70; ++i) points.push_back({45.0 + 2.1 * i, 82 + 4 * std::sin(0.05 * i)});
+  CurveLayout layout;
+  const std::vector<float> forward = scoresOfBar(points, layout);
+  std::ranges::reverse(points);
+  const std::vector<float> backward = scoresOfBar(points, layout);
+  const std::size_t levels = forward.size() / static_cast<std::size_t>(layout.total());
+  double most = 0;
+  for (int i = 0; i < layout.ribs; ++i) {
+    for (const bool left : {true, false}) {
+      const std::size_t a = static_cast<std::size_t>(layout.sideOf(i, left)) * levels;
+      const std::size_t b = static_cast<std::size_t>(layout.sideOf(layout.ribs - 1 - i, !left)) * levels;
+      for (std::size_t k = 0; k < levels; ++k)
+        most = std::max(most, static_cast<double>(std::abs(forward[a + k] - backward[b + k])));
+    }
+  }
+  CHECK(most < 0.02);
+}
+
+TEST_CASE("a weights file that is damaged is refused with a sentence that says so") {
+  const std::span<const std::uint8_t> good = builtInWeights();
+  REQUIRE(RibNetwork::read(good).ok());
+  const auto refused = [](std::vector<std::uint8_t> file, std::string_view why) {
+    const Result<RibNetwork> read = RibNetwork::read(file);
+    REQUIRE_FALSE(read.ok());
+    CHECK(read.error() == Error::FileUnreadable);
+    CHECK(read.failure().detail.find(why) != std::string::npos);
+  };
+  const std::vector<std::uint8_t> file(good.begin(), good.end());
+  refused({}, "no weights file");
+  for (const std::size_t size : {std::size_t{3}, std::size_t{12}, file.size() / 2, file.size() - 1}) {
+    std::vector<std::uint8_t> cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size));
+    REQUIRE_FALSE(RibNetwork::read(cut).ok());
+  }
+  Rng rng(4);
+  for (int i = 0; i < 50; ++i) {
+    std::vector<std::uint8_t> flipped = file;
+    const auto at = static_cast<std::size_t>(rng.uniform(12, static_cast<double>(file.size() - 1)));
+    flipped[at] = static_cast<std::uint8_t>(flipped[at] ^ (1u << (i % 8)));
+    refused(std::move(flipped), "the checksum is wrong");
+  }
+  std::vector<std::uint8_t> other = file;
+  other[4] = 2;
+  refused(std::move(other), "another version");
+}
+
+TEST_SUITE_END();
