@@ -232,8 +232,6 @@ std::vector<PartId> Derivation::crossingParts() {
 
 void Derivation::finishNow() {
   settled();
-  traces_.finish(wantedTraces(document(), derived_, cache_));
-  settled();
   textures_.finish(wantedTextures(document(), derived_));
   settled();
 }
