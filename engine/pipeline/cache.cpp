@@ -19,9 +19,14 @@ void Cache::keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEd
   ignored_.keep(key, std::move(ignored), bytes);
 }
 
-void Cache::keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced) {
+std::shared_ptr<const TracedRibs> Cache::traced(std::uint64_t key) {
+  auto known = traced_.find(key);
+  return known ? known : previews_.find(key);
+}
+
+void Cache::keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool isPreview) {
   const std::size_t bytes = bytesOf(*traced);
-  traced_.keep(key, std::move(traced), bytes);
+  (isPreview ? previews_ : traced_).keep(key, std::move(traced), bytes);
 }
 
 std::shared_ptr<const PartShape> Cache::shape(std::uint64_t key) {
@@ -100,7 +105,7 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 }
 
 std::size_t Cache::bytes() const {
-  std::size_t sum = ignored_.bytes() + traced_.bytes();
+  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

@@ -61,9 +61,10 @@ class Cache {
   /// By ignoredKey. Null when not (or no longer) known.
   std::shared_ptr<const ribs::IgnoredEdges> ignored(std::uint64_t key) { return ignored_.find(key); }
   void keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
-  /// By traceKey: final ribs. Null when not (or no longer) known.
-  std::shared_ptr<const TracedRibs> traced(std::uint64_t key) { return traced_.find(key); }
-  void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced);
+  /// By traceKey: final ribs. Null when not (or no longer) known. Those of previews are kept apart: a stroke being
+  /// drawn must not evict the parts of the document.
+  std::shared_ptr<const TracedRibs> traced(std::uint64_t key);
+  void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool isPreview);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(std::uint64_t key);
   void keepShape(std::shared_ptr<const PartShape> shape);
@@ -92,9 +93,9 @@ class Cache {
 
   /// A step of undo has up to three rounds: its shapes, their ribs, their textures.
   static constexpr std::uint64_t kKeptRounds = 96;
-  /// About 400 parts of 100 ribs; 60 parts of usual size with their textures besides those
+  /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those
   /// shown; the marks of 4 pictures.
-  static constexpr std::size_t kTraceBytes = 16u << 20, kShapeBytes = 64u << 20,
+  static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20, kShapeBytes = 64u << 20,
                                kIgnoredBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
@@ -116,7 +117,7 @@ class Cache {
   };
   std::vector<EdgeSlot> edges_;
   LruCache<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
-  LruCache<TracedRibs> traced_{kTraceBytes};
+  LruCache<TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

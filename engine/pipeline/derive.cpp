@@ -32,8 +32,8 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(const document:
   return known;
 }
 
-// What a shape is made for: a part as it is, or one whose stroke is being drawn.
-enum class Purpose : std::uint8_t { Part, Live };
+// What a shape is made for: a part of the document, a preview of one, or one whose stroke is being drawn.
+enum class Purpose : std::uint8_t { Part, Preview, Live };
 
 // The shape of a loft, with the ribs that are traced already or the edges that are known.
 Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntry& entry, Cache& cache, Purpose purpose,
@@ -46,6 +46,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
   // Without edges the ribs are guessed: that is no result to keep.
   std::shared_ptr<const TracedRibs> traced;
   if (edges) traced = cache.traced(key);
+  if (traced && purpose == Purpose::Part) cache.keepTraced(key, traced, false);
   if (!traced) {
     std::shared_ptr<const ribs::IgnoredEdges> ignored;
     if (edges) {
@@ -60,7 +61,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
       Result<TracedRibs> made = traceStage(recipe, evidence, Progress{}, cache.ribMemory());
       if (!made) return made.failure();
       traced = std::make_shared<const TracedRibs>(std::move(made).value());
-      if (edges) cache.keepTraced(key, traced);
+      if (edges) cache.keepTraced(key, traced, purpose == Purpose::Preview);
     }
   }
   const double took = nowMs(clock) - started;
@@ -212,7 +213,7 @@ Status shapeFor(Purpose purpose, const document::Document& document, const docum
 
 Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
                     const Clock& clock) {
-  return shapeFor(Purpose::Part, document, recipe, cache, shape, clock);
+  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock);
 }
 
 Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,

@@ -59,8 +59,8 @@ struct PartShape {
   /// is shown in the meantime.
   std::uint64_t textureKey = 0;
   TraceQuality quality = TraceQuality::Final;  ///< of its ribs; what has none is as final
-  std::uint64_t key = 0;                          ///< shapeKey of what it was made from; equal keys, equal shapes
-  StageMs ms;  ///< times of its ribs and loft stages; what was known already took none
+  std::uint64_t key = 0;                       ///< shapeKey of what it was made from; equal keys, equal shapes
+  StageMs ms;                                  ///< times of its ribs and loft stages; what was known already took none
 };
 
 /// Whether its texture, or that there is none, is known.

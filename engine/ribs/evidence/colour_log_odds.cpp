@@ -95,7 +95,7 @@ void classify(const GradientCurves& curves, const UnwrappedImage& strip, ColourT
   std::vector<float>& values = colours.values;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     values.clear();
-    for (int c = 0; c < strip.curves; c += 2) {
+    for (int c = 0; c < strip.curves; ++c) {
       for (int k = 0; k < curves.reached[index(c)]; k += 4) {
         const std::size_t at = curves.at(c, k);
         if (!strip.isIgnored(at)) values.push_back(strip.lab[at][channel]);

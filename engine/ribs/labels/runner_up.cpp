@@ -14,9 +14,9 @@ constexpr int kSameLabels = 2;
 constexpr std::size_t kMostRunnersUp = 3;
 // An end on its own at another place costs the chain two jumps between neighbours; one that is dearer
 // than this (in units of a rib's energy; RibParams::neighbourCap is 8) has the picture against it too.
-constexpr float kMostMargin = 8.f;
+constexpr float kMostMargin = 10.f;
 // Less support than this is no edge worth offering.
-constexpr float kLeastSupport = 0.9f;
+constexpr float kLeastSupport = 0.4f;
 
 float at(std::span<const float> values, int i) { return values[static_cast<std::size_t>(i)]; }
 int sizeOf(const RunnerUpRow& row) { return static_cast<int>(row.marginal.size()); }

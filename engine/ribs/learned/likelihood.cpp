@@ -101,7 +101,7 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
     for (std::size_t k = 1; k < reached; ++k) {
       if (k + close < reached) sum += chance[k + close];
       if (k > close) sum -= chance[k - close - 1];
-      support[k] = std::clamp(sum, 0.f, 1.f);
+      support[k] = strip.isIgnored(row + k) ? 0.f : std::clamp(sum, 0.f, 1.f);
     }
   }
 }

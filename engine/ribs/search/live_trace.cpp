@@ -22,7 +22,7 @@ Result<LiveTrace::Ribs> LiveTrace::move(const Spine& spine, const PictureEvidenc
 Result<bool> LiveTrace::move(const Spine& spine, const PictureEvidence& picture, const RibParams& params, RibSet& set) {
   const bool exact = picture.edges.empty();
   RibParams quick = params;
-  if (!exact) quick.levels = std::max(std::min(params.levels, kFewestLabels), params.levels / 2);
+  if (!exact) quick.levels = std::max(std::min(params.levels, kFewestLabels), params.levels * 3 / 4);
   Search& s = memory_.search();
   const Status searched = searchLabels(spine, picture, quick, unwatched_, s);
   if (!searched.ok()) return searched.failure();

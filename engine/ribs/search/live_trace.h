@@ -9,8 +9,8 @@
 
 namespace spineloft::ribs {
 
-/// traceRibs on half the labels, from which the network takes a quarter of the time. It remembers nothing but memory:
-/// equal moves give equal ribs.
+/// traceRibs on three quarters of the labels, from which the network takes half of the time. It remembers nothing but
+/// memory: equal moves give equal ribs.
 class LiveTrace {
  public:
   /// The stroke as it is now. The ribs are near those of traceRibs for the same input, whose laws they

@@ -35,7 +35,7 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 struct Along {
   std::vector<double> foreign;  // mean novelty
   std::vector<double> edge;     // mean nearness to an edge
-  std::vector<double> support;  // of the ribs' two ends
+  std::vector<double> support;  // nearness of the ribs' two ends to an edge
   int ribs() const { return static_cast<int>(foreign.size()); }
 };
 
@@ -93,7 +93,7 @@ Along lookAlong(double half, Search& s) {
     for (const bool leftSide : {true, false}) {
       const int curve = s.curves.layout.sideOf(i, leftSide);
       const int label = (leftSide ? s.labels.left : s.labels.right)[index(i)];
-      support += static_cast<double>(s.boundary.support[s.curves.at(curve, label)]) / 2;
+      support += static_cast<double>(s.strip.proximity[s.curves.at(curve, label)]) / 2;
       for (int k = 0; k < s.curves.reached[index(curve)]; ++k, ++count) {
         const std::size_t at = s.curves.at(curve, k);
         if (static_cast<double>(s.curves.along[at]) > kNear * half) break;

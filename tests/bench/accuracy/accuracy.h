@@ -12,7 +12,7 @@ namespace spineloft::accuracy {
 
 struct AccuracyArguments : cli::BenchArguments {
   std::string variation = "product";  ///< which of variations.h the rows and overlays are of
-  std::vector<std::string> set;           ///< KEY=VALUE: other values of parameters (variations.h)
+  std::vector<std::string> set;       ///< KEY=VALUE: other values of parameters (variations.h)
   std::string ablation;               ///< Markdown of all variations; empty where not wanted
   std::string leaveOneOut;            ///< Markdown of leave_one_out.h; empty where not wanted
   int live = 0;          ///< moves in which every stroke is drawn once more (live_score.h), 10…1000; 0: none

@@ -130,13 +130,6 @@ void forgetEdges(Cache& cache, const Document& document) {
     cache.keepEdges(entry.contentHash, std::make_shared<const image::EdgeMap>());
 }
 
-void findEdges(Cache& cache, const Document& document) {
-  for (const PictureEntry& entry : document.pictures) {
-    cache.keepEdges(entry.contentHash, std::make_shared<const image::EdgeMap>(
-                                           vision::detectEdges(*entry.picture, {}, Progress()).value()));
-  }
-}
-
 }  // namespace
 
 TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke and marks do not") {
@@ -182,7 +175,7 @@ TEST_CASE("marks of the picture and of the part reach the ribs alike, and are ke
     recipe.ignored = {{{{20.0, 10.0 + 0.1 * i}}, 5}};
     REQUIRE(previewShape(document, recipe, cache).ok());
   }
-  CHECK(cache.bytes() <= before + Cache::kStrokeBytes + Cache::kIgnoredBytes);
+  CHECK(cache.bytes() <= before + Cache::kPreviewBytes + Cache::kIgnoredBytes);
 }
 
 TEST_CASE("edited ribs lie over the generated ones, and both are there to be seen") {
@@ -274,7 +267,7 @@ TEST_CASE("a thousand previews leave the cache small and the document's ribs in 
     recipe.stroke[1].y = 72 + 0.01 * i;
     REQUIRE(previewShape(document, recipe, cache).ok());
   }
-  CHECK(cache.bytes() <= before + Cache::kStrokeBytes);
+  CHECK(cache.bytes() <= before + Cache::kPreviewBytes);
   forgetEdges(cache, document);
   const Document changed = update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
   CHECK(derive(changed, cache).parts[0].shape->generated == first->generated);

@@ -57,7 +57,7 @@ LiveTrace::Ribs moved(LiveTrace& live, const Spine& spine) { return live.move(sp
 }  // namespace
 
 TEST_CASE(
-    "ribs under the pen are within three hundredths of the width of those of a whole trace, one and a half on the "
+    "ribs under the pen are within five hundredths of the width of those of a whole trace, two and a half on the "
     "mean") {
   LiveTrace live;
   int moves = 0;
@@ -68,7 +68,7 @@ TEST_CASE(
     const LiveTrace::Ribs found = moved(live, spine);
     CHECK_FALSE(found.exact);
     const double away = apart(whole(spine), found.set);
-    CHECK(away < 0.03);
+    CHECK(away < 0.05);
     sum += away;
     ++moves;
     for (const Rib& rib : found.set.ribs) {
@@ -81,7 +81,7 @@ TEST_CASE(
       }
     }
   }
-  CHECK(sum < 0.015 * moves);
+  CHECK(sum < 0.025 * moves);
 }
 
 TEST_CASE("equal moves give equal ribs, whatever was drawn before") {
