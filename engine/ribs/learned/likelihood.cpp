@@ -53,6 +53,15 @@ constexpr int kCloseLabels = 64;
 // What nearness to an edge counts for where there is no network.
 constexpr float kNearnessAlone = 2.2f;
 
+// Colours that differ by less than this show no edge, Lab units.
+constexpr float kNothing = 1;
+
+// Whether the picture shows anything between two entries of the strip: what is likely on no evidence is a guess.
+bool differs(const UnwrappedImage& strip, std::size_t a, std::size_t b) {
+  const Float4 d = load4(strip.lab[a].data()) - load4(strip.lab[b].data()), squares = d * d;
+  return squares[0] + squares[1] + squares[2] > kNothing * kNothing;
+}
+
 // Scores of one curve to probabilities, in place.
 void softmax(float* values, std::size_t count) {
   float best = -1e9f, sum = 0;
@@ -101,7 +110,9 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
     for (std::size_t k = 1; k < reached; ++k) {
       if (k + close < reached) sum += chance[k + close];
       if (k > close) sum -= chance[k - close - 1];
-      support[k] = strip.isIgnored(row + k) ? 0.f : std::clamp(sum, 0.f, 1.f);
+      const std::size_t before = row + k - std::min(k, close + 1), after = row + std::min(reached - 1, k + close + 1);
+      const bool seen = !strip.isIgnored(row + k) && differs(strip, before, after);
+      support[k] = seen ? std::clamp(sum, 0.f, 1.f) : 0.f;
     }
   }
 }

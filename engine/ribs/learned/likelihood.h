@@ -23,7 +23,8 @@ struct BoundaryScratch {
 /// Of every curve, fans included, and label: curves × levels.
 struct Boundary {
   std::vector<float> chance;   ///< probability that the curve leaves the object at the label; a curve's sum to 1
-  std::vector<float> support;  ///< probability that it does so there or close by, 0…1; 0 on what is ignored
+  std::vector<float> support;  ///< probability that it does so there or close by, 0…1; 0 on what is ignored,
+                               ///< and where the picture shows nothing
   std::vector<float> costs;    ///< −log(chance + doubt), relative to an even spread over three sixteenths of the labels
   BoundaryScratch scratch;
 };
