@@ -53,13 +53,13 @@ constexpr int kCloseLabels = 64;
 // What nearness to an edge counts for where there is no network.
 constexpr float kNearnessAlone = 2.2f;
 
-// Colours that differ by less than this show no edge, Lab units.
-constexpr float kNothing = 1;
+// Less than this near to an edge of the picture counts as on none.
+constexpr float kNearEdge = 0.3f;
 
-// Whether the picture shows anything between two entries of the strip: what is likely on no evidence is a guess.
-bool differs(const UnwrappedImage& strip, std::size_t a, std::size_t b) {
-  const Float4 d = load4(strip.lab[a].data()) - load4(strip.lab[b].data()), squares = d * d;
-  return squares[0] + squares[1] + squares[2] > kNothing * kNothing;
+// Whether the picture shows an edge at one of `count` entries from `first` on: what is likely on no evidence, behind
+// something else say, is bridged or a guess.
+bool showsEdge(const float* proximity, std::size_t first, std::size_t count) {
+  return std::any_of(proximity + first, proximity + first + count, [](float near) { return near >= kNearEdge; });
 }
 
 // Scores of one curve to probabilities, in place.
@@ -110,8 +110,8 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
     for (std::size_t k = 1; k < reached; ++k) {
       if (k + close < reached) sum += chance[k + close];
       if (k > close) sum -= chance[k - close - 1];
-      const std::size_t before = row + k - std::min(k, close + 1), after = row + std::min(reached - 1, k + close + 1);
-      const bool seen = !strip.isIgnored(row + k) && differs(strip, before, after);
+      const std::size_t first = k - std::min(k, close), last = std::min(reached - 1, k + close);
+      const bool seen = !strip.isIgnored(row + k) && showsEdge(proximity, first, last + 1 - first);
       support[k] = seen ? std::clamp(sum, 0.f, 1.f) : 0.f;
     }
   }
