@@ -50,7 +50,7 @@ test('while a solid takes long, a bar shows how far it is, and its button keeps 
     assert.equal(await box.isVisible(), false);
 
     await page.evaluate(() => {
-      window.spell = 1500;
+      window.spell = 4000;
       window.steps = [];
       window.timer = setInterval(() => {
         const { hidden } = document.getElementById('progress'),

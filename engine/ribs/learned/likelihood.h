@@ -24,7 +24,7 @@ struct BoundaryScratch {
 struct Boundary {
   std::vector<float> chance;   ///< probability that the curve leaves the object at the label; a curve's sum to 1
   std::vector<float> support;  ///< probability that it does so there or close by, 0…1; 0 on what is ignored,
-                               ///< and where the picture shows nothing
+                               ///< and where the picture shows no edge
   std::vector<float> costs;    ///< −log(chance + doubt), relative to an even spread over three sixteenths of the labels
   BoundaryScratch scratch;
 };
