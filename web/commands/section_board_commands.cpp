@@ -320,7 +320,7 @@ void startChoices(Env, JsonWriter& json) {
 
 // clang-format off
 constexpr std::array kTable = {
-    Command{.id = "edit-slice", .label = "My own slice", .icon = "square-pen", .group = "slice",
+    Command{.id = "edit-slice", .label = "Own slice", .icon = "square-pen", .group = "slice",
             .hint = "Draw a slice of your own, or change the chosen one", .enabled = canEdit, .toggled = isOpen,
             .run = editSection},
     Command{.id = "slice-done", .label = "Done", .icon = "check", .shortcut = "Enter", .group = "board",
