@@ -1,6 +1,5 @@
 #include "engine/io/zip.h"
 
-#include <array>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -10,6 +9,8 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
+
+#include "engine/base/crc32.h"
 
 namespace spineloft::io {
 namespace {
@@ -113,21 +114,6 @@ Bytes write(std::span<const ZipEntry> files) {
 }
 
 }  // namespace
-
-std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
-  static constexpr auto kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      std::uint32_t c = i;
-      for (int k = 0; k < 8; ++k) c = (c & 1) != 0 ? 0xedb88320u ^ c >> 1 : c >> 1;
-      table[i] = c;
-    }
-    return table;
-  }();
-  std::uint32_t crc = 0xffffffffu;
-  for (const std::uint8_t byte : bytes) crc = kTable[(crc ^ byte) & 0xff] ^ crc >> 8;
-  return ~crc;
-}
 
 Result<Bytes> writeZip(std::span<const ZipEntry> files) {
   std::size_t total = 0;

@@ -21,7 +21,4 @@ struct ZipEntry {
 /// gives equal bytes. Error: OutOfMemory (also above 2 GiB, or 65,535 files).
 Result<Bytes> writeZip(std::span<const ZipEntry> files);
 
-/// CRC-32 of ZIP and PNG.
-std::uint32_t crc32(std::span<const std::uint8_t> bytes);
-
 }  // namespace spineloft::io

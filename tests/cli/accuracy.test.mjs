@@ -48,8 +48,23 @@ test('other strokes, erased outlines and variations change the rows; the ablatio
   const { ablation } = readJson(folder.path('all.json'));
   assert.equal(ablation[0].name, 'as it is');
   assert.equal(ablation[0]['iou_body careful'], plain[0].iou_body);
-  assert.ok(ablation.length >= 10);
+  const [, keys] = /--variation TEXT:\{([^}]+)\}/.exec(accuracy('--help').stdout);
+  assert.equal(ablation.length, keys.split(',').length);
   assert.equal(readFileSync(folder.path('all.md'), 'utf8').trim().split('\n').length, ablation.length + 2);
+});
+
+test('states of ends: shares sum to one, and on an easy picture nearly all are on an edge and right', (t) => {
+  const folder = workFolder(t);
+  writeCase(folder, 'one');
+  const outputs = ['--json', folder.path('states.json'), '--states', folder.path('states.md')];
+  assert.equal(accuracy(folder.folder, ...outputs).status, 0);
+  const { end_states: lines } = readJson(folder.path('states.json'));
+  const share = (names) =>
+    lines.filter(({ name }) => names.test(name)).reduce((sum, one) => sum + one['share of the ends'], 0);
+  assert.ok(Math.abs(share(/^support/) - 1) < 1e-9 && Math.abs(share(/edge|bridged|guessed/) - 1) < 1e-9);
+  const edge = lines.find(({ name }) => name === 'on an edge');
+  assert.ok(edge['share of the ends'] > 0.8 && edge.is > 0.9, JSON.stringify(edge));
+  assert.equal(readFileSync(folder.path('states.md'), 'utf8').trim().split('\n').length, lines.length + 2);
 });
 
 test('wrong words end with 2, bad input with 3, and nothing is written', (t) => {

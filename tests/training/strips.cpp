@@ -16,12 +16,13 @@
 #include "engine/ribs/search/rib_search.h"
 #include "engine/vision/edges.h"
 #include "tests/bench/accuracy/redrawn_strokes.h"
+#include "tests/bench/accuracy/true_exit.h"
 
 namespace {
 
 using namespace spineloft;
 
-constexpr float kUnknown = -1;
+using accuracy::kUnknown;
 
 struct Arguments {
   std::string folder, output;
@@ -35,34 +36,6 @@ struct Record {
   std::vector<std::int8_t> planes;  ///< side × row × level × channel, 127 for 1
   std::vector<float> exits;         ///< side × row: label, or kUnknown
 };
-
-enum class Ground { Part, Other, DoNotCare };
-
-Ground groundAt(const image::Mask& mask, PicturePoint p) {
-  const auto x = static_cast<long>(std::lround(p.x)), y = static_cast<long>(std::lround(p.y));
-  if (x < 0 || y < 0 || x >= mask.width || y >= mask.height) return Ground::DoNotCare;
-  const int value =
-      mask.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x)];
-  return value > 200 ? Ground::Part : value > 60 ? Ground::DoNotCare : Ground::Other;
-}
-
-/// The label at which a curve first leaves the part, to a fraction; kUnknown where it begins outside, leaves through
-/// what does not count, or never leaves.
-float exitOf(const ribs::GradientCurves& curves, int curve, const image::Mask& mask) {
-  constexpr double kStep = 0.25;  // picture pixels
-  if (groundAt(mask, curves.point(curve, 0)) != Ground::Part) return kUnknown;
-  for (int k = 1; k < curves.reached[static_cast<std::size_t>(curve)]; ++k) {
-    const PicturePoint from = curves.point(curve, k - 1), to = curves.point(curve, k);
-    const int steps = std::max(1, static_cast<int>(std::ceil(distance(from, to) / kStep)));
-    for (int i = 1; i <= steps; ++i) {
-      const Ground ground = groundAt(mask, lerp(from, to, static_cast<double>(i) / steps));
-      if (ground == Ground::DoNotCare) return kUnknown;
-      if (ground == Ground::Other)
-        return static_cast<float>(k - 1) + (static_cast<float>(i) - 0.5f) / static_cast<float>(steps);
-    }
-  }
-  return kUnknown;
-}
 
 /// Between two curves: their mean where they leave at about the same label, else the nearer one's.
 float exitOfRow(const ribs::StripRow& row, const std::vector<float>& exits) {
@@ -94,7 +67,7 @@ bool makeRecord(const Source& source, std::size_t stroke, ribs::Search& s, Recor
   ribs::fillChannels(s.curves, s.strip, scratch.colours, scratch.logOdds, scratch.channels, scratch.strip);
   const ribs::StripChannels& channels = scratch.strip;
   std::vector<float> exits;
-  for (int c = 0; c < s.curves.layout.total(); ++c) exits.push_back(exitOf(s.curves, c, one.mask));
+  for (int c = 0; c < s.curves.layout.total(); ++c) exits.push_back(accuracy::trueExit(s.curves, c, one.mask));
   record.name = one.text.id + ' ' + one.text.category + ' ' + name;
   record.planes.clear();
   record.exits.clear();

@@ -226,10 +226,13 @@ export class Page {
 
   /** Begins a task on a model of its own, or leads once more through the first steps of the one that is open. */
   private async begin(task: Task | null): Promise<void> {
-    this.coach.begin(task);
     if (task) {
       if (!this.isOnStartPage) await this.keeper?.newModel();
       if (!this.isOnStartPage) return; // the visitor would rather stay
+    }
+    // Its steps are about the model that comes: what is open before would count as done.
+    this.coach.begin(task);
+    if (task) {
       const sample = kSamples.find(({ id }) => id === task.on);
       if (sample) await this.openSample(sample, sampleAddress(sample), true);
       else this.drawOnPaper();

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string>
 
+#include "engine/base/crc32.h"
+
 namespace spineloft::ribs {
 namespace {
 
@@ -38,15 +40,6 @@ std::array<Convolution, RibNetwork::kLayers> architecture() {
   set(RibNetwork::Refine, 3, kFine, kFine);
   set(RibNetwork::Out, 1, kFine, 2);
   return layers;
-}
-
-std::uint32_t crcOf(std::span<const std::uint8_t> bytes) {
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const std::uint8_t byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xEDB88320 : 0);
-  }
-  return ~crc;
 }
 
 // Reads numbers one after the other; the size of the file was checked.
@@ -97,7 +90,7 @@ Result<RibNetwork> RibNetwork::read(std::span<const std::uint8_t> file) {
   if (from.word() != kVersion) return damaged("another version of the file's format");
   if (from.word() != kLayers || file.size() != size) return damaged("the file is too short, or of another network");
   const auto body = file.first(file.size() - kCrc);
-  if (Reader(file.last(kCrc)).word() != crcOf(body)) return damaged("the checksum is wrong");
+  if (Reader(file.last(kCrc)).word() != crc32(body)) return damaged("the checksum is wrong");
   for (const Convolution& layer : network.layers_) {
     const bool same = from.word() == static_cast<std::uint32_t>(layer.side) &&
                       from.word() == static_cast<std::uint32_t>(layer.inputs) &&

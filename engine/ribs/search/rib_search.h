@@ -46,7 +46,7 @@ struct RibWorkspace::Search {
 
 using Search = RibWorkspace::Search;
 
-/// A rib end with at least this share of a full edge under it stands on one.
+/// A rib end with at least this support (Boundary::support) stands on an edge.
 inline constexpr float kOnEdge = 0.5f;
 
 /// Field, levels and curves.

@@ -10,6 +10,7 @@
 #include "engine/cli/bench_report.h"
 #include "engine/cli/bench_rows.h"
 #include "engine/cli/files.h"
+#include "tests/bench/accuracy/end_states.h"
 #include "tests/bench/accuracy/erased_outline.h"
 #include "tests/bench/accuracy/leave_one_out.h"
 #include "tests/bench/accuracy/live_score.h"
@@ -136,7 +137,7 @@ Status ablate(const AccuracyArguments& arguments, const std::vector<fs::path>& f
 Status runAccuracy(const AccuracyArguments& arguments, std::ostream& out) {
   const std::vector<fs::path> folders = cli::caseFolders(arguments.folder);
   if (folders.empty()) return {Error::FileUnreadable, "no case.json below " + arguments.folder};
-  const std::array files{arguments.json, arguments.ablation, arguments.leaveOneOut};
+  const std::array files{arguments.json, arguments.ablation, arguments.leaveOneOut, arguments.states};
   if (Status status = cli::prepareOutputs(files, arguments.overlays); !status.ok()) return status;
   Variation variation = *variationFromKey(arguments.variation);
   for (const std::string& one : arguments.set) {
@@ -154,6 +155,10 @@ Status runAccuracy(const AccuracyArguments& arguments, std::ostream& out) {
   if (!arguments.leaveOneOut.empty()) {
     if (Status status = leaveOneOut(folders, arguments.jobs, arguments.leaveOneOut, report); !status.ok())
       return status;
+  }
+  if (!arguments.states.empty()) {
+    const Status scored = scoreEndStates(folders, arguments.jobs, variation.params, arguments.states, report);
+    if (!scored.ok()) return scored;
   }
   cli::printReport(out, report);
   if (arguments.json.empty()) return Done{};

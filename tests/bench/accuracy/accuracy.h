@@ -15,6 +15,7 @@ struct AccuracyArguments : cli::BenchArguments {
   std::vector<std::string> set;       ///< KEY=VALUE: other values of parameters (variations.h)
   std::string ablation;               ///< Markdown of all variations; empty where not wanted
   std::string leaveOneOut;            ///< Markdown of leave_one_out.h; empty where not wanted
+  std::string states;                 ///< Markdown of end_states.h; empty where not wanted
   int live = 0;          ///< moves in which every stroke is drawn once more (live_score.h), 10…1000; 0: none
   int redraw = 0;        ///< seed of strokes drawn anew (redrawn_strokes.h), 1…1,000,000; 0: the case's own
   double overshoot = 0;  ///< how far strokes go past the thing's ends (overshot_stroke.h), 0…3

@@ -24,6 +24,7 @@ void addOptions(CLI::App& app, accuracy::AccuracyArguments& to) {
   app.add_option("--set", to.set, "KEY=VALUE: another value of a parameter");
   app.add_option("--ablation", to.ablation, "a table of all variations, Markdown");
   app.add_option("--leave-one-out", to.leaveOneOut, "a table of weights chosen without each category, Markdown");
+  app.add_option("--states", to.states, "a table of how far states and probabilities of ends are true, Markdown");
   app.add_option("--live", to.live, "moves of a stroke under the pen, held against the whole trace")
       ->check(CLI::Range(10, 1000));
   app.add_option("--redraw", to.redraw, "seed of strokes drawn anew")->check(CLI::Range(1, 1000000));
