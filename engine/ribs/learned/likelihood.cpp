@@ -94,6 +94,7 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
   const float even = kEvenShare * static_cast<float>(strip.levels);
   const std::size_t close = index((strip.levels + kCloseLabels / 2) / kCloseLabels);
   b.support.assign(b.chance.size(), 0.f);
+  b.seen.assign(b.chance.size(), 0);
   b.costs.assign(b.chance.size(), 0.f);
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t row = curves.at(c, 0);
@@ -111,8 +112,8 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
       if (k + close < reached) sum += chance[k + close];
       if (k > close) sum -= chance[k - close - 1];
       const std::size_t first = k - std::min(k, close), last = std::min(reached - 1, k + close);
-      const bool seen = !strip.isIgnored(row + k) && showsEdge(proximity, first, last + 1 - first);
-      support[k] = seen ? std::clamp(sum, 0.f, 1.f) : 0.f;
+      support[k] = std::clamp(sum, 0.f, 1.f);
+      b.seen[row + k] = !strip.isIgnored(row + k) && showsEdge(proximity, first, last + 1 - first);
     }
   }
 }

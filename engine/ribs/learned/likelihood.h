@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/ribs/base/rib_params.h"
@@ -22,11 +23,15 @@ struct BoundaryScratch {
 
 /// Of every curve, fans included, and label: curves × levels.
 struct Boundary {
-  std::vector<float> chance;   ///< probability that the curve leaves the object at the label; a curve's sum to 1
-  std::vector<float> support;  ///< probability that it does so there or close by, 0…1; 0 on what is ignored,
-                               ///< and where the picture shows no edge
-  std::vector<float> costs;    ///< −log(chance + doubt), relative to an even spread over three sixteenths of the labels
+  std::vector<float> chance;       ///< probability that the curve leaves the object at the label; a curve's sum to 1
+  std::vector<float> support;      ///< probability that it does so there or close by, 0…1
+  std::vector<std::uint8_t> seen;  ///< 1 where the picture shows an edge there or close by that is not ignored
+  std::vector<float> costs;  ///< −log(chance + doubt), relative to an even spread over three sixteenths of the labels
   BoundaryScratch scratch;
+
+  /// Whether an end at the entry stands on an edge of the picture: one is seen, and it is more likely the part's than
+  /// not.
+  [[nodiscard]] bool isOnEdge(std::size_t at) const { return seen[at] != 0 && support[at] >= 0.5f; }
 };
 
 /// Scores of every curve and label: a softmax along a curve gives the probability that the part ends there. The colours

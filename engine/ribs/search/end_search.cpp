@@ -80,7 +80,7 @@ struct End {
     (leftSide ? moved.left : moved.right) = outline.points[index(at)];
     (leftSide ? moved.leftLevel : moved.rightLevel) = s.levels.d2[index(label)];
     (leftSide ? moved.leftState : moved.rightState) =
-        s.boundary.support[s.curves.at(curve, label)] < kOnEdge ? RibState::Guessed : RibState::Edge;
+        s.boundary.isOnEdge(s.curves.at(curve, label)) ? RibState::Edge : RibState::Guessed;
   }
 };
 

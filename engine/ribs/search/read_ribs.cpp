@@ -19,7 +19,7 @@ const std::vector<RibState>& endStates(const std::vector<int>& labels, bool left
   int last = -1;
   for (int i = 0; i < ribs; ++i) {
     const int curve = s.curves.layout.sideOf(i, leftSide);
-    if (s.boundary.support[s.curves.at(curve, labels[index(i)])] < kOnEdge) continue;
+    if (!s.boundary.isOnEdge(s.curves.at(curve, labels[index(i)]))) continue;
     states[index(i)] = RibState::Edge;
     if (last >= 0) std::fill(&states[index(last + 1)], &states[index(i)], RibState::Bridged);
     last = i;
@@ -76,7 +76,7 @@ const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftS
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = s.curves.layout.sideOf(i, leftSide);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
-    const auto support = static_cast<double>(s.boundary.support[at]);
+    const double support = s.boundary.seen[at] != 0 ? static_cast<double>(s.boundary.support[at]) : 0;
     const double length = placeBetween(s, curve, labels[index(i)]);
     side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
     side.trust.push_back(support * support);

@@ -46,9 +46,6 @@ struct RibWorkspace::Search {
 
 using Search = RibWorkspace::Search;
 
-/// A rib end with at least this support (Boundary::support) stands on an edge.
-inline constexpr float kOnEdge = 0.5f;
-
 /// Field, levels and curves.
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params, Search& s);

@@ -40,6 +40,7 @@ void chooseLevels(const image::EdgeMap& edges, image::Size picture, Search& s) {
 void defaultCosts(Search& s) {
   s.costs.resize(s.curves.x.size());
   s.boundary.support.assign(s.costs.size(), 0.f);
+  s.boundary.seen.assign(s.costs.size(), 0);
   s.boundary.chance.assign(s.costs.size(), 0.f);
   const double half = kDefaultHalfWidth * s.field.length();
   for (std::size_t i = 0; i < s.costs.size(); ++i) {
