@@ -58,7 +58,7 @@ ribs::LengthProblem pairProblem(int ribCount, int levels) {
   p.neighbourWeight = static_cast<float>(defaults.neighbourWeight);
   p.neighbourFreedom = static_cast<float>(defaults.neighbourFreedom);
   p.neighbourCap = static_cast<float>(defaults.neighbourCap);
-  p.lean = 0.1f;
+  p.medialOffset = 0.1f;
   p.medialOffsetScale.assign(static_cast<std::size_t>(ribCount), 0.02f);
   return p;
 }

@@ -33,8 +33,8 @@ struct RibParams {
   double neighbourWeight = 0.7;   ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), 0…100
   double neighbourFreedom = 0.1;  ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), 0…10
   double neighbourCap = 8.0;      ///< most that one jump between neighbours costs, 0.01…1000
-  /// Against unequal opposite ribs, once the lean of the stroke is known (lean.h). SpineLoft 3.3.2:
-  /// 0.25, without a lean. 0…100
+  /// Against unequal opposite ribs, once the medial offset of the stroke is known (medial_offset.h). SpineLoft 3.3.2:
+  /// 0.25, without an offset. 0…100
   double oppositeWeight = 1.0;
   double medialOffsetCost = 0.1;  ///< of a stroke being off the middle, per rib, 0…10
   double priorWeight = 0.02;      ///< pull to a middle level where the energy is flat (method: "Measurements"), 0…10

@@ -13,7 +13,7 @@ namespace spineloft::ribs {
 namespace {
 
 constexpr int kWidths = 64;
-constexpr int kLeans = 3;        // tried to either side of 0
+constexpr int kOffsets = 3;      // tried to either side of 0
 constexpr int kRefinements = 2;  // halvings of the step around the best
 // What a place costs that lies beyond the last label of a rib (the picture's frame): more than no
 // evidence at all, less than a contradiction.
@@ -100,17 +100,17 @@ void widthGrid(const LengthProblem& p, double narrowest, std::vector<float>& wid
   }
 }
 
-// A few leans with their energies; as many columns of the tables as SIMD likes.
-constexpr std::size_t kMostLeans = 12;
-struct Leans {
-  std::array<double, kMostLeans> lean{};
-  std::array<double, kMostLeans> energy{};
+// A few offsets with their energies; as many columns of the tables as SIMD likes.
+constexpr std::size_t kMostOffsets = 12;
+struct Offsets {
+  std::array<double, kMostOffsets> offset{};
+  std::array<double, kMostOffsets> energy{};
   std::size_t count = 0;
-  void add(double one) { lean[count++] = one; }
+  void add(double one) { offset[count++] = one; }
   std::size_t columns() const { return count == 1 ? 1 : (count + 3) / 4 * 4; }
 };
 
-// Chains over widths of the problem's two sides under several leans at once.
+// Chains over widths of the problem's two sides under several offsets at once.
 class WidthChains {
  public:
   WidthChains(const LengthProblem& p, double narrowest, double medialOffsetCost, LengthWorkspace& workspace)
@@ -132,15 +132,15 @@ class WidthChains {
     }
   }
 
-  void findEnergies(Leans& leans) {
-    fillCosts(leans, t_.unary);
-    leastEnergies(t_.chain, t_.chain.left, {t_.unary, static_cast<int>(leans.columns())}, workspace_, t_.energies);
-    for (std::size_t q = 0; q < leans.count; ++q) leans.energy[q] = static_cast<double>(t_.energies[q]);
+  void findEnergies(Offsets& offsets) {
+    fillCosts(offsets, t_.unary);
+    leastEnergies(t_.chain, t_.chain.left, {t_.unary, static_cast<int>(offsets.columns())}, workspace_, t_.energies);
+    for (std::size_t q = 0; q < offsets.count; ++q) offsets.energy[q] = static_cast<double>(t_.energies[q]);
   }
 
   void readWidths(WidthHypothesis& best) {
-    Leans one;
-    one.add(best.lean);
+    Offsets one;
+    one.add(best.medialOffset);
     fillCosts(one, t_.chain.left.unary);
     optimalChain(t_.chain, t_.chain.left, t_.chain.left.unary, workspace_, t_.labels);
     best.width.clear();
@@ -149,19 +149,19 @@ class WidthChains {
 
  private:
   // Unary costs: ribs × widths × columns.
-  void fillCosts(const Leans& leans, std::vector<float>& out) {
-    const std::size_t columns = leans.columns();
+  void fillCosts(const Offsets& offsets, std::vector<float>& out) {
+    const std::size_t columns = offsets.columns();
     out.resize(index(problem_.ribs) * kWidths * columns);
     t_.begin.assign(2 * kWidths * columns, 0);
     std::int32_t* labels = t_.begin.data();
-    std::array<float, kMostLeans> own{};
-    for (std::size_t q = 0; q < leans.count; ++q)
-      own[q] = static_cast<float>(medialOffsetCost_ * std::abs(leans.lean[q]));
+    std::array<float, kMostOffsets> own{};
+    for (std::size_t q = 0; q < offsets.count; ++q)
+      own[q] = static_cast<float>(medialOffsetCost_ * std::abs(offsets.offset[q]));
     for (std::size_t at = 0; at < out.size(); at += columns)
       std::copy(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(columns), &out[at]);
-    // Columns that no lean has are like an even one.
-    std::array<float, kMostLeans> left{};
-    for (std::size_t q = 0; q < columns; ++q) left[q] = static_cast<float>((1 + leans.lean[q]) / 2);
+    // Columns that no offset has are like an even one.
+    std::array<float, kMostOffsets> left{};
+    for (std::size_t q = 0; q < columns; ++q) left[q] = static_cast<float>((1 + offsets.offset[q]) / 2);
     for (int i = 0; i < problem_.ribs; ++i) {
       float* first = &out[index(i) * kWidths * columns];
       if (columns == 1) {
@@ -187,17 +187,17 @@ class WidthChains {
   WidthTables& t_;
 };
 
-// Moves each lean to the better of its neighbours, in ever smaller steps.
-void refine(WidthChains& chains, double step, Leans& parts) {
+// Moves each offset to the better of its neighbours, in ever smaller steps.
+void refine(WidthChains& chains, double step, Offsets& parts) {
   for (int round = 0; round < kRefinements; ++round) {
     step /= 2;
-    Leans tried;
-    std::array<std::size_t, kMostLeans> owner{};
+    Offsets tried;
+    std::array<std::size_t, kMostOffsets> owner{};
     for (std::size_t i = 0; i < parts.count; ++i) {
-      for (const double lean : {parts.lean[i] + step, parts.lean[i] - step}) {
-        if (std::abs(lean) > kMostMedialOffset) continue;
+      for (const double offset : {parts.offset[i] + step, parts.offset[i] - step}) {
+        if (std::abs(offset) > kMostMedialOffset) continue;
         owner[tried.count] = i;
-        tried.add(lean);
+        tried.add(offset);
       }
     }
     chains.findEnergies(tried);
@@ -205,7 +205,7 @@ void refine(WidthChains& chains, double step, Leans& parts) {
       double& energy = parts.energy[owner[q]];
       if (tried.energy[q] >= energy) continue;
       energy = tried.energy[q];
-      parts.lean[owner[q]] = tried.lean[q];
+      parts.offset[owner[q]] = tried.offset[q];
     }
   }
 }
@@ -215,9 +215,9 @@ void refine(WidthChains& chains, double step, Leans& parts) {
 void fitWidthHypotheses(const LengthProblem& p, double narrowest, double medialOffsetCost, LengthWorkspace& workspace,
                         WidthHypotheses& parts) {
   WidthChains chains(p, narrowest, medialOffsetCost, workspace);
-  const double step = kMostMedialOffset / kLeans;
-  Leans tried, lowest;
-  for (int i = -kLeans; i <= kLeans; ++i) tried.add(i * step);
+  const double step = kMostMedialOffset / kOffsets;
+  Offsets tried, lowest;
+  for (int i = -kOffsets; i <= kOffsets; ++i) tried.add(i * step);
   chains.findEnergies(tried);
   const auto& energy = tried.energy;
   // Local minima and the outermost: at most five, whose neighbours are at most ten.
@@ -225,13 +225,13 @@ void fitWidthHypotheses(const LengthProblem& p, double narrowest, double medialO
     const bool outermost = i == 0 || i + 1 == tried.count;
     if (!outermost && !(energy[i] < energy[i - 1] && energy[i] <= energy[i + 1])) continue;
     lowest.energy[lowest.count] = energy[i];
-    lowest.add(tried.lean[i]);
+    lowest.add(tried.offset[i]);
   }
   refine(chains, step, lowest);
-  std::array<std::size_t, kMostLeans> order{};
+  std::array<std::size_t, kMostOffsets> order{};
   const auto better = [&](std::size_t a, std::size_t b) {
-    return std::pair(lowest.energy[a], std::abs(lowest.lean[a])) <
-           std::pair(lowest.energy[b], std::abs(lowest.lean[b]));
+    return std::pair(lowest.energy[a], std::abs(lowest.offset[a])) <
+           std::pair(lowest.energy[b], std::abs(lowest.offset[b]));
   };
   for (std::size_t i = 0; i < lowest.count; ++i) {
     std::size_t place = i;
@@ -244,7 +244,7 @@ void fitWidthHypotheses(const LengthProblem& p, double narrowest, double medialO
     const std::size_t at = order[i];
     if (parts.count > 0 && lowest.energy[at] > most) break;
     WidthHypothesis& part = parts.all[parts.count++];
-    part.lean = lowest.lean[at];
+    part.medialOffset = lowest.offset[at];
     part.energy = lowest.energy[at];
     chains.readWidths(part);
   }

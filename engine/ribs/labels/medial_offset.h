@@ -10,10 +10,10 @@
 
 namespace spineloft::ribs {
 
-/// A width hypothesis: at rib i the left length is (1 + lean) width/2 and the right one (1 − lean) width/2. `lean` is
-/// the medial offset, one for the whole stroke.
+/// A width hypothesis: at rib i the left length is (1 + medialOffset) width/2 and the right one (1 − medialOffset)
+/// width/2. `medialOffset` is the medial offset, one for the whole stroke.
 struct WidthHypothesis {
-  double lean = 0;           ///< −kMostMedialOffset … kMostMedialOffset; > 0: the stroke is nearer to the right side
+  double medialOffset = 0;   ///< −kMostMedialOffset … kMostMedialOffset; > 0: the stroke is nearer to the right side
   std::vector<float> width;  ///< of every rib, in the problem's unit of place, > 0
   double energy = 0;         ///< unary and neighbour terms of both sides
 };
@@ -34,8 +34,9 @@ inline constexpr double kMostMedialOffset = 0.5;
 /// as the true one; the colours inside decide later.
 ///
 /// Exact for each offset tried (a chain over widths); each hypothesis is the best of its neighbourhood, refined
-/// twice. An offset costs `medialOffsetCost` · |lean| per rib. Widths lie on a geometric grid from `narrowest` to the
-/// widest that any rib reaches. The opposite costs of the problem are not used. Replaces `parts`, reusing memory.
+/// twice. An offset costs `medialOffsetCost` · |medialOffset| per rib. Widths lie on a geometric grid from `narrowest`
+/// to the widest that any rib reaches. The opposite costs of the problem are not used. Replaces `parts`, reusing
+/// memory.
 void fitWidthHypotheses(const LengthProblem& problem, double narrowest, double medialOffsetCost,
                         LengthWorkspace& workspace, WidthHypotheses& parts);
 inline constexpr double kRunnerUpEnergy = 0.25;

@@ -190,7 +190,7 @@ float oppositeCost(const LengthProblem& p, int rib, std::size_t l, std::size_t r
   const std::size_t n = index(p.levels), row = index(rib) * n;
   float cost = p.opposite.empty() ? 0.f : p.opposite[l * n + r];
   if (!p.medialOffsetScale.empty()) {
-    const float apart = (1 - p.lean) * p.left.place[row + l] - (1 + p.lean) * p.right.place[row + r];
+    const float apart = (1 - p.medialOffset) * p.left.place[row + l] - (1 + p.medialOffset) * p.right.place[row + r];
     cost += lesser(p.medialOffsetScale[index(rib)] * std::abs(apart), p.medialOffsetCap);
   }
   return cost;
@@ -205,9 +205,10 @@ void addOpposite(const LengthProblem& p, int rib, bool ofLeft, std::size_t other
   }
   if (p.medialOffsetScale.empty()) return;
   const float scale = p.medialOffsetScale[index(rib)];
-  const float ownShare = ofLeft ? 1 - p.lean : 1 + p.lean;
+  const float ownShare = ofLeft ? 1 - p.medialOffset : 1 + p.medialOffset;
   const float* own = &(ofLeft ? p.left : p.right).place[row];
-  const float far = ofLeft ? (1 + p.lean) * p.right.place[row + other] : (1 - p.lean) * p.left.place[row + other];
+  const float far =
+      ofLeft ? (1 + p.medialOffset) * p.right.place[row + other] : (1 - p.medialOffset) * p.left.place[row + other];
   for (std::size_t k = 0; k < n; ++k) costs[k] += lesser(scale * std::abs(ownShare * own[k] - far), p.medialOffsetCap);
 }
 
@@ -227,8 +228,8 @@ void leastOpposite(const LengthProblem& p, int rib, bool ofLeft, CostLine line, 
   const float scale = p.medialOffsetScale[index(rib)];
   const float* own = &(ofLeft ? p.left : p.right).place[index(rib) * n];
   const float* far = &(ofLeft ? p.right : p.left).place[index(rib) * n];
-  const float ownScale = scale * (ofLeft ? 1 - p.lean : 1 + p.lean);
-  const float farScale = scale * (ofLeft ? 1 + p.lean : 1 - p.lean);
+  const float ownScale = scale * (ofLeft ? 1 - p.medialOffset : 1 + p.medialOffset);
+  const float farScale = scale * (ofLeft ? 1 + p.medialOffset : 1 - p.medialOffset);
   scratch.running.resize(2 * (n + 1));
   float *below = scratch.running.data(), *above = below + n + 1;
   runningMinima({line.in, far, farScale}, n, below, above);

@@ -43,7 +43,7 @@ float oppositeCost(const LengthProblem& problem, int rib, std::size_t left, std:
 void addOpposite(const LengthProblem& problem, int rib, bool ofLeft, std::size_t other, float* costs);
 /// The least opposite cost of every label of one side plus what is given for the labels of the other:
 /// out(l) = min over r of cost(l, r) + in(r); `in` is kUnreachable where there is no such label.
-/// O(levels) for a lean alone.
+/// O(levels) for a medial offset alone.
 void leastOpposite(const LengthProblem& problem, int rib, bool ofLeft, CostLine line, StepScratch& scratch);
 
 }  // namespace spineloft::ribs

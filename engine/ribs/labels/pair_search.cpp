@@ -104,8 +104,8 @@ class PairSearch {
     const SideCosts& rowSide = rowsLeft ? p_.left : p_.right;
     const SideCosts& columnSide = rowsLeft ? p_.right : p_.left;
     const float scale = p_.medialOffsetScale.empty() ? 0.f : p_.medialOffsetScale[index(rib)];
-    const float rowScale = scale * (rowsLeft ? 1 - p_.lean : 1 + p_.lean);
-    const float columnScale = scale * (rowsLeft ? 1 + p_.lean : 1 - p_.lean);
+    const float rowScale = scale * (rowsLeft ? 1 - p_.medialOffset : 1 + p_.medialOffset);
+    const float columnScale = scale * (rowsLeft ? 1 + p_.medialOffset : 1 - p_.medialOffset);
     const float* unary = &columnSide.unary[at + index(columns.low)];
     const float* places = &columnSide.place[at + index(columns.low)];
     float* row = of(rib);

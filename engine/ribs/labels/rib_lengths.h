@@ -38,10 +38,10 @@ struct LengthProblem {
   float neighbourCap = std::numeric_limits<float>::infinity();
   /// levels × levels costs, row = left label; empty where opposite sides are independent.
   std::vector<float> opposite;
-  /// Opposite ends compared by place instead, for a stroke whose lean is known (see lean.h): a cost
-  /// of min(medialOffsetCap, leanScale_i · |(1 − lean) left − (1 + lean) right|) per rib, on top of the table.
-  /// −1 < lean < 1. medialOffsetScale is empty, or has `ribs` entries.
-  float lean = 0;
+  /// Opposite ends compared by place instead, for a stroke whose medial offset m is known (see medial_offset.h): a cost
+  /// of min(medialOffsetCap, medialOffsetScale_i · |(1 − m) left − (1 + m) right|) per rib, on top of the table.
+  /// −1 < m < 1. medialOffsetScale is empty, or has `ribs` entries.
+  float medialOffset = 0;
   std::vector<float> medialOffsetScale;
   float medialOffsetCap = std::numeric_limits<float>::infinity();
   bool paired() const { return !opposite.empty() || !medialOffsetScale.empty(); }
@@ -105,7 +105,7 @@ struct StepPlan {
   float freedom = 0;
 };
 
-/// Memory of the chains over widths (lean.h).
+/// Memory of the chains over widths (medial_offset.h).
 struct WidthTables {
   /// Costs from a place to the next: base + slope · (at − place).
   struct Line {

@@ -116,7 +116,7 @@ namespace {
 // ends curves diverge, and lengths may then differ by more from one rib to the next.
 void spread(const WidthHypothesis& even, bool leftSide, Search& s) {
   SideCosts& side = leftSide ? s.problem.left : s.problem.right;
-  const double factor = 0.5 * (leftSide ? 1 + even.lean : 1 - even.lean);
+  const double factor = 0.5 * (leftSide ? 1 + even.medialOffset : 1 - even.medialOffset);
   const auto curveOf = [&](int i) { return s.curves.layout.sideOf(i, leftSide); };
   for (int i = 0; i + 1 < s.problem.ribs; ++i) {
     const int a = curveOf(i), b = curveOf(i + 1);
@@ -136,7 +136,7 @@ void assumeWidth(const WidthHypothesis& even, Search& s) {
   spread(even, true, s);
   spread(even, false, s);
   const double pixel = s.levels.radius[1];
-  s.problem.lean = static_cast<float>(even.lean);
+  s.problem.medialOffset = static_cast<float>(even.medialOffset);
   s.problem.medialOffsetCap = static_cast<float>(kMostUnequal * shareOfRib(s));
   s.problem.medialOffsetScale.clear();
   for (float width : even.width) {

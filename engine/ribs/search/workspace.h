@@ -6,8 +6,8 @@
 namespace spineloft::ribs {
 
 /// What traceRibs keeps besides its result: field, curves, picture along them, costs, and the tables of
-/// the evidence, the leans and the search. A result never depends on what the memory was used for before. Belongs to
-/// one thread; may be moved.
+/// the evidence, the medial offsets and the search. A result never depends on what the memory was used for before.
+/// Belongs to one thread; may be moved.
 class RibWorkspace {
  public:
   RibWorkspace();

@@ -168,9 +168,9 @@ TEST_CASE("chances of a curve sum to one, support is their sum close by, and dou
   }
 }
 
-TEST_CASE("the lean of a stroke is found: the part is even although the stroke is not in its middle") {
+TEST_CASE("the medial offset of a stroke is found: the part is even although the stroke is not in its middle") {
   LengthWorkspace workspace;
-  for (double lean : {-0.5, -0.25, 0.0, 0.4}) {
+  for (double offset : {-0.5, -0.25, 0.0, 0.4}) {
     LengthProblem p;
     p.ribs = 40;
     p.levels = 80;
@@ -183,7 +183,7 @@ TEST_CASE("the lean of a stroke is found: the part is even although the stroke i
       p.left.spacing.assign(39, 5.f);
       p.right.spacing = p.left.spacing;
       for (int i = 0; i < p.ribs; ++i) {
-        const double width = 50 + 10 * std::sin(i * 0.2), truth = width * (1 + sign * lean) / 2;
+        const double width = 50 + 10 * std::sin(i * 0.2), truth = width * (1 + sign * offset) / 2;
         const bool gap = rng.uniform() < 0.4;
         for (int k = 0; k < p.levels; ++k) {
           const double near = gap ? 0 : std::max(0.0, 1 - std::abs(k - truth) / 3);
@@ -195,7 +195,7 @@ TEST_CASE("the lean of a stroke is found: the part is even although the stroke i
     WidthHypotheses found;
     fitWidthHypotheses(p, 2, 0.1, workspace, found);
     const WidthHypothesis& part = found.all[0];
-    CHECK(part.lean == doctest::Approx(lean).epsilon(0.05).scale(1));
+    CHECK(part.medialOffset == doctest::Approx(offset).epsilon(0.05).scale(1));
     REQUIRE(part.width.size() == 40);
     for (int i = 4; i < 36; ++i) {
       CHECK(part.width[static_cast<std::size_t>(i)] == doctest::Approx(50 + 10 * std::sin(i * 0.2)).epsilon(0.1));
@@ -227,9 +227,9 @@ TEST_CASE("a stroke off the middle beside an inner line keeps both parts in the 
   fitWidthHypotheses(p, 2, 0.1, workspace, found);
   const std::span<const WidthHypothesis> parts = found.span();
   REQUIRE(parts.size() >= 2);
-  CHECK(std::abs(parts[0].lean) < 0.1);
+  CHECK(std::abs(parts[0].medialOffset) < 0.1);
   CHECK(parts[0].width[20] == doctest::Approx(24).epsilon(0.15));
-  CHECK(parts[1].lean == doctest::Approx(-0.5).epsilon(0.1));
+  CHECK(parts[1].medialOffset == doctest::Approx(-0.5).epsilon(0.1));
   CHECK(parts[1].width[20] == doctest::Approx(48).epsilon(0.15));
   CHECK(parts[0].energy <= parts[1].energy);
   CHECK(parts.size() <= kMostRunnersUp);

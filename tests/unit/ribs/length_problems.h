@@ -42,7 +42,7 @@ inline ribs::LengthProblem randomProblem(int ribs, int levels, bool opposite, Rn
     for (int k = 0; k < levels; ++k) values.push_back(k + 0.5);
     if (rng.uniform() < 0.7) p.opposite = ribs::oppositeTable(values, rng.uniform(0, 2));
     if (p.opposite.empty() || rng.uniform() < 0.5) {
-      p.lean = static_cast<float>(rng.uniform(-0.6, 0.6));
+      p.medialOffset = static_cast<float>(rng.uniform(-0.6, 0.6));
       for (int i = 0; i < ribs; ++i) p.medialOffsetScale.push_back(static_cast<float>(rng.uniform(0, 1)));
       if (rng.uniform() < 0.5) p.medialOffsetCap = static_cast<float>(rng.uniform(0.1, 3));
     }

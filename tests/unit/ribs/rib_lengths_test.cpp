@@ -89,7 +89,7 @@ TEST_CASE("swapping the sides swaps the labels' energy for the same value") {
     LengthProblem p = randomProblem(20, 16, true, rng);
     const double before = energyOf(p, optimalLabels(p, workspace)).total();
     std::swap(p.left, p.right);
-    p.lean = -p.lean;
+    p.medialOffset = -p.medialOffset;
     CHECK(energyOf(p, optimalLabels(p, workspace)).total() == doctest::Approx(before).epsilon(1e-5));
   }
 }
