@@ -9,23 +9,19 @@ const kit = useSite();
 const tube = tubePicture();
 const root = async (page) => (await state(page)).steps.findLast((step) => step.root);
 
-/** Workers whose answers come one at a time, `window.spell` milliseconds apart. */
-function slowWorkers() {
+/** Workers whose answers wait, while `window.held` is an array, until `window.hand()` gives out the first of them. */
+function heldWorkers() {
   const Plain = window.Worker,
     handler = Object.getOwnPropertyDescriptor(Plain.prototype, 'onmessage');
-  window.spell = 0;
+  window.held = null;
+  window.hand = () => window.held?.shift()?.();
   window.Worker = class extends Plain {
-    last = 0;
-
     set onmessage(told) {
-      handler.set.call(
-        this,
-        told &&
-          ((event) => {
-            this.last = Math.max(performance.now(), this.last) + window.spell;
-            setTimeout(() => told.call(this, event), this.last - performance.now());
-          }),
-      );
+      const give = (event) => {
+        if (window.held) window.held.push(() => told.call(this, event));
+        else told.call(this, event);
+      };
+      handler.set.call(this, told && give);
     }
 
     get onmessage() {
@@ -36,7 +32,7 @@ function slowWorkers() {
 
 test('while a solid takes long, a bar shows how far it is, and its button keeps the last good solid', () =>
   onPage(kit, { alone: true }, async (page) => {
-    await page.addInitScript(slowWorkers);
+    await page.addInitScript(heldWorkers);
     await reload(page);
     await openWithPart(page, tube.png, tube.middle);
     await run(page, 'new-part');
@@ -50,7 +46,7 @@ test('while a solid takes long, a bar shows how far it is, and its button keeps 
     assert.equal(await box.isVisible(), false);
 
     await page.evaluate(() => {
-      window.spell = 4000;
+      window.held = [];
       window.steps = [];
       window.timer = setInterval(() => {
         const { hidden } = document.getElementById('progress'),
@@ -61,13 +57,14 @@ test('while a solid takes long, a bar shows how far it is, and its button keeps 
     });
     await box.waitFor({ state: 'visible' });
     assert.match(await page.locator('#progress-label').innerText(), /\S/);
-    await page.waitForFunction(() => window.steps.length > 1);
+    await page.waitForFunction(() => window.steps.length > 1 || void window.hand(), null, { polling: 200 });
     assert.ok((await bar.evaluate(({ value }) => value)) > 0);
     await page.locator('#progress-cancel').click();
     await box.waitFor({ state: 'hidden' });
     const steps = await page.evaluate(() => {
       clearInterval(window.timer);
-      window.spell = 0;
+      while (window.held.length > 0) window.hand();
+      window.held = null;
       return window.steps;
     });
     assert.ok(
