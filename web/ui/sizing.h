@@ -21,6 +21,7 @@ using ThingPoint = Vec2<ThingSpace>;
 /// Things whose size everybody knows.
 struct Thing {
   std::string_view key, label;
+  std::string_view tall, beside;  ///< sentences about its {length}
   double mm;     ///< how tall it stands
   double width;  ///< share of that
 };
