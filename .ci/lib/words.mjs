@@ -31,8 +31,6 @@ function filesUnder(folder) {
 /** Words for developers and programs: what an argument is to be, asserts, ids, keys of the undo history, CSS, headers. */
 const kApart = {
   cpp: [
-    // Rows for programs: no menu, no search and no button has them.
-    /Command\{\.id = "[^"]*", \.label = "[^"]*by numbers?"(?:[^{}]|\{[^{}]*\})*?\.argument = \{"[^"]*"\}(?:[^{}]|\{[^{}]*\})*\}/g,
     /^\s*#\s*include.*$/gm,
     /\/\/.*$/gm,
     /\b(?:static_)?assert\((?:[^()]|\([^()]*\))*\)/g,
@@ -57,11 +55,26 @@ const kApart = {
 
 /** Identifiers, keys of the keyboard, names of things: nothing that a visitor reads as words of a language. */
 const kNoWords = [
+  /^\{\w+\}$/,
   /^[A-Z][a-z]+(?:[A-Z0-9][A-Za-z]*)+$/,
   /^(?:(?:Ctrl|Shift|Alt)\+)+/,
-  /^(?:SpineLoft|SpineLoft Script|Inter|End|Enter|Escape|Space|Tab|Shift|Alt|Arrow|Meta|Control|Ctrl|Files|Unknown|Mm|Content-Type|English|Deutsch)$/,
+  /^(?:SpineLoft|SpineLoft Script|Shift\+Arrows|Inter|End|Enter|Escape|Space|Tab|Shift|Alt|Arrow|Meta|Control|Ctrl|Files|Unknown|Mm|Content-Type|English|Deutsch)$/,
   / $/,
 ];
+
+/** The ids that panels name: their buttons show the words of these commands. */
+const panelText = filesUnder(join(root, 'web/panels'))
+  .map((file) => readFileSync(file, 'utf8'))
+  .join('');
+
+/** Rows of the command table for programs alone: their argument has no choices, and no button and no key has them. */
+function isForPrograms(row, text) {
+  const [, id] = /\.id = "([^"]+)"/.exec(row) ?? [];
+  const [, given] = /\.argument = (\w+|\{[^}]*\})/.exec(row) ?? [];
+  if (!id || !given || row.includes('.shortcut') || panelText.includes(`"${id}"`)) return false;
+  const argument = given.startsWith('{') ? given : new RegExp(`\\b${given}(\\{[^}]*\\})`).exec(text)?.[1];
+  return /^\{"\w+"\}$/.test(argument ?? '');
+}
 
 function literalsOf(text) {
   const out = [];
@@ -85,7 +98,7 @@ function wordsIn(path, text) {
   // What does not read as words by itself is marked where it stands.
   const mark = kind === 'ts' ? /\bt\(\s*(')((?:[^'\\]|\\.)*)'/g : /\bwords::(?:tr|text)\(\s*(")((?:[^"\\]|\\.)*)"/g;
   const marked = [...text.matchAll(mark)].map((m) => m[2].replace(/\\(["'])/g, '$1'));
-  let shown = text;
+  let shown = text.replace(/Command\{(?:[^{}]|\{[^{}]*\})*\}/g, (row) => (isForPrograms(row, text) ? ' ' : row));
   for (const pattern of kApart[kind]) shown = shown.replace(pattern, (whole) => (kind === 'ts' && whole.endsWith("'") && !whole.startsWith('new') ? '' : ' '));
   const small = path.startsWith('engine/');
   return [...literalsOf(shown).filter((one) => readsAsWords(one, small)), ...marked.filter((one) => /\p{L}/u.test(one))];

@@ -102,7 +102,8 @@ export function firstShortcut(shortcuts: string): string {
 
 /** "Ctrl+Z" as this machine's keyboard says it. */
 export function shortcutText(shortcut: string): string {
-  if (!kIsMac) return shortcut.replace(/\b(Ctrl|Shift)\+/g, (_, key: string) => `${key === 'Ctrl' ? t('Ctrl') : t('Shift')}+`);
+  const spoken: Record<string, string> = { Ctrl: t('Ctrl'), Shift: t('Shift'), Arrows: t('Arrows') };
+  if (!kIsMac) return shortcut.replace(/Ctrl|Shift|Arrows/g, (key) => spoken[key] ?? key);
   return shortcut.replaceAll('Ctrl+', '⌘').replaceAll('Shift+', '⇧').replaceAll('Alt+', '⌥');
 }
 

@@ -47,7 +47,7 @@ function keysOf(shortcut: string): HTMLElement {
   const keys = shortcut.split(', ');
   const arrows = keys.filter((key) => key.includes('Arrow'));
   const shown = arrows.length > 4 ? ['Arrows', 'Shift+Arrows', ...keys.filter((key) => !arrows.includes(key))] : keys;
-  for (const key of shown) span.append(make('kbd', {}, shortcutText(key)), ' ');
+  for (const key of shown) span.append(make('kbd', {}, asIs(shortcutText(key))), ' ');
   return span;
 }
 
