@@ -82,7 +82,13 @@ function literalsOf(text) {
   for (const [whole] of text.matchAll(/(?:"(?:[^"\\\n]|\\.)*"\s*)+|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`/g)) {
     const parts = [...whole.matchAll(/"((?:[^"\\\n]|\\.)*)"|^'((?:[^'\\\n]|\\.)*)'$|^`((?:[^`\\]|\\.)*)`$/g)];
     const raw = parts.map((part) => part[1] ?? part[2] ?? part[3]).join('');
-    out.push(raw.replace(/\\x([0-9a-f]{2})\\x([0-9a-f]{2})/g, (_, a, b) => Buffer.from([parseInt(a, 16), parseInt(b, 16)]).toString()).replace(/\\(["'`\\])/g, '$1'));
+    out.push(
+      raw
+        .replace(/\\x([0-9a-f]{2})\\x([0-9a-f]{2})/g, (_, a, b) =>
+          Buffer.from([parseInt(a, 16), parseInt(b, 16)]).toString(),
+        )
+        .replace(/\\(["'`\\])/g, '$1'),
+    );
   }
   return out;
 }
@@ -90,7 +96,11 @@ function literalsOf(text) {
 /** A sentence, a word with a capital, or a text with arguments; tables of the engine have small words, too. */
 function readsAsWords(text, small) {
   if (kNoWords.some((pattern) => pattern.test(text)) || /[<>$=#]|::|^\w+\(/.test(text)) return false;
-  return /^"?[A-Z][a-z]+(?:[ ,.?!:'’-]|$)|^A |^3D /.test(text) || /\{\w+\}/.test(text) || (small && /[a-z] [a-z(]/.test(text));
+  return (
+    /^"?[A-Z][a-z]+(?:[ ,.?!:'’-]|$)|^A |^3D /.test(text) ||
+    /\{\w+\}/.test(text) ||
+    (small && /[a-z] [a-z(]/.test(text))
+  );
 }
 
 function wordsIn(path, text) {
@@ -99,9 +109,15 @@ function wordsIn(path, text) {
   const mark = kind === 'ts' ? /\bt\(\s*(')((?:[^'\\]|\\.)*)'/g : /\bwords::(?:tr|text)\(\s*(")((?:[^"\\]|\\.)*)"/g;
   const marked = [...text.matchAll(mark)].map((m) => m[2].replace(/\\(["'])/g, '$1'));
   let shown = text.replace(/Command\{(?:[^{}]|\{[^{}]*\})*\}/g, (row) => (isForPrograms(row, text) ? ' ' : row));
-  for (const pattern of kApart[kind]) shown = shown.replace(pattern, (whole) => (kind === 'ts' && whole.endsWith("'") && !whole.startsWith('new') ? '' : ' '));
+  for (const pattern of kApart[kind])
+    shown = shown.replace(pattern, (whole) =>
+      kind === 'ts' && whole.endsWith("'") && !whole.startsWith('new') ? '' : ' ',
+    );
   const small = path.startsWith('engine/');
-  return [...literalsOf(shown).filter((one) => readsAsWords(one, small)), ...marked.filter((one) => /\p{L}/u.test(one))];
+  return [
+    ...literalsOf(shown).filter((one) => readsAsWords(one, small)),
+    ...marked.filter((one) => /\p{L}/u.test(one)),
+  ];
 }
 
 /** Texts and spoken attributes of index.html; entities do not occur. */
@@ -116,14 +132,16 @@ function wordsOfPage(html) {
 export function pageWords() {
   const found = new Map();
   const add = (path, words) => words.forEach((word) => found.has(word) || found.set(word, path));
-  const sources = [
-    ...kEngineFiles,
-    ...filesUnder(join(root, 'web')).map((file) => relative(root, file)),
-  ].filter((path) => /\.(cpp|h|ts)$/.test(path) && !kNotShown.test(path));
+  const sources = [...kEngineFiles, ...filesUnder(join(root, 'web')).map((file) => relative(root, file))].filter(
+    (path) => /\.(cpp|h|ts)$/.test(path) && !kNotShown.test(path),
+  );
   for (const path of sources.sort()) add(path, wordsIn(path, readFileSync(join(root, path), 'utf8')));
   add('web/shell/index.html', wordsOfPage(readFileSync(join(root, 'web/shell/index.html'), 'utf8')));
   const samples = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'));
-  add('assets/samples/samples.json', samples.flatMap(({ title, alt }) => [title, alt]));
+  add(
+    'assets/samples/samples.json',
+    samples.flatMap(({ title, alt }) => [title, alt]),
+  );
   return found;
 }
 

@@ -74,7 +74,8 @@ for (const [id, messages] of catalogues) {
         const given = Object.fromEntries([...names].map((name) => [name, name === 'n' ? n : `[${name}]`]));
         const spoken = String(format.format(given));
         assert.doesNotMatch(spoken, /[{}]|undefined/, `${text} → ${message}`);
-        for (const name of names) if (name !== 'n') assert.ok(spoken.includes(`[${name}]`), `${text}, ${n} → ${spoken}`);
+        for (const name of names)
+          if (name !== 'n') assert.ok(spoken.includes(`[${name}]`), `${text}, ${n} → ${spoken}`);
       }
     }
   });

@@ -36,8 +36,8 @@ Outcome step(Env env, int by) {
   const std::vector<OutlinePoint> handles = outlineHandles(region);
   std::size_t number = 1;
   while (number < handles.size() && !(handles[number - 1] == *env.ui.chosen.outline)) ++number;
-  sendStatus(env.host, words::tr("Point {n} of {all} of the outline. Arrows move it.",
-                                 {{"n", number}, {"all", handles.size()}}));
+  sendStatus(env.host,
+             words::tr("Point {n} of {all} of the outline. Arrows move it.", {{"n", number}, {"all", handles.size()}}));
   env.ui.focus = Focus::Picture;
   return {};
 }

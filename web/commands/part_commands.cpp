@@ -318,9 +318,9 @@ void reportSolidSaving(Env env, const document::Document& before) {
     if (std::ranges::none_of(parts, gone) || std::ranges::all_of(parts, gone)) continue;
     const bool still = findStep(now, step.id) != nullptr;
     text += text.empty() ? "" : " ";
-    text += words::tr(still ? "{solid} is made of the rest now."
-                            : "{solid} needed it: what is left of it stands by itself.",
-                      {{"solid", words::nameOf(step.name)}});
+    text += words::tr(
+        still ? "{solid} is made of the rest now." : "{solid} needed it: what is left of it stands by itself.",
+        {{"solid", words::nameOf(step.name)}});
   }
   if (!text.empty()) sendInfo(env.host, text + " " + std::string(words::tr("Undo brings it back.")));
 }

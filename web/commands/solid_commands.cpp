@@ -111,8 +111,7 @@ std::string nameOf(Env env, const Operand& operand) {
 std::string saidOf(Env env, const Step& step) {
   const std::string first = nameOf(env, step.operands.front());
   const std::size_t others = step.operands.size() - 1;
-  const std::string rest(others == 1 ? nameOf(env, step.operands.back())
-                                     : words::tr("{n} others", {{"n", others}}));
+  const std::string rest(others == 1 ? nameOf(env, step.operands.back()) : words::tr("{n} others", {{"n", others}}));
   const std::string_view solid = words::nameOf(step.name);
   const auto said = [&](std::string_view sentence) {
     return std::string(words::tr(sentence, {{"first", first}, {"rest", rest}, {"solid", solid}}));
@@ -178,10 +177,9 @@ std::optional<OpeningSide> sideFrom(const std::string& name) {
 Outcome checkWall(Env env, double wall) {
   const double scale = millimetresPerUnit(env);
   if (scale > 0 && !(wall >= document::kLeastWall && wall <= document::kMostWall)) {
-    return Refusal{"ValueOutOfRange",
-                   std::string(words::tr("A wall can be {least} to {most} thick at this size.",
-                                         {{"least", spokenWall(document::kLeastWall * scale + 0.01)},
-                                          {"most", spokenWall(document::kMostWall * scale)}}))};
+    return Refusal{"ValueOutOfRange", std::string(words::tr("A wall can be {least} to {most} thick at this size.",
+                                                            {{"least", spokenWall(document::kLeastWall * scale + 0.01)},
+                                                             {"most", spokenWall(document::kMostWall * scale)}}))};
   }
   return {};
 }

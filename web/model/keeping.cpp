@@ -57,9 +57,8 @@ Result<std::string> Keeping::openProject(std::span<const std::uint8_t> file) {
   studio_.open(io::DocumentHistory(std::move(document).value()));
   if (notes.clean()) return std::string();
   if (notes.dropped == 0) return std::string("Some numbers of this file were damaged and have been mended.");
-  return std::string(words::tr(notes.dropped == 1
-                                   ? "This file is damaged: 1 picture or part could not be read."
-                                   : "This file is damaged: {n} pictures and parts could not be read.",
+  return std::string(words::tr(notes.dropped == 1 ? "This file is damaged: 1 picture or part could not be read."
+                                                  : "This file is damaged: {n} pictures and parts could not be read.",
                                {{"n", notes.dropped}}));
 }
 

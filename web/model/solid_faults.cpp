@@ -31,9 +31,9 @@ std::string solidFailureSentence(const document::Document& document, const pipel
   if (!step.thickest || !(scale > 0)) return sentence;
   const bool some = *step.thickest >= document::kLeastWall;
   sentence += ' ';
-  return sentence += some ? words::tr("The thickest that fits is {length}.",
-                                      {{"length", spokenWall(*step.thickest * scale)}})
-                          : words::tr("No wall fits with this opening.");
+  return sentence +=
+         some ? words::tr("The thickest that fits is {length}.", {{"length", spokenWall(*step.thickest * scale)}})
+              : words::tr("No wall fits with this opening.");
 }
 
 std::string spokenFailure(const document::Document& document, const pipeline::Derived& derived,

@@ -50,8 +50,8 @@ std::vector<Thickening> thickenings(const Document& document, double millimetres
     const bool seen = root == nullptr ? step.visible : root->visible;
     if (step.kind != document::StepKind::Hollow || !seen || !tooThin(step.wall, millimetres)) continue;
     const double wall = std::min(thick, document::kMostWall);
-    found.push_back(
-        {document::SetStep{step.id, step.kind, step.blend, wall, step.opening}, std::string(words::tr("the wall of {solid}", {{"solid", words::nameOf(step.name)}}))});
+    found.push_back({document::SetStep{step.id, step.kind, step.blend, wall, step.opening},
+                     std::string(words::tr("the wall of {solid}", {{"solid", words::nameOf(step.name)}}))});
   }
   return found;
 }

@@ -147,11 +147,11 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   const double mm = static_cast<double>(value) / size * app::mmPerUnit(env.document(), env.derived);
   const auto tenths = [](double number) { return std::round(number * 10) / 10; };
   // Words with the number in them, in place of a format.
-  const std::string shown(words::drawn(
-      turns ? words::tr("{n} turns", {{"n", tenths(own)}}) : words::tr("{n} mm wide", {{"n", tenths(mm)}})));
-  const bool changed =
-      turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, shown.c_str())
-            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), shown.c_str());
+  const std::string shown(words::drawn(turns ? words::tr("{n} turns", {{"n", tenths(own)}})
+                                             : words::tr("{n} mm wide", {{"n", tenths(mm)}})));
+  const bool changed = turns
+                           ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, shown.c_str())
+                           : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), shown.c_str());
   registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
   if (changed) {
     own = turns ? tenths(static_cast<double>(value)) : static_cast<double>(value);

@@ -18,8 +18,8 @@ struct Field {
   const char* word;
   const char* unit;
 };
-constexpr std::array kFields = {Field{"x", "Right", "{n} mm"},         Field{"y", "Up", "{n} mm"},
-                                Field{"z", "Front", "{n} mm"},         Field{"tip", "Tip", "{n}\xc2\xb0"},
+constexpr std::array kFields = {Field{"x", "Right", "{n} mm"},        Field{"y", "Up", "{n} mm"},
+                                Field{"z", "Front", "{n} mm"},        Field{"tip", "Tip", "{n}\xc2\xb0"},
                                 Field{"turn", "Turn", "{n}\xc2\xb0"}, Field{"lean", "Lean", "{n}\xc2\xb0"}};
 
 /// A word above a number in a box; a press asks for another number.

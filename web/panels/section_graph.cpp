@@ -170,9 +170,7 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
     list.AddCircleFilled(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSurface, 20);
     list.AddCircle(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSpine, 20, 2);
   }
-  const auto number = [&](double value) {
-    return asIs(words::tr(graph.unit, {{"n", std::round(value * 100) / 100}}));
-  };
+  const auto number = [&](double value) { return asIs(words::tr(graph.unit, {{"n", std::round(value * 100) / 100}})); };
   Text text = "";
   if (dragging && env.ui().sections.graphPoint < curve.points.size()) {
     text = number(curve.points[env.ui().sections.graphPoint].value);

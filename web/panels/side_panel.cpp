@@ -94,7 +94,8 @@ void column(const PanelEnv& env) {
   partList(env);
   if (!isOffered(env, app::PanelTab::Section)) return;
   if (const document::Part* region = selectedRegion(env)) {
-    if (section(env, app::PanelTab::Section, "slice", forParts(env, titleOf(*region)))) regionPanel(env, *region, width);
+    if (section(env, app::PanelTab::Section, "slice", forParts(env, titleOf(*region))))
+      regionPanel(env, *region, width);
   } else {
     const Text title = env.selected() ? forParts(env, "Slice") : "Slice of the next part";
     if (section(env, app::PanelTab::Section, "slice", title)) {

@@ -142,9 +142,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   ImFont* font = env.fonts.small;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale, line = size + 6;
   const float sample = stacked ? 14.f : 20.f;
-  const auto widthOf = [&](const char* text) {
-    return sample + 6 + extentOf(font, shown(text)).x + 12;
-  };
+  const auto widthOf = [&](const char* text) { return sample + 6 + extentOf(font, shown(text)).x + 12; };
   float width = 12, widest = 0;
   for (const LegendEntry& entry : entries) {
     width += widthOf(entry.text);
@@ -273,7 +271,8 @@ void drawViewChrome(const PanelEnv& env) {
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) {
     const std::string size = app::roundLength(env.document().height.value);
-    const Text solid = env.document().parts.empty() ? Text("Solid") : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
+    const Text solid =
+        env.document().parts.empty() ? Text("Solid") : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
     chip(env, layout.solid, solid, !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.

@@ -33,7 +33,8 @@ void rightToLeftLines(ImFont* font, std::string_view text, float room) {
   };
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string longer = line.empty() ? std::string(text.substr(0, end)) : line + " " + std::string(text.substr(0, end));
+    const std::string longer =
+        line.empty() ? std::string(text.substr(0, end)) : line + " " + std::string(text.substr(0, end));
     if (!line.empty() && extentOf(font, words::drawn(longer)).x > room) {
       put();
       continue;
@@ -169,8 +170,8 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   ImGui::BeginDisabled(!button.enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
-  registerControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip.words : button.words, button.enabled,
-                  button.active);
+  registerControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip.words : button.words,
+                  button.enabled, button.active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.size, at.y + button.size};

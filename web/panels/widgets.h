@@ -104,9 +104,9 @@ float textButtonWidth(const PanelEnv& env, Text text);
 /// A button of a command that says its word, or the value that it changes; filled while the command is on.
 struct CommandText {
   app::CommandId id;
-  float width = 0;              ///< 0: as wide as the words need
-  bool primary = false;         ///< the one that ends the work
-  Text value = "";              ///< empty: the command's word
+  float width = 0;       ///< 0: as wide as the words need
+  bool primary = false;  ///< the one that ends the work
+  Text value = "";       ///< empty: the command's word
 };
 void commandText(const PanelEnv& env, const CommandText& button);
 

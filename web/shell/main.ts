@@ -99,7 +99,10 @@ function connectLanguage(page: Page): void {
   const button = byId('language');
   const show = () => button.replaceChildren(icon('languages'), asIs(language().name));
   button.addEventListener('click', () => openLanguages(button, (id) => void page.speak(id)));
-  onLanguage(show);
+  onLanguage(() => {
+    show();
+    translatePage();
+  });
   show();
 }
 
@@ -109,7 +112,6 @@ async function speakPreferred(): Promise<void> {
   const { id } = preferredLanguage();
   if (id === 'en') return;
   await speak(id).catch((thrown: unknown) => console.warn(thrown));
-  translatePage();
 }
 
 function main(): void {

@@ -3,7 +3,7 @@ import type { Command } from './api.ts';
 import { CommandBar } from './command_bar.ts';
 import { openCommandSearch } from './command_search.ts';
 import { askChoice, askText } from './dialogs.ts';
-import { byId, setAttribute, translatePage } from './dom.ts';
+import { byId, setAttribute } from './dom.ts';
 import type { Engine, EngineEvent, Offer } from './engine.ts';
 import { Failure, sentenceOf } from './failure.ts';
 import { download, isModelFile, pickModel, pickPicture } from './files.ts';
@@ -70,6 +70,7 @@ export class Page {
   /** The engine runs: from now on the DOM follows it. */
   async attach(engine: Engine): Promise<void> {
     this.engine = engine;
+    this.table = engine.commands();
     onLanguage(() => void this.follow());
     if (language().id !== 'en') await this.follow();
     engine.run('load-shelf', { slices: readShelf() });
@@ -230,9 +231,7 @@ export class Page {
     if (!view?.picture) return [];
     const { selected } = view;
     const ribs =
-      selected?.kind === 'loft'
-        ? [t('{name} has {n} ribs.', { name: nameText(selected.name), n: selected.ribs })]
-        : [];
+      selected?.kind === 'loft' ? [t('{name} has {n} ribs.', { name: nameText(selected.name), n: selected.ribs })] : [];
     return [...ribs, historyText(view)];
   }
 
@@ -265,11 +264,14 @@ export class Page {
 
   /** The language is another one: the canvas follows, and what is said about the model. */
   private async follow(): Promise<void> {
-    translatePage();
     const { engine } = this;
     if (!engine) return;
-    engine.speak(language(), await loadScript(language().id));
+    const spoken = language();
+    const script = await loadScript(spoken.id);
+    if (spoken !== language()) return; // another one since
+    engine.speak(spoken, script);
     this.table = engine.commands();
+    document.body.dataset.language = spoken.id;
     this.refresh();
   }
 

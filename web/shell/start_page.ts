@@ -85,7 +85,7 @@ function addGhost(sample: Sample, frame: HTMLElement, picture: HTMLImageElement,
 
 /** The sentence with its keys, wherever a language puts them. */
 function showPasteHint(): void {
-  const [before = '', after = ''] = t('or paste one with {keys}').split('{keys}');
+  const [before = '', after = ''] = t('or paste one with {keys}', { keys: '\n' }).split('\n');
   byId('paste-hint').replaceChildren(before, make('kbd', {}, asIs(kIsMac ? '⌘V' : shortcutText('Ctrl+V'))), after);
 }
 

@@ -52,7 +52,12 @@ export const kTasks: Task[] = [
     minutes: 2,
     on: 'paper',
     start: 'Begin with Draw on paper.',
-    steps: [outline('Draw the outline of a long sausage with the pen'), { say: 'Draw a line from end to end', done: parts(1) }, turn, save],
+    steps: [
+      outline('Draw the outline of a long sausage with the pen'),
+      { say: 'Draw a line from end to end', done: parts(1) },
+      turn,
+      save,
+    ],
   },
   {
     id: 'vase',

@@ -22,8 +22,8 @@ using ThingPoint = Vec2<ThingSpace>;
 struct Thing {
   std::string_view key, label;
   std::string_view tall, beside;  ///< sentences about its {length}
-  double mm;     ///< how tall it stands
-  double width;  ///< share of that
+  double mm;                      ///< how tall it stands
+  double width;                   ///< share of that
 };
 std::span<const Thing> things();
 /// Its place in things(); none for another key.

@@ -91,8 +91,8 @@ std::string_view remembered(Memory& memory, std::uint64_t key, const Make& make)
 }  // namespace
 
 std::span<const Known> known() {
-  static constexpr std::array kKnown = {Known{"en", "English"}, Known{"de", "Deutsch"},  Known{"fr", "Français"},
-                                        Known{"es", "Español"}, Known{"ja", "日本語"}, Known{"ar", "العربية"}};
+  static constexpr std::array kKnown = {Known{"en", "English"}, Known{"de", "Deutsch"}, Known{"fr", "Français"},
+                                        Known{"es", "Español"}, Known{"ja", "日本語"},  Known{"ar", "العربية"}};
   return kKnown;
 }
 

@@ -56,8 +56,8 @@ const Language& language();
 void forgetMuch();
 
 /// A text of the code in the visitor's language; English where that has no word for it. The same text and arguments are
-/// asked for once and remembered, so a frame like the one before asks for no memory. Of the main thread. Valid until the
-/// next `speak` or `forgetMuch`; without arguments in English: as long as `english`.
+/// asked for once and remembered, so a frame like the one before asks for no memory. Of the main thread. Valid until
+/// the next `speak` or `forgetMuch`; without arguments in English: as long as `english`.
 std::string_view tr(std::string_view english, Args args = {});
 
 /// Any text in the order and form in which the canvas draws it. As `tr`, and in languages written from the left the

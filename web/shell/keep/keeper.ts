@@ -231,7 +231,10 @@ export class Keeper {
         return;
       }
       const bringBack = () => this.change(async () => this.store?.undelete(id));
-      toast(t('{name} is deleted.', { name: info.name }), 'info', { label: 'Undo', run: () => this.complainOf(bringBack()) });
+      toast(t('{name} is deleted.', { name: info.name }), 'info', {
+        label: 'Undo',
+        run: () => this.complainOf(bringBack()),
+      });
     });
   }
 
@@ -358,10 +361,9 @@ export class Keeper {
     const name = (await this.store?.info(id))?.name ?? t('This model');
     showBanner({
       id: 'elsewhere',
-      text: t(
-        '{name} is open in another tab. To keep both from writing over each other, only one tab can change it.',
-        { name },
-      ),
+      text: t('{name} is open in another tab. To keep both from writing over each other, only one tab can change it.', {
+        name,
+      }),
       actions: [
         { label: 'Open a copy', command: 'duplicate-model', run: () => this.complainOf(this.openCopyOf(id)) },
         { label: 'Take over here', run: () => this.complainOf(this.takeOver(id)) },

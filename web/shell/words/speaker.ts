@@ -35,7 +35,12 @@ export function speakerOf(id: string, catalogue: Catalogue): Speaker {
       if (!message.includes('{')) return message;
       let format = messages.get(english);
       if (!format) messages.set(english, (format = new IntlMessageFormat(message, locale, {}, { ignoreTag: true })));
-      return String(format.format({ ...args }));
+      try {
+        return String(format.format({ ...args }));
+      } catch (thrown) {
+        console.warn(thrown);
+        return null;
+      }
     },
     drawn: id === 'ar' ? visual : (text) => text,
   };
