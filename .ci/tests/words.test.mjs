@@ -4,7 +4,10 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { IntlMessageFormat } from 'intl-messageformat';
+import shapers from 'arabic-persian-reshaper';
+import { iconOf } from '../lib/icon_font.mjs';
 import { root } from '../lib/paths.mjs';
+import { scriptFont, scriptLanguages } from '../lib/script_fonts.mjs';
 import { catalogue, catalogueIds, pageWords } from '../lib/words.mjs';
 
 const found = pageWords();
@@ -80,6 +83,12 @@ for (const [id, messages] of catalogues) {
     }
   });
 
+  test(`${id}: a message that is a text of the page, too, is its own translation`, () => {
+    // What was translated may be shown by something that translates.
+    for (const [text, message] of Object.entries(messages))
+      if (messages[message] !== undefined) assert.equal(messages[message], message, `${text} → ${message}`);
+  });
+
   test(`${id}: a sentence that names a button calls it as the button says`, () => {
     let quoted = 0;
     for (const [text, message] of Object.entries(messages))
@@ -89,5 +98,20 @@ for (const [id, messages] of catalogues) {
         assert.ok(message.includes(messages[name]), `${text} → ${message}: ${messages[name]}`);
       }
     assert.ok(quoted >= 8, `${quoted} names`);
+  });
+}
+
+for (const id of scriptLanguages) {
+  test(`${id}: its fonts have every letter of the catalogue that Inter lacks, as it is written and as it is drawn`, async () => {
+    const text = Object.values(catalogues.get(id)).join(' ');
+    const letters = [...text, ...shapers.ArabicShaper.convertArabic(text)].filter((letter) =>
+      /[^\0-\u05ff\u2000-\u206f]/.test(letter),
+    );
+    assert.ok(new Set(letters).size > 80);
+    for (const weight of ['text', 'bold']) {
+      const font = Buffer.from(await scriptFont(id, weight));
+      const without = [...new Set(letters)].filter((letter) => !iconOf(font, letter.codePointAt(0))?.outline.length);
+      assert.deepEqual(without, [], weight);
+    }
   });
 }

@@ -133,6 +133,10 @@ export function showHelp(page: HelpPage): void {
     dialog.close();
     page.begin(task);
   };
+  const choose = (id: string) => {
+    dialog.close();
+    page.choose(id);
+  };
   const again = make('button', { type: 'button', class: 'button', value: 'again' }, 'Show me again');
   again.addEventListener('click', () => begin(null));
   const touches = matchMedia('(pointer: coarse)').matches;
@@ -148,7 +152,7 @@ export function showHelp(page: HelpPage): void {
     make('h3', {}, 'With keys'),
     ...keyTables(page.commands),
     make('h3', {}, 'Language'),
-    languages(page.choose),
+    languages(choose),
     ...(facts.length > 0 ? [make('h3', {}, 'More about this model'), ...facts] : []),
   );
   const dialog = openDialog('Help', [body], 'dialog sheet');
