@@ -18,6 +18,7 @@ import { presetDir } from './cmake.mjs';
 import { subsetFont, usedIconCodes } from './icon_font.mjs';
 import { buildDir, distDir, root, shortHash } from './paths.mjs';
 import { Stop } from './run.mjs';
+import { scriptFont, scriptLanguages } from './script_fonts.mjs';
 
 const kHashLength = 10;
 // Files that shrink; pictures and the like are packed already.
@@ -97,6 +98,17 @@ function putAssets(folder) {
   return map;
 }
 
+/** The fonts of scripts that Inter lacks, by language. */
+async function putScripts(folder) {
+  const scripts = {};
+  for (const id of scriptLanguages) {
+    const [text, bold] = await Promise.all(['text', 'bold'].map((weight) => scriptFont(id, weight)));
+    const place = (name, bytes) => put(folder, join('assets', hashedName(`script-${id}-${name}.ttf`, bytes)), bytes);
+    scripts[id] = { text: place('text', text), bold: place('bold', bold) };
+  }
+  return scripts;
+}
+
 /** Imports of the icon font bring only the icons that the page draws. */
 const iconFont = {
   name: 'icon-font',
@@ -167,8 +179,9 @@ function putManifest(folder, text, assets) {
   put(folder, kManifest, linked);
 }
 
-/** The names of the web app's manifest and of the service worker, beside index.html. */
+/** The names of the web app's manifest and of the service worker, beside index.html; the module of other languages. */
 const kManifest = 'site.webmanifest';
+const kSpeaker = 'web/shell/words/speaker.ts';
 const kServiceWorker = 'service_worker.js';
 
 /** Every file of the site as the service worker stores it: what all pages need, and what each engine's do. */
@@ -258,6 +271,8 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     ),
     assets,
     workers: {},
+    speaker: '',
+    scripts: await putScripts(fresh),
     // A site with an engine to come is not worth storing.
     serviceWorker: isWhole ? kServiceWorker : '',
   };
@@ -270,6 +285,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     );
     for (const [entry, files] of Object.entries(built)) site.workers[entry.replace(/\.worker\.ts$/, '')] = files.js;
   }
+  site.speaker = (await bundle(fresh, [kSpeaker], {}))[relative('web/shell', kSpeaker)].js;
   const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
   put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
   putManifest(fresh, readFileSync(join(shell, kManifest), 'utf8'), assets);

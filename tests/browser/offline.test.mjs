@@ -101,6 +101,19 @@ test('after one visit the page opens without a network: a sample becomes a part,
   assert.equal(threads > 0, kEngines[0].isolated, 'the headers that threads need are stored too');
 });
 
+test('after one visit every language is there without a network', async (t) => {
+  const site = await ownSite(t);
+  const { page } = await visit(t, site);
+  await site.close();
+  for (const id of ['ja', 'ar', 'de']) {
+    await run(page, 'language', { language: id });
+    await page.locator(`body[data-language=${id}]`).waitFor();
+    await page.reload();
+    await page.evaluate(() => window.spineloft.ready);
+    assert.equal(await page.evaluate(() => document.documentElement.lang), id);
+  }
+});
+
 test('a new release is offered, waits for other tabs, and is used when asked; models stay', async (t) => {
   const site = await ownSite(t);
   const { page, context } = await visit(t, site);

@@ -19,7 +19,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "edge-round", "edge-sharp", "edit-slice", "eraser", "extend-spine", "face-front", "fewer-ribs", "find-command",
     "find-edges", "fit", "flat-foot", "focus-picture", "focus-solid", "fold-step", "group", "hand", "help",
     "home-view", "ignore", "ignore-edges", "ignore-whole-picture", "in-front", "inside", "join-ends", "keep-common",
-    "keep-ribs", "keep-slice", "list-down", "list-up", "load-shelf", "lock-rib", "make-puff", "make-sheet",
+    "keep-ribs", "keep-slice", "language", "list-down", "list-up", "load-shelf", "lock-rib", "make-puff", "make-sheet",
     "mirror-copy", "more-ribs", "more-tools", "move", "move-in-list", "move-outline-point", "move-parts",
     "move-rib-end", "move-slice", "move-spine", "new-model", "new-part", "new-sketch", "next-outline-point",
     "next-part", "next-picture", "next-point", "next-slice", "nudge", "nudge-outline-point", "nudge-part",

@@ -1,12 +1,15 @@
 // The rows of the command table that are about the board, parts and views. Other features bring their
 // own rows (see command_groups.h).
+#include <algorithm>
 #include <array>
 
 #include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/modes.h"
 #include "web/edit/section_editing.h"
 #include "web/model/swatches.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -53,6 +56,20 @@ Outcome findCommandByWords(Env env, const Json&) {
 Outcome help(Env env, const Json&) {
   sendShow(env.host, "help");
   return {};
+}
+
+Outcome chooseLanguage(Env env, const Json& args) {
+  const std::string* id = args.text("language");
+  if (id == nullptr) return missing("a language: en, de, fr, es, ja or ar");
+  if (std::ranges::find(words::known(), *id, &words::Known::id) == words::known().end()) {
+    return refuse({Error::ValueOutOfRange, *id});
+  }
+  sendLanguage(env.host, *id);
+  return {};
+}
+
+void languageChoices(Env, JsonWriter& json) {
+  for (const words::Known& one : words::known()) writeChoice(json, one.id, one.name, one.id == words::language().id);
 }
 
 void partChoices(Env env, JsonWriter& json) {
@@ -172,6 +189,9 @@ constexpr std::array kTable = {
             .enabled = hasAnything, .run = rows::clearBoard},
     Command{.id = "cancel", .label = "Cancel", .icon = "x", .shortcut = "Escape", .group = "edit",
             .hint = "Stop what is going on", .run = cancel},
+    Command{.id = "language", .label = "Language", .icon = "languages", .group = "help",
+            .argument = {"language", languageChoices}, .hint = "The words of this page in another language",
+            .run = chooseLanguage},
     Command{.id = "find-command", .label = "Find a command", .icon = "search", .shortcut = "/", .group = "help",
             .hint = "All that can be done here, by its words", .menu = "Help", .run = findCommandByWords},
     Command{.id = "help", .label = "Help", .icon = "circle-question-mark", .shortcut = "?", .group = "help",

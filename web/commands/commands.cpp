@@ -10,6 +10,7 @@
 #include "web/commands/command_groups.h"
 #include "web/commands/modes.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -92,11 +93,12 @@ Outcome runCommand(const CommandEnv& env, const Command& command, const Json& ar
   if (!enabled(command, env) && !namesWhatItNeeds(command, env, args)) {
     const Error other = command.enabled.ofOtherKind;
     if (other != Error::kCount && hasSelection(env)) return refuse({other, {}});
-    return Refusal{"NotNow", std::string(command.label) + " is not possible right now."};
+    const std::string_view what = words::tr(command.label);
+    return Refusal{"NotNow", std::string(words::tr("{command} is not possible right now.", {{"command", what}}))};
   }
   // What the tool before said is over; a command may say more.
   const bool isTool = command.group == "tool" && command.toggled != nullptr;
-  if (isTool) sendStatus(env.host, std::string(command.hint) + ".");
+  if (isTool) sendStatus(env.host, std::string(words::tr(command.hint)) + ".");
   return command.run(env, args);
 }
 
@@ -170,7 +172,7 @@ Outcome answerQuestion(const CommandEnv& env, std::string_view id, const std::st
 }
 
 Outcome refuse(const Failure& failure) {
-  return Refusal{std::string(errorName(failure.error)), failureSentence(failure)};
+  return Refusal{std::string(errorName(failure.error)), spokenFailure(failure)};
 }
 
 Outcome outcomeOf(const Status& status) {

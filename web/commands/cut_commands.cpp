@@ -48,7 +48,7 @@ void settleSearch(Env env, Result<CutShape> found) {
   CutDraft& draft = *env.ui.cut;
   draft.searching = false;
   if (!found) {
-    if (found.error() != Error::Cancelled) sendError(env.host, failureSentence(found.failure()));
+    if (found.error() != Error::Cancelled) sendError(env.host, spokenFailure(found.failure()));
     if (draft.shape.contours.empty()) {
       env.ui.cut.reset();
       return;

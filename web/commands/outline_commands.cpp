@@ -9,6 +9,7 @@
 #include "web/commands/modes.h"
 #include "web/edit/region_editing.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -35,8 +36,8 @@ Outcome step(Env env, int by) {
   const std::vector<OutlinePoint> handles = outlineHandles(region);
   std::size_t number = 1;
   while (number < handles.size() && !(handles[number - 1] == *env.ui.chosen.outline)) ++number;
-  sendStatus(env.host, "Point " + std::to_string(number) + " of " + std::to_string(handles.size()) +
-                           " of the outline. Arrows move it.");
+  sendStatus(env.host,
+             words::tr("Point {n} of {all} of the outline. Arrows move it.", {{"n", number}, {"all", handles.size()}}));
   env.ui.focus = Focus::Picture;
   return {};
 }

@@ -14,6 +14,7 @@
 #include "web/edit/region_editing.h"
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -133,7 +134,7 @@ Outcome setOnAll(const CommandEnv& env, const std::vector<PartId>& parts,
   }
   if (actions.empty()) return {};
   const Status status = env.studio.act(actions);
-  if (status && actions.size() > 1) sendStatus(env.host, "Set on " + std::to_string(actions.size()) + " parts.");
+  if (status && actions.size() > 1) sendStatus(env.host, words::tr("Set on {n} parts.", {{"n", actions.size()}}));
   return outcomeOf(status);
 }
 
@@ -184,10 +185,9 @@ void tellGuesses(Env env) {
   constexpr double kMany = 0.25;
   const double share = guessedShare(env);
   if (share < kMany) return;
-  const std::string percent = std::to_string(static_cast<int>(std::lround(100 * share)));
-  const std::string some = percent +
-                           " % of the ends are guesses: the dotted ones. Draw again along the middle of the " +
-                           "thing, or pull them.";
+  const std::string_view some = words::tr(
+      "{n} % of the ends are guesses: the dotted ones. Draw again along the middle of the thing, or pull them.",
+      {{"n", std::lround(100 * share)}});
   sendOffer(env.host, {share >= 1 ? kNothingFound : some, "Try again", "redraw", {}});
 }
 
@@ -299,7 +299,7 @@ Outcome redrawMode(Env env, const Json& args) {
                 : document::extrudeOf(*part) ? ToolKind::Extrude
                                              : ToolKind::Draw;
   featureAt(env.ui, document::pictureOf(*part));
-  sendStatus(env.host, "Draw the new line of " + part->name + ".");
+  sendStatus(env.host, words::tr("Draw the new line of {name}.", {{"name", words::nameOf(part->name)}}));
   return {};
 }
 
@@ -317,10 +317,12 @@ void reportSolidSaving(Env env, const document::Document& before) {
     const std::vector<PartId> parts = partsIn(before, {{}, step.id});
     if (std::ranges::none_of(parts, gone) || std::ranges::all_of(parts, gone)) continue;
     const bool still = findStep(now, step.id) != nullptr;
-    text += (text.empty() ? "" : " ") + step.name +
-            (still ? " is made of the rest now." : " needed it: what is left of it stands by itself.");
+    text += text.empty() ? "" : " ";
+    text += words::tr(
+        still ? "{solid} is made of the rest now." : "{solid} needed it: what is left of it stands by itself.",
+        {{"solid", words::nameOf(step.name)}});
   }
-  if (!text.empty()) sendInfo(env.host, text + " Undo brings it back.");
+  if (!text.empty()) sendInfo(env.host, text + " " + std::string(words::tr("Undo brings it back.")));
 }
 
 Outcome deleteParts(Env env, const std::vector<PartId>& parts) {

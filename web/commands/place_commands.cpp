@@ -16,6 +16,7 @@
 #include "web/edit/gizmo.h"
 #include "web/edit/placing.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -350,7 +351,8 @@ Outcome symmetry(Env env, const Json& args) {
   if (!parts.empty() && !off && axis == nullptr) return missing("an axis: x, y, z or off");
   Outcome done = mirrorAcross(env, parts, axis);
   if (done && !off && name == nullptr) {
-    sendStatus(env.host, std::string(axis->words) + " are alike now. Other sides can be chosen beside it.");
+    sendStatus(env.host, words::tr("{sides} are alike now. Other sides can be chosen beside it.",
+                                   {{"sides", words::tr(axis->words)}}));
   }
   return done;
 }
@@ -444,7 +446,8 @@ Outcome moveTo(Env env, const Parts& parts, PartId before, bool inDepth = true) 
   }
   const Status status = env.studio.act(actions);
   if (status && depth) {
-    sendStatus(env.host, std::string(depth->by > 0 ? "In front of " : "Behind ") + depth->beyond + " now.");
+    sendStatus(env.host, words::tr(depth->by > 0 ? "In front of {name} now." : "Behind {name} now.",
+                                   {{"name", words::nameOf(depth->beyond)}}));
   }
   return outcomeOf(status);
 }

@@ -12,6 +12,7 @@
 #include "web/commands/modes.h"
 #include "web/edit/editing.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -214,7 +215,7 @@ Outcome thin(Env env, const Json& args, double factor) {
   if (env.ui.chosen.end && before > 1) {
     env.ui.chosen.end->rib = env.ui.chosen.end->rib * (count - 1) / (before - 1);
   }
-  sendStatus(env.host, std::to_string(count) + " ribs.");
+  sendStatus(env.host, words::tr("{n} ribs.", {{"n", count}}));
   return {};
 }
 Outcome moreRibs(Env env, const Json& args) { return thin(env, args, kDensityStep); }
@@ -227,8 +228,8 @@ Outcome setReach(Env env, int by) {
   if (by > 0 && at + 1 < kReaches.size() && reach >= kReaches[at] - 1e-9) ++at;
   if (by < 0 && at > 0) --at;
   reach = kReaches[at];
-  sendStatus(env.host, reach > 0 ? "Neighbours follow within " + std::to_string(std::lround(reach * 100)) +
-                                       " hundredths of the bone."
+  sendStatus(env.host, reach > 0 ? words::tr("Neighbours follow within {n} hundredths of the bone.",
+                                             {{"n", std::lround(reach * 100)}})
                                  : "Neighbours stay where they are.");
   return {};
 }
@@ -256,7 +257,7 @@ Outcome step(Env env, int by) {
     const int from = chosen.handle >= 0 ? chosen.handle : (by > 0 ? -1 : 0);
     chosen = {std::nullopt, (from + by + kSpineHandles) % kSpineHandles};
     sendStatus(env.host,
-               "Point " + std::to_string(chosen.handle + 1) + " of " + std::to_string(kSpineHandles) + " of the bone.");
+               words::tr("Point {n} of {all} of the bone.", {{"n", chosen.handle + 1}, {"all", kSpineHandles}}));
     return {};
   }
   const std::size_t count = subject.shape->ribs.ribs.size();

@@ -11,6 +11,7 @@
 #include "web/commands/section_json.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -278,7 +279,7 @@ Outcome toggleFrontBack(Env env, const Json&) {
 void foldChoices(Env env, JsonWriter& json) {
   for (const int fold : kFolds) {
     json.beginObject().key("value").number(fold).key("label");
-    json.text(fold == 1 ? std::string("No wheel") : "Wheel of " + std::to_string(fold));
+    json.text(fold == 1 ? "No wheel" : words::tr("Wheel of {n}", {{"n", fold}}));
     json.key("toggled").flag(isOpen(env) && boardOf(env)->symmetry.fold == fold).endObject();
   }
 }
@@ -387,7 +388,7 @@ Outcome drawOnBoard(Env env, const BoardStroke& stroke) {
   const Result<Drawing> curves = curvesOf(stroke, board.symmetry);
   if (!curves) {
     return Refusal{std::string(errorName(curves.error())),
-                   curves.failure().detail.empty() ? failureSentence(curves.failure()) : curves.failure().detail};
+                   curves.failure().detail.empty() ? spokenFailure(curves.failure()) : curves.failure().detail};
   }
   board.corners.clear();
   board.point.reset();

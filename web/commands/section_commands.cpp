@@ -11,6 +11,7 @@
 #include "web/commands/section_json.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -128,8 +129,8 @@ Outcome nextSection(Env env, const Json&) {
   const document::Part* part = selected(env);
   if (part == nullptr) return noSpine(env, {});
   pick(env, part->id, (pickedSectionKey(env.ui, *part) + 1) % document::loftIn(*part).loft.sections.size());
-  sendStatus(env.host, "Slice " + std::to_string(env.ui.sections.stop + 1) + " of " +
-                           std::to_string(document::loftIn(*part).loft.sections.size()) + ".");
+  sendStatus(env.host, words::tr("Slice {n} of {all}.", {{"n", env.ui.sections.stop + 1},
+                                                         {"all", document::loftIn(*part).loft.sections.size()}}));
   return {};
 }
 

@@ -17,6 +17,7 @@
 #include "web/model/print_report.h"
 #include "web/model/solid_faults.h"
 #include "web/ui/sizing.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -83,7 +84,7 @@ Outcome setThicker(Env env, const std::vector<Thickening>& thin) {
   for (const Thickening& each : thin) actions.push_back(each.action);
   const std::string what = spokenList(thin);
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
-  sendInfo(env.host, spokenLength(kThickened) + " thick now: " + what + ".");
+  sendInfo(env.host, words::tr("{length} thick now: {what}.", {{"length", spokenLength(kThickened)}, {"what", what}}));
   return {};
 }
 

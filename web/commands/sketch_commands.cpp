@@ -8,6 +8,7 @@
 #include "web/commands/intents.h"
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -47,7 +48,7 @@ void show(Env env, PictureId id) {
   if (part != nullptr && document::pictureOf(*part) != id) ui.selection = {};
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), id);
   if (ui.picture != id && entry != nullptr) {
-    sendStatus(env.host, entry->name + " is in view.");
+    sendStatus(env.host, words::tr("{name} is in view.", {{"name", words::nameOf(entry->name)}}));
   }
   featureAt(ui, id);
   ui.pictureMenu = {};
@@ -278,14 +279,15 @@ Outcome removePicture(Env env, PictureId picture) {
   env.ui.pictureMenu = {};
   const auto parts = std::ranges::count_if(
       env.studio.document().parts, [&](const document::Part& part) { return document::pictureOf(part) == entry->id; });
-  const std::string name = entry->name;
+  const std::string name(words::nameOf(entry->name));
   const Status status = env.studio.act(document::RemovePicture{entry->id});
   if (!status) return refuse(status.failure());
   if (parts == 0) {
-    sendInfo(env.host, "Removed " + name + ". Undo brings it back.");
+    sendInfo(env.host, words::tr("Removed {name}. Undo brings it back.", {{"name", name}}));
   } else {
-    const std::string what = parts == 1 ? "its part" : "its " + std::to_string(parts) + " parts";
-    sendInfo(env.host, "Removed " + name + " and " + what + ". Undo brings them back.");
+    const char* sentence = parts == 1 ? "Removed {name} and its part. Undo brings them back."
+                                      : "Removed {name} and its {n} parts. Undo brings them back.";
+    sendInfo(env.host, words::tr(sentence, {{"name", name}, {"n", parts}}));
   }
   return {};
 }

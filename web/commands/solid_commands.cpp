@@ -12,6 +12,7 @@
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
 #include "web/model/solid_faults.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -101,28 +102,32 @@ void choose(Env env, const Step& step) {
 
 std::string nameOf(Env env, const Operand& operand) {
   const document::Document& document = env.studio.document();
-  if (const Step* step = document::findStep(document, operand.step)) return step->name;
+  if (const Step* step = document::findStep(document, operand.step)) return std::string(words::nameOf(step->name));
   const document::Part* part = document::findPart(document, operand.part);
-  return part ? part->name : std::string();
+  return std::string(part ? words::nameOf(part->name) : std::string_view());
 }
 
 /// What came of putting together, in a sentence.
 std::string saidOf(Env env, const Step& step) {
   const std::string first = nameOf(env, step.operands.front());
   const std::size_t others = step.operands.size() - 1;
-  const std::string rest = others == 1 ? nameOf(env, step.operands.back()) : std::to_string(others) + " others";
+  const std::string rest(others == 1 ? nameOf(env, step.operands.back()) : words::tr("{n} others", {{"n", others}}));
+  const std::string_view solid = words::nameOf(step.name);
+  const auto said = [&](std::string_view sentence) {
+    return std::string(words::tr(sentence, {{"first", first}, {"rest", rest}, {"solid", solid}}));
+  };
   switch (step.kind) {
     case StepKind::Join:
-      return first + " and " + rest + " are one piece now: " + step.name + ".";
+      return said("{first} and {rest} are one piece now: {solid}.");
     case StepKind::Cut:
-      return first + " is without " + rest + " now: " + step.name + ".";
+      return said("{first} is without {rest} now: {solid}.");
     case StepKind::Intersection:
-      return "What " + first + " and " + rest + " share is left: " + step.name + ".";
+      return said("What {first} and {rest} share is left: {solid}.");
     case StepKind::Hollow:
     case StepKind::kCount:
       break;
   }
-  return first + " is hollow now: " + step.name + ". Where it is open can be chosen below the list.";
+  return said("{first} is hollow now: {solid}. Where it is open can be chosen below the list.");
 }
 
 /// Selects what was just made, and says it.
@@ -172,8 +177,9 @@ std::optional<OpeningSide> sideFrom(const std::string& name) {
 Outcome checkWall(Env env, double wall) {
   const double scale = millimetresPerUnit(env);
   if (scale > 0 && !(wall >= document::kLeastWall && wall <= document::kMostWall)) {
-    return Refusal{"ValueOutOfRange", "A wall can be " + spokenWall(document::kLeastWall * scale + 0.01) + " to " +
-                                          spokenWall(document::kMostWall * scale) + " thick at this size."};
+    return Refusal{"ValueOutOfRange", std::string(words::tr("A wall can be {least} to {most} thick at this size.",
+                                                            {{"least", spokenWall(document::kLeastWall * scale + 0.01)},
+                                                             {"most", spokenWall(document::kMostWall * scale)}}))};
   }
   return {};
 }

@@ -1,4 +1,5 @@
 #include "web/edit/editing.h"
+#include "web/words/words.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ std::string_view stateWords(ribs::RibState state) {
     case ribs::RibState::Guessed:
       return "guessed";
     case ribs::RibState::Edited:
-      return "moved by hand";
+      return words::text("moved by hand");
     case ribs::RibState::Locked:
       return "locked";
   }
@@ -70,10 +71,13 @@ std::string ribSentence(const ribs::RibSet& set, ribs::EndRef end) {
   if (end.rib >= set.ribs.size()) return {};
   const ribs::Rib& rib = set.ribs[end.rib];
   const long away = std::lround(distance(rib.center, endPoint(rib, end.side)));
-  std::string text = "Rib " + std::to_string(end.rib + 1) + " of " + std::to_string(set.ribs.size()) +
-                     (end.side == ribs::Side::Left ? ", left end, " : ", right end, ");
-  text += stateWords(endState(rib, end.side));
-  return text + ", " + std::to_string(away) + (away == 1 ? " pixel" : " pixels") + " from the bone";
+  const bool left = end.side == ribs::Side::Left;
+  return std::string(words::tr(left ? "Rib {n} of {all}, left end, {state}, {away} from the bone"
+                                    : "Rib {n} of {all}, right end, {state}, {away} from the bone",
+                               {{"n", end.rib + 1},
+                                {"all", set.ribs.size()},
+                                {"state", words::tr(stateWords(endState(rib, end.side)))},
+                                {"away", away == 1 ? words::tr("1 pixel") : words::tr("{n} pixels", {{"n", away}})}}));
 }
 
 std::vector<PicturePoint> spineLine(const Subject& subject) {

@@ -101,7 +101,7 @@ void Derivation::report() {
     const std::pair entry{part.id, part.failure->error};
     if (std::ranges::count(reported_, entry)) continue;
     reported_.push_back(entry);
-    sendError(host_, failureSentence(*part.failure));
+    sendError(host_, spokenFailure(*part.failure));
   }
 }
 
@@ -135,7 +135,7 @@ void Derivation::findEdges(PictureId id) {
   if (std::ranges::any_of(searching_, covered)) return;
   const Result<std::shared_ptr<const image::Picture>> pixels = cache_.pixels(*entry);
   if (!pixels) {
-    sendError(host_, failureSentence(pixels.failure()));
+    sendError(host_, spokenFailure(pixels.failure()));
     return;
   }
   searching_.push_back({id, hash});
@@ -155,7 +155,7 @@ void Derivation::findEdges(PictureId id) {
         } else {
           // An empty map means "no evidence": parts are made all the same, with guessed ribs.
           cache_.keepEdges(hash, std::make_shared<const image::EdgeMap>());
-          sendError(host_, failureSentence(search.edges.failure()));
+          sendError(host_, spokenFailure(search.edges.failure()));
         }
         stale_ = true;
       });

@@ -1,4 +1,5 @@
 #include "web/model/keeping.h"
+#include "web/words/words.h"
 
 #include <utility>
 
@@ -56,8 +57,9 @@ Result<std::string> Keeping::openProject(std::span<const std::uint8_t> file) {
   studio_.open(io::DocumentHistory(std::move(document).value()));
   if (notes.clean()) return std::string();
   if (notes.dropped == 0) return std::string("Some numbers of this file were damaged and have been mended.");
-  return "This file is damaged: " + std::to_string(notes.dropped) +
-         (notes.dropped == 1 ? " picture or part" : " pictures and parts") + " could not be read.";
+  return std::string(words::tr(notes.dropped == 1 ? "This file is damaged: 1 picture or part could not be read."
+                                                  : "This file is damaged: {n} pictures and parts could not be read.",
+                               {{"n", notes.dropped}}));
 }
 
 }  // namespace spineloft::app

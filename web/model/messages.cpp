@@ -2,6 +2,7 @@
 
 #include "engine/io/json_fields.h"
 #include "web/model/json.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -21,6 +22,12 @@ void sendToast(platform::Host& host, std::string_view level, std::string_view se
 
 }  // namespace
 
+std::string spokenFailure(const Failure& failure) {
+  std::string sentence(words::tr(errorSentence(failure.error)));
+  if (!failure.detail.empty()) sentence.append(" (").append(words::nameOf(failure.detail)) += ')';
+  return sentence;
+}
+
 void sendError(platform::Host& host, std::string_view sentence) { sendToast(host, "error", sentence); }
 void sendInfo(platform::Host& host, std::string_view sentence) { sendToast(host, "info", sentence); }
 void sendHint(platform::Host& host, std::string_view sentence) { sendToast(host, "hint", sentence); }
@@ -36,6 +43,8 @@ void sendPickPicture(platform::Host& host) { host.send(R"({"type":"pickPicture"}
 void sendCursor(platform::Host& host, std::string_view css) { sendText(host, "cursor", "css", css); }
 void sendStatus(platform::Host& host, std::string_view text) { sendText(host, "status", "text", text); }
 void sendShow(platform::Host& host, std::string_view dialog) { sendText(host, "show", "dialog", dialog); }
+
+void sendLanguage(platform::Host& host, std::string_view id) { sendText(host, "language", "id", id); }
 
 void sendQuestion(platform::Host& host, const Question& question) {
   JsonWriter json;

@@ -12,6 +12,9 @@
 
 namespace spineloft::app {
 
+/// failureSentence in the visitor's language.
+std::string spokenFailure(const Failure& failure);
+
 void sendError(platform::Host& host, std::string_view sentence);
 void sendInfo(platform::Host& host, std::string_view sentence);
 /// Nothing failed, and what was done may not be what was meant.
@@ -36,6 +39,9 @@ void sendQuestion(platform::Host& host, const Question& question);
 
 /// A dialog of the shell: "help" or "find-command".
 void sendShow(platform::Host& host, std::string_view dialog);
+
+/// The page is to speak the language of this id; the shell loads it.
+void sendLanguage(platform::Host& host, std::string_view id);
 
 /// Pictures of the model that the shell makes and saves: "png" or "gif", with this name before the ending.
 void sendTurntable(platform::Host& host, std::string_view what, std::string_view name);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "web/model/messages.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -11,57 +13,62 @@ namespace {
 /// Models up to here are measured in millimetres.
 constexpr double kSmallMm = 20;
 
-std::string number(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  std::string out = text;
-  if (out.find('.') != std::string::npos) {
-    while (out.back() == '0') out.pop_back();
-    if (out.back() == '.') out.pop_back();
-  }
-  return out;
+double rounded(double value, int digits) {
+  const double scale = std::pow(10, digits);
+  return std::round(value * scale) / scale;
 }
+
+std::string said(std::string_view text, words::Args args = {}) { return std::string(words::tr(text, args)); }
 
 PrintLine sizeLine(const printing::PrintCheck& check) {
   const auto& [width, depth, height] = check.size;
   const bool small = std::max({width, depth, height}) < kSmallMm;
   const double unit = small ? 1 : 10;
-  const std::string size = number(width / unit, 1) + " × " + number(depth / unit, 1) + " × " +
-                           number(height / unit, 1) + (small ? " mm" : " cm");
+  const std::string size = said(small ? "{width} × {depth} × {height} mm" : "{width} × {depth} × {height} cm",
+                                {{"width", rounded(width / unit, 1)},
+                                 {"depth", rounded(depth / unit, 1)},
+                                 {"height", rounded(height / unit, 1)}});
   const auto printers = printing::printers();
   if (check.printer < printers.size()) {
-    return {true, "It is " + size + " and fits " + std::string(printers[check.printer].name) + "."};
+    const std::string_view printer = words::tr(printers[check.printer].name);
+    return {true, said("It is {size} and fits {printer}.", {{"size", size}, {"printer", printer}})};
   }
-  return {false, "It is " + size + ", too large for common printers. Make it less tall."};
+  return {false, said("It is {size}, too large for common printers. Make it less tall.", {{"size", size}})};
 }
 
 PrintLine wallLine(const printing::PrintCheck& check, const std::vector<Thickening>& set) {
-  if (check.thick()) return {true, "Its thinnest place is " + number(check.thinnest, 1) + " mm, thick enough."};
-  // Never rounded up to what would do.
-  const std::string thin = number(std::floor(check.thinnest * 100) / 100, 2);
-  const std::string why = "Its thinnest place is " + thin + " mm; below 0.8 mm it breaks or is left out. ";
-  if (!set.empty()) {
-    return {false, why + "\"Make it thick enough\" gives " + number(kThickened, 1) + " mm to " + spokenList(set) + ".",
-            "thicken"};
+  if (check.thick()) {
+    return {true, said("Its thinnest place is {n} mm, thick enough.", {{"n", rounded(check.thinnest, 1)}})};
   }
-  if (check.enlargingHelps) return {false, why + "\"Make it thick enough\" makes it larger.", "thicken"};
-  return {false, why + std::string(kThickenByHand)};
+  // Never rounded up to what would do.
+  const std::string why = said("Its thinnest place is {n} mm; below {least} mm it breaks or is left out.",
+                               {{"n", std::floor(check.thinnest * 100) / 100}, {"least", printing::kLeastWall}}) +
+                          " ";
+  if (!set.empty()) {
+    const std::string mends = said("\"Make it thick enough\" gives {n} mm to {what}.",
+                                   {{"n", rounded(kThickened, 1)}, {"what", spokenList(set)}});
+    return {false, why + mends, "thicken"};
+  }
+  if (check.enlargingHelps) return {false, why + said("\"Make it thick enough\" makes it larger."), "thicken"};
+  return {false, why + said(kThickenByHand)};
 }
 
 PrintLine closedLine(const printing::PrintCheck& check) {
-  if (!check.closed) return {false, "A part of it is not closed. Change its ribs a little, or draw it again."};
-  if (check.pieces < 2) return {true, "It is closed all round and in one piece."};
-  return {false, "It is in " + std::to_string(check.pieces) +
-                     " pieces that do not touch. Move them together, or print each by itself."};
+  if (!check.closed) return {false, said("A part of it is not closed. Change its ribs a little, or draw it again.")};
+  if (check.pieces < 2) return {true, said("It is closed all round and in one piece.")};
+  return {false, said("It is in {n} pieces that do not touch. Move them together, or print each by itself.",
+                      {{"n", check.pieces}})};
 }
 
 PrintLine standLine(const printing::PrintCheck& check) {
   const double degrees = check.tippingAngle * 180 / std::numbers::pi;
   if (check.stands()) {
-    return {true, "It stands: it can lean " + number(std::floor(degrees), 0) + "° before it falls."};
+    return {true, said("It stands: it can lean {n}° before it falls.", {{"n", std::floor(degrees)}})};
   }
-  if (!check.footHelps) return {false, "It would fall over. Print it lying down, or stick it on something broad."};
-  return {false, "It would fall over. \"Flat foot\" cuts it flat below; or print it lying down.", "flat-foot"};
+  if (!check.footHelps) {
+    return {false, said("It would fall over. Print it lying down, or stick it on something broad.")};
+  }
+  return {false, said("It would fall over. \"Flat foot\" cuts it flat below; or print it lying down."), "flat-foot"};
 }
 
 }  // namespace
@@ -72,7 +79,7 @@ std::vector<PrintLine> printLines(const PrintReport& report) {
   if (!report.faults.empty()) lines.push_back({false, report.faults});
   lines.push_back(closedLine(check));
   for (const std::string& part : report.crossing)
-    lines.push_back({false, failureSentence({Error::PartCrossesItself, part})});
+    lines.push_back({false, spokenFailure({Error::PartCrossesItself, part})});
   lines.insert(lines.end(), {sizeLine(check), wallLine(check, report.thin)});
   // How a heap of loose pieces stands is nobody's question.
   if (check.pieces < 2) lines.push_back(standLine(check));
@@ -88,7 +95,7 @@ PrintMessage printMessage(const PrintReport& report) {
     someGood = someGood || line.good;
     if (line.good == message.good) message.text += (message.text.empty() ? "" : " ") + line.text;
   }
-  if (!message.good && someGood) message.text += " The rest is fine for printing.";
+  if (!message.good && someGood) message.text += " " + said("The rest is fine for printing.");
   return message;
 }
 

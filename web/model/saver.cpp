@@ -5,6 +5,7 @@
 
 #include "web/model/messages.h"
 #include "web/model/solid_faults.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 
@@ -25,7 +26,7 @@ void Saver::proceed() {
   derivation_.settled();
   if (!derivation_.allMade()) return;
   const publish::Format format = *std::exchange(waiting_, std::nullopt);
-  if (const Status status = write(format); !status) sendError(host_, failureSentence(status.failure()));
+  if (const Status status = write(format); !status) sendError(host_, spokenFailure(status.failure()));
 }
 
 void Saver::modelOpened() {
@@ -48,7 +49,7 @@ Status Saver::write(publish::Format format) {
 
 void Saver::handOver(Result<publish::Bytes> bytes, publish::Format format, const document::Document& written) {
   if (!bytes) {
-    sendError(host_, failureSentence(bytes.failure()));
+    sendError(host_, spokenFailure(bytes.failure()));
     return;
   }
   host_.sendFile(publish::fileName(written, format), publish::mediaType(format), bytes.value());
@@ -66,10 +67,10 @@ void Saver::reportFaults(publish::Format format) {
   if (format == publish::Format::Project) return;
   const document::Document& document = session_.document();
   const std::string faults = faultsOf(document, derivation_.settled());
-  if (!faults.empty()) sendWarning(host_, "In the file, " + faults);
+  if (!faults.empty()) sendWarning(host_, words::tr("In the file, {faults}", {{"faults", faults}}));
   for (const PartId id : derivation_.crossingParts()) {
     const document::Part* part = document::findPart(document, id);
-    sendWarning(host_, failureSentence({Error::PartCrossesItself, part ? part->name : std::string()}));
+    sendWarning(host_, spokenFailure({Error::PartCrossesItself, part ? part->name : std::string()}));
   }
 }
 

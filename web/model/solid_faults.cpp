@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "engine/publish/publish.h"
+#include "web/model/messages.h"
 #include "web/model/spoken_length.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 
@@ -24,17 +26,19 @@ std::string spokenWall(double mm) {
 std::string solidFailureSentence(const document::Document& document, const pipeline::Derived& derived,
                                  const pipeline::DerivedStep& step) {
   const document::Part* part = findPart(document, step.faulty);
-  std::string sentence = failureSentence({step.failure->error, part ? part->name : std::string()});
+  std::string sentence = spokenFailure(Failure{step.failure->error, part ? part->name : std::string()});
   const double scale = millimetresPerUnit(document, derived);
   if (!step.thickest || !(scale > 0)) return sentence;
   const bool some = *step.thickest >= document::kLeastWall;
-  return sentence + (some ? " The thickest that fits is " + spokenWall(*step.thickest * scale) + "."
-                          : " No wall fits with this opening.");
+  sentence += ' ';
+  return sentence +=
+         some ? words::tr("The thickest that fits is {length}.", {{"length", spokenWall(*step.thickest * scale)}})
+              : words::tr("No wall fits with this opening.");
 }
 
 std::string spokenFailure(const document::Document& document, const pipeline::Derived& derived,
                           const pipeline::DerivedStep& step) {
-  if (step.failure->error == Error::Cancelled) return "Stopped. Press \"Try again\" to go on.";
+  if (step.failure->error == Error::Cancelled) return std::string(words::tr("Stopped. Press \"Try again\" to go on."));
   return solidFailureSentence(document, derived, step);
 }
 
@@ -47,9 +51,9 @@ std::string faultsOf(const document::Document& document, const pipeline::Derived
     if (root == nullptr || !root->visible || std::ranges::count(told, root->id) > 0) continue;
     told.push_back(root->id);
     const bool kept = pipeline::shownSolid(document, derived, *root) != nullptr;
-    text +=
-        (text.empty() ? "" : " ") + root->name + (kept ? " is as it was before: " : " is there as its parts alone: ");
-    text += spokenFailure(document, derived, step);
+    text += text.empty() ? "" : " ";
+    text += words::tr(kept ? "{solid} is as it was before: {why}" : "{solid} is there as its parts alone: {why}",
+                      {{"solid", words::nameOf(root->name)}, {"why", spokenFailure(document, derived, step)}});
   }
   return text;
 }

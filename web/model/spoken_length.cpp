@@ -1,27 +1,22 @@
 #include "web/model/spoken_length.h"
+#include "web/words/words.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <string>
 
 namespace spineloft::app {
 namespace {
 
-/// Without zeros at its end.
-std::string plainNumber(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  std::string out = text;
-  if (out.find('.') == std::string::npos) return out;
-  while (out.back() == '0') out.pop_back();
-  if (out.back() == '.') out.pop_back();
-  return out;
+std::string spoken(std::string_view text, double value, int digits) {
+  const double scale = std::pow(10, digits);
+  return std::string(words::tr(text, {{"n", std::round(value * scale) / scale}}));
 }
 
 std::string lengthWith(double mm, int digits) {
-  if (mm >= 1000) return plainNumber(mm / 1000, digits + 2) + " m";
-  if (mm >= 10) return plainNumber(mm / 10, digits + 1) + " cm";
-  return plainNumber(mm, std::max(1, digits)) + " mm";
+  if (mm >= 1000) return spoken("{n} m", mm / 1000, digits + 2);
+  if (mm >= 10) return spoken("{n} cm", mm / 10, digits + 1);
+  return spoken("{n} mm", mm, std::max(1, digits));
 }
 
 }  // namespace

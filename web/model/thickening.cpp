@@ -1,4 +1,5 @@
 #include "web/model/thickening.h"
+#include "web/words/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,24 +42,27 @@ std::vector<Thickening> thickenings(const Document& document, double millimetres
     if (recipe == nullptr || !pipeline::isVisible(document, part) || cutsOut(document, {part.id, {}})) continue;
     const double scale = part.placement.scale;
     if (!tooThin(recipe->extrude.thickness * scale, millimetres)) continue;
-    found.push_back({document::SetParameter{part.id, kThickness, wholeSteps(thick / scale)}, part.name});
+    found.push_back({document::SetParameter{part.id, kThickness, wholeSteps(thick / scale)},
+                     std::string(words::nameOf(part.name))});
   }
   for (const Step& step : document.steps) {
     const Step* root = rootOf(document, {{}, step.id});
     const bool seen = root == nullptr ? step.visible : root->visible;
     if (step.kind != document::StepKind::Hollow || !seen || !tooThin(step.wall, millimetres)) continue;
     const double wall = std::min(thick, document::kMostWall);
-    found.push_back(
-        {document::SetStep{step.id, step.kind, step.blend, wall, step.opening}, "the wall of " + step.name});
+    found.push_back({document::SetStep{step.id, step.kind, step.blend, wall, step.opening},
+                     std::string(words::tr("the wall of {solid}", {{"solid", words::nameOf(step.name)}}))});
   }
   return found;
 }
 
 std::string spokenList(const std::vector<Thickening>& all) {
-  std::string text;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0) text += i + 1 == all.size() ? " and " : ", ";
-    text += all[i].what;
+  if (all.empty()) return {};
+  std::string text = all.front().what;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const bool last = i + 1 == all.size();
+    text = words::tr(last ? "{list} and {last}" : "{list}, {next}",
+                     {{"list", text}, {last ? "last" : "next", all[i].what}});
   }
   return text;
 }

@@ -17,6 +17,7 @@
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
 #include "web/scene/scene.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -60,6 +61,16 @@ void App::resize(const platform::CanvasSize& size) {
   }
   layout();
   touch(2);
+}
+
+void App::speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) {
+  words::speak(std::move(language));
+  fontFiles_.scriptText = std::move(text);
+  fontFiles_.scriptBold = std::move(bold);
+  fonts_ = buildFonts(fontFiles_, ui_.dpr);
+  renderer_->fontsChanged();
+  announce();
+  touch(3);
 }
 
 void App::layout() {
@@ -162,6 +173,7 @@ void App::frame() {
 bool App::moving() const { return ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works(); }
 
 void App::drawFrame() {
+  words::forgetMuch();
   beginUi();
   panels::draw({env(), studio_.derived(), fonts_, sink_});
   ImGui::Render();
@@ -426,7 +438,7 @@ std::span<const std::uint8_t> App::exportModel(std::string_view format) {
   }
   json_.clear();
   json_.beginObject().key("ok").flag(false).key("error").text(errorName(failure.error));
-  json_.key("sentence").text(failureSentence(failure)).endObject();
+  json_.key("sentence").text(spokenFailure(failure)).endObject();
   lastError_ = json_.json();
   return {};
 }

@@ -37,6 +37,7 @@ class App final : public platform::Page, Hand {
   App(Parts parts, const platform::CanvasSize& size);
 
   void frame() override;
+  void speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) override;
   void wake() override;
   void resize(const platform::CanvasSize& size) override;
   void pointer(const platform::PointerEvent& event) override;

@@ -64,9 +64,9 @@ void row(const PanelEnv& env, bool atStart, loft::CapStyle chosen, float width) 
     const auto paint = [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 colour) {
       paintCap(list, name.style, centre, radius, direction, colour);
     };
-    const std::string_view text = size.y < 50 ? std::string_view() : name.label;
-    const std::string words = std::string(name.label) + (atStart ? ", where you began" : ", where you stopped");
-    if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, words}, paint)) {
+    const Text text = size.y < 50 ? Text("") : Text(name.label);
+    const std::string control = std::string(name.label) + (atStart ? ", where you began" : ", where you stopped");
+    if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, control}, paint)) {
       const std::optional<loft::CapStyle> cap = name.style, same;
       env.sink.run(app::setCaps, app::selectedParts(env.document(), env.ui()), atStart ? cap : same,
                    atStart ? same : cap);

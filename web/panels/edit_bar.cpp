@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -14,6 +14,7 @@
 #include "web/panels/bar_menu.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
+#include "web/words/words.h"
 
 namespace spineloft::panels {
 namespace {
@@ -135,8 +136,8 @@ Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, flo
 
 /// A slider that shows what it would do and does it when it is let go.
 void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, float width) {
-  const app::Preview* preview = env.ui().preview && env.ui().preview->part == part.id ? &*env.ui().preview : nullptr;
-  loft::Pose pose = preview ? preview->loft().pose : document::loftIn(part).pose;
+  const app::Preview* held = env.ui().preview && env.ui().preview->part == part.id ? &*env.ui().preview : nullptr;
+  loft::Pose pose = held ? held->loft().pose : document::loftIn(part).pose;
   double& own = turns ? pose.coilTurns : pose.coilRadius;
   const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(part));
   const int size = entry ? std::max(entry->size.width, entry->size.height) : 100;
@@ -144,16 +145,19 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   ImGui::SetNextItemWidth(width);
   // Pixels of the picture as lengths of the model.
   const double mm = static_cast<double>(value) / size * app::mmPerUnit(env.document(), env.derived);
-  char wide[40];
-  std::snprintf(wide, sizeof wide, "%.1f mm wide", mm);
-  const bool changed = turns ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, "%.1f turns")
-                             : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), wide);
+  const auto tenths = [](double number) { return std::round(number * 10) / 10; };
+  // Words with the number in them, in place of a format.
+  const std::string shown(words::drawn(turns ? words::tr("{n} turns", {{"n", tenths(own)}})
+                                             : words::tr("{n} mm wide", {{"n", tenths(mm)}})));
+  const bool changed = turns
+                           ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, shown.c_str())
+                           : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), shown.c_str());
   registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
   if (changed) {
-    own = static_cast<double>(value);
-    app::Preview& shown = app::previewPart(env.ui(), part);
-    shown.loft().pose = pose;
-    shown.fresh = false;
+    own = turns ? tenths(static_cast<double>(value)) : static_cast<double>(value);
+    app::Preview& preview = app::previewPart(env.ui(), part);
+    preview.loft().pose = pose;
+    preview.fresh = false;
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
   env.ui().preview.reset();

@@ -48,13 +48,15 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
       list.AddRectFilled(low, high, kSurface, kRadius - 2);
       list.AddRect(low, high, kLine, kRadius - 2);
     }
-    ImGui::PushFont(choices[i].on ? env.fonts.bold : env.fonts.text);
-    const char* first = choices[i].text.data();
-    const char* last = first + choices[i].text.size();
-    const ImVec2 extent = ImGui::CalcTextSize(first, last);
-    list.AddText({corner.x + (each - extent.x) / 2, corner.y + (height - extent.y) / 2},
-                 choices[i].on ? kAccent : kMuted, first, last);
-    ImGui::PopFont();
+    ImFont* font = choices[i].on ? env.fonts.bold : env.fonts.text;
+    const Fitted word = fitted(font, choices[i].text, each - 8);
+    const ImVec2 extent = extentOf(font, word.text, word.share);
+    drawLine(list,
+             {font,
+              {corner.x + (each - extent.x) / 2, corner.y + (height - extent.y) / 2},
+              choices[i].on ? kAccent : kMuted,
+              word.share},
+             word.text);
   }
   return pressed;
 }

@@ -75,16 +75,13 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   list.AddRectFilled(low, high, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255), 4);
   list.AddRect(low, high, part.look.textured ? kMuted : rgb(0x1f2430, 60), 4, 0, 1.3f);
   const float textHeight = ImGui::GetTextLineHeight();
-  const std::string name = shortened(ImGui::GetFont(), part.name, width - buttons - grips - 4);
-  list.AddText({at.x + 30, at.y + (height - textHeight) / 2},
-               !part.visible ? rgb(0x5c6474, 150)
-               : elsewhere   ? kMuted
-               : inHand      ? kAccent
-                             : kInk,
-               name.c_str());
+  const std::string_view name =
+      shortened(ImGui::GetFont(), asIs(words::nameOf(part.name)), width - buttons - grips - 4);
+  const ImU32 ink = !part.visible ? rgb(0x5c6474, 150) : elsewhere ? kMuted : inHand ? kAccent : kInk;
+  drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - textHeight) / 2}, ink}, name);
   if (elsewhere) {
     const document::PictureEntry* picture = findPicture(env.document(), document::pictureOf(part));
-    if (picture != nullptr) tooltip("On " + picture->name);
+    if (picture != nullptr) tooltip(asIs(words::tr("On {name}", {{"name", words::nameOf(picture->name)}})));
   }
   if (pressed) {
     if (takesMore(env)) {
@@ -129,7 +126,8 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;
   list.PushClipRect(at, {at.x + width - height, at.y + height}, true);
   list.AddText(env.fonts.icons, size * 1.1f, {at.x + 8, at.y + (height - size * 1.1f) / 2}, kMuted, iconText("group"));
-  list.AddText(env.fonts.bold, size, {at.x + 30, at.y + (height - size) / 2}, kInk, group.name.c_str());
+  drawLine(list, {env.fonts.bold, {at.x + 30, at.y + (height - size) / 2}, kInk},
+           words::drawn(words::nameOf(group.name)));
   list.PopClipRect();
   if (pressed && secondClick()) {
     env.sink.run(app::askGroupName, group.id);

@@ -61,13 +61,22 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
   } else if (pressed) {
     env.sink.run(app::selectPicture, entry.id);
   }
-  tooltip(entry.name);
+  tooltip(asIs(words::nameOf(entry.name)));
   ImGui::PopID();
+}
+
+/// As wide as its words need.
+float menuWidth(const PanelEnv& env) {
+  float widest = 0;
+  for (const app::CommandId id : {app::CommandId("rename-picture"), app::CommandId("remove-picture")}) {
+    widest = std::max(widest, extentOf(env.fonts.text, shown(app::commandOf(id).label)).x);
+  }
+  return std::max(kMenuWidth, widest + 60);
 }
 
 /// The row of a command that is told which picture it is about.
 bool menuRow(const PanelEnv& env, const app::Command& command) {
-  const float height = env.ui().touch ? 44.f : 34.f, width = kMenuWidth - 8;
+  const float height = env.ui().touch ? 44.f : 34.f, width = menuWidth(env) - 8;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(command.icon.data(), {width, height});
   registerControl(env, app::Control::Kind::Button, command.label);
@@ -79,8 +88,7 @@ bool menuRow(const PanelEnv& env, const app::Command& command) {
   ImFont *icons = env.fonts.icons, *font = env.fonts.text;
   const float size = icons->FontSize * scale, line = font->FontSize * scale;
   list.AddText(icons, size, {at.x + 9, at.y + (height - size) / 2}, kInk, iconText(command.icon));
-  list.AddText(font, line, {at.x + 18 + size, at.y + (height - line) / 2}, kInk, command.label.data(),
-               command.label.data() + command.label.size());
+  drawLine(list, {font, {at.x + 18 + size, at.y + (height - line) / 2}, kInk}, shown(command.label));
   return pressed;
 }
 
@@ -90,11 +98,11 @@ void menu(const PanelEnv& env, const app::Rect& strip) {
   const auto at = std::ranges::find(ui.thumbnails, ui.pictureMenu, &app::Thumbnail::picture);
   if (at == ui.thumbnails.end()) return;
   const bool column = strip.height > strip.width;
-  const double height = 2 * (ui.touch ? 44. : 34.) + 10;
+  const double height = 2 * (ui.touch ? 44. : 34.) + 10, width = menuWidth(env);
   const double x = column ? strip.right() + 4 : std::max(strip.x + 6, at->at.x);
   const double y = column ? std::max(strip.y, at->at.y) : strip.bottom() + 2;
-  const app::Rect card{std::clamp(x, 0., std::max(0., ui.canvasWidth - kMenuWidth)),
-                       std::clamp(y, 0., std::max(0., ui.canvasHeight - height)), kMenuWidth, height};
+  const app::Rect card{std::clamp(x, 0., std::max(0., ui.canvasWidth - width)),
+                       std::clamp(y, 0., std::max(0., ui.canvasHeight - height)), width, height};
   beginCard(env, "picture menu", card);
   if (menuRow(env, app::commandOf("rename-picture"))) env.sink.run(app::askPictureName, ui.pictureMenu);
   if (menuRow(env, app::commandOf("remove-picture"))) env.sink.run(app::removePicture, ui.pictureMenu);

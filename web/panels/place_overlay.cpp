@@ -58,18 +58,17 @@ void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const 
 
 /// What the handle under the pointer does, beside the gizmo.
 void words(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo, app::GizmoHandle handle) {
-  const char* text = app::handleWords(handle);
-  if (*text == 0) return;
+  const std::string_view text = shown(app::handleWords(handle));
+  if (text.empty()) return;
   ImFont* font = env.fonts.small;
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+  const ImVec2 extent = extentOf(font, text);
   const app::Rect& view = env.ui().layout.solid;
   const float x = std::clamp(static_cast<float>(gizmo.at.x) - extent.x / 2, static_cast<float>(view.x) + 12,
                              static_cast<float>(view.right()) - extent.x - 12);
   const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.3), static_cast<float>(view.y) + 8,
                              static_cast<float>(view.bottom()) - 26);
   list.AddRectFilled({x - 9, y - 4}, {x + extent.x + 9, y + extent.y + 4}, rgb(0x1f2430, 225), 8);
-  list.AddText(font, size, {x, y}, kSurface, text);
+  drawLine(list, {font, {x, y}, kSurface}, text);
 }
 
 }  // namespace

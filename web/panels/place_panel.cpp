@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "web/commands/intents.h"
 #include "web/edit/placing.h"
@@ -19,9 +18,9 @@ struct Field {
   const char* word;
   const char* unit;
 };
-constexpr std::array kFields = {Field{"x", "Right", "mm"},         Field{"y", "Up", "mm"},
-                                Field{"z", "Front", "mm"},         Field{"tip", "Tip", "\xc2\xb0"},
-                                Field{"turn", "Turn", "\xc2\xb0"}, Field{"lean", "Lean", "\xc2\xb0"}};
+constexpr std::array kFields = {Field{"x", "Right", "{n} mm"},        Field{"y", "Up", "{n} mm"},
+                                Field{"z", "Front", "{n} mm"},        Field{"tip", "Tip", "{n}\xc2\xb0"},
+                                Field{"turn", "Turn", "{n}\xc2\xb0"}, Field{"lean", "Lean", "{n}\xc2\xb0"}};
 
 /// A word above a number in a box; a press asks for another number.
 void field(const PanelEnv& env, const Field& what, double value, float width) {
@@ -34,13 +33,12 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   const bool hot = ImGui::IsItemHovered();
   list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);
   list.AddRect(at, {at.x + width, at.y + height}, hot ? kMuted : kLine, 8);
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1f %s", value == 0 ? 0.0 : value, what.unit);
+  const std::string_view text = shown(asIs(words::tr(what.unit, {{"n", std::round(value * 10) / 10 + 0.0}})));
   ImFont* small = env.fonts.small;
   const float size = small->FontSize * ImGui::GetIO().FontGlobalScale;
   list.PushClipRect(at, {at.x + width, at.y + height}, true);
-  list.AddText(small, size * 0.92f, {at.x + 8, at.y + 4}, kMuted, what.word);
-  list.AddText(small, size, {at.x + 8, at.y + height - size - 5}, kInk, text);
+  drawLine(list, {small, {at.x + 8, at.y + 4}, kMuted, 0.92f}, shortened(small, what.word, width - 12, 0.92f));
+  drawLine(list, {small, {at.x + 8, at.y + height - size - 5}, kInk}, text);
   list.PopClipRect();
   ImGui::PopID();
   if (pressed) env.sink.run(app::askPlace, what.key);
@@ -99,7 +97,7 @@ void placePanel(const PanelEnv& env, float width) {
     field(env, kFields[i], app::placeNumber(*part, kFields[i].key, mm), each);
   }
   if (columns == 7) ImGui::SameLine();
-  field(env, {"size", "Size", "%"}, app::placeNumber(*part, "size", mm), each);
+  field(env, {"size", "Size", "{n} %"}, app::placeNumber(*part, "size", mm), each);
   const float side = buttonSide(env);
   constexpr app::CommandId kButtons[] = {"drop-on-floor", "face-front", "duplicate", "mirror-copy", "symmetry"};
   for (const app::CommandId& id : kButtons) {

@@ -71,7 +71,7 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   wordButton(env, {other, width, buttonSide(env), kAccent});
   if (std::ranges::none_of(table, &document::ParamInfo::forFew)) return;
   bool& more = env.ui().moreNumbers;
-  const std::string_view text = more ? "Less about this" : "More about this";
+  const char* text = more ? "Less about this" : "More about this";
   if (textButton(env, {"more", text, false, true, buttonSide(env), width})) more = !more;
   for (const document::ParamInfo& info : table) {
     if (more && info.forFew) slider(env, part, info, width);

@@ -153,17 +153,17 @@ void paintGround(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
   }
   const auto word = [&](SectionPoint at, const char* text) {
     ImFont* font = env.fonts.small;
-    const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-    const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text), p = frame.at(at);
-    list.AddText(font, size, {p.x - extent.x / 2, p.y - extent.y / 2}, kMuted, text);
+    const ImVec2 extent = extentOf(font, shown(text)), p = frame.at(at);
+    drawLine(list, {font, {p.x - extent.x / 2, p.y - extent.y / 2}, kMuted}, shown(text));
   };
-  word({0, 1.09}, "front");
-  word({0, -1.09}, "back");
+  word({0, 1.09}, words::text("front"));
+  word({0, -1.09}, words::text("back"));
   const ImVec2 left = frame.at({-1, 0.07}), right = frame.at({1, 0.07});
   const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
-  list.AddText(env.fonts.small, size, {left.x + 6, left.y - size / 2}, rgb(0x5c6474, 170), "left");
-  const float wide = env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, "right").x;
-  list.AddText(env.fonts.small, size, {right.x - wide - 6, right.y - size / 2}, rgb(0x5c6474, 170), "right");
+  const std::string_view toLeft = shown(words::text("left")), toRight = shown(words::text("right"));
+  drawLine(list, {env.fonts.small, {left.x + 6, left.y - size / 2}, rgb(0x5c6474, 170)}, toLeft);
+  const float wide = extentOf(env.fonts.small, toRight).x;
+  drawLine(list, {env.fonts.small, {right.x - wide - 6, right.y - size / 2}, rgb(0x5c6474, 170)}, toRight);
 }
 
 void paintPoints(const PanelEnv& env, ImDrawList& list, const SectionFrame& frame) {
@@ -243,7 +243,7 @@ void startRow(const PanelEnv& env, float width) {
   ImGui::BeginChild("start from", {width, kStartTile + 12}, ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
-  const auto put = [&](const char* id, std::string_view tip, const loft::SectionShape& shape) {
+  const auto put = [&](const char* id, Text tip, const loft::SectionShape& shape) {
     return tile(env, {id, "", tip, {kStartTile, kStartTile}, false},
                 [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
                   paintSection(list, {centre, radius}, shape, {ink, 0, 1.6f});
@@ -251,7 +251,7 @@ void startRow(const PanelEnv& env, float width) {
   };
   for (const app::ShelfSection& section : env.ui().sections.shelf) {
     const std::string id = "shelf" + std::to_string(section.id);
-    if (put(id.c_str(), section.name, section.shape)) {
+    if (put(id.c_str(), asIs(words::nameOf(section.name)), section.shape)) {
       env.sink.run(app::startBoardFrom, section.shape);
     }
     ImGui::SameLine();

@@ -46,9 +46,9 @@ class Grid {
   static constexpr float kGap = 6;
 
   /// A tile of a section; it can be pressed, or dragged to a part.
-  bool section(const char* id, std::string_view name, const loft::SectionShape& shape, bool on) {
+  bool section(const char* id, Text name, const loft::SectionShape& shape, bool on) {
     place();
-    const std::string_view text = size_.y < 50 ? std::string_view() : name;
+    const Text text = size_.y < 50 ? Text("") : name;
     const bool pressed =
         tile(env_, {id, text, name, size_, on}, [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
           paintSection(list, {centre, radius}, shape, {ink, 0, 1.8f});
@@ -112,7 +112,7 @@ void sectionChooser(const PanelEnv& env, float width) {
   }
   for (const app::ShelfSection& section : env.ui().sections.shelf) {
     const std::string id = "shelf" + std::to_string(section.id);
-    if (grid.section(id.c_str(), section.name, section.shape, section.shape == chosen)) {
+    if (grid.section(id.c_str(), asIs(words::nameOf(section.name)), section.shape, section.shape == chosen)) {
       choose(env, section.shape);
     }
   }

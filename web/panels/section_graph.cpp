@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "web/commands/intents.h"
@@ -28,13 +27,13 @@ app::Rect rectOf(ImVec2 low, ImVec2 high) {
 const char* unitOf(AlongKind kind) {
   switch (kind) {
     case AlongKind::Twist:
-      return " turns";
+      return "{n} turns";
     case AlongKind::Squash:
-      return " ×";
+      return "{n} ×";
     case AlongKind::Tilt:
-      return "°";
+      return "{n}°";
     default:
-      return "";
+      return "{n}";
   }
 }
 
@@ -107,7 +106,7 @@ void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float wi
   const float height = env.ui().touch ? 44.f : 30.f;
   float room = width;
   bool first = true;
-  const auto chip = [&](std::string_view key, std::string_view text, const geometry::AlongCurve& curve, bool enabled) {
+  const auto chip = [&](std::string_view key, Text text, const geometry::AlongCurve& curve, bool enabled) {
     const float wide = textButtonWidth(env, text);
     if (!first && room >= wide + 4) {
       ImGui::SameLine(0, 4);
@@ -171,16 +170,16 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
     list.AddCircleFilled(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSurface, 20);
     list.AddCircle(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSpine, 20, 2);
   }
-  char text[48] = "";
+  const auto number = [&](double value) { return asIs(words::tr(graph.unit, {{"n", std::round(value * 100) / 100}})); };
+  Text text = "";
   if (dragging && env.ui().sections.graphPoint < curve.points.size()) {
-    std::snprintf(text, sizeof text, "%.2g%s", curve.points[env.ui().sections.graphPoint].value, graph.unit);
+    text = number(curve.points[env.ui().sections.graphPoint].value);
   } else if (pointed && !curve.empty()) {
-    std::snprintf(text, sizeof text, "%.2g%s", geometry::valueAt(curve, *hovered, graph.rest), graph.unit);
+    text = number(geometry::valueAt(curve, *hovered, graph.rest));
   } else if (curve.empty() && graph.kind == app::GraphArea::Kind::Along) {
-    std::snprintf(text, sizeof text, "Tap to bend the line");
+    text = "Tap to bend the line";
   }
-  list.AddText(env.fonts.small, env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale, {at.x + 8, at.y + 4},
-               kMuted, text);
+  drawLine(list, {env.fonts.small, {at.x + 8, at.y + 4}, kMuted}, text.shown());
   list.PopClipRect();
 }
 

@@ -24,21 +24,25 @@ constexpr std::array kTabs = {Tab{app::PanelTab::Parts, "Parts"}, Tab{app::Panel
                               Tab{app::PanelTab::Place, "Place"}};
 
 /// A heading that opens and folds what is below it. True while it is open.
-bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
+bool section(const PanelEnv& env, app::PanelTab tab, const char* id, Text words) {
   const unsigned bit = 1u << static_cast<unsigned>(tab);
   unsigned& folded = env.ui().folded;
   ImGui::Dummy({0, 2});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = env.ui().touch ? 44.f : 28.f;
-  if (ImGui::InvisibleButton(text, {width, height})) folded ^= bit;
+  if (ImGui::InvisibleButton(id, {width, height})) folded ^= bit;
   const bool open = (folded & bit) == 0;
-  registerControl(env, app::Control::Kind::Section, text, true, open);
+  registerControl(env, app::Control::Kind::Section, words.words, true, open);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled({at.x - 6, at.y}, {at.x + width, at.y + height}, kHover, 8);
   list.AddLine({at.x, at.y - 3}, {at.x + width, at.y - 3}, kLine);
-  const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;
-  list.AddText(env.fonts.bold, size, {at.x, at.y + (height - size) / 2}, kInk, text);
-  const ImVec2 c{at.x + width - 10, at.y + height / 2};  // the arrow
+  ImFont* bold = env.fonts.bold;
+  const float size = bold->FontSize * ImGui::GetIO().FontGlobalScale, room = width - 24;
+  const std::string_view text = shortened(bold, words, room);
+  const bool fromRight = words::language().rightToLeft;
+  const float left = fromRight ? at.x + width - extentOf(bold, text).x : at.x;
+  drawLine(list, {bold, {left, at.y + (height - size) / 2}, kInk}, text);
+  const ImVec2 c{fromRight ? at.x + 10 : at.x + width - 10, at.y + height / 2};  // the arrow
   if (open) {
     list.AddTriangleFilled({c.x - 4, c.y - 2}, {c.x + 4, c.y - 2}, {c.x, c.y + 3}, kMuted);
   } else {
@@ -48,9 +52,10 @@ bool section(const PanelEnv& env, app::PanelTab tab, const char* text) {
 }
 
 /// A heading that says how many parts its settings are for, where they are several.
-std::string forParts(const PanelEnv& env, std::string_view text) {
+Text forParts(const PanelEnv& env, const char* text) {
   const std::size_t count = app::selectedParts(env.document(), env.ui()).size();
-  return std::string(text) + (count > 1 ? " of " + std::to_string(count) + " parts" : "");
+  if (count < 2) return text;
+  return asIs(words::tr("{what} of {n} parts", {{"what", words::tr(text)}, {"n", count}}));
 }
 
 /// The selected part when it is a puff or a flat piece, else null.
@@ -89,21 +94,22 @@ void column(const PanelEnv& env) {
   partList(env);
   if (!isOffered(env, app::PanelTab::Section)) return;
   if (const document::Part* region = selectedRegion(env)) {
-    if (section(env, app::PanelTab::Section, forParts(env, titleOf(*region)).c_str())) regionPanel(env, *region, width);
+    if (section(env, app::PanelTab::Section, "slice", forParts(env, titleOf(*region))))
+      regionPanel(env, *region, width);
   } else {
-    const std::string title = env.selected() ? forParts(env, "Slice") : "Slice of the next part";
-    if (section(env, app::PanelTab::Section, title.c_str())) {
+    const Text title = env.selected() ? forParts(env, "Slice") : "Slice of the next part";
+    if (section(env, app::PanelTab::Section, "slice", title)) {
       sectionChooser(env, width);
     }
-    if (isOffered(env, app::PanelTab::Along) && section(env, app::PanelTab::Along, "Twist and depth")) {
+    if (isOffered(env, app::PanelTab::Along) && section(env, app::PanelTab::Along, "along", "Twist and depth")) {
       alongPanel(env, width);
     }
-    if (section(env, app::PanelTab::Ends, forParts(env, "Ends").c_str())) capChooser(env, width);
+    if (section(env, app::PanelTab::Ends, "ends", forParts(env, "Ends"))) capChooser(env, width);
   }
-  if (section(env, app::PanelTab::Look, forParts(env, "Look").c_str())) lookPanel(env, width);
-  if (!env.document().parts.empty() && section(env, app::PanelTab::Size, "How tall?")) sizePanel(env, width);
+  if (section(env, app::PanelTab::Look, "look", forParts(env, "Look"))) lookPanel(env, width);
+  if (!env.document().parts.empty() && section(env, app::PanelTab::Size, "size", "How tall?")) sizePanel(env, width);
   const bool placed = env.selected() != nullptr && isOffered(env, app::PanelTab::Place);
-  if (placed && section(env, app::PanelTab::Place, "Place")) placePanel(env, width);
+  if (placed && section(env, app::PanelTab::Place, "place", "Place")) placePanel(env, width);
   ImGui::Dummy({0, 8});
 }
 
@@ -120,14 +126,11 @@ void tabs(const PanelEnv& env, float width) {
     const bool on = env.ui().tab == shown[i].tab || shown.size() == 1;
     registerControl(env, app::Control::Kind::Tab, shown[i].label, true, on);
     ImFont* font = on ? env.fonts.bold : env.fonts.text;
-    ImGui::PushFont(font);
-    const ImVec2 extent = ImGui::CalcTextSize(shown[i].label);
-    list.AddText({at.x + (each - extent.x) / 2, at.y + (height - extent.y) / 2 - 1},
-                 on                       ? kAccent
-                 : ImGui::IsItemHovered() ? kInk
-                                          : kMuted,
-                 shown[i].label);
-    ImGui::PopFont();
+    const Fitted word = fitted(font, shown[i].label, each - 4);
+    const ImVec2 extent = extentOf(font, word.text, word.share);
+    const ImU32 colour = on ? kAccent : ImGui::IsItemHovered() ? kInk : kMuted;
+    drawLine(list, {font, {at.x + (each - extent.x) / 2, at.y + (height - extent.y) / 2 - 1}, colour, word.share},
+             word.text);
     if (on) {
       list.AddRectFilled({at.x + each * 0.2f, at.y + height - 4}, {at.x + each * 0.8f, at.y + height - 1}, kAccent, 2);
     }

@@ -37,7 +37,7 @@ void howTall(const PanelEnv& env, float width) {
   if (iconButton(env, {"lower", "minus", "Smaller", false, can, side})) step(-1);
   ImGui::SameLine(0, 4);
   const std::string text = app::roundLength(mm);
-  commandText(env, {"set-height", std::max(60.f, width - 2 * side - 8), false, text});
+  commandText(env, {"set-height", std::max(60.f, width - 2 * side - 8), false, asIs(text)});
   ImGui::SameLine(0, 4);
   if (iconButton(env, {"higher", "plus", "Taller", false, can, side})) step(+1);
 }
@@ -50,7 +50,7 @@ void likeThings(const PanelEnv& env, float width) {
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     const app::Thing& thing = known[i];
-    const std::string tip = "As tall as a " + std::string(thing.key) + ": " + app::spokenLength(thing.mm);
+    const std::string_view tip = words::tr(thing.tall, {{"length", app::spokenLength(thing.mm)}});
     const bool on = env.ui().beside == i;
     const auto paint = [i](ImDrawList& list, ImVec2 centre, float radius, ImU32 colour) {
       for (const auto& line : app::thingLines(i)) {
@@ -62,7 +62,7 @@ void likeThings(const PanelEnv& env, float width) {
         list.PathStroke(colour, 0, 1.5f);
       }
     };
-    const bool pressed = tile(env, {thing.key.data(), thing.label, tip, {wide, 60}, on}, paint);
+    const bool pressed = tile(env, {thing.key.data(), thing.label, asIs(tip), {wide, 60}, on}, paint);
     if (!pressed || env.document().parts.empty()) continue;
     if (on && mm == thing.mm) {
       env.sink.run(app::showBeside, std::nullopt);
@@ -74,10 +74,11 @@ void likeThings(const PanelEnv& env, float width) {
 
 /// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
-  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning, iconText(line.good ? "circle-check" : "triangle-alert"));
+  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning,
+        asIs(iconText(line.good ? "circle-check" : "triangle-alert")));
   ImGui::SameLine(0, 6);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
-  label(env.fonts.small, line.good ? kInk : kWarning, line.text);
+  label(env.fonts.small, line.good ? kInk : kWarning, asIs(line.text));
   ImGui::PopTextWrapPos();
   const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);
   if (fix == nullptr) return;
@@ -105,12 +106,11 @@ struct Words {
 
 void words(const PanelEnv& env, ImDrawList& list, const Words& what) {
   ImFont* font = env.fonts.small;
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const char* from = what.text.c_str();
-  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, from);
+  const std::string_view text = shown(asIs(what.text));
+  const ImVec2 extent = extentOf(font, text);
   const ImVec2 at{what.at.x - extent.x / 2, what.at.y};
   list.AddRectFilled({at.x - 8, at.y - 3}, {at.x + extent.x + 8, at.y + extent.y + 3}, rgb(0xffffff, 225), 12);
-  list.AddText(font, size, at, kMuted, from);
+  drawLine(list, {font, at, kMuted}, text);
 }
 
 /// A thing beside the solid, both in true proportion.
@@ -133,7 +133,8 @@ void drawThing(const PanelEnv& env, ImDrawList& list, const pipeline::WorldBound
     }
   }
   if (const auto foot = at({0, 0})) {
-    words(env, list, {{foot->x, foot->y + 8}, "a " + std::string(thing.key) + ", " + app::spokenLength(thing.mm)});
+    const std::string_view text = words::tr(thing.beside, {{"length", app::spokenLength(thing.mm)}});
+    words(env, list, {{foot->x, foot->y + 8}, std::string(text)});
   }
 }
 

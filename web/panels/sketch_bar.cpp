@@ -94,10 +94,7 @@ float rowWidth(const PanelEnv& env, std::size_t count) { return static_cast<floa
 /// Of the button of the next step, which says its words where the view has room for them.
 float spineWidth(const PanelEnv& env) {
   if (env.ui().layout.picture.width < 460) return sideOf(env);
-  ImGui::PushFont(env.fonts.text);
-  const float words = ImGui::CalcTextSize(kSpineLine).x + 46;
-  ImGui::PopFont();
-  return words;
+  return extentOf(env.fonts.text, shown(kSpineLine)).x + 46;
 }
 
 /// Of the card with so many sizes and inks, or the buttons of their menus.
@@ -163,7 +160,7 @@ void spineButton(const PanelEnv& env, float width, bool next) {
   if (words) {
     ImFont* font = env.fonts.text;
     const float height = font->FontSize * scale;
-    list.AddText(font, height, {left + size + 7, at.y + (side - height) / 2}, ink, kSpineLine);
+    drawLine(list, {font, {left + size + 7, at.y + (side - height) / 2}, ink}, shown(kSpineLine));
   }
   tooltip("Draw a bone: one line along the middle of what you drew");
   if (pressed) env.sink.run("draw");

@@ -145,17 +145,14 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   if (selected || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
   }
-  if (!trouble.empty()) tooltip(trouble);
+  if (!trouble.empty()) tooltip(asIs(trouble));
   ImFont* icons = env.fonts.icons;
   const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;
   list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2}, trouble.empty() ? kAccent : kFailure,
                iconText(iconOf(step.kind)));
-  const std::string name = shortened(ImGui::GetFont(), step.name, row - 34);
-  list.AddText({at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2},
-               !step.visible ? rgb(0x5c6474, 150)
-               : selected    ? kAccent
-                             : kInk,
-               name.c_str());
+  const std::string_view name = shortened(ImGui::GetFont(), asIs(words::nameOf(step.name)), row - 34);
+  const ImU32 ink = !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk;
+  drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2}, ink}, name);
   if (pressed) {
     const bool twice = selected && secondClick();
     env.sink.run(twice ? app::askStepName : app::selectStep, step.id);
@@ -190,7 +187,7 @@ void solidPanel(const PanelEnv& env, float width) {
     const std::string trouble = app::stepFailureWords(env.env, each);
     if (trouble.empty()) continue;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, kFailure, each.name + ": " + trouble);
+    label(env.fonts.small, kFailure, asIs(std::string(words::nameOf(each.name)) + ": " + trouble));
     ImGui::PopTextWrapPos();
     ImGui::PushID(static_cast<int>(each.id.value));
     const float half = std::min((width - 4) / 2, 110.f);

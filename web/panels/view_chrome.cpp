@@ -73,28 +73,28 @@ void registerWords(const PanelEnv& env, std::string words, ImVec2 low, ImVec2 hi
       {app::Control::Kind::Words, std::move(words), {low.x, low.y, high.x - low.x, high.y - low.y}});
 }
 
-void chip(const PanelEnv& env, const app::Rect& view, const char* text, bool focused) {
+void chip(const PanelEnv& env, const app::Rect& view, Text words, bool focused) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImFont* font = env.fonts.small;
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
+  const std::string_view text = shortened(font, words, static_cast<float>(view.width - 2 * kMargin) - 20);
+  const ImVec2 extent = extentOf(font, text);
   const ImVec2 at{static_cast<float>(view.x + kMargin), static_cast<float>(view.y + kMargin)};
   const ImVec2 end{at.x + extent.x + 20, at.y + extent.y + 10};
   list.AddRectFilled(at, end, rgb(0xffffff, 235), 20);
   list.AddRect(at, end, focused ? kAccent : kLine, 20, 0, 1.2f);
-  list.AddText(font, size, {at.x + 10, at.y + 5}, focused ? kAccent : kMuted, text);
-  registerWords(env, text, at, end);
+  drawLine(list, {font, {at.x + 10, at.y + 5}, focused ? kAccent : kMuted}, text);
+  registerWords(env, std::string(words.words), at, end);
 }
 
 struct LegendEntry {
   ribs::RibState state;
   const char* text;
 };
-constexpr LegendEntry kLegend[] = {{ribs::RibState::Edge, "on an edge"},
-                                   {ribs::RibState::Bridged, "bridged"},
-                                   {ribs::RibState::Guessed, "guessed"},
-                                   {ribs::RibState::Edited, "by hand"},
-                                   {ribs::RibState::Locked, "locked"}};
+constexpr LegendEntry kLegend[] = {{ribs::RibState::Edge, words::text("on an edge")},
+                                   {ribs::RibState::Bridged, words::text("bridged")},
+                                   {ribs::RibState::Guessed, words::text("guessed")},
+                                   {ribs::RibState::Edited, words::text("by hand")},
+                                   {ribs::RibState::Locked, words::text("locked")}};
 
 /// The states that the ribs in view have, in the order of the legend.
 ShortList<LegendEntry> statesInView(const PanelEnv& env) {
@@ -142,9 +142,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   ImFont* font = env.fonts.small;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale, line = size + 6;
   const float sample = stacked ? 14.f : 20.f;
-  const auto widthOf = [&](const char* text) {
-    return sample + 6 + font->CalcTextSizeA(size, FLT_MAX, 0, text).x + 12;
-  };
+  const auto widthOf = [&](const char* text) { return sample + 6 + extentOf(font, shown(text)).x + 12; };
   float width = 12, widest = 0;
   for (const LegendEntry& entry : entries) {
     width += widthOf(entry.text);
@@ -167,7 +165,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
     Pen look = ribPen(entry.state);
     look.width += 0.8f;
     styledLine(list, pen, {pen.x + sample, pen.y}, look);
-    list.AddText(font, size, {pen.x + sample + 6, pen.y - size / 2}, kMuted, entry.text);
+    drawLine(list, {font, {pen.x + sample + 6, pen.y - size / 2}, kMuted}, shown(entry.text));
     (tall ? pen.y : pen.x) += tall ? line : widthOf(entry.text);
     words += (words.empty() ? "" : ", ") + std::string(entry.text);
   }
@@ -194,7 +192,9 @@ struct Pill {
 /// else is; nothing where there is no room.
 void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way, const Pill& what) {
   ImGui::PushFont(env.fonts.text);
-  const ImVec2 extent = ImGui::CalcTextSize(what.text);
+  const std::string_view text =
+      shortened(env.fonts.text, what.text, static_cast<float>(view.width) - 28 - 2 * static_cast<float>(kClear));
+  const ImVec2 extent = extentOf(env.fonts.text, text);
   std::vector<app::Rect> taken = env.ui().overlays;
   for (const app::Control& control : env.ui().controls) {
     if (control.kind == app::Control::Kind::Words) taken.push_back(control.at);
@@ -207,7 +207,7 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
     const ImVec2 low{static_cast<float>(at.x), static_cast<float>(at.y)};
     const ImVec2 high{static_cast<float>(at.right()), static_cast<float>(at.bottom())};
     list.AddRectFilled(low, high, what.fill, 20);
-    list.AddText({low.x + 14, low.y + 7}, what.ink, what.text);
+    drawLine(list, {env.fonts.text, {low.x + 14, low.y + 7}, what.ink}, text);
     registerWords(env, what.text, low, high);
   }
   ImGui::PopFont();
@@ -271,8 +271,9 @@ void drawViewChrome(const PanelEnv& env) {
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) {
     const std::string size = app::roundLength(env.document().height.value);
-    const std::string solid = env.document().parts.empty() ? "Solid" : "Solid, " + size + " tall";
-    chip(env, layout.solid, solid.c_str(), !onPicture);
+    const Text solid =
+        env.document().parts.empty() ? Text("Solid") : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
+    chip(env, layout.solid, solid, !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
   constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};

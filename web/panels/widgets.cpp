@@ -13,22 +13,43 @@ namespace spineloft::panels {
 namespace {
 
 constexpr float kDragSlop = 8;
+constexpr float kTileWords = 0.92f;  // of the small font
 
-/// The first word, when the whole text is too wide.
-std::string_view fitting(ImFont* font, std::string_view text, float width) {
-  const float scale = ImGui::GetIO().FontGlobalScale;
-  const auto widthOf = [&](std::string_view t) {
-    return font->CalcTextSizeA(font->FontSize * scale, FLT_MAX, 0, t.data(), t.data() + t.size()).x;
+/// Where a line of this width begins: at the right side of its room where the language does.
+float lineStart(float left, float room, float width) {
+  return words::language().rightToLeft ? left + std::max(0.f, room - width) : left;
+}
+
+/// Right to left: lines are broken in the order of reading, then each is drawn in the order of sight.
+void rightToLeftLines(ImFont* font, std::string_view text, float room) {
+  std::string line;
+  const auto put = [&] {
+    const std::string_view drawn = words::drawn(line);
+    const ImVec2 at = ImGui::GetCursorScreenPos(), extent = extentOf(font, drawn);
+    drawLine(*ImGui::GetWindowDrawList(),
+             {font, {lineStart(at.x, room, extent.x), at.y}, ImGui::GetColorU32(ImGuiCol_Text)}, drawn);
+    ImGui::Dummy({std::min(room, extent.x), extent.y});
+    line.clear();
   };
-  if (widthOf(text) <= width) return text;
-  return text.substr(0, std::min(text.find(' '), text.find('-')));
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string longer =
+        line.empty() ? std::string(text.substr(0, end)) : line + " " + std::string(text.substr(0, end));
+    if (!line.empty() && extentOf(font, words::drawn(longer)).x > room) {
+      put();
+      continue;
+    }
+    line = longer;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  if (!line.empty()) put();
 }
 
 /// The same colour as a pale ground.
 ImU32 softened(ImU32 colour) { return (colour & ~IM_COL32_A_MASK) | (28u << IM_COL32_A_SHIFT); }
 
 std::string tipOf(const app::Command& command) {
-  std::string tip(command.label);
+  std::string tip(words::tr(command.label));
   if (!command.shortcut.empty()) {
     tip += "  (" + std::string(command.shortcut.substr(0, command.shortcut.find(", "))) + ")";
   }
@@ -37,13 +58,24 @@ std::string tipOf(const app::Command& command) {
 
 }  // namespace
 
-void tooltip(std::string_view tip) {
+ImVec2 extentOf(ImFont* font, std::string_view text, float share) {
+  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale * share;
+  return font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
+}
+
+void drawLine(ImDrawList& list, const Line& line, std::string_view text) {
+  const float size = line.font->FontSize * ImGui::GetIO().FontGlobalScale * line.share;
+  list.AddText(line.font, size, line.at, line.colour, text.data(), text.data() + text.size());
+}
+
+void tooltip(Text tip) {
   if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   if (ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
   ImGui::PushStyleColor(ImGuiCol_Text, kSurface);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 7});
   if (ImGui::BeginTooltip()) {
-    ImGui::TextUnformatted(tip.data(), tip.data() + tip.size());
+    const std::string_view text = tip.shown();
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::EndTooltip();
   }
   ImGui::PopStyleVar();
@@ -89,31 +121,45 @@ void endCard() {
   ImGui::PopStyleVar(3);
 }
 
-void label(ImFont* font, ImU32 colour, std::string_view text) {
+void label(ImFont* font, ImU32 colour, Text what) {
+  const std::string_view text = what.given ? what.words : words::tr(what.words);
   ImGui::PushFont(font);
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  const float wrap = ImGui::GetCurrentWindow()->DC.TextWrapPos;
+  const float room = wrap > 0 ? wrap - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
+  if (words::language().rightToLeft) {
+    rightToLeftLines(font, text, room);
+  } else {
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  }
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
 
-std::string shortened(ImFont* font, std::string_view text, float width) {
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const auto widthOf = [&](const std::string& t) {
-    return font->CalcTextSizeA(size, FLT_MAX, 0, t.data(), t.data() + t.size()).x;
-  };
+std::string_view shortened(ImFont* font, Text what, float width, float share) {
+  std::string_view text = what.given ? what.words : words::tr(what.words);
+  if (const std::string_view all = words::drawn(text); extentOf(font, all, share).x <= width) return all;
   std::string out(text);
-  while (widthOf(out) > width && !text.empty()) {
+  while (extentOf(font, words::drawn(out), share).x > width && !text.empty()) {
     std::size_t end = text.size() - 1;  // a letter may be several bytes: back to its first
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
     text = text.substr(0, end);
     while (text.ends_with(' ')) text.remove_suffix(1);
     out = std::string(text) + "…";
   }
-  return out;
+  return words::kept(std::string(words::drawn(out)));
 }
 
-void heading(const PanelEnv& env, std::string_view text) {
+Fitted fitted(ImFont* font, Text what, float width, float share) {
+  constexpr float kLeast = 0.82f;  // of the size, rather than fewer words
+  const auto widthOf = [&](std::string_view text) { return extentOf(font, words::drawn(text), share).x; };
+  std::string_view text = what.given ? what.words : words::tr(what.words);
+  if (widthOf(text) * kLeast > width) text = text.substr(0, text.find_first_of(" -", 1));
+  const float wide = widthOf(text), scale = wide > width ? std::max(kLeast, width / wide) : 1;
+  return {shortened(font, asIs(text), width, share * scale), share * scale};
+}
+
+void heading(const PanelEnv& env, Text text) {
   ImGui::Dummy({0, 2});
   label(env.fonts.bold, kInk, text);
   ImGui::Dummy({0, 0});
@@ -124,8 +170,8 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   ImGui::BeginDisabled(!button.enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
-  registerControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip : button.words, button.enabled,
-                  button.active);
+  registerControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip.words : button.words,
+                  button.enabled, button.active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.size, at.y + button.size};
@@ -150,7 +196,7 @@ void commandButton(const PanelEnv& env, app::CommandId id, float size) {
   const bool can = app::enabled(command, env.env);
   const ImU32 colour = command.group == "tool" ? toolColour(env.ui().tool) : 0;
   const std::string tip = tipOf(command);
-  if (iconButton(env, {name.c_str(), command.icon, tip, active, can, size, colour, command.label})) {
+  if (iconButton(env, {name.c_str(), command.icon, asIs(tip), active, can, size, colour, command.label})) {
     env.sink.run(command);
   }
 }
@@ -158,12 +204,11 @@ void commandButton(const PanelEnv& env, app::CommandId id, float size) {
 bool namedButton(const PanelEnv& env, app::CommandId id, float size) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)}, tip = tipOf(command);
-  return iconButton(env, {name.c_str(), command.icon, tip, false, true, size, 0, command.label});
+  return iconButton(env, {name.c_str(), command.icon, asIs(tip), false, true, size, 0, command.label});
 }
 
-float wordButtonWidth(const PanelEnv& env, std::string_view text, float height) {
-  const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
-  return height + env.fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x + 8;
+float wordButtonWidth(const PanelEnv& env, Text text, float height) {
+  return height + extentOf(env.fonts.small, text.shown()).x + 8;
 }
 
 void wordButton(const PanelEnv& env, const WordButton& button) {
@@ -190,38 +235,32 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   if (button.width > button.height + 8) {
     ImFont* font = env.fonts.small;
     const float height = font->FontSize * scale;
-    const std::string_view label = command.label;
-    list.AddText(font, height, {at.x + button.height - 4, at.y + (button.height - height) / 2}, ink, label.data(),
-                 label.data() + label.size());
+    const std::string_view label = shortened(font, command.label, button.width - button.height - 2);
+    drawLine(list, {font, {at.x + button.height - 4, at.y + (button.height - height) / 2}, ink}, label);
   }
   ImGui::EndDisabled();
-  tooltip(button.width > button.height + 8 ? command.hint : std::string_view(tipOf(command)));
+  tooltip(button.width > button.height + 8 ? asIs(words::tr(command.hint)) : asIs(tipOf(command)));
   if (pressed && can) env.sink.run(command);
 }
 
-float textButtonWidth(const PanelEnv& env, std::string_view text) {
-  const float size = env.fonts.text->FontSize * ImGui::GetIO().FontGlobalScale;
-  return env.fonts.text->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size()).x + 24;
-}
+float textButtonWidth(const PanelEnv& env, Text text) { return extentOf(env.fonts.text, text.shown()).x + 24; }
 
 bool textButton(const PanelEnv& env, const TextButton& button) {
   ImGui::BeginDisabled(!button.enabled);
   const float width = button.width > 0 ? button.width : textButtonWidth(env, button.text);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + button.height};
   const bool pressed = ImGui::InvisibleButton(button.id, {width, button.height});
-  registerControl(env, app::Control::Kind::Button, button.text, button.enabled, button.primary);
+  registerControl(env, app::Control::Kind::Button, button.text.words, button.enabled, button.primary);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 plain = hovered ? kHover : rgb(0xfaf9f6);
   list.AddRectFilled(at, end, button.primary ? kAccent : plain, 8);
   if (!button.primary) list.AddRect(at, end, hovered ? kMuted : kLine, 8);
   ImFont* font = button.primary ? env.fonts.bold : env.fonts.text;
-  const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  const char* from = button.text.data();
-  const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, from, from + button.text.size());
+  const std::string_view text = shortened(font, button.text, width - 8);
+  const ImVec2 extent = extentOf(font, text);
   const ImU32 ink = !button.enabled ? rgb(0x5c6474, 110) : button.primary ? kSurface : kInk;
-  list.AddText(font, size, {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink, from,
-               from + button.text.size());
+  drawLine(list, {font, {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink}, text);
   ImGui::EndDisabled();
   return pressed && button.enabled;
 }
@@ -230,14 +269,14 @@ void commandText(const PanelEnv& env, const CommandText& button) {
   const app::Command& command = app::commandOf(button.id);
   const std::string name{std::string_view(button.id)};
   const bool on = command.toggled != nullptr && command.toggled(env.env);
-  const std::string_view text = button.value.empty() ? command.label : button.value;
+  const Text text = button.value.empty() ? Text(command.label) : button.value;
   const bool pressed = textButton(
       env, {name.c_str(), text, on || button.primary, app::enabled(command, env.env), buttonSide(env), button.width});
   tooltip(command.hint);
   if (pressed) env.sink.run(command);
 }
 
-bool WordButtons::button(const char* id, std::string_view text, bool on) {
+bool WordButtons::button(const char* id, Text text, bool on) {
   constexpr float kGap = 4;
   const float need = textButtonWidth(env_, text);
   const bool fits = used_ > 0 && used_ + kGap + need <= width_;
@@ -249,8 +288,8 @@ bool WordButtons::button(const char* id, std::string_view text, bool on) {
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);
-  const std::string_view shown = tile.text.empty() ? tile.tip : tile.text;
-  registerControl(env, app::Control::Kind::Button, tile.words.empty() ? shown : tile.words, tile.enabled, tile.active);
+  const std::string_view says = tile.text.empty() ? tile.tip.words : tile.text.words;
+  registerControl(env, app::Control::Kind::Button, tile.words.empty() ? says : tile.words, tile.enabled, tile.active);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + tile.size.x, at.y + tile.size.y};
@@ -265,11 +304,10 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
         std::max(6.f, std::min(radius, 19.f)), ink);
   if (!tile.text.empty()) {
     ImFont* font = env.fonts.small;
-    const float size = font->FontSize * ImGui::GetIO().FontGlobalScale * 0.92f;
-    const std::string_view text = fitting(font, tile.text, tile.size.x - 4);
-    const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
-    list.AddText(font, size, {std::round(at.x + (tile.size.x - extent.x) / 2), end.y - extent.y - 4},
-                 tile.active ? kAccent : kMuted, text.data(), text.data() + text.size());
+    const Fitted below = fitted(font, tile.text, tile.size.x - 4, kTileWords);
+    const ImVec2 extent = extentOf(font, below.text, below.share);
+    const ImVec2 pen{std::round(at.x + (tile.size.x - extent.x) / 2), end.y - extent.y - 4};
+    drawLine(list, {font, pen, tile.active ? kAccent : kMuted, below.share}, below.text);
   }
   tooltip(tile.tip);
   return pressed;
@@ -279,7 +317,7 @@ void commandTile(const PanelEnv& env, app::CommandId id, ImVec2 size) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)};
   const bool on = command.toggled != nullptr && command.toggled(env.env);
-  const std::string_view below = size.y < 50 ? std::string_view() : command.label;
+  const Text below = size.y < 50 ? Text("") : Text(command.label);
   const bool can = app::enabled(command, env.env);
   const bool pressed = tile(env, {name.c_str(), below, command.hint, size, on, command.label, can},
                             [&](ImDrawList& list, ImVec2 c, float, ImU32) {

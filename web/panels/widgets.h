@@ -8,8 +8,39 @@
 #include <string_view>
 
 #include "web/panels/panels.h"
+#include "web/words/words.h"
 
 namespace spineloft::panels {
+
+/// Words of the page: English, which is shown in the visitor's language; or `asIs`, what a visitor typed or words::tr
+/// gave.
+struct Text {
+  std::string_view words;
+  bool given = false;
+  Text(const char* english) : words(english) {}
+  Text(std::string_view english) : words(english) {}
+  Text(const std::string& english) : words(english) {}
+  bool empty() const { return words.empty(); }
+  /// In the language, order and form in which they are drawn; valid for this frame.
+  std::string_view shown() const { return words::drawn(given ? words : words::tr(words)); }
+};
+inline Text asIs(std::string_view text) {
+  Text out(text);
+  out.given = true;
+  return out;
+}
+inline std::string_view shown(Text text) { return text.shown(); }
+
+/// The size of a line of shown words in a font of ours, `share` of its usual size.
+ImVec2 extentOf(ImFont* font, std::string_view shown, float share = 1);
+/// Draws them.
+struct Line {
+  ImFont* font;
+  ImVec2 at;
+  ImU32 colour;
+  float share = 1;
+};
+void drawLine(ImDrawList& list, const Line& line, std::string_view shown);
 
 /// An icon of the font as text ("" for an unknown name). Valid until the next call.
 const char* iconText(std::string_view name);
@@ -26,19 +57,25 @@ bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
 void endCard();
 
 /// What the mouse is told about the last item when it rests on it.
-void tooltip(std::string_view tip);
+void tooltip(Text tip);
 
-/// Text in a font of ours.
-void label(ImFont* font, ImU32 colour, std::string_view text);
-/// A name as far as the room goes, and three dots where it goes no further.
-std::string shortened(ImFont* font, std::string_view text, float width);
+/// Text in a font of ours, in as many lines as ImGui::PushTextWrapPos leaves it, at the side where its language begins.
+void label(ImFont* font, ImU32 colour, Text text);
+/// Text as far as the room goes, and three dots where it goes no further; as it is drawn.
+std::string_view shortened(ImFont* font, Text text, float width, float share = 1);
+/// Words for a narrow place: smaller where they are a little too wide, then the first one, then shortened.
+struct Fitted {
+  std::string_view text;  ///< as it is drawn
+  float share = 1;        ///< of the font's size
+};
+Fitted fitted(ImFont* font, Text text, float width, float share = 1);
 /// A small bold heading.
-void heading(const PanelEnv& env, std::string_view text);
+void heading(const PanelEnv& env, Text text);
 
 struct IconButton {
   const char* id = "";
   std::string_view icon;
-  std::string_view tip;
+  Text tip;
   bool active = false;
   bool enabled = true;
   float size = 36;
@@ -55,21 +92,21 @@ bool namedButton(const PanelEnv& env, app::CommandId id, float size);
 /// A button with words; `primary` is the one that ends the work.
 struct TextButton {
   const char* id = "";
-  std::string_view text;
+  Text text;
   bool primary = false;
   bool enabled = true;
   float height = 36, width = 0;  ///< 0: as wide as the words need
 };
 bool textButton(const PanelEnv& env, const TextButton& button);
 /// How wide such a button becomes by itself.
-float textButtonWidth(const PanelEnv& env, std::string_view text);
+float textButtonWidth(const PanelEnv& env, Text text);
 
 /// A button of a command that says its word, or the value that it changes; filled while the command is on.
 struct CommandText {
   app::CommandId id;
-  float width = 0;              ///< 0: as wide as the words need
-  bool primary = false;         ///< the one that ends the work
-  std::string_view value = {};  ///< empty: the command's word
+  float width = 0;       ///< 0: as wide as the words need
+  bool primary = false;  ///< the one that ends the work
+  Text value = "";       ///< empty: the command's word
 };
 void commandText(const PanelEnv& env, const CommandText& button);
 
@@ -77,7 +114,7 @@ void commandText(const PanelEnv& env, const CommandText& button);
 class WordButtons {
  public:
   WordButtons(const PanelEnv& env, float width) : env_(env), width_(width) {}
-  bool button(const char* id, std::string_view text, bool on);
+  bool button(const char* id, Text text, bool on);
 
  private:
   const PanelEnv& env_;
@@ -93,12 +130,12 @@ struct WordButton {
 };
 void wordButton(const PanelEnv& env, const WordButton& button);
 /// How wide it has to be for its word.
-float wordButtonWidth(const PanelEnv& env, std::string_view text, float height);
+float wordButtonWidth(const PanelEnv& env, Text text, float height);
 
 /// A tile with a drawing and, below it, a word.
 struct Tile {
   const char* id = "";
-  std::string_view text, tip;
+  Text text = "", tip = "";
   ImVec2 size{60, 60};
   bool active = false;
   std::string_view words = {};  ///< what it does; empty: `text`, or where that is empty `tip`

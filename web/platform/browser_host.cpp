@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 // clang-format off
@@ -17,6 +18,15 @@ EM_JS(void, splSend, (const char* json), {
 EM_JS(void, splSolve, (const char* json, const void* meshes), {
   const host = Module['host'];
   if (host) host.onSolve(UTF8ToString(json), meshes);
+});
+
+EM_JS_DEPS(spl_words, "$stringToNewUTF8");
+EM_JS(char*, splTranslated, (const char* english, const char* args), {
+  return stringToNewUTF8(Module['host'].translated(UTF8ToString(english), UTF8ToString(args)));
+});
+
+EM_JS(char*, splDrawn, (const char* text), {
+  return stringToNewUTF8(Module['host'].drawn(UTF8ToString(text)));
 });
 
 EM_JS(int, splReducedMotion, (), {
@@ -89,7 +99,20 @@ void appendQuoted(std::string& json, std::string_view text) {
   json += '"';
 }
 
+/// A string that JavaScript made for us.
+std::string taken(char* text) {
+  std::string out = text;
+  std::free(text);
+  return out;
+}
+
 }  // namespace
+
+std::string BrowserWords::translated(std::string_view english, std::string_view args) {
+  return taken(splTranslated(std::string(english).c_str(), std::string(args).c_str()));
+}
+
+std::string BrowserWords::drawn(std::string_view text) { return taken(splDrawn(std::string(text).c_str())); }
 
 double BrowserHost::nowMs() const { return emscripten_get_now(); }
 

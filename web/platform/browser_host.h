@@ -26,6 +26,13 @@ class BrowserHost final : public Host {
   bool framePending_ = false;
 };
 
+/// The shell's catalogue (web/shell/words).
+class BrowserWords final : public words::Source {
+ public:
+  std::string translated(std::string_view english, std::string_view args) override;
+  std::string drawn(std::string_view text) override;
+};
+
 /// Creates GLFW's window and its WebGL2 context on Module.canvas, and takes GLFW's listeners off
 /// the page: all input comes through the exported functions. False without WebGL2.
 bool openWindow(const CanvasSize& size);

@@ -17,6 +17,7 @@ using namespace spineloft::platform;
 /// The one page of this module: exported C functions have no other place for it.
 struct Door {
   BrowserHost host;
+  BrowserWords words;
   std::unique_ptr<Page> page;
 };
 Door& door() {
@@ -61,6 +62,15 @@ EMSCRIPTEN_KEEPALIVE int spl_start(const std::uint8_t* font, int fontLength, con
   door().page = makePage(door().host, std::move(fonts), size);
   door().host.page = page();
   return page() != nullptr ? 1 : 0;
+}
+
+/// The visitor's language, and fonts with the letters of its script where the page's own lack them.
+EMSCRIPTEN_KEEPALIVE void spl_speak(const char* id, int rightToLeft, const std::uint8_t* font, int fontLength,
+                                    const std::uint8_t* bold, int boldLength) {
+  if (page() == nullptr) return;
+  const bool english = std::string_view(text(id)) == "en";
+  page()->speak({text(id), rightToLeft != 0, english ? nullptr : &door().words}, bytesOf(font, fontLength),
+                bytesOf(bold, boldLength));
 }
 
 EMSCRIPTEN_KEEPALIVE void spl_resize(double width, double height, double dpr) {

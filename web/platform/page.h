@@ -11,6 +11,7 @@
 
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
+#include "web/words/words.h"
 
 namespace spineloft::platform {
 
@@ -49,6 +50,8 @@ struct CanvasSize {
 };
 struct FontFiles {
   std::vector<std::uint8_t> text, bold, icons;  ///< TrueType files
+  /// Letters that those lack, of the visitor's language; empty where it has none.
+  std::vector<std::uint8_t> scriptText = {}, scriptBold = {};
 };
 
 class Page {
@@ -56,6 +59,8 @@ class Page {
   virtual ~Page() = default;
   virtual void frame() = 0;
   virtual void wake() = 0;
+  /// The page speaks this language from now on; the fonts of its script are used beside the others.
+  virtual void speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) = 0;
   virtual void resize(const CanvasSize& size) = 0;
   virtual void pointer(const PointerEvent& event) = 0;
   virtual void wheel(const WheelEvent& event) = 0;

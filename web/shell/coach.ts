@@ -5,6 +5,7 @@ import { icon } from './icons.ts';
 import type { ShellView } from './shell_view.ts';
 import { kFirstVisit, Steps } from './tasks.ts';
 import type { Task } from './tasks.ts';
+import { t } from './words/words.ts';
 
 const kClosed = 'spineloft.coach';
 
@@ -44,7 +45,7 @@ export class Coach {
     }
     this.line.hidden = false;
     const { done, all } = this.steps.count;
-    const words = `${step.say} (${done + 1} of ${all})`;
+    const words = t('{step} ({n} of {all})', { step: t(step.say), n: done + 1, all });
     if (this.words.textContent !== words) this.words.textContent = words;
   }
 

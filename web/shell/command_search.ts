@@ -5,6 +5,7 @@ import { firstShortcut, make, setAttribute, shortcutText } from './dom.ts';
 import { findCommands } from './find_commands.ts';
 import type { Found } from './find_commands.ts';
 import { icon } from './icons.ts';
+import { t } from './words/words.ts';
 
 const kMost = 60;
 
@@ -18,7 +19,8 @@ function option(found: Found, at: number): HTMLElement {
     'aria-disabled': command.enabled ? undefined : 'true',
   });
   const words = make('span', { class: 'menu-words' }, make('span', { class: 'menu-label' }, label));
-  const detail = command.enabled ? command.hint : `${command.hint}. Not possible right now`;
+  const hint = t(command.hint ?? '');
+  const detail = command.enabled ? hint : t('{hint}. Not possible right now', { hint });
   if (detail) words.append(make('span', { class: 'menu-detail' }, detail));
   line.append(icon(command.icon), words);
   if (command.shortcut && !found.args) line.append(make('kbd', {}, shortcutText(firstShortcut(command.shortcut))));
@@ -69,7 +71,7 @@ export function openCommandSearch(
     found = findCommands(commands, input.value).slice(0, kMost);
     list.replaceChildren(...found.map(option));
     [...list.children].forEach((line, i) => line.addEventListener('click', () => accept(i)));
-    none.textContent = found.length === 0 ? 'Nothing is called that. Try another word.' : '';
+    none.textContent = found.length === 0 ? t('Nothing is called that. Try another word.') : '';
     list.scrollTop = 0;
     choose(0);
   };

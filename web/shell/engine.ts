@@ -2,6 +2,7 @@
 // functions. Strings cross as UTF-8 in malloc'ed memory; everything that comes out is copied at once.
 import type { Command, ExportFormat, State } from './api.ts';
 import { Failure } from './failure.ts';
+import type { Script } from './fonts.ts';
 import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
@@ -11,6 +12,8 @@ import type { Probe, WorkingCopy } from './picture.ts';
 import { waitForEnd } from './solids/lifeline.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
+import { forCanvas } from './words/words.ts';
+import type { Language } from './words/words.ts';
 
 /** A button of a toast that runs a command of the table. */
 export interface Offer {
@@ -29,6 +32,8 @@ export type EngineEvent =
   | { type: 'cursor'; css: string }
   | { type: 'shelf'; slices: unknown[] }
   | { type: 'status'; text: string }
+  /** The page is to speak this language. */
+  | { type: 'language'; id: string }
   /** A dialog of the shell. */
   | { type: 'show'; dialog: 'help' | 'find-command' }
   | { type: 'stopSolving' }
@@ -86,6 +91,7 @@ interface Module {
     height: number,
     dpr: number,
   ): number;
+  _spl_speak(id: number, rightToLeft: number, font: number, fontLength: number, bold: number, boldLength: number): void;
   _spl_resize(width: number, height: number, dpr: number): void;
   _spl_pointer(
     kind: number,
@@ -162,6 +168,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
     for (let event = queue.shift(); event; event = queue.shift()) onEvent(event);
   };
   const host = {
+    ...forCanvas,
     onEvent(json: string) {
       const raw = JSON.parse(json) as RawEvent;
       if (raw.type === 'journal') {
@@ -285,6 +292,21 @@ export class Engine {
       );
     } finally {
       for (const part of parts) this.module._free(part.at);
+    }
+  }
+
+  /** The canvas speaks this language; `script` has the letters that its fonts lack. */
+  speak({ id, dir }: Language, script: Script | null): void {
+    const none = new Uint8Array();
+    const text = script?.text ?? none,
+      bold = script?.bold ?? none;
+    const parts = [this.put(text), this.put(bold)] as const;
+    try {
+      this.withStrings([id], ([at]) =>
+        this.module._spl_speak(at!, dir === 'rtl' ? 1 : 0, parts[0], text.length, parts[1], bold.length),
+      );
+    } finally {
+      for (const at of parts) this.module._free(at);
     }
   }
 

@@ -1,5 +1,6 @@
 // Failures with a sentence for a person and a code for a program.
 import type { SpineLoftFailure } from './api.ts';
+import { t } from './words/words.ts';
 
 /** An expected failure; its message is the sentence that a toast shows. */
 export class Failure extends Error implements SpineLoftFailure {
@@ -15,5 +16,5 @@ export class Failure extends Error implements SpineLoftFailure {
 export function sentenceOf(thrown: unknown): string {
   if (thrown instanceof Failure) return thrown.message;
   const text = thrown instanceof Error ? thrown.message : String(thrown);
-  return `Something went wrong in the page (${text}). Your work is kept; try again.`;
+  return t('Something went wrong in the page ({text}). Your work is kept; try again.', { text });
 }

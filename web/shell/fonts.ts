@@ -10,9 +10,39 @@ async function fetchBytes(address: string): Promise<Uint8Array> {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-async function addFace(bytes: Uint8Array, weight: string): Promise<Uint8Array> {
-  document.fonts.add(await new FontFace('Inter', bytes as BufferSource, { weight }).load());
+/** Beside Inter in the style sheet, with the language behind it. */
+const kScriptFamily = 'SpineLoft Script';
+
+async function addFace(bytes: Uint8Array, weight: string, family = 'Inter'): Promise<Uint8Array> {
+  document.fonts.add(await new FontFace(family, bytes as BufferSource, { weight }).load());
   return bytes;
+}
+
+const scripts = new Map<string, Promise<Script>>();
+
+/** The letters that Inter lacks, of the language that is spoken; null where it lacks none, or they do not load. */
+export interface Script {
+  text: Uint8Array;
+  bold: Uint8Array;
+}
+export async function loadScript(language: string): Promise<Script | null> {
+  const files = SPINELOFT_SITE.scripts[language];
+  if (!files) return null;
+  try {
+    if (!scripts.has(language)) scripts.set(language, fetchScript(language, files));
+    return await scripts.get(language)!;
+  } catch (thrown) {
+    scripts.delete(language);
+    console.warn(thrown);
+    return null;
+  }
+}
+
+async function fetchScript(language: string, files: { text: string; bold: string }): Promise<Script> {
+  const face = async (path: string, weight: string) =>
+    addFace(await fetchBytes(new URL(path, document.baseURI).href), weight, `${kScriptFamily} ${language}`);
+  const [text, bold] = await Promise.all([face(files.text, '400'), face(files.bold, '500 700')]);
+  return { text, bold };
 }
 
 /** Loads Inter for the DOM and all three fonts for the canvas. */

@@ -3,6 +3,7 @@ import { byId } from './dom.ts';
 import { ghostHand } from './ghost_hand.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Sample } from './start_page.ts';
+import { t } from './words/words.ts';
 
 /** CSS pixels: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
 const kGap = 12,
@@ -48,7 +49,8 @@ export class Guide {
       this.offer(null);
       return;
     }
-    if (this.hint.textContent !== advice) this.hint.textContent = advice;
+    const words = t(advice);
+    if (this.hint.textContent !== words) this.hint.textContent = words;
     const { width, height, topLeft, bottomRight } = view.picture;
     this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
     const fits = this.sample?.width === width && this.sample.height === height;

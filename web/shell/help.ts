@@ -1,9 +1,12 @@
 // Help: things to make, the gestures of this device, and the keys of the command table.
 import type { Command } from './api.ts';
 import { openDialog } from './dialogs.ts';
-import { make, shortcutText } from './dom.ts';
+import { asIs, make, shortcutText } from './dom.ts';
+import { icon } from './icons.ts';
+import { toggleMenu } from './menu.ts';
 import { kTasks } from './tasks.ts';
 import type { Task } from './tasks.ts';
+import { kLanguages, language, t } from './words/words.ts';
 
 type Rows = [what: string, how: string][];
 
@@ -44,7 +47,7 @@ function keysOf(shortcut: string): HTMLElement {
   const keys = shortcut.split(', ');
   const arrows = keys.filter((key) => key.includes('Arrow'));
   const shown = arrows.length > 4 ? ['Arrows', 'Shift+Arrows', ...keys.filter((key) => !arrows.includes(key))] : keys;
-  for (const key of shown) span.append(make('kbd', {}, shortcutText(key)), ' ');
+  for (const key of shown) span.append(make('kbd', {}, asIs(shortcutText(key))), ' ');
   return span;
 }
 
@@ -79,6 +82,33 @@ export interface HelpPage {
   facts: string[];
   /** Begins a task; null: the steps of the first visit, once more. */
   begin(task: Task | null): void;
+  /** Speaks another language. */
+  choose(id: string): void;
+}
+
+/** A button that opens the list of languages. */
+function languages(choose: (id: string) => void): HTMLElement {
+  const button = make(
+    'button',
+    { type: 'button', class: 'button', 'data-command': 'language', 'aria-haspopup': 'menu', 'aria-expanded': 'false' },
+    icon('languages'),
+    asIs(language().name),
+  );
+  button.addEventListener('click', () => openLanguages(button, choose));
+  return button;
+}
+
+/** The list of languages under its button. */
+export function openLanguages(button: HTMLElement, choose: (id: string) => void): void {
+  const items = kLanguages.map(({ id, name }) => ({
+    command: 'language',
+    value: id,
+    label: name,
+    kind: 'radio' as const,
+    checked: id === language().id,
+    run: () => choose(id),
+  }));
+  toggleMenu(button, 'Language', [{ title: '', items }]);
 }
 
 /** What can be made, each with its steps behind its name. */
@@ -88,7 +118,7 @@ function tasks(begin: (task: Task) => void): HTMLElement {
     const steps = task.steps.map((step) => make('li', {}, step.say));
     const start = make('button', { type: 'button', class: 'button', value: task.id }, 'Make one');
     start.addEventListener('click', () => begin(task));
-    const minutes = make('span', { class: 'help-minutes' }, ` about ${task.minutes} minutes`);
+    const minutes = make('span', { class: 'help-minutes' }, ` ${t('about {n} minutes', { n: task.minutes })}`);
     const more = make('details', {}, make('summary', {}, task.title, minutes), make('p', {}, task.start));
     more.append(make('ol', {}, ...steps));
     list.append(make('li', {}, more, start));
@@ -102,6 +132,10 @@ export function showHelp(page: HelpPage): void {
   const begin = (task: Task | null) => {
     dialog.close();
     page.begin(task);
+  };
+  const choose = (id: string) => {
+    dialog.close();
+    page.choose(id);
   };
   const again = make('button', { type: 'button', class: 'button', value: 'again' }, 'Show me again');
   again.addEventListener('click', () => begin(null));
@@ -117,6 +151,8 @@ export function showHelp(page: HelpPage): void {
     gestures(touches ? kFingers : kMouse),
     make('h3', {}, 'With keys'),
     ...keyTables(page.commands),
+    make('h3', {}, 'Language'),
+    languages(choose),
     ...(facts.length > 0 ? [make('h3', {}, 'More about this model'), ...facts] : []),
   );
   const dialog = openDialog('Help', [body], 'dialog sheet');

@@ -118,6 +118,7 @@ import {
   PaintRoller,
   Search,
   CircleQuestionMark,
+  Languages,
 } from 'lucide-static';
 
 const kIcons: Record<string, string> = {
@@ -238,6 +239,7 @@ const kIcons: Record<string, string> = {
   'paint-roller': PaintRoller,
   search: Search,
   'circle-question-mark': CircleQuestionMark,
+  languages: Languages,
 };
 
 /** A new decorative icon; a name the page does not know becomes a plain circle. */

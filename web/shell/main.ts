@@ -4,12 +4,14 @@ import './styles/chrome.css';
 import './styles/models.css';
 import './styles/popups.css';
 import './styles/start.css';
-import { byId, make } from './dom.ts';
+import { adoptWords, asIs, byId, make, translatePage } from './dom.ts';
 import { loadEngine } from './engine.ts';
 import type { Engine, EngineEvent } from './engine.ts';
 import { Failure } from './failure.ts';
 import { connectFiles } from './files.ts';
 import { loadFonts } from './fonts.ts';
+import { openLanguages } from './help.ts';
+import { icon } from './icons.ts';
 import { watchInputKind } from './input_kind.ts';
 import { connectKeyboard } from './keyboard.ts';
 import { KeyboardPen } from './keyboard_pen.ts';
@@ -22,6 +24,7 @@ import { hasWebGl2, sizeOf, watchContext, watchSize } from './surface.ts';
 import { toast } from './toasts.ts';
 import { connectTooltips } from './tooltip.ts';
 import { warmUpWhenIdle } from './warm_up.ts';
+import { language, onLanguage, preferredLanguage, speak } from './words/words.ts';
 
 const canvas = byId<HTMLCanvasElement>('canvas');
 
@@ -91,13 +94,36 @@ function connect(page: Page, engine: Engine): void {
   });
 }
 
+/** The button of the start page: its language by name, and the others behind it. */
+function connectLanguage(page: Page): void {
+  const button = byId('language');
+  const show = () => button.replaceChildren(icon('languages'), asIs(language().name));
+  button.addEventListener('click', () => openLanguages(button, (id) => void page.speak(id)));
+  onLanguage(() => {
+    show();
+    translatePage();
+  });
+  show();
+}
+
+/** Without its words the page stays in English. */
+async function speakPreferred(): Promise<void> {
+  adoptWords(document.body);
+  const { id } = preferredLanguage();
+  if (id === 'en') return;
+  await speak(id).catch((thrown: unknown) => console.warn(thrown));
+}
+
 function main(): void {
+  const speaking = speakPreferred();
   const page = new Page();
+  connectLanguage(page);
   let engine: Engine | null = null;
   const starting = startEngine((event) => page.handle(event));
   const ready = starting.then(async (started) => {
     connect(page, started);
     warmUpWhenIdle(started);
+    await speaking;
     await page.attach(started);
     engine = started;
     document.body.dataset.engine = 'ready';

@@ -3,11 +3,12 @@ import type { Command } from './api.ts';
 import { CommandBar } from './command_bar.ts';
 import { openCommandSearch } from './command_search.ts';
 import { askChoice, askText } from './dialogs.ts';
-import { byId } from './dom.ts';
+import { byId, setAttribute } from './dom.ts';
 import type { Engine, EngineEvent, Offer } from './engine.ts';
 import { Failure, sentenceOf } from './failure.ts';
 import { download, isModelFile, pickModel, pickPicture } from './files.ts';
 import { Coach } from './coach.ts';
+import { loadScript } from './fonts.ts';
 import { Guide } from './guide.ts';
 import { showHelp } from './help.ts';
 import { icon } from './icons.ts';
@@ -28,6 +29,7 @@ import type { ToastAction } from './toasts.ts';
 import { gifOf, pngOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
 import { isSolidLikely, startSolver } from './warm_up.ts';
+import { keepLanguage, language, onLanguage, speak, t } from './words/words.ts';
 
 export class Page {
   private engine: Engine | null = null;
@@ -69,6 +71,8 @@ export class Page {
   async attach(engine: Engine): Promise<void> {
     this.engine = engine;
     this.table = engine.commands();
+    onLanguage(() => void this.follow());
+    if (language().id !== 'en') await this.follow();
     engine.run('load-shelf', { slices: readShelf() });
     engine.run('more-tools', { on: wantsAllTools() });
     watchShelf((slices) => this.run('load-shelf', { slices }));
@@ -121,7 +125,7 @@ export class Page {
         break;
       case 'file':
         download(event.name, event.mediaType, event.bytes);
-        toast(`Saved ${event.name}.`);
+        toast(t('Saved {file}.', { file: event.name }));
         break;
       case 'pickPicture':
         pickPicture();
@@ -140,6 +144,9 @@ export class Page {
         break;
       case 'show':
         this.show(event.dialog);
+        break;
+      case 'language':
+        void this.speak(event.id);
         break;
       case 'turntable':
         void this.turntable(event);
@@ -177,7 +184,7 @@ export class Page {
       const bytes = what === 'png' ? await pngOf(engine) : await gifOf(engine, shown);
       if (bytes) {
         download(`${name}.${what}`, `image/${what}`, bytes);
-        toast(`Saved ${name}.${what}.`);
+        toast(t('Saved {file}.', { file: `${name}.${what}` }));
       } else if (wanted) {
         toast('There is nothing to show yet. Draw a line through something first.', 'error');
       }
@@ -212,16 +219,20 @@ export class Page {
   show(dialog: 'help' | 'find-command'): void {
     const commands = this.engine?.commands();
     if (!commands) return;
-    if (dialog === 'help') showHelp({ commands, facts: this.facts(), begin: (task) => void this.begin(task) });
-    else openCommandSearch(commands, (id, args) => this.run(id, args));
+    const begin = (task: Task | null) => void this.begin(task);
+    const choose = (id: string) => void this.speak(id);
+    if (dialog === 'help') showHelp({ commands, facts: this.facts(), begin, choose });
+    else openCommandSearch(commands.map(inLanguage), (id, args) => this.run(id, args));
   }
 
   /** What is of use to few: the numbers behind the model. */
   private facts(): string[] {
     const { view } = this;
     if (!view?.picture) return [];
-    const ribs = view.selected?.kind === 'loft' ? [`${view.selected.name} has ${view.selected.ribs} ribs.`] : [];
-    return [...ribs, `${historyText(view)}.`];
+    const { selected } = view;
+    const ribs =
+      selected?.kind === 'loft' ? [t('{name} has {n} ribs.', { name: nameText(selected.name), n: selected.ribs })] : [];
+    return [...ribs, historyText(view)];
   }
 
   /** Begins a task on a model of its own, or leads once more through the first steps of the one that is open. */
@@ -240,8 +251,32 @@ export class Page {
     this.refresh();
   }
 
+  /** Speaks another language, and remembers it. */
+  async speak(id: string): Promise<void> {
+    try {
+      await speak(id);
+      keepLanguage(id);
+    } catch (thrown) {
+      console.warn(thrown);
+      toast('This language could not be loaded. Check the connection and try again.', 'error');
+    }
+  }
+
+  /** The language is another one: the canvas follows, and what is said about the model. */
+  private async follow(): Promise<void> {
+    const { engine } = this;
+    if (!engine) return;
+    const spoken = language();
+    const script = await loadScript(spoken.id);
+    if (spoken !== language()) return; // another one since
+    engine.speak(spoken, script);
+    this.table = engine.commands();
+    document.body.dataset.language = spoken.id;
+    this.refresh();
+  }
+
   say(text: string): void {
-    byId('status').textContent = text;
+    byId('status').textContent = t(text);
     this.passing = null;
   }
 
@@ -263,7 +298,8 @@ export class Page {
       const picture = await decodePicture(blob, engine);
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
-      this.sayUntilNext(`${name} is open: ${picture.originalWidth} by ${picture.originalHeight} pixels.`);
+      const size = { width: picture.originalWidth, height: picture.originalHeight };
+      this.sayUntilNext(t('{name} is open: {width} by {height} pixels.', { name: t(name), ...size }));
     } finally {
       this.opening.delete(aborter);
       this.refresh();
@@ -280,7 +316,7 @@ export class Page {
     });
     await keeper.openProject(new Uint8Array(bytes));
     this.guide.offer(null);
-    this.sayUntilNext(`${engine.about().name} is open.`);
+    this.sayUntilNext(t('{name} is open.', { name: engine.about().name }));
     this.refresh();
   }
 
@@ -381,8 +417,8 @@ export class Page {
     // A board that was emptied can still be undone.
     byId('bar').hidden = !hasPicture && view.undo + view.redo === 0;
     this.home.disabled = !hasPicture;
-    this.home.title = hasPicture ? 'Home: the start page, with your models' : '';
-    byId('home-word').textContent = hasPicture ? 'Home' : 'SpineLoft';
+    setAttribute(this.home, 'title', hasPicture ? 'Home: the start page, with your models' : null);
+    byId('home-word').textContent = hasPicture ? t('Home') : 'SpineLoft';
     this.canvas.inert = !hasPicture || this.readOnly;
     void this.models.update();
     const commands = commandsNow(this.table, view);
@@ -400,20 +436,40 @@ export class Page {
   }
 }
 
+/** A command with its words in the visitor's language: what the search looks through. */
+function inLanguage(command: Command): Command {
+  const { label, hint, argument } = command;
+  const choices = argument?.choices?.map((choice) => ({ ...choice, label: t(choice.label) }));
+  return {
+    ...command,
+    label: t(label),
+    ...(hint ? { hint: t(hint) } : {}),
+    ...(argument && choices ? { argument: { ...argument, choices } } : {}),
+  };
+}
+
+/** A name that the engine gave ("Part 2") in the visitor's language; any other is what a visitor typed. */
+function nameText(name: string): string {
+  const [, word, n] = /^(Part|Solid|Group|Sketch|Picture) (\d+)$/.exec(name) ?? [];
+  return word ? t(`${word} {n}`, { n: Number(n) }) : name;
+}
+
 /** Changes with whatever the visitor does to the model, or takes in hand. */
 function placeOf({ undo, redo, selected, tool }: ShellView): string {
   return [undo, redo, selected?.id, tool].join();
 }
 
 function summary({ parts, selected }: ShellView): string {
-  if (parts === 0) return 'No part yet';
-  const count = parts === 1 ? '1 part' : `${parts} parts`;
-  return selected ? `${count} · ${selected.name}` : count;
+  if (parts === 0) return t('No part yet');
+  const count = parts === 1 ? t('1 part') : t('{n} parts', { n: parts });
+  return selected ? `${count} · ${nameText(selected.name)}` : count;
 }
 
-/** "Undo history: 12 KB of 64 MB". */
+/** "Undo history: 12 KB of 64 MB." */
 function historyText({ history: { bytes, budget } }: ShellView): string {
   const megabyte = 1_048_576;
-  const taken = bytes < megabyte ? `${Math.ceil(bytes / 1024)} KB` : `${(bytes / megabyte).toFixed(1)} MB`;
-  return `Undo history: ${taken} of ${Math.round(budget / megabyte)} MB`;
+  const kilobytes = bytes < megabyte;
+  const n = kilobytes ? Math.ceil(bytes / 1024) : Math.round((10 * bytes) / megabyte) / 10;
+  const sentence = kilobytes ? 'Undo history: {n} KB of {all} MB.' : 'Undo history: {n} MB of {all} MB.';
+  return t(sentence, { n, all: Math.round(budget / megabyte) });
 }

@@ -1,5 +1,6 @@
 // Progress of anything that takes longer than a blink, with a way to stop it.
 import { byId } from './dom.ts';
+import { t } from './words/words.ts';
 
 const kBlinkMs = 200;
 
@@ -30,7 +31,8 @@ export class ProgressBar {
       this.box.hidden = true;
       return;
     }
-    if (this.label.textContent !== activity.label) this.label.textContent = activity.label;
+    const label = t(activity.label);
+    if (this.label.textContent !== label) this.label.textContent = label;
     if (activity.done === null) this.bar.removeAttribute('value');
     else this.bar.value = activity.done;
     if (this.timer === 0) {

@@ -16,6 +16,10 @@ interface SpineLoftSite {
   readonly assets: Readonly<Record<string, string>>;
   /** Every web/shell/NAME.worker.ts, bundled on its own: 'NAME' → its path, for new Worker(url, {type: 'module'}). */
   readonly workers: Readonly<Record<string, string>>;
+  /** The module of web/shell/words/speaker.ts. */
+  readonly speaker: string;
+  /** By language: fonts with the letters of its script, as TrueType files. */
+  readonly scripts: Readonly<Record<string, { readonly text: string; readonly bold: string }>>;
   /** The service worker beside index.html; empty while the site is not whole. */
   readonly serviceWorker: string;
 }
@@ -46,6 +50,11 @@ declare module '*.jpg' {
   export default url;
 }
 declare module '*.css';
+
+// The part of the reshaper that is used; it has no types of its own.
+declare module 'arabic-persian-reshaper' {
+  export const ArabicShaper: { convertArabic(text: string): string };
+}
 
 // The parts of gifenc that are used; it has no types of its own.
 declare module 'gifenc' {

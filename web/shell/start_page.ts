@@ -1,9 +1,10 @@
 // The start page: one big drop area, a button, and six pictures to try; the first shows how it is done.
 import samples from '../../assets/samples/samples.json';
-import { byId, kIsMac, make } from './dom.ts';
+import { asIs, byId, kIsMac, make, shortcutText } from './dom.ts';
 import { pickPicture } from './files.ts';
 import { ghostHand } from './ghost_hand.ts';
 import { icon } from './icons.ts';
+import { onLanguage, t } from './words/words.ts';
 
 export interface Sample {
   id: string;
@@ -82,6 +83,12 @@ function addGhost(sample: Sample, frame: HTMLElement, picture: HTMLImageElement,
   else picture.addEventListener('load', show, { once: true });
 }
 
+/** The sentence with its keys, wherever a language puts them. */
+function showPasteHint(): void {
+  const [before = '', after = ''] = t('or paste one with {keys}', { keys: '\n' }).split('\n');
+  byId('paste-hint').replaceChildren(before, make('kbd', {}, asIs(kIsMac ? '⌘V' : shortcutText('Ctrl+V'))), after);
+}
+
 /** Fills the start page and connects its buttons. */
 export function buildStartPage(open: (sample: Sample) => void, drawOnPaper: () => void): void {
   byId('samples').replaceChildren(...kSamples.map((sample, i) => card(sample, i === 0, open)));
@@ -92,5 +99,6 @@ export function buildStartPage(open: (sample: Sample) => void, drawOnPaper: () =
   byId('paper').prepend(icon('square-pen'));
   byId('paper').addEventListener('click', drawOnPaper);
   byId('privacy').prepend(icon('shield-check'));
-  byId('paste-keys').textContent = kIsMac ? '⌘V' : 'Ctrl+V';
+  showPasteHint();
+  onLanguage(showPasteHint);
 }

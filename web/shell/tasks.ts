@@ -34,7 +34,7 @@ const outlined: Done = (now) => now.parts > 0 || now.picture?.finished === true;
 
 const save: TaskStep = { say: 'Press Save to keep it as a file', done: saved };
 const turn: TaskStep = { say: 'Drag in the other view to turn it round', done: turned };
-const outline = (what: string): TaskStep => ({ say: `Draw the outline of ${what} with the pen`, done: outlined });
+const outline = (say: string): TaskStep => ({ say, done: outlined });
 
 /** What the first visit is led through after its first part. */
 export const kFirstVisit: TaskStep[] = [
@@ -52,7 +52,12 @@ export const kTasks: Task[] = [
     minutes: 2,
     on: 'paper',
     start: 'Begin with Draw on paper.',
-    steps: [outline('a long sausage'), { say: 'Draw a line from end to end', done: parts(1) }, turn, save],
+    steps: [
+      outline('Draw the outline of a long sausage with the pen'),
+      { say: 'Draw a line from end to end', done: parts(1) },
+      turn,
+      save,
+    ],
   },
   {
     id: 'vase',
@@ -61,7 +66,7 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('a vase'),
+      outline('Draw the outline of a vase with the pen'),
       { say: 'Draw a line down its middle, from the rim to the foot', done: parts(1) },
       { say: 'Press Scoop out: it becomes hollow', done: hollow },
       turn,
@@ -75,7 +80,7 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('a mug, without its handle'),
+      outline('Draw the outline of a mug, without its handle, with the pen'),
       { say: 'Draw a line down its middle', done: parts(1) },
       { say: 'Press Scoop out: it becomes hollow', done: hollow },
       { say: 'Draw a line for the handle, from the mug and back to it', done: parts(2) },
@@ -98,7 +103,7 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('a bird from the side'),
+      outline('Draw the outline of a bird from the side with the pen'),
       { say: 'Take Puff and tap the bird: it swells', done: parts(1) },
       { say: 'With Puff, draw a line round a wing on it', done: parts(2) },
       { say: 'Choose Symmetry: the wing comes on the other side, too', done: mirrored },

@@ -37,13 +37,20 @@ ImFont* add(const std::vector<std::uint8_t>& file, float pixels, const ImWchar* 
                                     &config, ranges);
 }
 
-ImFont* addText(const platform::FontFiles& files, const std::vector<std::uint8_t>& file, float pixels) {
+/// Arabic with its joined forms; kana, kanji, and the signs that stand between them.
+const ImWchar kScriptRanges[] = {0x600,  0x6ff,  0x2000, 0x206f, 0x3000, 0x30ff, 0x4e00, 0x9fff,
+                                 0xfb50, 0xfdff, 0xfe70, 0xfefc, 0xff00, 0xffef, 0};
+
+ImFont* addText(const platform::FontFiles& files, bool bold, float pixels) {
+  const std::vector<std::uint8_t>& file = bold ? files.bold : files.text;
+  const std::vector<std::uint8_t>& script = bold ? files.scriptBold : files.scriptText;
   ImFontConfig config;
   config.OversampleH = 2;
   config.OversampleV = 1;
   config.PixelSnapH = false;
   ImFont* font = add(file, pixels, kTextRanges, config);
   config.MergeMode = true;
+  add(script, pixels, kScriptRanges, config);
   config.GlyphMinAdvanceX = pixels * 1.15f;
   config.GlyphOffset.y = pixels * 0.16f;
   add(files.icons, pixels * 1.12f, iconRanges(), config);
@@ -57,9 +64,9 @@ Fonts buildFonts(const platform::FontFiles& files, double dpr) {
   const float scale = static_cast<float>(std::max(1.0, dpr));
   io.Fonts->Clear();
   Fonts fonts;
-  fonts.text = addText(files, files.text, 14.5f * scale);
-  fonts.bold = addText(files, files.bold, 14.5f * scale);
-  fonts.small = addText(files, files.text, 12.5f * scale);
+  fonts.text = addText(files, false, 14.5f * scale);
+  fonts.bold = addText(files, true, 14.5f * scale);
+  fonts.small = addText(files, false, 12.5f * scale);
   fonts.icons = add(files.icons, 18.f * scale, iconRanges(), {});
   io.Fonts->Build();
   io.FontDefault = fonts.text;

@@ -1,5 +1,5 @@
-// ImGui's fonts: Inter in two weights with the icons merged in, rasterised for the screen's
-// density.
+// ImGui's fonts: Inter in two weights with the letters of the visitor's language and the icons merged in, rasterised
+// for the screen's density.
 #pragma once
 
 #include "web/platform/page.h"

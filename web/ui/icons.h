@@ -126,6 +126,7 @@ inline constexpr std::array kIcons = {
     Icon{"square-stack", 58530},
     Icon{"search", 57681},
     Icon{"circle-question-mark", 57474},
+    Icon{"languages", 57598},
     Icon{"chevron-up", 57456},
     Icon{"chevron-down", 57453},
 };

@@ -15,8 +15,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kGapShare = 0.15;  // between model and thing, of the model's height
 
-constexpr std::array kThings = {Thing{"coin", "Coin", 23, 1}, Thing{"cupcake", "Cupcake", 70, 0.92},
-                                Thing{"hand", "Hand", 180, 0.72}};
+constexpr std::array kThings = {
+    Thing{"coin", "Coin", "As tall as a coin: {length}", "a coin, {length}", 23, 1},
+    Thing{"cupcake", "Cupcake", "As tall as a cupcake: {length}", "a cupcake, {length}", 70, 0.92},
+    Thing{"hand", "Hand", "As tall as a hand: {length}", "a hand, {length}", 180, 0.72}};
 
 using Line = std::vector<ThingPoint>;
 

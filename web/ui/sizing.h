@@ -21,8 +21,9 @@ using ThingPoint = Vec2<ThingSpace>;
 /// Things whose size everybody knows.
 struct Thing {
   std::string_view key, label;
-  double mm;     ///< how tall it stands
-  double width;  ///< share of that
+  std::string_view tall, beside;  ///< sentences about its {length}
+  double mm;                      ///< how tall it stands
+  double width;                   ///< share of that
 };
 std::span<const Thing> things();
 /// Its place in things(); none for another key.

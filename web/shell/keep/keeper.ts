@@ -14,6 +14,7 @@ import { ModelStore, newModelId } from './store.ts';
 import type { KeptModel, ModelInfo } from './store.ts';
 import { shrunkPicture } from './thumbnail.ts';
 import { StoreFailure, storeFailureOf } from './trouble.ts';
+import { language, t } from '../words/words.ts';
 
 /** What the keeper needs of the engine. */
 export interface KeptEngine extends HistorySource {
@@ -183,7 +184,7 @@ export class Keeper {
       const info = await this.store?.info(id);
       if (!info) return;
       const copy = await this.store?.duplicate(id, copyName(info.name), Date.now());
-      if (copy) toast(`${copy.name} is in your models.`);
+      if (copy) toast(t('{name} is in your models.', { name: copy.name }));
       this.page.changed();
     });
   }
@@ -196,7 +197,7 @@ export class Keeper {
       this.settleOn(null);
       this.writer.rewrite();
       this.engine.run('rename-model', { name: copyName(name) });
-      toast(`This is ${copyName(name)} now. The model as it was stays in your models.`);
+      toast(t('This is {name} now. The model as it was stays in your models.', { name: copyName(name) }));
     });
   }
 
@@ -217,7 +218,10 @@ export class Keeper {
       const info = await this.store?.info(id);
       if (!info) throw new Failure('NoSuchModel', 'There is no such model on this device.');
       if ((await this.elsewhere()).has(id))
-        throw new Failure('OpenElsewhere', `${info.name} is open in another tab. Close it there first.`);
+        throw new Failure(
+          'OpenElsewhere',
+          t('{name} is open in another tab. Close it there first.', { name: info.name }),
+        );
       if (id === this.current && !(await this.leave())) return;
       await this.store?.delete(id, Date.now());
       if (this.writer.isInTrouble) {
@@ -227,7 +231,10 @@ export class Keeper {
         return;
       }
       const bringBack = () => this.change(async () => this.store?.undelete(id));
-      toast(`${info.name} is deleted.`, 'info', { label: 'Undo', run: () => this.complainOf(bringBack()) });
+      toast(t('{name} is deleted.', { name: info.name }), 'info', {
+        label: 'Undo',
+        run: () => this.complainOf(bringBack()),
+      });
     });
   }
 
@@ -299,8 +306,11 @@ export class Keeper {
       if (damaged > 0) {
         // What comes next must not stand behind what cannot be read.
         this.writer.rewrite();
-        const steps = damaged === 1 ? 'The last step' : `The last ${damaged} steps`;
-        toast(`${steps} of ${kept.info.name} could not be read and ${damaged === 1 ? 'is' : 'are'} left out.`, 'error');
+        const sentence =
+          damaged === 1
+            ? 'The last step of {name} could not be read and is left out.'
+            : 'The last {n} steps of {name} could not be read and are left out.';
+        toast(t(sentence, { n: damaged, name: kept.info.name }), 'error');
       }
     } catch (thrown) {
       if (id !== this.current) this.claims?.release(id);
@@ -328,9 +338,11 @@ export class Keeper {
     try {
       await this.openClaimed(id);
       const startOver = { label: 'Start a new one', run: () => this.complainOf(this.newModel()) };
-      if (info.pictures > 0) toast(`Welcome back. ${info.name} is as you left it.`, 'info', startOver);
+      const welcome = t('Welcome back. {name} is as you left it.', { name: info.name });
+      if (info.pictures > 0) toast(welcome, 'info', startOver);
     } catch (thrown) {
-      toast(`${info.name} could not be brought back: ${sentenceOf(thrown)}`, 'error');
+      const why = t(sentenceOf(thrown));
+      toast(t('{name} could not be brought back: {why}', { name: info.name, why }), 'error');
     }
   }
 
@@ -346,10 +358,12 @@ export class Keeper {
   // ---- tabs -------------------------------------------------------------------------------------
 
   private async offerHeld(id: string): Promise<void> {
-    const name = (await this.store?.info(id))?.name ?? 'This model';
+    const name = (await this.store?.info(id))?.name ?? t('This model');
     showBanner({
       id: 'elsewhere',
-      text: `${name} is open in another tab. To keep both from writing over each other, only one tab can change it.`,
+      text: t('{name} is open in another tab. To keep both from writing over each other, only one tab can change it.', {
+        name,
+      }),
       actions: [
         { label: 'Open a copy', command: 'duplicate-model', run: () => this.complainOf(this.openCopyOf(id)) },
         { label: 'Take over here', run: () => this.complainOf(this.takeOver(id)) },
@@ -383,7 +397,7 @@ export class Keeper {
     this.setReadOnly(true);
     showBanner({
       id: 'elsewhere',
-      text: `${this.engine.about().name} is open in another tab now. Here it can only be looked at.`,
+      text: t('{name} is open in another tab now. Here it can only be looked at.', { name: this.engine.about().name }),
       actions: [
         { label: 'Open a copy', run: () => this.complainOf(this.copyHere()) },
         {
@@ -439,8 +453,9 @@ export class Keeper {
     const actions = [{ label: 'Save a file', command: 'save-project', run: () => this.engine.run('save-project') }];
     if (real.code === 'full')
       actions.push({ label: 'Your models', command: 'open-model', run: () => this.page.showModels() });
-    const time = new Date(since).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
-    showBanner({ id: 'trouble', text: `Not kept since ${time}. ${real.message}`, actions, canDismiss: true });
+    const time = new Date(since).toLocaleTimeString(language().id, { hour: '2-digit', minute: '2-digit' });
+    const text = t('Not kept since {time}. {why}', { time, why: t(real.message) });
+    showBanner({ id: 'trouble', text, actions, canDismiss: true });
     this.page.changed();
   }
 

@@ -1,10 +1,11 @@
 // "Your models": what this device keeps, as a strip on the start page and as a dialog for all of them.
 import { openDialog } from '../dialogs.ts';
-import { byId, make } from '../dom.ts';
+import { asIs, byId, make } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { toggleMenu } from '../menu.ts';
 import type { MenuItem } from '../menu.ts';
 import type { ModelInfo } from './store.ts';
+import { language, t } from '../words/words.ts';
 
 /** What can be done with a model of the list. */
 export interface ModelActions {
@@ -24,15 +25,15 @@ const kOnStartPage = 12;
 export function whenText(time: number, now: number): string {
   const day = (at: number) => new Date(at).setHours(0, 0, 0, 0);
   const days = Math.round((day(now) - day(time)) / 86_400_000);
-  const clock = new Date(time).toLocaleTimeString('en', { hour: 'numeric', minute: '2-digit' });
-  if (days === 0) return `today, ${clock}`;
-  if (days === 1) return `yesterday, ${clock}`;
-  return new Date(time).toLocaleDateString('en', { day: 'numeric', month: 'short', year: 'numeric' });
+  const clock = new Date(time).toLocaleTimeString(language().id, { hour: 'numeric', minute: '2-digit' });
+  if (days === 0) return t('today, {clock}', { clock });
+  if (days === 1) return t('yesterday, {clock}', { clock });
+  return new Date(time).toLocaleDateString(language().id, { day: 'numeric', month: 'short', year: 'numeric' });
 }
 
 function countText(model: ModelInfo): string {
-  if (model.parts > 0) return model.parts === 1 ? '1 part' : `${model.parts} parts`;
-  return model.pictures > 0 ? 'no part yet' : 'empty';
+  if (model.parts > 0) return model.parts === 1 ? t('1 part') : t('{n} parts', { n: model.parts });
+  return model.pictures > 0 ? t('no part yet') : t('empty');
 }
 
 export class ModelsView {
@@ -89,6 +90,7 @@ export class ModelsView {
       models.map((model) => [model.id, model.name, model.modified, model.parts, model.thumbnail?.bytes.length]),
       [...elsewhere],
       current,
+      language().id,
       this.dialog !== null,
     ]);
     if (key === this.drawn) return;
@@ -112,14 +114,14 @@ export class ModelsView {
     const frame = make('span', { class: 'model-frame' });
     if (model.thumbnail) frame.append(this.picture(model.thumbnail));
     else frame.append(icon('box'));
-    const where = isElsewhere ? 'in another tab' : isOpen ? 'open' : '';
+    const where = isElsewhere ? t('in another tab') : isOpen ? t('open') : '';
     if (where) frame.append(make('span', { class: 'model-badge' }, where));
     const detail = `${countText(model)} · ${whenText(model.modified, Date.now())}`;
     const button = make(
       'button',
       { type: 'button', class: 'model-open', 'data-command': 'open-model' },
       frame,
-      make('span', { class: 'model-name' }, model.name),
+      make('span', { class: 'model-name' }, asIs(model.name)),
       make('span', { class: 'model-detail' }, detail),
     );
     button.addEventListener('click', () => {
@@ -131,7 +133,7 @@ export class ModelsView {
       class: 'model-more',
       'aria-haspopup': 'menu',
       'aria-expanded': 'false',
-      'aria-label': `More about ${model.name}`,
+      'aria-label': t('More about {name}', { name: model.name }),
     });
     more.append(icon('ellipsis-vertical'));
     more.addEventListener('click', () =>

@@ -1,0 +1,219 @@
+// The page in other languages: chosen by the visitor or by the browser, kept, whole, and with room for longer words.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { root } from '../../.ci/lib/paths.mjs';
+import { done, framed, idle, kPhone, kTablet, onPage, openWithPart, reload, run, useSite } from './support/page.mjs';
+import { tubePicture } from './support/pictures.mjs';
+
+const kit = useSite();
+const tube = tubePicture();
+const words = (id) => JSON.parse(readFileSync(join(root, `assets/words/${id}.json`), 'utf8'));
+const [german, arabic] = ['de', 'ar'].map(words);
+
+const kSizes = { desktop: { viewport: { width: 1440, height: 900 } }, tablet: kTablet, phone: kPhone };
+
+/** Waits until page and canvas speak this language. */
+const spoken = (page, id) => page.locator(`body[data-language=${id}]`).waitFor();
+
+const heard = (page) =>
+  page.evaluate(() => ({ lang: document.documentElement.lang, dir: document.documentElement.dir }));
+
+async function speak(page, id) {
+  await run(page, 'language', { language: id });
+  await spoken(page, id);
+  await framed(page);
+}
+
+/** A stand-in for the German catalogue: `change` makes each message of its English. */
+async function replaceGerman(page, change) {
+  const messages = Object.fromEntries(Object.keys(german).map((text) => [text, change(text)]));
+  await page.route('**/assets/words/de-*.json', (route) => route.fulfill({ json: messages }));
+}
+
+/** Each state of the page that has words of its own, by what leads there from the one before. */
+const kStates = [
+  ['the start page', async () => undefined],
+  ['a part', (page) => openWithPart(page, tube.png, tube.middle)],
+  ['More', (page) => page.locator('#bar-more').click()],
+  [
+    'the search',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('/');
+    },
+  ],
+  [
+    'Help',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await page.locator('#bar-help').click();
+      for (const summary of await page.locator('dialog summary').all()) await summary.click();
+    },
+  ],
+  [
+    'your models',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await run(page, 'open-model');
+    },
+  ],
+  [
+    'the start page again',
+    async (page) => {
+      await page.keyboard.press('Escape');
+      await done(page, 'new-model');
+    },
+  ],
+];
+
+test('the visitor chooses a language on the start page, it is kept, and can be changed back in Help', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    assert.deepEqual(await heard(page), { lang: 'en', dir: 'ltr' });
+    await page.locator('#language').click();
+    await page.locator('[role=menuitemradio][data-command=language][data-value=de]').click();
+    await spoken(page, 'de');
+    assert.deepEqual(await heard(page), { lang: 'de', dir: 'ltr' });
+    assert.equal(await page.locator('#choose').innerText(), german['Choose a picture']);
+    assert.equal(await page.locator('#language').innerText(), 'Deutsch');
+    await reload(page);
+    assert.deepEqual(await heard(page), { lang: 'de', dir: 'ltr' });
+    assert.equal(await page.locator('.hero h2').innerText(), german['Draw a line. Get a solid.']);
+    await openWithPart(page, tube.png, tube.middle);
+    assert.equal(await page.locator('#bar-save').innerText(), german.Save);
+    assert.ok((await page.locator('#status-end').innerText()).includes(german['1 part']));
+    await page.locator('#bar-help').click();
+    await page.getByRole('dialog', { name: german.Help }).locator('[data-command=language]').click();
+    await page.locator('[role=menuitemradio][data-value=en]').click();
+    await spoken(page, 'en');
+    assert.equal(await page.locator('#bar-save').innerText(), 'Save');
+  }));
+
+for (const [locale, id] of Object.entries({ 'fr-CA': 'fr', 'ja-JP': 'ja', 'pt-BR': 'en' })) {
+  test(`a browser that asks for ${locale} gets ${id}`, () =>
+    onPage(kit, { alone: true, locale }, async (page) => {
+      assert.equal((await heard(page)).lang, id);
+      const text = await page.locator('#choose').innerText();
+      assert.equal(text, id === 'en' ? 'Choose a picture' : words(id)['Choose a picture']);
+    }));
+}
+
+test('ids, states and files are the same in every language, and errors are sentences of it', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const before = await page.evaluate(() => [window.spineloft.state(), window.spineloft.commands()]);
+    await speak(page, 'de');
+    const [state, commands] = await page.evaluate(() => [window.spineloft.state(), window.spineloft.commands()]);
+    // Where a control lies follows the length of its words.
+    const placeless = ({ controls, ...rest }) => rest;
+    assert.deepEqual(placeless(state), placeless(before[0]));
+    const plain = (list) => list.map(({ id, label, hint }) => [id, label, hint]);
+    assert.deepEqual(plain(commands), plain(before[1]));
+    const { code, message } = await page.evaluate(() =>
+      window.spineloft.run('draw-spine', { stroke: [[1, 1]] }).then(
+        () => ({}),
+        ({ code, message }) => ({ code, message }),
+      ),
+    );
+    assert.equal(code, 'StrokeTooShort');
+    assert.equal(message, german['That line is too short. Draw a longer line along the middle of the object.']);
+  }));
+
+test('Arabic is written from the right, with letters that its fonts have', () =>
+  onPage(kit, { alone: true, ...kSizes.desktop }, async (page) => {
+    await speak(page, 'ar');
+    assert.deepEqual(await heard(page), { lang: 'ar', dir: 'rtl' });
+    const box = await page.locator('#home').boundingBox();
+    assert.ok(box.x > 720, 'the bar begins at the right');
+    assert.equal(await page.locator('#choose').innerText(), arabic['Choose a picture']);
+    assert.ok(await page.evaluate(() => document.fonts.check('16px "SpineLoft Script ar"', 'عربي')));
+    await speak(page, 'en');
+    assert.deepEqual(await heard(page), { lang: 'en', dir: 'ltr' });
+    assert.ok((await page.locator('#home').boundingBox()).x < 720);
+  }));
+
+test('in another language nothing is said in English', () =>
+  onPage(kit, { alone: true, firstVisit: true, ...kSizes.desktop }, async (page) => {
+    // What has a word of the catalogue is marked; arguments are in brackets.
+    await replaceGerman(page, (text) => `«${text.replace(/[«»]/g, '').replace(/\{(\w+)\}/g, '»{$1}«')}»`);
+    await speak(page, 'de');
+    for (const [name, enter] of kStates) {
+      await enter(page);
+      await idle(page);
+      await framed(page);
+      const plain = await page.evaluate(() => {
+        const isApart = (element) =>
+          element.closest('kbd, .sample-credit, .noscript, #language, [data-command=language]');
+        const found = [];
+        const look = (text, element) => {
+          // What is left without the words of the catalogue, numbers and names that were typed.
+          const rest = text.replace(/«[^«»]*»/g, ' ').replace(/\b(SpineLoft|tube(\.png)?|KB|MB|AM|PM|\d+:\d+)\b/g, ' ');
+          if (/\p{L}{2}/u.test(rest) && !isApart(element)) found.push(text);
+        };
+        const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+        while (walker.nextNode()) {
+          const { currentNode: node } = walker;
+          const element = node.parentElement;
+          if (!element.closest('script, style') && element.checkVisibility()) look(node.data, element);
+        }
+        for (const attribute of ['aria-label', 'title', 'placeholder', 'alt'])
+          for (const element of document.querySelectorAll(`body [${attribute}]`))
+            if (element.checkVisibility()) look(element.getAttribute(attribute), element);
+        return found;
+      });
+      assert.deepEqual(plain, [], name);
+    }
+  }));
+
+/** Letters of words 40 % more; what stands in braces stays. */
+const longer = (text) =>
+  text.replace(/\{\w+\}|\p{L}+/gu, (word) =>
+    word.startsWith('{') ? word : word + word.slice(-1).repeat(Math.ceil(0.4 * word.length)),
+  );
+
+for (const [size, context] of Object.entries(kSizes)) {
+  test(`with words 40 % longer nothing is cut off or lies on something else (${size})`, () =>
+    onPage(kit, { alone: true, firstVisit: true, ...context }, async (page) => {
+      await replaceGerman(page, longer);
+      await speak(page, 'de');
+      for (const [name, enter] of kStates) {
+        await enter(page);
+        await idle(page);
+        await framed(page);
+        const faults = await page.evaluate(() => {
+          const out = [];
+          const shown = [...document.body.querySelectorAll('*')].filter(
+            (element) =>
+              element.checkVisibility({ opacityProperty: true }) && !element.closest('svg, .visually-hidden'),
+          );
+          const own = (element) => [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+          const nameOf = (element) => `${element.id || element.className || element.tagName}: ${element.innerText}`;
+          for (const element of shown) {
+            const box = element.getBoundingClientRect();
+            if (box.width === 0 || !own(element)) continue;
+            if (box.left < -1 || box.right > innerWidth + 1) out.push(`outside: ${nameOf(element)}`);
+            const cuts = getComputedStyle(element).overflowX !== 'visible';
+            if (cuts && element.scrollWidth > element.clientWidth + 1) out.push(`cut: ${nameOf(element)}`);
+          }
+          const buttons = shown.filter((element) => element.matches('button, [role=menuitem], [role=option]'));
+          const top = (element) => {
+            const box = element.getBoundingClientRect();
+            return document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+          };
+          const seen = buttons.filter((button) => button.contains(top(button)));
+          for (const [i, a] of seen.entries())
+            for (const b of seen.slice(i + 1)) {
+              const [p, q] = [a.getBoundingClientRect(), b.getBoundingClientRect()];
+              const wide = Math.min(p.right, q.right) - Math.max(p.left, q.left);
+              const high = Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top);
+              if (wide > 1 && high > 1 && !a.contains(b) && !b.contains(a) && !a.parentElement.contains(b))
+                out.push(`on each other: ${nameOf(a)} | ${nameOf(b)}`);
+            }
+          if (document.documentElement.scrollWidth > innerWidth + 1) out.push('the page is wider than the window');
+          return out;
+        });
+        assert.deepEqual(faults, [], name);
+      }
+    }));
+}
