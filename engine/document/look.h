@@ -15,6 +15,7 @@ struct Look {
   surface::Paint paint = surface::Paint::Plain;       ///< of a part without the picture
   std::array<std::uint8_t, 3> second{241, 237, 228};  ///< sRGB; below, with Paint::TwoTone
   bool faceted = false;                               ///< every triangle flat, else smooth
+  bool inked = false;                                 ///< on paper: the ink of its outline stays on the surface
   bool operator==(const Look&) const = default;
 };
 

@@ -170,12 +170,13 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
-  auto& [textured, colour, paint, second, faceted] = value;
+  auto& [textured, colour, paint, second, faceted, inked] = value;
   v("textured", textured);
   v("colour", colour);
   v("paint", paint);
   v("second", second);
   v("faceted", faceted);
+  v("inked", inked);
 }
 template <class V, Is<document::Placement> T>
 void members(V& v, T& value) {

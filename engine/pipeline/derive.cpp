@@ -107,7 +107,8 @@ struct MarksOver {
 };
 MarksOver marksOver(const document::Part& part, const PartShape& shape, const document::PictureEntry& entry) {
   const auto* loft = std::get_if<document::LoftRecipe>(&part.recipe);
-  MarksOver marks{outlineInk(shape, entry), loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
+  MarksOver marks{part.look.inked ? std::vector<ribs::IgnoreMark>{} : outlineInk(shape, entry),
+                  loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
   marks.ofPicture.insert(marks.ofPicture.end(), entry.ignored.begin(), entry.ignored.end());
   return marks;
 }
@@ -161,7 +162,7 @@ namespace {
 DerivedPart derivePart(const document::Part& part, const document::PictureEntry& entry, Cache& cache,
                        const Clock& clock) {
   DerivedPart result{part.id, nullptr, std::nullopt, false};
-  const std::uint64_t key = shapeKey(part.recipe, entry);
+  const std::uint64_t key = shapeKey(part, entry);
   const bool known = !needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr;
   result.shape = cache.shape(key);
   if (!result.shape && !known) result.waiting = true;

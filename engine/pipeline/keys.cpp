@@ -150,4 +150,11 @@ std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEn
   return std::visit([&](const auto& one) { return shapeKey(one, entry); }, recipe);
 }
 
+std::uint64_t shapeKey(const document::Part& part, const document::PictureEntry& entry) {
+  // How the texture is shown is no part of it.
+  const auto& [textured, colour, paint, second, faceted, inked] = part.look;
+  const std::uint64_t key = shapeKey(part.recipe, entry);
+  return inked && entry.isSketch() ? Hasher().text("inked").number(key).value() : key;
+}
+
 }  // namespace spineloft::pipeline

@@ -16,7 +16,8 @@ std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::Pic
 /// RibParams.
 std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
-/// Of a whole shape of any kind.
+/// Of a whole shape of any kind, with its texture.
+std::uint64_t shapeKey(const document::Part& part, const document::PictureEntry& entry);
 std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry);
 
 /// Of a lofted one: the trace's, the edits, the pose and the loft.

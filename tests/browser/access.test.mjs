@@ -8,11 +8,13 @@ import { drawWithMouse, strokeAlong } from './support/hands.mjs';
 import {
   done,
   downloaded,
+  exported,
   idle,
   kPhone,
   onPage,
   openPicture,
   openWithPart,
+  pixels,
   run,
   state,
   toastText,
@@ -44,6 +46,9 @@ const focused = (page) =>
 for (const [name, context] of Object.entries({
   desktop: {},
   phone: kPhone,
+  dark: { colorScheme: 'dark' },
+  'more contrast, dark': { colorScheme: 'dark', contrast: 'more' },
+  'forced colours': { forcedColors: 'active' },
 })) {
   test(`axe finds nothing serious on the start page, at work, in menus and dialogs (${name})`, () =>
     onPage(kit, { ...context, alone: true }, async (page) => {
@@ -61,6 +66,28 @@ for (const [name, context] of Object.entries({
       assert.deepEqual(await violations(page), [], 'shortcut sheet');
     }));
 }
+
+test('the page is dark where the system asks for it, the canvas as well, and changes with it; saved pictures do not', () =>
+  onPage(kit, { alone: true, colorScheme: 'dark' }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const brightness = async (clip) => {
+      const { data } = await pixels(page, clip);
+      return data.reduce((sum, value) => sum + value, 0) / data.length;
+    };
+    const panel = await page.evaluate(() => {
+      const { x, y, width, height } = document.getElementById('canvas').getBoundingClientRect();
+      return { x: x + width - 12, y: y + height - 40, width: 8, height: 8 };
+    });
+    const solidView = { x: 700, y: 80, width: 60, height: 30 };
+    const bar = { x: 400, y: 2, width: 8, height: 6 };
+    const saved = Buffer.from(await exported(page, 'glb'));
+    const dark = [await brightness(panel), await brightness(solidView), await brightness(bar)];
+    await page.emulateMedia({ colorScheme: 'light' });
+    await idle(page);
+    const light = [await brightness(panel), await brightness(solidView), await brightness(bar)];
+    for (let i = 0; i < dark.length; ++i) assert.ok(dark[i] + 60 < light[i], `${i}: ${dark[i]} against ${light[i]}`);
+    assert.ok(saved.equals(Buffer.from(await exported(page, 'glb'))));
+  }));
 
 test('by keyboard alone: open a sample, make a part, change it, save it', () =>
   onPage(kit, { alone: true }, async (page) => {

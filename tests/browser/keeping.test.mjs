@@ -130,6 +130,44 @@ test('models are duplicated, renamed and deleted from the list, and a deletion c
     await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
   }));
 
+test('the next pupil begins with an empty page and few tools; the models stay, under an animal, with their pictures', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    const first = await history(page);
+    await done(page, 'more-tools', { on: true });
+    await run(page, 'next-pupil');
+    await page.getByRole('dialog').getByRole('button', { name: 'Turtle' }).click();
+    await idle(page);
+    assert.equal((await state(page)).picture, null);
+    assert.equal(await page.locator('#start').isVisible(), true);
+    assert.equal(
+      await page.evaluate(() => window.spineloft.commands().find(({ id }) => id === 'more-tools').toggled),
+      false,
+    );
+    assert.equal(await page.locator('.model-animal').innerText(), 'Turtle');
+    await page.locator('#models-cards img').waitFor();
+    assert.equal(await page.locator('#models-next').isVisible(), false, 'nothing is nobody’s');
+    await drawPart(page);
+    await reload(page);
+    await done(page, 'new-model');
+    await page.locator('#models-next').click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Cat' }).click();
+    await idle(page);
+    assert.deepEqual((await page.locator('.model-animal').allInnerTexts()).sort(), ['Cat', 'Turtle']);
+    await page.locator('.model-open', { hasText: 'Turtle' }).click();
+    await page.waitForFunction(() => window.spineloft.state().picture !== null);
+    assert.equal(await history(page), first, 'whoever comes back goes on with all of it');
+  }));
+
+test('without an answer nobody is sent away', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    await run(page, 'next-pupil');
+    await page.keyboard.press('Escape');
+    await idle(page);
+    assert.equal((await state(page)).parts.length, 1);
+  }));
+
 test('a duplicate of the open model is worked on, and the original stays as it was', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);

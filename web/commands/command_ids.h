@@ -22,7 +22,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "keep-ribs", "keep-slice", "language", "list-down", "list-up", "load-shelf", "lock-rib", "make-puff", "make-sheet",
     "mirror-copy", "more-ribs", "more-tools", "move", "move-in-list", "move-outline-point", "move-parts",
     "move-rib-end", "move-slice", "move-spine", "new-model", "new-part", "new-sketch", "next-outline-point",
-    "next-part", "next-picture", "next-point", "next-slice", "nudge", "nudge-outline-point", "nudge-part",
+    "next-part", "next-picture", "next-point", "next-pupil", "next-slice", "nudge", "nudge-outline-point", "nudge-part",
     "open-file", "open-model", "open-picture", "order-operands", "other-end", "paint-over", "pen", "pen-colour",
     "pen-size", "pick", "point-opening", "pose-spine", "previous-outline-point", "previous-picture", "previous-point",
     "puff", "puff-back", "puff-both", "puff-front", "reach-less", "reach-more", "redo", "redraw", "redraw-region",
@@ -37,7 +37,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "slice-flip", "slice-flip-front", "slice-front-back", "slice-left-right", "slice-move-point", "slice-on",
     "slice-redo", "slice-remove-point", "slice-start-from", "slice-symmetry", "slice-tool", "slice-traces",
     "slice-turn", "slice-undo", "snap-to-surface", "solve-again", "stick-together", "symmetry", "take-place",
-    "thicken", "thicker", "thinner", "toggle-facets", "toggle-texture", "turn-down", "turn-left", "turn-right",
+    "thicken", "thicker", "thinner", "toggle-facets", "toggle-ink", "toggle-texture", "turn-down", "turn-left", "turn-right",
     "turn-up", "undo", "ungroup", "zoom-in", "zoom-out"});
 // clang-format on
 

@@ -47,6 +47,7 @@ Outcome setColour(const CommandEnv& env, const Parts& parts, const Colour& colou
 Outcome setSecondColour(const CommandEnv& env, const Parts& parts, const Colour& colour);
 Outcome setPaint(const CommandEnv& env, const Parts& parts, surface::Paint paint);
 Outcome setFaceted(const CommandEnv& env, const Parts& parts, bool faceted);
+Outcome setInked(const CommandEnv& env, const Parts& parts, bool inked);
 Outcome setParameter(const CommandEnv& env, const Parts& parts, const std::string& key, double value);
 
 // ---- Spines. `keep`: the ribs go along; else edges are found again. ----------------------------------------------

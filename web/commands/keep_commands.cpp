@@ -24,6 +24,7 @@ Outcome tellShell(Env env, std::string_view what, const Json& args) {
 }
 
 Outcome newModel(Env env, const Json& args) { return tellShell(env, "new-model", args); }
+Outcome nextPupil(Env env, const Json& args) { return tellShell(env, "next-pupil", args); }
 Outcome openModel(Env env, const Json& args) { return tellShell(env, "open-model", args); }
 Outcome openFile(Env env, const Json& args) { return tellShell(env, "open-file", args); }
 Outcome duplicateModel(Env env, const Json& args) { return tellShell(env, "duplicate-model", args); }
@@ -58,6 +59,8 @@ constexpr std::array kTable = {
             .group = "model", .hint = "The same under a new name", .enabled = hasWork, .run = saveProjectAs},
     Command{.id = "new-model", .label = "New model", .icon = "file-plus", .group = "model",
             .hint = "Begin another one; this one stays in your models", .enabled = hasWork, .run = newModel},
+    Command{.id = "next-pupil", .label = "Next pupil", .icon = "users", .group = "model",
+            .hint = "Put the models away under an animal, and begin afresh", .run = nextPupil},
     Command{.id = "open-model", .label = "Your models", .icon = "layout-grid", .shortcut = "Shift+Ctrl+O",
             .group = "model", .hint = "Go on with a model that this device keeps", .menu = "Model", .run = openModel},
     Command{.id = "open-file", .label = "Open model file", .icon = "folder-open", .group = "model",

@@ -7,6 +7,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/edit/placing.h"
 #include "web/model/colour_text.h"
 #include "web/model/messages.h"
 #include "web/model/swatches.h"
@@ -19,6 +20,14 @@ using Env = const CommandEnv&;
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool faceted(Env env) { return currentLook(env).faceted; }
+bool inked(Env env) { return currentLook(env).inked; }
+bool onPaper(Env env) {
+  const document::Document& document = env.studio.document();
+  return std::ranges::any_of(document.parts, [&](const document::Part& part) {
+    const document::PictureEntry* picture = findPicture(document, document::pictureOf(part));
+    return part.look.textured && picture != nullptr && picture->isSketch() && isSelected(document, env.ui, part.id);
+  });
+}
 
 Outcome setPaintRow(Env env, const Json& args) {
   const std::string* key = args.text("paint");
@@ -42,6 +51,12 @@ Outcome toggleFacets(Env env, const Json& args) {
   const std::optional<Parts> parts = meantParts(env, args);
   if (!parts) return noPart();
   return setFaceted(env, *parts, args.flag("faceted").value_or(!lookMeant(env, *parts).faceted));
+}
+
+Outcome toggleInk(Env env, const Json& args) {
+  const std::optional<Parts> parts = meantParts(env, args);
+  if (!parts) return noPart();
+  return setInked(env, *parts, args.flag("inked").value_or(!lookMeant(env, *parts).inked));
 }
 
 Outcome saveObjZip(Env env, const Json&) { return saveAs(env, publish::Format::ObjZip); }
@@ -81,6 +96,8 @@ constexpr std::array kTable = {
             .run = setSecondColourRow},
     Command{.id = "toggle-facets", .label = "Facets", .icon = "diamond", .group = "look",
             .hint = "Flat like a cut stone, or smooth", .enabled = hasPicture, .toggled = faceted, .run = toggleFacets},
+    Command{.id = "toggle-ink", .label = "Keep my ink", .icon = "pencil-line", .group = "look",
+            .hint = "The drawn outline stays on the part", .enabled = onPaper, .toggled = inked, .run = toggleInk},
     Command{.id = "save-picture", .label = "Save picture", .icon = "image-down", .group = "file",
             .hint = "A PNG of the solid", .enabled = hasParts, .run = savePicture},
     Command{.id = "save-turntable", .label = "Save turntable", .icon = "rotate-3d", .group = "file",
@@ -112,6 +129,10 @@ Outcome setSecondColour(Env env, const Parts& parts, const Colour& colour) {
 
 Outcome setFaceted(Env env, const Parts& parts, bool faceted) {
   return changeLooks(env, parts, [&](document::Look& look) { look.faceted = faceted; });
+}
+
+Outcome setInked(Env env, const Parts& parts, bool inked) {
+  return changeLooks(env, parts, [&](document::Look& look) { look.inked = inked; });
 }
 
 std::span<const Command> lookCommands() { return kTable; }

@@ -212,6 +212,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   json.key("colour").text(colourText(part.look.colour));
   json.key("paint").text(surface::finishOf(part.look.paint).key);
   json.key("second").text(colourText(part.look.second)).key("faceted").flag(part.look.faceted);
+  json.key("inked").flag(part.look.inked);
   json.key("picture").number(document::pictureOf(part).value);
   json.key("waiting").flag(derived.waiting);
   writePlacement(json, part, mm);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/mesh/self_crossing.h"
+
 namespace spineloft::app {
 namespace {
 
@@ -21,6 +23,8 @@ Preview& beginPreview(UiState& ui) {
   preview.revision = 0;
   preview.costMs = preview.nextMs = 0;
   preview.exactMs.reset();
+  preview.guarded = false;
+  preview.crossing.reset();
   preview.pressure.clear();
   return preview;
 }
@@ -69,12 +73,30 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   preview.exactMs.reset();
   pipeline::PartShape& shape = preview.shape.room();
   const Status made = rests ? studio.preview(preview.recipe, shape) : studio.previewLive(preview.recipe, shape);
+  if (made && preview.guarded) {
+    const auto at = mesh::selfCrossing(shape.mesh);
+    preview.crossing = at ? std::optional(ModelPoint{(*at)[0], (*at)[1], (*at)[2]}) : std::nullopt;
+    if (!at) preview.taken = preview.recipe;
+  }
   preview.costMs = host.nowMs() - now;
   preview.nextMs = host.nowMs() + preview.costMs * (1 / kPreviewShare - 1);
-  if (!made) return;  // the last good one stays
+  if (!made || preview.crossing) return;  // the last good one stays
   if (shape.quality == pipeline::TraceQuality::Live) preview.exactMs = host.nowMs() + kRestMs;
   preview.shape.renew();
   preview.revision = ++ui.previewShapes;
+}
+
+void guardPreview(UiState& ui, const document::Document& document, const pipeline::Derived& derived) {
+  if (!ui.preview || ui.preview->guarded) return;
+  const document::Part* part = document::findPart(document, ui.preview->part);
+  const auto now = std::ranges::find(derived.parts, ui.preview->part, &pipeline::DerivedPart::id);
+  if (part == nullptr || now == derived.parts.end() || !now->shape || mesh::selfCrossing(now->shape->mesh)) return;
+  ui.preview->guarded = true;
+  ui.preview->taken = part->recipe;
+}
+
+const document::LoftRecipe* heldBack(const UiState& ui) {
+  return ui.preview && ui.preview->crossing ? std::get_if<document::LoftRecipe>(&ui.preview->taken) : nullptr;
 }
 
 const Preview* previewOf(const UiState& ui, PartId part) {

@@ -19,6 +19,11 @@ document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line,
 /// Makes the shape of what the gesture in hand makes: as often as the time allows, so that the hand never
 /// waits; an exact one once it rests. Once it was warm, a stroke like an earlier one asks for no memory.
 void growPreview(UiState& ui, Studio& studio, const platform::Host& host);
+/// From now on a preview of a standing part is not taken where the part would go through itself, unless it does
+/// already.
+void guardPreview(UiState& ui, const document::Document& document, const pipeline::Derived& derived);
+/// The recipe that is shown, where the hand asks for one that is not taken; else null.
+const document::LoftRecipe* heldBack(const UiState& ui);
 /// The preview that stands for this part on the screen, once it has a shape; else null.
 const Preview* previewOf(const UiState& ui, PartId part);
 

@@ -62,6 +62,7 @@ struct Scene {
   double floorRadius = 0;    ///< 0: no floor
   double floorHeadroom = 1;  ///< height above the floor within which parts cast shadows
   std::vector<SceneMesh> meshes;
+  bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
 };
 

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "web/gl/handles.h"
@@ -16,6 +17,8 @@ namespace spineloft::gl {
 namespace {
 
 constexpr int kShadowSide = 256;
+// As in the style sheet.
+constexpr std::array kPaper = {0.969f, 0.961f, 0.941f}, kDarkPaper = {0.090f, 0.098f, 0.118f};
 
 struct Programs {
   Program background, picture, mesh, floor, shadow, copy;
@@ -99,7 +102,8 @@ class WebGlRenderer final : public Renderer {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, width, height);
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.969f, 0.961f, 0.941f, 1);  // paper
+    const auto [red, green, blue] = scene.dark ? kDarkPaper : kPaper;
+    glClearColor(red, green, blue, 1);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
@@ -119,7 +123,7 @@ class WebGlRenderer final : public Renderer {
     if (lost_) return {};
     drawShadowMap(scene);
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.969f, 0.961f, 0.941f, 1);
+    glClearColor(kPaper[0], kPaper[1], kPaper[2], 1);
     glDepthMask(GL_TRUE);
     if (!snapshot_.begin(width, height)) return {};
     if (scene.solidView.width >= 1) {
@@ -234,6 +238,7 @@ class WebGlRenderer final : public Renderer {
     glDisable(GL_BLEND);
     glUseProgram(programs_.background.name());
     placeQuad(programs_.background, scene.solidView, scene.solidView);
+    glUniform1f(uniform(programs_.background, "dark"), scene.dark ? 1.f : 0.f);
     drawQuad();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);

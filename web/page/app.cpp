@@ -39,7 +39,7 @@ App::App(Parts parts, const platform::CanvasSize& size)
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
-  panels::applyTheme();
+  panels::applyTheme(ui_.dark);
   ui_.camera = homeCamera({{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}}, {0, 0, 400, 400});
   resize(size);
   announce();
@@ -71,6 +71,13 @@ void App::speak(words::Language language, std::vector<std::uint8_t> text, std::v
   renderer_->fontsChanged();
   announce();
   touch(3);
+}
+
+void App::setDark(bool dark) {
+  if (ui_.dark == dark) return;
+  ui_.dark = dark;
+  panels::applyTheme(dark);
+  touch(2);
 }
 
 void App::layout() {

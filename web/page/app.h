@@ -40,6 +40,7 @@ class App final : public platform::Page, Hand {
   void speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) override;
   void wake() override;
   void resize(const platform::CanvasSize& size) override;
+  void setDark(bool dark) override;
   void pointer(const platform::PointerEvent& event) override;
   void wheel(const platform::WheelEvent& event) override;
   bool key(const platform::KeyEvent& event) override;

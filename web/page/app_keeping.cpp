@@ -110,6 +110,7 @@ const image::Image& App::thumbnail(int width, int height) {
   gl::Scene scene;
   buildScene(studio_.document(), studio_.derived(), small, scene);
   scene.still = true;
+  scene.dark = false;
   if (scene.meshes.empty() && !scene.picture) return thumbnail_;
   return thumbnail_ = renderer_->snapshot(scene);
 }
@@ -130,6 +131,7 @@ const image::Image& App::turntable(int width, int height, double turn) {
   gl::Scene scene;
   buildScene(studio_.document(), studio_.derived(), view, scene);
   scene.still = true;
+  scene.dark = false;
   return thumbnail_ = renderer_->snapshot(scene);
 }
 

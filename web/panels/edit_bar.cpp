@@ -158,8 +158,10 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
     app::Preview& preview = app::previewPart(env.ui(), part);
     preview.loft().pose = pose;
     preview.fresh = false;
+    app::guardPreview(env.ui(), env.document(), env.derived);
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  if (const document::LoftRecipe* held = app::heldBack(env.ui())) pose = held->pose;
   env.ui().preview.reset();
   env.sink.run(app::setCoil, part.id, pose.coilTurns, pose.coilRadius);
 }

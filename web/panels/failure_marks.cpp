@@ -14,12 +14,12 @@ namespace spineloft::panels {
 namespace {
 
 void mark(ImDrawList& list, ImVec2 at) {
-  list.AddCircle(at, 17, rgb(0xffffff, 235), 40, 7);
+  list.AddCircle(at, 17, faded(kHalo, 235), 40, 7);
   list.AddCircle(at, 17, kFailure, 40, 3.5f);
   const ImVec2 badge{at.x + 13, at.y - 13};
   list.AddCircleFilled(badge, 9.5f, kFailure, 28);
-  list.AddRectFilled({badge.x - 1.4f, badge.y - 5.5f}, {badge.x + 1.4f, badge.y + 1.2f}, kSurface, 1);
-  list.AddCircleFilled({badge.x, badge.y + 4.2f}, 1.7f, kSurface, 12);
+  list.AddRectFilled({badge.x - 1.4f, badge.y - 5.5f}, {badge.x + 1.4f, badge.y + 1.2f}, kHalo, 1);
+  list.AddCircleFilled({badge.x, badge.y + 4.2f}, 1.7f, kHalo, 12);
 }
 
 /// Clips what `draw` draws to a view.

@@ -35,7 +35,7 @@ std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> cho
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = env.ui().touch ? 44.f : 36.f;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xf1eee7), kRadius);
+  list.AddRectFilled(at, {at.x + width, at.y + height}, kTrough, kRadius);
   const float each = width / static_cast<float>(choices.size());
   std::optional<std::size_t> pressed;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -109,7 +109,7 @@ void ball(ImDrawList& list, ImVec2 centre, float radius, const document::Look& l
     case surface::Paint::kCount:
       list.AddCircleFilled(centre, radius, mixed(1), 28);
   }
-  list.AddCircle(centre, radius, rgb(0x1f2430, 40), 28, 1);
+  list.AddCircle(centre, radius, faded(kInk, 40), 28, 1);
 }
 
 /// A row of paints: what the colour is made of.
@@ -161,7 +161,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
     const float radius = side / 2 - 3;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddCircleFilled(centre, radius, rgb(swatch.hex), 32);
-    list.AddCircle(centre, radius, rgb(0x1f2430, 40), 32, 1);
+    list.AddCircle(centre, radius, faded(kInk, 40), 32, 1);
     if (!look.textured && hexOf(chosen) == swatch.hex) {
       list.AddCircle(centre, radius + 2.5f, kAccent, 36, 2);
     } else if (ImGui::IsItemHovered()) {
@@ -204,6 +204,7 @@ void lookPanel(const PanelEnv& env, float width) {
     return;
   }
   pictureOrColour(env, look.textured, width);
+  if (app::enabled(app::commandOf("toggle-ink"), env.env)) wordButton(env, {"toggle-ink", width, 34, kAccent});
   ImGui::Dummy({0, 2});
   paints(env, look, width);
   swatches(env, look, width);

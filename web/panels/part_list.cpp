@@ -73,11 +73,11 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   // A patch of its colour: the circle in the row is the tick.
   const ImVec2 low{at.x + 8, at.y + height / 2 - 7}, high{at.x + 22, at.y + height / 2 + 7};
   list.AddRectFilled(low, high, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255), 4);
-  list.AddRect(low, high, part.look.textured ? kMuted : rgb(0x1f2430, 60), 4, 0, 1.3f);
+  list.AddRect(low, high, part.look.textured ? kMuted : faded(kInk, 60), 4, 0, 1.3f);
   const float textHeight = ImGui::GetTextLineHeight();
   const std::string_view name =
       shortened(ImGui::GetFont(), asIs(words::nameOf(part.name)), width - buttons - grips - 4);
-  const ImU32 ink = !part.visible ? rgb(0x5c6474, 150) : elsewhere ? kMuted : inHand ? kAccent : kInk;
+  const ImU32 ink = !part.visible ? faded(kMuted, 150) : elsewhere ? kMuted : inHand ? kAccent : kInk;
   drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - textHeight) / 2}, ink}, name);
   if (elsewhere) {
     const document::PictureEntry* picture = findPicture(env.document(), document::pictureOf(part));

@@ -37,7 +37,7 @@ const ribs::RibSet& ribsOf(const app::UiState& ui, const pipeline::PartShape& sh
 
 void ribEnd(ImDrawList& list, ImVec2 at, ribs::RibState state, float scale) {
   const Pen pen = ribPen(state);
-  list.AddCircleFilled(at, 2.6f * scale, kSurface, 12);
+  list.AddCircleFilled(at, 2.6f * scale, kHalo, 12);
   if (state == ribs::RibState::Edge || state == ribs::RibState::Edited) {
     list.AddCircleFilled(at, 1.9f * scale, pen.colour, 12);
   } else if (state == ribs::RibState::Locked) {
@@ -78,10 +78,10 @@ void drawRibs(ImDrawList& list, const app::UiState& ui, const RibStyle& look) {
 
 void drawSpine(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points) {
   if (points.empty()) return;
-  picturePolyline(list, ui, points, {rgb(0xffffff, 235), 6.5f, LineStyle::Solid});
+  picturePolyline(list, ui, points, {faded(kHalo, 235), 6.5f, LineStyle::Solid});
   picturePolyline(list, ui, points, {kSpine, 3.2f, LineStyle::Solid});
   for (const PicturePoint end : {points.front(), points.back()}) {
-    list.AddCircleFilled(onCanvas(ui, end), 5.f, kSurface, 20);
+    list.AddCircleFilled(onCanvas(ui, end), 5.f, kHalo, 20);
     list.AddCircleFilled(onCanvas(ui, end), 3.6f, kSpine, 20);
   }
 }
@@ -90,9 +90,9 @@ void outlineStroke(ImDrawList& list, const app::UiState& ui, std::span<const Pic
                    bool lit) {
   const float halo = selected ? 4.5f : lit ? 6.f : 3.f;
   const float width = selected ? 2.2f : lit ? 2.f : 1.4f;
-  const ImU32 glow = lit && !selected ? kGlow : rgb(0xffffff, selected ? 200 : 120);
+  const ImU32 glow = lit && !selected ? kGlow : faded(kHalo, selected ? 200 : 120);
   picturePolyline(list, ui, outline, {glow, halo}, true);
-  picturePolyline(list, ui, outline, {selected || lit ? kInk : rgb(0x1f2430, 120), width}, true);
+  picturePolyline(list, ui, outline, {selected || lit ? kDark : faded(kDark, 120), width}, true);
 }
 
 void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& part, const ribs::RibSet& set) {
@@ -102,7 +102,7 @@ void drawOutline(ImDrawList& list, const PanelEnv& env, const document::Part& pa
 }
 
 void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
-  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kSurface, 24);
+  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kHalo, 24);
   list.AddCircleFilled(at, hot ? 6.5f : 5.f, colour, 24);
   if (hot) list.AddCircle(at, 10.5f, colour, 28, 1.6f);
 }
@@ -120,10 +120,10 @@ void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& par
   for (const app::OutlinePoint at : app::outlineHandles(*region)) {
     const bool hot = ui.hover.outline == at;
     const ImVec2 c = onCanvas(ui, app::pointOf(*region, at));
-    list.AddCircleFilled(c, hot ? 8.f : 6.f, kSurface, 20);
+    list.AddCircleFilled(c, hot ? 8.f : 6.f, kHalo, 20);
     list.AddCircleFilled(c, hot ? 6.f : 4.2f, toolColour(ui.tool), 20);
   }
-  if (ui.chosen.outline) grabDot(list, onCanvas(ui, app::pointOf(*region, *ui.chosen.outline)), kInk, true);
+  if (ui.chosen.outline) grabDot(list, onCanvas(ui, app::pointOf(*region, *ui.chosen.outline)), kDark, true);
 }
 
 /// The ends that follow a dragged one, brighter the more they do.
@@ -153,9 +153,9 @@ void drawOthers(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& se
   for (int i = 0; i < others.count; ++i) {
     const ImVec2 at = onCanvas(ui, others.at[static_cast<std::size_t>(i)]);
     const bool hot = ui.hover.other == i && ui.hover.end == end;
-    styledLine(list, from, at, {rgb(0xffffff, 150), 3.f, LineStyle::Solid});
+    styledLine(list, from, at, {faded(kHalo, 150), 3.f, LineStyle::Solid});
     styledLine(list, from, at, {kMuted, 1.2f, LineStyle::Dotted});
-    list.AddCircleFilled(at, hot ? 7.f : 5.f, rgb(0xffffff, 230), 20);
+    list.AddCircleFilled(at, hot ? 7.f : 5.f, faded(kHalo, 230), 20);
     list.AddCircle(at, hot ? 7.f : 5.f, hot ? kAccent : kMuted, 20, 1.8f);
   }
 }
@@ -176,7 +176,7 @@ void drawRibTool(ImDrawList& list, const PanelEnv& env, const app::Subject& subj
   }
   if (known(ui.chosen.end)) {
     const ribs::EndRef chosen = *ui.chosen.end;
-    grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[chosen.rib], chosen.side)), kInk, false);
+    grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[chosen.rib], chosen.side)), kDark, false);
   }
   if (known(end) && (hover.end || ui.inHand.end) && hover.other < 0) {
     grabDot(list, onCanvas(ui, app::endPoint(seen.ribs[end->rib], end->side)), toolColour(ui.tool), true);
@@ -190,7 +190,7 @@ void drawTouched(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& s
     if (end.rib >= set.ribs.size()) continue;
     const ImVec2 tip = onCanvas(ui, app::endPoint(set.ribs[end.rib], end.side));
     list.AddLine(onCanvas(ui, set.ribs[end.rib].center), tip, colour, 2.4f);
-    list.AddCircleFilled(tip, 4.2f, kSurface, 16);
+    list.AddCircleFilled(tip, 4.2f, kHalo, 16);
     list.AddCircleFilled(tip, 3.2f, colour, 16);
   }
 }
@@ -198,15 +198,15 @@ void drawTouched(ImDrawList& list, const app::UiState& ui, const ribs::RibSet& s
 void drawSpineTool(ImDrawList& list, const app::UiState& ui, const app::Subject& subject) {
   const document::LoftRecipe& recipe = document::loftIn(*subject.part);
   const bool posed = !recipe.pose.stroke.empty();
-  if (posed) picturePolyline(list, ui, subject.shape->spine.points, {rgb(0x2457d6, 130), 1.6f, LineStyle::Dashed});
+  if (posed) picturePolyline(list, ui, subject.shape->spine.points, {faded(kSpine, 130), 1.6f, LineStyle::Dashed});
   drawSpine(list, ui, app::spineLine(subject));
   const std::vector<PicturePoint> handles = app::spineHandles(subject);
   for (std::size_t i = 0; i < handles.size(); ++i) {
     const int handle = static_cast<int>(i);
     const bool hot = handle == ui.hover.handle, chosen = handle == ui.chosen.handle;
-    grabDot(list, onCanvas(ui, handles[i]), chosen ? kInk : kSpine, hot);
+    grabDot(list, onCanvas(ui, handles[i]), chosen ? kDark : kSpine, hot);
     const bool end = i == 0 || i + 1 == handles.size();
-    if (end) list.AddCircleFilled(onCanvas(ui, handles[i]), 2.2f, kSurface, 12);
+    if (end) list.AddCircleFilled(onCanvas(ui, handles[i]), 2.2f, kHalo, 12);
   }
 }
 
@@ -239,7 +239,7 @@ void drawMark(ImDrawList& list, const app::UiState& ui, const Band& mark, bool h
   const std::span<const PicturePoint> stroke = mark.stroke;
   if (stroke.empty()) return;
   const auto width = static_cast<float>(std::max(2.0, 2 * mark.radius * ui.pictureView.zoom));
-  const ImU32 fill = hot ? rgb(0xc8431d, 90) : rgb(0xffffff, mark.covers ? 205 : 130);
+  const ImU32 fill = hot ? faded(kAccent, 90) : faded(kHalo, mark.covers ? 205 : 130);
   const ImU32 ink = hot ? kAccent : toolColour(app::ToolKind::Ignore);
   picturePolyline(list, ui, stroke, {fill, width});
   roundEnds(list, ui, stroke, width, fill);
@@ -300,15 +300,15 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
   if (hand.box) {
     const ImVec2 a = onCanvas(ui, hand.stroke.front()), b = onCanvas(ui, hand.stroke.back());
     const ImVec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
-    list.AddRectFilled(low, high, rgb(0xffffff, 50));
-    list.AddRect(low, high, rgb(0xffffff, 220), 2, 0, 4.5f);
+    list.AddRectFilled(low, high, faded(kHalo, 50));
+    list.AddRect(low, high, faded(kHalo, 220), 2, 0, 4.5f);
     list.AddRect(low, high, toolColour(ui.tool), 2, 0, 2.2f);
   } else if (ui.cut || (hand.radius > 0 && (ui.tool == app::ToolKind::Inflate || ui.tool == app::ToolKind::Extrude))) {
     drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(!ui.cut || ui.cut->adding, 130));
   } else if (hand.radius > 0) {
     drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
   } else if (ui.tool == app::ToolKind::Shape) {
-    picturePolyline(list, ui, hand.stroke, {rgb(0xffffff, 220), 5.5f});
+    picturePolyline(list, ui, hand.stroke, {faded(kHalo, 220), 5.5f});
     picturePolyline(list, ui, hand.stroke, {toolColour(ui.tool), 2.6f});
   } else {
     drawSpine(list, ui, hand.stroke);

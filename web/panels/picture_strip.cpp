@@ -34,7 +34,7 @@ void frame(ImDrawList& list, const app::Rect& at, bool shown, bool hovered) {
   if (!shown) return;
   // Three dots say that there is a menu.
   const ImVec2 centre{high.x - 10, high.y - 7};
-  list.AddRectFilled({centre.x - 9, centre.y - 5}, {centre.x + 8, centre.y + 5}, rgb(0xffffff, 225), 4);
+  list.AddRectFilled({centre.x - 9, centre.y - 5}, {centre.x + 8, centre.y + 5}, faded(kHalo, 225), 4);
   for (const float dx : {-5.f, 0.f, 5.f}) {
     list.AddCircleFilled({centre.x + dx - 0.5f, centre.y}, 1.5f, kInk, 8);
   }

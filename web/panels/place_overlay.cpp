@@ -27,17 +27,17 @@ void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float size) {
   const float length = std::max(1.f, std::sqrt(dx * dx + dy * dy));
   const float ux = dx / length, uy = dy / length;
   const ImVec2 neck{to.x - ux * size * 0.8f, to.y - uy * size * 0.8f};
-  list.AddLine(from, neck, rgb(0xffffff, 200), 6);
+  list.AddLine(from, neck, faded(kHalo, 200), 6);
   list.AddLine(from, neck, colour, 3.2f);
   const ImVec2 tip{to.x + ux * size * 0.7f, to.y + uy * size * 0.7f};
   const ImVec2 a{neck.x - uy * size * 0.75f, neck.y + ux * size * 0.75f};
   const ImVec2 b{neck.x + uy * size * 0.75f, neck.y - ux * size * 0.75f};
   list.AddTriangleFilled(tip, a, b, colour);
-  list.AddTriangle(tip, a, b, rgb(0xffffff, 220), 1.4f);
+  list.AddTriangle(tip, a, b, faded(kHalo, 220), 1.4f);
 }
 
 void ring(ImDrawList& list, const std::vector<app::ClientPoint>& points, ImU32 colour, bool hot) {
-  for (const auto& [ink, width] : {std::pair{rgb(0xffffff, 150), hot ? 6.f : 4.f}, {colour, hot ? 3.4f : 1.8f}}) {
+  for (const auto& [ink, width] : {std::pair{faded(kHalo, 150), hot ? 6.f : 4.f}, {colour, hot ? 3.4f : 1.8f}}) {
     list.PathClear();
     for (const app::ClientPoint p : points) list.PathLineTo(vec(p));
     list.PathStroke(ink, ImDrawFlags_Closed, width);
@@ -47,13 +47,13 @@ void ring(ImDrawList& list, const std::vector<app::ClientPoint>& points, ImU32 c
 /// A round knob with a sign drawn in it.
 void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const char* icon, bool hot) {
   const float radius = (env.ui().touch ? 16.f : 11.f) + (hot ? 2.f : 0.f);
-  list.AddCircleFilled(at, radius + 1.5f, rgb(0xffffff, 235), 32);
-  list.AddCircleFilled(at, radius, hot ? colour : kSurface, 32);
+  list.AddCircleFilled(at, radius + 1.5f, faded(kHalo, 235), 32);
+  list.AddCircleFilled(at, radius, hot ? colour : kHalo, 32);
   list.AddCircle(at, radius, colour, 32, 2);
   ImFont* font = env.fonts.icons;
   const float size = radius * 1.3f;
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, icon);
-  list.AddText(font, size, {at.x - extent.x / 2, at.y - extent.y / 2}, hot ? kSurface : colour, icon);
+  list.AddText(font, size, {at.x - extent.x / 2, at.y - extent.y / 2}, hot ? kHalo : colour, icon);
 }
 
 /// What the handle under the pointer does, beside the gizmo.
@@ -67,8 +67,8 @@ void words(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo, app::
                              static_cast<float>(view.right()) - extent.x - 12);
   const float y = std::clamp(static_cast<float>(gizmo.at.y + gizmo.radius * 1.3), static_cast<float>(view.y) + 8,
                              static_cast<float>(view.bottom()) - 26);
-  list.AddRectFilled({x - 9, y - 4}, {x + extent.x + 9, y + extent.y + 4}, rgb(0x1f2430, 225), 8);
-  drawLine(list, {font, {x, y}, kSurface}, text);
+  list.AddRectFilled({x - 9, y - 4}, {x + extent.x + 9, y + extent.y + 4}, faded(kDark, 225), 8);
+  drawLine(list, {font, {x, y}, kHalo}, text);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void drawPlaceOverlay(const PanelEnv& env) {
     const bool lit = one.handle == hot;
     if (holding && !lit) continue;
     const int axis = app::axisOf(one.handle);
-    const ImU32 colour = axis >= 0 ? kAxisColour[static_cast<std::size_t>(axis)] : kInk;
+    const ImU32 colour = axis >= 0 ? kAxisColour[static_cast<std::size_t>(axis)] : kDark;
     if (isMove(one.handle)) {
       arrow(list, vec(gizmo->at), vec(one.at), colour, (ui.touch ? 15.f : 11.f) + (lit ? 3.f : 0.f));
     } else {

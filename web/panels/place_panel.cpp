@@ -31,7 +31,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   registerControl(env, app::Control::Kind::Field, what.word);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool hot = ImGui::IsItemHovered();
-  list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xfaf9f6), 8);
+  list.AddRectFilled(at, {at.x + width, at.y + height}, kTile, 8);
   list.AddRect(at, {at.x + width, at.y + height}, hot ? kMuted : kLine, 8);
   const std::string_view text = shown(asIs(words::tr(what.unit, {{"n", std::round(value * 10) / 10 + 0.0}})));
   ImFont* small = env.fonts.small;
@@ -47,7 +47,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
 /// A thing and its other side, with the plane between them; of front and back the one behind the other.
 void paintSides(ImDrawList& list, const app::MirrorAxis& axis, ImVec2 c, float r, ImU32 colour) {
   const bool across = axis.normal.x != 0, upright = axis.normal.y != 0;
-  const ImU32 faint = rgb(0x5c6474, 110);
+  const ImU32 faint = faded(kMuted, 110);
   const ImVec2 off = across ? ImVec2(r * 0.55f, 0) : upright ? ImVec2(0, r * 0.5f) : ImVec2(r * 0.28f, -r * 0.28f);
   const float size = r * 0.36f;
   list.AddCircleFilled({c.x + off.x, c.y + off.y}, size, faint, 20);

@@ -69,7 +69,7 @@ void foldButton(const PanelEnv& env, Flow& flow, float side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 badge{at.x + side - 9, at.y + side - 10};
   list.AddCircleFilled(badge, 8, kAccent, 16);
-  list.AddText(env.fonts.small, 12.5f, {badge.x - 3.5f, badge.y - 7}, kSurface, text);
+  list.AddText(env.fonts.small, 12.5f, {badge.x - 3.5f, badge.y - 7}, kOnAccent, text);
 }
 
 void divider(Flow& flow, float side) {
@@ -161,9 +161,9 @@ void paintGround(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
   const ImVec2 left = frame.at({-1, 0.07}), right = frame.at({1, 0.07});
   const float size = env.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
   const std::string_view toLeft = shown(words::text("left")), toRight = shown(words::text("right"));
-  drawLine(list, {env.fonts.small, {left.x + 6, left.y - size / 2}, rgb(0x5c6474, 170)}, toLeft);
+  drawLine(list, {env.fonts.small, {left.x + 6, left.y - size / 2}, faded(kMuted, 170)}, toLeft);
   const float wide = extentOf(env.fonts.small, toRight).x;
-  drawLine(list, {env.fonts.small, {right.x - wide - 6, right.y - size / 2}, rgb(0x5c6474, 170)}, toRight);
+  drawLine(list, {env.fonts.small, {right.x - wide - 6, right.y - size / 2}, faded(kMuted, 170)}, toRight);
 }
 
 void paintPoints(const PanelEnv& env, ImDrawList& list, const SectionFrame& frame) {
@@ -201,7 +201,7 @@ void paintStroke(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
   for (std::size_t k = count; k-- > 0;) {
     std::vector<SectionPoint> image;
     for (const SectionPoint p : line) image.push_back(loft::images(p, board.symmetry)[k]);
-    paintLine(list, frame, image, {k == 0 ? kAccent : rgb(0xc8431d, 90), 0, k == 0 ? 2.6f : 1.8f});
+    paintLine(list, frame, image, {k == 0 ? kAccent : faded(kAccent, 90), 0, k == 0 ? 2.6f : 1.8f});
   }
   if (board.tool != app::BoardTool::Line) return;
   for (std::size_t i = 0; i < board.corners.size(); ++i) {
@@ -223,13 +223,13 @@ void paintBoard(const PanelEnv& env, const app::Rect& square) {
                            static_cast<float>(square.width / 2 / app::kBoardReach)};
   paintGround(env, list, frame);
   for (const auto& line : env.ui().sections.traces) {
-    if (board.traces) paintOutlines(list, frame, std::span(&line, 1), {rgb(0x5c6474, 60), 0, 1.4f});
+    if (board.traces) paintOutlines(list, frame, std::span(&line, 1), {faded(kMuted, 60), 0, 1.4f});
   }
   const auto problem = loft::problemOf(board.drawing);
   std::vector<std::vector<SectionPoint>> outlines;
   for (const loft::DrawnCurve& curve : board.shown()) outlines.push_back(loft::outlineOf(curve));
   const bool drawing = !board.stroke.empty();
-  paintOutlines(list, frame, outlines, {rgb(0xc8431d, drawing ? 110u : 255u), rgb(0xf4a88f, 70), 2.2f});
+  paintOutlines(list, frame, outlines, {faded(kAccent, drawing ? 110u : 255u), rgb(0xf4a88f, 70), 2.2f});
   if (problem && problem->curve < outlines.size() && !board.live) {
     paintOutlines(list, frame, std::span(&outlines[problem->curve], 1), {kWrong, 0, 3});
   }

@@ -147,10 +147,10 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
   const auto y = [&](double v) {
     return high.y - (high.y - low.y) * static_cast<float>((v - graph.low) / (graph.high - graph.low));
   };
-  list.AddRectFilled(at, end, rgb(0xfaf9f6), 8);
+  list.AddRectFilled(at, end, kTile, 8);
   list.AddRect(at, end, kLine, 8);
   list.PushClipRect(at, end, true);
-  styledLine(list, {low.x, y(graph.rest)}, {high.x, y(graph.rest)}, {rgb(0x5c6474, 120), 1, LineStyle::Dashed});
+  styledLine(list, {low.x, y(graph.rest)}, {high.x, y(graph.rest)}, {faded(kMuted, 120), 1, LineStyle::Dashed});
   if (const auto& marked = env.ui().sections.marked; marked && graph.kind == app::GraphArea::Kind::Along) {
     list.AddLine({x(*marked), at.y}, {x(*marked), end.y}, kGlow, 3);
   }

@@ -18,10 +18,10 @@ namespace {
 ImVec2 toVec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 void handle(ImDrawList& list, ImVec2 at, const loft::SectionShape& shape, bool on, float r) {
-  list.AddCircleFilled({at.x, at.y + 1.5f}, r + 1, rgb(0x1f2430, 50), 32);
-  list.AddCircleFilled(at, r, kSurface, 32);
+  list.AddCircleFilled({at.x, at.y + 1.5f}, r + 1, faded(kDark, 50), 32);
+  list.AddCircleFilled(at, r, kHalo, 32);
   list.AddCircle(at, r, on ? kAccent : kSpine, 32, on ? 2.6f : 1.8f);
-  paintSection(list, {at, r * 0.55f}, shape, {on ? kAccent : kInk, 0, 1.5f});
+  paintSection(list, {at, r * 0.55f}, shape, {on ? kAccent : kDark, 0, 1.5f});
 }
 
 /// A tile that left the panel follows the pointer; let go over a part, it is that part's section
@@ -71,12 +71,12 @@ void drawSectionOverlay(const PanelEnv& env) {
   const auto place = [&](double at) { return onCanvas(ui, app::placeOnSpine(*shape, at)); };
   const float r = ui.touch ? 17.f : 13.f;
   if (ui.hover.along && !ui.sections.marked) {
-    list.AddCircleFilled(place(*ui.hover.along), 5, kSurface, 20);
+    list.AddCircleFilled(place(*ui.hover.along), 5, kHalo, 20);
     list.AddCircle(place(*ui.hover.along), 5, kSpine, 20, 2);
   }
   if (ui.sections.marked) {
-    list.AddCircleFilled(place(*ui.sections.marked), 9, rgb(0xffd166, 200), 24);
-    list.AddCircle(place(*ui.sections.marked), 9, kInk, 24, 1.5f);
+    list.AddCircleFilled(place(*ui.sections.marked), 9, faded(kGlow, 200), 24);
+    list.AddCircle(place(*ui.sections.marked), 9, kDark, 24, 1.5f);
   }
   const std::size_t picked = app::pickedSectionKey(ui, *part);
   for (std::size_t i = 0; stops.size() > 1 && i < stops.size(); ++i) {

@@ -74,7 +74,7 @@ void likeThings(const PanelEnv& env, float width) {
 
 /// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
-  label(env.fonts.icons, line.good ? rgb(0x2f8f5b) : kWarning,
+  label(env.fonts.icons, line.good ? kGood : kWarning,
         asIs(iconText(line.good ? "circle-check" : "triangle-alert")));
   ImGui::SameLine(0, 6);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
@@ -109,7 +109,7 @@ void words(const PanelEnv& env, ImDrawList& list, const Words& what) {
   const std::string_view text = shown(asIs(what.text));
   const ImVec2 extent = extentOf(font, text);
   const ImVec2 at{what.at.x - extent.x / 2, what.at.y};
-  list.AddRectFilled({at.x - 8, at.y - 3}, {at.x + extent.x + 8, at.y + extent.y + 3}, rgb(0xffffff, 225), 12);
+  list.AddRectFilled({at.x - 8, at.y - 3}, {at.x + extent.x + 8, at.y + extent.y + 3}, faded(kSurface, 225), 12);
   drawLine(list, {font, at, kMuted}, text);
 }
 
@@ -124,7 +124,7 @@ void drawThing(const PanelEnv& env, ImDrawList& list, const pipeline::WorldBound
     return ImVec2{static_cast<float>(c->x), static_cast<float>(c->y)};
   };
   for (const auto& line : app::thingLines(*ui.beside)) {
-    for (const auto& [colour, width] : {std::pair{rgb(0xffffff, 200), 5.f}, {kMuted, 2.f}}) {
+    for (const auto& [colour, width] : {std::pair{faded(kSurface, 200), 5.f}, {kMuted, 2.f}}) {
       list.PathClear();
       for (const app::ThingPoint p : line) {
         if (const auto c = at(p)) list.PathLineTo(*c);

@@ -151,7 +151,7 @@ void spineButton(const PanelEnv& env, float width, bool next) {
   if (next || on || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, end, next ? kAccent : on ? kAccentSoft : kHover, 8);
   }
-  const ImU32 ink = next ? kSurface : on ? kAccent : kInk;
+  const ImU32 ink = next ? kOnAccent : on ? kAccent : kInk;
   const bool words = width > side + 1;
   ImFont* icons = env.fonts.icons;
   const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
@@ -236,7 +236,7 @@ void brushRing(const PanelEnv& env, app::ClientPoint at) {
   const double radius = erasing(env) ? app::kEraserRadii[ui.sketching.eraserSize] * ui.pictureView.zoom : ui.edit.brush;
   const ImVec2 centre{static_cast<float>(at.x), static_cast<float>(at.y)};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddCircle(centre, static_cast<float>(radius) + 1, rgb(0xffffff, 160), 0, 1);
+  list.AddCircle(centre, static_cast<float>(radius) + 1, faded(kHalo, 160), 0, 1);
   list.AddCircle(centre, static_cast<float>(radius), kMuted, 0, 1.2f);
 }
 
@@ -250,7 +250,7 @@ void drawInk(const PanelEnv& env) {
   }
   const image::SketchStroke& stroke = *ui.sketching.stroke;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const ImU32 colour = stroke.erase ? rgb(0xffffff) : colourOf(stroke.colour);
+  const ImU32 colour = stroke.erase ? kHalo : colourOf(stroke.colour);
   const double zoom = ui.pictureView.zoom;
   ImVec2 before;
   bool first = true;

@@ -151,7 +151,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   list.AddText(icons, iconSize, {at.x + 5, at.y + (height - iconSize) / 2}, trouble.empty() ? kAccent : kFailure,
                iconText(iconOf(step.kind)));
   const std::string_view name = shortened(ImGui::GetFont(), asIs(words::nameOf(step.name)), row - 34);
-  const ImU32 ink = !step.visible ? rgb(0x5c6474, 150) : selected ? kAccent : kInk;
+  const ImU32 ink = !step.visible ? faded(kMuted, 150) : selected ? kAccent : kInk;
   drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2}, ink}, name);
   if (pressed) {
     const bool twice = selected && secondClick();

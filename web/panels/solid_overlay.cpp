@@ -23,7 +23,7 @@ struct Projector {
 };
 
 void drawLine(ImDrawList& list, const Projector& at, const std::vector<ModelPoint>& line) {
-  for (const auto& [colour, width] : {std::pair{rgb(0xffffff, 220), 6.f}, {kSpine, 3.f}}) {
+  for (const auto& [colour, width] : {std::pair{faded(kHalo, 220), 6.f}, {kSpine, 3.f}}) {
     list.PathClear();
     for (const ModelPoint& p : line) {
       if (const auto c = at(p)) list.PathLineTo(*c);
@@ -33,8 +33,8 @@ void drawLine(ImDrawList& list, const Projector& at, const std::vector<ModelPoin
 }
 
 void drawHandle(ImDrawList& list, ImVec2 at, bool hot, bool chosen) {
-  const ImU32 colour = chosen ? kInk : kSpine;
-  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kSurface, 24);
+  const ImU32 colour = chosen ? kDark : kSpine;
+  list.AddCircleFilled(at, hot ? 8.5f : 7.f, kHalo, 24);
   list.AddCircleFilled(at, hot ? 6.5f : 5.f, colour, 24);
   if (!hot) return;
   // It goes up and down from here.

@@ -1,6 +1,41 @@
 #include "web/panels/theme.h"
 
 namespace spineloft::panels {
+namespace {
+
+constexpr Palette kLight = {
+    .ink = rgb(0x1f2430),
+    .muted = rgb(0x5c6474),
+    .paper = rgb(0xf7f5f0),
+    .surface = rgb(0xffffff),
+    .line = rgb(0xe3dfd6),
+    .accent = rgb(0xc8431d),
+    .accentSoft = rgb(0xfdeee8),
+    .hover = rgb(0xf4f1ea),
+    .tile = rgb(0xfaf9f6),
+    .trough = rgb(0xf1eee7),
+    .handle = rgb(0xb4ad9e),
+    .warning = rgb(0xa8500a),
+    .good = rgb(0x2f8f5b),
+};
+
+constexpr Palette kDarkPalette = {
+    .ink = rgb(0xeceef3),
+    .muted = rgb(0xaab1c0),
+    .paper = rgb(0x17191e),
+    .surface = rgb(0x22252c),
+    .line = rgb(0x3b404b),
+    .accent = rgb(0xf0744e),
+    .accentSoft = rgb(0x47291f),
+    .hover = rgb(0x2f333c),
+    .tile = rgb(0x2a2e36),
+    .trough = rgb(0x343944),
+    .handle = rgb(0x7d8596),
+    .warning = rgb(0xffb95e),
+    .good = rgb(0x5fc78e),
+};
+
+}  // namespace
 
 ImU32 toolColour(app::ToolKind tool) {
   switch (tool) {
@@ -22,7 +57,8 @@ ImU32 toolColour(app::ToolKind tool) {
   }
 }
 
-void applyTheme() {
+void applyTheme(bool dark) {
+  detail::inUse = dark ? kDarkPalette : kLight;
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
   ImGui::StyleColorsLight(&style);
@@ -45,19 +81,19 @@ void applyTheme() {
   set(ImGuiCol_TextDisabled, kMuted);
   set(ImGuiCol_WindowBg, kSurface);
   set(ImGuiCol_ChildBg, rgb(0xffffff, 0));
-  set(ImGuiCol_PopupBg, kInk);
+  set(ImGuiCol_PopupBg, kDark);
   set(ImGuiCol_Border, kLine);
   set(ImGuiCol_ScrollbarBg, rgb(0xffffff, 0));
-  set(ImGuiCol_ScrollbarGrab, rgb(0xd6d1c6));
-  set(ImGuiCol_ScrollbarGrabHovered, rgb(0xbdb7aa));
+  set(ImGuiCol_ScrollbarGrab, faded(kHandle, 150));
+  set(ImGuiCol_ScrollbarGrabHovered, kHandle);
   set(ImGuiCol_ScrollbarGrabActive, kMuted);
   set(ImGuiCol_PlotHistogram, kAccent);
   // Sliders: a quiet trough, and a grip light enough for the number that is written over it.
-  set(ImGuiCol_FrameBg, rgb(0xf1eee7));
-  set(ImGuiCol_FrameBgHovered, rgb(0xebe7de));
-  set(ImGuiCol_FrameBgActive, rgb(0xebe7de));
-  set(ImGuiCol_SliderGrab, rgb(0xeeb6a0));
-  set(ImGuiCol_SliderGrabActive, rgb(0xe59a7e));
+  set(ImGuiCol_FrameBg, kTrough);
+  set(ImGuiCol_FrameBgHovered, kHover);
+  set(ImGuiCol_FrameBgActive, kHover);
+  set(ImGuiCol_SliderGrab, faded(kAccent, 105));
+  set(ImGuiCol_SliderGrabActive, faded(kAccent, 150));
 }
 
 }  // namespace spineloft::panels

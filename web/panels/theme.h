@@ -11,17 +11,42 @@ constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
   return IM_COL32((hex >> 16) & 255u, (hex >> 8) & 255u, hex & 255u, alpha);
 }
 
-inline constexpr ImU32 kInk = rgb(0x1f2430), kMuted = rgb(0x5c6474), kPaper = rgb(0xf7f5f0), kSurface = rgb(0xffffff),
-                       kLine = rgb(0xe3dfd6), kAccent = rgb(0xc8431d), kAccentSoft = rgb(0xfdeee8),
-                       kHover = rgb(0xf4f1ea), kSpine = rgb(0x2457d6), kEdgeRib = rgb(0x12876f),
-                       kBridgedRib = rgb(0xd98a00), kGuessedRib = rgb(0x8b5fbf), kGlow = rgb(0xffd166),
-                       kEditedRib = rgb(0xc2257a), kFailure = rgb(0xb3261e), kWarning = rgb(0xa8500a);
+/// Colours by what they are for, as in the style sheet.
+struct Palette {
+  ImU32 ink, muted, paper, surface, line, accent, accentSoft, hover;
+  ImU32 tile;     ///< the ground of a tile, of a graph
+  ImU32 trough;   ///< of a slider, of a switch, of the bar between the views
+  ImU32 handle;   ///< what is dragged in a trough
+  ImU32 warning;  ///< words
+  ImU32 good;     ///< a sign
+};
+
+namespace detail {
+inline Palette inUse;
+}
+
+/// Those in use; applyTheme changes them, between two frames.
+inline const ImU32 &kInk = detail::inUse.ink, &kMuted = detail::inUse.muted, &kPaper = detail::inUse.paper,
+                   &kSurface = detail::inUse.surface, &kLine = detail::inUse.line, &kAccent = detail::inUse.accent,
+                   &kAccentSoft = detail::inUse.accentSoft, &kHover = detail::inUse.hover, &kTile = detail::inUse.tile,
+                   &kTrough = detail::inUse.trough, &kHandle = detail::inUse.handle, &kWarning = detail::inUse.warning,
+                   &kGood = detail::inUse.good;
+/// What lies over a picture or a solid, and what is written on the accent: the same in every theme.
+inline constexpr ImU32 kHalo = rgb(0xffffff), kOnAccent = rgb(0xffffff), kDark = rgb(0x1f2430), kSpine = rgb(0x2457d6),
+                       kEdgeRib = rgb(0x12876f), kBridgedRib = rgb(0xd98a00), kGuessedRib = rgb(0x8b5fbf),
+                       kGlow = rgb(0xffd166), kEditedRib = rgb(0xc2257a), kFailure = rgb(0xb3261e);
+
+/// The same colour with another opacity, 0…255.
+constexpr ImU32 faded(ImU32 colour, unsigned alpha) {
+  return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
+}
+
 inline constexpr float kRadius = 10;
 
 /// The colour that a tool has wherever it shows.
 ImU32 toolColour(app::ToolKind tool);
 
-/// Sets ImGui's colours, rounding and padding.
-void applyTheme();
+/// Sets the palette, and ImGui's colours, rounding and padding.
+void applyTheme(bool dark);
 
 }  // namespace spineloft::panels

@@ -80,7 +80,7 @@ void chip(const PanelEnv& env, const app::Rect& view, Text words, bool focused) 
   const ImVec2 extent = extentOf(font, text);
   const ImVec2 at{static_cast<float>(view.x + kMargin), static_cast<float>(view.y + kMargin)};
   const ImVec2 end{at.x + extent.x + 20, at.y + extent.y + 10};
-  list.AddRectFilled(at, end, rgb(0xffffff, 235), 20);
+  list.AddRectFilled(at, end, faded(kSurface, 235), 20);
   list.AddRect(at, end, focused ? kAccent : kLine, 20, 0, 1.2f);
   drawLine(list, {font, {at.x + 10, at.y + 5}, focused ? kAccent : kMuted}, text);
   registerWords(env, std::string(words.words), at, end);
@@ -157,7 +157,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   const ImVec2 at = stacked ? ImVec2(static_cast<float>(view.right() - kMargin) - width,
                                      static_cast<float>(view.y + kMargin) + buttonSide(env) + 14)
                             : ImVec2(static_cast<float>(left), static_cast<float>(foot) - height);
-  list.AddRectFilled(at, {at.x + width, at.y + height}, rgb(0xffffff, 235), kRadius);
+  list.AddRectFilled(at, {at.x + width, at.y + height}, faded(kSurface, 235), kRadius);
   list.AddRect(at, {at.x + width, at.y + height}, kLine, kRadius);
   ImVec2 pen{at.x + 12, at.y + 4 + line / 2};
   std::string words;
@@ -177,10 +177,10 @@ void splitter(const app::Layout& layout) {
   const app::Rect& bar = layout.splitter;
   const ImVec2 at{static_cast<float>(bar.x), static_cast<float>(bar.y)};
   const ImVec2 end{static_cast<float>(bar.right()), static_cast<float>(bar.bottom())};
-  list.AddRectFilled(at, end, rgb(0xebe7de));
+  list.AddRectFilled(at, end, kTrough);
   const ImVec2 c{(at.x + end.x) / 2, (at.y + end.y) / 2};
   const ImVec2 half = layout.stacked ? ImVec2(18, 1.6f) : ImVec2(1.6f, 18);
-  list.AddRectFilled({c.x - half.x, c.y - half.y}, {c.x + half.x, c.y + half.y}, rgb(0xb4ad9e), 2);
+  list.AddRectFilled({c.x - half.x, c.y - half.y}, {c.x + half.x, c.y + half.y}, kHandle, 2);
 }
 
 struct Pill {
@@ -243,14 +243,18 @@ void drawHints(const PanelEnv& env) {
   const bool drawing = static_cast<bool>(env.ui().preview);
   if (env.document().pictures.empty() || env.ui().sections.board) return;
   if (env.ui().redraw && !drawing) {
-    pill(env, view, view.y + 26, app::Toward::Foot, {"Draw the new line", kAccent, kSurface});
+    pill(env, view, view.y + 26, app::Toward::Foot, {"Draw the new line", kAccent, kOnAccent});
   }
   const char* hint = hintFor(env);
-  if (*hint != 0) pill(env, view, view.bottom() - kFoot, app::Toward::Head, {hint, rgb(0xffffff, 235), kMuted});
+  if (*hint != 0) pill(env, view, view.bottom() - kFoot, app::Toward::Head, {hint, faded(kSurface, 235), kMuted});
+  if (env.ui().preview && env.ui().preview->crossing) {
+    pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
+         {"Any further, and it would go through itself", kAccent, kOnAccent});
+  }
   // What is to come, while there is nothing to see yet.
   if (env.document().parts.empty() && !drawing) {
     pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot,
-         {"Your solid appears here", rgb(0xffffff, 0), kMuted});
+         {"Your solid appears here", faded(kSurface, 0), kMuted});
   }
 }
 

@@ -71,7 +71,7 @@ void drawLine(ImDrawList& list, const Line& line, std::string_view text) {
 void tooltip(Text tip) {
   if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   if (ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, kSurface);
+  ImGui::PushStyleColor(ImGuiCol_Text, kHalo);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 7});
   if (ImGui::BeginTooltip()) {
     const std::string_view text = tip.shown();
@@ -178,7 +178,7 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   if (button.active || hovered || held) {
     list.AddRectFilled(at, end, button.active ? softened(own) : held ? kLine : kHover, 8);
   }
-  const ImU32 ink = button.active ? own : button.enabled ? kInk : rgb(0x5c6474, 110);
+  const ImU32 ink = button.active ? own : button.enabled ? kInk : faded(kMuted, 110);
   ImFont* font = env.fonts.icons;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
@@ -226,7 +226,7 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   if (active || hovered || held) {
     list.AddRectFilled(at, end, active ? softened(button.colour) : held ? kLine : kHover, 8);
   }
-  const ImU32 ink = active ? button.colour : can ? kInk : rgb(0x5c6474, 110);
+  const ImU32 ink = active ? button.colour : can ? kInk : faded(kMuted, 110);
   ImFont* icons = env.fonts.icons;
   const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
   const char* text = iconText(command.icon);
@@ -253,13 +253,13 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   registerControl(env, app::Control::Kind::Button, button.text.words, button.enabled, button.primary);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 plain = hovered ? kHover : rgb(0xfaf9f6);
+  const ImU32 plain = hovered ? kHover : kTile;
   list.AddRectFilled(at, end, button.primary ? kAccent : plain, 8);
   if (!button.primary) list.AddRect(at, end, hovered ? kMuted : kLine, 8);
   ImFont* font = button.primary ? env.fonts.bold : env.fonts.text;
   const std::string_view text = shortened(font, button.text, width - 8);
   const ImVec2 extent = extentOf(font, text);
-  const ImU32 ink = !button.enabled ? rgb(0x5c6474, 110) : button.primary ? kSurface : kInk;
+  const ImU32 ink = !button.enabled ? faded(kMuted, 110) : button.primary ? kOnAccent : kInk;
   drawLine(list, {font, {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink}, text);
   ImGui::EndDisabled();
   return pressed && button.enabled;
@@ -293,7 +293,7 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + tile.size.x, at.y + tile.size.y};
-  list.AddRectFilled(at, end, tile.active ? kAccentSoft : hovered ? kHover : rgb(0xfaf9f6), 8);
+  list.AddRectFilled(at, end, tile.active ? kAccentSoft : hovered ? kHover : kTile, 8);
   list.AddRect({at.x + 0.5f, at.y + 0.5f}, {end.x - 0.5f, end.y - 0.5f}, tile.active ? kAccent : kLine, 8, 0,
                tile.active ? 1.6f : 1.f);
   const ImU32 ink = tile.active ? kAccent : kInk;

@@ -82,6 +82,10 @@ EMSCRIPTEN_KEEPALIVE void spl_resize(double width, double height, double dpr) {
   page()->frame();
 }
 
+EMSCRIPTEN_KEEPALIVE void spl_setDark(int dark) {
+  if (page() != nullptr) page()->setDark(dark != 0);
+}
+
 EMSCRIPTEN_KEEPALIVE void spl_pointer(int kind, int id, int device, int button, int buttons, double x, double y,
                                       double pressure, double timeMs, int modifiers) {
   if (page() == nullptr || kind < 0 || kind > 4 || device < 0 || device > 2) return;

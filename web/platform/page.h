@@ -62,6 +62,8 @@ class Page {
   /// The page speaks this language from now on; the fonts of its script are used beside the others.
   virtual void speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) = 0;
   virtual void resize(const CanvasSize& size) = 0;
+  /// Light on a dark ground, or dark on a light one (false, as it begins).
+  virtual void setDark(bool dark) = 0;
   virtual void pointer(const PointerEvent& event) = 0;
   virtual void wheel(const WheelEvent& event) = 0;
   /// True when the page used the key.

@@ -208,6 +208,7 @@ void buildScene(const document::Document& document, const pipeline::Derived& der
   scene.width = ui.canvasWidth;
   scene.height = ui.canvasHeight;
   scene.dpr = ui.dpr;
+  scene.dark = ui.dark;
   scene.pictureView = viewport(ui.layout.picture);
   scene.solidView = viewport(ui.layout.solid);
   scene.picture.reset();

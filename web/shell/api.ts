@@ -108,6 +108,8 @@ export interface Part {
   second: string;
   /** True when every triangle is flat. */
   faceted: boolean;
+  /** True when the ink of its outline on paper stays on it. */
+  inked: boolean;
   /** Id of the picture that it was drawn on. */
   picture: number;
   placement: Placement;

@@ -93,6 +93,7 @@ interface Module {
   ): number;
   _spl_speak(id: number, rightToLeft: number, font: number, fontLength: number, bold: number, boldLength: number): void;
   _spl_resize(width: number, height: number, dpr: number): void;
+  _spl_setDark(dark: number): void;
   _spl_pointer(
     kind: number,
     id: number,
@@ -312,6 +313,10 @@ export class Engine {
 
   resize(size: Size): void {
     this.module._spl_resize(size.width, size.height, size.dpr);
+  }
+
+  setDark(dark: boolean): void {
+    this.module._spl_setDark(dark ? 1 : 0);
   }
 
   pointer(p: PointerSample): void {

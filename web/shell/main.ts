@@ -20,7 +20,7 @@ import { Page } from './page.ts';
 import { connectPointer } from './pointer.ts';
 import { installApi } from './public_api.ts';
 import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
-import { hasWebGl2, sizeOf, watchContext, watchSize } from './surface.ts';
+import { hasWebGl2, sizeOf, watchContext, watchSize, watchTheme } from './surface.ts';
 import { toast } from './toasts.ts';
 import { connectTooltips } from './tooltip.ts';
 import { warmUpWhenIdle } from './warm_up.ts';
@@ -78,6 +78,7 @@ function showFailure(failure: Failure): void {
 
 function connect(page: Page, engine: Engine): void {
   watchSize(canvas, (size) => engine.resize(size));
+  watchTheme((dark) => engine.setDark(dark));
   watchContext({ canvas, engine, say: (text) => page.say(text) });
   connectPointer({ canvas, engine, undo: () => page.run('undo'), redo: () => page.run('redo') });
   const pen = new KeyboardPen({ canvas, engine, say: (text) => page.say(text) });

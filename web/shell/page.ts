@@ -12,6 +12,7 @@ import { loadScript } from './fonts.ts';
 import { Guide } from './guide.ts';
 import { showHelp } from './help.ts';
 import { icon } from './icons.ts';
+import { askAnimal } from './keep/animals.ts';
 import { Keeper } from './keep/keeper.ts';
 import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
@@ -56,6 +57,7 @@ export class Page {
     duplicate: (id) => this.keep('duplicate-model', id),
     rename: (id) => void this.keeper?.rename(id).catch((thrown: unknown) => this.complain(thrown)),
     remove: (id) => this.keep('delete-model', id),
+    nextPupil: () => this.keep('next-pupil', ''),
   });
 
   constructor() {
@@ -80,6 +82,8 @@ export class Page {
       changed: () => this.refresh(),
       setReadOnly: (readOnly) => this.setReadOnly(readOnly),
       showModels: () => this.models.showAll(),
+      askAnimal,
+      beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
@@ -272,6 +276,13 @@ export class Page {
     engine.speak(spoken, script);
     this.table = engine.commands();
     document.body.dataset.language = spoken.id;
+    this.refresh();
+  }
+
+  /** For the next pupil on this device: few tools, and the first steps. */
+  private beginAfresh(): void {
+    this.run('more-tools', { on: false });
+    this.coach.begin(null);
     this.refresh();
   }
 

@@ -38,6 +38,13 @@ export function watchSize(canvas: HTMLCanvasElement, onSize: (size: Size) => voi
   watchRatio();
 }
 
+/** Tells whether the system asks for a dark page, now and whenever that changes. */
+export function watchTheme(onTheme: (dark: boolean) => void): void {
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  onTheme(dark.matches);
+  dark.addEventListener('change', () => onTheme(dark.matches));
+}
+
 export interface ContextPage {
   canvas: HTMLCanvasElement;
   engine: Engine;

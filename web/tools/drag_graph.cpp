@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "web/commands/intents.h"
+#include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/tools/section_tools.h"
 
@@ -21,16 +22,18 @@ bool DragGraph::isFixed(std::size_t point) const {
   return isBlend() && (point == 0 || point + 1 == start_.points.size());
 }
 
-/// The curve of the area, in the units that are shown.
-geometry::AlongCurve DragGraph::current(const ToolEnv& env) const {
-  const document::Part* part = document::findPart(env.document, env.ui.selection);
-  geometry::AlongCurve curve;
-  if (part == nullptr) return curve;
-  const loft::LoftParams& params = document::loftIn(*part).loft;
-  if (isBlend()) return params.sections[app::pickedSectionKey(env.ui, *part)].blend.custom;
-  curve = document::alongOf(params, env.ui.sections.along);
+/// The curve of the area in `params`, in the units that are shown.
+geometry::AlongCurve DragGraph::shownCurve(const ToolEnv& env, const loft::LoftParams& params,
+                                           const document::Part& part) const {
+  if (isBlend()) return params.sections[app::pickedSectionKey(env.ui, part)].blend.custom;
+  geometry::AlongCurve curve = document::alongOf(params, env.ui.sections.along);
   for (AlongPoint& p : curve.points) p.value /= app::alongInfo(env.ui.sections.along).unit;
   return curve;
+}
+
+geometry::AlongCurve DragGraph::current(const ToolEnv& env) const {
+  const document::Part* part = document::findPart(env.document, env.ui.selection);
+  return part ? shownCurve(env, document::loftIn(*part).loft, *part) : geometry::AlongCurve{};
 }
 
 app::ClientPoint DragGraph::toCanvas(const ToolEnv&, const AlongPoint& p) const {
@@ -108,7 +111,9 @@ void DragGraph::show(const ToolEnv& env) {
     }
     document::alongOf(params, info.kind) = std::move(curve);
   }
-  if (loft::checkParams(params)) app::previewLoft(env.ui, *part, std::move(params));
+  if (!loft::checkParams(params)) return;
+  app::previewLoft(env.ui, *part, std::move(params));
+  app::guardPreview(env.ui, env.document, env.derived);
 }
 
 void DragGraph::commit(const ToolEnv& env) {
@@ -118,8 +123,10 @@ void DragGraph::commit(const ToolEnv& env) {
   if (remove && point_ < curve.points.size()) {
     curve.points.erase(curve.points.begin() + static_cast<std::ptrdiff_t>(point_));
   }
-  cancel(env);
   const document::Part* part = document::findPart(env.document, env.ui.selection);
+  if (const document::LoftRecipe* held = app::heldBack(env.ui); held && part)
+    curve = shownCurve(env, held->loft, *part);
+  cancel(env);
   if (part == nullptr || curve == current(env)) return;
   if (isBlend()) {
     env.sink.run(app::setBlend, part->id, app::pickedSectionKey(env.ui, *part),

@@ -17,6 +17,7 @@ class DragGraph final : public Tool {
  private:
   bool isBlend() const { return area_.kind == app::GraphArea::Kind::Blend; }
   bool isFixed(std::size_t point) const;
+  geometry::AlongCurve shownCurve(const ToolEnv& env, const loft::LoftParams& params, const document::Part& part) const;
   geometry::AlongCurve current(const ToolEnv& env) const;
   app::ClientPoint toCanvas(const ToolEnv& env, const geometry::AlongPoint& p) const;
   void show(const ToolEnv& env);

@@ -129,6 +129,7 @@ inline constexpr std::array kIcons = {
     Icon{"languages", 57598},
     Icon{"chevron-up", 57456},
     Icon{"chevron-down", 57453},
+    Icon{"users", 57764},
 };
 
 /// 0 for a name that is not in the table.

@@ -66,7 +66,10 @@ struct Preview {
   double nextMs = 0;                    ///< not before this time is the next one made
   /// From this time on, if the hand rests, the shape is made exactly; none: it is exact.
   std::optional<double> exactMs;
-  std::vector<double> pressure;  ///< of the pen, one a point of a stroke that is being drawn
+  bool guarded = false;                ///< a shape that goes through itself is not taken
+  std::optional<ModelPoint> crossing;  ///< where the one that was asked for last does
+  document::Recipe taken;              ///< while guarded: of `shape`
+  std::vector<double> pressure;        ///< of the pen, one a point of a stroke that is being drawn
   bool settled() const { return fresh && !exactMs; }
   /// The loft that `recipe` is; gestures of lofts make it one.
   document::LoftRecipe& loft() {
@@ -277,6 +280,7 @@ struct UiState {
   bool moreNumbers = false;        ///< panels show the numbers that few need
   double busySinceMs = -1;         ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
+  bool dark = false;                  ///< the page is light on a dark ground
   bool touch = false;                 ///< the last pointer was a finger: larger targets
   bool penSeen = false;               ///< a pen was used: fingers no longer draw
   std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame

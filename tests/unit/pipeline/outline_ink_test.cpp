@@ -68,6 +68,15 @@ TEST_CASE("the ink of a part's outline is not on it, wherever in the line the ou
   }
 }
 
+TEST_CASE("where it is kept, the ink of a part's outline is on it") {
+  const Document document = drawn({ring(kRadius)}, kRadius);
+  Look look;
+  look.inked = true;
+  const auto inked = shapeOf(update(document, SetLook{document.parts.front()->id, look}).value());
+  CHECK(darkest(*inked) < 80);
+  CHECK(shapeOf(document)->key != inked->key);
+}
+
 TEST_CASE("what is drawn on the part stays on it") {
   const Document document = drawn({ring(kRadius), ring(kRadius / 3)}, kRadius);
   const auto shape = shapeOf(document);

@@ -2,6 +2,9 @@
 // becomes of its answers.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -234,4 +237,45 @@ TEST_CASE("solids of steps and parts in none are asked for together, and a file 
   CHECK(rig.settle());
   CHECK(rig.isMended());
   CHECK(rig.host.files.size() == 1);
+}
+
+TEST_CASE("a coil that is wound until it would go through itself stops before, and says so") {
+  test::Rig rig;
+  image::Picture thin = test::barPicture();
+  for (std::size_t i = 0; i < thin.working.pixels.size(); i += 4) {
+    const std::size_t x = i / 4 % 200;
+    if (x < 97 || x >= 104) std::fill_n(&thin.working.pixels[i], 3, std::uint8_t{250});
+  }
+  rig.app->addPicture(std::move(thin), "thin.png");
+  rig.settle();
+  rig.drawBar();
+  rig.run("coil", R"({"part": 1, "turns": 1, "radius": 20})");
+  rig.run("bone");
+  rig.settle();
+  const auto find = [&](std::string_view words) -> std::optional<app::Rect> {
+    for (const app::Control& control : rig.app->ui().controls) {
+      if (control.words == words) return control.at;
+    }
+    return std::nullopt;
+  };
+  const std::optional<app::Rect> slider = find("Turns");
+  REQUIRE(slider);
+  const double y = slider->centre().y;
+  const auto x = [&](double turns) { return slider->x + slider->width * (turns + 8) / 16; };
+  rig.pointer(platform::PointerKind::Down, x(1), y);
+  rig.settle();
+  bool said = false;
+  for (double turns = 1; turns <= 7.9; turns += 0.2) {
+    rig.pointer(platform::PointerKind::Move, x(turns), y);
+    rig.settle();
+    said = said || find("Any further, and it would go through itself").has_value();
+  }
+  CHECK(said);
+  rig.pointer(platform::PointerKind::Up, x(7.9), y);
+  rig.settle();
+  const Json part = (*rig.state().find("parts")->array())[0];
+  const double turns = *part.find("pose")->number("turns");
+  CHECK(turns > 1.2);
+  CHECK(turns < 6);
+  CHECK(part.find("crossesAt")->array() == nullptr);
 }

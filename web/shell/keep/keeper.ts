@@ -3,6 +3,8 @@
 import { hideBanner, showBanner } from '../banner.ts';
 import { Failure, sentenceOf } from '../failure.ts';
 import { toast } from '../toasts.ts';
+import { animalOf } from './animals.ts';
+import type { Animal } from './animals.ts';
 import { makeClaims } from './claims.ts';
 import type { Claims } from './claims.ts';
 import { JournalWriter, kTrashMs } from './journal_writer.ts';
@@ -33,6 +35,10 @@ export interface KeeperPage {
   /** Whether this tab may change the model. */
   setReadOnly(readOnly: boolean): void;
   showModels(): void;
+  /** Under which animal so many models are put away; null: under none. */
+  askAnimal(models: number): Promise<Animal | null>;
+  /** Everything is as on a first visit, but for the models that are kept. */
+  beginAfresh(): void;
   pickModelFile(): void;
   askName(title: string, text: string, value: string): Promise<string | null>;
   /** True when the model may go although it is kept nowhere. */
@@ -121,6 +127,9 @@ export class Keeper {
         if (id) this.complainOf(this.openModel(id));
         else this.page.showModels();
         break;
+      case 'next-pupil':
+        this.complainOf(this.nextPupil());
+        break;
       case 'open-file':
         this.page.pickModelFile();
         break;
@@ -174,6 +183,26 @@ export class Keeper {
       this.engine.openProject(bytes);
       this.settleOn(null);
       this.writer.rewrite();
+    });
+  }
+
+  /** Puts all models that are nobody's away under an animal, and begins afresh for whoever comes next. */
+  async nextPupil(): Promise<void> {
+    await this.settled();
+    const own = (await this.list()).filter((model) => !animalOf(model.whose ?? null));
+    const animal = own.length > 0 ? await this.page.askAnimal(own.length) : null;
+    if (own.length > 0 && !animal) return;
+    await this.change(async () => {
+      if (!(await this.leave())) return;
+      for (const { id } of own) await this.store?.setWhose(id, animal!.id);
+      this.page.beginAfresh();
+      if (animal)
+        toast(
+          t('Put away under {animal}: {models}.', {
+            animal: t(animal.name),
+            models: own.map((model) => model.name).join(', '),
+          }),
+        );
     });
   }
 

@@ -4,6 +4,7 @@ import { asIs, byId, make } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { toggleMenu } from '../menu.ts';
 import type { MenuItem } from '../menu.ts';
+import { animalOf } from './animals.ts';
 import type { ModelInfo } from './store.ts';
 import { language, t } from '../words/words.ts';
 
@@ -17,6 +18,7 @@ export interface ModelActions {
   duplicate(id: string): void;
   rename(id: string): void;
   remove(id: string): void;
+  nextPupil(): void;
 }
 
 const kOnStartPage = 12;
@@ -48,6 +50,7 @@ export class ModelsView {
   constructor(private readonly actions: ModelActions) {
     const all = byId('models-all');
     all.addEventListener('click', () => this.showAll());
+    byId('models-next').addEventListener('click', () => this.actions.nextPupil());
   }
 
   /** Shows the list as it is now; quick to call often. */
@@ -87,7 +90,14 @@ export class ModelsView {
   private draw(models: ModelInfo[], elsewhere: Set<string>): void {
     const current = this.actions.current();
     const key = JSON.stringify([
-      models.map((model) => [model.id, model.name, model.modified, model.parts, model.thumbnail?.bytes.length]),
+      models.map((model) => [
+        model.id,
+        model.name,
+        model.modified,
+        model.parts,
+        model.thumbnail?.bytes.length,
+        model.whose,
+      ]),
       [...elsewhere],
       current,
       language().id,
@@ -100,6 +110,7 @@ export class ModelsView {
     const card = (model: ModelInfo) => this.card(model, model.id === current, elsewhere.has(model.id));
     this.strip.hidden = models.length === 0;
     this.cards.replaceChildren(...models.slice(0, kOnStartPage).map(card));
+    byId('models-next').hidden = models.every((model) => animalOf(model.whose ?? null));
     byId('models-all').hidden = models.length <= kOnStartPage;
     if (!this.dialog) return;
     const { list } = this.dialog;
@@ -116,6 +127,12 @@ export class ModelsView {
     else frame.append(icon('box'));
     const where = isElsewhere ? t('in another tab') : isOpen ? t('open') : '';
     if (where) frame.append(make('span', { class: 'model-badge' }, where));
+    const animal = animalOf(model.whose ?? null);
+    if (animal) {
+      const badge = make('span', { class: 'model-badge model-animal' }, t(animal.name));
+      badge.prepend(icon(animal.id));
+      frame.append(badge);
+    }
     const detail = `${countText(model)} · ${whenText(model.modified, Date.now())}`;
     const button = make(
       'button',

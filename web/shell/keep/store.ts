@@ -39,6 +39,8 @@ export interface ModelInfo {
   newName: string | null;
   /** When it was deleted; it can be brought back until it is swept away. */
   deleted: number | null;
+  /** The animal that it is put away under (animals.ts); none: nobody's. */
+  whose?: string | null;
 }
 
 /** One step of keeping: a new base, or records after the old one. */
@@ -229,6 +231,11 @@ export class ModelStore {
     return this.change(id, (info) => (info.writer === writer ? { ...info, thumbnail } : info));
   }
 
+  /** Puts a model away under an animal. */
+  setWhose(id: string, animal: string): Promise<void> {
+    return this.change(id, (info) => ({ ...info, whose: animal }));
+  }
+
   /** Takes a model off the list; `undelete` brings it back until `sweep`. */
   delete(id: string, now: number): Promise<void> {
     return this.change(id, (info) => ({ ...info, deleted: now }));
@@ -345,6 +352,7 @@ function advanced(old: ModelInfo | null, change: Change): ModelInfo {
     writer: change.writer,
     newName: null,
     deleted: null,
+    whose: old?.whose ?? null,
   };
 }
 
