@@ -93,9 +93,11 @@ PrintMessage printMessage(const PrintReport& report) {
   bool someGood = false;
   for (const PrintLine& line : lines) {
     someGood = someGood || line.good;
-    if (line.good == message.good) message.text += (message.text.empty() ? "" : " ") + line.text;
+    if (line.good != message.good) continue;
+    if (!message.text.empty()) message.text += ' ';
+    message.text += line.text;
   }
-  if (!message.good && someGood) message.text += " " + said("The rest is fine for printing.");
+  if (!message.good && someGood) message.text.append(" ").append(said("The rest is fine for printing."));
   return message;
 }
 

@@ -153,15 +153,17 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
                            ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, shown.c_str())
                            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), shown.c_str());
   registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
-  if (changed) {
-    own = turns ? tenths(static_cast<double>(value)) : static_cast<double>(value);
+  // The slider says so in every frame while the hand stands between two tenths.
+  const double wanted = turns ? tenths(static_cast<double>(value)) : static_cast<double>(value);
+  if (changed && wanted != own) {
+    own = wanted;
     app::Preview& preview = app::previewPart(env.ui(), part);
     preview.loft().pose = pose;
     preview.fresh = false;
     app::guardPreview(env.ui(), env.document(), env.derived);
   }
   if (!ImGui::IsItemDeactivatedAfterEdit()) return;
-  if (const document::LoftRecipe* held = app::heldBack(env.ui())) pose = held->pose;
+  if (const document::LoftRecipe* taken = app::heldBack(env.ui())) pose = taken->pose;
   env.ui().preview.reset();
   env.sink.run(app::setCoil, part.id, pose.coilTurns, pose.coilRadius);
 }
