@@ -169,10 +169,18 @@ TEST_CASE("the golden document with parts that were placed, mirrored and grouped
 TEST_CASE("the golden document with paints reads as what was written") {
   const document::Document read = readWhole("golden/document-v1-looks.json");
   REQUIRE(read.parts.size() == 2);
-  const document::Look scales{false, {10, 20, 30}, surface::Paint::TwoTone, {200, 230, 0}, true};
+  const document::Look scales{false, {10, 20, 30}, surface::Paint::TwoTone, {200, 230, 0}, true, false};
   CHECK(read.parts[0]->look == scales);
-  const document::Look shell{true, document::Look{}.colour, surface::Paint::Metal, document::Look{}.second, false};
+  const document::Look shell{true, document::Look{}.colour, surface::Paint::Metal, document::Look{}.second, false, false};
   CHECK(read.parts[1]->look == shell);
+}
+
+TEST_CASE("the golden document with ink that is kept reads as what was written") {
+  const document::Document read = readWhole("golden/document-v1-inked.json");
+  REQUIRE(read.parts.size() == 1);
+  document::Look look;
+  look.inked = true;
+  CHECK(read.parts[0]->look == look);
 }
 
 TEST_CASE("the golden document with a weight that the search has no more reads as one without it") {
