@@ -53,13 +53,16 @@ std::string forParts(const PanelEnv& env, std::string_view text) {
   return std::string(text) + (count > 1 ? " of " + std::to_string(count) + " parts" : "");
 }
 
-/// The selected part when it is a puff or a flat piece, else null.
+/// The selected part when it is made of a region, else null.
 const document::Part* selectedRegion(const PanelEnv& env) {
   const document::Part* part = env.selected();
   return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
 }
 
-const char* titleOf(const document::Part& region) { return document::inflateOf(region) ? "Puff" : "Flat piece"; }
+const char* titleOf(const document::Part& region) {
+  if (document::latheOf(region)) return "Spin";
+  return document::inflateOf(region) ? "Puff" : "Flat piece";
+}
 
 /// Few panels at first: before the first part there is nothing to set, and curves and numbers come with all tools.
 bool isOffered(const PanelEnv& env, app::PanelTab tab) {
