@@ -31,9 +31,10 @@ enum class Error {
   RegionEmpty,      ///< an outline without an area, or with less than a few pixels
   RegionOutside,    ///< no part of a region lies on its picture
   RegionTooFine,    ///< an outline with more detail than a solid can be made of
+  ProfileOnAxis,    ///< a profile without an area beside its axis
   NothingCutOut,    ///< no thing was found where a hint said
   NotABone,         ///< only for parts that were lofted along a spine
-  NotARegion,       ///< only for puffs and flat pieces
+  NotARegion,       ///< only for parts that are made of a region
   TooFewRibs,       ///< a loft needs at least 2 ribs
   SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
   MeshInvalid,      ///< a mesh given for export breaks a mesh law

@@ -71,21 +71,29 @@ struct IgnoreForPicture {
   std::vector<ribs::IgnoreMark> marks;
 };
 /// What a region becomes, and how.
-using RegionSolid = std::variant<inflate::InflateParams, extrude::ExtrudeParams>;
+using RegionSolid = std::variant<inflate::InflateParams, extrude::ExtrudeParams, lathe::LatheParams>;
+/// The recipe of it.
+Recipe recipeOf(const Region& region, const RegionSolid& solid);
 /// A new part from a region.
 struct DrawRegion {
   Region region;
   RegionSolid solid;
   Look look = {};
 };
-/// Another region for a puff or a flat piece: drawn anew, or with points moved.
+/// Another region for a part that is made of one: drawn anew, or with points moved.
 struct RedrawRegion {
   PartId part;
   Region region;
 };
-/// How a puff or a flat piece is made of its region; the other kind makes it the other kind.
+/// How a part is made of its region; parameters of another kind make it that kind.
 struct ShapeRegion {
   PartId part;
+  RegionSolid solid;
+};
+/// A part made of a region in place of what it was; name, look and place stay.
+struct RemakePart {
+  PartId part;
+  Region region;
   RegionSolid solid;
 };
 /// One section for the whole part.
@@ -221,6 +229,6 @@ using Action =
                  RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument, PoseSpine, EditRibs, IgnoreForPart,
                  IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
-                 ShapeRegion, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList>;
+                 ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList>;
 
 }  // namespace spineloft::document

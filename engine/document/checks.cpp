@@ -60,7 +60,7 @@ Status checkRegion(const Document& document, const Region& region) {
   }
   if (region.contours.size() > kMostContours) return {Error::ValueOutOfRange, "too many outlines"};
   std::size_t points = 0;
-  const std::size_t least = isRibbon ? 2 : 3;
+  const std::size_t least = region.isOfLines() ? 2 : 3;
   bool any = false;
   PicturePoint low{kFarthest, kFarthest}, high{-kFarthest, -kFarthest};
   for (const auto& contour : region.contours) {

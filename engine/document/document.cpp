@@ -9,6 +9,9 @@
 namespace spineloft::document {
 namespace {
 
+template <class Recipe>
+concept OfRegion = requires(Recipe recipe) { recipe.region; };
+
 template <class T, class Id>
 const Box<T>* boxOf(const std::vector<Box<T>>& boxes, Id id) {
   const auto at = std::ranges::find_if(boxes, [&](const T& value) { return value.id == id; });
@@ -49,8 +52,10 @@ std::size_t heldBy(const LoftRecipe& recipe) {
   }
   return bytes;
 }
-std::size_t heldBy(const InflateRecipe& recipe) { return bytesOf(recipe.region); }
-std::size_t heldBy(const ExtrudeRecipe& recipe) { return bytesOf(recipe.region); }
+template <OfRegion Recipe>
+std::size_t heldBy(const Recipe& recipe) {
+  return bytesOf(recipe.region);
+}
 
 std::size_t bytesOf(const Part& part) {
   return sizeof(Part) + part.name.size() + part.extra.size() +
@@ -72,8 +77,8 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
   return bytes;
 }
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {"loft", "puff",
-                                                                                                "sheet"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {"loft", "puff", "sheet",
+                                                                                                "lathe"};
 
 }  // namespace
 
@@ -87,8 +92,17 @@ PartKind kindFromKey(std::string_view key) {
 }
 
 Recipe emptyRecipe(PartKind kind) {
-  if (kind == PartKind::Inflate) return InflateRecipe{};
-  if (kind == PartKind::Extrude) return ExtrudeRecipe{};
+  switch (kind) {
+    case PartKind::Inflate:
+      return InflateRecipe{};
+    case PartKind::Extrude:
+      return ExtrudeRecipe{};
+    case PartKind::Lathe:
+      return LatheRecipe{};
+    case PartKind::Loft:
+    case PartKind::kCount:
+      break;
+  }
   return LoftRecipe{};
 }
 
@@ -99,9 +113,12 @@ const LoftRecipe& loftIn(const Part& part) {
 }
 
 const Region* regionOf(const Recipe& recipe) {
-  if (const auto* inflate = std::get_if<InflateRecipe>(&recipe)) return &inflate->region;
-  if (const auto* extrude = std::get_if<ExtrudeRecipe>(&recipe)) return &extrude->region;
-  return nullptr;
+  return std::visit(
+      []<class One>(const One& one) -> const Region* {
+        if constexpr (OfRegion<One>) return &one.region;
+        return nullptr;
+      },
+      recipe);
 }
 Region* regionOf(Recipe& recipe) {
   return const_cast<Region*>(regionOf(std::as_const(recipe)));  // what it is given is not const

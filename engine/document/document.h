@@ -22,6 +22,7 @@
 #include "engine/image/image.h"
 #include "engine/image/sketch.h"
 #include "engine/inflate/inflate_params.h"
+#include "engine/lathe/lathe_params.h"
 #include "engine/loft/loft.h"
 #include "engine/loft/pose.h"
 #include "engine/ribs/base/rib_params.h"
@@ -68,6 +69,8 @@ struct Region {
   PictureId picture;                                ///< on which it was drawn
   std::vector<std::vector<PicturePoint>> contours;  ///< as drawn
   double ribbon = 0;  ///< picture pixels: the pen's width, contours are open lines; 0: closed outlines
+  bool open = false;  ///< contours are open lines that an axis closes (LatheRecipe); others close them straight
+  bool isOfLines() const { return ribbon > 0 || open; }
   bool operator==(const Region&) const = default;
 };
 
@@ -85,9 +88,16 @@ struct ExtrudeRecipe {
   bool operator==(const ExtrudeRecipe&) const = default;
 };
 
+/// Recipe of a spun part: a region turned about an axis.
+struct LatheRecipe {
+  Region region;
+  lathe::LatheParams lathe;
+  bool operator==(const LatheRecipe&) const = default;
+};
+
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe>;
-enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, kCount };
+using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe>;
+enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, kCount };
 static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
 
 struct Part {
@@ -125,7 +135,7 @@ struct Document {
 
 inline PartKind kindOf(const Recipe& recipe) { return static_cast<PartKind>(recipe.index()); }
 inline PartKind kindOf(const Part& part) { return kindOf(part.recipe); }
-/// "loft", "puff", "sheet": in files and in the API.
+/// "loft", "puff", "sheet", "lathe": in files and in the API.
 std::string_view kindKey(PartKind kind);
 /// Error: none of them: kCount.
 PartKind kindFromKey(std::string_view key);
@@ -139,9 +149,10 @@ inline const InflateRecipe* inflateOf(const Part& part) { return std::get_if<Inf
 inline InflateRecipe* inflateOf(Part& part) { return std::get_if<InflateRecipe>(&part.recipe); }
 inline const ExtrudeRecipe* extrudeOf(const Part& part) { return std::get_if<ExtrudeRecipe>(&part.recipe); }
 inline ExtrudeRecipe* extrudeOf(Part& part) { return std::get_if<ExtrudeRecipe>(&part.recipe); }
+inline const LatheRecipe* latheOf(const Part& part) { return std::get_if<LatheRecipe>(&part.recipe); }
 /// The loft that a part is, or an empty one for other kinds: for what is only looked at.
 const LoftRecipe& loftIn(const Part& part);
-/// The region of a puff or a flat piece, or null.
+/// The region of what is made of one, or null.
 const Region* regionOf(const Recipe& recipe);
 Region* regionOf(Recipe& recipe);
 

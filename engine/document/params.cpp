@@ -71,11 +71,36 @@ std::span<const ParamInfo> extrudeTable() {
   return kTable;
 }
 
+std::span<const ParamInfo> latheTable() {
+  using lathe::LatheParams;
+  constexpr auto kSpun = &LatheRecipe::lathe;
+  static const std::array kTable = {
+      entry<LatheRecipe, kSpun, &LatheParams::turn>(
+          {"turn", "How far round", "degrees", lathe::kLeastTurn, lathe::kMostTurn, 5, Measure::Plain}),
+      entry<LatheRecipe, kSpun, &LatheParams::sides>(
+          {"sides", "Faces around", "", lathe::kLeastSides, lathe::kRoundSides, 1, Measure::Plain}),
+      entry<LatheRecipe, kSpun, &LatheParams::wall>(
+          {"wall", "Wall", "of the picture", 0, lathe::kMostWall, 0.001, Measure::Length}),
+      entry<LatheRecipe, kSpun, &LatheParams::squash>(
+          {"squash", "Depth", "times", lathe::kLeastSquash, lathe::kMostSquash, 0.05, Measure::Percent}),
+  };
+  return kTable;
+}
+
 }  // namespace
 
 std::span<const ParamInfo> paramTable(PartKind kind) {
-  if (kind == PartKind::Inflate) return inflateTable();
-  if (kind == PartKind::Extrude) return extrudeTable();
+  switch (kind) {
+    case PartKind::Inflate:
+      return inflateTable();
+    case PartKind::Extrude:
+      return extrudeTable();
+    case PartKind::Lathe:
+      return latheTable();
+    case PartKind::Loft:
+    case PartKind::kCount:
+      break;
+  }
   return loftTable();
 }
 

@@ -25,11 +25,6 @@ Status edit(std::vector<Box<T>>& list, Id id, Error missing, const Change& chang
   return Done{};
 }
 
-Recipe recipeOf(const Region& region, const RegionSolid& solid) {
-  if (const auto* inflate = std::get_if<inflate::InflateParams>(&solid)) return InflateRecipe{region, *inflate};
-  return ExtrudeRecipe{region, *std::get_if<extrude::ExtrudeParams>(&solid)};
-}
-
 /// Applies one action to a copy of the document; every action has its overload, or this does not
 /// compile.
 struct Apply {
@@ -181,6 +176,16 @@ struct Apply {
       return Done{};
     });
   }
+  Status operator()(const RemakePart& a) const {
+    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
+      return Error::ValueOutOfRange;
+    }
+    if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.recipe = recipeOf(a.region, a.solid);
+      return Done{};
+    });
+  }
   Status operator()(const RedrawSpine& a) const {
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
       loft.stroke = a.stroke;
@@ -300,6 +305,16 @@ struct Apply {
 };
 
 }  // namespace
+
+Recipe recipeOf(const Region& region, const RegionSolid& solid) {
+  struct Made {
+    const Region& region;
+    Recipe operator()(const inflate::InflateParams& params) const { return InflateRecipe{region, params}; }
+    Recipe operator()(const extrude::ExtrudeParams& params) const { return ExtrudeRecipe{region, params}; }
+    Recipe operator()(const lathe::LatheParams& params) const { return LatheRecipe{region, params}; }
+  };
+  return std::visit(Made{region}, solid);
+}
 
 Result<Document> update(const Document& document, const Action& action) {
   Document next = document;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/geometry/polyline.h"
+
 namespace spineloft::geometry {
 namespace {
 
@@ -107,6 +109,22 @@ std::optional<SectionPoint> kernelCentre(std::span<const SectionPoint> polygon) 
     if (kernel.size() < 3) return std::nullopt;
   }
   return centroid(kernel);
+}
+
+std::vector<SectionPoint> simplified(std::span<const SectionPoint> polygon, double tolerance) {
+  const std::size_t n = polygon.size();
+  if (n <= 4) return {polygon.begin(), polygon.end()};
+  const auto [left, right] = std::ranges::minmax_element(polygon, {}, &SectionPoint::x);
+  const std::size_t a = static_cast<std::size_t>(left - polygon.begin());
+  const std::size_t b = static_cast<std::size_t>(right - polygon.begin());
+  std::vector<bool> kept(n, false);
+  kept[a] = kept[b] = true;
+  keepFarther(polygon, {{a, b > a ? b : b + n}, {b, a > b ? a : a + n}}, tolerance, kept);
+  std::vector<SectionPoint> out;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (kept[i]) out.push_back(polygon[i]);
+  }
+  return out;
 }
 
 bool seesAllEdges(std::span<const SectionPoint> polygon, SectionPoint p, double margin) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/base/vec.h"
 
@@ -42,6 +43,10 @@ bool isSimple(std::span<const SectionPoint> polygon);
 /// The same of several polygons together: each simple, and none touches another. The way of holes is
 /// not looked at. `sizes`: corners of each, one after the other in `points`.
 bool areSimple(std::span<const SectionPoint> points, std::span<const std::size_t> sizes);
+
+/// The polygon with as few of its corners as leave all others within `tolerance` of it (Douglas and Peucker 1973, from
+/// the corners farthest left and right). It may touch itself where it was nearer to itself than that.
+std::vector<SectionPoint> simplified(std::span<const SectionPoint> polygon, double tolerance);
 
 /// A point that sees every edge of the counter-clockwise polygon from inside: the centre of all such
 /// points (its kernel). None when there is no such point, or hardly one. Cost: corners × kernel's

@@ -86,6 +86,45 @@ double distanceToSegment(V p, V a, V b) {
   return distance(p, a + along * t);
 }
 
+/// Marks as `kept` what is farther than `tolerance` from the straight way between what is kept (Douglas and Peucker
+/// 1973). `spans`: stretches between two places that are kept, as indices; beyond the last point they go on from the
+/// first.
+template <class V>
+void keepFarther(std::span<const V> points, std::vector<std::array<std::size_t, 2>> spans, double tolerance,
+                 std::vector<bool>& kept) {
+  const std::size_t n = points.size();
+  while (!spans.empty()) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    double most = tolerance;
+    std::size_t at = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double off = distanceToSegment(points[i % n], points[from % n], points[to % n]);
+      if (off > most) {
+        most = off;
+        at = i;
+      }
+    }
+    if (at == from) continue;
+    kept[at % n] = true;
+    spans.push_back({from, at});
+    spans.push_back({at, to});
+  }
+}
+/// The open line with as few of its points as leave all others within `tolerance` of it; both ends stay.
+template <class V>
+std::vector<V> simplifiedLine(std::span<const V> line, double tolerance) {
+  if (line.size() < 3) return {line.begin(), line.end()};
+  std::vector<bool> kept(line.size(), false);
+  kept.front() = kept.back() = true;
+  keepFarther(line, {{0, line.size() - 1}}, tolerance, kept);
+  std::vector<V> out;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (kept[i]) out.push_back(line[i]);
+  }
+  return out;
+}
+
 /// Minimises Σ|x_i − p_i|² + (weight · second differences)², ends fixed: a discrete smoothing spline
 /// that keeps straight lines straight. `points` evenly spaced; weight ≥ 0 in units of spacing².
 std::vector<PicturePoint> smooth(std::span<const PicturePoint> points, double weight);

@@ -97,6 +97,34 @@ class Field {
     }
   }
 
+  /// Takes the smaller values of both, of grids of the same contours. Whether any inside is left out.
+  bool meet(const Field& other) {
+    bool less = false;
+    for (std::size_t i = 0; i < value_.size(); ++i) {
+      less = less || (value_[i] > 0 && !(other.value_[i] > 0));
+      value_[i] = std::min(value_[i], other.value_[i]);
+    }
+    return less;
+  }
+
+  /// Beyond the centre of a disc, in a direction, nothing near it but the disc.
+  void round(PicturePoint centre, PicturePoint direction, double radius) {
+    const double reach = 4 * radius;
+    for (int y = 0; y < ny_; ++y) {
+      for (int x = 0; x < nx_; ++x) {
+        const PicturePoint from = node(x, y) - centre;
+        const double away = std::hypot(from.x, from.y);
+        if (away < reach && dot(from, direction) > 0) at(x, y) = std::min(at(x, y), radius - away);
+      }
+    }
+  }
+
+  bool inside(PicturePoint p) const {
+    const int x = static_cast<int>(std::lround((p.x - low_.x) / cell_));
+    const int y = static_cast<int>(std::lround((p.y - low_.y) / cell_));
+    return x >= 0 && y >= 0 && x < nx_ && y < ny_ && in(x, y);
+  }
+
   Contours outlines() const;
 
  private:
@@ -211,6 +239,33 @@ Contours evenOddOutlines(const Contours& contours, PictureFrame frame) {
     }
   }
   field.sign(contours);
+  field.clip();
+  return field.outlines();
+}
+
+Contours wallOutlines(const Wall& wall, PictureFrame frame) {
+  Field field(wall.outlines, 0, frame), band(wall.outlines, 0, frame);
+  if (field.empty()) return {};
+  constexpr double kLeastCells = 3;
+  const double thickness = std::max(wall.thickness, kLeastCells * field.cell());
+  for (const auto& contour : wall.outlines) {
+    for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
+      field.touch(contour[j], contour[i], 1.5 * field.cell());
+    }
+  }
+  field.sign(wall.outlines);
+  for (const auto& line : wall.lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) band.touch(line[i - 1], line[i], thickness + 1.5 * field.cell());
+  }
+  band.band(thickness);
+  const Field whole = field;
+  if (!field.meet(band)) return {};
+  for (const auto& [at, outwards] : wall.ends) {
+    const PicturePoint aside{-outwards.y, outwards.x};
+    const PicturePoint back = at - outwards * (thickness / 2);
+    const double sign = whole.inside(back + aside * (thickness / 2)) ? 1 : -1;
+    field.round(back + aside * (sign * thickness / 2), outwards, thickness / 2);
+  }
   field.clip();
   return field.outlines();
 }

@@ -103,6 +103,9 @@ void mendRecipe(document::InflateRecipe& recipe, ReadNotes& notes) {
 void mendRecipe(document::ExtrudeRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.extrude), recipe.extrude, {}, notes);
 }
+void mendRecipe(document::LatheRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.lathe), recipe.lathe, {}, notes);
+}
 
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   const document::PartKind kind = document::kindOf(recipe);

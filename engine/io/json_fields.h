@@ -136,10 +136,11 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Region> T>
 void members(V& v, T& value) {
-  auto& [picture, contours, ribbon] = value;
+  auto& [picture, contours, ribbon, open] = value;
   v("picture", picture);
   v("contours", contours);
   v("ribbon", ribbon);
+  v("open", open);
 }
 template <class V, Is<inflate::InflateParams> T>
 void members(V& v, T& value) {
@@ -167,6 +168,22 @@ void members(V& v, T& value) {
   auto& [region, extrude] = value;
   v("region", region);
   v("sheet", extrude);
+}
+template <class V, Is<lathe::LatheParams> T>
+void members(V& v, T& value) {
+  auto& [axisFrom, axisTo, turn, sides, wall, squash] = value;
+  v("axisFrom", axisFrom);
+  v("axisTo", axisTo);
+  v("turn", turn);
+  v("sides", sides);
+  v("wall", wall);
+  v("squash", squash);
+}
+template <class V, Is<document::LatheRecipe> T>
+void members(V& v, T& value) {
+  auto& [region, lathe] = value;
+  v("region", region);
+  v("lathe", lathe);
 }
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
@@ -323,6 +340,10 @@ Json toJson(Vec3<Space> p) {
   return Json::array({toJson(p.x), toJson(p.y), toJson(p.z)});
 }
 template <class Space>
+Json toJson(Vec2<Space> p) {
+  return Json::array({toJson(p.x), toJson(p.y)});
+}
+template <class Space>
 Json toJson(const std::vector<Vec2<Space>>& points) {  // [x, y, x, y, …]
   Json out = Json::array();
   out.get_ref<Json::array_t&>().reserve(2 * points.size());
@@ -429,6 +450,13 @@ bool get(const Json& from, geometry::Turn& to);
 bool get(const Json& from, std::optional<document::MirrorPlane>& to);
 bool get(const Json& from, image::SketchStroke& to);
 template <class Space>
+bool get(const Json& from, Vec2<Space>& to) {
+  Vec2<Space> p;
+  const bool two = from.is_array() && from.size() == 2 && get(from[0], p.x) && get(from[1], p.y);
+  if (two) to = p;
+  return two;
+}
+template <class Space>
 bool get(const Json& from, Vec3<Space>& to) {
   Vec3<Space> p;
   const bool three = from.is_array() && from.size() == 3 && get(from[0], p.x) && get(from[1], p.y) && get(from[2], p.z);
@@ -464,6 +492,12 @@ void read(Json& from, T& to, const Reading& reading) {
 }
 template <Struct T>
 void read(Json& from, T& to, const Reading& reading);
+/// A line is one value.
+template <class Space>
+void read(Json& from, std::vector<Vec2<Space>>& to, const Reading& reading) {
+  if (!get(from, to)) ++reading.notes.repaired;
+  from = nullptr;
+}
 /// A list of plain values: bad ones are left out and counted.
 template <Plain T>
 void read(Json& from, std::vector<T>& to, const Reading& reading) {

@@ -176,6 +176,7 @@ std::string writeReport(const LoftReport& report) {
                    {"triangles", report.triangles},
                    {"closed", mesh.closed},
                    {"lawful", mesh.valid()},
+                   {"shells", mesh.shells},
                    {"genus", mesh.genus},
                    {"volume", mesh.volume},
                    {"area", mesh.area}}},

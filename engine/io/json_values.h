@@ -43,7 +43,7 @@ struct LoftReport {
   NamedNumbers milliseconds;  ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
-/// "mesh":{"vertices","triangles","closed","lawful","genus","volume","area"},"milliseconds":{…}}.
+/// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

@@ -89,46 +89,11 @@ bool fitWidth(std::vector<Curve>& curves) {
   return true;
 }
 
-/// Keeps what is farther than `tolerance` from the line through what is kept (Douglas and Peucker
-/// 1973), and always the points farthest left and right.
-Curve simplified(const Curve& curve, double tolerance) {
-  const std::size_t n = curve.size();
-  if (n <= 4) return curve;
-  const auto [left, right] = std::ranges::minmax_element(curve, {}, &SectionPoint::x);
-  const std::size_t a = static_cast<std::size_t>(left - curve.begin());
-  const std::size_t b = static_cast<std::size_t>(right - curve.begin());
-  std::vector<bool> kept(n, false);
-  kept[a] = kept[b] = true;
-  std::vector<std::pair<std::size_t, std::size_t>> spans = {{a, b > a ? b : b + n}, {b, a > b ? a : a + n}};
-  while (!spans.empty()) {
-    const auto [from, to] = spans.back();
-    spans.pop_back();
-    double most = tolerance;
-    std::size_t at = from;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const double off = geometry::distanceToSegment(curve[i % n], curve[from % n], curve[to % n]);
-      if (off > most) {
-        most = off;
-        at = i;
-      }
-    }
-    if (at == from) continue;
-    kept[at % n] = true;
-    spans.push_back({from, at});
-    spans.push_back({at, to});
-  }
-  Curve out;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (kept[i]) out.push_back(curve[i]);
-  }
-  return out;
-}
-
 /// All curves simplified as far as they stay simple and apart.
 std::vector<Curve> simplified(const std::vector<Curve>& curves) {
   for (double tolerance = kSmallest; tolerance > kSmallest / 100; tolerance /= 3) {
     std::vector<Curve> out;
-    for (const Curve& curve : curves) out.push_back(simplified(curve, tolerance));
+    for (const Curve& curve : curves) out.push_back(geometry::simplified(curve, tolerance));
     if (areSimple(out)) return out;
   }
   return curves;

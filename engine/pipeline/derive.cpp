@@ -79,9 +79,7 @@ Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& ent
   if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
     return loftShape(*loft, entry, cache, purpose, shape, clock);
   }
-  const auto* inflate = std::get_if<document::InflateRecipe>(&recipe);
-  Result<PartShape> made = inflate ? inflateStage(*inflate, entry.size, clock)
-                                   : extrudeStage(std::get<document::ExtrudeRecipe>(recipe), entry.size, clock);
+  Result<PartShape> made = regionStage(recipe, entry.size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};

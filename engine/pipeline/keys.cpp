@@ -85,12 +85,12 @@ void mix(Hasher& hasher, const loft::Pose& pose) {
 
 /// A region's solid takes only its size from the picture, its texture the pixels.
 std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
-  const auto& [picture, contours, ribbon] = region;
+  const auto& [picture, contours, ribbon, open] = region;
   Hasher hasher;
   hasher.number(entry.contentHash).number(entry.size.width).number(entry.size.height);
   hasher.number(contours.size());
   for (const auto& contour : contours) mix(hasher, contour);
-  hasher.number(ribbon);
+  hasher.number(ribbon).number(open);
   for (const ribs::IgnoreMark& mark : entry.ignored) {
     if (mark.covers) mix(hasher, std::vector{mark});
   }
@@ -143,6 +143,15 @@ std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::Pi
   Hasher hasher;
   hasher.text("sheet").number(regionKey(region, entry));
   mixAll(hasher, thickness, edge, edgeSize, depth);
+  return hasher.value();
+}
+
+std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [region, params] = recipe;
+  const auto& [axisFrom, axisTo, turn, sides, wall, squash] = params;
+  Hasher hasher;
+  hasher.text("lathe").number(regionKey(region, entry));
+  mixAll(hasher, axisFrom.x, axisFrom.y, axisTo.x, axisTo.y, turn, sides, wall, squash);
   return hasher.value();
 }
 

@@ -23,8 +23,9 @@ std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEn
 /// Of a lofted one: the trace's, the edits, the pose and the loft.
 std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
-/// Of a puff and of a flat piece: the region, the picture's size, the parameters.
+/// Of what is made of a region: the region, the picture's size, the parameters.
 std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry);
 std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry);
+std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry);
 
 }  // namespace spineloft::pipeline

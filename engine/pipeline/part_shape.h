@@ -44,14 +44,14 @@ struct TracedRibs {
 };
 
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
-/// puffs and flat pieces; for others they are empty.
+/// what is made of a region; for others they are empty.
 struct PartShape {
   ribs::Spine spine;                                ///< as traced
   ribs::RibSet generated;                           ///< what the search found
   ribs::RibSet ribs;                                ///< with the edits laid over
   ribs::RibSet shown;                               ///< in the pose, seen from the front; equal to `ribs` at rest
   std::vector<ModelPoint> centreLine;               ///< the spine in the pose, ≥ 2 points, one a generated rib
-  std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned, closed
+  std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned or turned, closed
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
@@ -111,10 +111,9 @@ Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRib
 Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
                   ShapeMemory& memory, PartShape& shape, const Clock& clock = {});
 
-/// Of a region: clean → swell, and clean → give thickness. `key` of the result is 0; the times stand in
-/// `ms.loft`. Errors: RegionEmpty, RegionTooFine, OutOfMemory.
-Result<PartShape> inflateStage(const document::InflateRecipe& recipe, image::Size picture, const Clock& clock = {});
-Result<PartShape> extrudeStage(const document::ExtrudeRecipe& recipe, image::Size picture, const Clock& clock = {});
+/// Of a region: clean → swell, clean → give thickness, or turn about the axis. `key` of the result is 0; the times
+/// stand in `ms.loft`. Errors: NotARegion (a loft), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
+Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock = {});
 
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,

@@ -1,49 +1,65 @@
-// Puffs and flat pieces: clean the region, make the solid.
+// What is made of a region: puffs, flat pieces, spun parts.
 #include <new>
 #include <utility>
+#include <variant>
 
 #include "engine/extrude/extrude.h"
 #include "engine/geometry/region.h"
 #include "engine/inflate/inflate.h"
+#include "engine/lathe/lathe.h"
 #include "engine/pipeline/part_shape.h"
 
 namespace spineloft::pipeline {
 namespace {
 
-double nowMs(const Clock& clock) { return clock ? clock() : 0.0; }
+Result<PartShape> shapeOf(Result<geometry::Contours> contours, Result<mesh::TriMesh> mesh) {
+  if (!mesh) return mesh.failure();
+  PartShape shape;
+  shape.contours = std::move(contours).value();
+  shape.mesh = std::move(mesh).value();
+  return shape;
+}
 
-template <class Make>
-Result<PartShape> regionShape(const document::Region& region, image::Size picture, const Clock& clock,
-                              const Make& make) {
-  const double started = nowMs(clock);
+/// Makes the shape of one kind of recipe.
+struct Make {
+  image::Size picture;
+
+  Result<geometry::Contours> clean(const document::Region& region) const {
+    return geometry::cleanRegion(region.contours, region.ribbon,
+                                 {static_cast<double>(picture.width), static_cast<double>(picture.height)});
+  }
+  Result<PartShape> operator()(const document::LoftRecipe&) const { return Error::NotARegion; }
+  Result<PartShape> operator()(const document::InflateRecipe& recipe) const {
+    Result<geometry::Contours> contours = clean(recipe.region);
+    if (!contours) return contours.failure();
+    Result<mesh::TriMesh> mesh = inflate::inflateRegion(contours.value(), picture, recipe.inflate);
+    return shapeOf(std::move(contours), std::move(mesh));
+  }
+  Result<PartShape> operator()(const document::ExtrudeRecipe& recipe) const {
+    Result<geometry::Contours> contours = clean(recipe.region);
+    if (!contours) return contours.failure();
+    Result<mesh::TriMesh> mesh = extrude::extrudeRegion(contours.value(), picture, recipe.extrude);
+    return shapeOf(std::move(contours), std::move(mesh));
+  }
+  Result<PartShape> operator()(const document::LatheRecipe& recipe) const {
+    const document::Region& region = recipe.region;
+    Result<lathe::Spun> spun = lathe::spinRegion({region.contours, region.ribbon, region.open}, picture, recipe.lathe);
+    if (!spun) return spun.failure();
+    return shapeOf(std::move(spun.value().silhouette), std::move(spun.value().mesh));
+  }
+};
+
+}  // namespace
+
+Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock) {
+  const double started = clock ? clock() : 0;
   try {
-    Result<geometry::Contours> clean = geometry::cleanRegion(
-        region.contours, region.ribbon, {static_cast<double>(picture.width), static_cast<double>(picture.height)});
-    if (!clean) return clean.failure();
-    Result<mesh::TriMesh> solid = make(clean.value());
-    if (!solid) return solid.failure();
-    PartShape shape;
-    shape.contours = std::move(clean).value();
-    shape.mesh = std::move(solid).value();
-    shape.ms.loft = nowMs(clock) - started;
+    Result<PartShape> shape = std::visit(Make{picture}, recipe);
+    if (shape) shape.value().ms.loft = (clock ? clock() : 0) - started;
     return shape;
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
-}
-
-}  // namespace
-
-Result<PartShape> inflateStage(const document::InflateRecipe& recipe, image::Size picture, const Clock& clock) {
-  return regionShape(recipe.region, picture, clock, [&](const geometry::Contours& contours) {
-    return inflate::inflateRegion(contours, picture, recipe.inflate);
-  });
-}
-
-Result<PartShape> extrudeStage(const document::ExtrudeRecipe& recipe, image::Size picture, const Clock& clock) {
-  return regionShape(recipe.region, picture, clock, [&](const geometry::Contours& contours) {
-    return extrude::extrudeRegion(contours, picture, recipe.extrude);
-  });
 }
 
 }  // namespace spineloft::pipeline

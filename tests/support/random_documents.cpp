@@ -316,12 +316,22 @@ Region anyRegion(Rng& rng, const Document& d) {
     }
   }
   if (rng.below(4) == 0) region.ribbon = rng.uniform(0, 12);
+  region.open = rng.below(4) == 0;
   if (rng.below(15) == 0) region.contours[0].clear();
   if (rng.below(15) == 0) region.contours.clear();
   return region;
 }
 
 RegionSolid anySolid(Rng& rng) {
+  if (rng.below(3) == 0) {
+    const auto place = [&] { return PicturePoint{rng.uniform(0, kWidth), rng.uniform(0, kHeight)}; };
+    return lathe::LatheParams{place(),
+                              place(),
+                              rng.uniform(5, 370),
+                              static_cast<int>(rng.below(140)),
+                              rng.below(2) == 0 ? 0 : rng.uniform(-0.02, 0.25),
+                              rng.uniform(0.05, 4.2)};
+  }
   if (rng.below(2) == 0) {
     return inflate::InflateParams{rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)),
                                   static_cast<int>(rng.below(900))};
@@ -337,6 +347,10 @@ struct Make<DrawRegion> {
 template <>
 struct Make<RedrawRegion> {
   static RedrawRegion from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyRegion(rng, d)}; }
+};
+template <>
+struct Make<RemakePart> {
+  static RemakePart from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyRegion(rng, d), anySolid(rng)}; }
 };
 template <>
 struct Make<ShapeRegion> {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "engine/geometry/region.h"
 #include "web/commands/commands.h"
 
 namespace spineloft::app {
@@ -61,6 +62,9 @@ Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, cons
 /// Hands the shelf to the shell, which keeps it.
 void sendShelf(const CommandEnv& env);
 
+/// The outlines in the picture of what is made of a region; so that what cannot be shown is refused before it is kept.
+Result<geometry::Contours> outlinesFor(const CommandEnv& env, const document::Recipe& recipe);
+
 /// How a new part comes to stand.
 struct Standing {
   std::vector<document::Action> actions;  ///< one step
@@ -86,7 +90,7 @@ const document::Part* partOf(const CommandEnv& env, const Json& args);
 const document::Part* loftPartOf(const CommandEnv& env, const Json& args);
 
 // What commands need. A part is selected; it is a loft (has a spine, ribs and sections); one of its ribs is chosen; it
-// stands in a pose; it is a puff or a flat piece; it is in a group. More than one part is in hand. A solid is chosen;
+// stands in a pose; it is made of a region; it is in a group. More than one part is in hand. A solid is chosen;
 // there is something to scoop out.
 bool partIsSelected(const CommandEnv& env);
 bool spineIsSelected(const CommandEnv& env);

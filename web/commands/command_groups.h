@@ -10,6 +10,7 @@ namespace spineloft::app {
 std::span<const Command> generalCommands();       ///< board, parts, views: command_table.cpp
 std::span<const Command> ribCommands();           ///< editing ribs, ignoring edges: rib_commands.cpp
 std::span<const Command> regionCommands();        ///< puffs and flat pieces: region_commands.cpp
+std::span<const Command> latheCommands();         ///< spun parts: lathe_commands.cpp
 std::span<const Command> cutCommands();           ///< cutting out of the picture: cut_commands.cpp
 std::span<const Command> outlineCommands();       ///< points of outlines by keys: outline_commands.cpp
 std::span<const Command> spineCommands();         ///< moving and posing spines: bone_commands.cpp

@@ -16,9 +16,9 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands, ribCommands,     regionCommands,       cutCommands,    outlineCommands,
-                                spineCommands,   sectionCommands, sectionBoardCommands, sketchCommands, placeCommands,
-                                lookCommands,    sizeCommands,    solidCommands,        keepCommands};
+constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,  latheCommands,        cutCommands,
+                                outlineCommands, spineCommands, sectionCommands, sectionBoardCommands, sketchCommands,
+                                placeCommands,   lookCommands,  sizeCommands,    solidCommands,        keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;

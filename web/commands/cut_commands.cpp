@@ -154,7 +154,7 @@ Outcome begin(Env env, Begin wanted) {
 /// Begins to show what is cut out, for marks to correct.
 Outcome show(Env env, Begin wanted) {
   if (Outcome done = begin(env, std::move(wanted)); !done) return done;
-  if (env.ui.tool != ToolKind::Inflate && env.ui.tool != ToolKind::Extrude) env.ui.tool = ToolKind::Inflate;
+  if (!cutsOut(env.ui.tool)) env.ui.tool = ToolKind::Inflate;
   sendStatus(env.host, "Draw over what is missing; with \"Take away\" over what is too much. Then \"Use this\".");
   return {};
 }
@@ -241,7 +241,7 @@ bool canRedo(Env env) { return hasDraft(env) && !env.ui.cut->undone.empty(); }
 template <CutBy kWay>
 Outcome cutBy(Env env, const Json& args) {
   env.ui.cutBy = args.flag("on").value_or(env.ui.cutBy != kWay) ? kWay : CutBy::Outline;
-  if (env.ui.tool != ToolKind::Inflate && env.ui.tool != ToolKind::Extrude) env.ui.tool = ToolKind::Inflate;
+  if (!cutsOut(env.ui.tool)) env.ui.tool = ToolKind::Inflate;
   env.ui.redraw = {};
   env.ui.focus = Focus::Picture;
   if (env.ui.cutBy == CutBy::Box) sendStatus(env.host, "Drag a box round the thing: it is cut out.");
@@ -317,7 +317,7 @@ void settleCut(const CommandEnv& env) {
   if (!env.ui.cut) return;
   const CutDraft& draft = *env.ui.cut;
   const document::Document& document = env.studio.document();
-  const bool tool = draft.atOnce || env.ui.tool == ToolKind::Inflate || env.ui.tool == ToolKind::Extrude;
+  const bool tool = draft.atOnce || cutsOut(env.ui.tool);
   const bool gone =
       !document::findPicture(document, draft.picture) || (draft.part && !document::findPart(document, draft.part));
   if (gone || !tool || env.ui.picture != draft.picture || env.ui.sections.board) closeCut(env);

@@ -85,12 +85,14 @@ Outcome ignoreForPicture(const CommandEnv& env, PictureId picture, const ribs::I
 /// A scribble by its number in marksOf.
 Outcome removeIgnored(const CommandEnv& env, std::size_t mark);
 
-// ---- Puffs and flat pieces ---------------------------------------------------------------------------------------
+// ---- Parts made of regions ---------------------------------------------------------------------------------------
 
 /// `lie` as of DrawSpineIntent.
 Outcome drawRegion(const CommandEnv& env, const document::Region& region, const document::RegionSolid& solid, bool lie);
 Outcome redrawRegion(const CommandEnv& env, PartId part, const document::Region& region);
 Outcome moveOutlinePoint(const CommandEnv& env, PartId part, OutlinePoint at, PicturePoint to);
+/// The axis of a spun part, or of the next one. Picture pixels.
+Outcome setAxis(const CommandEnv& env, PartId part, PicturePoint from, PicturePoint to);
 /// Cuts a thing out of the picture in view, shown before it is used. `part` receives its outline; none: a new part.
 Outcome startCutOut(const CommandEnv& env, const vision::CutHints& hints, PartId part);
 /// Corrects what is being cut out.

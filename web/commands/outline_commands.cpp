@@ -1,8 +1,7 @@
-// Commands about single points of the outline of a puff or a flat piece, for keys.
+// Commands about single points of the outline of what is made of a region, for keys.
 #include <array>
 #include <string>
 
-#include "engine/geometry/region.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
@@ -24,8 +23,7 @@ const document::Part* shownRegion(Env env) {
       part != nullptr && document::regionOf(part->recipe) != nullptr && document::pictureOf(*part) == env.ui.picture;
   return shown ? part : nullptr;
 }
-bool regionTool(Env env) { return env.ui.tool == ToolKind::Inflate || env.ui.tool == ToolKind::Extrude; }
-bool byKeys(Env env) { return regionTool(env) && !env.ui.cut && shownRegion(env) != nullptr; }
+bool byKeys(Env env) { return drawsRegions(env.ui.tool) && !env.ui.cut && shownRegion(env) != nullptr; }
 bool pointByKeys(Env env) { return byKeys(env) && env.ui.chosen.outline && env.ui.focus == Focus::Picture; }
 
 Outcome step(Env env, int by) {
@@ -46,12 +44,10 @@ Outcome previous(Env env, const Json&) { return step(env, -1); }
 
 /// The region with this outline, if a solid can be made of it. Keys one after the other are one step.
 Outcome change(Env env, document::Region region, const std::string& burst) {
-  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
-  if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
-  const auto clean =
-      geometry::cleanRegion(region.contours, region.ribbon,
-                            {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
-  if (!clean) return refuse(clean.failure());
+  document::Recipe recipe = shownRegion(env)->recipe;
+  *document::regionOf(recipe) = region;
+  const auto outlines = outlinesFor(env, recipe);
+  if (!outlines) return refuse(outlines.failure());
   const document::Action action = document::RedrawRegion{env.ui.selection, std::move(region)};
   return outcomeOf(env.studio.act({&action, 1}, burst));
 }
@@ -89,7 +85,7 @@ Outcome remove(Env env, const Json&) {
   const OutlinePoint at = *env.ui.chosen.outline;
   std::optional<document::Region> left = withoutPoint(region, at);
   if (!left) {
-    return Refusal{"NotNow", "An outline keeps at least three points. Delete the part instead."};
+    return Refusal{"NotNow", "An outline keeps at least three points, an open line two. Delete the part instead."};
   }
   const std::optional<OutlinePoint> before = neighbourHandle(region, at, -1);
   if (Outcome done = change(env, std::move(*left), {}); !done) return done;

@@ -289,15 +289,29 @@ Outcome newPart(Env env, const Json&) {
   return {};
 }
 
+/// That draws parts of a kind.
+ToolKind toolFor(document::PartKind kind) {
+  switch (kind) {
+    case document::PartKind::Inflate:
+      return ToolKind::Inflate;
+    case document::PartKind::Extrude:
+      return ToolKind::Extrude;
+    case document::PartKind::Lathe:
+      return ToolKind::Spin;
+    case document::PartKind::Loft:
+    case document::PartKind::kCount:
+      break;
+  }
+  return ToolKind::Draw;
+}
+
 Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   env.ui.pointsOf = {};
   if (!env.ui.redraw) return {};
-  env.ui.tool = document::inflateOf(*part)   ? ToolKind::Inflate
-                : document::extrudeOf(*part) ? ToolKind::Extrude
-                                             : ToolKind::Draw;
+  env.ui.tool = toolFor(document::kindOf(*part));
   featureAt(env.ui, document::pictureOf(*part));
   sendStatus(env.host, words::tr("Draw the new line of {name}.", {{"name", words::nameOf(part->name)}}));
   return {};

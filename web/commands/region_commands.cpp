@@ -1,12 +1,12 @@
-// Commands about puffs and flat pieces.
+// Commands about parts made of regions: drawing them anew, and puffs and flat pieces.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 #include <variant>
 
 #include "engine/document/checks.h"
 #include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
 #include "engine/geometry/region.h"
 #include "engine/io/json_fields.h"
 #include "web/commands/command_actions.h"
@@ -26,7 +26,7 @@ bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool inflateTool(Env env) { return env.ui.tool == ToolKind::Inflate; }
 bool extrudeTool(Env env) { return env.ui.tool == ToolKind::Extrude; }
 
-/// The puff or flat piece that is meant, or null.
+/// The part made of a region that is meant, or null.
 const document::Part* regionPart(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
@@ -90,9 +90,36 @@ bool crossesItself(const document::Region& region, const geometry::Contours& mad
   return std::abs(round - left) > kLoop * left;
 }
 
+/// The same of a profile: what crosses the axis is cut off there, and what a line goes round twice is left hollow.
+void reportProfile(Env env, const document::Region& region, const lathe::LatheParams& params) {
+  constexpr double kSlip = 0.02;  // of the axis: less is a hand on it
+  const PicturePoint along = params.axisTo - params.axisFrom;
+  double least = 0, most = 0;
+  for (const auto& contour : region.contours) {
+    for (const PicturePoint p : contour) {
+      const double aside = cross(along, p - params.axisFrom) / dot(along, along);
+      least = std::min(least, aside);
+      most = std::max(most, aside);
+    }
+  }
+  const bool crosses =
+      std::ranges::any_of(region.contours, [](const auto& line) { return geometry::findCrossing(line).has_value(); });
+  if (crosses) {
+    sendHint(env.host,
+             "Your line crosses itself: what it goes round twice is hollow. Undo, and draw it without a loop.");
+  } else if (least < -kSlip && most > kSlip) {
+    sendStatus(env.host, "What lies beyond the dashed line is cut off.");
+  }
+}
+
 /// Says so when a part of what was drawn is cut off, or when a line went round more than it seems: `made` is what is
 /// left of it.
-void reportChanges(Env env, const document::Region& region, const geometry::Contours& made) {
+void reportChanges(Env env, const document::Recipe& recipe, const geometry::Contours& made) {
+  const document::Region& region = *document::regionOf(recipe);
+  if (const auto* spun = std::get_if<document::LatheRecipe>(&recipe)) {
+    reportProfile(env, region, spun->lathe);
+    return;
+  }
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
   if (entry == nullptr) return;
   const double room = 1;  // pixels: less is a hand at the edge
@@ -108,15 +135,6 @@ void reportChanges(Env env, const document::Region& region, const geometry::Cont
   if (!crossesItself(region, made)) return;
   sendHint(env.host,
            "Your line crosses itself: that makes more than one piece, or a hole. Undo, and go round once for one.");
-}
-
-/// The outlines of which a solid will be made; so that what cannot be shown is refused before it is kept.
-Result<geometry::Contours> outlinesOf(Env env, const document::Region& region) {
-  const document::PictureEntry* entry = document::findPicture(env.studio.document(), region.picture);
-  if (entry == nullptr) return Error::NoSuchPicture;
-  if (Status drawn = document::checkRegion(env.studio.document(), region); !drawn) return drawn.failure();
-  return geometry::cleanRegion(region.contours, region.ribbon,
-                               {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
 }
 
 Result<inflate::InflateParams> inflateFrom(const Json& args, inflate::InflateParams params) {
@@ -219,7 +237,10 @@ bool isInflated(Env env) {
   const document::Part* part = regionPart(env, {});
   return part != nullptr && document::inflateOf(*part) != nullptr;
 }
-bool isExtruded(Env env) { return hasRegion(env) && !isInflated(env); }
+bool isExtruded(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part != nullptr && document::extrudeOf(*part) != nullptr;
+}
 Outcome makeInflated(Env env, const Json& args) {
   if (regionPart(env, args) == nullptr) return noRegion(env, args);
   return shapeInflate(env, args, [](inflate::InflateParams&) {});
@@ -238,6 +259,7 @@ Outcome notch(Env env, const Json& args, double factor) {
       params.height = std::clamp(params.height * factor, inflate::kLeastHeight, inflate::kMostHeight);
     });
   }
+  if (document::extrudeOf(*part) == nullptr) return refuse({Error::NotARegion, {}});
   return shapeExtrude(env, args, [&](extrude::ExtrudeParams& params) {
     params.thickness = std::clamp(params.thickness * factor, extrude::kLeastThickness, extrude::kMostThickness);
   });
@@ -299,23 +321,35 @@ constexpr std::array kTable = {
 
 bool regionIsSelected(const CommandEnv& env) { return regionPart(env, {}) != nullptr; }
 
+Result<geometry::Contours> outlinesFor(Env env, const document::Recipe& recipe) {
+  const document::Document& document = env.studio.document();
+  const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(recipe));
+  if (entry == nullptr) return Error::NoSuchPicture;
+  if (Status drawn = document::checkDrawn(document, recipe); !drawn) return drawn.failure();
+  if (std::holds_alternative<document::LatheRecipe>(recipe)) {
+    Result<pipeline::PartShape> spun = pipeline::regionStage(recipe, entry->size);
+    if (!spun) return spun.failure();
+    return std::move(spun.value().contours);
+  }
+  const document::Region* region = document::regionOf(recipe);
+  if (region == nullptr) return Error::NotARegion;
+  return geometry::cleanRegion(region->contours, region->ribbon,
+                               {static_cast<double>(entry->size.width), static_cast<double>(entry->size.height)});
+}
+
 Outcome drawRegion(Env env, const document::Region& region, const document::RegionSolid& solid, bool lie) {
-  const Result<geometry::Contours> made = outlinesOf(env, region);
+  const document::Recipe recipe = document::recipeOf(region, solid);
+  const Result<geometry::Contours> made = outlinesFor(env, recipe);
   if (!made) return refuse(made.failure());
-  const document::DrawRegion draw{region, solid, env.ui.look};
-  const document::Recipe recipe = std::visit(
-      [&]<class Params>(const Params& params) -> document::Recipe {
-        if constexpr (std::is_same_v<Params, inflate::InflateParams>) {
-          return document::InflateRecipe{region, params};
-        } else {
-          return document::ExtrudeRecipe{region, params};
-        }
-      },
-      solid);
-  const Standing standing = standingActions(env, draw, recipe, lie);
+  const Standing standing = standingActions(env, document::DrawRegion{region, solid, env.ui.look}, recipe, lie);
   const Status status = env.studio.act(standing.actions);
   if (!status) return refuse(status.failure());
-  reportChanges(env, region, made.value());
+  reportChanges(env, recipe, made.value());
+  if (const auto* spun = std::get_if<lathe::LatheParams>(&solid)) {
+    env.ui.lathe.axisFrom = spun->axisFrom;
+    env.ui.lathe.axisTo = spun->axisTo;
+    env.ui.axisOf = region.picture;
+  }
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
@@ -327,10 +361,13 @@ Outcome drawRegion(Env env, const document::Region& region, const document::Regi
 Outcome redrawRegion(Env env, PartId id, const document::Region& region) {
   const document::Part* part = document::findPart(env.studio.document(), id);
   if (part == nullptr) return noPart();
-  if (document::regionOf(part->recipe) == nullptr) return refuse({Error::NotARegion, {}});
-  const Result<geometry::Contours> made = outlinesOf(env, region);
+  document::Recipe recipe = part->recipe;
+  document::Region* own = document::regionOf(recipe);
+  if (own == nullptr) return refuse({Error::NotARegion, {}});
+  *own = region;
+  const Result<geometry::Contours> made = outlinesFor(env, recipe);
   if (!made) return refuse(made.failure());
-  reportChanges(env, region, made.value());
+  reportChanges(env, recipe, made.value());
   const Status status = env.studio.act(document::RedrawRegion{id, region});
   if (!status) return refuse(status.failure());
   env.ui.selection = id;

@@ -1,6 +1,7 @@
 #include "web/commands/state_json.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "engine/document/params.h"
@@ -13,6 +14,7 @@
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
 #include "web/edit/solid_editing.h"
+#include "web/edit/spinning.h"
 
 namespace spineloft::app {
 namespace {
@@ -112,7 +114,7 @@ void writeRibs(JsonWriter& json, const ribs::RibSet& set) {
   json.endArray();
 }
 
-/// Of puffs and flat pieces: the region as drawn and as cleaned, and their numbers.
+/// Of what is made of a region: it as drawn and as cleaned, and their numbers.
 void writeRegion(JsonWriter& json, const document::Part& part, const pipeline::PartShape* shape) {
   const document::Region* region = document::regionOf(part.recipe);
   if (region == nullptr) return;
@@ -125,6 +127,10 @@ void writeRegion(JsonWriter& json, const document::Part& part, const pipeline::P
   }
   if (const document::ExtrudeRecipe* extrude = document::extrudeOf(part)) {
     json.key("edge").text(io::keyOf(extrude->extrude.edge));
+  }
+  if (const document::LatheRecipe* spun = document::latheOf(part)) {
+    json.key("open").flag(region->open);
+    writeLine(json, "axis", std::array{spun->lathe.axisFrom, spun->lathe.axisTo});
   }
 }
 
@@ -386,6 +392,9 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   json.key("selection");
   ui.selection ? json.number(ui.selection.value) : json.null();
   json.key("tool").text(toolKey(ui.tool));
+  json.key("axis");
+  const std::optional<ShownAxis> axis = shownAxis(document, ui);
+  axis ? writeLine(json, std::array{axis->from, axis->to}) : static_cast<void>(json.null());
   json.key("modes").beginArray();
   for (const Mode* mode : modes()) {
     if (mode->open(env)) json.text(mode->name);

@@ -22,8 +22,7 @@ void takePoints(UiState& ui, const document::Part& part) {
 }
 
 const document::Part* partWithPoints(const document::Document& document, const UiState& ui) {
-  const bool tool = ui.tool == ToolKind::Inflate || ui.tool == ToolKind::Extrude;
-  if (!tool || ui.cut || ui.redraw || !ui.pointsOf || ui.pointsOf != ui.selection) return nullptr;
+  if (!drawsRegions(ui.tool) || ui.cut || ui.redraw || !ui.pointsOf || ui.pointsOf != ui.selection) return nullptr;
   const document::Part* part = document::findPart(document, ui.pointsOf);
   const document::Region* region = part ? document::regionOf(part->recipe) : nullptr;
   return region != nullptr && region->picture == ui.picture ? part : nullptr;
@@ -38,7 +37,7 @@ std::vector<OutlinePoint> outlineHandles(const document::Region& region) {
       for (std::size_t i = 0; i < contour.size(); ++i) handles.push_back({c, i});
       continue;
     }
-    const bool open = region.ribbon > 0;
+    const bool open = region.isOfLines();
     const double step = lengthOf(contour) / static_cast<double>(open ? kHandles - 1 : kHandles);
     double walked = 0, next = 0;
     for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -85,7 +84,7 @@ document::Region withMovedPoint(const document::Region& region, OutlinePoint at,
   }
   const double reach = 1.5 * lengthOf(contour) / static_cast<double>(kHandles);
   const std::size_t n = contour.size();
-  const bool open = region.ribbon > 0;
+  const bool open = region.isOfLines();
   const auto pull = [&](std::size_t i, double away) {
     const double t = away / reach;
     out[i] = contour[i] + by * (t < 1 ? 0.5 + 0.5 * std::cos(3.14159265358979323846 * t) : 0);
@@ -138,7 +137,7 @@ Between between(const document::Region& region, OutlinePoint at) {
   }
   if (own.empty()) return {at.point, at.point};
   const auto next = std::ranges::upper_bound(own, at.point);
-  const bool open = region.ribbon > 0;
+  const bool open = region.isOfLines();
   const std::size_t after = next != own.end() ? *next : open ? at.point : own.front();
   const std::size_t before = next != own.begin() ? *(next - 1) : open ? at.point : own.back();
   return {before, after};
@@ -189,7 +188,7 @@ std::optional<document::Region> withoutPoint(const document::Region& region, Out
   for (std::size_t i = 0; i < n; ++i) {
     if (!goes(i)) kept.push_back(contour[i]);
   }
-  if (kept.size() < (region.ribbon > 0 ? 2u : 3u)) return std::nullopt;
+  if (kept.size() < (region.isOfLines() ? 2u : 3u)) return std::nullopt;
   contour = std::move(kept);
   return left;
 }

@@ -11,7 +11,7 @@ namespace spineloft::app {
 
 /// Takes the points of a part in hand, as a tap on it does; of what has no outline there are none.
 void takePoints(UiState& ui, const document::Part& part);
-/// The puff or flat piece whose points are shown and dragged: nobody draws anything else just now; null: none.
+/// The part made of a region whose points are shown and dragged: nobody draws anything else just now; null: none.
 const document::Part* partWithPoints(const document::Document& document, const UiState& ui);
 
 /// The points of a region that a hand can drag: a few along each outline, at its corners and between.

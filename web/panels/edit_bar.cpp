@@ -35,8 +35,8 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
   static constexpr Item kRibs[] = {{"add-rib", true}, {"delete-rib", true}, {"lock-rib", true}, {"reset-rib"},
                                    {"reach-less"},    {"reach-more"},       {"fewer-ribs"},     {"more-ribs"}};
   static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
-  static constexpr Item kSpineLine[] = {{"find-edges", true}, {"keep-ribs", true}, {"side-view", true},
-                                        {"coil", true},       {"join-ends", true}, {"reset-pose", true}};
+  static constexpr Item kSpineLine[] = {{"find-edges", true}, {"keep-ribs", true},  {"side-view", true}, {"coil", true},
+                                        {"join-ends", true},  {"reset-pose", true}, {"make-round", true}};
   static constexpr Item kIgnore[] = {{"brush-smaller"},
                                      {"brush-larger"},
                                      {"paint-over", true},
@@ -57,8 +57,7 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
                                     {"edge-round", true}};
   static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
   static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
-  const bool draws =
-      ui.tool == app::ToolKind::Draw || ui.tool == app::ToolKind::Inflate || ui.tool == app::ToolKind::Extrude;
+  const bool draws = ui.tool == app::ToolKind::Draw || app::drawsRegions(ui.tool);
   if (draws && !ui.cut && !ui.preview && app::partIsNew(env.env)) return kNew;
   switch (ui.tool) {
     case app::ToolKind::Inflate:

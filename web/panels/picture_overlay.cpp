@@ -12,6 +12,7 @@
 #include "web/edit/outline.h"
 #include "web/edit/preview.h"
 #include "web/edit/region_editing.h"
+#include "web/edit/spinning.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -107,7 +108,7 @@ void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
   if (hot) list.AddCircle(at, 10.5f, colour, 28, 1.6f);
 }
 
-/// The outlines of a puff or a flat piece; before there is a solid, as they were drawn.
+/// The outlines of what is made of a region; before there is a solid, as they were drawn.
 void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& part,
                 const std::vector<std::vector<PicturePoint>>& contours) {
   const app::UiState& ui = env.ui();
@@ -303,7 +304,7 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
     list.AddRectFilled(low, high, faded(kHalo, 50));
     list.AddRect(low, high, faded(kHalo, 220), 2, 0, 4.5f);
     list.AddRect(low, high, toolColour(ui.tool), 2, 0, 2.2f);
-  } else if (ui.cut || (hand.radius > 0 && (ui.tool == app::ToolKind::Inflate || ui.tool == app::ToolKind::Extrude))) {
+  } else if (ui.cut || (hand.radius > 0 && app::cutsOut(ui.tool))) {
     drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(!ui.cut || ui.cut->adding, 130));
   } else if (hand.radius > 0) {
     drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
@@ -358,6 +359,30 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
   }
 }
 
+/// The axis of the tool that turns things round, with the ends that a hand can drag, and the mirror image of the line
+/// in hand.
+void drawAxis(ImDrawList& list, const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const std::optional<app::ShownAxis> axis = app::shownAxis(env.document(), ui);
+  if (!axis) return;
+  const ImU32 colour = toolColour(ui.tool);
+  const PicturePoint along = axis->to - axis->from;
+  styledLine(list, onCanvas(ui, axis->from), onCanvas(ui, axis->to), {rgb(0xffffff, 200), 5.f, LineStyle::Solid});
+  styledLine(list, onCanvas(ui, axis->from), onCanvas(ui, axis->to), {colour, 2.f, LineStyle::Dashed});
+  if (!ui.inHand.stroke.empty() && dot(along, along) > 0) {
+    static std::vector<PicturePoint> image;  // reused from frame to frame
+    image.clear();
+    for (const PicturePoint p : ui.inHand.stroke) {
+      const PicturePoint foot = axis->from + along * (dot(p - axis->from, along) / dot(along, along));
+      image.push_back(foot * 2 - p);
+    }
+    picturePolyline(list, ui, image, {rgb(0xffffff, 160), 4.5f, LineStyle::Solid});
+    picturePolyline(list, ui, image, {colour, 2.f, LineStyle::Solid});
+  }
+  grabDot(list, onCanvas(ui, axis->from), colour, ui.hover.axis == 0);
+  grabDot(list, onCanvas(ui, axis->to), colour, ui.hover.axis == 1);
+}
+
 void drawPreview(ImDrawList& list, const app::UiState& ui) {
   if (!ui.preview || ui.tool != app::ToolKind::Draw) return;
   if (ui.preview->shape && !ui.preview->part) drawRibs(list, ui, {ui.preview->shape->shown});
@@ -373,6 +398,7 @@ void drawPictureOverlay(const PanelEnv& env) {
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
   if (env.ui().tool == app::ToolKind::Ignore) drawMarks(list, env);
   drawParts(list, env);
+  drawAxis(list, env);
   drawPreview(list, env.ui());
   drawCut(list, env.ui());
   drawInHand(list, env.ui());

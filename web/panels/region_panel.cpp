@@ -1,7 +1,8 @@
-// The numbers of a puff or a flat piece, in the place of the section.
+// The numbers of what is made of a region, in the place of the section.
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "engine/document/params.h"
@@ -51,24 +52,40 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   env.sink.run(app::setParameter, app::selectedParts(env.document(), env.ui()), std::string(info.key), chosen);
 }
 
+/// The ways of a kind that are chosen by pictures: none, or three.
+std::span<const app::CommandId> tilesFor(document::PartKind kind) {
+  static constexpr app::CommandId kSides[] = {"puff-both", "puff-front", "puff-back"},
+                                  kEdges[] = {"edge-sharp", "edge-bevel", "edge-round"};
+  switch (kind) {
+    case document::PartKind::Inflate:
+      return kSides;
+    case document::PartKind::Extrude:
+      return kEdges;
+    case document::PartKind::Lathe:
+    case document::PartKind::Loft:
+    case document::PartKind::kCount:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
-  const bool isInflated = document::inflateOf(part) != nullptr;
   constexpr float kGap = 6;
   const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 44.f : 54.f;
-  constexpr app::CommandId kSides[] = {"puff-both", "puff-front", "puff-back"},
-                           kEdges[] = {"edge-sharp", "edge-bevel", "edge-round"};
-  for (int i = 0; i < 3; ++i) {
+  const std::span<const app::CommandId> tiles = tilesFor(document::kindOf(part));
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, kGap);
-    commandTile(env, isInflated ? kSides[i] : kEdges[i], {each, height});
+    commandTile(env, tiles[i], {each, height});
   }
   const auto table = document::paramTable(document::kindOf(part));
   for (const document::ParamInfo& info : table) {
     if (!info.forFew) slider(env, part, info, width);
   }
-  const app::CommandId other = isInflated ? app::CommandId("make-sheet") : app::CommandId("make-puff");
+  const app::CommandId other = document::inflateOf(part) ? app::CommandId("make-sheet") : app::CommandId("make-puff");
   wordButton(env, {other, width, buttonSide(env), kAccent});
+  if (!document::latheOf(part)) wordButton(env, {"make-round", width, buttonSide(env), kAccent});
   if (std::ranges::none_of(table, &document::ParamInfo::forFew)) return;
   bool& more = env.ui().moreNumbers;
   const char* text = more ? "Less about this" : "More about this";

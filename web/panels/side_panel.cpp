@@ -58,13 +58,16 @@ Text forParts(const PanelEnv& env, const char* text) {
   return asIs(words::tr("{what} of {n} parts", {{"what", words::tr(text)}, {"n", count}}));
 }
 
-/// The selected part when it is a puff or a flat piece, else null.
+/// The selected part when it is made of a region, else null.
 const document::Part* selectedRegion(const PanelEnv& env) {
   const document::Part* part = env.selected();
   return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
 }
 
-const char* titleOf(const document::Part& region) { return document::inflateOf(region) ? "Puff" : "Flat piece"; }
+const char* titleOf(const document::Part& region) {
+  if (document::latheOf(region)) return "Spin";
+  return document::inflateOf(region) ? "Puff" : "Flat piece";
+}
 
 /// Few panels at first: before the first part there is nothing to set, and curves and numbers come with all tools.
 bool isOffered(const PanelEnv& env, app::PanelTab tab) {

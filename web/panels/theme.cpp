@@ -47,6 +47,7 @@ ImU32 toolColour(app::ToolKind tool) {
       return kSpine;
     case app::ToolKind::Inflate:
     case app::ToolKind::Extrude:
+    case app::ToolKind::Spin:
       return rgb(0x8a4bc9);
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);

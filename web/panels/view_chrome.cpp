@@ -226,7 +226,8 @@ const char* hintFor(const PanelEnv& env) {
   }
   const document::Part* part = env.selected();
   const app::ToolKind tool = env.ui().tool;
-  const bool regionTool = (tool == app::ToolKind::Inflate || tool == app::ToolKind::Extrude) && !env.ui().cut;
+  const bool regionTool = app::drawsRegions(tool) && !env.ui().cut;
+  if (tool == app::ToolKind::Spin && !part && !drawing) return "Draw one side of a thing beside the dashed line";
   const bool told = env.ui().pointsKnown || env.ui().redraw || drawing;
   if (regionTool && !told && part && document::regionOf(part->recipe)) return "Tap the part to change its outline";
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
@@ -280,13 +281,13 @@ void drawViewChrome(const PanelEnv& env) {
     chip(env, layout.solid, solid, !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
-  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "hand", "fit"};
+  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "spin", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
-  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",         "bone", "sheet",
-                                            "shape", "hand", "ignore-edges", "fit"};
-  constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "hand",     "ribs",   "shape",
-                                            "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
+  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs", "bone",         "sheet",
+                                            "shape", "spin", "hand", "ignore-edges", "fit"};
+  constexpr app::CommandId kPictureAll[] = {"draw",  "puff", "sheet",        "spin", "hand",     "ribs",
+                                            "shape", "bone", "ignore-edges", "fit",  "zoom-out", "zoom-in"};
   constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
   constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const app::CommandId>;

@@ -79,8 +79,8 @@ export interface Placement {
 export interface Part {
   id: number;
   name: string;
-  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece. */
-  kind: 'loft' | 'puff' | 'sheet';
+  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece, 'lathe' = a line turned about an axis. */
+  kind: 'loft' | 'puff' | 'sheet' | 'lathe';
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
   /** All slices along the bone, in order. */
@@ -226,8 +226,10 @@ export interface State {
   selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move' */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin' */
   tool: string;
+  /** The ends of the dashed line of the tool 'spin', picture pixels. */
+  axis: PicturePoint[] | null;
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */

@@ -57,6 +57,7 @@ const kBeforeReady: State = {
   },
   selection: null,
   tool: 'draw',
+  axis: null,
   undo: 0,
   redo: 0,
   history: { bytes: 0, budget: 0 },

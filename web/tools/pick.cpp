@@ -9,6 +9,7 @@
 #include "web/edit/placing.h"
 #include "web/edit/region_editing.h"
 #include "web/edit/section_editing.h"
+#include "web/edit/spinning.h"
 #include "web/tools/place_tool.h"
 
 namespace spineloft::tools {
@@ -102,9 +103,11 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = editedPart(env);
   if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
-  } else if (ui.tool == ToolKind::Inflate || ui.tool == ToolKind::Extrude) {
+  } else if (app::drawsRegions(ui.tool)) {
     const document::Part* part = app::partWithPoints(env.document, ui);
     if (part != nullptr) hover.outline = app::handleAt(*document::regionOf(part->recipe), p, reach);
+    const std::optional<app::ShownAxis> axis = app::shownAxis(env.document, ui);
+    if (axis && !hover.outline) hover.axis = app::axisEndAt(*axis, p, reach);
   } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
     pickRib(subject, ui, p, reach, hover);
   } else if (subject && ui.tool == ToolKind::Spine) {
@@ -164,8 +167,9 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
       return hover.spine ? "move" : "crosshair";
     case ToolKind::Inflate:
     case ToolKind::Extrude:
+    case ToolKind::Spin:
       if (ui.cut) return "cell";
-      return hover.outline ? "grab" : "crosshair";
+      return hover.outline || hover.axis >= 0 ? "grab" : "crosshair";
     case ToolKind::Ignore:
       return hover.mark >= 0 ? "pointer" : "cell";
     default:

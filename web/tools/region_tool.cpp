@@ -21,18 +21,26 @@ std::vector<PicturePoint> thinned(const std::vector<PicturePoint>& stroke) {
   return out;
 }
 
-document::Recipe previewRecipe(const app::UiState& ui, document::Region region) {
-  if (ui.tool == app::ToolKind::Extrude) return document::ExtrudeRecipe{std::move(region), ui.extrude};
-  inflate::InflateParams inflate = ui.inflate;
-  inflate.points = std::min(inflate.points, kPreviewPoints);
-  return document::InflateRecipe{std::move(region), inflate};
+/// What a line becomes with the tool in use: of the part that is drawn again, or of a new one.
+struct Drawn {
+  document::Region region;
+  document::RegionSolid solid;
+};
+Drawn drawnBy(const ToolEnv& env, const document::PictureEntry& entry, const std::vector<PicturePoint>& line) {
+  const app::UiState& ui = env.ui;
+  if (ui.tool == app::ToolKind::Spin) {
+    return {app::profileOfLine(entry.id, line, entry.size), app::nextLathe(env.document, ui)};
+  }
+  const document::Region region = app::regionOfLine(entry.id, line, entry.size);
+  if (ui.tool == app::ToolKind::Extrude) return {region, ui.extrude};
+  return {region, ui.inflate};
 }
 
 }  // namespace
 
-RegionTool::Way RegionTool::wayOf(app::CutBy by) {
-  if (by == app::CutBy::Box) return Way::Box;
-  return by == app::CutBy::Scribble ? Way::Scribble : Way::Outline;
+RegionTool::Way RegionTool::wayOf(const app::UiState& ui) {
+  if (!app::cutsOut(ui.tool) || ui.cutBy == app::CutBy::Outline) return Way::Outline;
+  return ui.cutBy == app::CutBy::Box ? Way::Box : Way::Scribble;
 }
 
 void RegionTool::begin(const ToolEnv& env, const ToolEvent& event) {
@@ -40,7 +48,10 @@ void RegionTool::begin(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInPicture(env, event);
   grabbed_ = under.outline;
   part_ = env.ui.selection;
-  way_ = env.ui.cut ? Way::Mark : grabbed_ ? Way::Point : wayOf(env.ui.cutBy);
+  end_ = under.axis;
+  axis_ = app::shownAxis(env.document, env.ui);
+  before_ = {env.ui.lathe, env.ui.axisOf};
+  way_ = env.ui.cut ? Way::Mark : grabbed_ ? Way::Point : axis_ && end_ >= 0 ? Way::Axis : wayOf(env.ui);
   if (way_ == Way::Mark) mark(env, event);
 }
 
@@ -49,6 +60,7 @@ void RegionTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (way_ == Way::Mark) mark(env, event);
   if (!watch_.moved()) return;
   if (way_ == Way::Point) drag(env, event);
+  if (way_ == Way::Axis) swing(env, event);
   if (way_ == Way::Box) span(env, event);
   if (way_ == Way::Scribble) scribble(env, event);
   if (way_ == Way::Outline) draw(env, event);
@@ -82,6 +94,24 @@ void RegionTool::drag(const ToolEnv& env, const ToolEvent& event) {
   preview.fresh = false;
 }
 
+/// An end of the axis follows the pointer, and the part with it.
+void RegionTool::swing(const ToolEnv& env, const ToolEvent& event) {
+  axis_ = app::withMovedEnd(*axis_, end_, toPicture(env, event.at));
+  const document::Part* part = document::findPart(env.document, axis_->part);
+  if (part == nullptr) {
+    env.ui.lathe.axisFrom = axis_->from;
+    env.ui.lathe.axisTo = axis_->to;
+    env.ui.axisOf = env.ui.picture;
+    return;
+  }
+  app::Preview& preview = app::previewPart(env.ui, *part);
+  auto* spun = std::get_if<document::LatheRecipe>(&preview.recipe);
+  if (spun == nullptr) return;
+  spun->lathe.axisFrom = axis_->from;
+  spun->lathe.axisTo = axis_->to;
+  preview.fresh = false;
+}
+
 void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
   app::InHand& hand = env.ui.inHand;
   if (hand.stroke.empty()) {
@@ -97,7 +127,11 @@ void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
   if (!extend(env, hand.stroke, event.at) || !env.ui.preview) return;
   const document::PictureEntry* entry = document::findPicture(env.document, env.ui.picture);
   if (entry == nullptr) return;
-  env.ui.preview->recipe = previewRecipe(env.ui, app::regionOfLine(entry->id, hand.stroke, entry->size));
+  Drawn drawn = drawnBy(env, *entry, hand.stroke);
+  if (auto* inflate = std::get_if<inflate::InflateParams>(&drawn.solid)) {
+    inflate->points = std::min(inflate->points, kPreviewPoints);
+  }
+  env.ui.preview->recipe = document::recipeOf(drawn.region, drawn.solid);
   env.ui.preview->fresh = false;
 }
 
@@ -106,7 +140,7 @@ void RegionTool::tap(const ToolEnv& env) const {
   const PartId under = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
   if (under) {
     env.sink.run(app::selectPart, under, false);
-  } else {
+  } else if (app::cutsOut(env.ui.tool)) {
     env.sink.run(app::startCutOut, vision::CutHints{{p}, {}, {}, {}}, PartId{});
   }
 }
@@ -124,6 +158,8 @@ void RegionTool::commit(const ToolEnv& env) {
     env.sink.run(app::startCutOut, vision::CutHints{thinned(hand.stroke), {}, {}, {}}, redraw);
   } else if (dragged) {
     env.sink.run(app::moveOutlinePoint, part_, *grabbed_, to_);
+  } else if (way_ == Way::Axis) {
+    if (watch_.moved()) env.sink.run(app::setAxis, axis_->part, axis_->from, axis_->to);
   } else if (hand.stroke.empty()) {
     if (!grabbed_) tap(env);
   } else {
@@ -137,17 +173,19 @@ void RegionTool::drawn(const ToolEnv& env, const std::vector<PicturePoint>& line
   const document::PictureEntry* entry =
       document::findPicture(env.document, redraw ? document::pictureOf(*redraw) : env.ui.picture);
   if (entry == nullptr) return;
-  const document::Region region = app::regionOfLine(entry->id, line, entry->size);
+  const Drawn drawn = drawnBy(env, *entry, line);
   if (redraw != nullptr) {
-    env.sink.run(app::redrawRegion, redraw->id, region);
-  } else if (env.ui.tool == app::ToolKind::Extrude) {
-    env.sink.run(app::drawRegion, region, env.ui.extrude, true);
+    env.sink.run(app::redrawRegion, redraw->id, drawn.region);
   } else {
-    env.sink.run(app::drawRegion, region, env.ui.inflate, true);
+    env.sink.run(app::drawRegion, drawn.region, drawn.solid, true);
   }
 }
 
 void RegionTool::cancel(const ToolEnv& env) {
+  if (way_ == Way::Axis) {
+    env.ui.lathe = before_.lathe;
+    env.ui.axisOf = before_.axisOf;
+  }
   env.ui.preview.reset();
   env.ui.inHand = {};
 }

@@ -1,7 +1,9 @@
-// Puffs and flat pieces: a line round a thing becomes a part, a tap, a box or a scribble cuts the thing out; points
-// of an outline are dragged once the part was tapped. While a thing is being cut out, strokes correct it.
+// Parts made of regions: a line round a thing, or beside an axis, becomes a part; a tap, a box or a scribble cuts the
+// thing out; points of an outline are dragged once the part was tapped, the ends of an axis at any time. While a thing
+// is being cut out, strokes correct it.
 #pragma once
 
+#include "web/edit/spinning.h"
 #include "web/tools/pick.h"
 
 namespace spineloft::tools {
@@ -14,17 +16,25 @@ class RegionTool final : public Tool {
   void cancel(const ToolEnv& env) override;
 
  private:
-  enum class Way { Outline, Point, Box, Scribble, Mark };
-  static Way wayOf(app::CutBy by);
+  enum class Way { Outline, Point, Axis, Box, Scribble, Mark };
+  static Way wayOf(const app::UiState& ui);
   void tap(const ToolEnv& env) const;
   void drawn(const ToolEnv& env, const std::vector<PicturePoint>& line) const;
   void drag(const ToolEnv& env, const ToolEvent& event);
+  void swing(const ToolEnv& env, const ToolEvent& event);
   void draw(const ToolEnv& env, const ToolEvent& event);
   void mark(const ToolEnv& env, const ToolEvent& event) const;
   void scribble(const ToolEnv& env, const ToolEvent& event) const;
   void span(const ToolEnv& env, const ToolEvent& event) const;
   DragWatch watch_;
   std::optional<app::OutlinePoint> grabbed_;
+  int end_ = -1;  ///< of the axis
+  std::optional<app::ShownAxis> axis_;
+  /// The axis of the next part before the gesture.
+  struct Next {
+    lathe::LatheParams lathe;
+    PictureId axisOf;
+  } before_;
   Way way_ = Way::Outline;
   PartId part_;  ///< whose point it is
   PicturePoint to_{};

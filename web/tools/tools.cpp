@@ -29,6 +29,7 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
       return std::make_unique<IgnoreTool>();
     case ToolKind::Inflate:
     case ToolKind::Extrude:
+    case ToolKind::Spin:
       return std::make_unique<RegionTool>();
     case ToolKind::Pen:
     case ToolKind::Eraser:

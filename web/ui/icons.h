@@ -17,6 +17,7 @@ inline constexpr std::array kIcons = {
     Icon{"cloud", 57480},
     Icon{"puzzle", 58012},
     Icon{"lasso", 57806},
+    Icon{"wine", 58104},
     Icon{"pencil", 57849},
     Icon{"hand", 57815},
     Icon{"plus", 57661},

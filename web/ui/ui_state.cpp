@@ -8,7 +8,7 @@ namespace spineloft::app {
 
 std::string_view toolKey(ToolKind tool) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(ToolKind::kCount)> kKeys = {
-      "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move"};
+      "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin"};
   return tool < ToolKind::kCount ? kKeys[static_cast<std::size_t>(tool)] : std::string_view();
 }
 
@@ -32,6 +32,8 @@ void resetNextPart(UiState& ui) {
   ui.look = fresh.look;
   ui.inflate = fresh.inflate;
   ui.extrude = fresh.extrude;
+  ui.lathe = fresh.lathe;
+  ui.axisOf = {};
   ui.secondColour = fresh.secondColour;
 }
 

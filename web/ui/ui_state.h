@@ -43,10 +43,17 @@ enum class ToolKind : std::uint8_t {
   Pen,      ///< draws on a sketch
   Eraser,   ///< paper again
   Place,    ///< moves, turns and scales parts in the solid view
+  Spin,     ///< a line beside an axis: it is turned about it
   kCount
 };
-/// "draw", "hand", "ribs", "shape", "spine", "ignore", "puff", "sheet", "pen", "eraser", "move".
+/// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin".
 std::string_view toolKey(ToolKind tool);
+/// What it draws is a part that is made of a region.
+constexpr bool drawsRegions(ToolKind tool) {
+  return tool == ToolKind::Inflate || tool == ToolKind::Extrude || tool == ToolKind::Spin;
+}
+/// It can cut a thing out of the picture.
+constexpr bool cutsOut(ToolKind tool) { return tool == ToolKind::Inflate || tool == ToolKind::Extrude; }
 enum class Focus : std::uint8_t { Picture, Solid };
 /// The bar whose menu is open: see panels/bar_menu.h.
 enum class BarMenu : std::uint8_t { None, Picture, Solid, Edit, Board };
@@ -131,7 +138,8 @@ struct Hover {
   int depth = -1;                   ///< a handle of its depth, in the solid view
   int mark = -1;                    ///< a scribble (see marksOf)
   GizmoHandle gizmo = GizmoHandle::None;
-  std::optional<OutlinePoint> outline;  ///< of the selected puff or flat piece
+  std::optional<OutlinePoint> outline;  ///< of the selected part that is made of a region
+  int axis = -1;                        ///< an end of the axis that is shown, 0 or 1
   std::optional<double> along;          ///< a place of the selected part's spine: at it, or in a graph
   std::optional<ClientPoint> brush;     ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
@@ -141,7 +149,7 @@ struct Hover {
 struct Chosen {
   std::optional<ribs::EndRef> end;
   int handle = -1;
-  std::optional<OutlinePoint> outline = {};  ///< of a puff or a flat piece
+  std::optional<OutlinePoint> outline = {};  ///< of what is made of a region
   bool operator==(const Chosen&) const = default;
 };
 
@@ -232,7 +240,7 @@ struct UiState {
   PictureId picture;          ///< the one in the picture view (see featureAt)
   bool framePending = false;  ///< a part is new: let the camera see it once it has its shape
   PartId redraw;              ///< the next stroke is for this part
-  /// The puff or flat piece whose outline points are in hand: it was tapped or chosen since a drawing tool was
+  /// The part made of a region whose outline points are in hand: it was tapped or chosen since a drawing tool was
   /// taken; what is only just drawn has none, so that the next line may begin on it.
   PartId pointsOf;
   bool pointsKnown = false;  ///< some were in hand: nobody has to be told how
@@ -255,6 +263,8 @@ struct UiState {
   document::Look look;
   inflate::InflateParams inflate;
   extrude::ExtrudeParams extrude;
+  lathe::LatheParams lathe;
+  PictureId axisOf;  ///< the picture whose axis `lathe` has; others have theirs in the middle (see spinning.h)
   std::optional<CutDraft> cut;  ///< what is being cut out of the picture
   CutBy cutBy = CutBy::Outline;
   std::optional<PrintReport> print;   ///< the last check for printing

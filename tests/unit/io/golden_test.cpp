@@ -40,9 +40,8 @@ struct KeyCollector {
   }
   void recipe(const char* kindKey, const char* key, document::Recipe&) {
     keys.insert(kindKey);
-    for (const document::PartKind kind :
-         {document::PartKind::Loft, document::PartKind::Inflate, document::PartKind::Extrude}) {
-      document::Recipe recipe = document::emptyRecipe(kind);
+    for (int kind = 0; kind < static_cast<int>(document::PartKind::kCount); ++kind) {
+      document::Recipe recipe = document::emptyRecipe(static_cast<document::PartKind>(kind));
       std::visit([&](auto& one) { (*this)(key, one); }, recipe);
     }
   }
@@ -151,6 +150,16 @@ TEST_CASE("the golden document with regions reads as what was written") {
   REQUIRE(read.parts.size() == 2);
   CHECK(read.parts[0]->recipe == document::Recipe(belly));
   CHECK(read.parts[1]->recipe == document::Recipe(ear));
+}
+
+TEST_CASE("the golden document with spun parts reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-spun.json");
+  const document::LatheRecipe glass{{PictureId{1}, {{{60, 70}, {90.5, 70}, {80, 20}}}, 0, true},
+                                    {{60, 70.25}, {60, 10}, 270, 6, 0.03125, 1.5}};
+  document::LatheRecipe ring{{PictureId{1}, {{{20, 20}, {40, 20}, {40, 40}, {20, 40}}}}, {{10, 10}, {12, 60}}};
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0]->recipe == document::Recipe(glass));
+  CHECK(read.parts[1]->recipe == document::Recipe(ring));
 }
 
 TEST_CASE("the golden document with parts that were placed, mirrored and grouped reads as what was written") {
