@@ -78,10 +78,8 @@ function putEngine(folder, engine) {
   if (!existsSync(join(place, `${name}.js`))) throw new Stop(`${name}.js is not built.`);
   const wasm = readFileSync(join(place, `${name}.wasm`));
   const wasmName = hashedName(`spineloft-${engine}.wasm`, wasm);
-  let loader = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, wasmName);
+  const loader = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, wasmName);
   const loaderName = hashedName(`spineloft-${engine}.js`, loader);
-  // The engine with threads starts its workers from its own address; the other one does not name itself.
-  if (engine === 'threads') loader = replaceName(loader, `${name}.js`, loaderName);
   put(folder, `assets/${wasmName}`, wasm);
   return { js: put(folder, `assets/${loaderName}`, loader), wasm: `assets/${wasmName}` };
 }
