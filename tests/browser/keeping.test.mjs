@@ -377,6 +377,55 @@ test('a full disk is said once with a way out, and everything is kept again when
     assert.equal(await history(page), now);
   }));
 
+/** In the page: what is written does not reach the disk before `letGo_()`. */
+const holdWrites = () => {
+  const original = IDBDatabase.prototype.transaction;
+  let isHeld = true;
+  window.letGo_ = () => {
+    isHeld = false;
+    IDBDatabase.prototype.transaction = original;
+  };
+  IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
+    const held = original.call(this, names, mode, options);
+    const store = held.objectStore(held.objectStoreNames[0]);
+    const again = () => {
+      if (isHeld && mode === 'readwrite') store.count().onsuccess = again;
+    };
+    again();
+    return held;
+  };
+};
+
+test('what is not on the disk yet is said, storage that never answers too, and neither holds anything up', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    const sign = page.locator('#keeping');
+    assert.equal(await sign.isVisible(), false);
+    await page.evaluate(holdWrites);
+    await run(page, 'set-section', { section: 'star' });
+    await sign.waitFor();
+    assert.match(await sign.innerText(), /Not kept yet/);
+    assert.equal(await asksBeforeLeaving(page), true);
+    await page.evaluate(() => window.letGo_());
+    await sign.waitFor({ state: 'hidden' });
+    await idle(page);
+    assert.equal(await asksBeforeLeaving(page), false);
+
+    await page.evaluate(holdWrites);
+    await run(page, 'set-section', { section: 'square' });
+    await banner(page).waitFor();
+    assert.match(await banner(page).innerText(), /does not answer/);
+    await done(page, 'set-section', { section: 'hexagon' });
+    assert.equal(await asksBeforeLeaving(page), true);
+    const now = await history(page);
+    await page.evaluate(() => window.letGo_());
+    assert.match(await toastText(page, 'status'), /kept on this device again/);
+    await idle(page);
+    assert.equal(await asksBeforeLeaving(page), false);
+    await reload(page);
+    assert.equal(await history(page), now);
+  }));
+
 test('models of a newer page are left alone, and it is said what to do', () =>
   onEmptyDevice(async (page) => {
     await page.evaluate(

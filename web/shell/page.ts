@@ -75,6 +75,9 @@ export class Page {
     this.keeper = new Keeper(engine, {
       changed: () => this.refresh(),
       setReadOnly: (readOnly) => this.setReadOnly(readOnly),
+      setLate: (isLate) => {
+        byId('keeping').hidden = !isLate;
+      },
       showModels: () => this.models.showAll(),
       pickModelFile: () => pickModel(),
       askName: (title, text, value) => askText(title, text, value),
