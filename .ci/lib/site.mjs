@@ -16,6 +16,7 @@ import { promisify } from 'node:util';
 import { brotliCompress, gzip } from 'node:zlib';
 import { presetDir } from './cmake.mjs';
 import { subsetFont, usedIconCodes } from './icon_font.mjs';
+import { checkLicences } from './licences.mjs';
 import { buildDir, distDir, root, shortHash } from './paths.mjs';
 import { Stop } from './run.mjs';
 import { scriptFont, scriptLanguages } from './script_fonts.mjs';
@@ -79,13 +80,14 @@ function putEngine(folder, engine) {
   if (!existsSync(join(place, `${name}.js`))) throw new Stop(`${name}.js is not built.`);
   const wasm = readFileSync(join(place, `${name}.wasm`));
   const wasmName = hashedName(`spineloft-${engine}.wasm`, wasm);
-  let loader = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, wasmName);
+  const loader = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, wasmName);
   const loaderName = hashedName(`spineloft-${engine}.js`, loader);
-  // The engine with threads starts its workers from its own address; the other one does not name itself.
-  if (engine === 'threads') loader = replaceName(loader, `${name}.js`, loaderName);
   put(folder, `assets/${wasmName}`, wasm);
   return { js: put(folder, `assets/${loaderName}`, loader), wasm: `assets/${wasmName}` };
 }
+
+/** The licences keep their names: they are looked for by them. */
+const kNamed = new Set(['.md', '.txt']);
 
 /** Copies assets/ (but what only the README shows) under hashed names; a map from `samples/cup.jpg` to `assets/samples/cup-0123456789.jpg`. */
 function putAssets(folder) {
@@ -93,7 +95,7 @@ function putAssets(folder) {
   const map = {};
   for (const path of filesUnder(from).filter((name) => !name.startsWith('docs/'))) {
     const bytes = readFileSync(join(from, path));
-    map[path] = put(folder, join('assets', extname(path) === '.md' ? path : hashedName(path, bytes)), bytes);
+    map[path] = put(folder, join('assets', kNamed.has(extname(path)) ? path : hashedName(path, bytes)), bytes);
   }
   return map;
 }
@@ -123,7 +125,8 @@ const iconFont = {
 /** The engine's test for meshes that go through themselves, which the worker of solids loads. */
 export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
 
-async function bundle(folder, entryPoints, define, place = { outdir: 'assets', entryNames: '[name]-[hash]' }) {
+/** Bundles the entry points; the files that were read are added to `read`. */
+async function bundle(folder, read, entryPoints, define, place = { outdir: 'assets', entryNames: '[name]-[hash]' }) {
   const esbuild = await import('esbuild');
   const result = await esbuild
     .build({
@@ -159,6 +162,7 @@ async function bundle(folder, entryPoints, define, place = { outdir: 'assets', e
       const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);
       throw new Stop(`esbuild failed:\n${lines.join('\n') || error.message}`);
     });
+  read.push(...Object.keys(result.metafile.inputs));
   const outputs = {};
   for (const [file, about] of Object.entries(result.metafile.outputs)) {
     if (!about.entryPoint) continue;
@@ -276,24 +280,30 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     // A site with an engine to come is not worth storing.
     serviceWorker: isWhole ? kServiceWorker : '',
   };
+  const read = [];
   const workers = readdirSync(shell).filter((name) => name.endsWith('.worker.ts'));
   if (workers.length) {
     const built = await bundle(
       fresh,
+      read,
       workers.map((name) => `web/shell/${name}`),
       { SPINELOFT_SITE: JSON.stringify(site) },
     );
     for (const [entry, files] of Object.entries(built)) site.workers[entry.replace(/\.worker\.ts$/, '')] = files.js;
   }
-  site.speaker = (await bundle(fresh, [kSpeaker], {}))[relative('web/shell', kSpeaker)].js;
-  const built = await bundle(fresh, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
+  site.speaker = (await bundle(fresh, read, [kSpeaker], {}))[relative('web/shell', kSpeaker)].js;
+  const built = await bundle(fresh, read, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
   put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
   putManifest(fresh, readFileSync(join(shell, kManifest), 'utf8'), assets);
   if (isWhole) {
     const files = filesToStore(fresh, { threads: site.threads, single: site.single });
     const define = { SPINELOFT_FILES: JSON.stringify(files) };
-    await bundle(fresh, ['web/shell/offline/service_worker.ts'], define, { outdir: '.', entryNames: '[name]' });
+    await bundle(fresh, read, ['web/shell/offline/service_worker.ts'], define, { outdir: '.', entryNames: '[name]' });
   }
+  checkLicences(
+    engines.map((engine) => enginePrograms[engine]),
+    read,
+  );
   if (twins) await compress(fresh);
   if (keep && existsSync(distDir)) cpSync(distDir, fresh, { recursive: true, force: false });
   const old = join(buildDir, `site-old-${shortHash(Date.now())}`);

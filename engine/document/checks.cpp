@@ -88,4 +88,10 @@ Status checkDrawn(const Document& document, const Recipe& recipe) {
   return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);
 }
 
+bool holdsWork(const Document& document) {
+  return !document.parts.empty() || std::ranges::any_of(document.pictures, [](const PictureEntry& entry) {
+    return !entry.sketch.empty() || !entry.ignored.empty();
+  });
+}
+
 }  // namespace spineloft::document

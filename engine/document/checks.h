@@ -36,4 +36,7 @@ Status checkRegion(const Document& document, const Region& region);
 /// What was drawn for a part: that of the two above for its kind.
 Status checkDrawn(const Document& document, const Recipe& recipe);
 
+/// Whether somebody drew anything: a part, a stroke on paper, a scribble over edges. Pictures alone are no work.
+bool holdsWork(const Document& document);
+
 }  // namespace spineloft::document

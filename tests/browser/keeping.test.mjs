@@ -297,6 +297,94 @@ for (const [what, spoil] of [
     }));
 }
 
+/** Every way of saving, and whether the file holds the model. */
+const kSaves = [
+  ['save-project', true],
+  ['save-glb', true],
+  ['save-obj', false],
+  ['save-stl', false],
+  ['save-3mf', false],
+  ['save-picture', false],
+];
+
+for (const [storage, spoil] of [
+  ['on', null],
+  ['off', () => Object.defineProperty(globalThis, 'indexedDB', { value: undefined })],
+  // Opened and read, but nothing can be put into it.
+  [
+    'full',
+    () => {
+      const original = IDBDatabase.prototype.transaction;
+      IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
+        if (mode === 'readwrite') throw new DOMException('full', 'QuotaExceededError');
+        return original.call(this, names, mode, options);
+      };
+    },
+  ],
+]) {
+  test(`closing asks unless the work as it is is in a file or kept: every format, edited meanwhile or not, storage ${storage}`, () =>
+    onEmptyDevice(async (page) => {
+      if (spoil) {
+        await page.addInitScript(spoil);
+        await reload(page);
+      }
+      const check = async (unsaved, what) => {
+        assert.equal((await state(page)).unsaved, unsaved, what);
+        assert.equal(await asksBeforeLeaving(page), unsaved && storage !== 'on', what);
+      };
+      await drawPart(page);
+      await check(true, 'a part');
+      let mm = 50;
+      const edit = () => run(page, 'set-height', { mm: (mm += 1) });
+      for (const [command, holdsModel] of kSaves) {
+        for (const edited of [false, true]) {
+          await edit();
+          await idle(page);
+          await check(true, 'an edit');
+          await downloaded(page, async () => {
+            const saving = run(page, command);
+            if (edited) await edit();
+            await saving;
+          });
+          await idle(page);
+          await check(edited || !holdsModel, `${command}${edited ? ', edited meanwhile' : ''}`);
+        }
+      }
+      assert.equal(await banner(page).count(), storage === 'on' ? 0 : 1);
+    }));
+
+  test(`strokes on paper without a part are work: unsaved, asked about and kept as a part is, storage ${storage}`, () =>
+    onEmptyDevice(async (page) => {
+      if (spoil) {
+        await page.addInitScript(spoil);
+        await reload(page);
+      }
+      await done(page, 'new-sketch', { width: 300, height: 200 });
+      assert.equal(await asksBeforeLeaving(page), false, 'blank paper is no work');
+      await drawWithMouse(page, [
+        [60, 60],
+        [150, 120],
+        [240, 70],
+      ]);
+      assert.equal((await state(page)).unsaved, true);
+      assert.equal(await asksBeforeLeaving(page), storage !== 'on');
+      const before = await history(page);
+      if (storage === 'on') {
+        await reload(page);
+        assert.equal(await history(page), before);
+        return;
+      }
+      // The browser itself asks; the answer is to stay.
+      const [dialog] = await Promise.all([page.waitForEvent('dialog'), page.close({ runBeforeUnload: true })]);
+      assert.equal(dialog.type(), 'beforeunload');
+      await dialog.dismiss();
+      await downloaded(page, () => page.keyboard.press('Control+s'));
+      await idle(page);
+      assert.equal(await asksBeforeLeaving(page), false, 'a file holds it');
+      assert.equal(await history(page), before);
+    }));
+}
+
 test('a full disk is said once with a way out, and everything is kept again when there is room', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);
@@ -323,6 +411,55 @@ test('a full disk is said once with a way out, and everything is kept again when
     await idle(page);
     assert.match(await toastText(page, 'status'), /kept on this device again/);
     assert.equal(await banner(page).count(), 0);
+    await reload(page);
+    assert.equal(await history(page), now);
+  }));
+
+/** In the page: what is written does not reach the disk before `letGo_()`. */
+const holdWrites = () => {
+  const original = IDBDatabase.prototype.transaction;
+  let isHeld = true;
+  window.letGo_ = () => {
+    isHeld = false;
+    IDBDatabase.prototype.transaction = original;
+  };
+  IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
+    const held = original.call(this, names, mode, options);
+    const store = held.objectStore(held.objectStoreNames[0]);
+    const again = () => {
+      if (isHeld && mode === 'readwrite') store.count().onsuccess = again;
+    };
+    again();
+    return held;
+  };
+};
+
+test('what is not on the disk yet is said, storage that never answers too, and neither holds anything up', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    const sign = page.locator('#keeping');
+    assert.equal(await sign.isVisible(), false);
+    await page.evaluate(holdWrites);
+    await run(page, 'set-section', { section: 'star' });
+    await sign.waitFor();
+    assert.match(await sign.innerText(), /Not kept yet/);
+    assert.equal(await asksBeforeLeaving(page), true);
+    await page.evaluate(() => window.letGo_());
+    await sign.waitFor({ state: 'hidden' });
+    await idle(page);
+    assert.equal(await asksBeforeLeaving(page), false);
+
+    await page.evaluate(holdWrites);
+    await run(page, 'set-section', { section: 'square' });
+    await banner(page).waitFor();
+    assert.match(await banner(page).innerText(), /does not answer/);
+    await done(page, 'set-section', { section: 'hexagon' });
+    assert.equal(await asksBeforeLeaving(page), true);
+    const now = await history(page);
+    await page.evaluate(() => window.letGo_());
+    assert.match(await toastText(page, 'status'), /kept on this device again/);
+    await idle(page);
+    assert.equal(await asksBeforeLeaving(page), false);
     await reload(page);
     assert.equal(await history(page), now);
   }));

@@ -1,8 +1,11 @@
-// What a photo's file says besides its pixels stays with the photo: where it was taken is in no file that the page writes.
+// What a photo's file says besides its pixels stays with the photo: where it was taken is in no file that the page
+// writes. And neither the page nor any of its workers can ask another host, whatever the own host sends.
 import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
 import test from 'node:test';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
-import { downloaded, exported, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
+import { openPage, startSite } from '../../.ci/lib/browser.mjs';
+import { done, downloaded, exported, kWindow, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
 import { tubePicture, withGps } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -50,3 +53,82 @@ test('where a photo was taken, by its EXIF block, is in no file that is saved', 
       for (const [name, content] of files) assert.ok(!content.includes(bytes), `${what} is in ${name}`);
     }
   }));
+
+/** Another host, which answers everybody and counts who came. */
+async function startListener(t) {
+  const asked = [];
+  const server = createServer((request, response) => {
+    asked.push(request.url);
+    const open = { 'Access-Control-Allow-Origin': '*', 'Cross-Origin-Resource-Policy': 'cross-origin' };
+    response.writeHead(200, open).end();
+  });
+  await new Promise((resolve) => server.listen(0, 'localhost', resolve));
+  t.after(() => server.close());
+  return { url: `http://localhost:${server.address().port}/`, asked };
+}
+
+/** In a page or a worker: whether a request is answered. */
+const isAnswered = (at) =>
+  fetch(at).then(
+    () => true,
+    () => false,
+  );
+
+/** Notes the scripts of all workers that a page starts. */
+const noteWorkers = () => {
+  globalThis.started_ = [];
+  globalThis.Worker = class extends Worker {
+    constructor(address, options) {
+      super(address, options);
+      globalThis.started_.push([String(address), options]);
+    }
+  };
+};
+
+for (const isolated of [true, false]) {
+  test(`on a host that sends no policy no worker of the page reaches another host, ${isolated ? 'with' : 'without'} threads`, async (t) => {
+    const listener = await startListener(t);
+    const site = await startSite({ isolated, bare: true });
+    t.after(() => site.close());
+    const { page, close } = await openPage(kit.browser, site.url, { viewport: kWindow });
+    t.after(close);
+    await page.addInitScript(noteWorkers);
+    await page.reload();
+    await openWithPart(page, tube.png, tube.middle);
+    await run(page, 'new-part');
+    await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [y + 60, x - 60]) });
+    await done(page, 'stick-together');
+    const started = await page.evaluate(() => globalThis.started_);
+    const threads = started.filter(([, { name }]) => name === 'em-pthread').length;
+    assert.equal(threads > 0, isolated);
+    assert.ok(started.length > threads, 'the solver of solids is among them');
+    // A thread of the engine sleeps and cannot be asked: another worker from the same script has the same policy.
+    for (const [address, options] of new Map(started.map((one) => [one[1].name, one])).values()) {
+      const [worker] = await Promise.all([
+        page.waitForEvent('worker'),
+        page.evaluate(([from, like]) => void new Worker(from, like), [address, options]),
+      ]);
+      assert.equal(await worker.evaluate(isAnswered, site.url), true, options.name);
+      assert.equal(await worker.evaluate(isAnswered, listener.url), false, options.name);
+    }
+    assert.equal(await page.evaluate(isAnswered, listener.url), false);
+    assert.deepEqual(listener.asked, []);
+  });
+}
+
+test('on a host that sends no policy the service worker asks its own host alone', async (t) => {
+  const listener = await startListener(t);
+  const site = await startSite({ bare: true });
+  t.after(() => site.close());
+  const { page, context, close } = await openPage(kit.browser, site.url, {
+    viewport: kWindow,
+    serviceWorkers: 'allow',
+  });
+  t.after(close);
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  const [worker] = context.serviceWorkers();
+  assert.equal(await worker.evaluate(isAnswered, site.url), true);
+  assert.equal(await worker.evaluate(isAnswered, listener.url), false);
+  assert.equal(await worker.evaluate(isAnswered, 'index.html'), true);
+  assert.deepEqual(listener.asked, []);
+});

@@ -49,35 +49,6 @@ async function atRest(page) {
   await idle(page);
 }
 
-test('the worker of solids can ask no other host, whether or not the host sends a policy', async (t) => {
-  const elsewhere = await startSite();
-  t.after(() => elsewhere.close());
-  for (const bare of [true, false]) {
-    const site = await startSite({ isolated: kEngines[0].isolated, bare });
-    t.after(() => site.close());
-    const { page, close } = await openPage(kit.browser, site.url, { viewport: kWindow });
-    t.after(close);
-    await openWithPart(page, tube.png, tube.middle);
-    const started = page.waitForEvent('worker', (worker) => worker.url().startsWith('blob:'));
-    await run(page, 'new-part');
-    await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [y + 60, x - 60]) });
-    await run(page, 'stick-together');
-    const worker = await started;
-    await idle(page);
-    const asked = (address) =>
-      worker.evaluate(
-        (at) =>
-          fetch(at).then(
-            () => true,
-            () => false,
-          ),
-        address,
-      );
-    assert.equal(await asked(site.url), true);
-    assert.equal(await asked(elsewhere.url), false);
-  }
-});
-
 test('with graphics that never come back an edit, exporting and saving go on, and a banner offers to load again', () =>
   onPage(kit, { alone: true }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);

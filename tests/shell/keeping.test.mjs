@@ -40,7 +40,7 @@ class FakeEngine {
 
 let ids = 0;
 function writerOf(engine, store, more = {}) {
-  const log = { kept: 0, troubles: [], since: [], taken: 0 };
+  const log = { kept: 0, troubles: [], since: [], taken: 0, late: [] };
   const writer = new JournalWriter(
     engine,
     store,
@@ -58,12 +58,58 @@ function writerOf(engine, store, more = {}) {
       taken: () => {
         log.taken += 1;
       },
+      late: (isLate) => log.late.push(isLate),
     },
     more.now ?? (() => 1000),
     // No test waits: what is to run later is run by hand.
     more.later ?? (() => () => undefined),
   );
   return { writer, log };
+}
+
+/** Time that goes on by hand, and what waits for it. */
+class Clock {
+  now = 1000;
+  timers = new Set();
+  parts = {
+    now: () => this.now,
+    later: (ms, work) => {
+      const timer = { at: this.now + ms, work };
+      this.timers.add(timer);
+      return () => this.timers.delete(timer);
+    },
+  };
+  /** Goes on to the next thing that waits, and does it; how long that was. */
+  next() {
+    const timer = [...this.timers].sort((a, b) => a.at - b.at)[0],
+      waited = timer.at - this.now;
+    this.timers.delete(timer);
+    this.now = timer.at;
+    timer.work();
+    return waited;
+  }
+}
+
+/** Has the store answer writes only when it is told to; what it returns lets all of them go on. */
+function silenced() {
+  const original = ModelStore.prototype.write,
+    held = [];
+  ModelStore.prototype.write = async function write(change) {
+    await new Promise((resolve) => held.push(resolve));
+    return original.call(this, change);
+  };
+  return () => {
+    ModelStore.prototype.write = original;
+    for (const goOn of held) goOn();
+  };
+}
+
+/** Lets everything run that waits for nothing. */
+const breathe = () => new Promise((resolve) => setTimeout(resolve, 20));
+
+async function untilSafe(writer) {
+  for (let i = 0; i < 500 && !writer.isSafe; ++i) await breathe();
+  assert.equal(writer.isSafe, true);
 }
 
 async function freshStore() {
@@ -294,25 +340,17 @@ test('a full disk is told once, not on every step, and everything is kept as soo
 test('while the disk is full it is tried again by itself, with pauses that double up to five minutes, until all is kept', async () => {
   const store = await freshStore();
   const engine = new FakeEngine();
-  let now = 1000,
-    waiting = null;
-  const pauses = [];
-  const later = (ms, work) => {
-    pauses.push(ms);
-    waiting = { at: now + ms, work };
-    return () => (waiting = null);
-  };
-  const { writer, log } = writerOf(engine, store, { id: 'a', now: () => now, later });
+  const clock = new Clock();
+  const { writer, log } = writerOf(engine, store, { id: 'a', ...clock.parts });
   const original = ModelStore.prototype.write;
   ModelStore.prototype.write = async () => {
     throw Object.assign(new Error('full'), { name: 'QuotaExceededError' });
   };
   writer.take(engine.step('one'));
   await settle(writer);
-  for (let i = 0; i < 9; ++i) {
-    const { at, work } = waiting;
-    now = at;
-    work();
+  const pauses = [];
+  for (let i = 0; i < 10; ++i) {
+    pauses.push(clock.next());
     await settle(writer);
   }
   ModelStore.prototype.write = original;
@@ -321,13 +359,90 @@ test('while the disk is full it is tried again by itself, with pauses that doubl
     [5, 10, 20, 40, 80, 160, 300, 300, 300, 300].map((seconds) => 1000 * seconds),
   );
   assert.deepEqual([log.troubles, log.since], [['full'], [1000]]);
-  now = waiting.at;
-  waiting.work();
+  clock.next();
   await settle(writer);
-  assert.equal(waiting, null);
+  assert.equal(clock.timers.size, 0);
   assert.deepEqual(log.troubles, ['full', null]);
   assert.deepEqual((await readBack(store, 'a')).words, ['one']);
   store.close();
+});
+
+test('a step is on the disk, or said to be late, within 100 ms of being taken, also when it comes during another write', async () => {
+  const store = await freshStore();
+  const engine = new FakeEngine();
+  const clock = new Clock();
+  const { writer, log } = writerOf(engine, store, { id: 'a', ...clock.parts });
+  writer.take(engine.step('quick'));
+  await settle(writer);
+  assert.deepEqual([log.late, log.kept, clock.timers.size], [[], 1, 0], 'nothing is said of a quick one');
+  const goOn = silenced();
+  writer.take(engine.step('one'));
+  await breathe();
+  writer.take(engine.step('two'));
+  const begun = clock.now;
+  clock.next();
+  assert.deepEqual(log.late, [true]);
+  // It may have waited 40 ms in the engine, and for a write that took nearly as long as it may without a word.
+  assert.ok(40 + 2 * (clock.now - begun) <= 100, `${clock.now - begun} ms`);
+  assert.equal(writer.isSafe, false);
+  goOn();
+  await settle(writer);
+  assert.deepEqual([log.late, log.troubles, writer.isSafe], [[true, false], [], true]);
+  assert.deepEqual((await readBack(store, 'a')).words, engine.words);
+  store.close();
+});
+
+test('a store that never answers is trouble that is told, holds nothing up, and gets everything once it answers', async () => {
+  const store = await freshStore();
+  const engine = new FakeEngine();
+  const clock = new Clock();
+  const { writer, log } = writerOf(engine, store, { id: 'a', ...clock.parts });
+  writer.take(engine.step('one', 'photo'));
+  await settle(writer);
+  const goOn = silenced();
+  writer.take(engine.step('two'));
+  await breathe();
+  const settled = writer.settled();
+  clock.next();
+  clock.next();
+  await settled;
+  assert.deepEqual([log.troubles, log.late], [['silent'], [true]]);
+  assert.deepEqual([writer.isBusy, writer.isSafe, writer.isInTrouble], [false, false, true]);
+  for (const word of ['three', 'four']) writer.take(engine.step(word));
+  await writer.settled();
+  goOn();
+  await untilSafe(writer);
+  assert.deepEqual([log.troubles, log.late, writer.isSafe], [['silent', null], [true, false], true]);
+  assert.deepEqual((await readBack(store, 'a')).words, engine.words);
+  store.close();
+});
+
+test('a model that is left while the store does not answer is not mixed with the next one', async () => {
+  for (const isNew of [true, false]) {
+    const store = await freshStore();
+    const engine = new FakeEngine();
+    const clock = new Clock();
+    const { writer } = writerOf(engine, store, clock.parts);
+    if (!isNew) {
+      writer.take(engine.step('one'));
+      await settle(writer);
+    }
+    const goOn = silenced();
+    writer.take(engine.step('old'));
+    await breathe();
+    clock.next();
+    clock.next();
+    const next = new FakeEngine();
+    Object.assign(engine, { words: next.words, shown: next.shown });
+    writer.attach(null);
+    writer.take(engine.step('new'));
+    goOn();
+    await untilSafe(writer);
+    const kept = await store.list();
+    const words = await Promise.all(kept.map(async ({ id }) => (await readBack(store, id)).words.join()));
+    assert.deepEqual(words.sort(), isNew ? ['new', 'old'] : ['new', 'one,old']);
+    store.close();
+  }
 });
 
 test("when the site's data is cleared under an open page, the next step keeps everything anew", async () => {

@@ -1,5 +1,5 @@
-// Makes large allocations of the calling thread fail, so that OutOfMemory can be tested, and counts
-// them.
+// Makes large allocations of the calling thread fail, so that OutOfMemory can be tested, and counts them; counts what
+// all threads hold.
 #pragma once
 
 #include <cstddef>
@@ -18,5 +18,10 @@ class ScarceMemory {
 
 /// Bytes that `operator new` has given to this thread so far.
 std::size_t allocatedBytes();
+/// Bytes that `operator new` has given to all threads and that were not given back, and the most of them since the
+/// program began or `forgetMostLiveBytes`.
+std::size_t liveBytes();
+std::size_t mostLiveBytes();
+void forgetMostLiveBytes();
 
 }  // namespace spineloft::testing

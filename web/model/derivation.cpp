@@ -31,10 +31,13 @@ Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool&
       host_(host),
       pool_(pool),
       solids_(host),
-      textures_(pool_, [this](const pipeline::TextureJob& job) {
-        cache_.assignTextures(job.key(), job.texture());
-        stale_ = true;
-      }) {}
+      textures_(
+          pool_,
+          [this](const pipeline::TextureJob& job) {
+            cache_.assignTextures(job.key(), job.texture());
+            stale_ = true;
+          },
+          [this] { stale_ = true; }) {}
 
 void Derivation::documentChanged() {
   stale_ = true;
@@ -43,6 +46,7 @@ void Derivation::documentChanged() {
 
 void Derivation::forget() {
   solids_.forget();
+  cache_.clear();
   reported_.clear();
   reportedSteps_.clear();
   documentChanged();

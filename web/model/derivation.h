@@ -31,7 +31,7 @@ class Derivation {
   const pipeline::Derived& settled();
   /// The document is another one, and previews are over.
   void documentChanged();
-  /// Another model is open.
+  /// Another model is open: nothing of what was made for the last one is kept.
   void forget();
 
   /// See Studio.

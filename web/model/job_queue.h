@@ -14,7 +14,10 @@
 
 namespace spineloft::app {
 
-/// `Making` has a key(), and a step() that says whether there is another; it runs on one thread at a time.
+/// Works on what is wanted now and on nothing else: as many are made at a time as there are workers, without any a step
+/// of one at a time, and no other is begun, however often another thing is wanted. What a worker has in hand when it is
+/// wanted no more is dropped at its next step. `Making` has a key(), and a step() that says whether there is another;
+/// it runs on one thread at a time.
 template <class Making>
 class JobQueue {
  public:
@@ -25,36 +28,38 @@ class JobQueue {
     std::uint64_t key = 0;
     std::function<std::shared_ptr<Making>()> begin;
   };
-  /// The pool must not outlive it.
-  JobQueue(WorkerPool& pool, Take take) : pool_(pool), take_(std::move(take)) {}
+  /// The pool must not outlive it. `goOn` is called when a worker is free for what was not begun: `update` is due.
+  JobQueue(WorkerPool& pool, Take take, std::function<void()> goOn)
+      : pool_(pool), take_(std::move(take)), goOn_(std::move(goOn)) {}
 
-  /// Begins with what is wanted now, each key once, and lets go of what is not any more. As many are made at a time
-  /// as there are workers; without any, a step of one a job.
+  /// Lets go of what is not wanted any more, and begins with what is, each key once, as far as workers are free.
   void update(const std::vector<Wanted>& wanted) {
-    std::vector<std::shared_ptr<Job>> jobs;
+    std::erase_if(jobs_, [&](const std::shared_ptr<Job>& job) {
+      const auto isIt = [&](const Wanted& one) { return one.key == job->making->key(); };
+      job->dropped = std::ranges::none_of(wanted, isIt);
+      return job->dropped.load();
+    });
+    waiting_ = false;
+    const int most = std::max(1, pool_.threads());
     for (const Wanted& one : wanted) {
       const auto isIt = [&](const auto& job) { return job->making->key() == one.key; };
-      if (std::ranges::any_of(jobs, isIt)) continue;
-      const auto known = std::ranges::find_if(jobs_, isIt);
-      if (known != jobs_.end()) {
-        jobs.push_back(*known);
-      } else if (auto making = one.begin()) {
-        jobs.push_back(std::make_shared<Job>());
-        jobs.back()->making = std::move(making);
+      if (std::ranges::any_of(jobs_, isIt)) continue;
+      if (inHand_ >= most) {
+        waiting_ = true;
+        return;
       }
+      auto making = one.begin();
+      if (!making) continue;
+      jobs_.push_back(std::make_shared<Job>());
+      jobs_.back()->making = std::move(making);
+      run(jobs_.back());
     }
-    for (const auto& job : jobs_) {
-      if (!std::ranges::count(jobs, job)) job->dropped = true;
-    }
-    jobs_ = std::move(jobs);
-    start();
   }
 
   /// Makes all that are wanted, now and here.
   void finish(const std::vector<Wanted>& wanted) {
     // What a worker has in hand is made anew: its steps are that worker's.
-    for (const auto& job : jobs_) job->dropped = true;
-    jobs_.clear();
+    update({});
     for (const Wanted& one : wanted) {
       const auto making = one.begin();
       if (!making) continue;
@@ -64,49 +69,48 @@ class JobQueue {
     }
   }
 
-  bool busy() const { return !jobs_.empty(); }
+  bool busy() const { return waiting_ || !jobs_.empty(); }
 
  private:
   struct Job {
     std::shared_ptr<Making> making;
-    bool started = false;
     std::atomic<bool> dropped = false;  ///< nobody waits for it any more
   };
 
-  void start() {
-    const auto most = static_cast<std::size_t>(std::max(1, pool_.threads()));
-    for (std::size_t i = 0; i < std::min(most, jobs_.size()); ++i) {
-      if (!std::exchange(jobs_[i]->started, true)) run(jobs_[i]);
-    }
-  }
-
   void run(const std::shared_ptr<Job>& job) {
     const bool inOneGo = pool_.threads() > 0;
+    ++inHand_;
     // No label: nobody who draws needs to know of it.
     pool_.submit(
         "",
         [job, inOneGo](const Progress& progress) {
           bool more = true;
-          do {
+          while (more && !job->dropped && !progress.cancelled()) {
             more = job->making->step();
-          } while (more && inOneGo && !job->dropped && !progress.cancelled());
+            if (!inOneGo) break;
+          }
           return more;
         },
         [this, job](bool more) {
-          if (job->dropped) return;
-          if (more) {
+          --inHand_;
+          if (more && !job->dropped) {
             run(job);
             return;
           }
-          std::erase(jobs_, job);
-          start();
-          take_(*job->making);
+          if (!job->dropped) {
+            std::erase(jobs_, job);
+            take_(*job->making);
+          }
+          if (waiting_) goOn_();
         });
   }
 
   WorkerPool& pool_;
   Take take_;
-  std::vector<std::shared_ptr<Job>> jobs_;  ///< in the order of the parts
+  std::function<void()> goOn_;
+  std::vector<std::shared_ptr<Job>> jobs_;  ///< begun and wanted
+  int inHand_ = 0;                          ///< by the pool, dropped ones too
+  bool waiting_ = false;                    ///< something wanted is not begun
 };
 
 }  // namespace spineloft::app

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/document/checks.h"
 #include "web/model/messages.h"
 #include "web/model/solid_faults.h"
 #include "web/words/words.h"
@@ -74,6 +75,6 @@ void Saver::reportFaults(publish::Format format) {
   }
 }
 
-bool Saver::unsaved() const { return !session_.document().parts.empty() && session_.document() != saved_; }
+bool Saver::unsaved() const { return document::holdsWork(session_.document()) && session_.document() != saved_; }
 
 }  // namespace spineloft::app

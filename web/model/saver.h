@@ -27,7 +27,7 @@ class Saver {
   void modelOpened();
   /// The file, now and here.
   Result<publish::Bytes> publishNow(publish::Format format);
-  /// There are parts, and no file that a model can be opened from holds the document as it is.
+  /// Something was drawn, and no file that a model can be opened from holds the document as it is.
   bool unsaved() const;
 
  private:

@@ -12,8 +12,9 @@ namespace spineloft::app {
 namespace {
 
 constexpr double kBurstMs = 1000;  // between two keys that belong together
-/// A burst that goes on is told this often.
-constexpr double kAmendMs = 250;
+/// A burst that goes on is told this often: with what the shell may take to write it
+/// (web/shell/keep/journal_writer.ts), a step is on the disk or said to be late within 100 ms.
+constexpr double kAmendMs = 40;
 
 /// Content hashes of the photos that `after` shows and `before` does not.
 std::vector<std::uint64_t> newPhotos(const document::Document& before, const document::Document& after) {

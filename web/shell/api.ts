@@ -243,7 +243,7 @@ export interface State {
   threads: number;
   /** Milliseconds of the last run of each stage. */
   lastMs: { edges: number; ribs: number; loft: number };
-  /** True when there are parts and no GLB or .spineloft file holds the model as it is; the page keeps it on the device all the same. */
+  /** True when something was drawn (parts, strokes on paper, scribbles over edges) and no GLB or .spineloft file holds the model as it is; the page keeps it on the device all the same. */
   unsaved: boolean;
   /** Long work in words, with its share done (0…1). */
   activity: { label: string; done: number } | null;

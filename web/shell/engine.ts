@@ -1,6 +1,7 @@
 // The engine as the shell sees it: loads one of the two WebAssembly variants and wraps its exported
 // functions. Strings cross as UTF-8 in malloc'ed memory; everything that comes out is copied at once.
 import type { Command, ExportFormat, State } from './api.ts';
+import { boundScript } from './bound_script.ts';
 import { Failure } from './failure.ts';
 import type { Script } from './fonts.ts';
 import type { About, JournalEvent } from './keep/journal_writer.ts';
@@ -160,7 +161,8 @@ export function wantsThreads(): boolean {
 /** Loads the variant that fits this page; events arrive in order, never inside a call into the engine (but 'journal' at once). */
 export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: EngineEvent) => void): Promise<Engine> {
   const files = wantsThreads() ? SPINELOFT_SITE.threads : SPINELOFT_SITE.single;
-  const { default: create } = (await import(new URL(files.js, document.baseURI).href)) as { default: Factory };
+  const script = new URL(files.js, document.baseURI).href;
+  const { default: create } = (await import(script)) as { default: Factory };
   const queue: EngineEvent[] = [];
   let module: Module | null = null;
   let solver: Solver | null = null;
@@ -197,7 +199,13 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   };
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
-  module = await create({ canvas, host, sharp });
+  module = await create({
+    canvas,
+    host,
+    sharp,
+    mainScriptUrlOrBlob: boundScript(files.js), // of its threads
+    locateFile: (name: string) => new URL(name, script).href,
+  });
   const engine = new Engine(module, () => view);
   solver = engine.solver = solverOf(engine);
   return engine;
@@ -228,22 +236,11 @@ export function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): S
   });
 }
 
-/** A worker under the page's content security policy: from a file it would have that of its own headers, which plain hosts do not send. */
-function startWorker(path: string, name: string): Worker {
-  const script = `import ${JSON.stringify(new URL(path, document.baseURI).href)};`;
-  const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
-  const worker = new Worker(address, { type: 'module', name });
-  // Read by then, or the worker has failed.
-  worker.addEventListener('message', () => URL.revokeObjectURL(address), { once: true });
-  worker.addEventListener('error', () => URL.revokeObjectURL(address), { once: true });
-  return worker;
-}
-
 function solverOf(engine: Engine): Solver {
   return new Solver({
     start: () => {
       const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
-      const worker = startWorker(SPINELOFT_SITE.workers['solids']!, name);
+      const worker = new Worker(boundScript(SPINELOFT_SITE.workers['solids']!), { type: 'module', name });
       worker.addEventListener('message', ({ data }) => {
         if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
       });

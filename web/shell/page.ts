@@ -81,6 +81,9 @@ export class Page {
     this.keeper = new Keeper(engine, {
       changed: () => this.refresh(),
       setReadOnly: (readOnly) => this.setReadOnly(readOnly),
+      setLate: (isLate) => {
+        byId('keeping').hidden = !isLate;
+      },
       showModels: () => this.models.showAll(),
       askAnimal,
       beginAfresh: () => this.beginAfresh(),

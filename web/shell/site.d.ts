@@ -1,7 +1,7 @@
 // What the build tells the shell: the hashed names of everything in dist/, relative to index.html.
 // esbuild replaces SPINELOFT_SITE by its value. The page chooses `threads` where `crossOriginIsolated` is true:
 //   const { default: createSpineLoft } = await import(new URL(SPINELOFT_SITE.threads.js, document.baseURI).href);
-// The loaders find their .wasm and start their own workers; neither locateFile nor mainScriptUrlOrBlob is needed.
+// The loaders are told where they are (locateFile) and what their threads run (mainScriptUrlOrBlob).
 
 interface SpineLoftVariant {
   readonly js: string;
@@ -14,7 +14,7 @@ interface SpineLoftSite {
   readonly single: SpineLoftVariant;
   /** Every file of the repository's assets/ folder: 'samples/cup.jpg' → 'assets/samples/cup-0123456789.jpg'. */
   readonly assets: Readonly<Record<string, string>>;
-  /** Every web/shell/NAME.worker.ts, bundled on its own: 'NAME' → its path, for new Worker(url, {type: 'module'}). */
+  /** Every web/shell/NAME.worker.ts, bundled on its own: 'NAME' → its path, for boundScript. */
   readonly workers: Readonly<Record<string, string>>;
   /** The module of web/shell/words/speaker.ts. */
   readonly speaker: string;

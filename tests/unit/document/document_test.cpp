@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "engine/document/checks.h"
 #include "engine/document/history.h"
 #include "engine/document/params.h"
 #include "engine/document/update.h"
@@ -264,6 +265,23 @@ TEST_CASE("a commit after an undo forgets the future, and an equal commit is no 
   CHECK(history.redo().error() == Error::NothingToRedo);
   CHECK(history.undo().ok());
   CHECK(history.present() == 1);
+}
+
+TEST_CASE(
+    "work is what somebody drew: a part, a stroke on paper, a scribble over edges; a picture or paper alone is none") {
+  const PictureId first{1};
+  const Document photo = after({}, {AddPicture{"cat.png", ellipsePicture(96, 72)}});
+  const Document paper = after({}, {AddSketch{"", {200, 100}}});
+  CHECK_FALSE(holdsWork({}));
+  CHECK_FALSE(holdsWork(photo));
+  CHECK_FALSE(holdsWork(paper));
+  CHECK(holdsWork(onePart()));
+  image::SketchStroke stroke;
+  stroke.points = {{10, 10}, {90, 40}};
+  CHECK(holdsWork(after(paper, {DrawOnSketch{first, stroke}})));
+  const Document scribbled = after(photo, {IgnoreForPicture{first, {{kStroke, 3, false}}}});
+  CHECK(holdsWork(scribbled));
+  CHECK_FALSE(holdsWork(after(scribbled, {IgnoreForPicture{first, {}}})));
 }
 
 TEST_CASE("pictures with other pixels or sizes have other hashes") {

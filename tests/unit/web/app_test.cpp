@@ -374,6 +374,35 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a drawing without a part is work as a part is: only a file of it as it is makes it saved") {
+  for (const int threads : {0, 2}) {
+    for (const bool edited : {false, true}) {
+      CAPTURE(threads);
+      CAPTURE(edited);
+      Rig rig({1200, 700, 1}, threads);
+      const auto draw = [&](double x) {
+        rig.press(x, 40, x, 160);
+        rig.lift();
+      };
+      rig.run("new-sketch", R"({"width":200,"height":200})");
+      REQUIRE(rig.settle());
+      CHECK(rig.state().flag("unsaved") == false);
+      draw(60);
+      REQUIRE(rig.settle());
+      CHECK(rig.parts() == 0);
+      CHECK(rig.state().flag("unsaved") == true);
+      CHECK(rig.run("save-glb").flag("ok") == false);
+      CHECK(rig.run("save-project").flag("ok") == true);
+      if (edited) draw(140);
+      REQUIRE(rig.settle());
+      REQUIRE(rig.host.files.size() == 1);
+      CHECK(rig.state().flag("unsaved") == edited);
+      rig.run("undo");
+      CHECK(rig.state().flag("unsaved") == false);
+    }
+  }
+}
+
 TEST_CASE("the model is written at once for programs, and an unknown format is refused by name") {
   Rig rig;
   rig.openBar();

@@ -41,6 +41,8 @@ export interface WriterEvents {
   kept(info: ModelInfo): void;
   /** Keeping does not work, since that time (null: it works again). Told once, not on every step. */
   trouble(failure: StoreFailure | null, since: number): void;
+  /** What was done last is not on the disk yet, although a moment has gone by; false: it is. */
+  late(isLate: boolean): void;
   /** Another tab writes this model now. */
   taken(): void;
 }
@@ -52,6 +54,12 @@ const kLongJournal = 256 * 1024,
 /** After a failure the next try waits that long, and twice as long after each further one, up to the longest. */
 const kRetryMs = 5000,
   kLongestRetryMs = 5 * 60 * 1000;
+/**
+ * A write that takes longer is told as late, and as trouble when it takes far longer. A step waits in the engine for at most
+ * 40 ms (session.cpp) and for one write before its own: within 100 ms it is on the disk, or that it is not is told.
+ */
+const kLateMs = 30,
+  kSilentMs = 8000;
 /** Deleted models can be brought back for that long. */
 export const kTrashMs = 10 * 60 * 1000;
 
@@ -73,6 +81,8 @@ export class JournalWriter {
   private cancelRetry: () => void = () => undefined;
   private stopped = false;
   private newId: string | null = null; // of a model whose first write is still to come
+  private silence: Promise<void> = new Promise(() => undefined); // ends when the store does not answer
+  private attached = 0; // counts the models
 
   constructor(
     private readonly source: HistorySource,
@@ -91,8 +101,9 @@ export class JournalWriter {
     return this.info?.id ?? null;
   }
 
+  /** Something is being written, by a store that answers. */
   get isBusy(): boolean {
-    return this.running !== null;
+    return this.running !== null && this.failure?.code !== 'silent';
   }
 
   /** True when every step is kept. */
@@ -112,6 +123,7 @@ export class JournalWriter {
 
   /** From now on steps belong to this model; null: to a new one, made with the first step. Call it when nothing is pending. */
   attach(info: ModelInfo | null): void {
+    this.attached += 1;
     this.info = info;
     this.newId = null;
     this.pending = [];
@@ -147,9 +159,9 @@ export class JournalWriter {
     this.rewrite();
   }
 
-  /** Resolves when nothing is being written any more. */
+  /** Resolves when nothing is being written any more, or the store does not answer. */
   async settled(): Promise<void> {
-    while (this.running) await this.running;
+    while (this.isBusy) await Promise.race([this.running, this.silence]);
   }
 
   private start(): void {
@@ -172,11 +184,15 @@ export class JournalWriter {
   private async writeAll(): Promise<void> {
     let second = false;
     while (!this.stopped && (this.pending.length > 0 || this.wantsBase)) {
+      const over = this.watch(),
+        { attached } = this;
       const failure = await this.writeOnce().then(
         () => null,
         (thrown: unknown) => storeFailureOf(thrown),
       );
-      if (!failure) {
+      over();
+      // What became of a model that the visitor has left, because the store did not answer, is nobody's business here.
+      if (!failure || attached !== this.attached) {
         second = false;
         this.report(null);
         continue;
@@ -193,6 +209,28 @@ export class JournalWriter {
       }
       second = true;
     }
+  }
+
+  /** Tells when a write takes long, until the function that it returns is called. */
+  private watch(): () => void {
+    let isLate = false;
+    const notLate = this.later(kLateMs, () => {
+      isLate = true;
+      this.events.late(true);
+    });
+    let notSilent = (): void => undefined;
+    this.silence = new Promise((resolve) => {
+      notSilent = this.later(kSilentMs, () => {
+        this.wantsBase = true;
+        this.report(new StoreFailure('silent'));
+        resolve();
+      });
+    });
+    return () => {
+      notLate();
+      notSilent();
+      if (isLate) this.events.late(false);
+    };
   }
 
   /** True when a second try makes sense. */
@@ -222,7 +260,8 @@ export class JournalWriter {
 
   /** One transaction. What is asked of the engine is asked before the first await: it all belongs together. */
   private async writeOnce(): Promise<void> {
-    const batch = this.pending.splice(0);
+    const batch = this.pending.splice(0),
+      { attached } = this;
     const wanted = [...new Set(batch.flatMap((event) => event.photos))];
     let whole = this.wantsBase || !this.info || isLong(this.info);
     let photos = whole ? this.source.photos() : wanted;
@@ -238,10 +277,13 @@ export class JournalWriter {
     this.wantsBase = false;
     if (!this.store) throw new StoreFailure('missing');
     const packed = await this.pack(this.store, fresh ?? []);
-    const id = this.info?.id ?? (this.newId ??= await this.events.begin());
+    if (attached !== this.attached) return;
+    const id = this.info?.id ?? this.newId ?? (await this.events.begin());
+    if (attached !== this.attached) return;
+    this.newId = id;
     const records = batch.map((event) => event.record);
     const before = this.info?.photos ?? [];
-    this.info = await this.store.write({
+    const info = await this.store.write({
       id,
       writer: this.token,
       now: this.now(),
@@ -253,6 +295,8 @@ export class JournalWriter {
       photos,
       packed,
     });
+    if (attached !== this.attached) return;
+    this.info = info;
     for (const hash of photos) this.known.add(hash);
     this.events.kept(this.info);
     if (whole && before.some((hash) => !photos.includes(hash))) await this.store.sweep(this.now() - kTrashMs);

@@ -12,7 +12,7 @@ import type { HistorySource, JournalEvent } from './journal_writer.ts';
 import { unpackPhoto } from './pack.ts';
 import type { RawPhoto } from './pack.ts';
 import { recall, remember, tabName } from './session.ts';
-import { ModelStore, newModelId } from './store.ts';
+import { kOpenModel, ModelStore, newModelId } from './store.ts';
 import type { KeptModel, ModelInfo } from './store.ts';
 import { shrunkPicture } from './thumbnail.ts';
 import { StoreFailure, storeFailureOf } from './trouble.ts';
@@ -34,6 +34,8 @@ export interface KeeperPage {
   changed(): void;
   /** Whether this tab may change the model. */
   setReadOnly(readOnly: boolean): void;
+  /** Whether what was done last is not on the disk yet although a moment has gone by. */
+  setLate(isLate: boolean): void;
   showModels(): void;
   /** Under which animal so many models are put away; null: under none. */
   askAnimal(models: number): Promise<Animal | null>;
@@ -356,7 +358,7 @@ export class Keeper {
   }
 
   private async bringBack(): Promise<void> {
-    const id = recall('model') ?? (await this.store?.setting('open'));
+    const id = recall('model') ?? (await this.store?.setting(kOpenModel));
     if (typeof id !== 'string' || id === kNoModel) return;
     const info = await this.store?.info(id);
     if (!info || info.deleted !== null) return;
@@ -461,6 +463,7 @@ export class Keeper {
       },
       kept: (info) => this.onKept(info),
       trouble: (failure, since) => this.onTrouble(failure, since),
+      late: (isLate) => this.page.setLate(isLate),
       taken: () => this.lose(),
     });
   }
@@ -503,7 +506,7 @@ export class Keeper {
   private rememberOpen(id: string | null): void {
     if (recall('model') === (id ?? kNoModel)) return;
     remember('model', id ?? kNoModel);
-    void this.store?.set('open', id ?? kNoModel).catch(() => undefined);
+    void this.store?.set(kOpenModel, id ?? kNoModel).catch(() => undefined);
   }
 
   private seen(): void {

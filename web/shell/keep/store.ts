@@ -8,6 +8,8 @@ import { StoreFailure, storeFailureOf } from './trouble.ts';
 
 export const kDatabase = 'spineloft';
 export const kDatabaseVersion = 1;
+/** The setting that says which model was open last. */
+export const kOpenModel = 'open';
 
 /** A small picture of a model. */
 export interface Thumbnail {
@@ -149,11 +151,11 @@ export class ModelStore {
   }
 
   /**
-   * Keeps one change, all of it or nothing. Rejects with a StoreFailure: 'taken' (another page writes this model
+   * Keeps one change, all of it or nothing; the model is the one to open next time. Rejects with a StoreFailure: 'taken' (another page writes this model
    * now, or it is gone), 'photo-missing' (a photo is neither given nor kept), 'full', 'failed'.
    */
   async write(change: Change): Promise<ModelInfo> {
-    return this.transact(['models', 'bases', 'journal', 'photos'], async (tx) => {
+    return this.transact(['models', 'bases', 'journal', 'photos', 'settings'], async (tx) => {
       const models = tx.objectStore('models'),
         photos = tx.objectStore('photos'),
         journal = tx.objectStore('journal');
@@ -174,6 +176,7 @@ export class ModelStore {
           quietly(journal.add({ model: change.id, sequence: first + i, text }));
       }
       quietly(models.put(info));
+      quietly(tx.objectStore('settings').put(change.id, kOpenModel));
       return info;
     });
   }
@@ -305,7 +308,8 @@ export class ModelStore {
     work: (tx: IDBPTransaction<Schema, Names, 'readwrite'>) => Promise<T>,
   ): Promise<T> {
     return this.guard(async () => {
-      const tx = this.db.transaction(names, 'readwrite');
+      // What is told as kept has reached the disk, not only the system.
+      const tx = this.db.transaction(names, 'readwrite', { durability: 'strict' });
       try {
         const value = await work(tx);
         await tx.done;

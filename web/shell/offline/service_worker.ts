@@ -1,6 +1,7 @@
 // The service worker: after one visit the page opens without a network, and a release is never mixed with another. All
 // files of a release are stored before it is used; the release in use stays until no page needs it or a visitor asks for
 // the new one. Also takes pictures that the system's share sheet sends.
+import './own_host.ts';
 import { clientsClaim } from 'workbox-core';
 import { cleanupOutdatedCaches, precacheAndRoute } from 'workbox-precaching';
 import { registerRoute } from 'workbox-routing';
