@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "web/ui/icons.h"
@@ -37,6 +39,24 @@ ImFont* add(const std::vector<std::uint8_t>& file, float pixels, const ImWchar* 
                                     &config, ranges);
 }
 
+/// The height of a line, from the top of ascenders to the foot of descenders, in em; 1 for a file that has none.
+float lineInEm(const std::vector<std::uint8_t>& file) {
+  const auto at = [&](std::size_t place) {
+    return place + 1 < file.size() ? static_cast<std::int16_t>(file[place] << 8 | file[place + 1]) : std::int16_t{0};
+  };
+  int line = 0, em = 0;
+  for (int i = 0; i < at(4); ++i) {
+    const std::size_t entry = 12 + 16 * static_cast<std::size_t>(i);
+    if (entry + 16 > file.size()) break;
+    const std::string_view tag(reinterpret_cast<const char*>(file.data() + entry), 4);
+    const std::size_t start = static_cast<std::size_t>(static_cast<std::uint16_t>(at(entry + 8))) << 16 |
+                              static_cast<std::uint16_t>(at(entry + 10));
+    if (tag == "hhea") line = at(start + 4) - at(start + 6);
+    if (tag == "head") em = at(start + 18);
+  }
+  return line > 0 && em > 0 ? static_cast<float>(line) / static_cast<float>(em) : 1;
+}
+
 /// Arabic with its joined forms; kana, kanji, and the signs that stand between them.
 const ImWchar kScriptRanges[] = {0x600,  0x6ff,  0x2000, 0x206f, 0x3000, 0x30ff, 0x4e00, 0x9fff,
                                  0xfb50, 0xfdff, 0xfe70, 0xfefc, 0xff00, 0xffef, 0};
@@ -50,7 +70,8 @@ ImFont* addText(const platform::FontFiles& files, bool bold, float pixels) {
   config.PixelSnapH = false;
   ImFont* font = add(file, pixels, kTextRanges, config);
   config.MergeMode = true;
-  add(script, pixels, kScriptRanges, config);
+  // ImGui's size is the height of a line; letters of one em stand beside each other.
+  add(script, pixels * lineInEm(script) / lineInEm(file), kScriptRanges, config);
   config.GlyphMinAdvanceX = pixels * 1.15f;
   config.GlyphOffset.y = pixels * 0.16f;
   add(files.icons, pixels * 1.12f, iconRanges(), config);

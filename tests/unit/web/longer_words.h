@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,9 +29,10 @@ class LongerWords final : public words::Source {
       if (shut != std::string_view::npos) {
         end();
         const app::Json* value = given ? given->find(english.substr(i + 1, shut - i - 1)) : nullptr;
-        if (value != nullptr) out += value->number() ? std::to_string(*value->number()) : *value->text();
+        if (value != nullptr) out += value->number() ? plain(*value->number()) : *value->text();
         i = shut;
-      } else if (static_cast<unsigned char>(english[i]) < 0x80 && std::isalpha(static_cast<unsigned char>(english[i])) != 0) {
+      } else if (static_cast<unsigned char>(english[i]) < 0x80 &&
+                 std::isalpha(static_cast<unsigned char>(english[i])) != 0) {
         word += english[i];
       } else {
         end();
@@ -42,6 +44,13 @@ class LongerWords final : public words::Source {
   }
   std::string drawn(std::string_view text) override { return std::string(text); }
   int asked = 0;
+
+ private:
+  static std::string plain(double number) {
+    std::ostringstream out;
+    out << number;
+    return out.str();
+  }
 };
 
 /// English again at its end; with an App, that follows.
