@@ -90,8 +90,10 @@ ShortList<Tab> tabsFor(const PanelEnv& env, const document::Part* region) {
 void column(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
-  label(env.fonts.bold, kInk, "Parts");
   const float side = env.ui().touch ? 44.f : 32.f;
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - side);
+  label(env.fonts.bold, kInk, "Parts");
+  ImGui::PopTextWrapPos();
   ImGui::SameLine(width - side + 8);
   commandButton(env, "new-part", side);
   partList(env);

@@ -276,8 +276,10 @@ void drawViewChrome(const PanelEnv& env) {
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   if (tool != app::ToolKind::Place || !layout.stacked) {
     const std::string size = app::roundLength(env.document().height.value);
-    const Text solid =
-        env.document().parts.empty() ? Text("Solid") : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
+    const bool sharesRow = tool == app::ToolKind::Place;  // with the bar that places parts
+    const Text solid = env.document().parts.empty() || sharesRow
+                           ? Text("Solid")
+                           : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
     chip(env, layout.solid, solid, !onPicture);
   }
   // The most used first. Fingers pinch: a phone needs no zoom buttons.
