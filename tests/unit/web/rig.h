@@ -4,9 +4,11 @@
 
 #include <imgui.h>
 
+#include <chrono>
 #include <memory>
 #include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -63,7 +65,7 @@ inline image::Picture barPicture(int width = 200, int height = 200) {
 
 class Rig {
  public:
-  explicit Rig(platform::CanvasSize size = {1200, 700, 1}, int threads = 0) {
+  explicit Rig(platform::CanvasSize size = {1200, 700, 1}, int threads = 0) : threads_(threads) {
     ImGui::CreateContext();
     auto renderer = std::make_unique<gl::NullRenderer>();
     gl = renderer.get();
@@ -87,6 +89,7 @@ class Rig {
       }
       if (!std::exchange(host.frameAsked, false)) {
         if (app->idle() && host.wakesAsked == 0) return true;
+        if (threads_ > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a worker has it
         continue;
       }
       app->frame();
@@ -140,6 +143,9 @@ class Rig {
   gl::NullRenderer* gl = nullptr;
   std::unique_ptr<app::App> app;
   double lastX = 0, lastY = 0;
+
+ private:
+  int threads_;
 };
 
 }  // namespace spineloft::test
