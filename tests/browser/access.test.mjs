@@ -91,8 +91,10 @@ test('the page is dark where the system asks for it, the canvas as well, and cha
 
 test('by keyboard alone: open a sample, make a part, change it, save it', () =>
   onPage(kit, { alone: true }, async (page) => {
-    await page.keyboard.press('Tab');
-    assert.equal(await focused(page), 'open-picture');
+    for (const command of ['language', 'open-picture']) {
+      await page.keyboard.press('Tab');
+      assert.equal(await focused(page), command);
+    }
     const onSample = () => page.evaluate(() => document.activeElement.closest('#samples') !== null);
     for (let i = 0; i < 4 && !(await onSample()); ++i) await page.keyboard.press('Tab');
     await page.keyboard.press('Enter');

@@ -24,7 +24,7 @@ import { hasWebGl2, sizeOf, watchContext, watchSize, watchTheme } from './surfac
 import { toast } from './toasts.ts';
 import { connectTooltips } from './tooltip.ts';
 import { warmUpWhenIdle } from './warm_up.ts';
-import { language, onLanguage, preferredLanguage, speak } from './words/words.ts';
+import { language, onLanguage, preferredLanguage, speak, t } from './words/words.ts';
 
 const canvas = byId<HTMLCanvasElement>('canvas');
 
@@ -98,7 +98,10 @@ function connect(page: Page, engine: Engine): void {
 /** The button of the start page: its language by name, and the others behind it. */
 function connectLanguage(page: Page): void {
   const button = byId('language');
-  const show = () => button.replaceChildren(icon('languages'), asIs(language().name));
+  const show = () => {
+    button.replaceChildren(icon('languages'), asIs(language().name));
+    button.setAttribute('aria-label', `${t('Language')}: ${language().name}`);
+  };
   button.addEventListener('click', () => openLanguages(button, (id) => void page.speak(id)));
   onLanguage(() => {
     show();
