@@ -47,9 +47,8 @@ std::vector<Shown> inSight(Rig& rig) {
   for (const Json& one : *state.find("controls")->array()) {
     if (!*one.flag("inSight")) continue;
     const Json::Array& at = *one.find("at")->array();
-    out.push_back({*one.text("kind"),
-                   *one.text("words"),
-                   {*at[0].number(), *at[1].number(), *at[2].number(), *at[3].number()}});
+    out.push_back(
+        {*one.text("kind"), *one.text("words"), {*at[0].number(), *at[1].number(), *at[2].number(), *at[3].number()}});
   }
   return out;
 }
