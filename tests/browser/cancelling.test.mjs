@@ -14,11 +14,17 @@ function heldWorkers() {
   const Plain = window.Worker,
     handler = Object.getOwnPropertyDescriptor(Plain.prototype, 'onmessage');
   window.held = null;
-  window.hand = () => window.held?.shift()?.();
+  window.hand = () => window.held?.shift()?.give();
   window.Worker = class extends Plain {
+    /** What a worker has not said by then it never says. */
+    terminate() {
+      window.held = window.held?.filter(({ worker }) => worker !== this) ?? null;
+      super.terminate();
+    }
+
     set onmessage(told) {
       const give = (event) => {
-        if (window.held) window.held.push(() => told.call(this, event));
+        if (window.held) window.held.push({ worker: this, give: () => told.call(this, event) });
         else told.call(this, event);
       };
       handler.set.call(this, told && give);
