@@ -74,8 +74,7 @@ void likeThings(const PanelEnv& env, float width) {
 
 /// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
-  label(env.fonts.icons, line.good ? kGood : kWarning,
-        asIs(iconText(line.good ? "circle-check" : "triangle-alert")));
+  label(env.fonts.icons, line.good ? kGood : kWarning, asIs(iconText(line.good ? "circle-check" : "triangle-alert")));
   ImGui::SameLine(0, 6);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
   label(env.fonts.small, line.good ? kInk : kWarning, asIs(line.text));

@@ -180,7 +180,8 @@ TEST_CASE("the golden document with paints reads as what was written") {
   REQUIRE(read.parts.size() == 2);
   const document::Look scales{false, {10, 20, 30}, surface::Paint::TwoTone, {200, 230, 0}, true, false};
   CHECK(read.parts[0]->look == scales);
-  const document::Look shell{true, document::Look{}.colour, surface::Paint::Metal, document::Look{}.second, false, false};
+  const document::Look shell{true, document::Look{}.colour, surface::Paint::Metal, document::Look{}.second, false,
+                             false};
   CHECK(read.parts[1]->look == shell);
 }
 
