@@ -11,12 +11,15 @@
 
 #include "tests/unit/web/longer_words.h"
 #include "tests/unit/web/rig.h"
+#include "tests/unit/web/shown.h"
 
 using namespace spineloft;
 using app::Json;
 using app::Rect;
+using spineloft::test::inSight;
 using spineloft::test::LongerWords;
 using spineloft::test::Rig;
+using spineloft::test::Shown;
 using spineloft::test::Speaking;
 
 namespace {
@@ -35,23 +38,6 @@ class OneText final : public words::Source {
   std::vector<std::pair<std::string, std::string>> asked;
   int drawings = 0;
 };
-
-struct Shown {
-  std::string kind, words;
-  Rect at;
-};
-
-std::vector<Shown> inSight(Rig& rig) {
-  std::vector<Shown> out;
-  const Json state = rig.state();
-  for (const Json& one : *state.find("controls")->array()) {
-    if (!*one.flag("inSight")) continue;
-    const Json::Array& at = *one.find("at")->array();
-    out.push_back(
-        {*one.text("kind"), *one.text("words"), {*at[0].number(), *at[1].number(), *at[2].number(), *at[3].number()}});
-  }
-  return out;
-}
 
 /// Pairs of controls that lie on each other, by their words.
 std::vector<std::pair<std::string, std::string>> meetings(const std::vector<Shown>& all) {

@@ -8,34 +8,21 @@
 
 #include "engine/base/rng.h"
 #include "tests/unit/web/rig.h"
+#include "tests/unit/web/shown.h"
 
 using namespace spineloft;
 using app::Json;
 using app::Rect;
+using spineloft::test::inSight;
 using spineloft::test::Rig;
+using spineloft::test::Shown;
 
 namespace {
-
-struct Shown {
-  std::string kind, words;
-  Rect at;
-};
-
-std::vector<Shown> shownIn(Rig& rig) {
-  std::vector<Shown> out;
-  const Json state = rig.state();
-  for (const Json& one : *state.find("controls")->array()) {
-    const Json::Array& at = *one.find("at")->array();
-    const Rect rect{*at[0].number(), *at[1].number(), *at[2].number(), *at[3].number()};
-    if (*one.flag("inSight")) out.push_back({*one.text("kind"), *one.text("words"), rect});
-  }
-  return out;
-}
 
 /// The words above the views are on the canvas and clear of all else; all of them.
 std::set<std::string> clearWords(Rig& rig, const platform::CanvasSize& size) {
   std::set<std::string> words;
-  const std::vector<Shown> all = shownIn(rig);
+  const std::vector<Shown> all = inSight(rig);
   for (const Shown& one : all) {
     if (one.kind != "words") continue;
     words.insert(one.words);
