@@ -2,8 +2,6 @@
 // catalogue alone, and of what a visitor types the kana and the Arabic alphabet.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import shapers from 'arabic-persian-reshaper';
-import subsetFont from 'subset-font';
 import { root } from './paths.mjs';
 import { catalogue } from './words.mjs';
 
@@ -30,8 +28,11 @@ const kWeights = { text: '400Regular', bold: '600SemiBold' };
 
 export const scriptLanguages = Object.keys(kScripts);
 
+// Packages are imported when a font is made: the set-up that installs them reads this file, too.
+
 /** The letters that such a font has: those of the catalogue as they are written and as the canvas draws them. */
-export function scriptLetters(id) {
+async function scriptLetters(id) {
+  const { default: shapers } = await import('arabic-persian-reshaper');
   const words = Object.values(catalogue(id)).join(' ');
   const drawn = id === 'ar' ? shapers.ArabicShaper.convertArabic(words) : '';
   const own = [...words, ...drawn].filter((letter) => letter > '\u0500' && !/[\u2000-\u206f]/.test(letter));
@@ -40,8 +41,9 @@ export function scriptLetters(id) {
 
 /** A TrueType file of a language: `weight` is "text" or "bold". */
 export async function scriptFont(id, weight) {
+  const { default: subsetFont } = await import('subset-font');
   const { family, file, options } = kScripts[id];
   const style = kWeights[weight];
   const font = readFileSync(join(folder, family, style, `${file}_${style}.ttf`));
-  return subsetFont(font, scriptLetters(id), { targetFormat: 'truetype', noHinting: true, ...options });
+  return subsetFont(font, await scriptLetters(id), { targetFormat: 'truetype', noHinting: true, ...options });
 }
