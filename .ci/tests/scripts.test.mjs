@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import {
   countsLine,
@@ -208,4 +208,23 @@ test('the files of the set-up name no registry and no mirror', () => {
   assert.doesNotMatch(readFileSync(join(root, 'package-lock.json'), 'utf8'), /"resolved"/);
   assert.doesNotMatch(readFileSync(join(root, 'emsdk.lock'), 'utf8'), /https?:/);
   assert.equal(lock.emscripten.version, '3.1.69');
+});
+
+test('the scripts of a fresh clone import nothing that the set-up installs before it has run', () => {
+  const seen = new Set();
+  const visit = (file) => {
+    if (seen.has(file)) return;
+    seen.add(file);
+    const imports = readFileSync(file, 'utf8').matchAll(
+      /^(?:import|export) [^;]*?from '([^']+)';|^import '([^']+)';/gm,
+    );
+    for (const [, from, bare] of imports) {
+      const name = from ?? bare;
+      assert.match(name, /^(\.|node:)/, `${file} imports ${name}`);
+      if (name.startsWith('.')) visit(join(dirname(file), name));
+    }
+  };
+  for (const script of ['setup', 'start', 'build', 'test', 'bench', 'cli', 'fuzz', 'figures'])
+    visit(join(root, '.ci', `${script}.mjs`));
+  assert.ok(seen.size > 15);
 });
