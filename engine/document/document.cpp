@@ -46,9 +46,9 @@ std::size_t heldBy(const LoftRecipe& recipe) {
   for (const auto* curve : {&loft.twist, &loft.squash, &loft.tilt, &loft.bulge}) {
     bytes += bytesOf(curve->points);
   }
-  for (const loft::SectionKey& stop : loft.sections) {
-    bytes += sizeof(stop) + bytesOf(stop.blend.custom.points);
-    for (const auto& contour : stop.shape.contours) bytes += sizeof(contour) + bytesOf(contour);
+  for (const loft::SectionKey& key : loft.sections) {
+    bytes += sizeof(key) + bytesOf(key.blend.custom.points);
+    for (const auto& contour : key.shape.contours) bytes += sizeof(contour) + bytesOf(contour);
   }
   return bytes;
 }

@@ -222,7 +222,7 @@ struct Apply {
     });
   }
   Status operator()(const SetSections& a) const {
-    if (Status stops = loft::checkSectionKeys(a.sections); !stops) return stops;
+    if (Status checked = loft::checkSectionKeys(a.sections); !checked) return checked;
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
       loft.loft.sections = a.sections;
       return Done{};

@@ -82,7 +82,7 @@ void mendLoft(loft::LoftParams& params, ReadNotes& notes) {
   mend(params.centring >= 0 && params.centring <= 10, params.centring, loft::LoftParams{}.centring, notes);
   weed(
       params.sections, loft::kMostSectionKeys,
-      [](const loft::SectionKey& stop) { return loft::checkSectionKeys({&stop, 1}).ok(); }, notes);
+      [](const loft::SectionKey& key) { return loft::checkSectionKeys({&key, 1}).ok(); }, notes);
   mend(loft::checkSectionKeys(params.sections).ok(), params.sections, loft::LoftParams{}.sections, notes);
   mend(loft::checkParams(params).ok(), params, {}, notes);
 }

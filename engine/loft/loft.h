@@ -86,7 +86,7 @@ Status checkParams(const LoftParams& params);
 /// through, genus 1). Ribs with a coordinate that is not finite are left out; coordinates are clamped to ±kFarthest.
 /// Errors: TooFewRibs (fewer than 2 ribs, or all in one point), ValueOutOfRange, SectionInvalid.
 ///
-/// Along the spine: sections go from stop to stop (section.h) and always touch both rib ends; squash
+/// Along the spine: sections go from key to key (section.h) and always touch both rib ends; squash
 /// scales depth, bulge the front by 1 + b and the back by 1 − b (never below kLeastSide), twist then
 /// turns the section (ribs give its size; only where it is 0 the outline passes through the rib ends),
 /// tilt shears it along the spine so that a round bar stays a round bar. Sections of several pieces or

@@ -78,21 +78,21 @@ struct Blend {
 /// f(t), t in 0…1.
 double blendAt(const Blend& blend, double t);
 
-/// A section somewhere along the spine. Before the first and after the last stop the section stays
-/// as it is; one stop alone is the section of the whole part.
+/// A section somewhere along the spine. Before the first and after the last key the section stays
+/// as it is; one key alone is the section of the whole part.
 struct SectionKey {
   double at = 0.5;  ///< share of the spine's length, 0…1
   SectionShape shape;
-  Blend blend;  ///< from here to the next stop
+  Blend blend;  ///< from here to the next key
   bool operator==(const SectionKey&) const = default;
 };
 inline constexpr std::size_t kMostSectionKeys = 32;
 
 /// Known preset or sound contours; Error: SectionInvalid with what is wrong.
 Status checkShape(const SectionShape& shape);
-/// 1…kMostSectionKeys stops in order, at least geometry::kLeastStep apart, all with the same number of
+/// 1…kMostSectionKeys keys in order, at least geometry::kLeastStep apart, all with the same number of
 /// outer curves and holes. Errors: SectionInvalid, ValueOutOfRange.
-Status checkSectionKeys(std::span<const SectionKey> stops);
+Status checkSectionKeys(std::span<const SectionKey> keys);
 
 /// How many points a section may have.
 inline constexpr int kMinSectionPoints = 12, kMaxSectionPoints = 512;

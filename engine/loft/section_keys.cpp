@@ -80,24 +80,24 @@ bool joinsItsKeys(const Blend& blend) {
 
 }  // namespace
 
-Status checkSectionKeys(std::span<const SectionKey> stops) {
-  if (stops.empty() || stops.size() > kMostSectionKeys) return {Error::ValueOutOfRange, "slices"};
+Status checkSectionKeys(std::span<const SectionKey> keys) {
+  if (keys.empty() || keys.size() > kMostSectionKeys) return {Error::ValueOutOfRange, "slices"};
   double before = -1;
   std::vector<int> first;
-  for (const SectionKey& stop : stops) {
-    if (!(stop.at >= 0 && stop.at <= 1)) return {Error::ValueOutOfRange, "place of a slice"};
-    if (before >= 0 && stop.at - before < geometry::kLeastStep) {
+  for (const SectionKey& key : keys) {
+    if (!(key.at >= 0 && key.at <= 1)) return {Error::ValueOutOfRange, "place of a slice"};
+    if (before >= 0 && key.at - before < geometry::kLeastStep) {
       return {Error::ValueOutOfRange, "slices too close"};
     }
-    if (stop.blend.kind >= BlendKind::kCount || !geometry::isValid(stop.blend.custom, -1, 2) ||
-        !joinsItsKeys(stop.blend)) {
+    if (key.blend.kind >= BlendKind::kCount || !geometry::isValid(key.blend.custom, -1, 2) ||
+        !joinsItsKeys(key.blend)) {
       return {Error::ValueOutOfRange, "blend"};
     }
-    if (stop.shape.preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "slice"};
-    if (stops.size() == 1 && !stop.shape.drawn()) break;  // nothing that it could disagree with
+    if (key.shape.preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "slice"};
+    if (keys.size() == 1 && !key.shape.drawn()) break;  // nothing that it could disagree with
     std::vector<int> pieces = {0};
-    if (stop.shape.drawn()) {
-      const Result<std::vector<SectionPiece>> read = readShape(stop.shape);
+    if (key.shape.drawn()) {
+      const Result<std::vector<SectionPiece>> read = readShape(key.shape);
       if (!read) return read.failure();
       pieces = makeUp(read.value());
     }
@@ -105,7 +105,7 @@ Status checkSectionKeys(std::span<const SectionKey> stops) {
       return {Error::SectionInvalid, "all slices of one part need the same number of pieces and holes"};
     }
     if (before < 0) first = std::move(pieces);
-    before = stop.at;
+    before = key.at;
   }
   return Done{};
 }

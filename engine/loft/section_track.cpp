@@ -60,20 +60,20 @@ bool simpleCurves(std::span<const SectionPoint> points, std::span<const std::siz
 SectionTrack SectionTrack::fixed(Curve points) {
   SectionTrack track;
   track.sizes_ = {points.size()};
-  track.stops_.push_back({0, {}, std::move(points), false});
+  track.keys_.push_back({0, {}, std::move(points), false});
   track.finish();
   return track;
 }
 
-Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> stops, int points, bool closed) {
-  if (stops.size() == 1 && !stops.front().shape.drawn()) {
-    Result<Section> section = presetSection(stops.front().shape.preset, points);
+Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> keys, int points, bool closed) {
+  if (keys.size() == 1 && !keys.front().shape.drawn()) {
+    Result<Section> section = presetSection(keys.front().shape.preset, points);
     if (!section) return section.failure();
     return fixed(std::move(section).value().points);
   }
   std::vector<Pieces> shapes;
-  for (const SectionKey& stop : stops) {
-    Result<Pieces> pieces = readShape(stop.shape);
+  for (const SectionKey& key : keys) {
+    Result<Pieces> pieces = readShape(key.shape);
     if (!pieces) return pieces.failure();
     if (!shapes.empty()) {
       const std::vector<std::size_t> match = matched(shapes.back(), pieces.value());
@@ -93,20 +93,20 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> stops, int 
   for (int wanted = points; wanted <= 8 * kMaxSectionPoints; wanted *= 2) {
     SectionTrack track;
     track.closed_ = closed;
-    for (const SectionKey& stop : stops) track.stops_.push_back({stop.at, stop.blend, {}, false});
+    for (const SectionKey& key : keys) track.keys_.push_back({key.at, key.blend, {}, false});
     for (std::size_t piece = 0; piece < shapes.front().size(); ++piece) {
       std::vector<Contour> row;
       for (const Pieces& shape : shapes) row.push_back(shape[piece].contour);
       std::vector<Curve> curves = onCommonPoints(row, wanted);
       for (std::size_t k = 0; k < curves.size(); ++k) {
         if (shapes[k][piece].hole) std::ranges::reverse(curves[k]);
-        Curve& all = track.stops_[k].points;
+        Curve& all = track.keys_[k].points;
         all.insert(all.end(), curves[k].begin(), curves[k].end());
       }
       track.sizes_.push_back(curves.front().size());
     }
     track.finish();
-    if (std::ranges::all_of(track.stops_, [&](const Stop& stop) { return simpleCurves(stop.points, track.sizes_); })) {
+    if (std::ranges::all_of(track.keys_, [&](const Key& key) { return simpleCurves(key.points, track.sizes_); })) {
       return track;
     }
   }
@@ -117,39 +117,39 @@ void SectionTrack::finish() {
   count_ = std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0});
   shortestEdge_ = std::numeric_limits<double>::infinity();
   hollow_ = sizes_.size() == 1;
-  for (Stop& stop : stops_) {
-    touchBothEnds(stop.points);
+  for (Key& key : keys_) {
+    touchBothEnds(key.points);
     std::size_t first = 0;
     for (const std::size_t size : sizes_) {
       for (std::size_t i = 0; i < size; ++i) {
-        shortestEdge_ = std::min(shortestEdge_, distance(stop.points[first + i], stop.points[first + (i + 1) % size]));
+        shortestEdge_ = std::min(shortestEdge_, distance(key.points[first + i], key.points[first + (i + 1) % size]));
       }
       first += size;
     }
-    stop.starShaped = sizes_.size() == 1 && hubOf(stop.points).has_value();
-    hollow_ = hollow_ && stop.starShaped;
+    key.starShaped = sizes_.size() == 1 && hubOf(key.points).has_value();
+    hollow_ = hollow_ && key.starShaped;
   }
 }
 
 SectionTrack::Place SectionTrack::placeAt(double share) const {
-  const std::size_t last = stops_.size() - 1;
-  const auto next = std::ranges::upper_bound(stops_, share, {}, &Stop::at);
-  const std::size_t to = static_cast<std::size_t>(next - stops_.begin());
+  const std::size_t last = keys_.size() - 1;
+  const auto next = std::ranges::upper_bound(keys_, share, {}, &Key::at);
+  const std::size_t to = static_cast<std::size_t>(next - keys_.begin());
   if (last == 0) return {};
   if (to > 0 && to <= last) {
-    const Stop& a = stops_[to - 1];
-    const double f = blendAt(a.blend, (share - a.at) / (stops_[to].at - a.at));
+    const Key& a = keys_[to - 1];
+    const double f = blendAt(a.blend, (share - a.at) / (keys_[to].at - a.at));
     return {to - 1, to, f};
   }
   if (!closed_) return to == 0 ? Place{0, 1, 0} : Place{last - 1, last, 1};
-  const double gap = stops_[0].at + 1 - stops_[last].at;
-  const double gone = share - stops_[last].at + (to == 0 ? 1 : 0);
+  const double gap = keys_[0].at + 1 - keys_[last].at;
+  const double gone = share - keys_[last].at + (to == 0 ? 1 : 0);
   if (!(gap > geometry::kLeastStep)) return {last, 0, 0.5};
-  return {last, 0, blendAt(stops_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
+  return {last, 0, blendAt(keys_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
 }
 
 void SectionTrack::blended(const Place& place, Curve& out) const {
-  const Curve &a = stops_[place.from].points, &b = stops_[place.to].points;
+  const Curve &a = keys_[place.from].points, &b = keys_[place.to].points;
   out.resize(count_);
   for (std::size_t i = 0; i < count_; ++i) {
     out[i] = place.f == 0 ? a[i] : place.f == 1 ? b[i] : lerp(a[i], b[i], place.f);
@@ -167,7 +167,7 @@ bool SectionTrack::isSound(const Place& place) const {
     const auto area = [&](const Curve& of) {
       return geometry::signedArea(std::span<const SectionPoint>(of).subspan(first, size));
     };
-    if (area(curve) * area(stops_[place.from].points) <= 0) return false;
+    if (area(curve) * area(keys_[place.from].points) <= 0) return false;
     first += size;
   }
   return true;
@@ -197,7 +197,7 @@ void SectionTrack::appendShape(double share, Curve& out) const {
     blended({place.from, place.to, soundBlend(place)}, mixed);
     touchBothEnds(mixed);
   }
-  const Curve& curve = varies() ? mixed : stops_.front().points;
+  const Curve& curve = varies() ? mixed : keys_.front().points;
   const SectionPoint middle = geometry::centroid(std::span(curve).first(sizes_.front()));
   const SectionPoint hub = sizes_.size() == 1 ? hubOf(curve).value_or(middle) : middle;
   out.insert(out.end(), curve.begin(), curve.end());
@@ -206,7 +206,7 @@ void SectionTrack::appendShape(double share, Curve& out) const {
 
 double SectionTrack::progress(double share) const {
   if (!varies()) return 0;
-  constexpr double kSteps = 12;  // rings from one stop to the next
+  constexpr double kSteps = 12;  // rings from one key to the next
   const Place place = placeAt(share);
   return kSteps * (static_cast<double>(place.from) + std::clamp(place.f, -1.0, 2.0));
 }

@@ -23,24 +23,24 @@ class SectionTrack {
  public:
   /// One section everywhere: simple, counter-clockwise.
   static SectionTrack fixed(std::vector<SectionPoint> points);
-  /// The sections of stops that pass checkSectionKeys, with about `points` points around. `closed`: after
-  /// the last stop the section goes on to the first again. Errors: SectionInvalid.
-  static Result<SectionTrack> along(std::span<const SectionKey> stops, int points, bool closed);
+  /// The sections of keys that pass checkSectionKeys, with about `points` points around. `closed`: after
+  /// the last key the section goes on to the first again. Errors: SectionInvalid.
+  static Result<SectionTrack> along(std::span<const SectionKey> keys, int points, bool closed);
 
   std::span<const std::size_t> sizes() const { return sizes_; }
   std::size_t count() const { return count_; }  ///< points of all curves
-  bool varies() const { return stops_.size() > 1; }
+  bool varies() const { return keys_.size() > 1; }
   /// The points of all curves, and as the last point the hub: a point that sees the whole curve when
   /// there is one alone and it has such a point. Touches x = ±1. Appends count() + 1 points.
   void appendShape(double share, std::vector<SectionPoint>& out) const;
   /// How far the section has changed up to here, in steps of about equal sight.
   double progress(double share) const;
-  double shortestEdge() const { return shortestEdge_; }  ///< at the stops, section units
-  /// The hubs of all stops see their curves: an inner wall lies inside the outer one.
+  double shortestEdge() const { return shortestEdge_; }  ///< at the keys, section units
+  /// The hubs of all keys see their curves: an inner wall lies inside the outer one.
   bool hollow() const { return hollow_; }
 
  private:
-  struct Stop {
+  struct Key {
     double at = 0;
     Blend blend;
     std::vector<SectionPoint> points;
@@ -56,14 +56,14 @@ class SectionTrack {
   double soundBlend(Place place) const;
   void finish();
 
-  std::vector<Stop> stops_;
+  std::vector<Key> keys_;
   std::vector<std::size_t> sizes_;
   std::size_t count_ = 0;
   double shortestEdge_ = 0;
   bool closed_ = false, hollow_ = false;
 };
 
-/// Contours that belong together, one a stop, on common points: as many on each, corners of all kept.
+/// Contours that belong together, one a key, on common points: as many on each, corners of all kept.
 /// Counter-clockwise. Between star-shaped ones straight lines between points are free of crossings.
 std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points);
 

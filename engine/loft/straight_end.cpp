@@ -10,20 +10,20 @@ namespace spineloft::loft {
 namespace {
 
 /// Where the spine ends, and its unit direction there, outwards.
-struct Stop {
+struct SpineEnd {
   PicturePoint at, along;
   double beyond(PicturePoint p) const { return dot(p - at, along); }
 };
 
 /// The direction is taken over a quarter of the part's `width`: the last few points alone are too noisy.
 template <class Ribs>
-std::optional<Stop> sectionKeyOf(const Ribs& inwards, double width) {
+std::optional<SpineEnd> endOf(const Ribs& inwards, double width) {
   const ribs::Rib* last = nullptr;
   for (const ribs::Rib& rib : inwards) {
     if (!isFinite(rib.center)) continue;
     if (last == nullptr) last = &rib;
     const PicturePoint way = last->center - rib.center;
-    if (norm(way) >= width / 4) return Stop{last->center, normalized(way)};
+    if (norm(way) >= width / 4) return SpineEnd{last->center, normalized(way)};
   }
   return std::nullopt;
 }
@@ -33,21 +33,21 @@ struct SideCut {
   std::size_t before = 0;
   PicturePoint at;
 };
-std::optional<SideCut> cutOf(const std::vector<Chord>& chords, PicturePoint Chord::* side, const Stop& stop) {
+std::optional<SideCut> cutOf(const std::vector<Chord>& chords, PicturePoint Chord::* side, const SpineEnd& end) {
   for (std::size_t i = chords.size(); i-- > 0;) {
-    const double here = stop.beyond(chords[i].*side);
+    const double here = end.beyond(chords[i].*side);
     if (here > 0) continue;
     if (i + 1 == chords.size()) return SideCut{i, chords[i].*side};
-    const double next = stop.beyond(chords[i + 1].*side);
+    const double next = end.beyond(chords[i + 1].*side);
     return SideCut{i, lerp(chords[i].*side, chords[i + 1].*side, -here / (next - here))};
   }
   return std::nullopt;
 }
 
 /// Cuts the end of `chords`.
-void cutEnd(std::vector<Chord>& chords, const Stop& stop) {
-  const auto left = cutOf(chords, &Chord::left, stop);
-  const auto right = cutOf(chords, &Chord::right, stop);
+void cutEnd(std::vector<Chord>& chords, const SpineEnd& end) {
+  const auto left = cutOf(chords, &Chord::left, end);
+  const auto right = cutOf(chords, &Chord::right, end);
   if (!left || !right) return;
   const std::size_t keep = std::min(left->before, right->before) + 1;
   const std::size_t until = std::max(left->before, right->before) + 1;
@@ -56,8 +56,8 @@ void cutEnd(std::vector<Chord>& chords, const Stop& stop) {
   // Both sides: slanted ribs reach beyond the end on one.
   double leftMost = 0, rightMost = 0;
   for (std::size_t i = keep; i < chords.size(); ++i) {
-    leftMost = std::max(leftMost, stop.beyond(chords[i].left));
-    rightMost = std::max(rightMost, stop.beyond(chords[i].right));
+    leftMost = std::max(leftMost, end.beyond(chords[i].left));
+    rightMost = std::max(rightMost, end.beyond(chords[i].right));
   }
   if (std::min(leftMost, rightMost) <= kFlatSlack * cut.width() / 2) return;
   // Where one side goes on, the other one waits: their ends go to the cut in even steps.
@@ -91,11 +91,11 @@ void cutStraightEnds(std::vector<Chord>& chords, const ribs::RibSet& set, const 
   if (chords.size() < 3) return;
   const double width = widest(chords);
   if (isStraight(params.endCap)) {
-    if (const auto stop = sectionKeyOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *stop);
+    if (const auto end = endOf(set.ribs | std::views::reverse, width)) cutEnd(chords, *end);
   }
   if (isStraight(params.startCap)) {
     turnAbout(chords);
-    if (const auto stop = sectionKeyOf(set.ribs, width)) cutEnd(chords, *stop);
+    if (const auto end = endOf(set.ribs, width)) cutEnd(chords, *end);
     turnAbout(chords);
   }
 }

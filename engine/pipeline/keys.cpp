@@ -42,8 +42,8 @@ void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
   hasher.number(curve.points.size());
   for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
 }
-void mix(Hasher& hasher, const loft::SectionKey& stop) {
-  const auto& [at, shape, blend] = stop;
+void mix(Hasher& hasher, const loft::SectionKey& key) {
+  const auto& [at, shape, blend] = key;
   const auto& [preset, contours] = shape;
   const auto& [kind, custom] = blend;
   mixAll(hasher, at, preset, kind);
@@ -54,7 +54,7 @@ void mix(Hasher& hasher, const loft::SectionKey& stop) {
 void mix(Hasher& hasher, const loft::LoftParams& params) {
   const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = params;
   hasher.number(sections.size());
-  for (const loft::SectionKey& stop : sections) mix(hasher, stop);
+  for (const loft::SectionKey& key : sections) mix(hasher, key);
   for (const auto* curve : {&twist, &squash, &tilt, &bulge}) mix(hasher, *curve);
   mixAll(hasher, startCap, endCap, sectionPoints, capRings, centring);
 }

@@ -187,14 +187,14 @@ struct Make<IgnoreForPicture> {
 template <>
 struct Make<SetSections> {
   static SetSections from(Rng& rng, const Document& d) {
-    std::vector<loft::SectionKey> stops(rng.below(5));
-    for (std::size_t i = 0; i < stops.size(); ++i) {
-      stops[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(stops.size());
-      stops[i].shape = anySection(rng);
-      stops[i].blend.kind =
+    std::vector<loft::SectionKey> keys(rng.below(5));
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      keys[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(keys.size());
+      keys[i].shape = anySection(rng);
+      keys[i].blend.kind =
           static_cast<loft::BlendKind>(rng.below(static_cast<std::uint32_t>(loft::BlendKind::kCount) + 1));
     }
-    return {anyPart(rng, d), stops};
+    return {anyPart(rng, d), keys};
   }
 };
 template <>

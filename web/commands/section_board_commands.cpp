@@ -54,19 +54,19 @@ Outcome change(Env env, Drawing next) {
 Outcome editSection(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr && args.find("part") != nullptr) return refuse({Error::NoSuchPart, {}});
-  std::size_t stop = part ? pickedSectionKey(env.ui, *part) : 0;
+  std::size_t key = part ? pickedSectionKey(env.ui, *part) : 0;
   if (const std::optional<double> index = args.number("slice"); index && part) {
     const auto count = static_cast<double>(document::loftIn(*part).loft.sections.size());
     if (!(*index >= 0 && *index < count)) return refuse({Error::ValueOutOfRange, "slice"});
-    stop = static_cast<std::size_t>(*index);
+    key = static_cast<std::size_t>(*index);
   }
-  const loft::SectionShape shape = part ? document::loftIn(*part).loft.sections[stop].shape : env.ui.section;
+  const loft::SectionShape shape = part ? document::loftIn(*part).loft.sections[key].shape : env.ui.section;
   if (part) {
     env.ui.selection = part->id;
     env.ui.sections.part = part->id;
-    env.ui.sections.stop = stop;
+    env.ui.sections.key = key;
   }
-  openBoard(env.ui, {part, stop, args.flag("empty").value_or(!shape.drawn())}, shape);
+  openBoard(env.ui, {part, key, args.flag("empty").value_or(!shape.drawn())}, shape);
   sendStatus(env.host, "Draw the slice as a closed curve. Enter when it is done, Escape to leave.");
   return {};
 }
@@ -81,9 +81,9 @@ Outcome done(Env env, const Json&) {
   if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
   const loft::SectionShape shape = std::move(made).value();
   if (const document::Part* part = document::findPart(env.studio.document(), board.part)) {
-    std::vector<loft::SectionKey> stops = document::loftIn(*part).loft.sections;
-    stops[std::min(board.stop, stops.size() - 1)].shape = shape;
-    const Status status = env.studio.act(document::SetSections{part->id, std::move(stops)});
+    std::vector<loft::SectionKey> keys = document::loftIn(*part).loft.sections;
+    keys[std::min(board.key, keys.size() - 1)].shape = shape;
+    const Status status = env.studio.act(document::SetSections{part->id, std::move(keys)});
     if (!status) return refuse(status.failure());
   }
   env.ui.section = shape;

@@ -46,14 +46,14 @@ const SectionKeys* sectionsOf(Env env, PartId id, std::size_t key) {
   return loft && key < loft->loft.sections.size() ? &loft->loft.sections : nullptr;
 }
 
-void pick(Env env, PartId part, std::size_t stop) {
+void pick(Env env, PartId part, std::size_t key) {
   env.ui.sections.part = part;
-  env.ui.sections.stop = stop;
+  env.ui.sections.key = key;
 }
 
 /// Sections along one spine become each other: they need the same number of curves and holes.
-Outcome setSectionKeys(Env env, PartId part, SectionKeys stops) {
-  const Status status = env.studio.act(document::SetSections{part, std::move(stops)});
+Outcome setSectionKeys(Env env, PartId part, SectionKeys keys) {
+  const Status status = env.studio.act(document::SetSections{part, std::move(keys)});
   return outcomeOf(status);
 }
 
@@ -62,19 +62,19 @@ Outcome setSections(Env env, const Json& args) {
   if (part == nullptr) return noSpine(env, args);
   const Json* list = args.find("slices");
   if (list == nullptr || list->array() == nullptr) return missing("a list of slices");
-  SectionKeys stops;
+  SectionKeys keys;
   for (const Json& entry : *list->array()) {
-    loft::SectionKey stop;
+    loft::SectionKey key;
     Result<std::optional<loft::SectionShape>> shape = shapeFrom(entry, env.ui.sections);
     Result<loft::Blend> blend = blendFrom(entry, {});
     if (!shape) return refuse(shape.failure());
     if (!blend) return refuse(blend.failure());
-    if (shape.value()) stop.shape = *shape.value();
-    stop.blend = std::move(blend).value();
-    stop.at = entry.number("at").value_or(stop.at);
-    stops.push_back(std::move(stop));
+    if (shape.value()) key.shape = *shape.value();
+    key.blend = std::move(blend).value();
+    key.at = entry.number("at").value_or(key.at);
+    keys.push_back(std::move(key));
   }
-  return setSectionKeys(env, part->id, std::move(stops));
+  return setSectionKeys(env, part->id, std::move(keys));
 }
 
 Outcome addSectionRow(Env env, const Json& args) {
@@ -94,18 +94,18 @@ Outcome addSectionRow(Env env, const Json& args) {
 Outcome moveSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
-  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
+  const std::optional<std::size_t> key = sectionKeyOf(env, args, *part);
   const std::optional<double> to = args.number("to");
-  if (!stop) return noSection();
-  return to ? moveSection(env, part->id, *stop, *to) : missing("a place from 0 to 1");
+  if (!key) return noSection();
+  return to ? moveSection(env, part->id, *key, *to) : missing("a place from 0 to 1");
 }
 
 Outcome nudge(Env env, double by) {
   const document::Part* part = selected(env);
   if (part == nullptr) return noSpine(env, {});
-  const std::size_t stop = pickedSectionKey(env.ui, *part);
-  const auto& stops = document::loftIn(*part).loft.sections;
-  return setSectionKeys(env, part->id, withMovedSectionKey(stops, stop, stops[stop].at + by));
+  const std::size_t key = pickedSectionKey(env.ui, *part);
+  const auto& keys = document::loftIn(*part).loft.sections;
+  return setSectionKeys(env, part->id, withMovedSectionKey(keys, key, keys[key].at + by));
 }
 constexpr double kNudge = 0.02;
 Outcome nudgeOn(Env env, const Json&) { return nudge(env, kNudge); }
@@ -114,22 +114,22 @@ Outcome nudgeBack(Env env, const Json&) { return nudge(env, -kNudge); }
 Outcome removeSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
-  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
-  return stop ? removeSection(env, part->id, *stop) : noSection();
+  const std::optional<std::size_t> key = sectionKeyOf(env, args, *part);
+  return key ? removeSection(env, part->id, *key) : noSection();
 }
 
 Outcome selectSectionRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
-  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
-  return stop ? selectSection(env, part->id, *stop) : noSection();
+  const std::optional<std::size_t> key = sectionKeyOf(env, args, *part);
+  return key ? selectSection(env, part->id, *key) : noSection();
 }
 
 Outcome nextSection(Env env, const Json&) {
   const document::Part* part = selected(env);
   if (part == nullptr) return noSpine(env, {});
   pick(env, part->id, (pickedSectionKey(env.ui, *part) + 1) % document::loftIn(*part).loft.sections.size());
-  sendStatus(env.host, words::tr("Slice {n} of {all}.", {{"n", env.ui.sections.stop + 1},
+  sendStatus(env.host, words::tr("Slice {n} of {all}.", {{"n", env.ui.sections.key + 1},
                                                          {"all", document::loftIn(*part).loft.sections.size()}}));
   return {};
 }
@@ -137,11 +137,11 @@ Outcome nextSection(Env env, const Json&) {
 Outcome setBlendRow(Env env, const Json& args) {
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr) return noSpine(env, args);
-  const std::optional<std::size_t> stop = sectionKeyOf(env, args, *part);
-  if (!stop) return noSection();
+  const std::optional<std::size_t> key = sectionKeyOf(env, args, *part);
+  if (!key) return noSection();
   if (args.text("blend") == nullptr) return missing("a blend");
-  const Result<loft::Blend> blend = blendFrom(args, document::loftIn(*part).loft.sections[*stop].blend);
-  return blend ? setBlend(env, part->id, *stop, blend.value()) : refuse(blend.failure());
+  const Result<loft::Blend> blend = blendFrom(args, document::loftIn(*part).loft.sections[*key].blend);
+  return blend ? setBlend(env, part->id, *key, blend.value()) : refuse(blend.failure());
 }
 
 void blendChoices(Env env, JsonWriter& json) {
@@ -356,10 +356,10 @@ Outcome setSection(Env env, const Parts& parts, std::optional<std::size_t> key, 
   }
   env.ui.section = shape;
   if (key && parts.size() == 1) {
-    SectionKeys stops = loftIn(parts.front())->loft.sections;
-    if (*key >= stops.size()) return noSection();
-    stops[*key].shape = shape;
-    return setSectionKeys(env, parts.front(), std::move(stops));
+    SectionKeys keys = loftIn(parts.front())->loft.sections;
+    if (*key >= keys.size()) return noSection();
+    keys[*key].shape = shape;
+    return setSectionKeys(env, parts.front(), std::move(keys));
   }
   return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
     if (document::loftOf(part) == nullptr) return std::nullopt;
@@ -372,29 +372,29 @@ Outcome addSection(Env env, PartId id, double at, const std::optional<loft::Sect
   if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
   if (!(at >= 0 && at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
   std::size_t added = 0;
-  SectionKeys stops =
+  SectionKeys keys =
       withSectionKey(document::loftIn(*part).loft.sections, at, shape.value_or(pickedShape(env.ui, part)), added);
   env.ui.sections.placing = false;
-  if (Outcome done = setSectionKeys(env, id, std::move(stops)); !done) return done;
+  if (Outcome done = setSectionKeys(env, id, std::move(keys)); !done) return done;
   env.ui.selection = id;
   pick(env, id, added);
   return {};
 }
 
 Outcome moveSection(Env env, PartId id, std::size_t key, double to) {
-  const SectionKeys* stops = sectionsOf(env, id, key);
-  if (stops == nullptr) return noSection();
+  const SectionKeys* keys = sectionsOf(env, id, key);
+  if (keys == nullptr) return noSection();
   if (!(to >= 0 && to <= 1)) return refuse({Error::ValueOutOfRange, "to"});
-  Outcome outcome = setSectionKeys(env, id, withMovedSectionKey(*stops, key, to));
+  Outcome outcome = setSectionKeys(env, id, withMovedSectionKey(*keys, key, to));
   if (outcome) pick(env, id, key);
   return outcome;
 }
 
 Outcome removeSection(Env env, PartId id, std::size_t key) {
-  const SectionKeys* stops = sectionsOf(env, id, key);
-  if (stops == nullptr) return noSection();
-  if (stops->size() < 2) return Refusal{"NotNow", "This is the part's only slice. Choose another one instead."};
-  Outcome outcome = setSectionKeys(env, id, withoutSectionKey(*stops, key));
+  const SectionKeys* keys = sectionsOf(env, id, key);
+  if (keys == nullptr) return noSection();
+  if (keys->size() < 2) return Refusal{"NotNow", "This is the part's only slice. Choose another one instead."};
+  Outcome outcome = setSectionKeys(env, id, withoutSectionKey(*keys, key));
   if (outcome) pick(env, id, key > 0 ? key - 1 : 0);
   return outcome;
 }
@@ -407,9 +407,9 @@ Outcome selectSection(Env env, PartId id, std::size_t key) {
 }
 
 Outcome setBlend(Env env, PartId id, std::size_t key, const loft::Blend& blend) {
-  const SectionKeys* stops = sectionsOf(env, id, key);
-  if (stops == nullptr) return noSection();
-  SectionKeys changed = *stops;
+  const SectionKeys* keys = sectionsOf(env, id, key);
+  if (keys == nullptr) return noSection();
+  SectionKeys changed = *keys;
   changed[key].blend = blend;
   return setSectionKeys(env, id, std::move(changed));
 }

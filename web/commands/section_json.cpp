@@ -142,13 +142,13 @@ void readShelf(SectionUi& sections, const Json& shelf) {
 
 void writeSections(JsonWriter& json, const document::Part& part) {
   json.key("slices").beginArray();
-  for (const loft::SectionKey& stop : document::loftIn(part).loft.sections) {
-    const auto holes = std::ranges::count_if(stop.shape.contours, isHole);
-    const auto curves = stop.shape.drawn() ? std::ssize(stop.shape.contours) : 1;
-    json.beginObject().key("at").number(stop.at).key("section").text(nameOf(stop.shape));
+  for (const loft::SectionKey& key : document::loftIn(part).loft.sections) {
+    const auto holes = std::ranges::count_if(key.shape.contours, isHole);
+    const auto curves = key.shape.drawn() ? std::ssize(key.shape.contours) : 1;
+    json.beginObject().key("at").number(key.at).key("section").text(nameOf(key.shape));
     json.key("curves").number(static_cast<double>(curves - holes));
     json.key("holes").number(static_cast<double>(holes));
-    json.key("blend").text(blendKey(stop.blend.kind)).endObject();
+    json.key("blend").text(blendKey(key.blend.kind)).endObject();
   }
   json.endArray().key("along").beginObject();
   for (const AlongInfo& info : alongTable()) {
@@ -163,7 +163,7 @@ void writeSectionUi(JsonWriter& json, const SectionUi& sections) {
   for (const ShelfSection& section : sections.shelf) {
     json.beginObject().key("id").number(section.id).key("name").text(section.name).endObject();
   }
-  json.endArray().key("slice").number(static_cast<double>(sections.stop));
+  json.endArray().key("slice").number(static_cast<double>(sections.key));
   json.key("placing").flag(sections.placing).key("sliceBoard");
   if (!sections.board) {
     json.null();

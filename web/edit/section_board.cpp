@@ -59,7 +59,7 @@ ClientPoint toCanvas(const SectionBoard& board, SectionPoint p) {
 void openBoard(UiState& ui, const BoardStart& start, const loft::SectionShape& shape) {
   SectionBoard board;
   if (start.part) board.part = start.part->id;
-  board.stop = start.stop;
+  board.key = start.key;
   Result<loft::Drawing> drawing = loft::drawingOf(shape);
   if (drawing && start.empty) {
     for (const loft::DrawnCurve& curve : drawing.value()) {
@@ -142,8 +142,8 @@ void previewBoard(UiState& ui, const document::Document& document) {
     if (!shape || !board.live) return;  // the last good one stays while the hand moves
   }
   loft::LoftParams params = document::loftIn(*part).loft;
-  const std::size_t stop = std::min(board.stop, params.sections.size() - 1);
-  params.sections[stop].shape = std::move(shape).value();
+  const std::size_t key = std::min(board.key, params.sections.size() - 1);
+  params.sections[key].shape = std::move(shape).value();
   if (!loft::checkSectionKeys(params.sections)) return;
   previewLoft(ui, *part, std::move(params));
 }

@@ -62,10 +62,10 @@ std::vector<AlongShape> makeShapes() {
 }
 
 /// Kept within the room that the neighbours leave.
-double between(std::span<const loft::SectionKey> stops, std::size_t index, double at) {
-  const double low = index > 0 ? stops[index - 1].at + kSectionKeyGap : 0;
-  const double high = index + 1 < stops.size() ? stops[index + 1].at - kSectionKeyGap : 1;
-  return low <= high ? std::clamp(at, low, high) : stops[index].at;
+double between(std::span<const loft::SectionKey> keys, std::size_t index, double at) {
+  const double low = index > 0 ? keys[index - 1].at + kSectionKeyGap : 0;
+  const double high = index + 1 < keys.size() ? keys[index + 1].at - kSectionKeyGap : 1;
+  return low <= high ? std::clamp(at, low, high) : keys[index].at;
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ void previewLoft(UiState& ui, const document::Part& part, loft::LoftParams param
 
 std::size_t pickedSectionKey(const UiState& ui, const document::Part& part) {
   if (ui.sections.part != part.id) return 0;
-  return std::min(ui.sections.stop, document::loftIn(part).loft.sections.size() - 1);
+  return std::min(ui.sections.key, document::loftIn(part).loft.sections.size() - 1);
 }
 
 const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* part) {
@@ -87,9 +87,9 @@ const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* p
   return document::loftIn(*part).loft.sections[pickedSectionKey(ui, *part)].shape;
 }
 
-SectionKeys withSectionKey(std::span<const loft::SectionKey> stops, double at, const loft::SectionShape& shape,
+SectionKeys withSectionKey(std::span<const loft::SectionKey> keys, double at, const loft::SectionShape& shape,
                            std::size_t& added) {
-  SectionKeys out(stops.begin(), stops.end());
+  SectionKeys out(keys.begin(), keys.end());
   at = std::clamp(at, 0.0, 1.0);
   if (out.size() == 1) {
     loft::SectionKey first = out.front(), last = out.front();
@@ -109,17 +109,17 @@ SectionKeys withSectionKey(std::span<const loft::SectionKey> stops, double at, c
   }
   const auto next = std::ranges::upper_bound(out, at, {}, &loft::SectionKey::at);
   added = static_cast<std::size_t>(next - out.begin());
-  loft::SectionKey stop;
-  stop.at = at;
-  stop.shape = shape;
-  if (added > 0) stop.blend = out[added - 1].blend;
-  out.insert(next, std::move(stop));
+  loft::SectionKey key;
+  key.at = at;
+  key.shape = shape;
+  if (added > 0) key.blend = out[added - 1].blend;
+  out.insert(next, std::move(key));
   return out;
 }
 
-SectionKeys withMovedSectionKey(std::span<const loft::SectionKey> stops, std::size_t index, double at) {
-  SectionKeys out(stops.begin(), stops.end());
-  if (index < out.size()) out[index].at = between(stops, index, at);
+SectionKeys withMovedSectionKey(std::span<const loft::SectionKey> keys, std::size_t index, double at) {
+  SectionKeys out(keys.begin(), keys.end());
+  if (index < out.size()) out[index].at = between(keys, index, at);
   return out;
 }
 
@@ -132,8 +132,8 @@ loft::Blend blendOf(loft::BlendKind kind, const loft::Blend& before) {
   return blend;
 }
 
-SectionKeys withoutSectionKey(std::span<const loft::SectionKey> stops, std::size_t index) {
-  SectionKeys out(stops.begin(), stops.end());
+SectionKeys withoutSectionKey(std::span<const loft::SectionKey> keys, std::size_t index) {
+  SectionKeys out(keys.begin(), keys.end());
   if (out.size() > 1 && index < out.size()) {
     out.erase(out.begin() + static_cast<std::ptrdiff_t>(index));
   }

@@ -17,7 +17,7 @@ namespace spineloft::app {
 /// What the board is opened for.
 struct BoardStart {
   const document::Part* part = nullptr;  ///< null: the next part
-  std::size_t stop = 0;
+  std::size_t key = 0;
   bool empty = false;  ///< a new section: the shape is a trace only
 };
 /// Opens it with a shape as its drawing, or as a trace below an empty one.
@@ -50,13 +50,12 @@ const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* p
 /// One more section at `at`. A part with a single section keeps that one at both ends, or at the far
 /// end when `at` is near an end; a section nearly there is replaced. `added` receives the new one's
 /// index.
-std::vector<loft::SectionKey> withSectionKey(std::span<const loft::SectionKey> stops, double at,
+std::vector<loft::SectionKey> withSectionKey(std::span<const loft::SectionKey> keys, double at,
                                              const loft::SectionShape& shape, std::size_t& added);
 /// A section moved to `at`, no nearer to its neighbours than their names allow; order stays.
-std::vector<loft::SectionKey> withMovedSectionKey(std::span<const loft::SectionKey> stops, std::size_t index,
-                                                  double at);
+std::vector<loft::SectionKey> withMovedSectionKey(std::span<const loft::SectionKey> keys, std::size_t index, double at);
 /// Without a section. The last one stays.
-std::vector<loft::SectionKey> withoutSectionKey(std::span<const loft::SectionKey> stops, std::size_t index);
+std::vector<loft::SectionKey> withoutSectionKey(std::span<const loft::SectionKey> keys, std::size_t index);
 /// A blend of this kind; a custom one keeps the curve that `before` has, or begins as a straight line.
 loft::Blend blendOf(loft::BlendKind kind, const loft::Blend& before);
 inline constexpr double kSectionKeyGap = 0.02;  ///< least way between two sections, share of the spine

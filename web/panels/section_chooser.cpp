@@ -71,8 +71,8 @@ std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
            std::ranges::any_of(out, [&](const auto* other) { return *other == shape; });
   };
   for (const document::Part& part : env.document().parts) {
-    for (const loft::SectionKey& stop : document::loftIn(part).loft.sections) {
-      if (stop.shape.drawn() && !known(stop.shape)) out.push_back(&stop.shape);
+    for (const loft::SectionKey& key : document::loftIn(part).loft.sections) {
+      if (key.shape.drawn() && !known(key.shape)) out.push_back(&key.shape);
     }
   }
   return out;

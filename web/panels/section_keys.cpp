@@ -20,7 +20,7 @@ namespace {
 using SectionKeys = std::vector<loft::SectionKey>;
 
 /// The spine as a line with the sections on it; a press picks one.
-void bar(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, float width) {
+void bar(const PanelEnv& env, const SectionKeys& keys, std::size_t picked, float width) {
   const float height = env.ui().touch ? 50.f : 42.f, r = height / 2 - 3;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float left = at.x + r + 2, right = at.x + width - r - 2, y = at.y + height / 2;
@@ -32,12 +32,12 @@ void bar(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, floa
     list.AddLine({x, at.y}, {x, at.y + height}, kGlow, 3);
   }
   for (std::size_t pass = 0; pass < 2; ++pass) {
-    for (std::size_t i = 0; i < stops.size(); ++i) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
       if ((i == picked) != (pass == 1)) continue;  // the picked one lies on top
-      const ImVec2 c{left + (right - left) * static_cast<float>(stops[i].at), y};
+      const ImVec2 c{left + (right - left) * static_cast<float>(keys[i].at), y};
       ImGui::SetCursorScreenPos({c.x - r, c.y - r});
       ImGui::PushID(static_cast<int>(i));
-      if (ImGui::InvisibleButton("stop", {2 * r, 2 * r})) {
+      if (ImGui::InvisibleButton("key", {2 * r, 2 * r})) {
         env.sink.run(app::selectSection, env.ui().selection, i);
       }
       registerControl(env, app::Control::Kind::Button, "Slice " + std::to_string(i + 1), true, i == picked);
@@ -45,14 +45,14 @@ void bar(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, floa
       const bool on = i == picked;
       list.AddCircleFilled(c, r, on ? kAccentSoft : kSurface, 32);
       list.AddCircle(c, r, on ? kAccent : kMuted, 32, on ? 2.f : 1.2f);
-      paintSection(list, {c, r * 0.56f}, stops[i].shape, {on ? kAccent : kInk, 0, 1.5f});
+      paintSection(list, {c, r * 0.56f}, keys[i].shape, {on ? kAccent : kInk, 0, 1.5f});
     }
   }
   ImGui::SetCursorScreenPos(at);
   ImGui::Dummy({width, height});
 }
 
-void blends(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, float width) {
+void blends(const PanelEnv& env, const SectionKeys& keys, std::size_t picked, float width) {
   const bool strip = env.ui().layout.strip;
   const int columns = strip ? 6 : 3;
   const float gap = 6, side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
@@ -60,9 +60,9 @@ void blends(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, f
   for (const loft::BlendName& name : loft::blendNames()) {
     if (index++ % columns != 0) ImGui::SameLine(0, gap);
     const std::string id = "blend-" + std::string(name.key);
-    const bool on = stops[picked].blend.kind == name.kind;
+    const bool on = keys[picked].blend.kind == name.kind;
     const auto paint = [&](ImDrawList& list, ImVec2 c, float radius, ImU32 ink) {
-      loft::Blend blend = stops[picked].blend;
+      loft::Blend blend = keys[picked].blend;
       if (blend.kind != name.kind) blend = {name.kind, {{{0, 0}, {0.35, 0.7}, {0.65, 0.3}, {1, 1}}}};
       constexpr int kSteps = 20;
       for (int i = 0; i <= kSteps; ++i) {
@@ -79,7 +79,7 @@ void blends(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, f
               {std::floor(side), strip ? 44.f : 50.f},
               on},
              paint)) {
-      env.sink.run(app::setBlend, env.ui().selection, picked, app::blendOf(name.kind, stops[picked].blend));
+      env.sink.run(app::setBlend, env.ui().selection, picked, app::blendOf(name.kind, keys[picked].blend));
     }
   }
 }
@@ -89,22 +89,22 @@ void blends(const PanelEnv& env, const SectionKeys& stops, std::size_t picked, f
 void sectionKeyBar(const PanelEnv& env, float width) {
   const document::Part& part = *env.selected();
   const app::Preview* preview = app::previewOf(env.ui(), part.id);
-  const SectionKeys& stops = preview ? preview->loft().loft.sections : document::loftIn(part).loft.sections;
-  const std::size_t picked = std::min(app::pickedSectionKey(env.ui(), part), stops.size() - 1);
+  const SectionKeys& keys = preview ? preview->loft().loft.sections : document::loftIn(part).loft.sections;
+  const std::size_t picked = std::min(app::pickedSectionKey(env.ui(), part), keys.size() - 1);
   const float side = buttonSide(env);
   ImGui::Dummy({0, 2});
-  label(env.fonts.small, kMuted, stops.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
-  if (stops.size() > 1) bar(env, stops, picked, width);
+  label(env.fonts.small, kMuted, keys.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
+  if (keys.size() > 1) bar(env, keys, picked, width);
   commandText(env, {"add-slice"});
-  if (stops.size() < 2) return;
+  if (keys.size() < 2) return;
   ImGui::SameLine(0, 4);
   commandButton(env, "remove-slice", side);
   ImGui::SameLine(0, 0);
   commandButton(env, "next-slice", side);
-  if (picked + 1 >= stops.size()) return;
+  if (picked + 1 >= keys.size()) return;
   label(env.fonts.small, kMuted, "Change to the next one");
-  blends(env, stops, picked, width);
-  const loft::Blend& blend = stops[picked].blend;
+  blends(env, keys, picked, width);
+  const loft::Blend& blend = keys[picked].blend;
   if (blend.kind != loft::BlendKind::Custom) return;
   const geometry::AlongCurve& curve = env.ui().sections.graph ? *env.ui().sections.graph : blend.custom;
   curveGraph(env, {app::GraphArea::Kind::Blend, -0.5, 1.5, 0, "", {width, 96}}, curve);

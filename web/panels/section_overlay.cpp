@@ -63,7 +63,7 @@ void drawSectionOverlay(const PanelEnv& env) {
   const app::Preview* preview = app::previewOf(ui, part->id);
   const pipeline::PartShape* shape = preview ? &*preview->shape : app::shapeOf(env.document(), env.derived, part->id);
   if (shape == nullptr || shape->centreLine.size() < 2) return;
-  const auto& stops = preview ? preview->loft().loft.sections : document::loftIn(*part).loft.sections;
+  const auto& keys = preview ? preview->loft().loft.sections : document::loftIn(*part).loft.sections;
   const app::Rect& view = ui.layout.picture;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
@@ -79,11 +79,11 @@ void drawSectionOverlay(const PanelEnv& env) {
     list.AddCircle(place(*ui.sections.marked), 9, kDark, 24, 1.5f);
   }
   const std::size_t picked = app::pickedSectionKey(ui, *part);
-  for (std::size_t i = 0; stops.size() > 1 && i < stops.size(); ++i) {
-    if (i != picked) handle(list, place(stops[i].at), stops[i].shape, false, r);
+  for (std::size_t i = 0; keys.size() > 1 && i < keys.size(); ++i) {
+    if (i != picked) handle(list, place(keys[i].at), keys[i].shape, false, r);
   }
-  if (stops.size() > 1 && picked < stops.size()) {
-    handle(list, place(stops[picked].at), stops[picked].shape, true, r);
+  if (keys.size() > 1 && picked < keys.size()) {
+    handle(list, place(keys[picked].at), keys[picked].shape, true, r);
   }
   list.PopClipRect();
 }

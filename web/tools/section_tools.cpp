@@ -38,8 +38,8 @@ std::unique_ptr<Tool> sectionTool(const ToolEnv& env, const ToolEvent& event) {
   }
   if (!ui.layout.picture.contains(event.at)) return nullptr;
   if (ui.sections.placing) return std::make_unique<PlaceSection>();
-  if (const auto stop = sectionHandleAt(env, event.at, reachOf(event))) {
-    return std::make_unique<SlideSection>(*stop);
+  if (const auto key = sectionHandleAt(env, event.at, reachOf(event))) {
+    return std::make_unique<SlideSection>(*key);
   }
   return nullptr;
 }
@@ -64,13 +64,13 @@ const char* sectionCursor(const ToolEnv& env, app::ClientPoint at) {
 std::optional<std::size_t> sectionHandleAt(const ToolEnv& env, app::ClientPoint at, double reach) {
   const document::Part* part = document::findPart(env.document, env.ui.selection);
   if (part == nullptr || document::pictureOf(*part) != env.ui.picture) return std::nullopt;
-  const auto& stops = document::loftIn(*part).loft.sections;
+  const auto& keys = document::loftIn(*part).loft.sections;
   const pipeline::PartShape* shape = app::shapeOf(env.document, env.derived, part->id);
-  if (stops.size() < 2 || shape == nullptr) return std::nullopt;
+  if (keys.size() < 2 || shape == nullptr) return std::nullopt;
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < stops.size(); ++i) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
     const app::ClientPoint handle =
-        env.ui.pictureView.toClient(app::placeOnSpine(*shape, stops[i].at), env.ui.layout.picture);
+        env.ui.pictureView.toClient(app::placeOnSpine(*shape, keys[i].at), env.ui.layout.picture);
     const double off = distance(handle, at);
     if (off > reach) continue;
     reach = off;

@@ -17,7 +17,7 @@ PicturePoint toPicture(const ToolEnv& env, app::ClientPoint at) {
 void SlideSection::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
   env.ui.sections.part = env.ui.selection;
-  env.ui.sections.stop = stop_;
+  env.ui.sections.key = key_;
 }
 
 void SlideSection::move(const ToolEnv& env, const ToolEvent& event) {
@@ -30,7 +30,7 @@ void SlideSection::move(const ToolEnv& env, const ToolEvent& event) {
   off_ = place.distance * env.ui.pictureView.zoom > kPulledOff;
   loft::LoftParams params = document::loftIn(*part).loft;
   params.sections =
-      off_ ? app::withoutSectionKey(params.sections, stop_) : app::withMovedSectionKey(params.sections, stop_, at_);
+      off_ ? app::withoutSectionKey(params.sections, key_) : app::withMovedSectionKey(params.sections, key_, at_);
   app::previewLoft(env.ui, *part, std::move(params));
   env.ui.sections.marked = off_ ? std::nullopt : std::optional(at_);
 }
@@ -40,9 +40,9 @@ void SlideSection::commit(const ToolEnv& env) {
   if (!watch_.moved()) return;
   env.ui.preview.reset();
   if (off_) {
-    env.sink.run(app::removeSection, env.ui.selection, stop_);
+    env.sink.run(app::removeSection, env.ui.selection, key_);
   } else {
-    env.sink.run(app::moveSection, env.ui.selection, stop_, at_);
+    env.sink.run(app::moveSection, env.ui.selection, key_, at_);
   }
 }
 

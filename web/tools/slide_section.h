@@ -11,7 +11,7 @@ inline constexpr double kPulledOff = 56;
 
 class SlideSection final : public Tool {
  public:
-  explicit SlideSection(std::size_t stop) : stop_(stop) {}
+  explicit SlideSection(std::size_t key) : key_(key) {}
   void begin(const ToolEnv& env, const ToolEvent& event) override;
   void move(const ToolEnv& env, const ToolEvent& event) override;
   void commit(const ToolEnv& env) override;
@@ -19,7 +19,7 @@ class SlideSection final : public Tool {
 
  private:
   DragWatch watch_;
-  std::size_t stop_;
+  std::size_t key_;
   double at_ = 0;
   bool off_ = false;
 };

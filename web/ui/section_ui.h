@@ -23,8 +23,8 @@ std::optional<BoardTool> boardToolFromKey(std::string_view key);
 
 /// The board on which a section is drawn. The document does not change until it is done.
 struct SectionBoard {
-  PartId part;           ///< none: the section of the next part
-  std::size_t stop = 0;  ///< which section of the part
+  PartId part;          ///< none: the section of the next part
+  std::size_t key = 0;  ///< which section of the part
   loft::Drawing drawing;
   std::vector<loft::Drawing> past, future;  ///< of this board alone
   loft::Symmetry symmetry;
@@ -68,8 +68,8 @@ struct SectionUi {
   std::vector<ShelfSection> shelf;
   std::uint32_t lastShelfId = 0;
 
-  PartId part;                                ///< whose section `stop` is
-  std::size_t stop = 0;                       ///< the section that tiles change, of several along the spine
+  PartId part;                                ///< whose section `key` is
+  std::size_t key = 0;                        ///< the section that tiles change, of several along the spine
   bool placing = false;                       ///< a tap on the part puts a section there
   std::optional<loft::SectionShape> pressed;  ///< the tile under the finger
   std::optional<loft::SectionShape> carried;  ///< a tile that is dragged to a part

@@ -47,8 +47,8 @@ struct KeyCollector {
   }
   void operator()(const char* key, std::vector<loft::SectionKey>&) {
     keys.insert(key);
-    loft::SectionKey stop;
-    members(*this, stop);
+    loft::SectionKey section;
+    members(*this, section);
   }
   template <class T>
   void always(const char* key, T&) {

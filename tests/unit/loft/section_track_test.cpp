@@ -28,9 +28,9 @@ SectionShape drawn(std::vector<Curve> curves) {
 
 /// Every section on the way is sound and touches both rib ends.
 void requireSoundWay(const SectionShape& a, const SectionShape& b, BlendKind kind) {
-  const std::vector<SectionKey> stops = {{0, a, {kind, {}}}, {1, b, {kind, {}}}};
-  REQUIRE(checkSectionKeys(stops).ok());
-  const auto track = SectionTrack::along(stops, 48, false);
+  const std::vector<SectionKey> keys = {{0, a, {kind, {}}}, {1, b, {kind, {}}}};
+  REQUIRE(checkSectionKeys(keys).ok());
+  const auto track = SectionTrack::along(keys, 48, false);
   REQUIRE(track.ok());
   for (int i = 0; i <= 30; ++i) {
     CAPTURE(i);
@@ -79,7 +79,7 @@ TEST_CASE("between any two presets every section is simple and touches both rib 
   }
 }
 
-TEST_CASE("drawn sections too, whatever their points and their direction, and beyond their stops") {
+TEST_CASE("drawn sections too, whatever their points and their direction, and beyond their keys") {
   Rng rng(4);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -102,9 +102,9 @@ TEST_CASE("5000 points become 4, and the direction of drawing does not matter") 
   Curve back = circle;
   std::ranges::reverse(back);
   const auto area = [&](const Curve& c) {
-    const std::vector<SectionKey> stops = {{0, drawn({c}), {}}, {1, drawn({square}), {}}};
+    const std::vector<SectionKey> keys = {{0, drawn({c}), {}}, {1, drawn({square}), {}}};
     Curve points;
-    SectionTrack::along(stops, 48, false).value().appendShape(0.5, points);
+    SectionTrack::along(keys, 48, false).value().appendShape(0.5, points);
     points.pop_back();
     return geometry::signedArea(std::span<const SectionPoint>(points));
   };
@@ -146,6 +146,6 @@ TEST_CASE("sections that cannot be are refused with the reason") {
   };
   CHECK(checkShape(drawn({square, scaled(square, 0.5)})).ok());
   CHECK(checkShape(drawn({square, scaled(square, 0.5), scaled(square, 0.2)})).ok());
-  const std::vector<SectionKey> stops = {{0, drawn({square, scaled(square, 0.5)}), {}}, {1, SectionPreset::Circle, {}}};
-  CHECK(checkSectionKeys(stops).error() == Error::SectionInvalid);
+  const std::vector<SectionKey> keys = {{0, drawn({square, scaled(square, 0.5)}), {}}, {1, SectionPreset::Circle, {}}};
+  CHECK(checkSectionKeys(keys).error() == Error::SectionInvalid);
 }
