@@ -8,7 +8,7 @@ import { buildTargets, presetDir } from './lib/cmake.mjs';
 import { countsLine, nothing, sumCounts } from './lib/counts.mjs';
 import { doctest } from './lib/doctest.mjs';
 import { formatErrors } from './lib/format.mjs';
-import { Lanes } from './lib/lanes.mjs';
+import { kLanesPerProcessor, Lanes } from './lib/lanes.mjs';
 import { nodeTests, testFiles } from './lib/node_tests.mjs';
 import { buildDir, root } from './lib/paths.mjs';
 import { duration, mainProgram, output, run, say, Stop } from './lib/run.mjs';
@@ -16,6 +16,9 @@ import { setup } from './setup.mjs';
 
 /** How many times as long `npm run test:all` runs what is random. */
 const kManyRounds = 20;
+
+/** A page test waits for a third of its time: for frames, for the disk, for pauses that a hand makes. */
+const kPageLanes = kLanesPerProcessor - 1;
 
 const lanes = new Lanes();
 
@@ -80,9 +83,9 @@ const wasmThreads = (env) =>
   );
 
 const cli = (env) =>
-  nodeTests('node', testFiles(['.ci/tests', 'tests/cli']), lanes, { ...env, SPINELOFT_CLI: nativeProgram });
+  nodeTests('node', testFiles(['.ci/tests', 'tests/cli']), { lanes }, { ...env, SPINELOFT_CLI: nativeProgram });
 
-const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), lanes, env);
+const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), { lanes }, env);
 
 /** The page tests, on one Chromium for all of them. */
 async function page(env) {
@@ -90,11 +93,16 @@ async function page(env) {
   const { browserFlags, browserPath } = await import('./lib/browser.mjs');
   const server = await chromium.launchServer({ executablePath: browserPath(), args: browserFlags, headless: true });
   try {
-    return await nodeTests('browser', testFiles(['tests/browser']), lanes, {
-      ...env,
-      SPINELOFT_CLI: nativeProgram,
-      SPINELOFT_BROWSER_WS: server.wsEndpoint(),
-    });
+    return await nodeTests(
+      'browser',
+      testFiles(['tests/browser']),
+      { lanes, wanted: kPageLanes },
+      {
+        ...env,
+        SPINELOFT_CLI: nativeProgram,
+        SPINELOFT_BROWSER_WS: server.wsEndpoint(),
+      },
+    );
   } finally {
     await server.close();
   }

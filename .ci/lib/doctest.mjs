@@ -46,7 +46,7 @@ export async function doctest(program, suites, lanes) {
     if (counts.failed) say(done.text.trimEnd());
     return counts;
   };
-  const stretches = testStretches(total, 4 * lanes.count);
+  const stretches = testStretches(total, 4 * lanes.processors);
   const results = await Promise.all(stretches.map((each) => lanes.run(() => stretch(each))));
   return sumCounts([...results, { ...nothing, skipped: without, note: without ? 'no data folder' : '' }]);
 }

@@ -1,5 +1,5 @@
-// Running test files with node:test, one process and one processor each.
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+// Running test files with node:test, one process each.
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { nodeTestCounts, nothing, sumCounts } from './counts.mjs';
 import { buildDir, root } from './paths.mjs';
@@ -40,8 +40,13 @@ async function testFile(name, file, env) {
   return counts;
 }
 
-/** Runs `files`, as many at a time as there are lanes. Resolves to the counts. */
-export async function nodeTests(name, files, lanes, env = {}) {
+/**
+ * Runs `files` as `lanes` become free, the largest first, so that none of the long ones is alone at the end. `wanted`: lanes
+ * of one file. Resolves to the counts.
+ */
+export async function nodeTests(name, files, { lanes, wanted }, env = {}) {
   if (!files.length) return { ...nothing, failed: 1, note: `no test file for ${name}` };
-  return sumCounts(await Promise.all(files.map((file) => lanes.run(() => testFile(name, file, env)))));
+  const size = (file) => statSync(join(root, file)).size;
+  const ordered = [...files].sort((a, b) => size(b) - size(a));
+  return sumCounts(await Promise.all(ordered.map((file) => lanes.run(() => testFile(name, file, env), wanted))));
 }

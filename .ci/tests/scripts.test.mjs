@@ -14,7 +14,7 @@ import {
   testStretches,
 } from '../lib/counts.mjs';
 import { ownDebianSource } from '../lib/debian.mjs';
-import { Lanes } from '../lib/lanes.mjs';
+import { kLanesPerProcessor, Lanes } from '../lib/lanes.mjs';
 import { lock, root } from '../lib/paths.mjs';
 
 function inFolder(files, work) {
@@ -99,6 +99,19 @@ test('jobs share the lanes out in the order in which they came; one that wants a
   await Promise.all(rest);
   assert.deepEqual(log.slice(0, 4), ['+a', '-a', '+all', '-all']);
   assert.deepEqual(log.slice(4, 6), ['+b', '+c']);
+});
+
+test('jobs that take two thirds of a processor run three at a time on two', async () => {
+  const lanes = new Lanes(2);
+  let running = 0;
+  let most = 0;
+  const job = async () => {
+    most = Math.max(most, ++running);
+    await new Promise((resolve) => setTimeout(resolve, 5));
+    --running;
+  };
+  await Promise.all(Array.from({ length: 7 }, () => lanes.run(job, (2 * kLanesPerProcessor) / 3)));
+  assert.equal(most, 3);
 });
 
 test("the machine's own Debian is found in either format of its sources", () => {

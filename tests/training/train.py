@@ -1,6 +1,6 @@
 """Trains the network on strips (spineloft_strips). See README.md.
 
-train.py STRIPS_GLOB --val VAL_GLOB --out NET.pt [--minutes 40] [--seed 1]
+train.py STRIPS_GLOB --val VAL_GLOB --out NET.pt [--steps 12000] [--seed 1]
 """
 import argparse
 import copy
@@ -129,7 +129,7 @@ def main():
     p.add_argument("strips", nargs="+")
     p.add_argument("--val", nargs="+", required=True)
     p.add_argument("--out", required=True)
-    p.add_argument("--minutes", type=float, default=40)
+    p.add_argument("--steps", type=int, default=12000)
     p.add_argument("--batch", type=int, default=16)
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--start", help="weights to begin with")
@@ -146,24 +146,20 @@ def main():
     opt = torch.optim.AdamW(net.parameters(), lr=a.peak, weight_decay=1e-4)
     val = load(a.val)
     began = time.time()
-    step, seen, done, shards, groups, orders, read = 0, 0, False, None, [], [], -1e9
+    shards = load(a.strips)
+    groups = items(shards)
+    orders = [[] for _ in groups]
+    often = np.sqrt([len(group) for group in groups])
+    print([len(group) for group in groups], "strips", flush=True)
     print(sum(q.numel() for q in net.parameters()), "weights", flush=True)
     mean = [0.0, 0.0]
-    while not done:
-        if time.time() - read > 120:  # shards may still be coming
-            shards, read = load(a.strips), time.time()
-            if sum(map(len, items(shards))) != sum(map(len, groups)):
-                groups = items(shards)
-                orders = [[] for _ in groups]
-                print([len(group) for group in groups], "strips", flush=True)
-        which = rng.choice(len(groups), p=[np.sqrt(len(g)) / sum(np.sqrt(len(h)) for h in groups) for g in groups])
+    for step in range(1, a.steps + 1):
+        which = rng.choice(len(groups), p=often / often.sum())
         if len(orders[which]) < a.batch:
             orders[which] = list(rng.permutation(len(groups[which])))
         batch = [groups[which][orders[which].pop()] for _ in range(a.batch)]
-        share = (time.time() - began) / (60 * a.minutes)
-        done = share >= 1
         for group in opt.param_groups:
-            group["lr"] = learning_rate(min(1, share), a.peak)
+            group["lr"] = learning_rate(step / a.steps, a.peak)
         x, t = fetch(shards, batch)
         x, t = augment(x.float() / 127, t, rng)
         ce, far = losses(log_likelihood(net, x), t)
@@ -172,8 +168,6 @@ def main():
         loss.backward()
         torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
         opt.step()
-        step += 1
-        seen += a.batch
         keep = min(0.999, 1 - 1 / (1 + step / 10))
         with torch.no_grad():
             for q, w in zip(average.parameters(), net.parameters()):
@@ -181,8 +175,9 @@ def main():
         mean[0] += 0.02 * (ce.mean().item() - mean[0])
         mean[1] += 0.02 * (far.mean().item() - mean[1])
         if step % 200 == 0:
-            print(f"{step} share {share:.3f} seen {seen} ce {mean[0]:.3f} far {mean[1]:.4f}", flush=True)
-        if step % 1000 == 0 or done:
+            minutes = (time.time() - began) / 60
+            print(f"{step} in {minutes:.1f} min ce {mean[0]:.3f} far {mean[1]:.4f}", flush=True)
+        if step % 1000 == 0 or step == a.steps:
             torch.save(average.state_dict(), a.out)
             print(step, "validation", validate(average, val), flush=True)
 
