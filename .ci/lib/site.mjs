@@ -15,11 +15,10 @@ import { basename, dirname, extname, join, relative } from 'node:path';
 import { promisify } from 'node:util';
 import { brotliCompress, gzip } from 'node:zlib';
 import { presetDir } from './cmake.mjs';
-import { subsetFont, usedIconCodes } from './icon_font.mjs';
+import { iconFont, scriptFont, scriptLanguages, textFont } from './fonts.mjs';
 import { checkLicences } from './licences.mjs';
 import { buildDir, distDir, root, shortHash } from './paths.mjs';
 import { Stop } from './run.mjs';
-import { scriptFont, scriptLanguages } from './script_fonts.mjs';
 
 const kHashLength = 10;
 // Files that shrink; pictures and the like are packed already.
@@ -111,14 +110,14 @@ async function putScripts(folder) {
   return scripts;
 }
 
-/** Imports of the icon font bring only the icons that the page draws. */
-const iconFont = {
-  name: 'icon-font',
+/** Imported fonts bring only the letters and icons that the page draws. */
+const smallFonts = {
+  name: 'small-fonts',
   setup(build) {
-    build.onLoad({ filter: /lucide\.ttf$/ }, ({ path }) => ({
-      contents: subsetFont(readFileSync(path), usedIconCodes()),
-      loader: 'file',
-    }));
+    const load = (filter, font) =>
+      build.onLoad({ filter }, async ({ path }) => ({ contents: await font(path), loader: 'file' }));
+    load(/lucide\.ttf$/, iconFont);
+    load(/Inter_\w+\.ttf$/, textFont);
   },
 };
 
@@ -156,7 +155,7 @@ async function bundle(folder, read, entryPoints, define, place = { outdir: 'asse
       alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
-      plugins: [iconFont],
+      plugins: [smallFonts],
     })
     .catch((error) => {
       const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);

@@ -1,12 +1,17 @@
-// Fonts with the letters that Inter lacks, of the languages of the catalogue: Noto Sans with the letters of the
-// catalogue alone, and of what a visitor types the kana and the Arabic alphabet.
+// The fonts of the page: each file holds only the letters and icons that the page draws.
+//  - Inter, text and bold, for the DOM and the canvas: the letters of the canvas's table (web/ui/fonts.cpp)
+//  - Lucide: the icons of the canvas (web/ui/icons.h)
+//  - Noto Sans for what Inter lacks, by language: the letters of its catalogue, and of what a visitor types the kana and
+//    the Arabic alphabet
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './paths.mjs';
+import { Stop } from './run.mjs';
 import { catalogue } from './words.mjs';
 
 const folder = join(root, 'node_modules/@expo-google-fonts');
 const range = (first, last) => Array.from({ length: last - first + 1 }, (_, i) => String.fromCodePoint(first + i));
+const source = (path) => readFileSync(join(root, path), 'utf8');
 
 const kScripts = {
   ja: {
@@ -28,7 +33,31 @@ const kWeights = { text: '400Regular', bold: '600SemiBold' };
 
 export const scriptLanguages = Object.keys(kScripts);
 
+/** The letters that Inter has on the page. */
+export function textLetters() {
+  const table = /kTextRanges\[\] = \{([^}]*)\}/.exec(source('web/ui/fonts.cpp'));
+  if (!table) throw new Stop('web/ui/fonts.cpp has no kTextRanges; .ci/lib/fonts.mjs must learn its new form.');
+  const bounds = table[1].split(',').map((number) => parseInt(number, 16));
+  return bounds.flatMap((first, i) => (i % 2 === 0 && first > 0 ? range(first, bounds[i + 1]) : [])).join('');
+}
+
+/** The code points of the canvas's icons. */
+export const iconCodes = () =>
+  [...source('web/ui/icons.h').matchAll(/Icon\{"[a-z0-9-]+",\s*(\d+)\}/g)].map(([, code]) => Number(code));
+
 // Packages are imported when a font is made: the set-up that installs them reads this file, too.
+
+/** A TrueType file with `letters` alone. */
+async function subset(file, letters, options) {
+  const { default: subsetFont } = await import('subset-font');
+  return subsetFont(readFileSync(file), letters, { targetFormat: 'truetype', noHinting: true, ...options });
+}
+
+/** Without substitutions (ligatures, small capitals); kerning stays. */
+const kPlain = { noLayoutClosure: true, dropTables: ['GSUB'] };
+
+export const textFont = (file) => subset(file, textLetters(), kPlain);
+export const iconFont = (file) => subset(file, String.fromCodePoint(...iconCodes()), kPlain);
 
 /** The letters that such a font has: those of the catalogue as they are written and as the canvas draws them. */
 async function scriptLetters(id) {
@@ -41,9 +70,7 @@ async function scriptLetters(id) {
 
 /** A TrueType file of a language: `weight` is "text" or "bold". */
 export async function scriptFont(id, weight) {
-  const { default: subsetFont } = await import('subset-font');
   const { family, file, options } = kScripts[id];
   const style = kWeights[weight];
-  const font = readFileSync(join(folder, family, style, `${file}_${style}.ttf`));
-  return subsetFont(font, await scriptLetters(id), { targetFormat: 'truetype', noHinting: true, ...options });
+  return subset(join(folder, family, style, `${file}_${style}.ttf`), await scriptLetters(id), options);
 }
