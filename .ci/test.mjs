@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { houseErrors, houseFiles } from './arrows.mjs';
 import { buildSite } from './build.mjs';
+import { browserFlags, browserPath } from './lib/browser.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
 import { countsLine, nothing, sumCounts } from './lib/counts.mjs';
 import { doctest } from './lib/doctest.mjs';
@@ -90,7 +91,6 @@ const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), { lanes },
 /** The page tests, on one Chromium for all of them. */
 async function page(env) {
   const { chromium } = await import('playwright-core');
-  const { browserFlags, browserPath } = await import('./lib/browser.mjs');
   const server = await chromium.launchServer({ executablePath: browserPath(), args: browserFlags, headless: true });
   try {
     return await nodeTests(

@@ -1,7 +1,6 @@
 // What every browser test needs: the built site on a free port, a headless Chromium, and a page that keeps count of
 // console errors, exceptions and requests to elsewhere.
 import { existsSync } from 'node:fs';
-import { chromium } from 'playwright-core';
 import { distDir } from './paths.mjs';
 import { Stop } from './run.mjs';
 import { serveFolder } from './server.mjs';
@@ -32,7 +31,8 @@ export function browserPath() {
   return path;
 }
 
-export function startBrowser() {
+export async function startBrowser() {
+  const { chromium } = await import('playwright-core');
   return chromium.launch({ executablePath: browserPath(), args: browserFlags, headless: true });
 }
 

@@ -237,6 +237,7 @@ test('the scripts of a fresh clone import nothing that the set-up installs befor
       if (name.startsWith('.')) visit(join(dirname(file), name));
     }
   };
-  for (const script of ['setup', 'start', 'build', 'test', 'cli']) visit(join(root, '.ci', `${script}.mjs`));
+  for (const script of ['setup', 'start', 'build', 'test', 'cli', 'bench', 'figures', 'fuzz'])
+    visit(join(root, '.ci', `${script}.mjs`));
   assert.ok(seen.size > 15);
 });
