@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+
+#include "engine/io/decimal.h"
 
 namespace spineloft::io {
 namespace {
@@ -124,11 +127,9 @@ Json toJson(double value) {
 }
 
 Json toJson(float value) {
-  std::array<char, 32> digits{};
-  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  if (!std::isfinite(value)) return static_cast<double>(value);
   // Not from_chars: libc++ 19 lacks it for double.
-  const Json read = Json::parse(digits.data(), written.ptr, nullptr, false);
-  const double shortest = read.is_number() ? read.get<double>() : value;
+  const double shortest = Json::parse(Decimal(value).text(), nullptr, false).get<double>();
   // Rounding twice could miss the float by one.
   return toJson(static_cast<float>(shortest) == value ? shortest : static_cast<double>(value));
 }

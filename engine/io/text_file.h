@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/io/decimal.h"
 #include "engine/io/export_part.h"
 
 namespace spineloft::io {
@@ -17,14 +18,8 @@ class TextFile {
     bytes_.insert(bytes_.end(), text.begin(), text.end());
     return *this;
   }
-  /// The fewest digits, in plain decimals, that give back the same float; the same in every locale.
-  TextFile& add(double value) {
-    char digits[64];
-    float number = static_cast<float>(value);
-    if (number == 0) number = 0;  // not "-0"
-    const auto end = std::to_chars(digits, digits + sizeof digits, number, std::chars_format::fixed);
-    return add(std::string_view(digits, static_cast<std::size_t>(end.ptr - digits)));
-  }
+  /// As a float, in plain decimals (decimal.h). Finite.
+  TextFile& add(double value) { return add(Decimal(static_cast<float>(value)).text()); }
   TextFile& add(std::size_t value) {
     char digits[24];
     const auto end = std::to_chars(digits, digits + sizeof digits, value);

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <cstdio>
 #include <unordered_map>
 #include <utility>
 
@@ -28,8 +29,8 @@ Voice& voice() {
 
 std::string plain(double number) {
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, number).ptr;
-  return {text, end};
+  const int length = std::snprintf(text, sizeof text, "%.15g", number);
+  return {text, static_cast<std::size_t>(length)};
 }
 
 std::string_view spokenArg(const Arg& arg, std::string& own) {

@@ -79,20 +79,22 @@ class Rig {
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
-  /// Gives the page frames and wakes until it asks for no more. False when it never rests.
+  /// Gives the page frames and wakes until it asks for no more. False when it never rests: 5000 turns of its own, or two
+  /// minutes of waiting for a worker.
   bool settle() {
-    for (int i = 0; i < 5000; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int turns = 0; turns < 5000;) {
       host.clockMs += 16;
-      if (host.wakesAsked > 0) {
-        host.wakesAsked = 0;
-        app->wake();
-      }
-      if (!std::exchange(host.frameAsked, false)) {
-        if (app->idle() && host.wakesAsked == 0) return true;
-        if (threads_ > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a worker has it
+      if (std::exchange(host.wakesAsked, 0) > 0) app->wake();
+      const bool drawn = std::exchange(host.frameAsked, false);
+      if (drawn) app->frame();
+      if (!drawn && app->idle() && host.wakesAsked == 0) return true;
+      if (drawn || threads_ == 0) {
+        ++turns;
         continue;
       }
-      app->frame();
+      if (std::chrono::steady_clock::now() - start > std::chrono::minutes(2)) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a worker has it
     }
     return false;
   }
