@@ -61,7 +61,7 @@ void members(V& v, T& value) {
 template <class V, Is<ribs::RibParams> T>
 void members(V& v, T& value) {
   auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight, medialOffsetCost,
-         priorWeight, evidence, fairing] = value;
+         evidence, fairing] = value;
   v("levels", levels);
   v("maxLevelShare", maxLevelShare);
   v("neighbourWeight", neighbourWeight);
@@ -69,9 +69,9 @@ void members(V& v, T& value) {
   v("neighbourCap", neighbourCap);
   v("oppositeWeight", oppositeWeight);
   v("leanCost", medialOffsetCost);
-  v("priorWeight", priorWeight);
   v("evidence", evidence);
   v("fairing", fairing);
+  v.retired("priorWeight");  // a pull to a middle level
 }
 template <class V, Is<ribs::RibEdits> T>
 void members(V& v, T& value) {

@@ -27,9 +27,9 @@ void mix(Hasher& hasher, const ribs::FairingParams& params) {
 }
 void mix(Hasher& hasher, const ribs::RibParams& params) {
   const auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight, medialOffsetCost,
-               priorWeight, evidence, fairing] = params;
+               evidence, fairing] = params;
   mixAll(hasher, levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight,
-         medialOffsetCost, priorWeight);
+         medialOffsetCost);
   mix(hasher, evidence);
   mix(hasher, fairing);
 }

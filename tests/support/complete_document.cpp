@@ -42,7 +42,7 @@ LoftRecipe fullRecipe() {
   recipe.picture = PictureId{2};
   recipe.stroke = {{40, 72}, {70.125, 70}, {96, 1.0 / 3 + 72}, {150, 72}};
   recipe.spine = {24, 3.5, 0.05};
-  recipe.ribs = {64, 0.4, 0.8, 0.2, 4, 0.5, 0.2, 0.03, {}, {4, 0.01, 0.3, 0.25}};
+  recipe.ribs = {64, 0.4, 0.8, 0.2, 4, 0.5, 0.2, {}, {4, 0.01, 0.3, 0.25}};
   recipe.ribs.evidence = {1, 2, 0.2, 0.25};
   recipe.edits.ends = {{0.25, ribs::Side::Left, 0.5, 20, 0.1, true},
                        {0.75, ribs::Side::Right, -1.5, 17.25, 0.3, false}};

@@ -7,8 +7,7 @@ namespace spineloft::ribs {
 bool inRange(const RibParams& p) {
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   const EvidenceParams& e = p.evidence;
-  for (double weight :
-       {e.learnedWeight, e.proximityWeight, e.weight, p.medialOffsetCost, p.priorWeight, p.neighbourFreedom}) {
+  for (double weight : {e.learnedWeight, e.proximityWeight, e.weight, p.medialOffsetCost, p.neighbourFreedom}) {
     if (!within(weight, 0, 10)) return false;
   }
   const FairingParams& f = p.fairing;

@@ -37,7 +37,6 @@ struct RibParams {
   /// 0.25, without an offset. 0…100
   double oppositeWeight = 1.0;
   double medialOffsetCost = 0.1;  ///< of a stroke being off the middle, per rib, 0…10
-  double priorWeight = 0.02;      ///< pull to a middle level where the energy is flat (method: "Measurements"), 0…10
   EvidenceParams evidence = {};
   FairingParams fairing = {};
   bool operator==(const RibParams&) const = default;

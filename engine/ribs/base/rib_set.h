@@ -64,8 +64,8 @@ struct EndFan {
 
 /// The energy of SpineLoft 3.3.2 by term, summed over all ribs (dimensionless).
 struct EnergyTerms {
-  double distance = 0, neighbour = 0, opposite = 0, prior = 0;
-  double total() const { return distance + neighbour + opposite + prior; }
+  double distance = 0, neighbour = 0, opposite = 0;
+  double total() const { return distance + neighbour + opposite; }
   bool operator==(const EnergyTerms&) const = default;
 };
 

@@ -8,8 +8,6 @@
 #include <numbers>
 #include <span>
 
-#include "engine/ribs/evidence/ink_centreline.h"
-
 namespace spineloft::ribs {
 namespace {
 
@@ -51,6 +49,8 @@ double reachAt(EndShape shape, double x) {
   switch (shape) {
     case EndShape::Round:
       return std::sqrt(1 - x * x);
+    case EndShape::Blunt:
+      return std::sqrt(std::sqrt(1 - x * x * x * x));
     case EndShape::Flat:
       return 1;
     case EndShape::Pointed:
@@ -89,16 +89,25 @@ int crossing(const EndSite& site, const EndFrame& frame, const EndGuess& guess, 
 
 // What every factor of e costs by which an end is shorter or longer than usual, and what a shape costs that
 // is rarer than round.
-constexpr double kPriceOfLength = 1, kPriceOfFlat = 0.2, kPriceOfPoint = 0.5;
+constexpr double kPriceOfLength = 1, kPriceOfBlunt = 0.1, kPriceOfFlat = 0.2, kPriceOfPoint = 0.5;
 // Usual extents, in half widths.
 constexpr double kRoundExtent = 1, kStraightExtent = 0.7;
 
 double priceOf(const EndGuess& guess) {
-  const bool round = guess.shape == EndShape::Round;
-  const double usual = round ? kRoundExtent : kStraightExtent;
-  const double price = kPriceOfLength * std::abs(std::log(guess.extent / usual));
-  if (round) return price;
-  return price + (guess.shape == EndShape::Flat ? kPriceOfFlat : kPriceOfPoint);
+  const auto price = [&](double usual, double shape) {
+    return shape + kPriceOfLength * std::abs(std::log(guess.extent / usual));
+  };
+  switch (guess.shape) {
+    case EndShape::Round:
+      return price(kRoundExtent, 0);
+    case EndShape::Blunt:
+      return price(kRoundExtent, kPriceOfBlunt);
+    case EndShape::Flat:
+      return price(kStraightExtent, kPriceOfFlat);
+    case EndShape::Pointed:
+      return price(kStraightExtent, kPriceOfPoint);
+  }
+  return 0;
 }
 
 // The chain over the end's curves. Places are shares of the guessed shape; between neighbours
@@ -164,7 +173,7 @@ EndGuess guessEnd(const EndSite& site) {
   }
   EndGuess best;
   double least = std::numeric_limits<double>::infinity();
-  for (const EndShape shape : {EndShape::Round, EndShape::Flat, EndShape::Pointed}) {
+  for (const EndShape shape : {EndShape::Round, EndShape::Blunt, EndShape::Flat, EndShape::Pointed}) {
     for (std::size_t e = 0; e < costs.size(); ++e) costs[e] = priceOf({shape, extents[e]});
     for (int i = 1; i <= count; ++i) {
       const int curve = curveOf(site, i), reached = site.curves.reached[index(curve)];
@@ -197,10 +206,8 @@ void followEnd(const EndSite& site, LengthWorkspace& workspace, EndOutline& outl
   optimalChain(chain, chain.left, chain.left.unary, workspace, labels);
   for (int i = 1; i + 1 < chain.ribs; ++i) {
     const int curve = curveOf(site, i), label = labels[index(i)];
-    const double along = site.curves.along[site.curves.at(curve, label)];
     outline.labels.push_back(label);
-    outline.points.push_back(
-        site.curves.pointAlong(curve, site.edges ? middleOfLine(site.curves, *site.edges, curve, along) : along));
+    outline.points.push_back(site.curves.point(curve, label));
     outline.cost += static_cast<double>(site.costs[site.curves.at(curve, label)]);
   }
 }

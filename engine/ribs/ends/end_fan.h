@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/image/edge_map.h"
 #include "engine/ribs/base/rib_set.h"
 #include "engine/ribs/field/curves.h"
 #include "engine/ribs/labels/rib_lengths.h"
@@ -15,6 +14,7 @@ namespace spineloft::ribs {
 /// How an end is finished, as far as the picture shows it.
 enum class EndShape : std::uint8_t {
   Round,    ///< half an ellipse over the ribs at which it begins
+  Blunt,    ///< half a superellipse of exponent 4: sides that go on before they bend
   Flat,     ///< a rectangle over them
   Pointed,  ///< a triangle over them
 };
@@ -31,7 +31,6 @@ struct EndSite {
   int leftLabel = 0, rightLabel = 0;  ///< their labels
   double halfWidth = 1;               ///< of the part where it ends, picture pixels, > 0: what extents are measured in
   float neighbourWeight = 0.7f;       ///< against jumps of the outline from its shape
-  const image::EdgeMap* edges = nullptr;  ///< a drawn outline is met in its middle; may be null
 };
 
 /// The shape that explains an end best.

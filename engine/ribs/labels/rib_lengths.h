@@ -16,7 +16,7 @@ inline constexpr float kUnreachable = std::numeric_limits<float>::infinity();
 
 /// One side of the spine. Tables have ribs × levels entries, rib after rib.
 struct SideCosts {
-  /// Distance term plus level prior of every label; kUnreachable where there is no such point.
+  /// Distance term of every label; kUnreachable where there is no such point.
   /// At least one label of every rib is finite.
   std::vector<float> unary;
   /// Where a label stands on its curve, in the unit in which neighbours are compared (d2 in the

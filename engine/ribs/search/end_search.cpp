@@ -46,8 +46,7 @@ struct End {
             .leftLabel = s.labels.left[index(ribAt(freeLeft))],
             .rightLabel = s.labels.right[index(ribAt(freeRight))],
             .halfWidth = halfWidth,
-            .neighbourWeight = s.problem.neighbourWeight,
-            .edges = s.edges};
+            .neighbourWeight = s.problem.neighbourWeight};
   }
 
   // The costs of the ends of the outermost ribs.
@@ -86,7 +85,7 @@ struct End {
 
 }  // namespace
 
-EndShape findEnd(bool atStart, RibSet& set, Search& s) {
+void findEnd(bool atStart, RibSet& set, Search& s) {
   EndFan& fan = atStart ? set.startFan : set.endFan;
   const End end{atStart, set, s};
   const int left = end.reachingBeyond(&Rib::left), right = end.reachingBeyond(&Rib::right);
@@ -96,7 +95,7 @@ EndShape findEnd(bool atStart, RibSet& set, Search& s) {
   followEnd(last, s.workspace, held);
   if (std::max(end.beyond(last.left), end.beyond(last.right)) < kBent * half) {
     fanOf(last, held, fan);
-    return held.guess.shape;
+    return;
   }
   const EndSite before = end.site(left, right, half);
   followEnd(before, s.workspace, freed);
@@ -104,12 +103,11 @@ EndShape findEnd(bool atStart, RibSet& set, Search& s) {
   const double far = std::max({end.farthest(held), end.farthest(left, &Rib::left), end.farthest(right, &Rib::right)});
   if (freed.cost > cost || end.farthest(freed) > far) {
     fanOf(last, held, fan);
-    return held.guess.shape;
+    return;
   }
   for (int i = 0; i < left; ++i) end.move(left - 1 - i, true, freed, i);
   for (int i = 0; i < right; ++i) end.move(i, false, freed, left + s.curves.layout.fan + i);
   fanOf(before, freed, fan);
-  return freed.guess.shape;
 }
 
 }  // namespace spineloft::ribs

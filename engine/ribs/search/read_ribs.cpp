@@ -1,7 +1,6 @@
 #include <cmath>
 #include <span>
 
-#include "engine/ribs/evidence/ink_centreline.h"
 #include "engine/ribs/labels/runner_up.h"
 #include "engine/ribs/search/end_search.h"
 #include "engine/ribs/search/rib_search.h"
@@ -68,7 +67,7 @@ double placeBetween(const Search& s, int curve, int label) {
   return own + sum / std::max(kLeast, mass);
 }
 
-// Where the ends of one side stand: the labels' places, in the middle of a pen line, made fair.
+// Where the ends of one side stand: the labels' places, made fair.
 const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftSide, Search& s) {
   SideLengths& side = s.lengths;
   side.length.clear();
@@ -76,9 +75,8 @@ const std::vector<double>& endLengths(const std::vector<int>& labels, bool leftS
   for (int i = 0; i < s.problem.ribs; ++i) {
     const int curve = s.curves.layout.sideOf(i, leftSide);
     const std::size_t at = s.curves.at(curve, labels[index(i)]);
-    const double support = s.boundary.seen[at] != 0 ? static_cast<double>(s.boundary.support[at]) : 0;
-    const double length = placeBetween(s, curve, labels[index(i)]);
-    side.length.push_back(s.edges ? middleOfLine(s.curves, *s.edges, curve, length) : length);
+    const auto support = static_cast<double>(s.boundary.support[at]);
+    side.length.push_back(placeBetween(s, curve, labels[index(i)]));
     side.trust.push_back(support * support);
   }
   return fairLengths(side, s.params.fairing, s.fairing);
@@ -98,16 +96,6 @@ void placeSide(bool leftSide, const std::vector<double>& lengths, Search& s, Rib
   }
 }
 
-void readEnergy(const Search& s, RibSet& set) {
-  const LengthLabels& labels = s.labels;
-  set.energy = energyOf(s.problem, labels);
-  const double middle = 0.5 * (s.problem.levels - 1);
-  for (const auto* side : {&labels.left, &labels.right}) {
-    for (int label : *side) set.energy.prior += s.params.priorWeight * std::abs(label - middle) / middle;
-  }
-  set.energy.distance -= set.energy.prior;
-}
-
 }  // namespace
 
 void readRibs(bool withRivals, Search& s, RibSet& set) {
@@ -118,8 +106,9 @@ void readRibs(bool withRivals, Search& s, RibSet& set) {
     readRunnersUp(s, s.labels, true, set);
     readRunnersUp(s, s.labels, false, set);
   }
-  s.shapes = {findEnd(true, set, s), findEnd(false, set, s)};
-  readEnergy(s, set);
+  findEnd(true, set, s);
+  findEnd(false, set, s);
+  set.energy = energyOf(s.problem, s.labels);
 }
 
 }  // namespace spineloft::ribs

@@ -40,7 +40,6 @@ struct RibWorkspace::Search {
   SideLengths lengths;
   FairingMemory fairing;
   std::vector<RibState> states;
-  std::array<EndShape, 2> shapes{};       // of the start and the end
   const image::EdgeMap* edges = nullptr;  // of the picture; null where nothing is known of it
 };
 
@@ -61,8 +60,7 @@ void assumeWidth(const WidthHypothesis& even, Search& s);
 void bestLabels(Search& s);
 /// Weight of the energy of one rib: 100 over the number of ribs.
 double shareOfRib(const Search& s);
-/// Reads the ribs of `s.labels` into `set`, and the shapes of the ends into `s.shapes`. `withRivals`: also confidence
-/// and other places.
+/// Reads the ribs of `s.labels` and the ends of the part into `set`. `withRivals`: also confidence and other places.
 void readRibs(bool withRivals, Search& s, RibSet& set);
 /// The whole search but reading the ribs: fills `s.labels`.
 Status searchLabels(const Spine& spine, const PictureEvidence& picture, const RibParams& params,

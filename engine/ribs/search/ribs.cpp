@@ -65,7 +65,6 @@ namespace {
 void fillSide(const std::vector<float>& costs, bool leftSide, Search& s) {
   SideCosts& side = leftSide ? s.problem.left : s.problem.right;
   const int ribs = s.problem.ribs, count = s.problem.levels;
-  const double middle = 0.5 * (count - 1);
   side.unary.assign(index(ribs) * index(count), kUnreachable);
   side.place.resize(side.unary.size());
   for (int i = 0; i < ribs; ++i) {
@@ -76,8 +75,7 @@ void fillSide(const std::vector<float>& costs, bool leftSide, Search& s) {
       side.place[at] = k < reached ? s.curves.along[s.curves.at(curve, k)] : side.place[at - 1] + 1;
       // Label 0 is the spine itself: only for a curve that has nowhere else to go.
       if (k >= reached || (k == 0 && reached > 1)) continue;
-      const double pull = s.params.priorWeight * std::abs(k - middle) / middle;
-      side.unary[at] = costs[s.curves.at(curve, k)] + static_cast<float>(pull);
+      side.unary[at] = costs[s.curves.at(curve, k)];
     }
   }
 }
@@ -110,31 +108,7 @@ void fitWidthHypotheses(Search& s) {
   fitWidthHypotheses(s.problem, 2 * pixel, s.params.medialOffsetCost, s.workspace, s.parts);
 }
 
-namespace {
-
-// The spacing of neighbouring ends at the width of the hypothesis, at least that on the hull. In bends and round the
-// ends curves diverge, and lengths may then differ by more from one rib to the next.
-void spread(const WidthHypothesis& even, bool leftSide, Search& s) {
-  SideCosts& side = leftSide ? s.problem.left : s.problem.right;
-  const double factor = 0.5 * (leftSide ? 1 + even.medialOffset : 1 - even.medialOffset);
-  const auto curveOf = [&](int i) { return s.curves.layout.sideOf(i, leftSide); };
-  for (int i = 0; i + 1 < s.problem.ribs; ++i) {
-    const int a = curveOf(i), b = curveOf(i + 1);
-    const int most = std::min(s.curves.reached[index(a)], s.curves.reached[index(b)]) - 1;
-    const double wanted = factor * static_cast<double>(even.width[index(i)]);
-    int k = 0;
-    while (k < most && static_cast<double>(s.curves.along[s.curves.at(a, k)]) < wanted) ++k;
-    const double hull = distance(s.spine.points[index(i)], s.spine.points[index(i + 1)]);
-    const double apart = distance(s.curves.point(a, k), s.curves.point(b, k));
-    side.spacing[index(i)] = static_cast<float>(std::max(apart, hull));
-  }
-}
-
-}  // namespace
-
 void assumeWidth(const WidthHypothesis& even, Search& s) {
-  spread(even, true, s);
-  spread(even, false, s);
   const double pixel = s.levels.radius[1];
   s.problem.medialOffset = static_cast<float>(even.medialOffset);
   s.problem.medialOffsetCap = static_cast<float>(kMostUnequal * shareOfRib(s));

@@ -73,7 +73,6 @@ bool setNumber(std::string_view keyAndValue, Variation& variation) {
                                                        {"neighbourCap", &p.neighbourCap},
                                                        {"oppositeWeight", &p.oppositeWeight},
                                                        {"medialOffsetCost", &p.medialOffsetCost},
-                                                       {"priorWeight", &p.priorWeight},
                                                        {"stiffness", &p.fairing.stiffness}};
   const std::size_t equals = std::min(keyAndValue.find('='), keyAndValue.size());
   const auto* at = std::ranges::find(numbers, keyAndValue.substr(0, equals), [](const auto& n) { return n.first; });

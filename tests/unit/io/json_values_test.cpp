@@ -89,7 +89,7 @@ TEST_CASE("a report says everything, and what is not finite becomes null") {
   LoftReport report;
   report.picture = {640, 480};
   report.ribs = 100;
-  report.energy = {1, 2, 3, 0.5};
+  report.energy = {1, 2, 3.5};
   report.mesh.closed = true;
   report.mesh.volume = std::numeric_limits<double>::quiet_NaN();
   report.milliseconds = {{"edges", 12.5}, {"ribs", 3}};

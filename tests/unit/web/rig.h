@@ -79,8 +79,8 @@ class Rig {
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
-  /// Gives the page frames and wakes until it asks for no more. False when it never rests: 5000 turns of its own, or two
-  /// minutes of waiting for a worker.
+  /// Gives the page frames and wakes until it asks for no more. False when it never rests: 5000 turns of its own, or
+  /// two minutes of waiting for a worker.
   bool settle() {
     const auto start = std::chrono::steady_clock::now();
     for (int turns = 0; turns < 5000;) {
