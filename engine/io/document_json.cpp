@@ -6,6 +6,7 @@
 
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
+#include "engine/document/renumber.h"
 
 namespace spineloft::io {
 namespace {
@@ -124,7 +125,7 @@ void mendName(std::string& name, std::string_view fallback, ReadNotes& notes) {
   mend(tidy == name, name, tidy, notes);
 }
 
-/// Ids that are 0, too large or taken get new ones above all others.
+/// Ids that are 0, too large or taken get new ones: above all others, or free ones where the largest is taken.
 template <class T>
 void mendIds(std::vector<Box<T>>& boxes, std::uint32_t& last, ReadNotes& notes) {
   if (last > kMostId) {
@@ -141,9 +142,13 @@ void mendIds(std::vector<Box<T>>& boxes, std::uint32_t& last, ReadNotes& notes) 
     last = *taken.rbegin();
     ++notes.repaired;
   }
+  std::uint32_t next = last;
   for (Box<T>* box : renewed) {
+    do next = next < kMostId ? next + 1 : 1;
+    while (!taken.insert(next).second);
     T value = box->get();
-    value.id.value = ++last;
+    value.id.value = next;
+    last = std::max(last, next);
     *box = std::move(value);
     ++notes.repaired;
   }
@@ -299,6 +304,13 @@ Result<document::Step> stepFrom(Json json, const Reading& reading) {
   return step;
 }
 
+void makeRoomForIds(Document& document, ReadNotes& notes) {
+  const auto lasts = {document.lastPictureId, document.lastPartId, document.lastStepId, document.lastGroupId};
+  if (std::ranges::max(lasts) <= kMostOpenedId) return;
+  document::renumber(document);
+  ++notes.repaired;
+}
+
 Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto missing) {
   if (!json.is_object()) return {Error::ProjectInvalid, "no document"};
   if (Status version = migrate(json); !version) return version.failure();
@@ -356,6 +368,7 @@ Result<Document> readDocument(std::string_view json, const PictureSource& pictur
     Result<Json> parsed = parseJson(json);
     if (!parsed) return parsed.failure();
     Result<Document> document = documentFrom(std::move(parsed).value(), {found, pictures}, MissingPhoto::Fail);
+    if (document) makeRoomForIds(document.value(), found);
     if (notes != nullptr) *notes = found;
     return document;
   } catch (const std::exception&) {  // the JSON library and the standard one only throw for memory

@@ -16,8 +16,10 @@ namespace spineloft::io {
 inline constexpr std::size_t kMostJson = std::size_t{64} << 20;
 /// Deepest nesting that is read.
 inline constexpr int kMostDepth = 64;
-/// Largest id that is believed, so that there are ids left for what is added later.
-inline constexpr std::uint32_t kMostId = 1'000'000'000;
+/// Largest id that a document has: what a file says beyond it is not believed.
+inline constexpr std::uint32_t kMostId = 2'000'000'000;
+/// Largest id of a document that comes from outside, so that there are ids left for what is added later.
+inline constexpr std::uint32_t kMostOpenedId = 1'000'000'000;
 
 /// The JSON, checked for length and depth before it is parsed. Error: ProjectInvalid. Memory that runs
 /// out is thrown as std::bad_alloc.
@@ -41,6 +43,10 @@ enum class MissingPhoto : std::uint8_t { Fail, Drop };
 /// The document of documentJson, of any version up to ours. Errors: ProjectInvalid, ProjectTooNew,
 /// NoSuchPicture (with MissingPhoto::Fail).
 Result<document::Document> documentFrom(Json json, const Reading& reading, MissingPhoto missing);
+
+/// Numbers everything anew where an id is above kMostOpenedId. For documents from outside: what the program itself
+/// keeps goes on with the ids that it has.
+void makeRoomForIds(document::Document& document, ReadNotes& notes);
 
 /// Reads name, height, last ids and unknown keys into `document`.
 void readFrame(Json json, document::Document& document, const Reading& reading);

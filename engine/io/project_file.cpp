@@ -220,6 +220,7 @@ Result<Document> read(const GlbChunks& chunks, ReadNotes& notes) {
   if (photos.outOfMemory()) return Error::OutOfMemory;
   if (hadPictures && document.value().pictures.empty()) return Error::PictureUnreadable;
   nameByContent(document.value(), notes);
+  makeRoomForIds(document.value(), notes);
   return document;
 }
 

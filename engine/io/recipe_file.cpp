@@ -225,7 +225,10 @@ Result<Document> wholeDocument(Json json, const RecipeInput& input) {
     if (document.error() == Error::ProjectTooNew) return document;
     return {Error::JsonInvalid, document.failure().detail};
   }
-  if (notes.clean()) return document;
+  if (notes.clean()) {
+    makeRoomForIds(document.value(), notes);
+    return document;
+  }
   return wrongValue(json, [&](const Json& whole) {
     ReadNotes found;
     const bool sound = documentFrom(whole, {found, source}, MissingPhoto::Drop).ok();

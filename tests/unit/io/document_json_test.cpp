@@ -9,6 +9,7 @@
 #include "engine/base/rng.h"
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
+#include "engine/document/renumber.h"
 #include "engine/document/update.h"
 #include "engine/io/document_json.h"
 #include "engine/io/project_file.h"
@@ -214,6 +215,72 @@ TEST_CASE("a damaged value becomes a sound one, is counted, and the rest is as i
   CHECK(read == document);
   read = mended(document, [&](Json& j) { j["height"] = -3; }, notes);
   CHECK(read == document);
+}
+
+TEST_CASE("a document whose ids leave no room for more is numbered anew, with all that refers to them") {
+  for (const std::uint64_t seed : testing::seeds(40, 60)) {
+    CAPTURE(seed);
+    Document document = randomSession(seed, 120).back();
+    const auto photos = photosOfAll({document});
+    Document large = document;
+    const auto lift = [](auto& id) {
+      if (id) id.value += kMostOpenedId;
+    };
+    const auto each = [](auto& boxes, const auto& change) {
+      for (auto& box : boxes) {
+        auto value = box.get();
+        change(value);
+        box = std::move(value);
+      }
+    };
+    each(large.pictures, [&](PictureEntry& entry) { lift(entry.id); });
+    each(large.parts, [&](Part& part) {
+      lift(part.id);
+      lift(part.group);
+      setPicture(part.recipe, PictureId{pictureOf(part).value + kMostOpenedId});
+    });
+    each(large.steps, [&](Step& step) {
+      lift(step.id);
+      for (Operand& operand : step.operands) {
+        lift(operand.part);
+        lift(operand.step);
+      }
+    });
+    for (Group& group : large.groups) lift(group.id);
+    for (std::uint32_t* last : {&large.lastPictureId, &large.lastPartId, &large.lastStepId, &large.lastGroupId}) {
+      *last += kMostOpenedId;
+    }
+    const auto read = readDocument(writeDocument(large), photos);
+    REQUIRE(read.ok());
+    renumber(document);
+    CHECK(read.value() == document);
+    CHECK(readDocument(writeDocument(document), photos).value() == document);
+  }
+}
+
+TEST_CASE("two parts of one id where the largest one is taken: what is read is the same when it is read again") {
+  for (const std::uint32_t last : {1u, 2u, kMostOpenedId - 1, kMostOpenedId, kMostId, 4294967295u}) {
+    CAPTURE(last);
+    ReadNotes notes;
+    const Document read = mended(
+        twoParts(),
+        [&](Json& j) {
+          j["lastPartId"] = j["parts"][0]["id"] = j["parts"][1]["id"] = last;
+          j["lastPictureId"] = j["pictures"][0]["id"] = j["parts"][0]["recipe"]["picture"] =
+              j["parts"][1]["recipe"]["picture"] = std::min(last, kMostId);
+        },
+        notes);
+    REQUIRE(read.parts.size() == 2);
+    CHECK(couldBeMade(read));
+    CHECK(read.parts[0]->id != read.parts[1]->id);
+    CHECK(readBack(read, writeDocument(read), &notes) == read);
+    CHECK(notes.clean());
+    // There is room for more, also in the journal.
+    const Document next = update(read, DrawSpine{read.pictures[0]->id, {{20, 20}, {48, 30}, {76, 20}}}).value();
+    CHECK(next.parts[2]->id.value <= kMostOpenedId + 1);
+    CHECK(documentFrom(documentJson(next), {notes, photosOfAll({next})}, MissingPhoto::Fail).value() == next);
+    CHECK(notes.clean());
+  }
 }
 
 TEST_CASE("whatever one value of a file is replaced by, the document could have been made by hand") {
