@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { drawWithFinger, drawWithMouse, drawWithPen } from './support/hands.mjs';
-import { exported, idle, onPage, run, state, useSite } from './support/page.mjs';
+import { exported, idle, onPage, run, state, toClient, useSite } from './support/page.mjs';
 
 const kit = useSite();
 
@@ -48,12 +48,12 @@ test('one line on paper is a wine glass, by mouse, finger and pen', () =>
     assert.equal((await state(page)).parts.length, 2);
   }));
 
-test('the axis is dragged by its ends before the line is drawn, and after', () =>
+test('the axis goes where the picture is tapped before the line is drawn, and is dragged by its ends after', () =>
   onPage(kit, {}, async (page) => {
     await paper(page);
-    const [from, to] = (await state(page)).axis;
-    await drawWithMouse(page, [from, [200, from[1]]], { count: 6 });
-    await drawWithMouse(page, [to, [200, to[1]]], { count: 6 });
+    const [at] = await toClient(page, [[200, 500]]);
+    await page.mouse.click(at.x, at.y);
+    await idle(page);
     const moved = (await state(page)).axis;
     for (const [x] of moved) assert.ok(Math.abs(x - 200) < 3, `${x}`);
     await drawWithMouse(

@@ -35,6 +35,17 @@ std::optional<ShownAxis> shownAxis(const document::Document& document, const UiS
   return ShownAxis{{}, {middle, kFromEdge * high}, {middle, (1 - kFromEdge) * high}};
 }
 
+std::optional<ShownAxis> axisInHand(const document::Document& document, const UiState& ui) {
+  const std::optional<ShownAxis> axis = shownAxis(document, ui);
+  return axis && axis->part && !ui.redraw ? axis : std::nullopt;
+}
+
+ShownAxis axisThrough(const ShownAxis& axis, PicturePoint p) {
+  const PicturePoint along = normalized(axis.to - axis.from), away = p - axis.from;
+  const PicturePoint aside = away - along * dot(away, along);
+  return {axis.part, axis.from + aside, axis.to + aside};
+}
+
 int axisEndAt(const ShownAxis& axis, PicturePoint p, double reach) {
   const double first = distance(p, axis.from), second = distance(p, axis.to);
   if (std::min(first, second) > reach) return -1;

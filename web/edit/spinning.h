@@ -13,13 +13,18 @@ namespace spineloft::app {
 /// next part.
 struct ShownAxis {
   PartId part;            ///< none: of the next part
-  PicturePoint from, to;  ///< picture pixels; a hand can drag both
+  PicturePoint from, to;  ///< picture pixels
 };
 /// None without the tool, or without a picture.
 std::optional<ShownAxis> shownAxis(const document::Document& document, const UiState& ui);
 
+/// The axis whose ends a hand can take: that of a part in hand which is not being drawn again. Lines begin at an axis,
+/// often at its end, so that without a part to change every press draws.
+std::optional<ShownAxis> axisInHand(const document::Document& document, const UiState& ui);
 /// The end of it within `reach` picture pixels, 0 or 1; −1 elsewhere.
 int axisEndAt(const ShownAxis& axis, PicturePoint p, double reach);
+/// The axis moved aside, as far as it takes to go through a point.
+ShownAxis axisThrough(const ShownAxis& axis, PicturePoint p);
 /// The axis with an end put elsewhere. It becomes upright, or level, where it is within 2 degrees of that, and keeps a
 /// length.
 ShownAxis withMovedEnd(const ShownAxis& axis, int end, PicturePoint to);

@@ -359,7 +359,7 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
   }
 }
 
-/// The axis of the tool that turns things round, with the ends that a hand can drag, and the mirror image of the line
+/// The axis of the tool that turns things round, its ends where a hand can drag them, and the mirror image of the line
 /// in hand.
 void drawAxis(ImDrawList& list, const PanelEnv& env) {
   const app::UiState& ui = env.ui();
@@ -379,6 +379,7 @@ void drawAxis(ImDrawList& list, const PanelEnv& env) {
     picturePolyline(list, ui, image, {rgb(0xffffff, 160), 4.5f, LineStyle::Solid});
     picturePolyline(list, ui, image, {colour, 2.f, LineStyle::Solid});
   }
+  if (!app::axisInHand(env.document(), ui)) return;
   grabDot(list, onCanvas(ui, axis->from), colour, ui.hover.axis == 0);
   grabDot(list, onCanvas(ui, axis->to), colour, ui.hover.axis == 1);
 }

@@ -106,7 +106,7 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   } else if (app::drawsRegions(ui.tool)) {
     const document::Part* part = app::partWithPoints(env.document, ui);
     if (part != nullptr) hover.outline = app::handleAt(*document::regionOf(part->recipe), p, reach);
-    const std::optional<app::ShownAxis> axis = app::shownAxis(env.document, ui);
+    const std::optional<app::ShownAxis> axis = app::axisInHand(env.document, ui);
     if (axis && !hover.outline) hover.axis = app::axisEndAt(*axis, p, reach);
   } else if (subject && (ui.tool == ToolKind::Ribs || ui.tool == ToolKind::Shape)) {
     pickRib(subject, ui, p, reach, hover);

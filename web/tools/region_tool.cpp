@@ -49,8 +49,7 @@ void RegionTool::begin(const ToolEnv& env, const ToolEvent& event) {
   grabbed_ = under.outline;
   part_ = env.ui.selection;
   end_ = under.axis;
-  axis_ = app::shownAxis(env.document, env.ui);
-  before_ = {env.ui.lathe, env.ui.axisOf};
+  axis_ = app::axisInHand(env.document, env.ui);
   way_ = env.ui.cut ? Way::Mark : grabbed_ ? Way::Point : axis_ && end_ >= 0 ? Way::Axis : wayOf(env.ui);
   if (way_ == Way::Mark) mark(env, event);
 }
@@ -98,12 +97,7 @@ void RegionTool::drag(const ToolEnv& env, const ToolEvent& event) {
 void RegionTool::swing(const ToolEnv& env, const ToolEvent& event) {
   axis_ = app::withMovedEnd(*axis_, end_, toPicture(env, event.at));
   const document::Part* part = document::findPart(env.document, axis_->part);
-  if (part == nullptr) {
-    env.ui.lathe.axisFrom = axis_->from;
-    env.ui.lathe.axisTo = axis_->to;
-    env.ui.axisOf = env.ui.picture;
-    return;
-  }
+  if (part == nullptr) return;
   app::Preview& preview = app::previewPart(env.ui, *part);
   auto* spun = std::get_if<document::LatheRecipe>(&preview.recipe);
   if (spun == nullptr) return;
@@ -142,6 +136,9 @@ void RegionTool::tap(const ToolEnv& env) const {
     env.sink.run(app::selectPart, under, false);
   } else if (app::cutsOut(env.ui.tool)) {
     env.sink.run(app::startCutOut, vision::CutHints{{p}, {}, {}, {}}, PartId{});
+  } else if (const auto axis = app::shownAxis(env.document, env.ui); axis && !axis->part) {
+    const app::ShownAxis moved = app::axisThrough(*axis, p);
+    env.sink.run(app::setAxis, PartId{}, moved.from, moved.to);
   }
 }
 
@@ -182,10 +179,6 @@ void RegionTool::drawn(const ToolEnv& env, const std::vector<PicturePoint>& line
 }
 
 void RegionTool::cancel(const ToolEnv& env) {
-  if (way_ == Way::Axis) {
-    env.ui.lathe = before_.lathe;
-    env.ui.axisOf = before_.axisOf;
-  }
   env.ui.preview.reset();
   env.ui.inHand = {};
 }

@@ -30,11 +30,6 @@ class RegionTool final : public Tool {
   std::optional<app::OutlinePoint> grabbed_;
   int end_ = -1;  ///< of the axis
   std::optional<app::ShownAxis> axis_;
-  /// The axis of the next part before the gesture.
-  struct Next {
-    lathe::LatheParams lathe;
-    PictureId axisOf;
-  } before_;
   Way way_ = Way::Outline;
   PartId part_;  ///< whose point it is
   PicturePoint to_{};

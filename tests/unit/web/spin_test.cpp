@@ -87,25 +87,60 @@ TEST_CASE("Escape takes a line in hand back, and an axis in hand to where it was
   rig.key("Escape", "Escape");
   rig.lift();
   CHECK(rig.parts() == 0);
+  drag(rig, kVessel);
   drag(rig, {axisEnd(rig, 0), {60, 60}}, {}, false);
   CHECK(axisEnd(rig, 0) != PicturePoint{99.5, 12});
   rig.key("Escape", "Escape");
+  rig.lift();
   CHECK(axisEnd(rig, 0) == PicturePoint{99.5, 12});
 }
 
-TEST_CASE("the axis of the next part is moved by its ends, and the part is turned about it") {
+TEST_CASE(
+    "a line begins anywhere on the axis, its ends included, while there is no part about it, or its line is drawn "
+    "again") {
+  struct Screen {
+    platform::CanvasSize size;
+    platform::Device device;
+  };
+  for (const Screen screen :
+       {Screen{{1200, 700, 1}, platform::Device::Mouse}, Screen{{390, 844, 2}, platform::Device::Touch},
+        Screen{{390, 844, 2}, platform::Device::Pen}}) {
+    CAPTURE(screen.size.width);
+    Rig rig(screen.size);
+    rig.openBar();
+    rig.run("spin");
+    const PicturePoint from = axisEnd(rig, 0), to = axisEnd(rig, 1);
+    for (const double way : {0.0, 0.02, 0.5, 0.98, 1.0}) {
+      CAPTURE(way);
+      const PicturePoint on = lerp(from, to, way);
+      const Line line{on, {150, on.y}, {150, 100}, {130, 90}};
+      drag(rig, line, screen.device);
+      REQUIRE(rig.parts() == 1);
+      REQUIRE(rig.run("redraw").flag("ok") == true);
+      drag(rig, {on, {140, on.y}, {140, on.y + (way < 0.5 ? 60 : -60)}}, screen.device);
+      CHECK(rig.parts() == 1);
+      CHECK(pointIn((*lastPart(rig).find("contours")->array())[0], 1).x == doctest::Approx(140).epsilon(0.02));
+      CHECK(axisEnd(rig, 0) == from);
+      CHECK(axisEnd(rig, 1) == to);
+      rig.run("undo");
+      rig.run("undo");
+      rig.settle();
+    }
+  }
+}
+
+TEST_CASE("the axis of the next part goes where the picture is tapped, and the part is turned about it") {
   Rig rig;
   rig.openBar();
   rig.run("spin");
   const double undo = *rig.state().number("undo");
-  drag(rig, {axisEnd(rig, 0), {60, 20}});
-  drag(rig, {axisEnd(rig, 1), {60.5, 180}});
-  // Nearly upright is upright, and nothing of the model has changed.
-  CHECK(distance(axisEnd(rig, 0), {60, 20}) < 1e-6);
+  drag(rig, {{60, 150}});
+  // Moved aside, and nothing of the model has changed.
+  CHECK(distance(axisEnd(rig, 0), {60, 12}) < 1e-6);
   CHECK(axisEnd(rig, 1).x == axisEnd(rig, 0).x);
   CHECK(rig.state().number("undo") == undo);
   drag(rig, {{100, 60}, {100, 140}});
-  CHECK(distance(pointIn(*lastPart(rig).find("axis"), 0), {60, 20}) < 1e-6);
+  CHECK(distance(pointIn(*lastPart(rig).find("axis"), 0), {60, 12}) < 1e-6);
   // A straight line makes a cylinder: two rings of 128, and a lid at either end.
   CHECK(*lastPart(rig).number("triangles") == 4 * 128);
 }
