@@ -1,4 +1,7 @@
 // What the tests of keeping models share: looking into the page's database, and hands that are quick.
+import { spawn } from 'node:child_process';
+import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { browserFlags, browserPath } from '../../../.ci/lib/browser.mjs';
 import { tubePicture } from './pictures.mjs';
@@ -32,14 +35,37 @@ export function inStore(page, name, work) {
   return page.evaluate(`(${withStore})(${JSON.stringify(name)}, ${work ?? 'null'})`);
 }
 
-/** A browser with a profile on the disk: what it keeps outlives its pages. */
-export function startKeptBrowser(folder, options = {}) {
-  return chromium.launchPersistentContext(folder, {
-    executablePath: browserPath(),
-    args: browserFlags,
-    headless: true,
-    viewport: { width: 560, height: 400 },
-    deviceScaleFactor: 0.5,
-    ...options,
+/** How long a browser may take to begin. */
+const kStartMs = 180_000;
+
+/**
+ * A browser of its own with a profile in `folder`, and `kill()`, which ends all its processes at once and without a word, as
+ * the system does that is short of memory. What it kept is there for the next one on the folder.
+ */
+export async function startMortalBrowser(folder) {
+  const told = join(folder, 'DevToolsActivePort');
+  rmSync(told, { force: true });
+  const own = [`--user-data-dir=${folder}`, '--remote-debugging-port=0', '--headless', '--window-size=560,480'];
+  const child = spawn(browserPath(), [...browserFlags, ...own, '--force-device-scale-factor=0.5', 'about:blank'], {
+    detached: true, // a group of its own
+    stdio: 'ignore',
   });
+  const ended = new Promise((resolve) => child.once('exit', resolve));
+  const kill = async () => {
+    process.kill(-child.pid, 'SIGKILL');
+    await ended;
+  };
+  try {
+    const started = Date.now();
+    // Two lines: the port and a path.
+    while (!existsSync(told) || readFileSync(told, 'utf8').split('\n').length < 2) {
+      if (Date.now() - started > kStartMs) throw new Error('the browser did not start');
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    const browser = await chromium.connectOverCDP(`http://127.0.0.1:${readFileSync(told, 'utf8').split('\n')[0]}`);
+    return { page: await browser.contexts()[0].newPage(), kill };
+  } catch (error) {
+    await kill();
+    throw error;
+  }
 }
