@@ -133,8 +133,9 @@ function listen(server, port, host) {
 /**
  * Serves `folder` and resolves to `{url, port, close()}`. With `port` 0 any free port is used, otherwise the first
  * free one from `port` on. `isolated` sends the two headers that make threads possible; `basePath` ("/" or "/a/b/")
- * is where the site hangs; `bare` leaves the content security policy to the page, as plain hosts do. `later`, a map from paths to promises of paths (null: it failed), names files that are still being
- * made: who asks for one waits and is sent on to where it is then.
+ * is where the site hangs; `bare` leaves the content security policy to the page, as plain hosts do. `later`, a map from
+ * paths to promises of paths (null: it failed), names files that are still being made: who asks for one waits and is sent
+ * on to where it is then.
  */
 export async function serveFolder(folder, options = {}) {
   const { port = 0, host = 'localhost', isolated = true, basePath = '/', later, bare = false } = options;

@@ -1,10 +1,11 @@
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { get } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { brotliDecompressSync, gunzipSync, brotliCompressSync, gzipSync } from 'node:zlib';
+import { root } from '../lib/paths.mjs';
 import { serveFolder } from '../lib/server.mjs';
 
 const top = mkdtempSync(join(tmpdir(), 'spineloft-server-'));
@@ -53,6 +54,30 @@ test('the page comes at the root, uncached, isolated', async () => {
   assert.equal(headers['cache-control'], 'no-cache');
   assert.equal(headers['cross-origin-opener-policy'], 'same-origin');
   assert.equal(headers['cross-origin-embedder-policy'], 'require-corp');
+});
+
+test("the policy of the site's page is a header of every answer, so that workers have it too, but on a bare host", async () => {
+  const folder = join(top, 'strict');
+  mkdirSync(folder);
+  copyFileSync(join(root, 'web/shell/index.html'), join(folder, 'index.html'));
+  writeFileSync(join(folder, 'worker.js'), script);
+  const policies = async (options) => {
+    const strict = await serveFolder(folder, options);
+    try {
+      const paths = ['/', '/worker.js', '/missing.js'];
+      const answers = await Promise.all(paths.map((path) => ask(path, {}, strict.port)));
+      return [answers[0].body.toString(), answers.map(({ headers }) => headers['content-security-policy'])];
+    } finally {
+      await strict.close();
+    }
+  };
+  const [page, sent] = await policies();
+  for (const policy of sent) {
+    assert.match(policy, /connect-src 'self'/);
+    assert.ok(page.includes(`<meta http-equiv="Content-Security-Policy" content="${policy}">`));
+  }
+  assert.deepEqual((await policies({ bare: true }))[1], [undefined, undefined, undefined]);
+  assert.equal((await ask('/')).headers['content-security-policy'], undefined);
 });
 
 test('hashed names are cached for ever, others are asked about again', async () => {
