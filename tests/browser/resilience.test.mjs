@@ -21,7 +21,7 @@ import {
   toastText,
   useSite,
 } from './support/page.mjs';
-import { tubePicture } from './support/pictures.mjs';
+import { enlarged, tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
@@ -89,6 +89,30 @@ test('a lost WebGL context comes back with the same pixels and nothing lost', ()
     await idle(page);
     assert.ok(difference(before, await pixels(page, clip)) < 0.002);
     assert.deepEqual((await state(page)).parts, partsBefore);
+  }));
+
+/** Steps that are done, taken back and done again without waiting. */
+const kSteps = 361;
+const kMegabyte = 2 ** 20;
+
+test(`${kSteps} steps, undos and redos without waiting need the engine memory of a few`, (t) =>
+  onPage(kit, { alone: true }, async (page) => {
+    const large = enlarged(tubePicture({ width: 240, height: 180, half: 30 }), 4);
+    await openWithPart(page, large.png, large.middle);
+    const begun = await page.evaluate(() => window.spineloft.memory().engine);
+    const reached = await page.evaluate(async (count) => {
+      const api = window.spineloft;
+      const twisted = (turn) => api.run('set-along', { kind: 'twist', points: [0, turn].map((y, x) => [x, y]) });
+      for (let i = 1; i <= count; i += 1) void twisted(0.001 * i);
+      let last;
+      for (const command of ['undo', 'redo', 'undo']) for (let i = 0; i < count; i += 1) last = api.run(command);
+      await last;
+      await api.idle();
+      return api.memory().engine;
+    }, kSteps);
+    t.diagnostic(`${begun / kMegabyte} MB, then ${reached / kMegabyte} MB`);
+    // The memory of WebAssembly never shrinks: what is held afterwards is the most that was held.
+    assert.ok(reached - begun <= 96 * kMegabyte, `${begun / kMegabyte} MB, then ${reached / kMegabyte} MB`);
   }));
 
 test('an idle page with a part and a sketch draws no frame and runs no timer', () =>

@@ -450,12 +450,12 @@ export class Engine {
     }
   }
 
-  /** The whole history as text: a base of the journal. */
   /** Bytes that the engine's memory and the solver's have grown to. */
   memory(): { engine: number; solver: number } {
     return { engine: this.module.wasmMemory.buffer.byteLength, solver: this.solver?.memory ?? 0 };
   }
 
+  /** The whole history as text: a base of the journal. */
   history(): string {
     return this.text(this.module._spl_history());
   }
