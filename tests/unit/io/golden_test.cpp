@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/rng.h"
 #include "engine/io/document_json.h"
 #include "engine/io/project_file.h"
 #include "engine/pipeline/derive.h"
 #include "tests/support/complete_document.h"
+#include "tests/support/fuzz_documents.h"
 #include "tests/support/fuzz_inputs.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 #include "tests/support/test_files.h"
 
 using namespace spineloft;
@@ -227,4 +230,15 @@ TEST_CASE("the golden documents hold every key that a document can have") {
 TEST_CASE("what the fuzzers once found or began with does no harm") {
   for (const auto& [name, bytes] : testFiles("corpus/project")) CHECK_MESSAGE(tryProject(bytes) == "", name);
   for (const auto& [name, bytes] : testFiles("corpus/picture")) CHECK_MESSAGE(tryPicture(bytes) == "", name);
+  for (const auto& [name, bytes] : testFiles("corpus/document")) CHECK_MESSAGE(tryDocument(bytes) == "", name);
+}
+
+TEST_CASE("documents of random sessions with numbers changed are derived, written and planned for the solver") {
+  for (const std::uint64_t seed : seeds(0, 120)) {
+    CAPTURE(seed);
+    Rng rng(seed);
+    std::vector<std::uint8_t> input(5 + rng.below(40));
+    for (std::uint8_t& byte : input) byte = static_cast<std::uint8_t>(rng.below(256));
+    CHECK(tryDocument(input) == "");
+  }
 }
