@@ -14,7 +14,7 @@ using namespace spineloft::ribs;
 namespace {
 
 constexpr image::Size kPicture{400, 440};
-constexpr double kTop = 60, kBottom = 340, kLeft = 100, kRight = 300;
+constexpr double kTop = 60, kBottom = 340, kLeft = 100, kRight = 300, kGap = 12;
 
 bool near(double a, double b) { return std::abs(a - b) <= 1.5; }
 
@@ -23,7 +23,7 @@ bool ink(PicturePoint p) {
   if (near(p.x, kLeft)) return p.y >= kTop && p.y <= kBottom + 25;
   if (near(p.x, kRight)) return p.y >= kTop && p.y <= kBottom;
   return (near(p.y, kTop) && p.x >= kLeft && p.x <= kRight) ||
-         (near(p.y, kBottom) && p.x >= kLeft + 12 && p.x <= kRight);
+         (near(p.y, kBottom) && p.x >= kLeft + kGap && p.x <= kRight);
 }
 
 RibSet traced(const fixtures::Points& stroke, const std::function<bool(PicturePoint)>& inside) {
@@ -49,7 +49,7 @@ std::pair<double, double> extentOf(const RibSet& set) {
 
 bool isBox(const RibSet& set) {
   const auto [least, most] = extentOf(set);
-  return std::abs(least - kTop) < 8 && std::abs(most - kBottom) < 8;
+  return std::abs(least - kTop) < kGap && std::abs(most - kBottom) < kGap;
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ TEST_CASE("ribs that are moved to an end still reach from the spine to a place o
   const RibSet set = traced({{200, kTop + 40}, {200, kBottom - 30}}, ink);
   double before = -1e9;
   for (const Rib& rib : set.ribs) {
-    // No two ribs of a straight stroke cross: their ends follow one another down either wall, or along the bottom.
-    const bool onWall = rib.left.y < kBottom - 8;
+    // No two ribs of a straight stroke cross: their ends follow one another down the wall, or along the top and bottom.
+    const bool onWall = rib.left.y > kTop + 8 && rib.left.y < kBottom - 8;
     if (onWall) {
       CHECK(rib.left.y > before - 1);
       before = rib.left.y;
