@@ -18,7 +18,6 @@ namespace spineloft::panels {
 namespace {
 
 constexpr float kIndent = 14;        // of the parts of a group, CSS pixels
-constexpr float kLongPress = 0.45f;  // seconds
 constexpr float kDragSlop = 6;       // CSS pixels
 
 /// Where a row of the list is, and what stands in it.

@@ -16,7 +16,6 @@ namespace {
 
 constexpr float kSide = 44;  // CSS pixels: what a finger hits
 constexpr float kWidest = 68;
-constexpr float kLongPress = 0.45f;  // seconds
 constexpr float kMenuWidth = 150;
 
 /// The whole picture within its button.

@@ -36,18 +36,28 @@ struct Bar {
   double taken = 0;  ///< of the view's width, from the left
 };
 
+/// How wide the buttons are that say their words below the icons, as a finger that asks no tooltip needs them; 0: a
+/// mouse is used, or there is no room for all of them.
+float wordWidth(const PanelEnv& env, std::span<const app::CommandId> ids, double room) {
+  if (!env.ui().touch) return 0;
+  float width = 0;
+  for (const app::CommandId id : ids) width = std::max(width, commandButtonWidth(env, id));
+  return static_cast<double>(ids.size()) * (static_cast<double>(width) + 2) <= room ? width : 0;
+}
+
 /// One row in the lower right corner, or a column where the view is low. Where it is; nowhere when there
 /// is no room at all.
 app::Rect buttons(const PanelEnv& env, const Bar& bar) {
-  const float side = env.ui().touch ? 44.f : 34.f;
-  const double cell = side + 2., edge = 6;
   const app::Rect& view = bar.view;
   const bool column = app::buttonsAtSide(view);
-  const double room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
+  const double edge = 6, room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
+  const float word = column ? 0 : wordWidth(env, bar.ids, room);
+  const float side = word > 0 ? 50.f : env.ui().touch ? 44.f : 34.f;
+  const double cell = (word > 0 ? word : side) + 2.;
   if (room < cell || bar.ids.empty()) return {};
   const BarSplit split =
       splitBar(bar.ids, static_cast<std::size_t>(room / cell), [&](app::CommandId id) { return isToolInUse(env, id); });
-  const double length = static_cast<double>(split.cells()) * cell + edge, breadth = cell + edge;
+  const double length = static_cast<double>(split.cells()) * cell + edge, breadth = side + 2. + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
   const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
   const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width, height};
@@ -55,7 +65,7 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   beginCard(env, bar.name, card);
   for (std::size_t i = 0; i < split.shown.size(); ++i) {
     if (i > 0 && !column) ImGui::SameLine();
-    commandButton(env, split.shown[i], side);
+    commandButton(env, split.shown[i], side, word);
   }
   if (!split.rest.empty()) {
     if (!split.shown.empty() && !column) ImGui::SameLine();
@@ -282,7 +292,7 @@ void drawViewChrome(const PanelEnv& env) {
                            : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
     chip(env, layout.solid, solid, !onPicture);
   }
-  // The most used first. Fingers pinch: a phone needs no zoom buttons.
+  // The most used first. Fingers pinch: they need no zoom buttons.
   constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "spin", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
@@ -293,7 +303,7 @@ void drawViewChrome(const PanelEnv& env) {
   constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
   constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const app::CommandId>;
-  const bool few = layout.stacked || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
+  const bool few = layout.stacked || env.ui().touch || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
   const bool bare = env.document().parts.empty();
   const app::Rect paper = sketchBarRect(env);
@@ -306,7 +316,8 @@ void drawViewChrome(const PanelEnv& env) {
   const app::Rect bar =
       buttons(env, {app::BarMenu::Picture, "picture buttons", layout.picture, ids, app::Focus::Picture, taken});
   legend(env, layout.picture, bar);
-  const bool fewSolid = layout.stacked || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
+  const bool fewSolid =
+      layout.stacked || env.ui().touch || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
   buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
                 app::Focus::Solid});
 }

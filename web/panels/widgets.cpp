@@ -14,6 +14,8 @@ namespace {
 
 constexpr float kDragSlop = 8;
 constexpr float kTileWords = 0.92f;  // of the small font
+constexpr float kWordHeight = 15;    // what a word below an icon takes
+constexpr double kTipRoom = 60;      // above a button, for the words about it
 
 /// Where a line of this width begins: at the right side of its room where the language does.
 float lineStart(float left, float room, float width) {
@@ -68,9 +70,27 @@ void drawLine(ImDrawList& list, const Line& line, std::string_view text) {
   list.AddText(line.font, size, line.at, line.colour, text.data(), text.data() + text.size());
 }
 
+namespace {
+
+bool byFinger() { return ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen; }
+
+/// A button without a look of its own. A finger that stayed on it asked for its name and presses nothing.
+bool pressedItem(const char* id, ImVec2 size) {
+  return ImGui::InvisibleButton(id, size) && !(byFinger() && ImGui::GetIO().MouseDownDurationPrev[0] >= kLongPress);
+}
+
+}  // namespace
+
 void tooltip(Text tip) {
-  if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
-  if (ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
+  const bool stays = byFinger() && ImGui::IsItemActive() && ImGui::GetIO().MouseDownDuration[0] >= kLongPress;
+  const bool rests = !byFinger() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip);
+  if (tip.empty() || !(stays || rests)) return;
+  if (stays) {  // beside the finger, not under it
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const bool above = low.y > kTipRoom;
+    ImGui::SetNextWindowPos({(low.x + high.x) / 2, above ? low.y - 8 : high.y + 8}, ImGuiCond_Always,
+                            {0.5f, above ? 1.f : 0.f});
+  }
   ImGui::PushStyleColor(ImGuiCol_Text, kHalo);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 7});
   if (ImGui::BeginTooltip()) {
@@ -165,16 +185,30 @@ void heading(const PanelEnv& env, Text text) {
   ImGui::Dummy({0, 0});
 }
 
+namespace {
+
+/// A word in the middle of `width`, below an icon.
+void wordBelow(const PanelEnv& env, ImDrawList& list, Text text, ImVec2 at, float width, ImU32 colour) {
+  ImFont* font = env.fonts.small;
+  const Fitted below = fitted(font, text, width - 4, kTileWords);
+  const ImVec2 extent = extentOf(font, below.text, below.share);
+  const ImVec2 pen{std::round(at.x + (width - extent.x) / 2), at.y + kWordHeight - extent.y};
+  drawLine(list, {font, pen, colour, below.share}, below.text);
+}
+
+}  // namespace
+
 bool iconButton(const PanelEnv& env, const IconButton& button) {
   const ImU32 own = button.colour != 0 ? button.colour : kAccent;
   ImGui::BeginDisabled(!button.enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton(button.id, {button.size, button.size});
+  const ImVec2 extentOfAll{button.width > 0 ? button.width : button.size, button.size};
+  const bool pressed = pressedItem(button.id, extentOfAll);
   registerControl(env, app::Control::Kind::Button, button.words.empty() ? button.tip.words : button.words,
                   button.enabled, button.active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 end{at.x + button.size, at.y + button.size};
+  const ImVec2 end{at.x + extentOfAll.x, at.y + extentOfAll.y};
   if (button.active || hovered || held) {
     list.AddRectFilled(at, end, button.active ? softened(own) : held ? kLine : kHover, 8);
   }
@@ -183,20 +217,29 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
-  list.AddText(font, size, {at.x + (button.size - extent.x) / 2, at.y + (button.size - extent.y) / 2}, ink, text);
+  const float room = button.below.empty() ? button.size : button.size - kWordHeight;
+  list.AddText(font, size, {at.x + (extentOfAll.x - extent.x) / 2, at.y + (room - extent.y) / 2}, ink, text);
+  if (!button.below.empty()) wordBelow(env, list, button.below, {at.x, at.y + room}, extentOfAll.x, ink);
   ImGui::EndDisabled();
   tooltip(button.tip);
   return pressed && button.enabled;
 }
 
-void commandButton(const PanelEnv& env, app::CommandId id, float size) {
+float commandButtonWidth(const PanelEnv& env, app::CommandId id) {
+  constexpr float kLeast = 44, kMost = 76;
+  return std::clamp(extentOf(env.fonts.small, shown(app::commandOf(id).label), kTileWords).x + 8, kLeast, kMost);
+}
+
+void commandButton(const PanelEnv& env, app::CommandId id, float size, float width) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)};
   const bool active = command.toggled != nullptr && command.toggled(env.env);
   const bool can = app::enabled(command, env.env);
   const ImU32 colour = command.group == "tool" ? toolColour(env.ui().tool) : 0;
   const std::string tip = tipOf(command);
-  if (iconButton(env, {name.c_str(), command.icon, asIs(tip), active, can, size, colour, command.label})) {
+  const Text below = width > 0 ? Text(command.label) : Text("");
+  if (iconButton(env,
+                 {name.c_str(), command.icon, asIs(tip), active, can, size, colour, command.label, below, width})) {
     env.sink.run(command);
   }
 }
@@ -217,8 +260,7 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   const bool can = app::enabled(command, env.env);
   ImGui::BeginDisabled(!can);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed =
-      ImGui::InvisibleButton(std::string(std::string_view(button.id)).c_str(), {button.width, button.height});
+  const bool pressed = pressedItem(std::string(std::string_view(button.id)).c_str(), {button.width, button.height});
   registerControl(env, app::Control::Kind::Button, command.label, can, active);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -249,7 +291,7 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   ImGui::BeginDisabled(!button.enabled);
   const float width = button.width > 0 ? button.width : textButtonWidth(env, button.text);
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + width, at.y + button.height};
-  const bool pressed = ImGui::InvisibleButton(button.id, {width, button.height});
+  const bool pressed = pressedItem(button.id, {width, button.height});
   registerControl(env, app::Control::Kind::Button, button.text.words, button.enabled, button.primary);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -287,7 +329,7 @@ bool WordButtons::button(const char* id, Text text, bool on) {
 
 bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton(tile.id, tile.size);
+  const bool pressed = pressedItem(tile.id, tile.size);
   const std::string_view says = tile.text.empty() ? tile.tip.words : tile.text.words;
   registerControl(env, app::Control::Kind::Button, tile.words.empty() ? says : tile.words, tile.enabled, tile.active);
   const bool hovered = ImGui::IsItemHovered();
@@ -303,11 +345,7 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   paint(list, {at.x + tile.size.x / 2, at.y + room / 2 + (tile.text.empty() ? 0.f : 1.f)},
         std::max(6.f, std::min(radius, 19.f)), ink);
   if (!tile.text.empty()) {
-    ImFont* font = env.fonts.small;
-    const Fitted below = fitted(font, tile.text, tile.size.x - 4, kTileWords);
-    const ImVec2 extent = extentOf(font, below.text, below.share);
-    const ImVec2 pen{std::round(at.x + (tile.size.x - extent.x) / 2), end.y - extent.y - 4};
-    drawLine(list, {font, pen, tile.active ? kAccent : kMuted, below.share}, below.text);
+    wordBelow(env, list, tile.text, {at.x, end.y - 4 - kWordHeight}, tile.size.x, tile.active ? kAccent : kMuted);
   }
   tooltip(tile.tip);
   return pressed;

@@ -56,7 +56,10 @@ void registerControl(const PanelEnv& env, app::Control::Kind kind, std::string_v
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
 void endCard();
 
-/// What the mouse is told about the last item when it rests on it.
+/// A finger that rests for so long has asked for something else than a tap, seconds.
+inline constexpr float kLongPress = 0.45f;
+
+/// What the mouse is told about the last item when it rests on it, and a finger that stays on it.
 void tooltip(Text tip);
 
 /// Text in a font of ours, in as many lines as ImGui::PushTextWrapPos leaves it, at the side where its language begins.
@@ -81,10 +84,15 @@ struct IconButton {
   float size = 36;
   ImU32 colour = 0;             ///< when active; 0: the accent of the page
   std::string_view words = {};  ///< what it does; empty: `tip`
+  Text below = "";              ///< a word under the icon
+  float width = 0;              ///< 0: as wide as high
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);
-/// The button of a command; runs it when pressed. Tools have their own colours.
-void commandButton(const PanelEnv& env, app::CommandId id, float size);
+/// The button of a command; runs it when pressed. Tools have their own colours. With a width it says its word below
+/// the icon.
+void commandButton(const PanelEnv& env, app::CommandId id, float size, float width = 0);
+/// How wide it has to be for its word.
+float commandButtonWidth(const PanelEnv& env, app::CommandId id);
 
 /// The button of a command about what the caller names; true: it was pressed, and the caller runs it.
 bool namedButton(const PanelEnv& env, app::CommandId id, float size);

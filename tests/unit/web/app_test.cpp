@@ -132,6 +132,36 @@ TEST_CASE("two fingers shift and zoom the picture") {
   CHECK(rig.parts() == 0);
 }
 
+TEST_CASE("a finger that stays on a tool is told its name and does not take it; a tap takes it") {
+  Rig rig;
+  rig.openBar();
+  rig.pointer(PointerKind::Move, 5, 5, Device::Touch, 5);
+  rig.settle();
+  const auto middle = [&] {
+    const app::Json state = rig.state();
+    for (const app::Json& control : *state.find("controls")->array()) {
+      if (*control.text("words") != "Puff" || *control.text("kind") != "button") continue;
+      const auto& at = *control.find("at")->array();
+      return Vec2<platform::CanvasSpace>{*at[0].number() + *at[2].number() / 2, *at[1].number() + *at[3].number() / 2};
+    }
+    FAIL("no such tool");
+    return Vec2<platform::CanvasSpace>{};
+  };
+  const auto touch = [&](double ms) {
+    const auto p = middle();
+    rig.pointer(PointerKind::Down, p.x, p.y, Device::Touch, 5);
+    rig.settle();
+    rig.host.clockMs += ms;
+    rig.app->wake();
+    rig.settle();
+    rig.pointer(PointerKind::Up, p.x, p.y, Device::Touch, 5);
+    rig.settle();
+    return *rig.state().text("tool");
+  };
+  CHECK(touch(700) == "draw");
+  CHECK(touch(0) == "puff");
+}
+
 TEST_CASE("once a pen was seen a finger moves the picture instead of drawing") {
   Rig rig;
   rig.openBar();
