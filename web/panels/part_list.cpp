@@ -17,8 +17,8 @@
 namespace spineloft::panels {
 namespace {
 
-constexpr float kIndent = 14;        // of the parts of a group, CSS pixels
-constexpr float kDragSlop = 6;       // CSS pixels
+constexpr float kIndent = 14;   // of the parts of a group, CSS pixels
+constexpr float kDragSlop = 6;  // CSS pixels
 
 /// Where a row of the list is, and what stands in it.
 struct Place {
