@@ -126,8 +126,8 @@ test('with Snap on, a part that is dragged over another one comes to lie on its 
       const { status, failure, volume } = (await state(page)).steps[0];
       await run(page, 'undo');
       if (snap) {
-        assert.ok(Math.abs(gap) < 0.05 * thick, `${gap} mm between parts of ${thick}`);
-        // Parts are not the same all along: at their thickest they may touch.
+        // They touch where one lies over the other; elsewhere one may be thicker than there.
+        assert.ok(Math.abs(gap) < 0.1 * thick, `${gap} mm between parts of ${thick}`);
         assert.ok(failure === 'SolidEmpty' || volume < 0.05 * inside, `${status}: they have ${volume} in common`);
       } else {
         assert.ok(gap < -0.2 * thick, `${gap} mm between parts of ${thick}`);
