@@ -1,4 +1,4 @@
-// npm run fuzz -- [--seconds N] [--documents N] [--target document|picture|project]: libFuzzer under AddressSanitizer and
+// npm run fuzz -- [--seconds N] [--documents N] [--target document|picture|project|share]: libFuzzer under AddressSanitizer and
 // UndefinedBehaviorSanitizer, files for so many seconds and documents so many. Begins with tests/corpus/TARGET and what
 // earlier runs found (build/fuzz/TARGET); an input that breaks something is left in build/fuzz and belongs into
 // tests/corpus, where the unit tests replay it.

@@ -86,6 +86,11 @@ constexpr std::array kTexts = {
     ErrorText{Error::NoProjectInside, "NoProjectInside",
               "There is no model of SpineLoft in that file, so there is nothing to edit inside. Open a "
               ".spineloft file or a GLB saved here."},
+    ErrorText{Error::LinkForeign, "LinkForeign",
+              "There is no model of SpineLoft in that link. Copy the whole link again and open it."},
+    ErrorText{Error::LinkCut, "LinkCut", "The end of that link is missing. Copy the whole link again and open it."},
+    ErrorText{Error::LinkAltered, "LinkAltered",
+              "That link has been changed on its way. Copy the whole link again and open it."},
     ErrorText{Error::Cancelled, "Cancelled", "Cancelled; nothing was changed."},
     ErrorText{Error::OutOfMemory, "OutOfMemory",
               "There is not enough memory for that. Close other pages or use a smaller picture."},

@@ -61,6 +61,9 @@ enum class Error {
   ProjectInvalid,   ///< a project file that is damaged
   ProjectTooNew,    ///< a project file of a later version of this program
   NoProjectInside,  ///< a 3D file without an editable model inside
+  LinkForeign,      ///< a text that is no shared model
+  LinkCut,          ///< a shared model whose end is missing
+  LinkAltered,      ///< a shared model with wrong characters in it
   Cancelled,        ///< the work was cancelled; nothing changed
   OutOfMemory,
   kCount  ///< number of errors, for tables and tests

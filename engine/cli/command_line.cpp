@@ -15,7 +15,7 @@
 namespace spineloft::cli {
 namespace {
 
-constexpr std::array<std::string_view, 4> kCommands{"loft", "open", "edges", "bench"};
+constexpr std::array<std::string_view, 5> kCommands{"loft", "open", "share", "edges", "bench"};
 constexpr const char* kModelFile =
     ".glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and the last "
     "can "
@@ -107,6 +107,7 @@ class CommandLine {
     app_.footer("Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n");
     addLoft(*app_.add_subcommand("loft", "a picture and a stroke become a part"));
     addOpen(*app_.add_subcommand("open", "derives a saved model again and writes it in any of the forms of loft"));
+    addShare(*app_.add_subcommand("share", "prints a saved model as a short text, which a link or a QR code holds"));
     addEdges(*app_.add_subcommand("edges", "the edges that were found, as large as the picture"));
     addBench(*app_.add_subcommand("bench", "accuracy and stage times of every case below a data folder"));
   }
@@ -118,6 +119,7 @@ class CommandLine {
  private:
   void addLoft(CLI::App& app);
   void addOpen(CLI::App& app);
+  void addShare(CLI::App& app);
   void addEdges(CLI::App& app);
   void addBench(CLI::App& app);
   std::optional<UsageProblem> problemOfLoft() const;
@@ -125,6 +127,7 @@ class CommandLine {
   CLI::App app_;
   LoftArguments loft_;
   OpenArguments open_;
+  ShareArguments share_;
   EdgesArguments edges_;
   BenchArguments bench_;
   CLI::Option *section_ = nullptr, *caps_ = nullptr, *objSpace_ = nullptr;
@@ -175,12 +178,18 @@ void CommandLine::addLoft(CLI::App& app) {
 }
 
 void CommandLine::addOpen(CLI::App& app) {
-  app.add_option("FILE", open_.file, "the project to open, .spineloft or .glb")->required()->type_name("");
+  app.add_option("FILE", open_.file, "the project to open, .spineloft or .glb, or a link with a model, or its text")
+      ->required()
+      ->type_name("");
   app.add_option("--out", open_.out, kModelFile)->check(modelFile())->option_text("FILE");
   app.add_option("--document", open_.document, "the document as JSON")
       ->check(endsInIfAtAll("json"))
       ->option_text("FILE.json");
   app.add_option("--report", open_.report, "counts and times")->check(endsInIfAtAll("json"))->option_text("FILE.json");
+}
+
+void CommandLine::addShare(CLI::App& app) {
+  app.add_option("FILE", share_.file, "the project, .spineloft or .glb")->required()->type_name("");
 }
 
 void CommandLine::addEdges(CLI::App& app) {
@@ -251,6 +260,7 @@ Arguments CommandLine::parse(std::span<const std::string_view> words) {
     open_.format = publish::formatFromKey(lowerExtension(open_.out)).value_or(open_.format);
     return open_;
   }
+  if (app_.got_subcommand("share")) return share_;
   if (app_.got_subcommand("edges")) {
     if (const auto problem = clash({&edges_.image, 1}, {&edges_.out, 1})) return *problem;
     return edges_;
@@ -261,7 +271,7 @@ Arguments CommandLine::parse(std::span<const std::string_view> words) {
 }  // namespace
 
 Arguments parseArguments(std::span<const std::string_view> words) {
-  if (words.empty()) return UsageProblem{"Say what to do: loft, open, edges or bench."};
+  if (words.empty()) return UsageProblem{"Say what to do: loft, open, share, edges or bench."};
   const auto files = std::find(words.begin(), words.end(), "--");
   if (std::any_of(words.begin(), files, isHelp)) return HelpArguments{};
   if (words[0] == "--version") {
@@ -269,7 +279,8 @@ Arguments parseArguments(std::span<const std::string_view> words) {
     return VersionArguments{};
   }
   if (std::ranges::find(kCommands, words[0]) == kCommands.end())
-    return UsageProblem{"There is no command " + std::string(words[0]) + "; there are loft, open, edges and bench."};
+    return UsageProblem{"There is no command " + std::string(words[0]) +
+                        "; there are loft, open, share, edges and bench."};
   return CommandLine().parse(words);
 }
 

@@ -36,10 +36,14 @@ struct EdgesArguments {
 };
 
 struct OpenArguments {
-  std::string file;  ///< a .spineloft or .glb with a project inside
+  std::string file;  ///< a .spineloft or .glb with a project inside, or the text of a shared model
   /// Empty where the output is not wanted.
   std::string out, document, report;
   publish::Format format = publish::Format::Project;  ///< of `out`
+};
+
+struct ShareArguments {
+  std::string file;  ///< as OpenArguments::file
 };
 
 struct BenchArguments {
@@ -54,7 +58,7 @@ struct UsageProblem {
 };
 
 using Arguments = std::variant<HelpArguments, VersionArguments, LoftArguments, EdgesArguments, OpenArguments,
-                               BenchArguments, UsageProblem>;
+                               ShareArguments, BenchArguments, UsageProblem>;
 
 /// `words` without the program's name. Options may stand anywhere, as `--name value` or
 /// `--name=value`, each at most once; after `--` everything is a file name.

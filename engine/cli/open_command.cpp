@@ -3,45 +3,15 @@
 #include <utility>
 
 #include "engine/cli/files.h"
+#include "engine/cli/opened.h"
 #include "engine/cli/printable.h"
 #include "engine/cli/program.h"
 #include "engine/io/json_values.h"
-#include "engine/io/project_file.h"
 #include "engine/mesh/laws.h"
-#include "engine/pipeline/derive.h"
 #include "engine/publish/publish.h"
 
 namespace spineloft::cli {
 namespace {
-
-/// What was in the file and what became of it.
-struct Opened {
-  document::Document document;
-  pipeline::Derived derived;
-  io::ReadNotes notes;
-  double readMs = 0, deriveMs = 0;
-};
-
-Result<Opened> openProject(const std::string& path) {
-  const Result<Bytes> file = readFile(path);
-  if (!file.ok()) return file.failure();
-  Opened opened;
-  const double started = nowMs();
-  Result<document::Document> document = io::readProject(file.value(), &opened.notes);
-  if (!document.ok()) {
-    const std::string& why = document.failure().detail;
-    return {document.error(), path + (why.empty() ? "" : ": " + why)};
-  }
-  opened.document = std::move(document).value();
-  const double read = nowMs();
-  pipeline::Cache cache;
-  Result<pipeline::Derived> derived = pipeline::deriveWithEdges(opened.document, cache, Progress());
-  if (!derived.ok()) return derived.failure();
-  opened.derived = std::move(derived).value();
-  opened.readMs = read - started;
-  opened.deriveMs = nowMs() - read;
-  return opened;
-}
 
 std::string reportOf(const Opened& opened) {
   double shaped = 0, vertices = 0, triangles = 0, valid = 0;
@@ -69,7 +39,7 @@ std::string reportOf(const Opened& opened) {
 }  // namespace
 
 Status runOpen(const OpenArguments& arguments, Console console) {
-  const Result<Opened> read = openProject(arguments.file);
+  const Result<Opened> read = openModel(arguments.file);
   if (!read.ok()) return read.failure();
   const Opened& opened = read.value();
   std::vector<OutputFile> files;

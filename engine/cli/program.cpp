@@ -36,6 +36,9 @@ int runCommand(const Arguments& arguments, Console console) {
   if (const auto* open = std::get_if<OpenArguments>(&arguments)) {
     return finish(runOpen(*open, console), console.err);
   }
+  if (const auto* share = std::get_if<ShareArguments>(&arguments)) {
+    return finish(runShare(*share, console), console.err);
+  }
   if (const auto* edges = std::get_if<EdgesArguments>(&arguments)) {
     return finish(runEdges(*edges, console.out), console.err);
   }

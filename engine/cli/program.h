@@ -40,6 +40,7 @@ double nowMs();
 
 Status runLoft(const LoftArguments& arguments, Console console);
 Status runOpen(const OpenArguments& arguments, Console console);
+Status runShare(const ShareArguments& arguments, Console console);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);
 Status runBench(const BenchArguments& arguments, std::ostream& out);
 

@@ -111,17 +111,25 @@ void keepFarther(std::span<const V> points, std::vector<std::array<std::size_t, 
     spans.push_back({at, to});
   }
 }
-/// The open line with as few of its points as leave all others within `tolerance` of it; both ends stay.
+/// Indices of as few points of the open line as leave all others within `tolerance` of it; both ends stay.
+template <class V>
+std::vector<std::size_t> keptPoints(std::span<const V> line, double tolerance) {
+  std::vector<bool> kept(line.size(), false);
+  if (!line.empty()) {
+    kept.front() = kept.back() = true;
+    keepFarther(line, {{0, line.size() - 1}}, tolerance, kept);
+  }
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (kept[i]) out.push_back(i);
+  }
+  return out;
+}
+/// The open line of those points.
 template <class V>
 std::vector<V> simplifiedLine(std::span<const V> line, double tolerance) {
-  if (line.size() < 3) return {line.begin(), line.end()};
-  std::vector<bool> kept(line.size(), false);
-  kept.front() = kept.back() = true;
-  keepFarther(line, {{0, line.size() - 1}}, tolerance, kept);
   std::vector<V> out;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (kept[i]) out.push_back(line[i]);
-  }
+  for (const std::size_t i : keptPoints(line, tolerance)) out.push_back(line[i]);
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "engine/io/json_fields.h"
 #include "engine/io/picture_file.h"
 #include "engine/io/project_file.h"
+#include "engine/io/share_text.h"
 
 namespace spineloft::testing {
 namespace {
@@ -117,6 +118,16 @@ std::string tryPicture(std::span<const std::uint8_t> input) {
     if (decodeImage(png.value(), kMostFuzzed).value() != pixels.value()) return "pixels changed";
   }
   return {};
+}
+
+std::string tryShare(std::span<const std::uint8_t> input) {
+  const auto read = readShareText(sealShareText({input.begin(), input.end()}));
+  if (!read) return {};
+  const document::Document kept = shareable(read.value());
+  const auto text = writeShareText(read.value());
+  if (!text) return "a shared model that cannot be shared";
+  const auto again = readShareText(text.value());
+  return again && again.value() == kept ? std::string() : "a shared model changed";
 }
 
 }  // namespace spineloft::testing

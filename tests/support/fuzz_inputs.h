@@ -16,4 +16,8 @@ std::string tryProject(std::span<const std::uint8_t> input);
 /// Reads any bytes as a picture file of any use. Returns what went wrong.
 std::string tryPicture(std::span<const std::uint8_t> input);
 
+/// Reads any bytes as the packed document of a shared text, whose check sum is set right. What comes of it must give a
+/// text that reads as the same. Returns what went wrong.
+std::string tryShare(std::span<const std::uint8_t> input);
+
 }  // namespace spineloft::testing

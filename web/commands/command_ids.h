@@ -32,7 +32,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "save-picture", "save-project", "save-project-as", "save-stl", "save-turntable", "scoop-out", "select-all",
     "select-part", "select-picture", "select-slice", "select-step", "set-along", "set-axis", "set-blend", "set-caps",
     "set-colour", "set-depth", "set-height", "set-paint", "set-parameter", "set-place", "set-second-colour",
-    "set-section", "set-slices", "set-step", "shape", "shape-ribs", "sheet", "show-along", "show-beside", "show-part",
+    "set-section", "set-slices", "set-step", "shape", "shape-ribs", "share-model", "sheet", "show-along", "show-beside", "show-part",
     "show-step", "show-trouble", "side-view", "size-like", "slice-add-point", "slice-back", "slice-cancel",
     "slice-clear", "slice-corner", "slice-done", "slice-draw", "slice-flip", "slice-flip-front", "slice-front-back",
     "slice-left-right", "slice-move-point", "slice-on", "slice-redo", "slice-remove-point", "slice-start-from",

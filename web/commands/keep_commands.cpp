@@ -30,6 +30,8 @@ Outcome openFile(Env env, const Json& args) { return tellShell(env, "open-file",
 Outcome duplicateModel(Env env, const Json& args) { return tellShell(env, "duplicate-model", args); }
 Outcome deleteModel(Env env, const Json& args) { return tellShell(env, "delete-model", args); }
 
+Outcome shareModel(Env env, const Json& args) { return tellShell(env, "share-model", args); }
+
 Outcome renameTo(Env env, const std::string& name) { return outcomeOf(env.studio.act(document::RenameDocument{name})); }
 
 Outcome renameModel(Env env, const Json& args) {
@@ -70,6 +72,8 @@ constexpr std::array kTable = {
             .run = duplicateModel},
     Command{.id = "rename-model", .label = "Rename model", .icon = "pencil-line", .group = "model",
             .hint = "Give the model another name", .enabled = hasWork, .run = renameModel},
+    Command{.id = "share-model", .label = "Share", .icon = "share-2", .group = "model",
+            .hint = "A link or a QR code with the whole model in it", .enabled = hasWork, .run = shareModel},
     Command{.id = "delete-model", .label = "Delete a model by its id", .icon = "trash-2", .group = "model",
             .argument = {"id"}, .hint = "Takes a model off this device", .run = deleteModel},
 };

@@ -6,6 +6,7 @@
 #include "engine/io/journal.h"
 #include "engine/io/json_fields.h"
 #include "engine/io/project_file.h"
+#include "engine/io/share_text.h"
 
 namespace spineloft::app {
 
@@ -52,7 +53,8 @@ Result<std::size_t> Keeping::restore(std::string_view base, std::span<const std:
 
 Result<std::string> Keeping::openProject(std::span<const std::uint8_t> file) {
   io::ReadNotes notes;
-  Result<document::Document> document = io::readProject(file, &notes);
+  const auto link = io::textOfLink({reinterpret_cast<const char*>(file.data()), file.size()});
+  Result<document::Document> document = link ? io::readShareText(*link, &notes) : io::readProject(file, &notes);
   if (!document) return document.failure();
   studio_.open(io::DocumentHistory(std::move(document).value()));
   if (notes.clean()) return std::string();

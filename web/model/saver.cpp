@@ -63,6 +63,11 @@ Result<publish::Bytes> Saver::publishNow(publish::Format format) {
   return publish::publish(session_.document(), derivation_.settled(), format, Progress{});
 }
 
+Result<publish::SharedModel> Saver::shareNow() {
+  derivation_.finishNow();
+  return publish::shareModel(session_.document(), derivation_.settled());
+}
+
 void Saver::reportFaults(publish::Format format) {
   // A model file holds what it is made of, whatever became of it here.
   if (format == publish::Format::Project) return;

@@ -5,6 +5,7 @@
 
 #include "engine/base/worker_pool.h"
 #include "engine/publish/publish.h"
+#include "engine/publish/share_model.h"
 #include "web/model/derivation.h"
 #include "web/model/session.h"
 
@@ -27,6 +28,8 @@ class Saver {
   void modelOpened();
   /// The file, now and here.
   Result<publish::Bytes> publishNow(publish::Format format);
+  /// The text of a link, now and here.
+  Result<publish::SharedModel> shareNow();
   /// Something was drawn, and no file that a model can be opened from holds the document as it is.
   bool unsaved() const;
 

@@ -87,6 +87,7 @@ class Studio {
   // Files; see saver.h.
   Status save(publish::Format format) { return saver_.save(format); }
   Result<publish::Bytes> publishNow(publish::Format format) { return saver_.publishNow(format); }
+  Result<publish::SharedModel> shareNow() { return saver_.shareNow(); }
   bool unsaved() const { return saver_.unsaved(); }
 
   /// Looks for a thing in a picture (vision::CutOutSearch) on a worker, a round a job, so that without

@@ -72,6 +72,15 @@ const std::string& App::restore(std::string_view base, std::string_view recordsJ
   return text_ = json_.json();
 }
 
+const std::string& App::shareText() {
+  const Result<publish::SharedModel> shared = studio_.shareNow();
+  if (!shared) return answerWith(refuse(shared.failure()));
+  json_.clear();
+  json_.beginObject().key("ok").flag(true).key("text").text(shared.value().text).key("photos");
+  json_.number(static_cast<double>(shared.value().photosLeft)).endObject();
+  return text_ = json_.json();
+}
+
 const std::string& App::openProject(std::span<const std::uint8_t> file) {
   const Result<std::string> mended = keeping_.openProject(file);
   if (!mended) return answerWith(refuse(mended.failure()));

@@ -187,6 +187,8 @@ EMSCRIPTEN_KEEPALIVE const char* spl_restore(const char* base, const char* recor
   return page() ? page()->restore(text(base), text(records)).c_str() : "";
 }
 
+EMSCRIPTEN_KEEPALIVE const char* spl_shareText() { return page() ? page()->shareText().c_str() : ""; }
+
 EMSCRIPTEN_KEEPALIVE const char* spl_openProject(const std::uint8_t* bytes, std::uint32_t length) {
   if (page() == nullptr || bytes == nullptr) return "";
   return page()->openProject({bytes, length}).c_str();

@@ -106,7 +106,10 @@ class Page {
   /// Replaces the model by one that was kept, or with an empty `base` by an empty one:
   /// {ok:true, dropped} or as `run` answers.
   virtual const std::string& restore(std::string_view base, std::string_view recordsJson) = 0;
-  /// Replaces the model by the one in a project file; as `run` answers.
+  /// The model as the text of a link: {ok:true, text, photos} with the number of photos that are not in it, or as `run`
+  /// answers.
+  virtual const std::string& shareText() = 0;
+  /// Replaces the model by the one in a project file, or in a link; as `run` answers.
   virtual const std::string& openProject(std::span<const std::uint8_t> file) = 0;
   /// A small picture of the model, RGBA; empty while there is nothing to show. Valid until the next
   /// call.

@@ -376,6 +376,18 @@ export interface SpineLoftFailure extends Error {
   code: string;
 }
 
+/** A model in a link. */
+export interface SharedLink {
+  /** The address of this page with the text behind '#m='. */
+  url: string;
+  /** The text alone: letters, digits, '-' and '_'. */
+  text: string;
+  /** Length of the text. */
+  characters: number;
+  /** Photos that are not in it: white paper stands for each, the ribs found in it are fixed, and parts have its mean colour. */
+  photosLeft: number;
+}
+
 export interface SpineLoftApi {
   /** Version of the page. */
   readonly version: string;
@@ -387,6 +399,10 @@ export interface SpineLoftApi {
   openImage(blob: Blob, name?: string): Promise<void>;
   /** Opens a model file (.spineloft, or a GLB of this page) as a new model; the one that was open stays in the list. */
   openProject(blob: Blob): Promise<void>;
+  /** The model as a link that holds all of it but its photos. */
+  shareLink(): Promise<SharedLink>;
+  /** Opens the model of such a link, or of its text, as a new model; the one that was open stays in the list. */
+  openShareText(text: string): Promise<void>;
   /** The models that this device keeps, the last changed first; `run('open-model', {id})` opens one. */
   models(): Promise<KeptModelInfo[]>;
   /** The open model with every step of undo and redo, as the text that the page keeps; photos are named by their hashes. */

@@ -138,6 +138,7 @@ interface Module {
   _spl_photo(hash: number, outSizes: number): number;
   _spl_layPhotoBy(rgba: number, width: number, height: number, originalWidth: number, originalHeight: number): number;
   _spl_restore(base: number, records: number): number;
+  _spl_shareText(): number;
   _spl_openProject(bytes: number, length: number): number;
   _spl_thumbnail(width: number, height: number): number;
   _spl_turntable(width: number, height: number, turn: number): number;
@@ -150,6 +151,8 @@ interface Outcome {
   error?: string;
   sentence?: string;
   dropped?: number;
+  text?: string;
+  photos?: number;
 }
 
 /** True where worker threads can share memory and the address does not ask for the other build. */
@@ -513,7 +516,13 @@ export class Engine {
     return this.check(answer).dropped ?? 0;
   }
 
-  /** Replaces the model by the one in a project file. */
+  /** The model as the text of a link, and how many photos are not in it. */
+  shareText(): { text: string; photos: number } {
+    const { text, photos } = this.check(this.text(this.module._spl_shareText()));
+    return { text: text ?? '', photos: photos ?? 0 };
+  }
+
+  /** Replaces the model by the one in a project file or in a link. */
   openProject(bytes: Uint8Array): void {
     const at = this.put(bytes);
     try {

@@ -22,6 +22,7 @@ import { installApi } from './public_api.ts';
 import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
 import { hasWebGl2, sizeOf, watchContext, watchSize, watchTheme } from './surface.ts';
 import { toast } from './toasts.ts';
+import { takeLink } from './share.ts';
 import { connectTooltips } from './tooltip.ts';
 import { warmUpWhenIdle } from './warm_up.ts';
 import { language, onLanguage, preferredLanguage, speak, t } from './words/words.ts';
@@ -167,6 +168,12 @@ function main(): void {
     () => whenReady(() => page.drawOnPaper()),
   );
   connectTooltips(byId('bar'));
+  const openAddress = () => {
+    const link = takeLink();
+    if (link) whenReady(() => void page.openLink(link).catch((thrown: unknown) => page.complain(thrown)));
+  };
+  window.addEventListener('hashchange', openAddress);
+  openAddress();
 }
 
 main();

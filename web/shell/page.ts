@@ -1,5 +1,5 @@
 // The page around the running engine: keeps the DOM in step with the document.
-import type { Command } from './api.ts';
+import type { Command, SharedLink } from './api.ts';
 import { CommandBar } from './command_bar.ts';
 import { openCommandSearch } from './command_search.ts';
 import { askChoice, askText } from './dialogs.ts';
@@ -20,6 +20,7 @@ import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
 import type { ShellView } from './shell_view.ts';
+import { sharedLink, showShare } from './share.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
 import { ToolChoice, wantsAllTools } from './tool_choice.ts';
 import { kSamples, sampleAddress } from './start_page.ts';
@@ -88,6 +89,7 @@ export class Page {
       askAnimal,
       beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
+      showShare: () => showShare(this.shareLink()),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
     });
@@ -334,6 +336,17 @@ export class Page {
     this.refresh();
   }
 
+  /** The open model as a link that holds it. */
+  shareLink(): SharedLink {
+    if (!this.engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    return sharedLink(this.engine.shareText());
+  }
+
+  /** Opens the model in a link as a new one; rejects when there is none, and then nothing has changed. */
+  openLink(link: string): Promise<void> {
+    return this.openProject(new Blob([link]));
+  }
+
   /** Files that the visitor dropped, pasted or chose, one after the other. */
   async openFiles(files: File[]): Promise<void> {
     for (const file of files) {
@@ -369,7 +382,7 @@ export class Page {
     this.canvas.focus({ preventScroll: true });
   }
 
-  private complain(thrown: unknown): void {
+  complain(thrown: unknown): void {
     if (thrown instanceof Failure && thrown.code === 'Cancelled') toast(thrown.message);
     else toast(sentenceOf(thrown), 'error');
   }

@@ -1,5 +1,5 @@
 // window.spineloft: installed before the engine runs, so that a script can wait for `ready`.
-import type { Command, ExportFormat, KeptModelInfo, SpineLoftApi, State } from './api.ts';
+import type { Command, ExportFormat, KeptModelInfo, SharedLink, SpineLoftApi, State } from './api.ts';
 import type { Engine } from './engine.ts';
 import { Failure } from './failure.ts';
 import type { ModelInfo } from './keep/store.ts';
@@ -19,6 +19,8 @@ export interface ApiPage {
     openImage(blob: Blob, name: string): Promise<void>;
     /** The same of a model file. */
     openProject(blob: Blob): Promise<void>;
+    shareLink(): SharedLink;
+    openLink(link: string): Promise<void>;
     listModels(): Promise<ModelInfo[]>;
     /** Throws while another tab has the model. */
     mustBeChangeable(): void;
@@ -134,6 +136,16 @@ export function installApi(api: ApiPage): void {
     async openProject(blob) {
       await running();
       await page.openProject(blob);
+    },
+    async shareLink() {
+      await running();
+      // What is still searched for is found first: the ribs in a photo are fixed as they are.
+      await installed.idle();
+      return page.shareLink();
+    },
+    async openShareText(text) {
+      await running();
+      await page.openLink(text);
     },
     async models() {
       await running();

@@ -56,6 +56,15 @@ declare module 'arabic-persian-reshaper' {
   export const ArabicShaper: { convertArabic(text: string): string };
 }
 
+// The part of qrcode that is used, without its drawing and its files; it has no types of its own.
+declare module 'qrcode/lib/core/qrcode.js' {
+  /** `data` is 1 for every dark module, `size` modules a row. Throws when the text is too long. */
+  export function create(
+    text: string,
+    options: { errorCorrectionLevel: 'L' | 'M' },
+  ): { modules: { size: number; data: Uint8Array } };
+}
+
 // The parts of gifenc that are used; it has no types of its own.
 declare module 'gifenc' {
   export type Palette = number[][];

@@ -116,6 +116,7 @@ inline constexpr std::array kIcons = {
     Icon{"layout-grid", 57599},
     Icon{"folder-open", 57927},
     Icon{"copy", 57502},
+    Icon{"share-2", 57686},
     Icon{"scaling", 58092},
     Icon{"magnet", 58037},
     Icon{"group", 58468},

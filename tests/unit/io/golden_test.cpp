@@ -8,7 +8,9 @@
 
 #include "engine/base/rng.h"
 #include "engine/io/document_json.h"
+#include "engine/io/packed_json.h"
 #include "engine/io/project_file.h"
+#include "engine/io/share_text.h"
 #include "engine/pipeline/derive.h"
 #include "tests/support/complete_document.h"
 #include "tests/support/fuzz_documents.h"
@@ -224,12 +226,26 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   document::Document document;
   members(collector, document);
   CHECK(wanted.size() > 45);
-  for (const std::string& key : wanted) CHECK_MESSAGE(found.contains(key), key);
+  for (const std::string& key : wanted) {
+    CHECK_MESSAGE(found.contains(key), key);
+    // A key that is spelled takes as many characters of a link as its name has.
+    CHECK_MESSAGE(isPackedWord(key), key);
+  }
+}
+
+TEST_CASE("the golden link of version 1 opens as the model that was shared") {
+  const auto bytes = testFile("golden/share-v1.txt");
+  ReadNotes notes;
+  const auto read = readShareText({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, &notes);
+  REQUIRE_MESSAGE(read.ok(), failureSentence(read.failure()));
+  CHECK(notes.clean());
+  CHECK(read.value() == shareable(completeDocument()));
 }
 
 TEST_CASE("what the fuzzers once found or began with does no harm") {
   for (const auto& [name, bytes] : testFiles("corpus/project")) CHECK_MESSAGE(tryProject(bytes) == "", name);
   for (const auto& [name, bytes] : testFiles("corpus/picture")) CHECK_MESSAGE(tryPicture(bytes) == "", name);
+  for (const auto& [name, bytes] : testFiles("corpus/share")) CHECK_MESSAGE(tryShare(bytes) == "", name);
   for (const auto& [name, bytes] : testFiles("corpus/document")) CHECK_MESSAGE(tryDocument(bytes) == "", name);
 }
 

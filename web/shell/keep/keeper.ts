@@ -42,6 +42,7 @@ export interface KeeperPage {
   /** Everything is as on a first visit, but for the models that are kept. */
   beginAfresh(): void;
   pickModelFile(): void;
+  showShare(): void;
   askName(title: string, text: string, value: string): Promise<string | null>;
   /** True when the model may go although it is kept nowhere. */
   mayLose(): Promise<boolean>;
@@ -128,6 +129,9 @@ export class Keeper {
       case 'open-model':
         if (id) this.complainOf(this.openModel(id));
         else this.page.showModels();
+        break;
+      case 'share-model':
+        this.page.showShare();
         break;
       case 'next-pupil':
         this.complainOf(this.nextPupil());

@@ -1,0 +1,308 @@
+#include "engine/io/share_text.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/base/crc32.h"
+#include "engine/geometry/polyline.h"
+#include "engine/io/document_json.h"
+#include "engine/io/packed_json.h"
+
+namespace spineloft::io {
+namespace {
+
+using document::Document;
+
+// ---- what is kept -------------------------------------------------------------------------------
+
+/// Numbers of no other meaning keep this many decimal digits: unit vectors stay of length 1 to within 1e-6.
+constexpr int kDigits = 7;
+/// Longest side of the white picture that stands for a photo, pixels of its working copy.
+constexpr int kBlankSide = 64;
+/// Pressures of a pen are multiples of 1 / this.
+constexpr float kPressures = 32;
+
+/// Rounds places on one picture.
+class Grid {
+ public:
+  explicit Grid(image::Size size) {
+    const int side = std::max({size.width, size.height, 1024});
+    step_ = std::exp2(std::floor(std::log2(side / 1024.0))) / 4;
+  }
+  double operator()(double value) const { return std::round(value / step_) * step_; }
+  PicturePoint operator()(PicturePoint p) const { return {(*this)(p.x), (*this)(p.y)}; }
+  std::vector<PicturePoint> rounded(std::vector<PicturePoint> line) const {
+    for (PicturePoint& p : line) p = (*this)(p);
+    return line;
+  }
+  /// First rounded, then simplified: what has been through it stays as it is.
+  std::vector<PicturePoint> operator()(const std::vector<PicturePoint>& line) const {
+    const std::vector<PicturePoint> all = rounded(line);
+    return geometry::simplifiedLine(std::span(all), tolerance());
+  }
+  double tolerance() const { return step_ / 2; }
+
+ private:
+  double step_ = 0.25;
+};
+
+image::SketchStroke kept(const image::SketchStroke& stroke, const Grid& grid) {
+  image::SketchStroke out = stroke;
+  const std::vector<PicturePoint> points = grid.rounded(stroke.points);
+  out.points.clear();
+  out.pressure.clear();
+  for (const std::size_t i : geometry::keptPoints(std::span(points), grid.tolerance())) {
+    out.points.push_back(points[i]);
+    if (i < stroke.pressure.size()) out.pressure.push_back(std::round(stroke.pressure[i] * kPressures) / kPressures);
+  }
+  return out;
+}
+
+void keepMarks(std::vector<ribs::IgnoreMark>& marks, const Grid& grid) {
+  for (ribs::IgnoreMark& mark : marks) mark.stroke = grid(mark.stroke);
+}
+
+void keepRegion(document::Region& region, const Grid& grid) {
+  for (std::vector<PicturePoint>& contour : region.contours) contour = grid(contour);
+}
+void keep(document::LoftRecipe& recipe, const Grid& grid) {
+  recipe.stroke = grid(recipe.stroke);
+  for (ribs::EndEdit& end : recipe.edits.ends) {
+    end.at = std::round(end.at * 4096) / 4096;
+    end.reach = std::round(end.reach * 4096) / 4096;
+    end.along = grid(end.along);
+    end.out = grid(end.out);
+  }
+  keepMarks(recipe.ignored, grid);
+}
+void keep(document::InflateRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
+void keep(document::ExtrudeRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
+void keep(document::LatheRecipe& recipe, const Grid& grid) {
+  keepRegion(recipe.region, grid);
+  recipe.lathe.axisFrom = grid(recipe.lathe.axisFrom);
+  recipe.lathe.axisTo = grid(recipe.lathe.axisTo);
+}
+
+std::shared_ptr<const image::Picture> blankPicture(image::Size size) {
+  image::Picture blank;
+  blank.width = size.width;
+  blank.height = size.height;
+  const image::Size small = image::fitSize(size, kBlankSide * kBlankSide, kBlankSide);
+  blank.working.width = small.width;
+  blank.working.height = small.height;
+  blank.working.pixels.assign(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height), 255);
+  return std::make_shared<const image::Picture>(std::move(blank));
+}
+
+double withDigits(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const int digits = kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const double scale = std::pow(10.0, std::min(digits, 9));
+  const double out = std::round(value * scale) / scale;
+  return std::isfinite(out) ? out : value;
+}
+
+/// Every number that has more digits than it keeps and is on no grid.
+void roundNumbers(Json& json) {
+  if (json.is_number_float()) {
+    const double value = json.get<double>();
+    if (std::trunc(value * 4096) != value * 4096) json = toJson(withDigits(value));
+  }
+  if (json.is_structured()) {
+    for (Json& element : json) roundNumbers(element);
+  }
+}
+
+constexpr const char* kPhotoKey = "photo";
+constexpr const char* kPicturesKey = "pictures";
+
+Json* listOf(Json& json, const char* key) {
+  if (!json.is_object()) return nullptr;
+  const auto at = json.find(key);
+  return at != json.end() && at->is_array() ? &*at : nullptr;
+}
+
+/// The document's JSON with rounded numbers; of a photo only that there is one.
+Json keptJson(const Document& document) {
+  Document rounded = document;
+  std::map<std::uint32_t, Grid> grids;
+  for (Box<document::PictureEntry>& box : rounded.pictures) {
+    document::PictureEntry entry = box.get();
+    const Grid& grid = grids.try_emplace(entry.id.value, entry.size).first->second;
+    for (Box<image::SketchStroke>& stroke : entry.sketch) stroke = kept(stroke.get(), grid);
+    keepMarks(entry.ignored, grid);
+    box = std::move(entry);
+  }
+  for (Box<document::Part>& box : rounded.parts) {
+    document::Part part = box.get();
+    const auto grid = grids.find(document::pictureOf(part).value);
+    if (grid == grids.end()) continue;
+    std::visit([&](auto& recipe) { keep(recipe, grid->second); }, part.recipe);
+    box = std::move(part);
+  }
+  Json json = documentJson(rounded);
+  roundNumbers(json);
+  if (Json* pictures = listOf(json, kPicturesKey)) {
+    for (Json& picture : *pictures) {
+      if (picture.contains(kPhotoKey)) picture[kPhotoKey] = true;
+    }
+  }
+  return json;
+}
+
+/// White pictures in place of the photos.
+Result<Document> documentOf(Json json, ReadNotes* notes) {
+  std::map<std::uint64_t, std::shared_ptr<const image::Picture>> blanks;
+  if (Json* pictures = listOf(json, kPicturesKey)) {
+    for (Json& picture : *pictures) {
+      if (!picture.is_object() || !picture.contains(kPhotoKey)) continue;
+      image::Size size;
+      const auto at = picture.find("size");
+      if (at == picture.end() || !get(*at, size) || size.width < 1 || size.height < 1) continue;
+      const auto blank = blankPicture(size);
+      const std::uint64_t hash = document::contentHash(*blank);
+      blanks[hash] = blank;
+      picture[kPhotoKey] = hashKey(hash);
+    }
+  }
+  const PictureSource photos = [&](std::uint64_t hash) -> std::shared_ptr<const image::Picture> {
+    const auto found = blanks.find(hash);
+    return found == blanks.end() ? nullptr : found->second;
+  };
+  ReadNotes ours;
+  Result<Document> read = documentFrom(std::move(json), {notes != nullptr ? *notes : ours, photos}, MissingPhoto::Drop);
+  if (read.ok()) makeRoomForIds(read.value(), notes != nullptr ? *notes : ours);
+  return read;
+}
+
+// ---- the text -----------------------------------------------------------------------------------
+
+constexpr std::string_view kDigits64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr std::size_t kSumBytes = 4;
+
+int digitOf(char c) {
+  const std::size_t at = kDigits64.find(c);
+  return at == std::string_view::npos ? -1 : static_cast<int>(at);
+}
+
+/// Five bits a character, lowest first; all but the last are above 31.
+void appendNumber(std::string& text, std::size_t value) {
+  for (; value >= 32; value /= 32) text += kDigits64[32 + value % 32];
+  text += kDigits64[value];
+}
+
+/// Takes the number from the front; none when it is not there whole.
+std::optional<std::size_t> takeNumber(std::string_view& text) {
+  std::size_t value = 0;
+  for (int shift = 0; shift < 30 && !text.empty(); shift += 5) {
+    const int digit = digitOf(text.front());
+    if (digit < 0) return std::nullopt;
+    text.remove_prefix(1);
+    value |= static_cast<std::size_t>(digit % 32) << shift;
+    if (digit < 32) return value;
+  }
+  return std::nullopt;
+}
+
+std::string toText(std::span<const std::uint8_t> bytes) {
+  std::string text;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const std::uint8_t byte : bytes) {
+    bits = bits << 8 | byte;
+    for (held += 8; held >= 6; held -= 6) text += kDigits64[bits >> (held - 6) & 63];
+  }
+  if (held > 0) text += kDigits64[bits << (6 - held) & 63];
+  return text;
+}
+
+/// None when a character is no digit, or bits are left over that are not 0.
+std::optional<std::vector<std::uint8_t>> toBytes(std::string_view text) {
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const char c : text) {
+    const int digit = digitOf(c);
+    if (digit < 0) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes.push_back(static_cast<std::uint8_t>(bits >> held));
+  }
+  const bool rest = held >= 6 || (bits & ((1U << held) - 1)) != 0;
+  return rest ? std::nullopt : std::optional(std::move(bytes));
+}
+
+Result<Document> readText(std::string_view text, ReadNotes* notes) {
+  if (!isShareText(text)) return Error::LinkForeign;
+  if (text.front() != '0' + kShareVersion) return Error::ProjectTooNew;
+  if (text.size() > kMostShareText) return Error::OutOfMemory;
+  text.remove_prefix(1);
+  const auto length = takeNumber(text);
+  if (!length) return text.empty() ? Error::LinkCut : Error::LinkAltered;
+  if (text.size() < *length && *length <= kMostShareText)
+    return {Error::LinkCut, std::to_string(*length - text.size()) + " characters are missing"};
+  const auto bytes = toBytes(text);
+  if (text.size() != *length || !bytes || bytes->size() < kSumBytes) return Error::LinkAltered;
+  const std::span<const std::uint8_t> packed = std::span(*bytes).first(bytes->size() - kSumBytes);
+  std::uint32_t sum = 0;
+  for (const std::uint8_t byte : std::span(*bytes).last(kSumBytes)) sum = sum << 8 | byte;
+  if (crc32(packed) != sum) return Error::LinkAltered;
+  Result<Json> json = unpackJson(packed);
+  if (!json.ok()) return json.failure();
+  return documentOf(std::move(json).value(), notes);
+}
+
+}  // namespace
+
+document::Document shareable(const Document& document) {
+  Result<Document> read = documentOf(keptJson(document), nullptr);
+  return read.ok() ? std::move(read).value() : Document{};
+}
+
+std::string sealShareText(std::vector<std::uint8_t> packed) {
+  const std::uint32_t sum = crc32(packed);
+  for (int shift = 24; shift >= 0; shift -= 8) packed.push_back(static_cast<std::uint8_t>(sum >> shift));
+  const std::string body = toText(packed);
+  std::string text(1, static_cast<char>('0' + kShareVersion));
+  appendNumber(text, body.size());
+  return text + body;
+}
+
+Result<std::string> writeShareText(const Document& document) {
+  Result<std::vector<std::uint8_t>> packed = packJson(keptJson(document));
+  if (!packed.ok()) return packed.failure();
+  return sealShareText(std::move(packed).value());
+}
+
+bool isShareText(std::string_view text) {
+  return text.size() >= 2 && text.front() >= '1' && text.front() <= '9' &&
+         std::ranges::all_of(text, [](char c) { return digitOf(c) >= 0; });
+}
+
+std::optional<std::string_view> textOfLink(std::string_view link) {
+  const std::size_t mark = link.rfind(kLinkMark);
+  if (mark != std::string_view::npos) return link.substr(mark + kLinkMark.size());
+  return isShareText(link) ? std::optional(link) : std::nullopt;
+}
+
+Result<Document> readShareText(std::string_view text, ReadNotes* notes) {
+  try {
+    return readText(text, notes);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+}  // namespace spineloft::io

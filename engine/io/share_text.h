@@ -1,0 +1,45 @@
+// A whole model as a short text, for links and QR codes. Pictures on paper go along as their strokes; of a photo only
+// its size does (publish/share_model.h says what stands for it).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/document/document.h"
+#include "engine/io/project_file.h"
+
+namespace spineloft::io {
+
+/// What texts are written as; 1 … this are read.
+inline constexpr int kShareVersion = 1;
+/// Longest text that is read, characters.
+inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
+
+/// What a text keeps of a document: places on pictures as multiples of ¼ pixel of a picture of 1024 pixels (2ⁿ/4 of
+/// larger ones), strokes without the points that lie on the line between others to within half of that, so that no
+/// place is off by more than ¼ pixel of a picture of 1024 pixels; other numbers with 7 digits. A
+/// photo is a white picture of its size.
+document::Document shareable(const document::Document& document);
+
+/// Only letters, digits, '-' and '_'. Equal documents give equal texts; reading gives shareable(document).
+/// Error: OutOfMemory (a document with millions of numbers).
+Result<std::string> writeShareText(const document::Document& document);
+/// The text of what packJson wrote: version, length, checksum.
+std::string sealShareText(std::vector<std::uint8_t> packed);
+
+/// Whether it begins as a text of any version.
+bool isShareText(std::string_view text);
+/// What stands in front of the text in a link: behind the '#', which no browser sends to a server.
+inline constexpr std::string_view kLinkMark = "#m=";
+/// The text in a link, or what stands for one; a text alone is one too. None in anything else.
+std::optional<std::string_view> textOfLink(std::string_view link);
+/// Mended as by readDocument. Errors: LinkForeign, LinkCut (with how many characters are missing), LinkAltered,
+/// ProjectTooNew, OutOfMemory (longer than kMostShareText, or with more in it than kMostPacked).
+Result<document::Document> readShareText(std::string_view text, ReadNotes* notes = nullptr);
+
+}  // namespace spineloft::io

@@ -1,0 +1,80 @@
+#include "engine/publish/share_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "engine/io/share_text.h"
+#include "engine/ribs/edit/places.h"
+
+namespace spineloft::publish {
+namespace {
+
+/// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next.
+ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::RibEdits& edits) {
+  const ribs::Ruler ruler(shape.spine.points);
+  const std::vector<double> places = ribs::ribPlaces(ruler, shape.spine, shape.ribs);
+  ribs::RibEdits fixed = edits;
+  fixed.ends.clear();
+  for (const ribs::Side side : {ribs::Side::Left, ribs::Side::Right}) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const ribs::Rib& rib = shape.ribs.ribs[i];
+      const bool left = side == ribs::Side::Left;
+      ribs::EndEdit end{.at = places[i], .side = side};
+      end.locked = (left ? rib.leftState : rib.rightState) == ribs::RibState::Locked;
+      ruler.toFrame(left ? rib.left : rib.right, end);
+      fixed.ends.push_back(end);
+    }
+  }
+  return fixed;
+}
+
+/// Of the places of the photo at the part's vertices; the look's own colour where there are none.
+std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const image::Image& photo,
+                                       std::array<std::uint8_t, 3> otherwise) {
+  std::array<std::uint64_t, 3> sum{};
+  std::uint64_t count = 0;
+  for (const auto& uv : shape.mesh.uv) {
+    const int x = std::clamp(static_cast<int>(uv[0] * static_cast<float>(photo.width)), 0, photo.width - 1);
+    const int y = std::clamp(static_cast<int>(uv[1] * static_cast<float>(photo.height)), 0, photo.height - 1);
+    const auto at =
+        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(photo.width) + static_cast<std::size_t>(x));
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += photo.pixels[at + c];
+    ++count;
+  }
+  if (count == 0) return otherwise;
+  std::array<std::uint8_t, 3> mean{};
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+  return mean;
+}
+
+}  // namespace
+
+document::Document withoutPhotos(const document::Document& document, const pipeline::Derived& derived) {
+  document::Document out = document;
+  for (std::size_t i = 0; i < out.parts.size() && i < derived.parts.size(); ++i) {
+    document::Part part = out.parts[i].get();
+    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(part));
+    const auto& shape = derived.parts[i].shape;
+    if (entry == nullptr || entry->isSketch() || !shape) continue;
+    if (document::LoftRecipe* loft = document::loftOf(part)) loft->edits = fixedEnds(*shape, loft->edits);
+    if (part.look.textured) {
+      part.look.textured = false;
+      part.look.paint = surface::Paint::Plain;
+      part.look.colour = meanColour(*shape, entry->picture->working, part.look.colour);
+    }
+    out.parts[i] = std::move(part);
+  }
+  return out;
+}
+
+Result<SharedModel> shareModel(const document::Document& document, const pipeline::Derived& derived) {
+  Result<std::string> text = io::writeShareText(withoutPhotos(document, derived));
+  if (!text.ok()) return text.failure();
+  SharedModel shared{std::move(text).value()};
+  for (const document::PictureEntry& entry : document.pictures) shared.photosLeft += !entry.isSketch();
+  return shared;
+}
+
+}  // namespace spineloft::publish

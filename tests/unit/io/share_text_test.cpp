@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/base/rng.h"
+#include "engine/document/update.h"
+#include "engine/io/share_text.h"
+#include "tests/support/complete_document.h"
+#include "tests/support/random_documents.h"
+#include "tests/support/rounds.h"
+#include "tests/support/sessions.h"
+
+using namespace spineloft;
+using namespace spineloft::document;
+using namespace spineloft::io;
+using namespace spineloft::testing;
+
+namespace {
+
+std::string textOf(const Document& document) {
+  const auto text = writeShareText(document);
+  REQUIRE(text.ok());
+  return text.value();
+}
+
+/// Paper with one drawn line and a part on it.
+Document onPaper(image::Size size, const std::vector<PicturePoint>& line) {
+  Document document = update({}, AddSketch{"Sketch 1", size}).value();
+  document = update(document, DrawOnSketch{PictureId{1}, {.points = line, .pressure = {}}}).value();
+  return update(document, DrawSpine{PictureId{1}, line}).value();
+}
+
+std::vector<PicturePoint> wave(image::Size size, int points) {
+  std::vector<PicturePoint> line;
+  for (int i = 0; i < points; ++i) {
+    const double t = i / (points - 1.0);
+    line.push_back({size.width * (0.1 + 0.8 * t), size.height * (0.5 + 0.3 * std::sin(6 * t))});
+  }
+  return line;
+}
+
+double farthestFromLine(const std::vector<PicturePoint>& points, const std::vector<PicturePoint>& line) {
+  double most = 0;
+  for (const PicturePoint p : points) {
+    double least = 1e9;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const PicturePoint along = line[i] - line[i - 1];
+      const double t = std::clamp(dot(p - line[i - 1], along) / dot(along, along), 0.0, 1.0);
+      least = std::min(least, distance(p, line[i - 1] + along * t));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("every document comes back from its text as what the text keeps of it, and gives the same text again") {
+  int parts = 0;
+  for (const std::uint64_t seed : seeds(0, 30)) {
+    const Document document = randomSession(seed, 40).back();
+    const std::string text = textOf(document);
+    ReadNotes notes;
+    const auto read = readShareText(text, &notes);
+    REQUIRE_MESSAGE(read.ok(), seed);
+    CHECK_MESSAGE(notes.clean(), seed);
+    CHECK_MESSAGE(read.value() == shareable(document), seed);
+    CHECK_MESSAGE((textOf(read.value()) == text), seed);
+    REQUIRE(read.value().parts.size() == document.parts.size());
+    CHECK(read.value().steps.size() == document.steps.size());
+    parts += static_cast<int>(document.parts.size());
+  }
+  CHECK(parts > 30);
+  const Document complete = completeDocument();
+  CHECK(readShareText(textOf(complete)).value() == shareable(complete));
+}
+
+TEST_CASE(
+    "no place on a picture of up to 1024 pixels is off by more than a quarter of a pixel, on larger ones in "
+    "proportion") {
+  for (const int side : {300, 1024, 2000}) {
+    const image::Size size{side, side * 3 / 4};
+    const std::vector<PicturePoint> line = wave(size, 400);
+    const Document read = readShareText(textOf(onPaper(size, line))).value();
+    const double most = 0.25 * std::max(1.0, side / 1024.0);
+    for (const std::vector<PicturePoint>& kept :
+         {read.pictures[0]->sketch[0]->points, loftOf(read.parts[0].get())->stroke}) {
+      CHECK(kept.size() < line.size() / 2);
+      CHECK(farthestFromLine(line, kept) <= most);
+      CHECK(farthestFromLine(kept, line) <= most);
+    }
+  }
+}
+
+TEST_CASE("a text that is cut off anywhere says how many characters are missing") {
+  const std::string text = textOf(onPaper({640, 480}, wave({640, 480}, 60)));
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    const auto read = readShareText(std::string_view(text).substr(0, length));
+    REQUIRE_FALSE(read.ok());
+    if (length < 2) {
+      CHECK(read.error() == Error::LinkForeign);
+      continue;
+    }
+    REQUIRE(read.error() == Error::LinkCut);
+    if (length > 3) CHECK(read.failure().detail == std::to_string(text.size() - length) + " characters are missing");
+  }
+}
+
+TEST_CASE("a text with wrong characters is refused, whichever they are") {
+  const std::string text = textOf(onPaper({640, 480}, wave({640, 480}, 60)));
+  Rng rng(7);
+  for (int i = 0; i < 10000; ++i) {
+    std::string wrong = text;
+    for (std::uint32_t n = rng.below(3) + 1; n > 0; --n) {
+      char& c = wrong[rng.below(static_cast<std::uint32_t>(wrong.size()))];
+      c = static_cast<char>(c ^ (1 << rng.below(8)));
+    }
+    const auto read = readShareText(wrong);
+    if (wrong == text) continue;
+    REQUIRE_FALSE(read.ok());
+    const Error error = read.error();
+    CHECK((error == Error::LinkAltered || error == Error::LinkForeign || error == Error::LinkCut ||
+           error == Error::ProjectTooNew));
+  }
+  CHECK(readShareText(text + "A").error() == Error::LinkAltered);
+}
+
+TEST_CASE("foreign, future and endless texts are told apart") {
+  CHECK(readShareText("https://example.org").error() == Error::LinkForeign);
+  CHECK(readShareText("").error() == Error::LinkForeign);
+  CHECK(readShareText("2abcdef").error() == Error::ProjectTooNew);
+  CHECK(readShareText("1" + std::string(kMostShareText, 'A')).error() == Error::OutOfMemory);
+}
+
+TEST_CASE("a photo comes back as a white picture of its size, with the parts that were on it") {
+  Document document = update({}, AddPicture{"cat", ellipsePicture(96, 72)}).value();
+  document = update(document, DrawSpine{PictureId{1}, {{20, 30}, {48, 36}, {76, 30}}}).value();
+  const Document read = readShareText(textOf(document)).value();
+  REQUIRE(read.pictures.size() == 1);
+  const PictureEntry& blank = read.pictures[0].get();
+  CHECK_FALSE(blank.isSketch());
+  CHECK(blank.size == image::Size{96, 72});
+  CHECK(std::ranges::all_of(blank.picture->working.pixels, [](std::uint8_t v) { return v == 255; }));
+  REQUIRE(read.parts.size() == 1);
+  CHECK(pictureOf(read.parts[0].get()) == blank.id);
+}
