@@ -2,7 +2,7 @@
 // tests/unit/io/share_text_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { done, idle, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
+import { idle, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -31,7 +31,8 @@ test('Share shows a link and a QR code; who opens the link gets the model as one
     await openWithPart(page, tube.png, tube.middle);
     const before = await ends(page);
     await run(page, 'rename-model', { name: 'A tube' });
-    await done(page, 'share-model');
+    await page.getByRole('button', { name: 'Save', exact: true }).click();
+    await page.getByRole('menuitem', { name: /^Share/ }).click();
     const dialog = page.getByRole('dialog', { name: 'Share' });
     const link = await dialog.getByRole('textbox', { name: 'Link' }).inputValue();
     assert.equal(link, (await linkOf(page)).url);

@@ -137,7 +137,7 @@ export class CommandBar {
   }
 
   private saveCommands(): Command[] {
-    return this.commands.filter((command) => command.id.startsWith('save-'));
+    return this.commands.filter(({ id }) => id.startsWith('save-') || id === 'share-model');
   }
 
   private openSaveMenu(): void {
