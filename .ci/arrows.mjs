@@ -72,6 +72,10 @@ const kLibraries = [
   },
 ];
 
+/** In a program without threads the linker places a thread_local of an object compiled for threads over constants. */
+const kPerThread = /\bthread_local\b/;
+const kCompiledForEachProgram = 'tests/support/scarce_memory.cpp';
+
 const kLongestFile = 600;
 const kCounted = /^(engine|web|shaders|tests|\.ci)\/.*\.(h|hpp|cpp|c|ts|js|mjs|css|html|vert|frag|glsl|cmake)$/;
 
@@ -116,7 +120,14 @@ export function houseErrors(files) {
     const lines = text.split('\n');
     if (lines.length - 1 > kLongestFile)
       errors.push(`${path}:1: ${lines.length - 1} lines, at most ${kLongestFile} are allowed`);
-    if (!/^(engine|web)\/.*\.(h|hpp|cpp|c)$/.test(path)) continue;
+    if (!/\.(h|hpp|cpp|c)$/.test(path)) continue;
+    if (path !== kCompiledForEachProgram) {
+      lines.forEach((line, index) => {
+        if (kPerThread.test(line))
+          errors.push(`${path}:${index + 1}: thread_local is for ${kCompiledForEachProgram} only`);
+      });
+    }
+    if (!/^(engine|web)\//.test(path)) continue;
     if (!kArrows[folderOf(path)]) errors.push(`${path}:1: ${folderOf(path)} is not a folder of the house`);
     lines.forEach((line, index) => {
       const hit = line.match(/^\s*#\s*include\s*([<"])([^>"]+)[>"]/);

@@ -58,3 +58,10 @@ test('a file of 601 lines is caught, one of 600 is not', () => {
 test('the house itself keeps its rules', () => {
   assert.deepEqual(houseErrors(houseFiles()), []);
 });
+
+test('thread_local is for the one file that is compiled for each program', () => {
+  assert.deepEqual(of('tests/unit/a_test.cpp', 'int a;\nthread_local int b = 1;\n'), [
+    'tests/unit/a_test.cpp:2: thread_local is for tests/support/scarce_memory.cpp only',
+  ]);
+  assert.deepEqual(of('tests/support/scarce_memory.cpp', 'thread_local int b = 1;\n'), []);
+});

@@ -9,9 +9,16 @@
 
 namespace {
 
+// Compiled for each program (CMakeLists.txt, add_program): one without threads may keep nothing per thread.
+#ifdef DOCTEST_CONFIG_NO_MULTITHREADING
+#define PER_THREAD
+#else
+#define PER_THREAD thread_local
+#endif
+
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-thread_local std::size_t limit = kNoLimit;
-thread_local std::size_t given = 0;
+PER_THREAD std::size_t limit = kNoLimit;
+PER_THREAD std::size_t given = 0;
 std::atomic<std::size_t> live = 0, most = 0;
 
 void* tryAllocate(std::size_t size) noexcept {
