@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,9 @@
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_MAX_DIMENSIONS 32768
+// A thread_local would be misplaced in WebAssembly without threads (CMakeLists.txt, add_program): one reason of failure
+// for the program, and `decoding` held from the failure until it is read.
+#define STBI_NO_THREAD_LOCALS
 #include <stb/stb_image.h>
 
 #define STB_IMAGE_WRITE_STATIC
@@ -68,6 +72,8 @@ Result<Decoded> decodePixels(ByteView file, const PictureInfo& info, int channel
   if (!pictureDataComplete(file, info)) return Error::PictureTruncated;
   Decoded decoded;
   int stored = 0;
+  static std::mutex decoding;
+  const std::lock_guard<std::mutex> alone(decoding);
   decoded.pixels.reset(stbi_load_from_memory(file.data(), static_cast<int>(file.size()), &decoded.width,
                                              &decoded.height, &stored, channels));
   if (!decoded.pixels) return decoderFailure();
