@@ -21,8 +21,8 @@
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 #define STBI_MAX_DIMENSIONS 32768
-// A thread_local would be misplaced in WebAssembly without threads (CMakeLists.txt, add_program): one reason of failure
-// for the program, and `decoding` held from the failure until it is read.
+// What is kept per thread would be misplaced in WebAssembly without threads (CMakeLists.txt, add_program): one reason
+// of failure for the program, and `decoding` held from the failure until it is read.
 #define STBI_NO_THREAD_LOCALS
 #include <stb/stb_image.h>
 

@@ -26,9 +26,12 @@ import { enlarged, tubePicture } from './support/pictures.mjs';
 const kit = useSite();
 const tube = tubePicture();
 
-/** A page in a context of its own with what `prepare` does to it before the site is there. */
+/**
+ * A page in a context of its own with what `prepare` does to it before the site is there. Without a service worker: what
+ * it has kept already would come in spite of the spoilt network.
+ */
 async function onSpoiltPage(prepare, work) {
-  const context = await kit.browser.newContext();
+  const context = await kit.browser.newContext({ serviceWorkers: 'block' });
   const page = await context.newPage();
   try {
     await prepare(page);

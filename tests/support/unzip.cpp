@@ -8,6 +8,7 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG
+#define STBI_NO_THREAD_LOCALS  // CMakeLists.txt, add_program
 #include <stb/stb_image.h>
 
 namespace spineloft::testing {
