@@ -66,6 +66,5 @@ TEST_CASE("a part with forty ribs on a photo takes at most 300 characters") {
   const Document document = onPhoto(40);
   const auto shared = shareModel(document, derivedOf(document));
   REQUIRE(shared.ok());
-  MESSAGE(shared.value().text.size());
   CHECK(shared.value().text.size() <= 300);
 }
