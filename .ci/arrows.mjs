@@ -79,6 +79,12 @@ const kCompiledForEachProgram = 'tests/support/scarce_memory.cpp';
 const kLongestFile = 600;
 const kCounted = /^(engine|web|shaders|tests|\.ci)\/.*\.(h|hpp|cpp|c|ts|js|mjs|css|html|vert|frag|glsl|cmake)$/;
 
+/** `text` with blanks in place of comments and of texts in quotes; lines stay. */
+export function codeOf(text) {
+  const kNoCode = /\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'/g;
+  return text.replace(kNoCode, (hit) => hit.replace(/[^\n]/g, ' '));
+}
+
 /** The folder of kArrows a repository path belongs to: `engine/ribs/field/d2.h` is in `engine/ribs/field`, `web/main.cpp` in `web/main`. */
 function folderOf(path) {
   const [top, second, third] = path.split('/');
@@ -122,8 +128,10 @@ export function houseErrors(files) {
       errors.push(`${path}:1: ${lines.length - 1} lines, at most ${kLongestFile} are allowed`);
     if (!/\.(h|hpp|cpp|c)$/.test(path)) continue;
     if (path !== kCompiledForEachProgram) {
-      lines.forEach((line, index) => {
-        if (kPerThread.test(line))
+      codeOf(text)
+        .split('\n')
+        .forEach((line, index) => {
+          if (kPerThread.test(line))
           errors.push(`${path}:${index + 1}: thread_local is for ${kCompiledForEachProgram} only`);
       });
     }

@@ -64,4 +64,7 @@ test('thread_local is for the one file that is compiled for each program', () =>
     'tests/unit/a_test.cpp:2: thread_local is for tests/support/scarce_memory.cpp only',
   ]);
   assert.deepEqual(of('tests/support/scarce_memory.cpp', 'thread_local int b = 1;\n'), []);
+  const spoken = '// no thread_local\n/* nor\n a thread_local */ int a;\nauto b = "thread_local";\n';
+  assert.deepEqual(of('tests/unit/a_test.cpp', spoken), []);
+  assert.equal(of('tests/unit/a_test.cpp', `${spoken}int c; thread_local int d; // e\n`).length, 1);
 });

@@ -38,7 +38,7 @@ export interface Rib {
 }
 
 /** One of the slices along a bone. */
-export interface SliceStop {
+export interface SectionKey {
   /** Share of the bone's length, 0…1. */
   at: number;
   /** Key of the preset, or 'drawn'. */
@@ -84,7 +84,7 @@ export interface Part {
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
   /** All slices along the bone, in order. */
-  slices: SliceStop[];
+  slices: SectionKey[];
   along: AlongCurves;
   /** Keys of the two ends: 'flat', 'round', 'pointed' or 'open'. */
   caps: { start: string; end: string };

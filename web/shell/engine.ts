@@ -3,7 +3,7 @@
 import type { Command, ExportFormat, State } from './api.ts';
 import { boundScript } from './bound_script.ts';
 import { Failure } from './failure.ts';
-import type { Script } from './fonts.ts';
+import type { Fonts, Script } from './fonts.ts';
 import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
@@ -69,12 +69,6 @@ export interface Size {
   width: number;
   height: number;
   dpr: number;
-}
-
-export interface Fonts {
-  text: Uint8Array;
-  bold: Uint8Array;
-  icons: Uint8Array;
 }
 
 interface Module {
