@@ -14,13 +14,8 @@
 #include "engine/loft/loft.h"
 #include "engine/mesh/laws.h"
 #include "tests/support/generators.h"
+#include "tests/support/gltf_reader.h"
 #include "tests/support/mesh_laws.h"
-
-// As the engine has it: no picture decoder.
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#include <tiny_gltf.h>
 
 using namespace spineloft;
 using namespace spineloft::testing;
