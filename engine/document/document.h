@@ -74,7 +74,7 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
-/// Recipe of a part that swells from a region.
+/// Recipe of a part that is an inflated region.
 struct InflateRecipe {
   Region region;
   inflate::InflateParams inflate;

@@ -99,71 +99,71 @@ std::uint64_t regionKey(const document::Region& region, const document::PictureE
 
 }  // namespace
 
-std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+IgnoredKey ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   Hasher hasher;
   hasher.number(entry.contentHash);
   mix(hasher, entry.ignored);
   mix(hasher, recipe.ignored);
-  return hasher.value();
+  return IgnoredKey{hasher.value()};
 }
 
-std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   // The picture's id is left out: equal content hashes, equal pixels.
   const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
   Hasher hasher;
-  hasher.number(ignoredKey(recipe, entry));
+  hasher.number(ignoredKey(recipe, entry).hash);
   mix(hasher, stroke);
   mix(hasher, spine);
   mix(hasher, ribs);
-  return hasher.value();
+  return TraceKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
   Hasher hasher;
-  hasher.number(traceKey(recipe, entry));
+  hasher.number(traceKey(recipe, entry).hash);
   mix(hasher, edits);
   mix(hasher, pose);
   mix(hasher, loft);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, inflate] = recipe;
   const auto& [height, sides, points] = inflate;
   Hasher hasher;
   hasher.text("puff").number(regionKey(region, entry));
   mixAll(hasher, height, sides, points);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, params] = recipe;
   const auto& [thickness, edge, edgeSize, depth] = params;
   Hasher hasher;
   hasher.text("sheet").number(regionKey(region, entry));
   mixAll(hasher, thickness, edge, edgeSize, depth);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, params] = recipe;
   const auto& [axisFrom, axisTo, turn, sides, wall, squash] = params;
   Hasher hasher;
   hasher.text("lathe").number(regionKey(region, entry));
   mixAll(hasher, axisFrom.x, axisFrom.y, axisTo.x, axisTo.y, turn, sides, wall, squash);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry) {
   return std::visit([&](const auto& one) { return shapeKey(one, entry); }, recipe);
 }
 
-std::uint64_t shapeKey(const document::Part& part, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry) {
   // How the texture is shown is no part of it.
   const auto& [textured, colour, paint, second, faceted, inked] = part.look;
-  const std::uint64_t key = shapeKey(part.recipe, entry);
-  return inked && entry.isSketch() ? Hasher().text("inked").number(key).value() : key;
+  const ShapeKey key = shapeKey(part.recipe, entry);
+  return inked && entry.isSketch() ? ShapeKey{Hasher().text("inked").number(key.hash).value()} : key;
 }
 
 }  // namespace spineloft::pipeline

@@ -516,7 +516,7 @@ void App::growSolid() {
     return;
   }
   const Preview& preview = *ui_.preview;
-  const std::uint64_t key = Hasher().text("preview").number(preview.revision).value();
+  const ShapeKey key{Hasher().text("preview").number(preview.revision).value()};
   studio_.previewSolid({preview.part, key, &preview.shape->mesh});
 }
 

@@ -31,7 +31,7 @@ Document onPhoto(int ribs) {
 
 }  // namespace
 
-TEST_CASE("a part on a photo keeps its ribs to within half a pixel without the photo, and wears its mean colour") {
+TEST_CASE("a part on a photo keeps its ribs to within half a pixel without the photo, and shows its mean colour") {
   const Document document = onPhoto(60);
   const pipeline::Derived before = derivedOf(document);
   const auto shared = shareModel(document, before);

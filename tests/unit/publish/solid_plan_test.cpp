@@ -109,7 +109,7 @@ TEST_CASE("the key of a solid changes when what it is made from changes, and not
   const auto keyOf = [&](const Document& document) {
     return rootNode(publish::planSolids(document, derive(document))).key;
   };
-  const std::uint64_t key = keyOf(base);
+  const SolidKey key = keyOf(base);
   Placement moved;
   moved.move = {0.1, 0, 0};
   Look red;
@@ -231,12 +231,12 @@ TEST_CASE("a part in hand stands in for its own mesh, and nothing else changes")
   const pipeline::Derived& derived = derive(document);
   const SolidPlan plain = publish::planSolids(document, derived);
   mesh::TriMesh other = *plain.meshes[0].mesh;
-  const publish::Substitute instead{PartId{1}, 77, &other};
+  const publish::Substitute instead{PartId{1}, ShapeKey{77}, &other};
   const SolidPlan plan = publish::planSolids(document, derived, &instead);
   CHECK(rootNode(plan).key != rootNode(plain).key);
   REQUIRE(plan.meshes.size() == 2);
   CHECK(plan.meshes[0].mesh == &other);
-  CHECK(plan.meshes[0].key == 77);
+  CHECK(plan.meshes[0].key == ShapeKey{77});
   CHECK(plan.meshes[1].key == plain.meshes[1].key);
   CHECK(rootNode(plan).operands[0].toWorld == rootNode(plain).operands[0].toWorld);
 }
