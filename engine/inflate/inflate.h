@@ -1,4 +1,4 @@
-// A region that swells: smooth, without ridges, its rim round.
+// An inflated region: smooth, without ridges, its rim round.
 #pragma once
 
 #include "engine/base/result.h"

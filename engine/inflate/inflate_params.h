@@ -1,4 +1,4 @@
-// What a person chooses about a puff: a region that swells.
+// What a person chooses about a puff: an inflated region.
 #pragma once
 
 #include <cstdint>

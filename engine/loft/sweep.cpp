@@ -189,7 +189,7 @@ class Builder {
     vertex(station.centre + off, station.middle + station.half * p.paint, at);
   }
 
-  /// Which point of its rib colours a point of a section, −1 … 1. The front wears the picture as it is seen. The back
+  /// Which point of its rib colours a point of a section, −1 … 1. The front shows the picture as it is seen. The back
   /// does in its middle; nearer to the outline it takes what is further in, for else the sides would be drawn out of
   /// the outline's own pixels, row by row.
   static double paintedAt(SectionPoint p) {

@@ -139,7 +139,7 @@ void previewBoard(UiState& ui, const document::Document& document) {
   Result<loft::SectionShape> shape = loft::sectionOf(board.shown());
   if (!shape || board.past.empty()) {
     if (!board.live) ui.preview.reset();
-    if (!shape || !board.live) return;  // the last good one stays while the hand moves
+    if (!shape || !board.live) return;  // the last valid one stays until the gesture ends
   }
   loft::LoftParams params = document::loftIn(*part).loft;
   const std::size_t key = std::min(board.key, params.sections.size() - 1);

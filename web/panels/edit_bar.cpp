@@ -152,7 +152,7 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
                            ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, shown.c_str())
                            : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), shown.c_str());
   registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
-  // The slider says so in every frame while the hand stands between two tenths.
+  // The slider reports a change in every frame while its value is between two tenths.
   const double wanted = turns ? tenths(static_cast<double>(value)) : static_cast<double>(value);
   if (changed && wanted != own) {
     own = wanted;

@@ -305,11 +305,11 @@ void drawViewChrome(const PanelEnv& env) {
   using Ids = std::span<const app::CommandId>;
   const bool few = layout.stacked || env.ui().touch || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
-  const bool bare = env.document().parts.empty();
+  const bool empty = env.document().parts.empty();
   const app::Rect paper = sketchBarRect(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const Ids simple = few ? Ids(kSimpleFew) : Ids(kSimple);
-  const Ids full = (few || onPaper) && bare ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
+  const Ids full = (few || onPaper) && empty ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
   const Ids all = env.ui().allTools ? full : simple;
   const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the spine
   const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;

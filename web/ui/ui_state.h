@@ -71,7 +71,7 @@ struct Preview {
   std::uint64_t revision = 0;           ///< of `shape`; none other had it
   double costMs = 0;                    ///< what the last shape took
   double nextMs = 0;                    ///< not before this time is the next one made
-  /// From this time on, if the hand rests, the shape is made exactly; none: it is exact.
+  /// When the exact shape is made if the pointer rests until then; none: the shape is exact.
   std::optional<double> exactMs;
   bool guarded = false;                ///< a shape that goes through itself is not taken
   std::optional<ModelPoint> crossing;  ///< where the one that was asked for last does

@@ -89,12 +89,12 @@ class Filler {
   // The means of the curves of every row.
   void gather(int side) {
     auto& colours = s_.colours[index(side)];
-    auto &along = s_.along[index(side)], &foreign = s_.foreign[index(side)];
+    auto &along = s_.along[index(side)], &logOdds = s_.logOdds[index(side)];
     auto& reached = s_.reached[index(side)];
     const std::size_t size = index(c_.rows) * index(levels_);
     colours.resize(size);
     along.resize(size);
-    foreign.resize(size);
+    logOdds.resize(size);
     reached.resize(index(c_.rows));
     for (int r = 0; r < c_.rows; ++r) {
       const StripRow& row = c_.sources[index(side)][index(r)];
@@ -108,7 +108,7 @@ class Filler {
         other[3] = strip_.proximity[b + k];
         store4(look + row.share * (other - look), colours[to + k].data());
         along[to + k] = curves_.along[a + k] + row.share * (curves_.along[b + k] - curves_.along[a + k]);
-        foreign[to + k] = logOdds_[a + k] + row.share * (logOdds_[b + k] - logOdds_[a + k]);
+        logOdds[to + k] = logOdds_[a + k] + row.share * (logOdds_[b + k] - logOdds_[a + k]);
       }
     }
   }
@@ -147,7 +147,7 @@ class Filler {
   void fillRow(int side, int r) {
     const int reached = s_.reached[index(side)][index(r)];
     const std::array<float, 4>* colours = &s_.colours[index(side)][cell(r, 0)];
-    const float *along = &s_.along[index(side)][cell(r, 0)], *foreign = &s_.foreign[index(side)][cell(r, 0)];
+    const float *along = &s_.along[index(side)][cell(r, 0)], *logOdds = &s_.logOdds[index(side)][cell(r, 0)];
     const std::array<float, 3>& own = s_.own[index(r)];
     float* out = &c_.planes[index(side)][c_.at(r, 0)];
     const auto put = [&](int k, Channel channel, float value) {
@@ -169,12 +169,12 @@ class Filler {
       put(k, Channel::Along,
           apart(k < reachedBelow ? after[k] : colours[k], k < reachedAbove ? before[k] : colours[k]));
       put(k, Channel::Near, colours[k][3]);
-      put(k, Channel::Foreign, kLogOdds * foreign[k]);
+      put(k, Channel::LogOdds, kLogOdds * logOdds[k]);
       put(k, Channel::Reached, 1);
       put(k, Channel::Fan, c_.sources[index(side)][index(r)].fan ? 1.f : 0.f);
     }
     fillGeometry(side, r, out);
-    fillMeans(colours, along, foreign, reached, out);
+    fillMeans(colours, along, logOdds, reached, out);
     for (int k = 0; k < reached && !strip_.ignored.empty(); ++k) {
       if (isIgnored(side, r, k)) std::fill_n(out + index(k) * kChannels, kChannels, 0.f);
     }
@@ -207,14 +207,14 @@ class Filler {
   }
 
   // What depends on means between the spine and a label, and from there on.
-  void fillMeans(const std::array<float, 4>* colours, const float* along, const float* foreign, int reached,
+  void fillMeans(const std::array<float, 4>* colours, const float* along, const float* logOdds, int reached,
                  float* out) {
     sums_.resize(index(reached));
     Float4 sum = all4(0);
     for (int k = 0; k < reached; ++k) {
       const float run = k > 0 ? along[k] - along[k - 1] : 0.f;
       Float4 look = load4(colours[k].data());
-      look[3] = foreign[k];
+      look[3] = logOdds[k];
       sum += run * look;
       store4(sum, sums_[index(k)].data());
     }

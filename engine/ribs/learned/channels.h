@@ -22,7 +22,7 @@ enum class Channel : std::uint8_t {
   AcrossUnits,  ///< logarithm of the difference over ± 1 label, Lab units
   Along,        ///< Lab difference between the rows on either side, relative like Across
   Near,         ///< nearness to a Canny edge
-  Foreign,      ///< log-odds of the colour against those close to the spine (spineLogOdds)
+  LogOdds,      ///< log-odds of the colour against those close to the spine (spineLogOdds)
   Inside,       ///< mean of that between the spine and here
   Outside,      ///< mean of it from here to three tenths farther
   Step,         ///< difference of the mean colours between the spine and here, and from here to three tenths farther
@@ -57,7 +57,7 @@ struct StripChannels {
 /// Memory of fillChannels.
 struct ChannelScratch {
   std::array<std::vector<std::array<float, 4>>, 2> colours;  ///< Lab and nearness, of every row and label
-  std::array<std::vector<float>, 2> along, foreign;
+  std::array<std::vector<float>, 2> along, logOdds;
   std::array<std::vector<int>, 2> reached;
   std::vector<float> samples;
   std::vector<std::array<float, 3>> own;   ///< median Lab close to the spine, of every row

@@ -22,7 +22,7 @@ constexpr double kBeforeEnd = 0.3, kMostBeforeEnd = 0.12;
 // If less than this share of the spine would be left, nothing is cut.
 constexpr double kLeastLeft = 0.3;
 
-// Colours: novelty beyond and on the thing, how far apart they have to be, and the least number of ribs that
+// Colours: log-odds beyond and on the thing, how far apart they have to be, and the least number of ribs that
 // are beyond. What is above kBalance, summed up in half widths, says how sure it is.
 constexpr double kBalance = 0.3, kBackground = 0.4, kOwn = -0.2, kApart = 1.3, kLeastSum = 0.05;
 constexpr int kLeastRibs = 2;
@@ -33,10 +33,10 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // What is seen along the spine, by rib.
 struct Along {
-  std::vector<double> foreign;  // mean novelty
+  std::vector<double> logOdds;  // mean log-odds
   std::vector<double> edge;     // mean nearness to an edge
   std::vector<double> support;  // nearness of the ribs' two ends to an edge
-  int ribs() const { return static_cast<int>(foreign.size()); }
+  int ribs() const { return static_cast<int>(logOdds.size()); }
 };
 
 // The same from one end inwards.
@@ -61,7 +61,7 @@ double middleHalfWidth(const RibSet& set) {
   return std::max(2.0, *middle);
 }
 
-// How foreign the picture is to the inside of the middle's ribs.
+// Log-odds of the picture's colours against the inside of the middle's ribs.
 const std::vector<float>& logOddsToMiddle(double half, Search& s) {
   const CurveLayout& layout = s.curves.layout;
   const auto curves = index(layout.total());
@@ -88,7 +88,7 @@ Along lookAlong(double half, Search& s) {
   const int ribs = s.problem.ribs;
   Along along;
   for (int i = 0; i < ribs; ++i) {
-    double foreign = 0, edge = 0, support = 0;
+    double odds = 0, edge = 0, support = 0;
     int count = 0;
     for (const bool leftSide : {true, false}) {
       const int curve = s.curves.layout.sideOf(i, leftSide);
@@ -97,11 +97,11 @@ Along lookAlong(double half, Search& s) {
       for (int k = 0; k < s.curves.reached[index(curve)]; ++k, ++count) {
         const std::size_t at = s.curves.at(curve, k);
         if (static_cast<double>(s.curves.along[at]) > kNear * half) break;
-        foreign += static_cast<double>(logOdds[at]);
+        odds += static_cast<double>(logOdds[at]);
         edge += static_cast<double>(s.strip.proximity[at]);
       }
     }
-    along.foreign.push_back(foreign / std::max(1, count));
+    along.logOdds.push_back(odds / std::max(1, count));
     along.edge.push_back(edge / std::max(1, count));
     along.support.push_back(support);
   }
@@ -110,17 +110,17 @@ Along lookAlong(double half, Search& s) {
 
 // Number of ribs of an end that lie beyond the object, by their colours. `share`: the spacing of ribs in half widths.
 int beyondByColour(const FromEnd& end, int most, double share) {
-  const std::vector<double>& foreign = end.along.foreign;
+  const std::vector<double>& logOdds = end.along.logOdds;
   double sum = 0, best = 0;
   int cut = 0;
   for (int i = 0; i < most; ++i) {
-    sum += (foreign[end.at(i)] - kBalance) * share;
+    sum += (logOdds[end.at(i)] - kBalance) * share;
     if (sum <= best) continue;
     best = sum;
     cut = i + 1;
   }
-  const double out = end.mean(foreign, 0, cut);
-  const double in = end.mean(foreign, cut, std::min(end.along.ribs(), cut + end.along.ribs() / 6));
+  const double out = end.mean(logOdds, 0, cut);
+  const double in = end.mean(logOdds, cut, std::min(end.along.ribs(), cut + end.along.ribs() / 6));
   const bool clear = out > kBackground && in < kOwn && out - in > kApart;
   return clear && cut >= kLeastRibs && best > kLeastSum ? cut : 0;
 }
@@ -137,7 +137,7 @@ int beyondByLine(const FromEnd& end, int most) {
   const bool nothing = end.mean(along.support, 0, before) < kNothing;
   const bool something = end.mean(along.support, behind, behind + depth) > kSomething;
   // Here the colours decide nothing, or agree.
-  const double out = end.mean(along.foreign, 0, before), in = end.mean(along.foreign, behind, behind + depth);
+  const double out = end.mean(along.logOdds, 0, before), in = end.mean(along.logOdds, behind, behind + depth);
   return nothing && something && out > -kBalance && out > in - kBalance ? line : 0;
 }
 
