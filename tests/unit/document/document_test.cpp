@@ -219,9 +219,9 @@ TEST_CASE("long names are cut between characters and empty ones replaced") {
   CHECK(after(document, {RenamePart{id, ""}}).parts[0]->name == "Part 1");
 }
 
-TEST_CASE("undo all and redo all give back every document of hundreds of random sessions") {
+TEST_CASE("undo all and redo all give back every document of random sessions") {
   int applied = 0, refused = 0;
-  for (const std::uint64_t seed : testing::seeds(0, 200)) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
     Rng rng(seed);
     History<Document> history;
     std::vector<Document> states = {history.present()};
@@ -250,8 +250,8 @@ TEST_CASE("undo all and redo all give back every document of hundreds of random 
     }
     REQUIRE(history.redo().error() == Error::NothingToRedo);
   }
-  CHECK(applied > 3000);
-  CHECK(refused > 300);
+  CHECK(applied > 900);
+  CHECK(refused > 90);
 }
 
 TEST_CASE("a commit after an undo forgets the future, and an equal commit is no step") {

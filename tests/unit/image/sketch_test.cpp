@@ -146,7 +146,7 @@ TEST_CASE("a straight line covers its length times its width and two half discs"
 
 TEST_CASE("a stroke touches no pixel beyond its radius and fills every pixel within it" * doctest::test_suite("slow")) {
   Rng rng(15);
-  for (int round = 0; round < testing::rounds(10); ++round) {
+  for (int round = 0; round < testing::rounds(3); ++round) {
     const Size size{160, 120};
     SketchStroke stroke = black(randomStroke(rng, size));
     stroke.erase = false;

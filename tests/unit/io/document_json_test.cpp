@@ -91,11 +91,11 @@ void spoil(Json& json, Rng& rng, int& countdown) {
 
 }  // namespace
 
-TEST_CASE("every document of hundreds of random sessions comes back equal from its JSON") {
+TEST_CASE("every document of random sessions comes back equal from its JSON") {
   ActionCounts succeeded{};
-  for (const std::uint64_t seed : testing::seeds(0, 200)) {
-    const std::vector<Document> documents = randomSession(seed, 40, &succeeded);
-    for (std::size_t i = 0; i < documents.size(); i += 1 + seed % 4) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
+    const std::vector<Document> documents = randomSession(seed, 60, &succeeded);
+    for (std::size_t i = seed % 7; i < documents.size(); i += 7) {
       ReadNotes notes;
       const std::string text = writeDocument(documents[i]);
       const Document read = readBack(documents[i], text, &notes);
@@ -293,7 +293,9 @@ TEST_CASE("whatever one value of a file is replaced by, the document could have 
   const Json json = Json::parse(writeDocument(document));
   Rng rng(99);
   int opened = 0;
-  for (int place = 1; place < 1500; ++place) {
+  // One place in so many, each time others; all of them where random tests run long.
+  const int apart = testing::rounds(1) > 1 ? 1 : 6;
+  for (int place = 1; place < 1500; place += apart) {
     Json spoilt = json;
     int countdown = place;
     spoil(spoilt, rng, countdown);
@@ -305,7 +307,7 @@ TEST_CASE("whatever one value of a file is replaced by, the document could have 
     REQUIRE(again.ok());
     REQUIRE(again.value() == read.value());
   }
-  CHECK(opened > 1000);
+  CHECK(opened > 1000 / apart);
 }
 
 TEST_CASE("what is no document is refused, however deep, long or new it is") {
