@@ -53,8 +53,8 @@ async function findFacts(parts) {
 }
 
 /**
- * Prepares the machine for the given parts: native, wasm, browser, node (npm packages), readers (programs that some tests
- * have read what was saved, where they can be installed).
+ * Prepares the machine for the given parts: native, wasm, browser, node (npm packages), database (PostgreSQL for tests of
+ * the share server), readers (programs that some tests have read what was saved, where they can be installed).
  * Parts that were prepared before for this checkout stay prepared.
  */
 export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
@@ -63,7 +63,7 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
   rmSync(logFile('setup'), { force: true });
   await withSetupLock(async () => {
     removeLeftovers();
-    await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'node' && part !== 'readers')]);
+    await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'readers')]);
     if (parts.includes('readers')) await installIfPossible('readers');
     if (parts.includes('node')) await installNodePackages();
     try {

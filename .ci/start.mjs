@@ -1,5 +1,7 @@
 // npm start: set-up, build, and the page on http://localhost:8080 (or the next free port) until Ctrl-C.
 import { existsSync } from 'node:fs';
+import { isIP } from 'node:net';
+import { networkInterfaces } from 'node:os';
 import { parseArgs } from 'node:util';
 import { buildTargets } from './lib/cmake.mjs';
 import { distDir } from './lib/paths.mjs';
@@ -14,13 +16,47 @@ function options() {
       options: {
         port: { type: 'string', default: process.env.PORT ?? '8080' },
         host: { type: 'string', default: 'localhost' },
+        store: { type: 'string' },
+        https: { type: 'boolean', default: false },
+        'no-share': { type: 'boolean', default: false },
         'no-isolation': { type: 'boolean', default: false },
         'no-build': { type: 'boolean', default: false },
       },
     }).values;
   } catch (error) {
-    throw new Stop(`${error.message}\nUsage: npm start -- [--port N] [--host NAME] [--no-isolation] [--no-build]`);
+    throw new Stop(
+      `${error.message}\nUsage: npm start -- [--port N] [--host NAME] [--https] [--store FILE] [--no-share] [--no-isolation] [--no-build]`,
+    );
   }
+}
+
+/** Addresses of this machine in its network; none while the server listens to the machine itself alone. */
+function networkAddresses(host) {
+  if (host === 'localhost' || host.startsWith('127.')) return [];
+  if (host !== '0.0.0.0' && host !== '::') return [host];
+  const all = Object.values(networkInterfaces()).flat();
+  return all.filter(({ family, internal }) => family === 'IPv4' && !internal).map(({ address }) => address);
+}
+
+/** The share server beside the site. Its libraries are there only after the set-up. */
+async function shareServer(store) {
+  const { openStore } = await import('../web/share/store.mjs');
+  const { makeShare } = await import('../web/share/server.mjs');
+  const { defaultDisk, defaultStore } = await import('../web/share/serve.mjs');
+  return makeShare({ store: await openStore(store ?? defaultStore, { diskBytes: defaultDisk * 2 ** 20 }), log: say });
+}
+
+/** A key and a certificate for these names, good for this run. */
+async function certificate(names) {
+  const { generate } = await import('selfsigned');
+  const altNames = ['localhost', '127.0.0.1', ...names].map((name) =>
+    isIP(name) ? { type: 7, ip: name } : { type: 2, value: name },
+  );
+  const { private: key, cert } = await generate([{ name: 'commonName', value: 'SpineLoft' }], {
+    keyType: 'ec',
+    extensions: [{ name: 'subjectAltName', altNames }],
+  });
+  return { key, cert };
 }
 
 /**
@@ -46,12 +82,19 @@ async function buildAndServe(first, serve) {
 }
 
 await mainProgram(async () => {
-  const { port, host, 'no-isolation': plain, 'no-build': built } = options();
+  const { port, host, https, store, 'no-share': alone, 'no-isolation': plain, 'no-build': built } = options();
   if (!/^\d{1,5}$/.test(port)) throw new Stop(`--port wants a number, not ${port}.`);
+  const names = networkAddresses(host);
+  let share;
   const serve = async (later) => {
-    const site = await serveFolder(distDir, { port: Number(port), host, isolated: !plain, later });
+    const tls = https ? await certificate(names) : undefined;
+    if (!alone) share = await shareServer(store);
+    const beside = share && { ...share, addresses: [] };
+    const site = await serveFolder(distDir, { port: Number(port), host, isolated: !plain, later, share: beside, tls });
+    const addresses = names.map((name) => site.url.replace('localhost', name));
+    beside?.addresses.push(...addresses);
     const how = plain ? ' (without the isolation headers: single thread)' : '';
-    say(`\nSpineLoft is at ${site.url}${how}\nCtrl-C ends it.`);
+    say(`\nSpineLoft is at ${[site.url, ...addresses].join(' and ')}${how}\nCtrl-C ends it.`);
     return site;
   };
   const stopped = new Promise((resolve) => process.on('spineloft-stop', resolve));
@@ -64,6 +107,8 @@ await mainProgram(async () => {
     site = await buildAndServe(plain ? 'single' : 'threads', serve);
   }
   await stopped;
+  share?.endStreams();
   await site.close();
+  await share?.close();
   say('\nEnded.');
 });

@@ -86,6 +86,8 @@ const wasmThreads = (env) =>
 const cli = (env) =>
   nodeTests('node', testFiles(['.ci/tests', 'tests/cli']), { lanes }, { ...env, SPINELOFT_CLI: nativeProgram });
 
+const share = (env) => nodeTests('share', testFiles(['tests/share']), { lanes }, env);
+
 const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), { lanes }, env);
 
 /** The page tests, on one Chromium for all of them. */
@@ -131,6 +133,7 @@ const kStages = {
   threads: { title: 'Engine as WebAssembly with threads, under Node', builds: ['wasm'], work: wasmThreads },
   native: { title: 'Engine, native and optimised', builds: ['native'], work: native },
   shell: { title: 'The shell without a browser', needs: ['node'], builds: ['site'], work: shell },
+  share: { title: 'The share server, on SQLite and PostgreSQL', needs: ['node', 'database'], work: share },
   node: {
     title: 'Command line and scripts',
     needs: ['node', 'readers'],

@@ -1,6 +1,7 @@
 // A small static server for dist/: right types, strong caching for hashed names, compressed twins, no way out of the folder.
 import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
+import { createServer as createTlsServer } from 'node:https';
 import { extname, join, normalize, sep } from 'node:path';
 import { Stop } from './run.mjs';
 
@@ -26,6 +27,9 @@ const kTypes = {
   '.webp': 'image/webp',
   '.woff2': 'font/woff2',
 };
+/** Requests to the share server that are under way have so long to be answered when the server ends. */
+const kAnswerMs = 3000;
+
 const kEncodings = [
   ['br', 'br'],
   ['gzip', 'gz'],
@@ -71,7 +75,27 @@ function policyOf(folder) {
   return found ? found[1] : null;
 }
 
-async function answer(request, response, { folder, basePath, isolated, later, policy }) {
+/** What the page is told of its host (web/shell/room/host.ts); a static host sends the file, which names no server. */
+const kShareInfo = 'share.json';
+
+/** The share server answers what is its own; true when it did. */
+function answeredByShare(request, response, { basePath, share }) {
+  if (!share || !request.url.startsWith(`${basePath}share`)) return false;
+  const inside = request.url.slice(basePath.length);
+  if (inside.startsWith('share/')) {
+    request.url = `/${inside}`;
+    share.handle(request, response);
+    return true;
+  }
+  if (inside !== kShareInfo) return false;
+  const info = JSON.stringify({ server: 'share/v1/', addresses: share.addresses ?? [] });
+  response.writeHead(200, { 'Content-Type': kTypes['.json'], 'Cache-Control': 'no-store' });
+  response.end(request.method === 'HEAD' ? undefined : info);
+  return true;
+}
+
+async function answer(request, response, { folder, basePath, isolated, later, policy, share }) {
+  if (answeredByShare(request, response, { basePath, share })) return;
   const finish = (status, text) => {
     response.writeHead(status, { 'Content-Type': 'text/plain; charset=utf-8', 'Cache-Control': 'no-cache' });
     response.end(request.method === 'HEAD' ? undefined : text);
@@ -135,15 +159,17 @@ function listen(server, port, host) {
  * free one from `port` on. `isolated` sends the two headers that make threads possible; `basePath` ("/" or "/a/b/")
  * is where the site hangs; `bare` leaves the content security policy to the page, as plain hosts do. `later`, a map from
  * paths to promises of paths (null: it failed), names files that are still being made: who asks for one waits and is sent
- * on to where it is then.
+ * on to where it is then. `share`: a share server (web/share) that answers below `share/`, with the `addresses` of this
+ * machine that others reach. `tls`: key and certificate, for https.
  */
 export async function serveFolder(folder, options = {}) {
-  const { port = 0, host = 'localhost', isolated = true, basePath = '/', later, bare = false } = options;
+  const { port = 0, host = 'localhost', isolated = true, basePath = '/', later, bare = false, share, tls } = options;
   const base = normalize(folder);
   const policy = bare ? null : policyOf(base);
-  const server = createServer((request, response) =>
-    answer(request, response, { folder: base, basePath, isolated, later, policy }),
-  );
+  const handle = (request, response) =>
+    answer(request, response, { folder: base, basePath, isolated, later, policy, share });
+  const times = share?.times ?? {};
+  const server = tls ? createTlsServer({ ...times, ...tls }, handle) : createServer(times, handle);
   const tries = port === 0 ? [0] : Array.from({ length: 20 }, (_, index) => port + index);
   for (const candidate of tries) {
     try {
@@ -151,9 +177,12 @@ export async function serveFolder(folder, options = {}) {
       const close = () =>
         new Promise((resolve) => {
           server.close(resolve);
-          server.closeAllConnections();
+          // What the share server was sent before is answered.
+          if (share) setTimeout(() => server.closeAllConnections(), kAnswerMs).unref();
+          else server.closeAllConnections();
+          server.closeIdleConnections();
         });
-      return { url: `http://localhost:${used}${basePath}`, port: used, close };
+      return { url: `${tls ? 'https' : 'http'}://localhost:${used}${basePath}`, port: used, close };
     } catch (error) {
       if (error.code !== 'EADDRINUSE' && error.code !== 'EACCES') throw error;
     }

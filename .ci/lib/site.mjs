@@ -187,6 +187,9 @@ const kManifest = 'site.webmanifest';
 const kSpeaker = 'web/shell/words/speaker.ts';
 const kServiceWorker = 'service_worker.js';
 
+/** Whether the host has a share server: `npm start` answers for this file while it has one. Never stored. */
+const kShareInfo = 'share.json';
+
 /** Every file of the site as the service worker stores it: what all pages need, and what each engine's do. */
 function filesToStore(folder, engines) {
   const entry = (path) => {
@@ -199,7 +202,7 @@ function filesToStore(folder, engines) {
   const ofEngines = new Set(Object.values(engines).flatMap(({ js, wasm }) => [js, wasm]));
   return {
     page: filesUnder(folder)
-      .filter((path) => !ofEngines.has(path))
+      .filter((path) => !ofEngines.has(path) && path !== kShareInfo)
       .map(entry),
     ...Object.fromEntries(Object.entries(engines).map(([name, { js, wasm }]) => [name, [js, wasm].map(entry)])),
   };
@@ -292,6 +295,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
   }
   site.speaker = (await bundle(fresh, read, [kSpeaker], {}))[relative('web/shell', kSpeaker)].js;
   const built = await bundle(fresh, read, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
+  put(fresh, kShareInfo, '{"server": null}\n');
   put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
   putManifest(fresh, readFileSync(join(shell, kManifest), 'utf8'), assets);
   if (isWhole) {

@@ -58,7 +58,7 @@ const kNoWords = [
   /^\{\w+\}$/,
   /^[A-Z][a-z]+(?:[A-Z0-9][A-Za-z]*)+$/,
   /^(?:(?:Ctrl|Shift|Alt)\+)+/,
-  /^(?:SpineLoft|SpineLoft Script|Shift\+Arrows|Inter|End|Enter|Escape|Space|Tab|Shift|Alt|Arrow|Meta|Control|Ctrl|Files|Unknown|Mm|Content-Type|English|Deutsch)$/,
+  /^(?:SpineLoft|SpineLoft Script|Shift\+Arrows|Inter|End|Enter|Escape|Space|Tab|Shift|Alt|Arrow|Meta|Control|Ctrl|Files|Unknown|Mm|Content-Type|Authorization|Retry-After|Offline|Failed|Frozen|Taken|Busy|English|Deutsch)$/,
   / $/,
 ];
 

@@ -237,7 +237,7 @@ test('the scripts of a fresh clone import nothing that the set-up installs befor
       if (name.startsWith('.')) visit(join(dirname(file), name));
     }
   };
-  for (const script of ['setup', 'start', 'build', 'test', 'cli', 'bench', 'figures', 'fuzz'])
+  for (const script of ['setup', 'start', 'serve_share', 'build', 'test', 'cli', 'bench', 'figures', 'fuzz'])
     visit(join(root, '.ci', `${script}.mjs`));
   assert.ok(seen.size > 15);
 });

@@ -173,3 +173,30 @@ test('who asks for a file that is still being made waits, and is sent on to it; 
     await other.close();
   }
 });
+
+test('a share server answers below share/ alone, and share.json names it where there is one', async () => {
+  writeFileSync(join(site, 'share.json'), '{"server": null}\n');
+  assert.deepEqual(JSON.parse((await ask('/share.json')).body), { server: null });
+  const seen = [];
+  const share = {
+    times: {},
+    addresses: ['http://10.0.0.7:8080/'],
+    handle(request, response) {
+      seen.push(request.url);
+      response.end('shared');
+    },
+  };
+  const other = await serveFolder(site, { basePath: '/deep/', share });
+  try {
+    assert.equal((await ask('/deep/share/v1/models/x?a=b', {}, other.port)).body.toString(), 'shared');
+    assert.deepEqual(seen, ['/share/v1/models/x?a=b']);
+    const told = JSON.parse((await ask('/deep/share.json', {}, other.port)).body);
+    assert.deepEqual(told, { server: 'share/v1/', addresses: ['http://10.0.0.7:8080/'] });
+    for (const path of ['/share/v1/models/x', '/deep/shared', '/deep/assets/share/x'])
+      assert.equal((await ask(path, {}, other.port)).status, 404, path);
+    assert.equal((await ask('/deep/', {}, other.port)).status, 200);
+    assert.equal(seen.length, 1);
+  } finally {
+    await other.close();
+  }
+});
