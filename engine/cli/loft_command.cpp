@@ -7,6 +7,8 @@
 #include "engine/cli/files.h"
 #include "engine/cli/program.h"
 #include "engine/document/update.h"
+#include "engine/geometry/pieces.h"
+#include "engine/inflate/skeleton.h"
 #include "engine/io/json_values.h"
 #include "engine/io/obj.h"
 #include "engine/io/picture_file.h"
@@ -170,6 +172,16 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
   return io::writeObj({&part, 1}, io::ObjSpace::Image);
 }
 
+/// The skeletons of the pieces of a puff.
+std::vector<inflate::Skeleton> bonesOf(const pipeline::PartShape& shape) {
+  std::vector<inflate::Skeleton> bones;
+  for (const geometry::Contours& piece : geometry::piecesOf(shape.contours)) {
+    Result<inflate::Skeleton> skeleton = inflate::skeletonOf(piece);
+    if (skeleton.ok()) bones.push_back(std::move(skeleton).value());
+  }
+  return bones;
+}
+
 /// Of one part an object, of several a list of them; the times are those of all.
 std::string reportOf(const Model& model) {
   std::string text;
@@ -182,6 +194,7 @@ std::string reportOf(const Model& model) {
     report.triangles = shape.mesh.triangles.size();
     report.energy = shape.ribs.energy;
     report.mesh = mesh::inspect(shape.mesh);
+    if (document::inflateOf(*model.document.parts[i])) report.bones = bonesOf(shape);
     report.milliseconds = model.milliseconds;
     text += (text.empty() ? "" : ",\n") + io::writeReport(report);
   }

@@ -68,8 +68,12 @@ class PlaneMesh {
   };
   Fans fans() const;
 
- private:
+  /// No half-edge. Half-edge 3 · triangle + corner runs from that corner to the triangle's next one.
   static constexpr std::uint32_t kNone = 0xffffffffu;
+  /// The half-edge that runs the other way along the same edge; kNone on the rim.
+  std::uint32_t twin(std::uint32_t halfEdge) const { return twins_[halfEdge]; }
+
+ private:
   struct Quad {
     std::uint32_t a, b, c, d;  ///< edge a → b, c left of it, d right
   };

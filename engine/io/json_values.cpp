@@ -138,6 +138,28 @@ Result<BenchCase> caseIn(const Json& root) {
   return out;
 }
 
+/// The skeletons of all pieces as one.
+Json bonesJson(const std::vector<inflate::Skeleton>& skeletons) {
+  int ends = 0, forks = 0, rings = 0;
+  double length = 0;
+  Json branches = Json::array();
+  for (const inflate::Skeleton& skeleton : skeletons) {
+    ends += skeleton.ends;
+    forks += skeleton.forks;
+    rings += skeleton.rings;
+    length += inflate::lengthOf(skeleton);
+    for (const auto& branch : skeleton.branches) {
+      Json line = Json::array();
+      for (const std::uint32_t p : branch) {
+        const auto& [at, radius] = skeleton.points[p];
+        for (const double number : {at.x, -at.y, radius}) line.push_back(number);
+      }
+      branches.push_back(std::move(line));
+    }
+  }
+  return {{"ends", ends}, {"forks", forks}, {"rings", rings}, {"length", length}, {"branches", std::move(branches)}};
+}
+
 }  // namespace
 
 Result<std::vector<PicturePoint>> readStroke(std::string_view json, std::string_view name) {
@@ -163,25 +185,26 @@ std::string writeRibs(const ribs::RibSet& ribs) {
 std::string writeReport(const LoftReport& report) {
   const mesh::MeshReport& mesh = report.mesh;
   const ribs::EnergyTerms& energy = report.energy;
-  return textOf({{"picture", {{"width", report.picture.width}, {"height", report.picture.height}}},
-                 {"ribs", report.ribs},
-                 {"energy",
-                  {{"distance", energy.distance},
-                   {"neighbour", energy.neighbour},
-                   {"opposite", energy.opposite},
-                   {"prior", 0},  // of a term that once was; reports keep their keys
-                   {"total", energy.total()}}},
-                 {"mesh",
-                  {{"vertices", report.vertices},
-                   {"triangles", report.triangles},
-                   {"closed", mesh.closed},
-                   {"lawful", mesh.valid()},
-                   {"shells", mesh.shells},
-                   {"genus", mesh.genus},
-                   {"volume", mesh.volume},
-                   {"area", mesh.area}}},
-                 {"milliseconds", object(report.milliseconds)}},
-                2);
+  Json json = {{"picture", {{"width", report.picture.width}, {"height", report.picture.height}}},
+               {"ribs", report.ribs},
+               {"energy",
+                {{"distance", energy.distance},
+                 {"neighbour", energy.neighbour},
+                 {"opposite", energy.opposite},
+                 {"prior", 0},  // of a term that once was; reports keep their keys
+                 {"total", energy.total()}}},
+               {"mesh",
+                {{"vertices", report.vertices},
+                 {"triangles", report.triangles},
+                 {"closed", mesh.closed},
+                 {"lawful", mesh.valid()},
+                 {"shells", mesh.shells},
+                 {"genus", mesh.genus},
+                 {"volume", mesh.volume},
+                 {"area", mesh.area}}},
+               {"milliseconds", object(report.milliseconds)}};
+  if (report.bones) json["bones"] = bonesJson(*report.bones);
+  return textOf(json, 2);
 }
 
 Result<BenchCase> readBenchCase(std::string_view json) {

@@ -12,6 +12,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
 #include "engine/image/image.h"
+#include "engine/inflate/skeleton.h"
 #include "engine/mesh/laws.h"
 #include "engine/ribs/base/rib_set.h"
 
@@ -39,11 +40,13 @@ struct LoftReport {
   image::Size picture;
   std::size_t ribs = 0, vertices = 0, triangles = 0;
   ribs::EnergyTerms energy;
-  mesh::MeshReport mesh;      ///< of the part in ModelSpace: volume in px³, area in px²
-  NamedNumbers milliseconds;  ///< by stage
+  mesh::MeshReport mesh;                                ///< of the part in ModelSpace: volume in px³, area in px²
+  std::optional<std::vector<inflate::Skeleton>> bones;  ///< of a puff, one a piece of its region
+  NamedNumbers milliseconds;                            ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
-/// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}.
+/// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}; of a puff
+/// also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…]} in picture pixels, r the half width.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

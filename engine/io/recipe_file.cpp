@@ -120,6 +120,15 @@ Status checkOutline(const Document& board, Json& recipe) {
   if (!recipe["region"].is_object()) return Error::RegionEmpty;
   document::Region region;
   recipe["region"]["picture"] = 1;
+  if (const auto lines = recipe["region"].find("contours"); lines != recipe["region"].end()) {
+    const auto isLine = [](const Json& line) {
+      std::vector<PicturePoint> points;
+      return get(line, points);
+    };
+    if (!lines->is_array() || !std::ranges::all_of(*lines, isLine)) {
+      return {Error::JsonInvalid, "recipe.region.contours is no list of lists x, y, x, y … of numbers"};
+    }
+  }
   Json copy = recipe["region"];
   ReadNotes notes;
   const PictureSource none;
