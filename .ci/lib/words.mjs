@@ -11,10 +11,10 @@ const kCatalogues = join(root, 'assets/words');
 const kEngineFiles = [
   'engine/base/result.cpp',
   'engine/document/params.cpp',
-  'engine/loft/loft.cpp',
-  'engine/loft/section.cpp',
-  'engine/loft/section_drawing.cpp',
-  'engine/loft/section_keys.cpp',
+  'engine/sections/blend.cpp',
+  'engine/sections/ends.cpp',
+  'engine/sections/section.cpp',
+  'engine/sections/drawing.cpp',
   'engine/printing/print_check.cpp',
   'engine/surface/finish.cpp',
 ];

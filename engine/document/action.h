@@ -38,8 +38,8 @@ struct RemovePicture {
 struct DrawSpine {
   PictureId picture;
   std::vector<PicturePoint> stroke;
-  loft::SectionShape section = {};
-  loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
+  sections::SectionShape section = {};
+  sections::CapStyle startCap = sections::CapStyle::Round, endCap = sections::CapStyle::Round;
   Look look = {};
   geometry::AlongCurve depth = {};  ///< of the spine, from a pen's pressure; see loft::Pose
 };
@@ -99,7 +99,7 @@ struct RemakePart {
 /// One section for the whole part.
 struct SetSection {
   PartId part;
-  loft::SectionShape section = {};
+  sections::SectionShape section = {};
 };
 /// Several sections along the spine.
 struct SetSections {
@@ -115,7 +115,7 @@ struct SetAlong {
 };
 struct SetCaps {
   PartId part;
-  loft::CapStyle start = loft::CapStyle::Round, end = loft::CapStyle::Round;
+  sections::CapStyle start = sections::CapStyle::Round, end = sections::CapStyle::Round;
 };
 struct SetLook {
   PartId part;

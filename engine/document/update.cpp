@@ -11,7 +11,7 @@
 namespace spineloft::document {
 namespace {
 
-bool known(loft::CapStyle cap) { return cap < loft::CapStyle::kCount; }
+bool known(sections::CapStyle cap) { return cap < sections::CapStyle::kCount; }
 
 /// Changes the element with this id: `change` gets a copy and says whether it may replace the
 /// original.
@@ -137,7 +137,7 @@ struct Apply {
   Status operator()(const DrawSpine& a) const {
     if (!known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
     if (Status room = roomForPart(); !room) return room;
-    if (Status shape = loft::checkShape(a.section); !shape) return shape;
+    if (Status shape = sections::checkShape(a.section); !shape) return shape;
     LoftRecipe recipe;
     recipe.picture = a.picture;
     recipe.stroke = a.stroke;
@@ -214,7 +214,7 @@ struct Apply {
     });
   }
   Status operator()(const SetSection& a) const {
-    if (Status shape = loft::checkShape(a.section); !shape) return shape;
+    if (Status shape = sections::checkShape(a.section); !shape) return shape;
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
       loft.loft.sections = {loft::SectionKey{}};
       loft.loft.sections.front().shape = a.section;

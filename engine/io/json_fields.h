@@ -89,13 +89,13 @@ void members(V& v, T& value) {
   v("coilRadius", coilRadius);
   v("closed", closed);
 }
-template <class V, Is<loft::SectionShape> T>
+template <class V, Is<sections::SectionShape> T>
 void members(V& v, T& value) {
   auto& [preset, contours] = value;
   v("preset", preset);
   v("contours", contours);
 }
-template <class V, Is<loft::Blend> T>
+template <class V, Is<sections::Blend> T>
 void members(V& v, T& value) {
   auto& [kind, custom] = value;
   v("kind", kind);
@@ -285,18 +285,18 @@ concept Struct = requires(NoVisitor v, T value) { members(v, value); };
 
 // ---- enums by their keys ------------------------------------------------------------------------
 
-std::string_view keyOf(loft::SectionPreset value);
-std::string_view keyOf(loft::CapStyle value);
-std::string_view keyOf(loft::BlendKind value);
+std::string_view keyOf(sections::SectionPreset value);
+std::string_view keyOf(sections::CapStyle value);
+std::string_view keyOf(sections::BlendKind value);
 std::string_view keyOf(ribs::Side value);
 std::string_view keyOf(document::StepKind value);
 std::string_view keyOf(document::OpeningSide value);
 std::string_view keyOf(inflate::InflateSides value);
 std::string_view keyOf(extrude::EdgeKind value);
 std::string_view keyOf(surface::Paint value);
-bool fromKey(std::string_view key, loft::SectionPreset& value);
-bool fromKey(std::string_view key, loft::CapStyle& value);
-bool fromKey(std::string_view key, loft::BlendKind& value);
+bool fromKey(std::string_view key, sections::SectionPreset& value);
+bool fromKey(std::string_view key, sections::CapStyle& value);
+bool fromKey(std::string_view key, sections::BlendKind& value);
 bool fromKey(std::string_view key, ribs::Side& value);
 bool fromKey(std::string_view key, document::StepKind& value);
 bool fromKey(std::string_view key, document::OpeningSide& value);

@@ -6,12 +6,13 @@
 #include <numeric>
 
 #include "engine/geometry/polygon.h"
+#include "engine/sections/common_points.h"
 
 namespace spineloft::loft {
 namespace {
 
 using Curve = std::vector<SectionPoint>;
-using Pieces = std::vector<SectionPiece>;
+using Pieces = std::vector<sections::SectionPiece>;
 
 /// The pieces of `next` in the order of those of `last`: holes go with their outer curve, and of what
 /// may go together the nearest does.
@@ -19,7 +20,7 @@ std::vector<std::size_t> matched(const Pieces& last, const Pieces& next) {
   std::vector<std::size_t> match(last.size(), last.size());
   std::vector<bool> taken(next.size(), false);
   const auto holes = [](const Pieces& pieces, std::size_t outer) {
-    return std::ranges::count_if(pieces, [&](const SectionPiece& p) { return p.hole && p.outer == outer; });
+    return std::ranges::count_if(pieces, [&](const sections::SectionPiece& p) { return p.hole && p.outer == outer; });
   };
   for (const bool hole : {false, true}) {
     for (std::size_t i = 0; i < last.size(); ++i) {
@@ -67,13 +68,13 @@ SectionTrack SectionTrack::fixed(Curve points) {
 
 Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> keys, int points, bool closed) {
   if (keys.size() == 1 && !keys.front().shape.drawn()) {
-    Result<Section> section = presetSection(keys.front().shape.preset, points);
+    Result<sections::Section> section = sections::presetSection(keys.front().shape.preset, points);
     if (!section) return section.failure();
     return fixed(std::move(section).value().points);
   }
   std::vector<Pieces> shapes;
   for (const SectionKey& key : keys) {
-    Result<Pieces> pieces = readShape(key.shape);
+    Result<Pieces> pieces = sections::readShape(key.shape);
     if (!pieces) return pieces.failure();
     if (!shapes.empty()) {
       const std::vector<std::size_t> match = matched(shapes.back(), pieces.value());
@@ -90,14 +91,14 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> keys, int p
     shapes.push_back(std::move(pieces).value());
   }
   // Coarse points may make a fine shape cross itself: then there are more.
-  for (int wanted = points; wanted <= 8 * kMaxSectionPoints; wanted *= 2) {
+  for (int wanted = points; wanted <= 8 * sections::kMaxSectionPoints; wanted *= 2) {
     SectionTrack track;
     track.closed_ = closed;
     for (const SectionKey& key : keys) track.keys_.push_back({key.at, key.blend, {}, false});
     for (std::size_t piece = 0; piece < shapes.front().size(); ++piece) {
-      std::vector<Contour> row;
+      std::vector<sections::Contour> row;
       for (const Pieces& shape : shapes) row.push_back(shape[piece].contour);
-      std::vector<Curve> curves = onCommonPoints(row, wanted);
+      std::vector<Curve> curves = sections::onCommonPoints(row, wanted);
       for (std::size_t k = 0; k < curves.size(); ++k) {
         if (shapes[k][piece].hole) std::ranges::reverse(curves[k]);
         Curve& all = track.keys_[k].points;
@@ -126,7 +127,7 @@ void SectionTrack::finish() {
       }
       first += size;
     }
-    key.starShaped = sizes_.size() == 1 && hubOf(key.points).has_value();
+    key.starShaped = sizes_.size() == 1 && sections::hubOf(key.points).has_value();
     hollow_ = hollow_ && key.starShaped;
   }
 }
@@ -138,14 +139,14 @@ SectionTrack::Place SectionTrack::placeAt(double share) const {
   if (last == 0) return {};
   if (to > 0 && to <= last) {
     const Key& a = keys_[to - 1];
-    const double f = blendAt(a.blend, (share - a.at) / (keys_[to].at - a.at));
+    const double f = sections::blendAt(a.blend, (share - a.at) / (keys_[to].at - a.at));
     return {to - 1, to, f};
   }
   if (!closed_) return to == 0 ? Place{0, 1, 0} : Place{last - 1, last, 1};
   const double gap = keys_[0].at + 1 - keys_[last].at;
   const double gone = share - keys_[last].at + (to == 0 ? 1 : 0);
   if (!(gap > geometry::kLeastStep)) return {last, 0, 0.5};
-  return {last, 0, blendAt(keys_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
+  return {last, 0, sections::blendAt(keys_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
 }
 
 void SectionTrack::blended(const Place& place, Curve& out) const {
@@ -199,7 +200,7 @@ void SectionTrack::appendShape(double share, Curve& out) const {
   }
   const Curve& curve = varies() ? mixed : keys_.front().points;
   const SectionPoint middle = geometry::centroid(std::span(curve).first(sizes_.front()));
-  const SectionPoint hub = sizes_.size() == 1 ? hubOf(curve).value_or(middle) : middle;
+  const SectionPoint hub = sizes_.size() == 1 ? sections::hubOf(curve).value_or(middle) : middle;
   out.insert(out.end(), curve.begin(), curve.end());
   out.push_back(hub);
 }

@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/loft/contour.h"
-#include "engine/loft/section.h"
+#include "engine/loft/section_key.h"
 
 namespace spineloft::loft {
 
@@ -42,7 +41,7 @@ class SectionTrack {
  private:
   struct Key {
     double at = 0;
-    Blend blend;
+    sections::Blend blend;
     std::vector<SectionPoint> points;
     bool starShaped = false;  ///< one curve that its middle sees
   };
@@ -62,13 +61,5 @@ class SectionTrack {
   double shortestEdge_ = 0;
   bool closed_ = false, hollow_ = false;
 };
-
-/// Contours that belong together, one a key, on common points: as many on each, corners of all kept.
-/// Counter-clockwise. Between star-shaped ones straight lines between points are free of crossings.
-std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points);
-
-/// The point from which a curve's points are sorted by direction: its centroid when that sees every
-/// edge well, else the centre of its kernel; none when no point sees it all.
-std::optional<SectionPoint> hubOf(std::span<const SectionPoint> points);
 
 }  // namespace spineloft::loft

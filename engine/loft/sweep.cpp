@@ -34,12 +34,12 @@ Station between(const Station& a, const Station& b, double t, Sweep& sweep) {
 
 /// Inner rings of a mouth at the front of `stations`, from the mouth inwards to the floor.
 std::vector<Ring> mouthRings(std::span<const Station> stations, Sweep& sweep) {
-  constexpr double kInner = 1 - kWall;
+  constexpr double kInner = 1 - sections::kWall;
   std::vector<double> along(stations.size(), 0.0);
   for (std::size_t i = 1; i < stations.size(); ++i) {
     along[i] = along[i - 1] + distance(stations[i - 1].centre, stations[i].centre);
   }
-  const double floor = kMouthDepth * along.back();
+  const double floor = sections::kMouthDepth * along.back();
   std::vector<Ring> rings;
   std::size_t i = 0;
   // A ring just before the floor would leave slivers: skip it.
@@ -63,7 +63,7 @@ void fillPath(Sweep& sweep, RingPath& path) {
   for (const Station& station : stations) path.rings.push_back({station, 1});
   path.joined = sweep.joined;
   if (startOpen && endOpen) {
-    for (auto s = stations.rbegin(); s != stations.rend(); ++s) path.rings.push_back({*s, 1 - kWall});
+    for (auto s = stations.rbegin(); s != stations.rend(); ++s) path.rings.push_back({*s, 1 - sections::kWall});
     path.joined = true;
   } else if (endOpen) {
     const std::vector<Station> backwards(stations.rbegin(), stations.rend());

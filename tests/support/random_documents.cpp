@@ -39,10 +39,10 @@ std::vector<SectionPoint> anyContour(Rng& rng) {
   return contour;
 }
 
-loft::SectionShape anySection(Rng& rng) {
-  loft::SectionShape shape;
+sections::SectionShape anySection(Rng& rng) {
+  sections::SectionShape shape;
   shape.preset =
-      static_cast<loft::SectionPreset>(rng.below(static_cast<std::uint32_t>(loft::SectionPreset::kCount) + 1));
+      static_cast<sections::SectionPreset>(rng.below(static_cast<std::uint32_t>(sections::SectionPreset::kCount) + 1));
   if (rng.below(4) == 0) shape.contours.push_back(anyContour(rng));
   return shape;
 }
@@ -66,8 +66,8 @@ std::vector<ribs::IgnoreMark> anyMarks(Rng& rng) {
   return marks;
 }
 
-loft::CapStyle anyCap(Rng& rng) {
-  return static_cast<loft::CapStyle>(rng.below(static_cast<std::uint32_t>(loft::CapStyle::kCount) + 1));
+sections::CapStyle anyCap(Rng& rng) {
+  return static_cast<sections::CapStyle>(rng.below(static_cast<std::uint32_t>(sections::CapStyle::kCount) + 1));
 }
 
 std::vector<PicturePoint> anyStroke(Rng& rng) {
@@ -192,7 +192,7 @@ struct Make<SetSections> {
       keys[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(keys.size());
       keys[i].shape = anySection(rng);
       keys[i].blend.kind =
-          static_cast<loft::BlendKind>(rng.below(static_cast<std::uint32_t>(loft::BlendKind::kCount) + 1));
+          static_cast<sections::BlendKind>(rng.below(static_cast<std::uint32_t>(sections::BlendKind::kCount) + 1));
     }
     return {anyPart(rng, d), keys};
   }

@@ -58,7 +58,7 @@ void settleCut(const CommandEnv& env);
 
 // Sections.
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
-Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name);
+Outcome keepOnShelf(const CommandEnv& env, const sections::SectionShape& shape, const std::string* name);
 /// Hands the shelf to the shell, which keeps it.
 void sendShelf(const CommandEnv& env);
 

@@ -37,10 +37,10 @@ void select(Env env, const document::Part& part) {
 }
 
 /// A cap named by `key`, `fallback` when it is not named; none for a name that is no cap's.
-std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key, loft::CapStyle fallback) {
+std::optional<sections::CapStyle> capOf(const Json& args, std::string_view key, sections::CapStyle fallback) {
   const std::string* name = args.text(key);
   if (name == nullptr) return fallback;
-  return loft::capFromKey(*name);
+  return sections::capFromKey(*name);
 }
 
 }  // namespace
@@ -261,7 +261,7 @@ Outcome drawSpine(Env env, const Json& args) {
     intent.depth = std::move(*depth);
   }
   if (const std::string* key = args.text("section")) {
-    const auto section = loft::sectionFromKey(*key);
+    const auto section = sections::sectionFromKey(*key);
     if (!section) return refuse({Error::ValueOutOfRange, *key});
     intent.section = *section;
   }
@@ -389,7 +389,8 @@ Outcome showPart(Env env, PartId id, bool visible) {
   return outcomeOf(env.studio.act(document::ShowPart{id, visible}));
 }
 
-Outcome setCaps(Env env, const Parts& parts, std::optional<loft::CapStyle> start, std::optional<loft::CapStyle> end) {
+Outcome setCaps(Env env, const Parts& parts, std::optional<sections::CapStyle> start,
+                std::optional<sections::CapStyle> end) {
   const auto isLoft = [&](PartId id) {
     const document::Part* part = document::findPart(env.studio.document(), id);
     return part != nullptr && document::loftOf(*part) != nullptr;
@@ -473,11 +474,11 @@ Outcome showPart(Env env, const Json& args) {
 Outcome setCaps(Env env, const Json& args) {
   const std::optional<Parts> parts = meantParts(env, args);
   if (!parts) return noSpine(env, args);
-  std::optional<loft::CapStyle> start, end;
+  std::optional<sections::CapStyle> start, end;
   for (const auto& [key, caps] : {std::pair{"start", &start}, std::pair{"end", &end}}) {
     const std::string* name = args.text("both") ? args.text("both") : args.text(key);
     if (name == nullptr) continue;
-    *caps = loft::capFromKey(*name);
+    *caps = sections::capFromKey(*name);
     if (!*caps) return refuse({Error::ValueOutOfRange, "start or end"});
   }
   return app::setCaps(env, *parts, start, end);

@@ -207,13 +207,13 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
   // What only lofts have is that of an empty one for other kinds.
   const document::LoftRecipe& loft = document::loftIn(part);
-  const loft::SectionShape& shape = loft.loft.sections.front().shape;
+  const sections::SectionShape& shape = loft.loft.sections.front().shape;
   json.key("kind").text(document::kindKey(document::kindOf(part))).key("section");
-  json.text(shape.drawn() ? "drawn" : loft::sectionKey(shape.preset));
+  json.text(shape.drawn() ? "drawn" : sections::sectionKey(shape.preset));
   writeSections(json, part);
   json.key("caps").beginObject();
-  json.key("start").text(loft::capKey(loft.loft.startCap));
-  json.key("end").text(loft::capKey(loft.loft.endCap)).endObject();
+  json.key("start").text(sections::capKey(loft.loft.startCap));
+  json.key("end").text(sections::capKey(loft.loft.endCap)).endObject();
   json.key("visible").flag(pipeline::isVisible(document, part)).key("textured").flag(part.look.textured);
   json.key("colour").text(colourText(part.look.colour));
   json.key("paint").text(surface::finishOf(part.look.paint).key);

@@ -258,8 +258,8 @@ struct UiState {
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
 
   /// What the next part is made with.
-  loft::SectionShape section;
-  loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
+  sections::SectionShape section;
+  sections::CapStyle startCap = sections::CapStyle::Round, endCap = sections::CapStyle::Round;
   document::Look look;
   inflate::InflateParams inflate;
   extrude::ExtrudeParams extrude;

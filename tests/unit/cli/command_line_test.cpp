@@ -35,8 +35,8 @@ TEST_CASE("a loft's words may stand in any order, with a blank or an equals sign
     CHECK(loft->image == "a.png");
     CHECK(loft->stroke == "s.json");
     CHECK(loft->strokeName.empty());
-    CHECK(loft->caps == loft::CapStyle::Flat);
-    CHECK(loft->section == loft::SectionPreset::Circle);
+    CHECK(loft->caps == sections::CapStyle::Flat);
+    CHECK(loft->section == sections::SectionPreset::Circle);
     CHECK(loft->heightMm == 12.5);
     CHECK(loft->format == publish::Format::Stl);
   }
@@ -57,12 +57,12 @@ TEST_CASE("help is given wherever it is asked for, the version only alone") {
 }
 
 TEST_CASE("every section and cap of the engine can be asked for by its key") {
-  for (const auto& name : loft::sectionNames()) {
+  for (const auto& name : sections::sectionNames()) {
     const Arguments arguments = parse({"loft", "a.png", "--stroke", "s.json", "--section", name.key});
     REQUIRE(std::holds_alternative<LoftArguments>(arguments));
     CHECK(std::get<LoftArguments>(arguments).section == name.preset);
   }
-  for (const auto& name : loft::capNames()) {
+  for (const auto& name : sections::capNames()) {
     const Arguments arguments = parse({"loft", "a.png", "--stroke", "s.json", "--caps", name.key});
     REQUIRE(std::holds_alternative<LoftArguments>(arguments));
     CHECK(std::get<LoftArguments>(arguments).caps == name.style);

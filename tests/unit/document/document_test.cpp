@@ -31,10 +31,12 @@ Document after(Document document, std::initializer_list<Action> actions) {
 }
 
 Document onePart() {
-  return after(
-      {},
-      {AddPicture{"cat.png", ellipsePicture(96, 72)},
-       DrawSpine{PictureId{1}, kStroke, loft::SectionPreset::Star, loft::CapStyle::Flat, loft::CapStyle::Pointed, {}}});
+  return after({}, {AddPicture{"cat.png", ellipsePicture(96, 72)}, DrawSpine{PictureId{1},
+                                                                             kStroke,
+                                                                             sections::SectionPreset::Star,
+                                                                             sections::CapStyle::Flat,
+                                                                             sections::CapStyle::Pointed,
+                                                                             {}}});
 }
 
 /// A loft, a puff and a flat piece, in this order.
@@ -66,9 +68,9 @@ TEST_CASE("drawing a spine makes a part with the stroke, section and caps that w
   REQUIRE(document.parts.size() == 1);
   const Part& part = document.parts[0];
   CHECK(loftOf(part)->stroke == kStroke);
-  CHECK(loftOf(part)->loft.sections.front().shape == loft::SectionPreset::Star);
-  CHECK(loftOf(part)->loft.startCap == loft::CapStyle::Flat);
-  CHECK(loftOf(part)->loft.endCap == loft::CapStyle::Pointed);
+  CHECK(loftOf(part)->loft.sections.front().shape == sections::SectionPreset::Star);
+  CHECK(loftOf(part)->loft.startCap == sections::CapStyle::Flat);
+  CHECK(loftOf(part)->loft.endCap == sections::CapStyle::Pointed);
   CHECK(part.name == "Part 1");
   CHECK(findPart(document, part.id) == &part);
   CHECK(findPicture(document, PictureId{1})->name == "cat.png");
@@ -79,10 +81,10 @@ TEST_CASE("each setter changes exactly what it names") {
   const Document before = onePart();
   const PartId id = before.parts[0]->id;
   Document expected =
-      with(before, [](Part& part) { loftOf(part)->loft.sections.front().shape = loft::SectionPreset::Gear; });
-  CHECK(after(before, {SetSection{id, loft::SectionPreset::Gear}}) == expected);
-  expected = with(before, [](Part& part) { loftOf(part)->loft.startCap = loft::CapStyle::Open; });
-  CHECK(after(before, {SetCaps{id, loft::CapStyle::Open, loft::CapStyle::Pointed}}) == expected);
+      with(before, [](Part& part) { loftOf(part)->loft.sections.front().shape = sections::SectionPreset::Gear; });
+  CHECK(after(before, {SetSection{id, sections::SectionPreset::Gear}}) == expected);
+  expected = with(before, [](Part& part) { loftOf(part)->loft.startCap = sections::CapStyle::Open; });
+  CHECK(after(before, {SetCaps{id, sections::CapStyle::Open, sections::CapStyle::Pointed}}) == expected);
   expected = with(before, [](Part& part) { part.look = {false, {1, 2, 3}}; });
   CHECK(after(before, {SetLook{id, {false, {1, 2, 3}}}}) == expected);
   expected = with(before, [](Part& part) { part.name = "Tail"; });
@@ -125,8 +127,8 @@ TEST_CASE("a refused action names its reason") {
   CHECK(errorOf(document, RedrawSpine{none, kStroke}) == Error::NoSuchPart);
   CHECK(errorOf(document, RedrawSpine{id, {}}) == Error::StrokeTooShort);
   CHECK(errorOf(document, SetSection{none}) == Error::NoSuchPart);
-  CHECK(errorOf(document, SetSection{id, loft::SectionPreset::kCount}) == Error::ValueOutOfRange);
-  CHECK(errorOf(document, SetCaps{id, loft::CapStyle::kCount}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetSection{id, sections::SectionPreset::kCount}) == Error::ValueOutOfRange);
+  CHECK(errorOf(document, SetCaps{id, sections::CapStyle::kCount}) == Error::ValueOutOfRange);
   CHECK(errorOf(document, SetLook{none, {}}) == Error::NoSuchPart);
   CHECK(errorOf(document, RenamePart{none, "x"}) == Error::NoSuchPart);
   CHECK(errorOf(document, ShowPart{none}) == Error::NoSuchPart);

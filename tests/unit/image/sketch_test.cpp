@@ -313,7 +313,7 @@ TEST_CASE("two pen lines, open at both ends, loft to the bottle between them") {
   }
   const std::vector<PicturePoint> spine{{248, 70}, {253, 180}, {249, 300}, {251, 412}};
   DrawSpine draw{PictureId{1}, spine};
-  draw.startCap = draw.endCap = loft::CapStyle::Flat;
+  draw.startCap = draw.endCap = sections::CapStyle::Flat;
   document = update(document, draw).value();
   pipeline::Cache cache;
   const auto derived = pipeline::deriveWithEdges(document, cache, {});

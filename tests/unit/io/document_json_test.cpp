@@ -163,7 +163,8 @@ TEST_CASE("what unknown keys say of a list is dropped when the list has another 
   Json json = Json::parse(writeDocument(document));
   json["parts"][0]["recipe"]["loft"]["sections"][0]["new"] = 1;
   Document read = readBack(document, json.dump());
-  const std::vector<loft::SectionKey> keys = {{0, loft::SectionPreset::Star, {}}, {1, loft::SectionPreset::Gear, {}}};
+  const std::vector<loft::SectionKey> keys = {{0, sections::SectionPreset::Star, {}},
+                                              {1, sections::SectionPreset::Gear, {}}};
   read = update(read, SetSections{PartId{1}, keys}).value();
   CHECK(writeDocument(read).find("\"new\"") == std::string::npos);
   ReadNotes notes;

@@ -220,7 +220,7 @@ TEST_CASE("a record holds what changed, not the document") {
   CHECK(bytes(RenamePart{PartId{3}, "Tail"}) < 100);
   CHECK(bytes(SetHeight{{40}}) < 100);
   CHECK(bytes(DeletePart{PartId{5}}) < 100);
-  CHECK(bytes(SetCaps{PartId{2}, loft::CapStyle::Flat, loft::CapStyle::Flat}) < 200);
+  CHECK(bytes(SetCaps{PartId{2}, sections::CapStyle::Flat, sections::CapStyle::Flat}) < 200);
   EditRibs edit;
   edit.part = PartId{1};
   edit.edits.ends.assign(200, ribs::EndEdit{0.5, ribs::Side::Left, 1, 20, 0.1, false});

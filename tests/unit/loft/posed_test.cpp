@@ -12,6 +12,7 @@
 
 using namespace spineloft;
 using namespace spineloft::loft;
+using namespace spineloft::sections;
 using namespace spineloft::testing;
 
 namespace {

@@ -14,6 +14,7 @@
 
 using namespace spineloft;
 using namespace spineloft::loft;
+using namespace spineloft::sections;
 using namespace spineloft::testing;
 
 namespace {

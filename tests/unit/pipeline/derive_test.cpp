@@ -48,7 +48,7 @@ TEST_CASE("deriving again costs no new shape, and an undone change finds its old
   Cache cache;
   const auto first = deriveWithEdges(document, cache, {}).value().parts[0].shape;
   CHECK(derive(document, cache).parts[0].shape == first);
-  const Document changed = update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
+  const Document changed = update(document, SetSection{PartId{1}, sections::SectionPreset::Square}).value();
   const auto second = derive(changed, cache).parts[0].shape;
   CHECK(second != first);
   CHECK(second->ribs == first->ribs);
@@ -110,7 +110,7 @@ TEST_CASE("every authored value of a recipe and its picture is part of the shape
   CHECK(changes([](LoftRecipe& r) { r.stroke[1].y += 1e-9; }));
   CHECK(changes([](LoftRecipe& r) { r.ribs.levels = 64; }));
   CHECK(changes([](LoftRecipe& r) { r.spine.ribs = 50; }));
-  CHECK(changes([](LoftRecipe& r) { r.loft.endCap = loft::CapStyle::Open; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.endCap = sections::CapStyle::Open; }));
   CHECK(changes([](LoftRecipe& r) { r.edits.ends.push_back({}); }));
   CHECK(changes([](LoftRecipe& r) { r.edits.added.push_back(0.5); }));
   CHECK(changes([](LoftRecipe& r) { r.ignored.push_back({{{1, 2}}, 3}); }));
@@ -118,7 +118,7 @@ TEST_CASE("every authored value of a recipe and its picture is part of the shape
   CHECK(changes([](LoftRecipe& r) { r.pose.closed = true; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.twist.points = {{0, 1}}; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.squash.points = {{0, 1}}; }));
-  CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].blend.kind = loft::BlendKind::Root; }));
+  CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].blend.kind = sections::BlendKind::Root; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].shape.contours = {{{1, 0}}}; }));
 }
 
@@ -143,8 +143,8 @@ TEST_CASE("edits, slices, ends and pose use the ribs that were traced; stroke an
   };
   const ribs::RibEdits edits{{{.at = 0.5, .out = 50, .reach = 0.1}}, {}, {0.2}};
   CHECK(reuses(EditRibs{PartId{1}, edits}));
-  CHECK(reuses(SetSection{PartId{1}, loft::SectionPreset::Square}));
-  CHECK(reuses(SetCaps{PartId{1}, loft::CapStyle::Flat, loft::CapStyle::Open}));
+  CHECK(reuses(SetSection{PartId{1}, sections::SectionPreset::Square}));
+  CHECK(reuses(SetCaps{PartId{1}, sections::CapStyle::Flat, sections::CapStyle::Open}));
   loft::Pose pose;
   pose.coilTurns = 2;
   pose.coilRadius = 30;
@@ -269,7 +269,7 @@ TEST_CASE("a thousand previews leave the cache small and the document's ribs in 
   }
   CHECK(cache.bytes() <= before + Cache::kPreviewBytes);
   forgetEdges(cache, document);
-  const Document changed = update(document, SetSection{PartId{1}, loft::SectionPreset::Square}).value();
+  const Document changed = update(document, SetSection{PartId{1}, sections::SectionPreset::Square}).value();
   CHECK(derive(changed, cache).parts[0].shape->generated == first->generated);
 }
 

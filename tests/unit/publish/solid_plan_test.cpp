@@ -132,7 +132,7 @@ TEST_CASE("the key of a solid changes when what it is made from changes, and not
   const std::vector<std::pair<const char*, Action>> something = {
       {"a part of it, moved", PlaceParts{{{PartId{1}, moved, {}}}}},
       {"a part of it, doubled", PlaceParts{{{PartId{1}, {}, MirrorPlane{}}}}},
-      {"a part of it with another slice", SetSection{PartId{1}, loft::SectionPreset::Square}},
+      {"a part of it with another slice", SetSection{PartId{1}, sections::SectionPreset::Square}},
       {"a part of it drawn again", RedrawSpine{PartId{2}, {{24, 40}, {48, 36}, {70, 40}}}},
       {"round seams", SetStep{StepId{1}, StepKind::Join, 0.02, 0.02, {}}},
       {"another kind", SetStep{StepId{1}, StepKind::Cut, 0, 0.02, {}}},

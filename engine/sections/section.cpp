@@ -1,13 +1,13 @@
-#include "engine/loft/section.h"
+#include "engine/sections/section.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "engine/loft/contour.h"
+#include "engine/sections/contour.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -239,4 +239,12 @@ Result<Section> presetSection(SectionPreset preset, int count) {
   return Section{presetContour(preset, count).points};
 }
 
-}  // namespace spineloft::loft
+Status checkShape(const SectionShape& shape) {
+  if (shape.preset >= SectionPreset::kCount) return {Error::ValueOutOfRange, "slice"};
+  if (!shape.drawn()) return Done{};
+  const Result<std::vector<SectionPiece>> pieces = readShape(shape);
+  if (!pieces) return pieces.failure();
+  return Done{};
+}
+
+}  // namespace spineloft::sections

@@ -1,12 +1,12 @@
-// The mirrors and turns of a Symmetry as maps of the plane. Internal to loft/.
+// The mirrors and turns of a Symmetry as maps of the plane. Internal to sections/.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "engine/loft/section_drawing.h"
+#include "engine/sections/drawing.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 
 /// One map of the group: a turn by `turns`/order of a circle, then the mirror if there is one.
 struct Motion {
@@ -50,4 +50,4 @@ struct Repeated {
 /// first.
 Repeated repeat(const std::vector<SectionPoint>& line, bool closed, double spacing, const Symmetry& symmetry);
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

@@ -1,4 +1,4 @@
-#include "engine/loft/section_curve.h"
+#include "engine/sections/curve.h"
 
 #include <algorithm>
 #include <array>
@@ -6,28 +6,11 @@
 #include <limits>
 #include <set>
 
+#include "engine/geometry/circle_cubic.h"
 #include "engine/geometry/polyline.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
-
-/// Unit tangent of the circle through a, p, b at p (its direction from a to b).
-SectionPoint circleTangent(SectionPoint a, SectionPoint p, SectionPoint b) {
-  const SectionPoint before = p - a, after = b - p;
-  const double n = dot(before, before), m = dot(after, after);
-  if (n == 0 || m == 0) return normalized(b - a);
-  return normalized(before / n + after / m);
-}
-
-/// Handle of a cubic arc over `chord` that leaves at the unit `tangent`: a third of the chord when
-/// straight, and such that equal angles at both ends give a circle's arc.
-SectionPoint handle(SectionPoint chord, SectionPoint tangent) {
-  constexpr double kSharpest = -0.5;  // beyond 120° from the chord the handle would run away
-  const double length = norm(chord);
-  if (length == 0) return {};
-  const double cosine = std::max(kSharpest, dot(chord, tangent) / length);
-  return tangent * (length / (1.5 * (1 + cosine)));  // 1/(3 cos²(α/2)), α between the two
-}
 
 using Cubic = std::array<SectionPoint, 4>;
 
@@ -37,11 +20,11 @@ Cubic cubicOf(const DrawnCurve& curve, std::size_t i) {
   const DrawnPoint& q = curve.points[(i + 1) % n];
   const SectionPoint chord = q.at - p.at;
   const auto tangentAt = [&](std::size_t k) {
-    return circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at, curve.points[(k + 1) % n].at);
+    return geometry::circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at, curve.points[(k + 1) % n].at);
   };
   const SectionPoint first = p.corner ? normalized(chord) : tangentAt(i);
   const SectionPoint second = q.corner ? normalized(chord) : tangentAt((i + 1) % n);
-  return {p.at, p.at + handle(chord, first), q.at - handle(chord, second), q.at};
+  return {p.at, p.at + geometry::circleHandle(chord, first), q.at - geometry::circleHandle(chord, second), q.at};
 }
 
 /// Halves until flat: the same numbers from either end.
@@ -200,4 +183,4 @@ DrawnCurve fitCurve(const Chain& drawn, const FitParams& params) {
   return curveThrough(chain, places, corners);
 }
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

@@ -1,4 +1,4 @@
-#include "engine/loft/contour.h"
+#include "engine/sections/contour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
 
 using Curve = std::vector<SectionPoint>;
@@ -167,4 +167,4 @@ Result<std::vector<SectionPiece>> readShape(const SectionShape& shape) {
   return pieces;
 }
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

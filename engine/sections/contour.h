@@ -1,11 +1,11 @@
-// The closed curves of a section as the loft works on them. Internal to loft/.
+// The closed curves of a section as they are worked on.
 #pragma once
 
 #include <vector>
 
-#include "engine/loft/section.h"
+#include "engine/sections/section.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 
 /// A counter-clockwise closed curve in section units, and which of its points must not be smoothed
 /// away: corners, and where straight stretches meet arcs.
@@ -37,4 +37,4 @@ inline constexpr std::size_t kMostShapePoints = 2048;
 /// A drawn section reaches at most this far to the viewer and back, half widths.
 inline constexpr double kDeepest = 8;
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

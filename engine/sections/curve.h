@@ -1,10 +1,10 @@
-// From dense lines to curves through few points, and back. Internal to loft/.
+// From dense lines to curves through few points, and back. Internal to sections/.
 #pragma once
 
-#include "engine/loft/section_drawing.h"
-#include "engine/loft/section_symmetry.h"
+#include "engine/sections/drawing.h"
+#include "engine/sections/symmetry.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 
 /// How a chain becomes a curve.
 struct FitParams {
@@ -17,4 +17,4 @@ struct FitParams {
 /// A curve near the chain that repeats itself as the chain does. ≥ 3 points in the chain.
 DrawnCurve fitCurve(const Chain& chain, const FitParams& params);
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/loft/section.h"
+#include "engine/sections/section.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 
 /// A point that a curve passes through.
 struct DrawnPoint {
@@ -122,4 +122,4 @@ Result<SectionShape> sectionOf(const Drawing& drawing);
 /// The same of closed polygons in any order and direction. Errors: SectionInvalid.
 Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> outlines);
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

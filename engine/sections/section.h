@@ -9,9 +9,8 @@
 
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
-#include "engine/geometry/along.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 
 /// The presets of the section shelf, in its order. Values are saved in files: only ever append.
 enum class SectionPreset : std::uint8_t {
@@ -61,39 +60,8 @@ struct SectionShape {
 };
 inline constexpr std::size_t kMostContours = 16, kMostDrawnPoints = 5000;
 
-/// How one section becomes the next: f(t) of the share t of the way, f(0) = 0, f(1) = 1
-/// (cross-sections-hughes 4.2). Values are saved in files: only ever append.
-enum class BlendKind : std::uint8_t { Linear, Ease, Square, Root, Overshoot, Custom, kCount };
-struct BlendName {
-  BlendKind kind;
-  std::string_view key, label;
-};
-std::span<const BlendName> blendNames();
-std::optional<BlendKind> blendFromKey(std::string_view key);
-struct Blend {
-  BlendKind kind = BlendKind::Ease;
-  geometry::AlongCurve custom;  ///< of Custom: values −1…2, through (0, 0) and (1, 1)
-  bool operator==(const Blend&) const = default;
-};
-/// f(t), t in 0…1.
-double blendAt(const Blend& blend, double t);
-
-/// A section somewhere along the spine. Before the first and after the last key the section stays
-/// as it is; one key alone is the section of the whole part.
-struct SectionKey {
-  double at = 0.5;  ///< share of the spine's length, 0…1
-  SectionShape shape;
-  Blend blend;  ///< from here to the next key
-  bool operator==(const SectionKey&) const = default;
-};
-inline constexpr std::size_t kMostSectionKeys = 32;
-
 /// Known preset or sound contours; Error: SectionInvalid with what is wrong.
 Status checkShape(const SectionShape& shape);
-/// 1…kMostSectionKeys keys in order, at least geometry::kLeastStep apart, all with the same number of
-/// outer curves and holes. Errors: SectionInvalid, ValueOutOfRange.
-Status checkSectionKeys(std::span<const SectionKey> keys);
-
 /// How many points a section may have.
 inline constexpr int kMinSectionPoints = 12, kMaxSectionPoints = 512;
 
@@ -101,4 +69,4 @@ inline constexpr int kMinSectionPoints = 12, kMaxSectionPoints = 512;
 /// Error: ValueOutOfRange.
 Result<Section> presetSection(SectionPreset preset, int count);
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

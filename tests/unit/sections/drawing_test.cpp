@@ -1,4 +1,4 @@
-#include "engine/loft/section_drawing.h"
+#include "engine/sections/drawing.h"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 #include "engine/geometry/polygon.h"
 
 using namespace spineloft;
-using namespace spineloft::loft;
+using namespace spineloft::sections;
 
 namespace {
 

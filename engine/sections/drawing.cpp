@@ -1,4 +1,4 @@
-#include "engine/loft/section_drawing.h"
+#include "engine/sections/drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
-#include "engine/loft/section_curve.h"
-#include "engine/loft/section_symmetry.h"
+#include "engine/sections/curve.h"
+#include "engine/sections/symmetry.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
 
 constexpr double kSpacing = 0.012;  ///< between the samples of a stroke, section units
@@ -372,4 +372,4 @@ Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> li
   return shape;
 }
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

@@ -1,13 +1,13 @@
-// Which points of two sections belong together.
+#include "engine/sections/common_points.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "engine/geometry/polygon.h"
-#include "engine/loft/section_track.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
@@ -211,4 +211,4 @@ std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> r
   return out;
 }
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

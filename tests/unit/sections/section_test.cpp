@@ -1,4 +1,4 @@
-#include "engine/loft/section.h"
+#include "engine/sections/section.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "engine/geometry/polygon.h"
 
 using namespace spineloft;
-using namespace spineloft::loft;
+using namespace spineloft::sections;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "engine/loft/section_symmetry.h"
+#include "engine/sections/symmetry.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "engine/geometry/polyline.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -241,4 +241,4 @@ Repeated repeat(const std::vector<SectionPoint>& line, bool closed, double spaci
   return {{Chain{line, line.size(), false}}, {Motion{}}};
 }
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections

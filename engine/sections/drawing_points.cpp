@@ -1,11 +1,11 @@
 // Changing a drawing by its points.
 #include <algorithm>
 
-#include "engine/loft/section_curve.h"
-#include "engine/loft/section_drawing.h"
-#include "engine/loft/section_symmetry.h"
+#include "engine/sections/curve.h"
+#include "engine/sections/drawing.h"
+#include "engine/sections/symmetry.h"
 
-namespace spineloft::loft {
+namespace spineloft::sections {
 namespace {
 
 /// Points nearer than this are images of each other, section units: turns are rounded.
@@ -128,4 +128,4 @@ PointRef addPoint(Drawing& drawing, PointRef ref, SectionPoint at, const Symmetr
   return own;
 }
 
-}  // namespace spineloft::loft
+}  // namespace spineloft::sections
