@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/geometry/hermite.h"
 #include "engine/geometry/polygon.h"
 #include "engine/sections/common_points.h"
 
@@ -130,6 +131,7 @@ void SectionTrack::finish() {
     key.starShaped = sizes_.size() == 1 && sections::hubOf(key.points).has_value();
     hollow_ = hollow_ && key.starShaped;
   }
+  findSlopes();
 }
 
 SectionTrack::Place SectionTrack::placeAt(double share) const {
@@ -149,9 +151,59 @@ SectionTrack::Place SectionTrack::placeAt(double share) const {
   return {last, 0, sections::blendAt(keys_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
 }
 
+/// Share of the spine from a key to the next one; of a closed one's last to the first.
+double SectionTrack::spanAfter(std::size_t key) const {
+  const double to = key + 1 < keys_.size() ? keys_[key + 1].at : keys_.front().at + 1;
+  return std::max(to - keys_[key].at, geometry::kLeastStep);
+}
+
+void SectionTrack::findSlopes() {
+  const std::size_t n = keys_.size();
+  const bool flows = std::ranges::any_of(keys_, [](const Key& k) { return k.blend.kind == sections::BlendKind::Flow; });
+  if (!flows || n < 2) return;
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool first = !closed_ && k == 0, last = !closed_ && k + 1 == n;
+    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
+    keys_[k].slopes.resize(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto at = [&](std::size_t key) { return keys_[key].points[i]; };
+      SectionPoint& slope = keys_[k].slopes[i];
+      if (n == 2 && !closed_) {
+        slope = (at(1) - at(0)) / spanAfter(0);
+      } else if (first) {
+        slope = geometry::parabolaEndSlope(at(0), at(1), at(2), spanAfter(0), spanAfter(1));
+      } else if (last) {
+        slope = -geometry::parabolaEndSlope(at(k), at(k - 1), at(k - 2), spanAfter(k - 1), spanAfter(k - 2));
+      } else {
+        slope = geometry::parabolaSlope(at(before), at(k), at(after), spanAfter(before), spanAfter(k));
+      }
+    }
+  }
+  constexpr int kPulls = 4, kProbes = 24;
+  for (std::size_t k = 0; k + (closed_ ? 0 : 1) < n; ++k) {
+    if (keys_[k].blend.kind != sections::BlendKind::Flow) continue;
+    const auto sound = [&] {
+      for (int i = 1; i < kProbes; ++i) {
+        if (!isSound({k, (k + 1) % n, static_cast<double>(i) / kProbes})) return false;
+      }
+      return true;
+    };
+    for (int i = 0; i < kPulls && !sound(); ++i) keys_[k].pull = i + 1 < kPulls ? keys_[k].pull / 2 : 0;
+  }
+}
+
 void SectionTrack::blended(const Place& place, Curve& out) const {
-  const Curve &a = keys_[place.from].points, &b = keys_[place.to].points;
+  const Key& key = keys_[place.from];
+  const Curve &a = key.points, &b = keys_[place.to].points;
   out.resize(count_);
+  if (key.blend.kind == sections::BlendKind::Flow && place.f > 0 && place.f < 1) {
+    const double reach = spanAfter(place.from) * key.pull;
+    const Curve &m = key.slopes, &n = keys_[place.to].slopes;
+    for (std::size_t i = 0; i < count_; ++i) {
+      out[i] = geometry::hermite(a[i], b[i], m[i] * reach, n[i] * reach, place.f);
+    }
+    return;
+  }
   for (std::size_t i = 0; i < count_; ++i) {
     out[i] = place.f == 0 ? a[i] : place.f == 1 ? b[i] : lerp(a[i], b[i], place.f);
   }

@@ -44,11 +44,17 @@ class SectionTrack {
     sections::Blend blend;
     std::vector<SectionPoint> points;
     bool starShaped = false;  ///< one curve that its middle sees
+    /// Where sections flow: how its points move on, by share of the spine, and how much of that counts from here to
+    /// the next key.
+    std::vector<SectionPoint> slopes = {};
+    double pull = 1;
   };
   struct Place {
     std::size_t from = 0, to = 0;
     double f = 0;
   };
+  double spanAfter(std::size_t key) const;
+  void findSlopes();
   Place placeAt(double share) const;
   void blended(const Place& place, std::vector<SectionPoint>& out) const;
   bool isSound(const Place& place) const;

@@ -11,6 +11,7 @@ constexpr std::array kBlendNames = {
     BlendName{BlendKind::Linear, "linear", "Steady"},       BlendName{BlendKind::Ease, "ease", "Soft"},
     BlendName{BlendKind::Square, "square", "Late"},         BlendName{BlendKind::Root, "root", "Early"},
     BlendName{BlendKind::Overshoot, "overshoot", "Bouncy"}, BlendName{BlendKind::Custom, "custom", "Your own"},
+    BlendName{BlendKind::Flow, "flow", "Flowing"},
 };
 static_assert(kBlendNames.size() == static_cast<std::size_t>(BlendKind::kCount));
 
@@ -35,6 +36,7 @@ bool isValid(const Blend& blend) {
 double blendAt(const Blend& blend, double t) {
   switch (blend.kind) {
     case BlendKind::Linear:
+    case BlendKind::Flow:
     case BlendKind::kCount:
       return t;
     case BlendKind::Ease:

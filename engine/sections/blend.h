@@ -11,8 +11,10 @@
 namespace spineloft::sections {
 
 /// How one section becomes the next: f(t) of the share t of the way, f(0) = 0, f(1) = 1
-/// (cross-sections-hughes 4.2). Values are saved in files: only ever append.
-enum class BlendKind : std::uint8_t { Linear, Ease, Square, Root, Overshoot, Custom, kCount };
+/// (cross-sections-hughes 4.2). Flow: every point goes on a cubic through all sections, whose slope at each is that of
+/// the parabola through it and its neighbours, so that nothing is left of the places where sections stand; f(t) = t.
+/// Values are saved in files: only ever append.
+enum class BlendKind : std::uint8_t { Linear, Ease, Square, Root, Overshoot, Custom, Flow, kCount };
 struct BlendName {
   BlendKind kind;
   std::string_view key, label;
