@@ -96,6 +96,29 @@ struct RemakePart {
   Region region;
   RegionSolid solid;
 };
+/// A new part drawn slice by slice.
+struct DrawStack {
+  PictureId picture;
+  std::vector<stack::Plane> planes;
+  stack::Rail rail = {};
+  stack::StackParams stack = {};
+  Look look = {};
+};
+/// The planes of such a part, as a whole.
+struct SetPlanes {
+  PartId part;
+  std::vector<stack::Plane> planes;
+};
+/// The line that its planes stand on.
+struct SetRail {
+  PartId part;
+  stack::Rail rail;
+};
+/// How it is finished.
+struct ShapeStack {
+  PartId part;
+  stack::StackParams stack;
+};
 /// One section for the whole part.
 struct SetSection {
   PartId part;
@@ -229,6 +252,7 @@ using Action =
                  RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument, PoseSpine, EditRibs, IgnoreForPart,
                  IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
-                 ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList>;
+                 ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
+                 DrawStack, SetPlanes, SetRail, ShapeStack>;
 
 }  // namespace spineloft::document

@@ -82,7 +82,13 @@ Status checkRegion(const Document& document, const Region& region) {
   return Done{};
 }
 
+Status checkStack(const Document& document, const StackRecipe& recipe) {
+  if (findPicture(document, recipe.picture) == nullptr) return Error::NoSuchPicture;
+  return stack::checkPlanes(recipe.planes, recipe.rail);
+}
+
 Status checkDrawn(const Document& document, const Recipe& recipe) {
+  if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return checkStack(document, *stack);
   if (const Region* region = regionOf(recipe)) return checkRegion(document, *region);
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);

@@ -33,7 +33,10 @@ Status checkStroke(const Document& document, const LoftRecipe& recipe);
 /// pen's width out of range), StrokeNotFinite, RegionEmpty, RegionOutside.
 Status checkRegion(const Document& document, const Region& region);
 
-/// What was drawn for a part: that of the two above for its kind.
+/// Whether a stack has something to stand on and curves in range. Errors: NoSuchPicture, ValueOutOfRange, StackInvalid.
+Status checkStack(const Document& document, const StackRecipe& recipe);
+
+/// What was drawn for a part: that of the three above for its kind.
 Status checkDrawn(const Document& document, const Recipe& recipe);
 
 /// Whether somebody drew anything: a part, a stroke on paper, a scribble over edges. Pictures alone are no work.

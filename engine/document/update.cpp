@@ -186,6 +186,34 @@ struct Apply {
       return Done{};
     });
   }
+  Status operator()(const DrawStack& a) const {
+    if (Status room = roomForPart(); !room) return room;
+    if (!isValid(a.stack)) return Error::ValueOutOfRange;
+    StackRecipe recipe{a.picture, a.planes, a.rail, a.stack};
+    if (Status drawn = checkStack(document, recipe); !drawn) return drawn;
+    addPart(std::move(recipe), a.look);
+    return Done{};
+  }
+  /// Changes what only a stack has. Error: NotAStack.
+  template <class Change>
+  Status editStack(PartId id, const Change& change) const {
+    return editPart(id, [&](Part& part) -> Status {
+      StackRecipe* stack = stackOf(part);
+      if (stack == nullptr) return Error::NotAStack;
+      change(*stack);
+      return checkStack(document, *stack);
+    });
+  }
+  Status operator()(const SetPlanes& a) const {
+    return editStack(a.part, [&](StackRecipe& stack) { stack.planes = a.planes; });
+  }
+  Status operator()(const SetRail& a) const {
+    return editStack(a.part, [&](StackRecipe& stack) { stack.rail = a.rail; });
+  }
+  Status operator()(const ShapeStack& a) const {
+    if (!isValid(a.stack)) return Error::ValueOutOfRange;
+    return editStack(a.part, [&](StackRecipe& stack) { stack.stack = a.stack; });
+  }
   Status operator()(const RedrawSpine& a) const {
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
       loft.stroke = a.stroke;

@@ -108,6 +108,16 @@ void mendRecipe(document::LatheRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.lathe), recipe.lathe, {}, notes);
 }
 
+void mendRecipe(document::StackRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.stack), recipe.stack, {}, notes);
+  mend(isValid(recipe.rail), recipe.rail, {}, notes);
+  for (stack::Plane& plane : recipe.planes) {
+    mend(sections::isValid(plane.blend), plane.blend, stack::Plane{}.blend, notes);
+    weed(plane.curves, stack::kMostCurves, [](const stack::Curve& curve) { return isValid(curve); }, notes);
+  }
+  weed(recipe.planes, stack::kMostPlanes, [](const stack::Plane& plane) { return isValid(plane); }, notes);
+}
+
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   const document::PartKind kind = document::kindOf(recipe);
   const document::Recipe standard = document::emptyRecipe(kind);

@@ -178,6 +178,11 @@ Json toJson(const std::optional<document::MirrorPlane>& plane) {
       {toJson(point.x), toJson(point.y), toJson(point.z), toJson(normal.x), toJson(normal.y), toJson(normal.z)});
 }
 
+Json toJson(const stack::Corners& corners) {
+  const auto& [all, at] = corners;
+  return all ? Json("all") : Json(at);
+}
+
 Json toJson(const image::SketchStroke& stroke) {
   const auto& [points, pressure, radius, erase, colour] = stroke;
   return Json::array({toJson(radius), erase, toJson(colour), toJson(points), toJson(pressure)});
@@ -323,6 +328,16 @@ bool get(const Json& from, std::optional<document::MirrorPlane>& to) {
     if (!get(from[i], numbers[i])) return false;
   }
   to = document::MirrorPlane{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+  return true;
+}
+
+bool get(const Json& from, stack::Corners& to) {
+  stack::Corners corners{from == "all", {}};
+  if (!corners.all && !from.is_array()) return false;
+  for (const Json& element : corners.all ? Json::array() : from) {
+    if (!get(element, corners.at.emplace_back())) return false;
+  }
+  to = std::move(corners);
   return true;
 }
 

@@ -87,6 +87,16 @@ void keep(document::LoftRecipe& recipe, const Grid& grid) {
 }
 void keep(document::InflateRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
 void keep(document::ExtrudeRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
+void keep(document::StackRecipe& recipe, const Grid& grid) {
+  const auto rounded = [&](ModelPoint& p) { p = {grid(p.x), grid(p.y), grid(p.z)}; };
+  for (stack::Plane& plane : recipe.planes) {
+    if (plane.origin) rounded(*plane.origin);
+    for (stack::Curve& curve : plane.curves) {
+      for (SectionPoint& p : curve.through) p = {grid(p.x), grid(p.y)};
+    }
+  }
+  for (ModelPoint& p : recipe.rail.points) rounded(p);
+}
 void keep(document::LatheRecipe& recipe, const Grid& grid) {
   keepRegion(recipe.region, grid);
   recipe.lathe.axisFrom = grid(recipe.lathe.axisFrom);

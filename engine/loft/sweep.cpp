@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/geometry/bend.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulate.h"
 #include "engine/loft/bands.h"
@@ -185,7 +186,7 @@ class Builder {
 
   void place(const Station& station, const PaintedPoint& p, std::uint32_t at) {
     ModelPoint off = station.across * p.at.x + station.depth * p.at.y;
-    if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
+    if (station.bend != ModelPoint{}) off += geometry::heldBack(off, station.bend);
     vertex(station.centre + off, station.middle + station.half * p.paint, at);
   }
 
@@ -195,15 +196,6 @@ class Builder {
   static double paintedAt(SectionPoint p) {
     const double x = std::clamp(p.x, -1.0, 1.0), back = std::clamp(-p.y, 0.0, 1.0);
     return x * (1 - kFurtherIn * back * (1 - back) * (1 - back));
-  }
-
-  /// From a point at `off` to where it may stand: 1 is the centre of the bend.
-  static ModelPoint heldBack(ModelPoint off, ModelPoint bend) {
-    constexpr double kFree = 0.7, kMost = 0.95;
-    const double reach = dot(off, bend);
-    if (reach <= kFree) return {};
-    const double held = kFree + (kMost - kFree) * (1 - std::exp(-(reach - kFree) / (kMost - kFree)));
-    return bend * ((held - reach) / dot(bend, bend));
   }
 
   /// `paint`: the point of the picture that colours the vertex.

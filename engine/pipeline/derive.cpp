@@ -79,7 +79,8 @@ Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& ent
   if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
     return loftShape(*loft, entry, cache, purpose, shape, clock);
   }
-  Result<PartShape> made = regionStage(recipe, entry.size, clock);
+  const auto* stack = std::get_if<document::StackRecipe>(&recipe);
+  Result<PartShape> made = stack ? stackStage(*stack, entry.size, clock) : regionStage(recipe, entry.size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};

@@ -42,14 +42,39 @@ void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
   hasher.number(curve.points.size());
   for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
 }
+void mix(Hasher& hasher, const sections::Blend& blend) {
+  const auto& [kind, custom] = blend;
+  hasher.number(kind);
+  mix(hasher, custom);
+}
 void mix(Hasher& hasher, const loft::SectionKey& key) {
   const auto& [at, shape, blend] = key;
   const auto& [preset, contours] = shape;
-  const auto& [kind, custom] = blend;
-  mixAll(hasher, at, preset, kind);
+  mixAll(hasher, at, preset);
   hasher.number(contours.size());
   for (const auto& contour : contours) mix(hasher, contour);
-  mix(hasher, custom);
+  mix(hasher, blend);
+}
+void mix(Hasher& hasher, const ModelPoint& p) { mixAll(hasher, p.x, p.y, p.z); }
+void mix(Hasher& hasher, const stack::Curve& curve) {
+  const auto& [through, corners] = curve;
+  const auto& [all, at] = corners;
+  mix(hasher, through);
+  mixAll(hasher, all, at.size());
+  for (const std::uint32_t i : at) hasher.number(i);
+}
+void mix(Hasher& hasher, const stack::Plane& plane) {
+  const auto& [at, origin, turn, curves, blend] = plane;
+  mixAll(hasher, at, origin.has_value());
+  if (origin) mix(hasher, *origin);
+  mixAll(hasher, turn.w, turn.x, turn.y, turn.z, curves.size());
+  for (const stack::Curve& curve : curves) mix(hasher, curve);
+  mix(hasher, blend);
+}
+void mix(Hasher& hasher, const stack::Rail& rail) {
+  const auto& [points, closed] = rail;
+  mixAll(hasher, points.size(), closed);
+  for (const ModelPoint& p : points) mix(hasher, p);
 }
 void mix(Hasher& hasher, const loft::LoftParams& params) {
   const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = params;
@@ -81,6 +106,15 @@ void mix(Hasher& hasher, const loft::Pose& pose) {
   mix(hasher, stroke);
   mix(hasher, depth);
   mixAll(hasher, coilTurns, coilRadius, closed);
+}
+
+/// Scribbles under which another thing is: its colours are not on the part.
+std::vector<ribs::IgnoreMark> coversOf(const document::PictureEntry& entry) {
+  std::vector<ribs::IgnoreMark> covers;
+  for (const ribs::IgnoreMark& mark : entry.ignored) {
+    if (mark.covers) covers.push_back(mark);
+  }
+  return covers;
 }
 
 /// A region's solid takes only its size from the picture, its texture the pixels.
@@ -152,6 +186,19 @@ std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::Pict
   Hasher hasher;
   hasher.text("lathe").number(regionKey(region, entry));
   mixAll(hasher, axisFrom.x, axisFrom.y, axisTo.x, axisTo.y, turn, sides, wall, squash);
+  return hasher.value();
+}
+
+std::uint64_t shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [picture, planes, rail, stack] = recipe;
+  const auto& [startCap, endCap, sides, capRings] = stack;
+  Hasher hasher;
+  hasher.text("stack").number(entry.contentHash).number(entry.size.width).number(entry.size.height);
+  mix(hasher, coversOf(entry));
+  hasher.number(planes.size());
+  for (const stack::Plane& plane : planes) mix(hasher, plane);
+  mix(hasher, rail);
+  mixAll(hasher, startCap, endCap, sides, capRings);
   return hasher.value();
 }
 

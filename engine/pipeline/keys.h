@@ -28,4 +28,7 @@ std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::Pi
 std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry);
 std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry);
 
+/// Of a stack: the picture, the planes, the rail and how it is finished.
+std::uint64_t shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry);
+
 }  // namespace spineloft::pipeline

@@ -112,8 +112,11 @@ Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, 
                   ShapeMemory& memory, PartShape& shape, const Clock& clock = {});
 
 /// Of a region: clean → swell, clean → give thickness, or turn about the axis. `key` of the result is 0; the times
-/// stand in `ms.loft`. Errors: NotARegion (a loft), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
+/// stand in `ms.loft`. Errors: NotARegion (others), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
 Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock = {});
+
+/// Slice by slice. `key` of the result is 0; the time stands in `ms.loft`. Errors: those of stackPlanes, OutOfMemory.
+Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock = {});
 
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,

@@ -20,6 +20,7 @@ struct Parted {
   std::vector<double> arc;    ///< share of the length at every point, and 1
   std::vector<double> place;  ///< the coordinate at every point, and after one round
   bool byAngle = false;
+  std::vector<double> angle;  ///< turns about the hub at every point and after one round; empty where none sees all
 
   /// The coordinate where `of` (arc or place itself) has a value within one round of its first.
   static double convert(const std::vector<double>& from, const std::vector<double>& to, double value) {
@@ -148,6 +149,104 @@ std::vector<Parted> part(std::span<const Contour> row) {
   return all;
 }
 
+/// How badly b fits on a where places of `of` belong together: Σ|a − R(−θ)b|² with what turning costs.
+double misfit(const Parted& a, const Parted& b, const std::vector<double>& placesOfB) {
+  constexpr int kProbes = 96;
+  constexpr double kQuarter = std::numbers::pi / 2, kAlike = 1e-3;  // of equal fits the one that turns less
+  double along = 0, about = 0, size = 0;
+  for (int i = 0; i < kProbes; ++i) {
+    const double place = a.place.front() + static_cast<double>(i) / kProbes;
+    const SectionPoint p = a.at(a.place, place), q = b.at(placesOfB, place);
+    along += dot(p, q);
+    about += cross(p, q);
+    size += dot(p, p) + dot(q, q);
+  }
+  const double turned = std::atan2(about, along) / kQuarter;
+  const double off = std::max(0.0, size - 2 * std::hypot(along, about));
+  return off * (1 + turned * turned) + kAlike * size * turned * turned;
+}
+
+/// Shares of the length at the corners.
+std::vector<double> cornersOf(const Parted& parted) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < parted.points.size(); ++i) {
+    if (parted.knot[i]) out.push_back(parted.arc[i]);
+  }
+  return out;
+}
+
+/// Places for `next` that fit `last` best (Matching::LeastTurn).
+std::vector<double> leastTurnPlaces(const Parted& last, const Parted& next) {
+  constexpr std::size_t kShifts = 96, kMostCorners = 24;
+  std::vector<double> best, places(next.arc.size());
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&] {
+    constexpr double kBetter = 1 - 1e-9;
+    const double cost = misfit(last, next, places);
+    if (cost >= least * kBetter) return;
+    least = cost;
+    best = places;
+  };
+  if (!last.angle.empty() && !next.angle.empty()) {
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = Parted::convert(last.angle, last.place, next.angle[i]);
+    consider();
+  }
+  const auto shifted = [&](double shift) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      places[i] = Parted::convert(last.arc, last.place, next.arc[i] - shift);
+    }
+    consider();
+  };
+  for (std::size_t k = 0; k < kShifts; ++k) shifted(static_cast<double>(k) / static_cast<double>(kShifts));
+  const std::vector<double> a = cornersOf(last), b = cornersOf(next);
+  if (a.empty() || b.empty() || std::max(a.size(), b.size()) > kMostCorners) return best;
+  if (a.size() != b.size()) {
+    for (const double from : a) {
+      for (const double to : b) shifted(to - from);
+    }
+    return best;
+  }
+  for (std::size_t shift = 0; shift < a.size(); ++shift) {  // every corner on a corner, evenly in between
+    std::vector<double> from, to;
+    for (std::size_t k = 0; k <= a.size(); ++k) {
+      const std::size_t j = k + shift;
+      from.push_back(b[j % b.size()] + static_cast<double>(j / b.size()));
+      to.push_back(k < a.size() ? a[k] : a[0] + 1);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      places[i] = Parted::convert(last.arc, last.place, Parted::convert(from, to, next.arc[i]));
+    }
+    consider();
+  }
+  return best;
+}
+
+/// Coordinates for every contour of the row by Matching::LeastTurn.
+std::vector<Parted> partWithLeastTurn(std::span<const Contour> row) {
+  std::vector<Parted> all;
+  for (const Contour& contour : row) {
+    Parted next = partedByArc(cut(contour));
+    next.angle = directions(next);
+    if (!all.empty()) next.place = leastTurnPlaces(all.back(), next);
+    all.push_back(std::move(next));
+  }
+  return all;
+}
+
+/// Where a curve without corners begins: farthest from the origin in the direction of x.
+double firstPlace(const Parted& parted) {
+  double farthest = -std::numeric_limits<double>::infinity(), place = parted.place.front();
+  for (std::size_t i = 0; i < parted.points.size(); ++i) {
+    const SectionPoint a = parted.points[i], b = parted.points[(i + 1) % parted.points.size()];
+    if ((a.y > 0) == (b.y > 0)) continue;
+    const double t = a.y / (a.y - b.y), x = a.x + (b.x - a.x) * t;
+    if (x <= farthest) continue;
+    farthest = x;
+    place = parted.place[i] + (parted.place[i + 1] - parted.place[i]) * t;
+  }
+  return place;
+}
+
 }  // namespace
 
 std::optional<SectionPoint> hubOf(std::span<const SectionPoint> points) {
@@ -159,8 +258,19 @@ std::optional<SectionPoint> hubOf(std::span<const SectionPoint> points) {
   return std::nullopt;
 }
 
-std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points) {
-  const std::vector<Parted> parted = part(row);
+std::vector<double> placesOn(const Contour& a, const Contour& b) {
+  Parted last = partedByArc(cut(a)), next = partedByArc(cut(b));
+  last.angle = directions(last);
+  next.angle = directions(next);
+  const std::vector<double> places = leastTurnPlaces(last, next), shares = partedByArc(b).arc;
+  std::vector<double> out;
+  for (std::size_t i = 0; i < b.points.size(); ++i) out.push_back(Parted::convert(next.arc, places, shares[i]));
+  return out;
+}
+
+std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points, Matching matching) {
+  const bool leastTurn = matching == Matching::LeastTurn;
+  const std::vector<Parted> parted = leastTurn ? partWithLeastTurn(row) : part(row);
   // All coordinates that matter: those of the knots, and in between evenly by the mean length.
   std::vector<double> knots, table;
   const auto wrapped = [](double place) { return place - std::floor(place); };
@@ -177,7 +287,7 @@ std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> r
     values.erase(first, last);
     if (values.size() > 1 && values.back() - values.front() > 1 - kSame) values.pop_back();
   };
-  if (knots.empty()) knots.push_back(table.front());
+  if (knots.empty()) knots.push_back(leastTurn ? wrapped(firstPlace(parted.front())) : table.front());
   tidy(knots);
   tidy(table);
   table.insert(table.end(), knots.begin(), knots.end());

@@ -116,17 +116,18 @@ Contour contourOf(Curve curve) {
   return contour;
 }
 
-/// Which curves are holes, and of which: in an odd number of others, of the smallest round them.
-void nest(const std::vector<Curve>& curves, std::vector<SectionPiece>& pieces) {
+}  // namespace
+
+void nest(std::vector<SectionPiece>& pieces) {
   std::vector<double> areas;
-  for (const Curve& curve : curves) {
-    areas.push_back(geometry::signedArea(std::span<const SectionPoint>(curve)));
+  for (const SectionPiece& piece : pieces) {
+    areas.push_back(geometry::signedArea(std::span<const SectionPoint>(piece.contour.points)));
   }
-  for (std::size_t i = 0; i < curves.size(); ++i) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < curves.size(); ++j) {
-      const std::span<const SectionPoint> other(curves[j]);
-      if (i == j || areas[j] < areas[i] || !geometry::holds(other, curves[i].front())) continue;
+    for (std::size_t j = 0; j < pieces.size(); ++j) {
+      const std::span<const SectionPoint> other(pieces[j].contour.points);
+      if (i == j || areas[j] < areas[i] || !geometry::holds(other, pieces[i].contour.points.front())) continue;
       pieces[i].hole = !pieces[i].hole;
       if (areas[j] < least) {
         least = areas[j];
@@ -135,8 +136,6 @@ void nest(const std::vector<Curve>& curves, std::vector<SectionPiece>& pieces) {
     }
   }
 }
-
-}  // namespace
 
 Result<std::vector<SectionPiece>> readShape(const SectionShape& shape) {
   if (!shape.drawn()) {
@@ -160,10 +159,10 @@ Result<std::vector<SectionPiece>> readShape(const SectionShape& shape) {
     total += curve.size();
   }
   if (total > kMostShapePoints) return refused("the curves have too much fine detail");
-  nest(curves, pieces);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     pieces[i].contour = contourOf(std::move(curves[i]));
   }
+  nest(pieces);
   return pieces;
 }
 

@@ -24,6 +24,10 @@ struct SectionPiece {
   std::size_t outer = 0;  ///< of a hole: which of the pieces it is in
 };
 
+/// Which of pieces that run counter-clockwise, are simple and apart are holes, and of which: those in an odd number of
+/// others, of the smallest round them.
+void nest(std::vector<SectionPiece>& pieces);
+
 /// The pieces of a shape, fit for work: curves run counter-clockwise, the whole touches x = −1 and
 /// x = +1 (scaled evenly about the spine, and moved along x), points that repeat are dropped, and drawn
 /// curves are simplified by less than kSmallest section units, so that they stay simple and apart.

@@ -299,6 +299,7 @@ ToolKind toolFor(document::PartKind kind) {
     case document::PartKind::Lathe:
       return ToolKind::Spin;
     case document::PartKind::Loft:
+    case document::PartKind::Stack:
     case document::PartKind::kCount:
       break;
   }
@@ -308,6 +309,7 @@ ToolKind toolFor(document::PartKind kind) {
 Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
+  if (document::stackOf(*part)) return refuse({Error::NotABone, {}});
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   env.ui.pointsOf = {};
   if (!env.ui.redraw) return {};

@@ -62,6 +62,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
     case document::PartKind::Extrude:
       return kEdges;
     case document::PartKind::Lathe:
+    case document::PartKind::Stack:
     case document::PartKind::Loft:
     case document::PartKind::kCount:
       break;
@@ -83,9 +84,10 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   for (const document::ParamInfo& info : table) {
     if (!info.forFew) slider(env, part, info, width);
   }
+  const bool ofRegion = document::regionOf(part.recipe) != nullptr;
   const app::CommandId other = document::inflateOf(part) ? app::CommandId("make-sheet") : app::CommandId("make-puff");
-  wordButton(env, {other, width, buttonSide(env), kAccent});
-  if (!document::latheOf(part)) wordButton(env, {"make-round", width, buttonSide(env), kAccent});
+  if (ofRegion) wordButton(env, {other, width, buttonSide(env), kAccent});
+  if (ofRegion && !document::latheOf(part)) wordButton(env, {"make-round", width, buttonSide(env), kAccent});
   if (std::ranges::none_of(table, &document::ParamInfo::forFew)) return;
   bool& more = env.ui().moreNumbers;
   const char* text = more ? "Less about this" : "More about this";

@@ -174,8 +174,46 @@ TEST_CASE("what is for one kind of part is refused by the others, and nothing ch
   }
   CHECK(errorOf(document, RedrawRegion{loft, region}) == Error::NotARegion);
   CHECK(errorOf(document, ShapeRegion{loft, inflate::InflateParams{}}) == Error::NotARegion);
+  for (const Action& action : std::vector<Action>{SetPlanes{loft, {}}, SetRail{inflate, {}}, ShapeStack{inflate, {}}}) {
+    CHECK(errorOf(document, action) == Error::NotAStack);
+  }
   CHECK(errorOf(document, SetParameter{inflate, "ribs", 20}) == Error::ValueOutOfRange);
   CHECK(errorOf(document, SetParameter{loft, "height", 1}) == Error::ValueOutOfRange);
+}
+
+TEST_CASE("a stack keeps what was drawn, and refuses what is none") {
+  const Document document = everyKind();
+  stack::Plane plane;
+  plane.curves = {{{{10, 0}, {0, 10}, {-10, 0}, {0, -10}}, {}}};
+  stack::Plane top = plane;
+  top.at = 1;
+  const stack::Rail rail{{{20, -60, 0}, {20, -10, 0}}, false};
+  const Document drawn = after(document, {DrawStack{PictureId{1}, {plane, top}, rail, {}, {}}});
+  const PartId id = drawn.parts.back()->id;
+  REQUIRE(stackOf(*drawn.parts.back()) != nullptr);
+  CHECK(*stackOf(*drawn.parts.back()) == StackRecipe{PictureId{1}, {plane, top}, rail, {}});
+  CHECK(pictureOf(*drawn.parts.back()) == PictureId{1});
+  const stack::StackParams open{sections::CapStyle::Open, sections::CapStyle::Round, 64, 3};
+  const Document shaped = after(drawn, {SetPlanes{id, {plane}}, SetRail{id, {}}, ShapeStack{id, open}});
+  CHECK(*stackOf(*shaped.parts.back()) == StackRecipe{PictureId{1}, {plane}, {}, open});
+  const auto with = [&](auto change) {
+    stack::Plane changed = plane;
+    change(changed);
+    return errorOf(drawn, SetPlanes{id, {changed, top}});
+  };
+  CHECK(errorOf(drawn, SetPlanes{id, {}}) == Error::StackInvalid);
+  CHECK(errorOf(drawn, DrawStack{PictureId{99}, {plane}, rail, {}, {}}) == Error::NoSuchPicture);
+  CHECK(errorOf(drawn, SetPlanes{id, std::vector<stack::Plane>(stack::kMostPlanes + 1, plane)}) ==
+        Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.at = 1.5; }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.turn.w = 2; }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves[0].through[1].x = std::nan(""); }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves[0].through.resize(2); }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves[0].corners.at = {4}; }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves.resize(stack::kMostCurves + 1, p.curves[0]); }) == Error::ValueOutOfRange);
+  CHECK(errorOf(drawn, SetRail{id, {{{0, std::nan(""), 0}}, false}}) == Error::ValueOutOfRange);
+  CHECK(errorOf(drawn, ShapeStack{id, {sections::CapStyle::Flat, sections::CapStyle::Flat, 4, 6}}) ==
+        Error::ValueOutOfRange);
 }
 
 TEST_CASE("a puff becomes a flat piece of the same region and back") {

@@ -66,6 +66,7 @@ bool couldBeMade(const Document& document) {
     }
     if (inflateOf(part) && !isValid(inflateOf(part)->inflate)) return false;
     if (extrudeOf(part) && !isValid(extrudeOf(part)->extrude)) return false;
+    if (stackOf(part) && !isValid(stackOf(part)->stack)) return false;
     for (const ParamInfo& info : paramTable(kindOf(part))) {
       if (info.get(part.recipe) < info.low || info.get(part.recipe) > info.high) return false;
     }

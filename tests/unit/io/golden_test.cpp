@@ -50,10 +50,11 @@ struct KeyCollector {
       std::visit([&](auto& one) { (*this)(key, one); }, recipe);
     }
   }
-  void operator()(const char* key, std::vector<loft::SectionKey>&) {
+  template <Struct T>
+  void operator()(const char* key, std::vector<T>&) {
     keys.insert(key);
-    loft::SectionKey section;
-    members(*this, section);
+    T element;
+    members(*this, element);
   }
   template <class T>
   void always(const char* key, T&) {
@@ -167,6 +168,31 @@ TEST_CASE("the golden document with spun parts reads as what was written") {
   CHECK(read.parts[1]->recipe == document::Recipe(ring));
 }
 
+TEST_CASE("the golden document with a stack reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-stack.json");
+  stack::Plane foot, top;
+  foot.curves = {{{{30, 0}, {0, 30.5}, {-30, 0}, {0, -30}}, {false, {0, 2}}},
+                 {{{9, 9}, {-9, 9}, {-9, -9}, {9, -9}}, {true, {}}}};
+  foot.blend = {sections::BlendKind::Custom, {{{0, 0}, {0.5, 0.75}, {1, 1}}}};
+  top.at = 0.75;
+  top.origin = ModelPoint{60, 0.25, -8};
+  top.turn = {0.5, 0.5, -0.5, 0.5};
+  top.curves = {{{{10, 0}, {0, 10}, {-10, 0}}, {}}};
+  const document::StackRecipe post{PictureId{1},
+                                   {foot, top},
+                                   {{{60, -70, 0}, {55.5, -40, 12}, {60, 0, 0}}, true},
+                                   {sections::CapStyle::Open, sections::CapStyle::Pointed, 64, 4}};
+  stack::Plane end;
+  end.at = 1;
+  end.curves = top.curves;
+  foot = end;
+  foot.at = 0;
+  const document::StackRecipe plain{PictureId{1}, {foot, end}, {{{20, -60, 0}, {20, 0, 0}}, false}, {}};
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0]->recipe == document::Recipe(post));
+  CHECK(read.parts[1]->recipe == document::Recipe(plain));
+}
+
 TEST_CASE("the golden document with parts that were placed, mirrored and grouped reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-placed.json");
   REQUIRE(read.parts.size() == 2);
@@ -228,8 +254,9 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   CHECK(wanted.size() > 45);
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
-    // A key that is spelled takes as many characters of a link as its name has.
-    CHECK_MESSAGE(isPackedWord(key), key);
+    // A key that is spelled takes as many characters of a link as its name has; the example never changes.
+    static const std::set<std::string> kCameLater{"corners", "curves", "origin", "planes", "rail", "stack", "through"};
+    CHECK_MESSAGE(isPackedWord(key) != kCameLater.contains(key), key);
   }
 }
 

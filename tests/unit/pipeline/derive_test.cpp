@@ -5,6 +5,7 @@
 #include "engine/document/update.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
+#include "engine/stack/stack.h"
 #include "engine/vision/edges.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/random_documents.h"
@@ -120,6 +121,42 @@ TEST_CASE("every authored value of a recipe and its picture is part of the shape
   CHECK(changes([](LoftRecipe& r) { r.loft.squash.points = {{0, 1}}; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].blend.kind = sections::BlendKind::Root; }));
   CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].shape.contours = {{{1, 0}}}; }));
+}
+
+TEST_CASE("the key of a stack follows everything that it is made of, and its shape comes from the planes alone") {
+  stack::Plane foot;
+  foot.curves = {{{{20, 0}, {0, 20}, {-20, 0}, {0, -20}}, {}}};
+  stack::Plane top = foot;
+  top.at = 1;
+  const StackRecipe recipe{PictureId{1}, {foot, top}, {{{96, -120, 0}, {96, -20, 0}}, false}, {}};
+  const Document document = update(ellipseDocument(), DrawStack{PictureId{1}, recipe.planes, recipe.rail}).value();
+  const PictureEntry& entry = document.pictures[0];
+  const std::uint64_t key = shapeKey(recipe, entry);
+  CHECK(shapeKey(document.parts.back()->recipe, entry) == key);
+  const auto changes = [&](void (*change)(StackRecipe&)) {
+    StackRecipe other = recipe;
+    change(other);
+    return shapeKey(other, entry) != key;
+  };
+  CHECK(changes([](StackRecipe& r) { r.planes.pop_back(); }));
+  CHECK(changes([](StackRecipe& r) { r.planes[0].at = 0.1; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[0].origin = ModelPoint{}; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[0].turn = {0, 1, 0, 0}; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[0].blend.kind = sections::BlendKind::Linear; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].through[2].y += 1e-9; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].corners.all = true; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].corners.at = {1}; }));
+  CHECK(changes([](StackRecipe& r) { r.rail.closed = true; }));
+  CHECK(changes([](StackRecipe& r) { r.rail.points[1].z = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.startCap = sections::CapStyle::Round; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.endCap = sections::CapStyle::Round; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.sides = 64; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.capRings = 5; }));
+  CHECK_FALSE(changes([](StackRecipe& r) { r.picture = PictureId{9}; }));
+  Cache cache;  // which knows no edges
+  const auto shape = derive(document, cache).parts.back().shape;
+  REQUIRE(shape);
+  CHECK(shape->mesh == stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, entry.size).value());
 }
 
 namespace {
