@@ -23,7 +23,7 @@ const kArrows = {
   'engine/ribs/edit': ['engine/ribs/field'],
   'engine/sections': ['engine/mesh'],
   'engine/loft': ['engine/ribs/base', 'engine/sections'],
-  'engine/inflate': ['engine/mesh', 'engine/image'],
+  'engine/inflate': ['engine/sections', 'engine/image'],
   'engine/extrude': ['engine/mesh', 'engine/image'],
   'engine/lathe': ['engine/mesh', 'engine/image'],
   'engine/document': [

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "engine/inflate/profile.h"
 #include "engine/ribs/base/spine.h"
 
 namespace spineloft::document {
@@ -80,6 +81,14 @@ Status checkRegion(const Document& document, const Region& region) {
       high.x >= -0.5 && high.y >= -0.5 && low.x <= entry->size.width - 0.5 && low.y <= entry->size.height - 0.5;
   if (!onPicture) return Error::RegionOutside;
   return Done{};
+}
+
+Status checkSolid(const RegionSolid& solid) {
+  if (!std::visit([](const auto& params) { return isValid(params); }, solid)) return Error::ValueOutOfRange;
+  const auto* puff = std::get_if<inflate::InflateParams>(&solid);
+  if (puff == nullptr || puff->profile.isSoft()) return Done{};
+  const auto curves = inflate::profileCurves(puff->profile.slices.front().shape, puff->sides);
+  return curves ? Status(Done{}) : Status(curves.failure());
 }
 
 Status checkDrawn(const Document& document, const Recipe& recipe) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/result.h"
+#include "engine/document/action.h"
 #include "engine/document/document.h"
 
 namespace spineloft::document {
@@ -32,6 +33,9 @@ Status checkStroke(const Document& document, const LoftRecipe& recipe);
 /// Whether a region lies on its picture. Errors: NoSuchPicture, ValueOutOfRange (too many points, a
 /// pen's width out of range), StrokeNotFinite, RegionEmpty, RegionOutside.
 Status checkRegion(const Document& document, const Region& region);
+
+/// What a region is made into. Errors: ValueOutOfRange; SectionInvalid for a slice that is no profile of a puff.
+Status checkSolid(const RegionSolid& solid);
 
 /// What was drawn for a part: that of the two above for its kind.
 Status checkDrawn(const Document& document, const Recipe& recipe);

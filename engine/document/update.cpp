@@ -152,9 +152,7 @@ struct Apply {
   }
   Status operator()(const DrawRegion& a) const {
     if (Status room = roomForPart(); !room) return room;
-    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
-      return Error::ValueOutOfRange;
-    }
+    if (Status solid = checkSolid(a.solid); !solid) return solid;
     if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
     addPart(recipeOf(a.region, a.solid), a.look);
     return Done{};
@@ -167,9 +165,7 @@ struct Apply {
     });
   }
   Status operator()(const ShapeRegion& a) const {
-    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
-      return Error::ValueOutOfRange;
-    }
+    if (Status solid = checkSolid(a.solid); !solid) return solid;
     return editRegion(a.part, [&](Part& part) -> Status {
       const Region region = *regionOf(part.recipe);
       part.recipe = recipeOf(region, a.solid);
@@ -177,9 +173,7 @@ struct Apply {
     });
   }
   Status operator()(const RemakePart& a) const {
-    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
-      return Error::ValueOutOfRange;
-    }
+    if (Status solid = checkSolid(a.solid); !solid) return solid;
     if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
     return editPart(a.part, [&](Part& part) -> Status {
       part.recipe = recipeOf(a.region, a.solid);

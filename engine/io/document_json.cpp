@@ -100,6 +100,7 @@ void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
 }
 void mendRecipe(document::InflateRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.inflate), recipe.inflate, {}, notes);
+  mend(document::checkSolid(recipe.inflate).ok(), recipe.inflate.profile, {}, notes);
 }
 void mendRecipe(document::ExtrudeRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.extrude), recipe.extrude, {}, notes);

@@ -29,7 +29,7 @@ using Json = nlohmann::json;
 template <class T, class Plain>
 concept Is = std::same_as<std::remove_const_t<T>, Plain>;
 
-// ---- the members of every struct that is an object ----------------------------------------------
+// ---- the members of every struct that is an object; those about regions: json_region_fields.h -----
 
 template <class V, Is<ribs::SpineParams> T>
 void members(V& v, T& value) {
@@ -134,57 +134,6 @@ void members(V& v, T& value) {
   v("pose", pose);
   v("loft", loft);
 }
-template <class V, Is<document::Region> T>
-void members(V& v, T& value) {
-  auto& [picture, contours, ribbon, open] = value;
-  v("picture", picture);
-  v("contours", contours);
-  v("ribbon", ribbon);
-  v("open", open);
-}
-template <class V, Is<inflate::InflateParams> T>
-void members(V& v, T& value) {
-  auto& [height, sides, points] = value;
-  v("height", height);
-  v("sides", sides);
-  v("points", points);
-}
-template <class V, Is<extrude::ExtrudeParams> T>
-void members(V& v, T& value) {
-  auto& [thickness, edge, edgeSize, depth] = value;
-  v("thickness", thickness);
-  v("edge", edge);
-  v("edgeSize", edgeSize);
-  v("depth", depth);
-}
-template <class V, Is<document::InflateRecipe> T>
-void members(V& v, T& value) {
-  auto& [region, inflate] = value;
-  v("region", region);
-  v("puff", inflate);
-}
-template <class V, Is<document::ExtrudeRecipe> T>
-void members(V& v, T& value) {
-  auto& [region, extrude] = value;
-  v("region", region);
-  v("sheet", extrude);
-}
-template <class V, Is<lathe::LatheParams> T>
-void members(V& v, T& value) {
-  auto& [axisFrom, axisTo, turn, sides, wall, squash] = value;
-  v("axisFrom", axisFrom);
-  v("axisTo", axisTo);
-  v("turn", turn);
-  v("sides", sides);
-  v("wall", wall);
-  v("squash", squash);
-}
-template <class V, Is<document::LatheRecipe> T>
-void members(V& v, T& value) {
-  auto& [region, lathe] = value;
-  v("region", region);
-  v("lathe", lathe);
-}
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
   auto& [textured, colour, paint, second, faceted, inked] = value;
@@ -277,6 +226,12 @@ void members(V& v, T& value) {
   v("lastGroupId", lastGroupId);
   v.beyond(extra);
 }
+
+}  // namespace spineloft::io
+
+#include "engine/io/json_region_fields.h"
+
+namespace spineloft::io {
 
 /// Stands for any visitor where only the type of what is visited is asked for.
 struct NoVisitor {};

@@ -42,13 +42,16 @@ void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
   hasher.number(curve.points.size());
   for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
 }
+void mix(Hasher& hasher, const sections::SectionShape& shape) {
+  const auto& [preset, contours] = shape;
+  hasher.number(preset).number(contours.size());
+  for (const auto& contour : contours) mix(hasher, contour);
+}
 void mix(Hasher& hasher, const loft::SectionKey& key) {
   const auto& [at, shape, blend] = key;
-  const auto& [preset, contours] = shape;
   const auto& [kind, custom] = blend;
-  mixAll(hasher, at, preset, kind);
-  hasher.number(contours.size());
-  for (const auto& contour : contours) mix(hasher, contour);
+  mixAll(hasher, at, kind);
+  mix(hasher, shape);
   mix(hasher, custom);
 }
 void mix(Hasher& hasher, const loft::LoftParams& params) {
@@ -81,6 +84,13 @@ void mix(Hasher& hasher, const loft::Pose& pose) {
   mix(hasher, stroke);
   mix(hasher, depth);
   mixAll(hasher, coilTurns, coilRadius, closed);
+}
+
+void mix(Hasher& hasher, const inflate::ProfileParams& params) {
+  const auto& [slices, follow] = params;
+  hasher.number(slices.size());
+  for (const auto& [shape] : slices) mix(hasher, shape);
+  hasher.number(follow);
 }
 
 /// A region's solid takes only its size from the picture, its texture the pixels.
@@ -130,10 +140,11 @@ std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::Pictu
 
 std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, inflate] = recipe;
-  const auto& [height, sides, points] = inflate;
+  const auto& [height, sides, points, profile] = inflate;
   Hasher hasher;
   hasher.text("puff").number(regionKey(region, entry));
   mixAll(hasher, height, sides, points);
+  mix(hasher, profile);
   return hasher.value();
 }
 

@@ -333,8 +333,10 @@ RegionSolid anySolid(Rng& rng) {
                               rng.uniform(0.05, 4.2)};
   }
   if (rng.below(2) == 0) {
-    return inflate::InflateParams{rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)),
-                                  static_cast<int>(rng.below(900))};
+    inflate::InflateParams puff{
+        rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)), static_cast<int>(rng.below(900)), {}};
+    if (rng.below(3) == 0) puff.profile = {{{anySection(rng)}}, rng.uniform(-0.1, 1.1)};
+    return puff;
   }
   return extrude::ExtrudeParams{rng.uniform(0, 0.4), static_cast<extrude::EdgeKind>(rng.below(4)),
                                 rng.uniform(-0.05, 1.05), rng.uniform(-0.5, 0.5)};

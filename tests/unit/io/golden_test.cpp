@@ -157,6 +157,19 @@ TEST_CASE("the golden document with regions reads as what was written") {
   CHECK(read.parts[1]->recipe == document::Recipe(ear));
 }
 
+TEST_CASE("the golden document with puffs of a slice reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-puffs.json");
+  const document::Region region{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0};
+  document::InflateRecipe coin{region, {0.5, inflate::InflateSides::Front, 400}}, bowl{region, {}};
+  coin.inflate.profile = {{{sections::SectionPreset::Square}}, 0.25};
+  sections::SectionShape drawn;
+  drawn.contours = {{{-1, -0.5}, {1, -0.5}, {1, 0.25}, {-1, 0.25}}, {{-0.5, -0.25}, {0.5, -0.25}, {0.5, 0}, {-0.5, 0}}};
+  bowl.inflate.profile.slices = {{drawn}};
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0]->recipe == document::Recipe(coin));
+  CHECK(read.parts[1]->recipe == document::Recipe(bowl));
+}
+
 TEST_CASE("the golden document with spun parts reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-spun.json");
   const document::LatheRecipe glass{{PictureId{1}, {{{60, 70}, {90.5, 70}, {80, 20}}}, 0, true},
@@ -228,8 +241,9 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   CHECK(wanted.size() > 45);
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
-    // A key that is spelled takes as many characters of a link as its name has.
-    CHECK_MESSAGE(isPackedWord(key), key);
+    // A key that is spelled takes as many characters of a link as its name has: those of puffs came later than texts.
+    static const std::set<std::string> kSpelled{"profile", "slices", "follow"};
+    CHECK_MESSAGE(isPackedWord(key) != kSpelled.contains(key), key);
   }
 }
 
