@@ -244,7 +244,14 @@ std::vector<PicturePoint> strokeOnThing(const document::Document& document, cons
   const auto ignored = ignoredEdgesOf(recipe, *entry, *edges, cache);
   if (!ignored) return recipe.stroke;
   try {
-    return ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()}, recipe.spine, recipe.ribs);
+    std::optional<ribs::TracedStroke> whole;
+    std::vector<PicturePoint> kept = ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()},
+                                                         recipe.spine, recipe.ribs, cache.ribMemory(), whole);
+    if (whole) {
+      auto traced = std::make_shared<TracedRibs>(TracedRibs{std::move(whole->spine), std::move(whole->ribs)});
+      cache.keepTraced(traceKey(recipe, *entry), std::move(traced), true);
+    }
+    return kept;
   } catch (const std::bad_alloc&) {
     return recipe.stroke;
   }

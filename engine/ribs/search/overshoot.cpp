@@ -170,15 +170,13 @@ Spot spotOn(std::span<const PicturePoint> stroke, PicturePoint p, double shareOf
 }  // namespace
 
 Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                                    RibWorkspace& memory) {
-  if (picture.edges.empty()) return SpineStretch{};
+                                    RibWorkspace& memory, RibSet& set) {
   Search& s = memory.search();
-  RibSet set;
   const Status found = searchRibs(spine, picture, params, Progress(), s, set);
   if (!found.ok()) return found.failure();
   constexpr int kFewest = 16;
   const int ribs = s.problem.ribs;
-  if (ribs < kFewest) return SpineStretch{};
+  if (picture.edges.empty() || ribs < kFewest) return SpineStretch{};
   const double half = middleHalfWidth(set), length = s.field.length();
   const double share = length / (ribs - 1) / half;
   const int most = static_cast<int>(std::min(kMostOfRibs * ribs, kFarthest / share + 2));
@@ -195,27 +193,39 @@ Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& p
 }
 
 std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
-                                        const SpineParams& spine, const RibParams& ribs) {
+                                        const SpineParams& spine, const RibParams& ribs, RibWorkspace& memory,
+                                        std::optional<TracedStroke>& whole) {
   std::vector<PicturePoint> kept(stroke.begin(), stroke.end());
-  const Result<Spine> cleaned = cleanSpine(stroke, picture.size, spine);
-  if (!cleaned) return kept;
-  RibWorkspace memory;
-  const Result<SpineStretch> found = stretchOnThing(cleaned.value(), picture, ribs, memory);
-  if (!found || found.value().whole()) return kept;
-  const std::span<const PicturePoint> points = cleaned.value().points;
+  whole.reset();
+  Result<Spine> cleaned = cleanSpine(stroke, picture.size, spine);
+  if (!cleaned || picture.edges.empty()) return kept;
+  TracedStroke traced{std::move(cleaned).value(), {}};
+  const Result<SpineStretch> found = stretchOnThing(traced.spine, picture, ribs, memory, traced.ribs);
+  if (!found) return kept;
+  const std::span<const PicturePoint> points = traced.spine.points;
   const std::vector<double> s = geometry::arcLengths(points);
   const auto spotAt = [&](double share) {
     return spotOn(stroke, geometry::pointAt(points, std::span<const double>(s), share * s.back()), share);
   };
   const auto [from, to] = found.value();
   const Spot first = spotAt(from), last = spotAt(to);
-  if (first.segment > last.segment) return kept;
+  if (found.value().whole() || first.segment > last.segment) {
+    whole = std::move(traced);
+    return kept;
+  }
   kept.clear();
   if (from > 0) kept.push_back(first.at);
   const auto at = [&](std::size_t i) { return stroke.begin() + static_cast<std::ptrdiff_t>(i); };
   kept.insert(kept.end(), at(from > 0 ? first.segment + 1 : 0), at(to < 1 ? last.segment + 1 : stroke.size()));
   if (to < 1) kept.push_back(last.at);
   return kept;
+}
+
+std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
+                                        const SpineParams& spine, const RibParams& ribs) {
+  RibWorkspace memory;
+  std::optional<TracedStroke> whole;
+  return strokeOnThing(stroke, picture, spine, ribs, memory, whole);
 }
 
 }  // namespace spineloft::ribs

@@ -214,6 +214,20 @@ TEST_CASE("a preview is what the part becomes, and is traced only once") {
   CHECK(whole->key == later.parts[1].shape->key);
 }
 
+TEST_CASE("what was traced to see whether a stroke runs past its thing is not traced again") {
+  const Document document = ellipseDocument();
+  const LoftRecipe& recipe = *document::loftOf(*document.parts[0]);
+  Cache cache, fresh;
+  const auto expected = deriveWithEdges(document, fresh, {}).value().parts[0].shape;
+  cache.keepEdges(document.pictures[0]->contentHash, fresh.edges(document.pictures[0]->contentHash));
+  REQUIRE(strokeOnThing(document, recipe, cache) == recipe.stroke);
+  forgetEdges(cache, document);
+  const auto shape = derive(document, cache).parts[0].shape;
+  REQUIRE(shape != nullptr);
+  CHECK(shape->spine == expected->spine);
+  CHECK(shape->ribs == expected->ribs);
+}
+
 TEST_CASE("what a stroke showed under the pen is not what is kept of it") {
   const Document document = ellipseDocument();
   Cache cache, other;
