@@ -160,6 +160,11 @@ Outcome selectStep(const CommandEnv& env, StepId step);
 Outcome setStep(const CommandEnv& env, const document::SetStep& action);
 /// The side of a hollow solid that looks this way opens.
 Outcome openTowards(const CommandEnv& env, StepId step, WorldPoint way);
+/// A tap on this part while *Scoop out* shows what it would do: it opens at the side that looks this way, or, of
+/// something else, that becomes hollow instead.
+Outcome tapHollow(const CommandEnv& env, PartId part, WorldPoint way);
+/// Where what is shown would open.
+Outcome openHollow(const CommandEnv& env, document::OpeningSide side);
 Outcome showStep(const CommandEnv& env, StepId step, bool visible);
 Outcome foldStep(const CommandEnv& env, StepId step);
 Outcome askStepName(const CommandEnv& env, StepId step);

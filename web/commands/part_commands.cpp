@@ -23,7 +23,7 @@ using Env = const CommandEnv&;
 
 /// Selects a part; the next part is made like it, as the panels show.
 void select(Env env, const document::Part& part) {
-  env.ui.selection = part.id;
+  env.ui.selection = env.ui.chosenPart = part.id;
   env.ui.alsoSelected.clear();
   takePoints(env.ui, part);
   featureAt(env.ui, document::pictureOf(part));
@@ -41,6 +41,15 @@ std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key, loft
   const std::string* name = args.text(key);
   if (name == nullptr) return fallback;
   return loft::capFromKey(*name);
+}
+
+/// Ends of ribs that are guesses.
+std::size_t guessedEnds(const ribs::RibSet& set) {
+  std::size_t count = 0;
+  for (const ribs::Rib& rib : set.ribs) {
+    for (const ribs::RibState state : {rib.leftState, rib.rightState}) count += state == ribs::RibState::Guessed;
+  }
+  return count;
 }
 
 }  // namespace
@@ -77,6 +86,16 @@ void tellStanding(Env env, const Standing& standing) {
   if (!standing.lie) return;
   env.ui.newPart = NewPart{env.ui.selection, *standing.lie, env.studio.undoSteps()};
   if (*standing.lie == Lie::InFront) sendStatus(env.host, "It lies on what it was drawn over.");
+}
+
+void tellMade(Env env) {
+  const document::Part& part = *env.studio.document().parts.back();
+  const pipeline::DerivedPart& derived = env.studio.derived().parts.back();
+  const std::size_t guesses = derived.shape ? guessedEnds(derived.shape->generated) : 0;
+  const std::string_view sentence = guesses == 0   ? "{name} is made."
+                                    : guesses == 1 ? "{name} is made. One end is a guess."
+                                                   : "{name} is made. {n} ends are guesses.";
+  sendStatus(env.host, words::tr(sentence, {{"name", words::nameOf(part.name)}, {"n", guesses}}));
 }
 
 bool partIsNew(Env env) {
@@ -173,10 +192,7 @@ constexpr std::string_view kNothingFound =
 double guessedShare(Env env) {
   const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
   if (!newest.shape || newest.shape->generated.ribs.empty()) return 0;
-  double guessed = 0;
-  for (const ribs::Rib& rib : newest.shape->generated.ribs) {
-    guessed += (rib.leftState == ribs::RibState::Guessed ? 1 : 0) + (rib.rightState == ribs::RibState::Guessed ? 1 : 0);
-  }
+  const auto guessed = static_cast<double>(guessedEnds(newest.shape->generated));
   return guessed / (2 * static_cast<double>(newest.shape->generated.ribs.size()));
 }
 
@@ -230,7 +246,7 @@ Outcome drawSpine(Env env, const DrawSpineIntent& intent) {
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
-  sendStatus(env.host, {});  // what it asked for is done
+  tellMade(env);
   tellStanding(env, standing);
   shorter ? sendHint(env.host, kCutSentence) : tellGuesses(env);
   return {};
@@ -343,7 +359,13 @@ Outcome deleteParts(Env env, const std::vector<PartId>& parts) {
   std::vector<document::Action> actions;
   for (const PartId id : parts) actions.push_back(document::DeletePart{id});
   const document::Document before = env.studio.document();
+  const document::Part* first = parts.empty() ? nullptr : document::findPart(before, parts.front());
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  if (first != nullptr && parts.size() == 1) {
+    sendStatus(env.host, words::tr("{name} is deleted.", {{"name", words::nameOf(first->name)}}));
+  } else {
+    sendStatus(env.host, words::tr("{n} parts are deleted.", {{"n", parts.size()}}));
+  }
   reportSolidSaving(env, before);
   return {};
 }
@@ -373,9 +395,10 @@ Outcome askPartName(Env env, PartId id) {
   const document::Part* part = document::findPart(env.studio.document(), id);
   if (part == nullptr) return noPart();
   const std::string question = "rename-part:" + std::to_string(id.value);
-  return ask(env, {question, "Rename", "A name for this part", part->name}, [id](Env later, const std::string& name) {
-    return outcomeOf(later.studio.act(document::RenamePart{id, name}));
-  });
+  const auto at = rowAt(env.ui, {id, {}});
+  return ask(
+      env, {question, "Rename", "A name for this part", part->name, at},
+      [id](Env later, const std::string& name) { return outcomeOf(later.studio.act(document::RenamePart{id, name})); });
 }
 
 Outcome showPart(Env env, PartId id, bool visible) {

@@ -21,6 +21,9 @@ struct Viewport {
 struct SceneTexture {
   std::uint64_t key = 0;
   const image::Image* image = nullptr;
+  /// Its numbers are what the screen shows, as Dear ImGui draws, whose texture ids of anything but its font are
+  /// addresses of a SceneTexture that lives while the frame is drawn.
+  bool forPanels = false;
 };
 
 /// How a surface takes the light.

@@ -25,6 +25,7 @@ namespace {
 constexpr double kPumpMs = 16;   // how often finished work is looked for
 constexpr double kWaitMs = 150;  // how often a frame says that the solver is still at it
 constexpr double kTooltipMs = 650;
+constexpr double kFlashMs = 900;
 constexpr double kLongestStepSeconds = 0.5;
 
 }  // namespace
@@ -170,19 +171,24 @@ void App::frame() {
   growSolid();
   frameNewPart();
   fly();
+  fadeFlash();
   // Work goes on where nothing can be drawn: it can still be saved.
   if (!lost_) drawFrame();
   watchWork();
   announce();
+  announceControls();
   if (moving() || framesWanted_ > 0) host_.requestFrame();
 }
 
-bool App::moving() const { return ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works(); }
+bool App::moving() const {
+  return ui_.flight || (ui_.solids.flash && ui_.solids.flash->sinceMs) || (ui_.preview && !ui_.preview->settled()) ||
+         studio_.works();
+}
 
 void App::drawFrame() {
   words::forgetMuch();
   beginUi();
-  panels::draw({env(), studio_.derived(), fonts_, sink_});
+  panels::draw({env(), studio_.derived(), fonts_, sink_, partPictures_, mouth_});
   ImGui::Render();
   if (!sink_.empty()) framesWanted_ = std::max(framesWanted_, 2);
   runCalls();
@@ -190,6 +196,7 @@ void App::drawFrame() {
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
   scene_.still = !moving() && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
   renderer_->draw(scene_);
+  partPictures_.forgetUnused();
   ++frames_;
 }
 
@@ -210,6 +217,20 @@ void App::fly() {
   if (t >= 1) ui_.flight.reset();
 }
 
+/// What was just put together is lit for a moment from when it is there.
+void App::fadeFlash() {
+  std::optional<Flash>& flash = ui_.solids.flash;
+  if (!flash) return;
+  const auto& steps = studio_.derived().steps;
+  const auto at = std::ranges::find(steps, flash->step, &pipeline::DerivedStep::id);
+  if (at == steps.end() || at->failure) return flash.reset();
+  if (at->waiting || !at->solid) return;
+  if (!flash->sinceMs) flash->sinceMs = host_.nowMs();
+  const double past = (host_.nowMs() - *flash->sinceMs) / kFlashMs;
+  if (past >= 1) return flash.reset();
+  flash->light = host_.reducedMotion() ? 1 : 1 - past;
+}
+
 void App::beginUi() {
   ImGuiIO& io = ImGui::GetIO();
   const double now = host_.nowMs();
@@ -217,6 +238,7 @@ void App::beginUi() {
   io.DisplayFramebufferScale = {static_cast<float>(ui_.dpr), static_cast<float>(ui_.dpr)};
   io.DeltaTime = static_cast<float>(std::clamp((now - lastFrameMs_) / 1000, 1e-4, kLongestStepSeconds));
   lastFrameMs_ = now;
+  workAsked();
   renderer_->beginUi();
   ImGui::NewFrame();
 }

@@ -3,7 +3,9 @@
 #include <emscripten.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "web/platform/browser_host.h"
 #include "web/platform/page.h"
@@ -151,6 +153,13 @@ EMSCRIPTEN_KEEPALIVE void spl_answer(const char* id, const char* answer) {
   if (page() != nullptr) page()->answer(text(id), text(answer));
 }
 EMSCRIPTEN_KEEPALIVE int spl_idle() { return page() == nullptr || page()->idle() ? 1 : 0; }
+/// Not a number: it is pressed.
+EMSCRIPTEN_KEEPALIVE void spl_workControl(std::uint32_t id, double value) {
+  if (page() != nullptr) page()->workControl(id, std::isnan(value) ? std::nullopt : std::optional(value));
+}
+EMSCRIPTEN_KEEPALIVE void spl_showControl(std::uint32_t id) {
+  if (page() != nullptr) page()->showControl(id);
+}
 EMSCRIPTEN_KEEPALIVE int spl_warmUp() { return warmUp() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
   if (page() != nullptr) page()->cancelWork();

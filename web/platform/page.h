@@ -87,6 +87,10 @@ class Page {
   virtual void contextRestored() = 0;
   virtual void answer(std::string_view id, std::string_view text) = 0;
   virtual bool idle() = 0;
+  // Controls of the panels without a pointer, by the ids of {type: 'controls'}: what is out of sight comes into sight.
+  /// A slider gets a value; without one it is pressed.
+  virtual void workControl(std::uint32_t id, std::optional<double> value) = 0;
+  virtual void showControl(std::uint32_t id) = 0;
   virtual void cancelWork() = 0;
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
   /// web/model/solid_work.h).

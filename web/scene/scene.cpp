@@ -5,6 +5,7 @@
 #include "engine/base/hash.h"
 #include "engine/mesh/laws.h"
 #include "engine/publish/publish.h"
+#include "web/edit/hollowing.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 
@@ -122,7 +123,8 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
     mesh.key = keyOf(shape->key, part.look);
     const bool several = document.parts.size() > 1;
-    mesh.glow = several && isSelected(document, ui, part.id) ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
+    const bool lit = ui.solids.hollow ? becomesHollow(document, ui, part.id) : isSelected(document, ui, part.id);
+    mesh.glow = several && lit ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
     addCopies(mesh, shownCopies(ui, part, source.entry->size), scene);
   }
 }
@@ -161,8 +163,11 @@ void addSolids(const document::Document& document, const pipeline::Derived& deri
       gl::SceneMesh mesh = pieceOf(document, derived, step, piece);
       const std::uint64_t key = Hasher().text("piece").number(shown->solid->key).number(number++).value();
       mesh.key = gpuKey(Hasher().number(key).number(mesh.faceted).value());
-      const bool chosen = piece.part && piece.part == ui.selection;
+      const bool chosen =
+          piece.part && (ui.solids.hollow ? becomesHollow(document, ui, piece.part) : piece.part == ui.selection);
       mesh.glow = chosen ? 0.7f : piece.part && piece.part == ui.hover.part ? 0.35f : 0.f;
+      const std::optional<Flash>& flash = ui.solids.flash;
+      if (flash && flash->step == step.id) mesh.glow = std::max(mesh.glow, static_cast<float>(flash->light));
       scene.meshes.push_back(mesh);
     }
   }

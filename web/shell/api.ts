@@ -189,7 +189,7 @@ export interface Step {
 
 /** Something on the canvas that can be pressed; 'words' are told and cannot be. Names of parts are the words of rows and grips. */
 export interface Control {
-  kind: 'button' | 'row' | 'grip' | 'field' | 'slider' | 'section' | 'tab' | 'words';
+  kind: 'button' | 'row' | 'grip' | 'field' | 'slider' | 'section' | 'tab' | 'words' | 'rib';
   words: string;
   /** CSS pixels of the canvas. */
   at: [x: number, y: number, width: number, height: number];
@@ -197,6 +197,12 @@ export interface Control {
   inSight: boolean;
   enabled: boolean;
   on: boolean;
+  /** Its number for as long as it is shown; 0 for words. */
+  id: number;
+  /** The command that it runs. */
+  command: string | null;
+  /** Of a slider: its ends and its value in the unit that it shows, and the value in words. */
+  slide: { low: number; high: number; value: number; text: string } | null;
 }
 
 /** What is on the page now. A copy: changing it changes nothing. */
@@ -220,6 +226,8 @@ export interface State {
   gizmo: { at: [number, number]; held: boolean; knobs: { handle: string; at: [number, number] }[] } | null;
   /** Solids made of parts. */
   steps: Step[];
+  /** What *Scoop out* shows before it does it: what becomes hollow, with its wall and opening. */
+  hollow: { what: Operand[]; wall: number; opening: string; openingDepth: number } | null;
   /** Ticked in the list for the next solid, in this order. */
   picked: Operand[];
   /** Id of the chosen solid. */

@@ -1,9 +1,10 @@
 // The engine as the shell sees it: loads one of the two WebAssembly variants and wraps its exported
 // functions. Strings cross as UTF-8 in malloc'ed memory; everything that comes out is copied at once.
-import type { Command, ExportFormat, State } from './api.ts';
+import type { Command, Control, ExportFormat, State } from './api.ts';
 import { boundScript } from './bound_script.ts';
 import { Failure } from './failure.ts';
 import type { Script } from './fonts.ts';
+import type { Place } from './in_place.ts';
 import type { About, JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { RawPhoto } from './keep/pack.ts';
@@ -29,8 +30,10 @@ export type EngineEvent =
   | { type: 'toast'; level: 'info' | 'hint' | 'warning' | 'error'; text: string; offer?: Offer }
   | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
   | { type: 'pickPicture' }
-  | { type: 'ask'; id: string; title: string; text: string; value?: string }
+  | { type: 'ask'; id: string; title: string; text: string; value?: string; at: Place | null }
   | { type: 'cursor'; css: string }
+  /** What the panels on the canvas show, when they are at rest. */
+  | { type: 'controls'; controls: Control[] }
   | { type: 'shelf'; slices: unknown[] }
   | { type: 'status'; text: string }
   /** The page is to speak this language. */
@@ -129,6 +132,8 @@ interface Module {
   _spl_contextRestored(): void;
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
+  _spl_workControl(id: number, value: number): void;
+  _spl_showControl(id: number): void;
   _spl_warmUp(): number;
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
@@ -423,6 +428,16 @@ export class Engine {
 
   answer(id: string, text: string): void {
     this.withStrings([id, text], (at) => this.module._spl_answer(at[0]!, at[1]!));
+  }
+
+  /** Works a control of the panels without a pointer: see 'controls'. */
+  workControl(id: number, value = Number.NaN): void {
+    this.module._spl_workControl(id, value);
+  }
+
+  /** Brings it into sight. */
+  showControl(id: number): void {
+    this.module._spl_showControl(id);
   }
 
   isIdle(): boolean {

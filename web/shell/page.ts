@@ -12,10 +12,12 @@ import { loadScript } from './fonts.ts';
 import { Guide } from './guide.ts';
 import { showHelp } from './help.ts';
 import { icon } from './icons.ts';
+import { askInPlace } from './in_place.ts';
 import { askAnimal } from './keep/animals.ts';
 import { Keeper } from './keep/keeper.ts';
 import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
+import { Mirror } from './mirror.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
@@ -50,6 +52,15 @@ export class Page {
   private readonly guide = new Guide();
   private readonly coach = new Coach();
   private readonly tools = new ToolChoice();
+  private readonly mirror = new Mirror({
+    press: ({ kind, id }) => {
+      if (kind === 'rib') this.run('choose-rib', { rib: id >> 1, side: id % 2 === 0 ? 'left' : 'right' });
+      else this.work((engine) => engine.workControl(id));
+    },
+    set: (id, value) => this.work((engine) => engine.workControl(id, value)),
+    show: (id) => this.engine?.showControl(id),
+    nameText,
+  });
   private readonly models = new ModelsView({
     list: () => this.listModels(),
     elsewhere: () => this.keeper?.elsewhere() ?? Promise.resolve(new Set()),
@@ -145,6 +156,9 @@ export class Page {
       case 'cursor':
         this.canvas.style.cursor = event.css;
         break;
+      case 'controls':
+        this.mirror.update(event.controls);
+        break;
       case 'shelf':
         keepShelf(event.slices);
         break;
@@ -210,6 +224,16 @@ export class Page {
     try {
       this.mustBeChangeable();
       this.engine?.run(id, args);
+    } catch (thrown) {
+      toast(sentenceOf(thrown), 'error');
+    }
+  }
+
+  /** Works a control of the panels, unless nothing can be changed here. */
+  private work(control: (engine: Engine) => void): void {
+    try {
+      this.mustBeChangeable();
+      if (this.engine) control(this.engine);
     } catch (thrown) {
       toast(sentenceOf(thrown), 'error');
     }
@@ -414,7 +438,9 @@ export class Page {
   private async ask(event: Extract<EngineEvent, { type: 'ask' }>): Promise<void> {
     const command = event.id.split(':')[0]!;
     const isOne = this.table.some(({ id }) => id === command);
-    const text = await askText(event.title, event.text, event.value, isOne ? command : undefined);
+    const text = event.at
+      ? await askInPlace(event.at, event.text, event.value ?? '')
+      : await askText(event.title, event.text, event.value, isOne ? command : undefined);
     if (text !== null) this.engine?.answer(event.id, text);
   }
 
@@ -447,6 +473,7 @@ export class Page {
     setAttribute(this.home, 'title', hasPicture ? 'Home: the start page, with your models' : null);
     byId('home-word').textContent = hasPicture ? t('Home') : 'SpineLoft';
     this.canvas.inert = !hasPicture || this.readOnly;
+    byId('mirror').hidden = !hasPicture || this.readOnly;
     void this.models.update();
     const commands = commandsNow(this.table, view);
     this.tools.see(commands.find(({ id }) => id === 'more-tools')?.toggled === true);

@@ -37,6 +37,7 @@ const kBeforeReady: State = {
   pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null, menu: false },
   parts: [],
   steps: [],
+  hollow: null,
   picked: [],
   selectedStep: null,
   selected: [],
