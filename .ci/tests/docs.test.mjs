@@ -7,7 +7,7 @@ import { houseFiles } from '../arrows.mjs';
 import { root } from '../lib/paths.mjs';
 
 const kPages = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'].concat(
-  ['accuracy', 'api', 'architecture', 'command-line', 'glossary', 'guide', 'hosting', 'method'].map(
+  ['accuracy', 'api', 'architecture', 'command-line', 'glossary', 'guide', 'hosting', 'method', 'viewer'].map(
     (name) => `assets/docs/${name}.md`,
   ),
 );

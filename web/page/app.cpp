@@ -7,6 +7,7 @@
 #include "engine/base/hash.h"
 #include "engine/base/limits.h"
 #include "engine/io/picture_probe.h"
+#include "engine/io/png_model.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/state_json.h"
 #include "web/edit/editing.h"
@@ -432,22 +433,28 @@ const std::string& App::sentence(std::string_view name) {
   return text_;
 }
 
-std::span<const std::uint8_t> App::exportModel(std::string_view format) {
+std::span<const std::uint8_t> App::exported(Result<publish::Bytes> bytes) {
   exported_.clear();
-  Failure failure{Error::ValueOutOfRange, std::string(format)};
-  if (const std::optional<publish::Format> known = publish::formatFromKey(format)) {
-    Result<publish::Bytes> bytes = studio_.publishNow(*known);
-    if (bytes) {
-      exported_ = std::move(bytes).value();
-      return exported_;
-    }
-    failure = bytes.failure();
+  if (bytes) {
+    exported_ = std::move(bytes).value();
+    return exported_;
   }
   json_.clear();
-  json_.beginObject().key("ok").flag(false).key("error").text(errorName(failure.error));
-  json_.key("sentence").text(spokenFailure(failure)).endObject();
+  json_.beginObject().key("ok").flag(false).key("error").text(errorName(bytes.error()));
+  json_.key("sentence").text(spokenFailure(bytes.failure())).endObject();
   lastError_ = json_.json();
   return {};
+}
+
+std::span<const std::uint8_t> App::exportModel(std::string_view format) {
+  const std::optional<publish::Format> known = publish::formatFromKey(format);
+  if (!known) return exported({Error::ValueOutOfRange, std::string(format)});
+  return exported(studio_.publishNow(*known));
+}
+
+std::span<const std::uint8_t> App::pictureWithModel(std::span<const std::uint8_t> png) {
+  const Result<publish::Bytes> model = studio_.publishNow(publish::Format::Project);
+  return exported(model ? io::withModel(png, model.value()) : Result<publish::Bytes>(model.failure()));
 }
 
 Vec2<platform::CanvasSpace> App::imageToCanvas(double x, double y) {

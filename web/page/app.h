@@ -52,6 +52,7 @@ class App final : public platform::Page, Hand {
   const std::string& lastError() override;
   const std::string& sentence(std::string_view errorName) override;
   std::span<const std::uint8_t> exportModel(std::string_view format) override;
+  std::span<const std::uint8_t> pictureWithModel(std::span<const std::uint8_t> png) override;
   Vec2<platform::CanvasSpace> imageToCanvas(double x, double y) override;
   void contextLost() override;
   void contextRestored() override;
@@ -100,6 +101,8 @@ class App final : public platform::Page, Hand {
   void nameRib();
   void refused(const Refusal& refusal);
   const std::string& answerWith(const Outcome& outcome);
+  /// Empty on failure, with the reason in `lastError_`.
+  std::span<const std::uint8_t> exported(Result<publish::Bytes> bytes);
   void feedPanels(const platform::PointerEvent& event);
 
   platform::Host& host_;

@@ -134,6 +134,15 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_export(const char* format, std::uin
   return bytes.empty() ? nullptr : bytes.data();
 }
 
+/// As spl_export.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_pictureWithModel(const std::uint8_t* png, std::uint32_t size,
+                                                              std::uint32_t* length) {
+  const std::span<const std::uint8_t> bytes =
+      page() && png ? page()->pictureWithModel({png, size}) : std::span<const std::uint8_t>();
+  if (length != nullptr) *length = static_cast<std::uint32_t>(bytes.size());
+  return bytes.empty() ? nullptr : bytes.data();
+}
+
 EMSCRIPTEN_KEEPALIVE void spl_imageToClient(double x, double y, double* out) {
   if (page() == nullptr || out == nullptr) return;
   const auto at = page()->imageToCanvas(x, y);

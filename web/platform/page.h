@@ -81,6 +81,8 @@ class Page {
   virtual const std::string& sentence(std::string_view errorName) = 0;
   /// The whole model as a file; empty on failure. Valid until the next call.
   virtual std::span<const std::uint8_t> exportModel(std::string_view format) = 0;
+  /// A PNG picture of the model with the model inside (engine/io/png_model.h); as `exportModel`.
+  virtual std::span<const std::uint8_t> pictureWithModel(std::span<const std::uint8_t> png) = 0;
   /// Where a point of the picture is on the canvas.
   virtual Vec2<struct CanvasSpace> imageToCanvas(double x, double y) = 0;
   virtual void contextLost() = 0;

@@ -354,8 +354,8 @@ export interface Command {
   } | null;
 }
 
-/** 'zip': OBJ with its colours and its picture. */
-export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft' | 'zip' | '3mf';
+/** 'zip': OBJ with its colours and its picture. 'png': a picture of the solid with the whole model inside. */
+export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft' | 'zip' | '3mf' | 'png';
 
 /** A model that this device keeps. */
 export interface KeptModelInfo {
@@ -378,7 +378,7 @@ export interface SpineLoftFailure extends Error {
 
 /** A model in a link. */
 export interface SharedLink {
-  /** The address of this page with the text behind '#m='. */
+  /** The address of the viewer with the text behind '#m=': it shows the model, and "Make it mine" opens a copy of it here. */
   url: string;
   /** The text alone: letters, digits, '-' and '_'. */
   text: string;
@@ -397,7 +397,7 @@ export interface SpineLoftApi {
   idle(): Promise<void>;
   /** Opens a picture file (PNG, JPEG, WebP, GIF, BMP, AVIF) as dropping it would. */
   openImage(blob: Blob, name?: string): Promise<void>;
-  /** Opens a model file (.spineloft, or a GLB of this page) as a new model; the one that was open stays in the list. */
+  /** Opens a model file (.spineloft, a GLB of this page, or a PNG with a model inside) as a new model; the one that was open stays in the list. */
   openProject(blob: Blob): Promise<void>;
   /** The model as a link that holds all of it but its photos. */
   shareLink(): Promise<SharedLink>;

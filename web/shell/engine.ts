@@ -122,6 +122,7 @@ interface Module {
   _spl_commands(): number;
   _spl_run(id: number, args: number): number;
   _spl_export(format: number, outLength: number): number;
+  _spl_pictureWithModel(png: number, size: number, outLength: number): number;
   _spl_lastError(): number;
   _spl_sentence(code: number): number;
   _spl_imageToClient(x: number, y: number, out: number): void;
@@ -381,10 +382,25 @@ export class Engine {
     this.check(this.withStrings([id, JSON.stringify(args)], (at) => this.text(this.module._spl_run(at[0]!, at[1]!))));
   }
 
-  exportModel(format: ExportFormat): Uint8Array {
+  exportModel(format: Exclude<ExportFormat, 'png'>): Uint8Array {
+    return this.file((outLength) => this.withStrings([format], (ptr) => this.module._spl_export(ptr[0]!, outLength)));
+  }
+
+  /** A PNG picture of the model with the model inside. */
+  pictureWithModel(png: Uint8Array): Uint8Array {
+    const at = this.put(png);
+    try {
+      return this.file((outLength) => this.module._spl_pictureWithModel(at, png.length, outLength));
+    } finally {
+      this.module._free(at);
+    }
+  }
+
+  /** The bytes whose place `write` returns; it leaves their number at `outLength`. */
+  private file(write: (outLength: number) => number): Uint8Array {
     const outLength = this.module._malloc(4);
     try {
-      const at = this.withStrings([format], (ptr) => this.module._spl_export(ptr[0]!, outLength));
+      const at = write(outLength);
       if (at === 0) {
         this.check(this.text(this.module._spl_lastError()));
         throw new Failure('NothingToExport', this.sentence('NothingToExport'));

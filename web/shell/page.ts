@@ -28,7 +28,7 @@ import type { Sample } from './start_page.ts';
 import type { Task } from './tasks.ts';
 import { toast } from './toasts.ts';
 import type { ToastAction } from './toasts.ts';
-import { gifOf, pngOf } from './turntable.ts';
+import { gifOf, pngOf, stillOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
 import { isSolidLikely, startSolver } from './warm_up.ts';
 import { keepLanguage, language, onLanguage, speak, t } from './words/words.ts';
@@ -89,7 +89,7 @@ export class Page {
       askAnimal,
       beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
-      showShare: () => showShare(this.shareLink()),
+      showShare: () => this.showShare(engine),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
     });
@@ -334,6 +334,15 @@ export class Page {
     this.guide.offer(null);
     this.sayUntilNext(t('{name} is open.', { name: engine.about().name }));
     this.refresh();
+  }
+
+  private showShare(engine: Engine): void {
+    showShare(this.shareLink(), {
+      name: engine.about().name,
+      still: (side) => stillOf(engine, side),
+      picture: () => pngOf(engine),
+      save: () => this.run('save-project'),
+    });
   }
 
   /** The open model as a link that holds it. */
