@@ -182,9 +182,10 @@ function putManifest(folder, text, assets) {
   put(folder, kManifest, linked);
 }
 
-/** The names of the web app's manifest and of the service worker, beside index.html; the module of other languages. */
+/** The names of the web app's manifest and of the service worker, beside index.html; the modules of other languages and of what uses a server. */
 const kManifest = 'site.webmanifest';
 const kSpeaker = 'web/shell/words/speaker.ts';
+const kServerSide = 'web/shell/room/server_side.ts';
 const kServiceWorker = 'service_worker.js';
 
 /** Whether the host has a share server: `npm start` answers for this file while it has one. Never stored. */
@@ -278,6 +279,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     assets,
     workers: {},
     speaker: '',
+    serverSide: '',
     scripts: await putScripts(fresh),
     // A site with an engine to come is not worth storing.
     serviceWorker: isWhole ? kServiceWorker : '',
@@ -293,6 +295,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     );
     for (const [entry, files] of Object.entries(built)) site.workers[entry.replace(/\.worker\.ts$/, '')] = files.js;
   }
+  site.serverSide = (await bundle(fresh, read, [kServerSide], {}))[relative('web/shell', kServerSide)].js;
   site.speaker = (await bundle(fresh, read, [kSpeaker], {}))[relative('web/shell', kSpeaker)].js;
   const built = await bundle(fresh, read, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
   put(fresh, kShareInfo, '{"server": null}\n');

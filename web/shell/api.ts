@@ -386,6 +386,8 @@ export interface SharedLink {
   characters: number;
   /** Photos that are not in it: white paper stands for each, the ribs found in it are fixed, and parts have its mean colour. */
   photosLeft: number;
+  /** True where the text is an id and a key of the server of this page's host, which keeps the model for some days. */
+  stored: boolean;
 }
 
 export interface SpineLoftApi {
@@ -399,9 +401,11 @@ export interface SpineLoftApi {
   openImage(blob: Blob, name?: string): Promise<void>;
   /** Opens a model file (.spineloft, or a GLB of this page) as a new model; the one that was open stays in the list. */
   openProject(blob: Blob): Promise<void>;
-  /** The model as a link that holds all of it but its photos. */
-  shareLink(): Promise<SharedLink>;
-  /** Opens the model of such a link, or of its text, as a new model; the one that was open stays in the list. */
+  /** The model as a link that holds all of it but its photos; with `stored` as a short link with its photos, where the host has a share server. */
+  shareLink(options?: { stored?: boolean }): Promise<SharedLink>;
+  /** Deletes what a stored link of this browser (its address or text) leads to. */
+  takeBackLink(text: string): Promise<void>;
+  /** Opens the model of such a link (stored or not), or of its text, as a new model; the one that was open stays in the list. */
   openShareText(text: string): Promise<void>;
   /** The models that this device keeps, the last changed first; `run('open-model', {id})` opens one. */
   models(): Promise<KeptModelInfo[]>;

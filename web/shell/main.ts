@@ -1,6 +1,7 @@
 // The page starts here: look whether this browser can run it, load the engine, connect everything.
 import './styles/base.css';
 import './styles/chrome.css';
+import './styles/class.css';
 import './styles/models.css';
 import './styles/popups.css';
 import './styles/start.css';
@@ -22,6 +23,8 @@ import { installApi } from './public_api.ts';
 import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
 import { hasWebGl2, sizeOf, watchContext, watchSize, watchTheme } from './surface.ts';
 import { toast } from './toasts.ts';
+import { serverLink, takeServerLink } from './room/address.ts';
+import { Classroom } from './room/classroom.ts';
 import { takeLink } from './share.ts';
 import { connectTooltips } from './tooltip.ts';
 import { warmUpWhenIdle } from './warm_up.ts';
@@ -89,7 +92,7 @@ function connect(page: Page, engine: Engine): void {
     pen,
     show: (dialog) => page.show(dialog),
     isQuiet: () => page.isOnStartPage,
-    isLocked: () => page.isReadOnly,
+    isLocked: () => page.isReadOnly || !byId('wall').hidden,
   });
   window.addEventListener('beforeunload', (event) => {
     if (page.hasUnsavedWork) event.preventDefault();
@@ -168,7 +171,33 @@ function main(): void {
     () => whenReady(() => page.drawOnPaper()),
   );
   connectTooltips(byId('bar'));
+  const classroom = new Classroom({
+    engine: () => engine,
+    openModel: async (bytes) => {
+      await page.openProject(new Blob([bytes as BlobPart]));
+      await window.spineloft.idle();
+      return page.currentModel;
+    },
+    currentModel: () => page.currentModel,
+    isOnStartPage: () => page.isOnStartPage,
+    back: () => page.refresh(),
+  });
+  page.onNextPupil = () => classroom.leave();
+  ready.then(
+    () => classroom.begin(),
+    () => undefined,
+  );
   const openAddress = () => {
+    const onServer = takeServerLink();
+    if (onServer?.kind === 'stored') {
+      const address = serverLink('', onServer);
+      whenReady(() => void page.openLink(address).catch((thrown: unknown) => page.complain(thrown)));
+    } else if (onServer) {
+      ready.then(
+        () => classroom.follow(onServer),
+        () => undefined,
+      );
+    }
     const link = takeLink();
     if (link) whenReady(() => void page.openLink(link).catch((thrown: unknown) => page.complain(thrown)));
   };

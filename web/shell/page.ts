@@ -21,6 +21,8 @@ import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
 import type { ShellView } from './shell_view.ts';
 import { sharedLink, showShare } from './share.ts';
+import { serverLinkIn } from './room/address.ts';
+import { asSharedLink, readStored, storedSection, storeModel, takeBack } from './room/stored.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
 import { ToolChoice, wantsAllTools } from './tool_choice.ts';
 import { kSamples, sampleAddress } from './start_page.ts';
@@ -42,6 +44,8 @@ export class Page {
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
   private passing: string | null = null;
   private turning = false;
+  /** Called when the device is handed on. */
+  onNextPupil: () => void = () => undefined;
   private readonly opening = new Set<AbortController>();
   private readonly canvas = byId<HTMLCanvasElement>('canvas');
   private readonly home = byId<HTMLButtonElement>('home');
@@ -89,7 +93,11 @@ export class Page {
       askAnimal,
       beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
-      showShare: () => showShare(this.shareLink()),
+      showShare: () =>
+        showShare(
+          this.shareLink(),
+          storedSection(() => this.modelFile()),
+        ),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
     });
@@ -286,6 +294,7 @@ export class Page {
 
   /** For the next pupil on this device: few tools, and the first steps. */
   private beginAfresh(): void {
+    this.onNextPupil();
     this.run('more-tools', { on: false });
     this.coach.begin(null);
     this.refresh();
@@ -342,9 +351,31 @@ export class Page {
     return sharedLink(this.engine.shareText());
   }
 
+  /** The open model as a file with its photos, and its name. */
+  private async modelFile(): Promise<{ name: string; bytes: Uint8Array }> {
+    const bytes = await window.spineloft.exportModel('spineloft');
+    return { name: this.engine!.about().name, bytes };
+  }
+
+  /** The open model under a short link, on the server of this host. */
+  async storeLink(): Promise<SharedLink> {
+    const { name, bytes } = await this.modelFile();
+    return asSharedLink(await storeModel(name, bytes));
+  }
+
+  /** Id of the open model in the list; null while it is empty and new. */
+  get currentModel(): string | null {
+    return this.keeper?.current ?? null;
+  }
+
   /** Opens the model in a link as a new one; rejects when there is none, and then nothing has changed. */
-  openLink(link: string): Promise<void> {
-    return this.openProject(new Blob([link]));
+  async openLink(link: string): Promise<void> {
+    const stored = serverLinkIn(link);
+    return this.openProject(new Blob(stored ? [(await readStored(stored)) as BlobPart] : [link]));
+  }
+
+  async takeBackLink(text: string): Promise<void> {
+    await takeBack(serverLinkIn(text)?.id ?? '');
   }
 
   /** Files that the visitor dropped, pasted or chose, one after the other. */
@@ -433,7 +464,7 @@ export class Page {
   }
 
   /** Brings the DOM in step with what the engine told. */
-  private refresh(view = this.engine?.view): void {
+  refresh(view = this.engine?.view): void {
     if (!this.engine || !view) return;
     if (!this.readOnly && isSolidLikely(this.view, view)) startSolver(this.engine);
     this.view = view;

@@ -20,6 +20,8 @@ export interface ApiPage {
     /** The same of a model file. */
     openProject(blob: Blob): Promise<void>;
     shareLink(): SharedLink;
+    storeLink(): Promise<SharedLink>;
+    takeBackLink(text: string): Promise<void>;
     openLink(link: string): Promise<void>;
     listModels(): Promise<ModelInfo[]>;
     /** Throws while another tab has the model. */
@@ -137,11 +139,14 @@ export function installApi(api: ApiPage): void {
       await running();
       await page.openProject(blob);
     },
-    async shareLink() {
+    async shareLink({ stored = false } = {}) {
       await running();
       // What is still searched for is found first: the ribs in a photo are fixed as they are.
       await installed.idle();
-      return page.shareLink();
+      return stored ? page.storeLink() : page.shareLink();
+    },
+    async takeBackLink(text) {
+      await page.takeBackLink(text);
     },
     async openShareText(text) {
       await running();

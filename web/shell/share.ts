@@ -18,7 +18,7 @@ const kQuiet = 4;
 
 export function sharedLink({ text, photos }: { text: string; photos: number }): SharedLink {
   const url = location.origin + location.pathname + kMark + text;
-  return { url, text, characters: text.length, photosLeft: photos };
+  return { url, text, characters: text.length, photosLeft: photos, stored: false };
 }
 
 /** The link in the page's address, which is taken out of it: loading the page again must not open the model again. */
@@ -47,7 +47,7 @@ export function qrCode(text: string): SVGElement {
 }
 
 /** Without https the clipboard can only be reached by what is marked. */
-async function copy(field: HTMLInputElement): Promise<void> {
+export async function copyField(field: HTMLInputElement): Promise<void> {
   field.select();
   try {
     await navigator.clipboard.writeText(field.value);
@@ -64,15 +64,15 @@ function button(name: string, text: string, act: () => void, look = ''): HTMLBut
   return made;
 }
 
-/** The dialog with the link of the model. */
-export function showShare({ url, characters, photosLeft }: SharedLink): void {
+/** The dialog with the link of the model; `more` comes below it, where there is something. */
+export function showShare({ url, characters, photosLeft }: SharedLink, more: Promise<HTMLElement | null>): void {
   const field = make('input', { type: 'text', id: 'share-link', readonly: '', value: url });
   field.addEventListener('focus', () => field.select());
   const buttons = make('div', { class: 'dialog-buttons' });
   if (typeof navigator.share === 'function') {
     buttons.append(button('send', 'Send', () => void navigator.share({ url }).catch(() => undefined)));
   }
-  buttons.append(button('copy', 'Copy link', () => void copy(field), 'button-primary'));
+  buttons.append(button('copy', 'Copy link', () => void copyField(field), 'button-primary'));
   const isLong = characters > kMostCharacters;
   const body: Node[] = [
     make('p', {}, 'The whole model is in this link. Who opens it gets a copy; yours stays as it is.'),
@@ -90,6 +90,7 @@ export function showShare({ url, characters, photosLeft }: SharedLink): void {
         )
       : qrCode(url),
   ];
-  openDialog('Share', body, 'dialog share');
+  const dialog = openDialog('Share', body, 'dialog share');
+  void more.then((section) => section && dialog.append(section));
   field.select();
 }

@@ -18,6 +18,8 @@ interface SpineLoftSite {
   readonly workers: Readonly<Record<string, string>>;
   /** The module of web/shell/words/speaker.ts. */
   readonly speaker: string;
+  /** The module of web/shell/room/server_side.ts. */
+  readonly serverSide: string;
   /** By language: fonts with the letters of its script, as TrueType files. */
   readonly scripts: Readonly<Record<string, { readonly text: string; readonly bold: string }>>;
   /** The service worker beside index.html; empty while the site is not whole. */
