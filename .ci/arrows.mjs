@@ -1,4 +1,5 @@
-// The house rules that a script can check: which folder may include which, who may know which library, and file length.
+// The house rules that a script can check: which folder may include which, who may know which library, length of files and
+// functions.
 // The picture of the arrows is at the top; `node .ci/arrows.mjs` prints every line that breaks one and exits with 1.
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join, relative } from 'node:path';
@@ -21,16 +22,19 @@ const kArrows = {
   'engine/ribs/learned': ['engine/ribs/evidence'],
   'engine/ribs/search': ['engine/ribs/ends', 'engine/ribs/learned'],
   'engine/ribs/edit': ['engine/ribs/field'],
-  'engine/loft': ['engine/ribs/base', 'engine/mesh'],
-  'engine/inflate': ['engine/mesh', 'engine/image'],
+  'engine/sections': ['engine/mesh'],
+  'engine/loft': ['engine/ribs/base', 'engine/sections'],
+  'engine/inflate': ['engine/sections', 'engine/image'],
   'engine/extrude': ['engine/mesh', 'engine/image'],
   'engine/lathe': ['engine/mesh', 'engine/image'],
+  'engine/stack': ['engine/sections', 'engine/image'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
     'engine/inflate',
     'engine/extrude',
     'engine/lathe',
+    'engine/stack',
     'engine/surface',
   ],
   'engine/printing': ['engine/mesh'],
@@ -56,7 +60,7 @@ const kArrows = {
 /** Libraries, and the only folders whose files may include them. */
 const kLibraries = [
   { name: 'OpenCV', pattern: /^opencv2\//, folders: ['engine/vision'] },
-  { name: 'tinygltf', pattern: /^tiny_?gltf/, folders: ['engine/io'] },
+  { name: 'tinygltf', pattern: /^tiny_?gltf/, folders: ['tests'] },
   { name: 'stb', pattern: /^(stb\/|stb_)/, folders: ['engine/io'] },
   { name: 'nlohmann json', pattern: /^nlohmann\//, folders: ['engine/io', 'engine/cli', 'web/model'] },
   { name: 'CLI11', pattern: /^CLI\//, folders: ['engine/cli'] },
@@ -77,7 +81,14 @@ const kPerThread = /\bthread_local\b/;
 const kCompiledForEachProgram = 'tests/support/scarce_memory.cpp';
 
 const kLongestFile = 600;
+const kLongestFunction = 80;
 const kCounted = /^(engine|web|shaders|tests|\.ci)\/.*\.(h|hpp|cpp|c|ts|js|mjs|css|html|vert|frag|glsl|cmake)$/;
+
+/** `text` with blanks in place of comments and of texts in quotes; lines stay. */
+export function codeOf(text) {
+  const kNoCode = /\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'/g;
+  return text.replace(kNoCode, (hit) => hit.replace(/[^\n]/g, ' '));
+}
 
 /** The folder of kArrows a repository path belongs to: `engine/ribs/field/d2.h` is in `engine/ribs/field`, `web/main.cpp` in `web/main`. */
 function folderOf(path) {
@@ -112,6 +123,36 @@ function includeErrors(path, quote, included) {
   return reach(from).has(to) ? [] : [`${from} may not include ${to}`];
 }
 
+/**
+ * The functions of a formatted text that are too long, as [line, length]: a block ends where its first line is indented.
+ * In a script, where a function may be all that is shared by those within it, the lines of these are their own.
+ */
+function longFunctions(lines, isScript) {
+  const indentOf = (line) => line.search(/\S/);
+  const found = [];
+  let inner = []; // functions that no other one holds yet, as {first, last}
+  lines.forEach((line, last) => {
+    if (!/^\s*\}/.test(line)) return;
+    const within = (other) => other === '' || other.startsWith('#') || indentOf(other) > indentOf(line);
+    let first = last - 1;
+    while (first >= 0 && within(lines[first])) first -= 1;
+    if (first < 0) return;
+    const opening =
+      lines
+        .slice(first, last)
+        .join('\n')
+        .match(/^[^]*?\{$/m)?.[0] ?? '';
+    if (/^\s*(export |abstract |default )*(namespace|class|struct|enum|union|interface)\b/.test(opening)) return;
+    if (!/(\)[^()]*|=> )\{$/.test(opening) || /^\s*(\} )?(if|else|for|while|switch|catch)\b/.test(opening)) return;
+    const held = inner.filter((one) => one.first > first);
+    inner = [...inner.filter((one) => one.first <= first), { first, last }];
+    const others = isScript ? held.reduce((sum, one) => sum + one.last - one.first + 1, 0) : 0;
+    const length = last - first + 1 - others;
+    if (length > kLongestFunction) found.push([first + 1, length]);
+  });
+  return found;
+}
+
 /** Every broken rule in `files`, a list of {path, text} with paths from the repository root, as `path:line: what`. */
 export function houseErrors(files) {
   const errors = [];
@@ -120,12 +161,16 @@ export function houseErrors(files) {
     const lines = text.split('\n');
     if (lines.length - 1 > kLongestFile)
       errors.push(`${path}:1: ${lines.length - 1} lines, at most ${kLongestFile} are allowed`);
+    for (const [line, length] of longFunctions(lines, /\.(ts|js|mjs)$/.test(path)))
+      errors.push(`${path}:${line}: a function of ${length} lines, at most ${kLongestFunction} are allowed`);
     if (!/\.(h|hpp|cpp|c)$/.test(path)) continue;
     if (path !== kCompiledForEachProgram) {
-      lines.forEach((line, index) => {
-        if (kPerThread.test(line))
-          errors.push(`${path}:${index + 1}: thread_local is for ${kCompiledForEachProgram} only`);
-      });
+      codeOf(text)
+        .split('\n')
+        .forEach((line, index) => {
+          if (kPerThread.test(line))
+            errors.push(`${path}:${index + 1}: thread_local is for ${kCompiledForEachProgram} only`);
+        });
     }
     if (!/^(engine|web)\//.test(path)) continue;
     if (!kArrows[folderOf(path)]) errors.push(`${path}:1: ${folderOf(path)} is not a folder of the house`);

@@ -37,13 +37,15 @@ export async function startBrowser() {
 }
 
 /**
- * Opens `url` in a fresh context (`contextOptions` as Playwright's: viewport, hasTouch, deviceScaleFactor ...).
+ * Opens `url` in a fresh context (`contextOptions` as Playwright's: viewport, hasTouch, deviceScaleFactor ...). `scripts` are
+ * functions that run in its pages before theirs.
  * `troubles` collects console errors, uncaught exceptions, failed requests and requests that leave the origin.
  */
-export async function openPage(browser, url, contextOptions = {}) {
+export async function openPage(browser, url, { scripts = [], ...contextOptions } = {}) {
   // A service worker would answer what tests hold back or alter.
   const usual = { viewport: { width: 1440, height: 900 }, serviceWorkers: 'block' };
   const context = await browser.newContext({ ...usual, ...contextOptions });
+  for (const script of scripts) await context.addInitScript(script);
   const page = await context.newPage();
   const troubles = [];
   const origin = new URL(url).origin;

@@ -9,7 +9,6 @@ import { output, Stop } from './run.mjs';
 const kLibraries = [
   ['Eigen', /\/headers-[^/]+\/(?:Eigen|unsupported)\//],
   ['JSON for Modern C++', /\/headers-[^/]+\/nlohmann\//],
-  ['tinygltf', /\/headers-[^/]+\/tiny_gltf\.h$/],
   ['stb', /\/headers-[^/]+\/(?:stb\/)?stb_\w+\.h$/],
   ['Dear ImGui', /\/imgui-([\d.]+)-/],
   ['OpenCV', /\/opencv-([\d.]+)-/],

@@ -182,16 +182,20 @@ function putManifest(folder, text, assets) {
   put(folder, kManifest, linked);
 }
 
-/** The names of the web app's manifest and of the service worker, beside index.html; the module of other languages. */
+/** The names of the web app's manifest and of the service worker, beside index.html; the modules of other languages and of what uses a server. */
 const kManifest = 'site.webmanifest';
 const kSpeaker = 'web/shell/words/speaker.ts';
+/** What the viewer loads when it needs it. */
+const kViewerModules = ['derive', 'room'];
+const kServerSide = 'web/shell/room/server_side.ts';
 const kServiceWorker = 'service_worker.js';
 
 /** Whether the host has a share server: `npm start` answers for this file while it has one. Never stored. */
 const kShareInfo = 'share.json';
 
-/** Every file of the site as the service worker stores it: what all pages need, and what each engine's do. */
-function filesToStore(folder, engines) {
+/** Every file of the site as the service worker stores it: what all pages need, what each engine's do, and what few do. */
+function filesToStore(folder, { threads, single, viewer }) {
+  const apart = { threads: [threads.js, threads.wasm], single: [single.js, single.wasm], rare: [viewer.room] };
   const entry = (path) => {
     const bytes = readFileSync(join(folder, path));
     if (/-([0-9A-Z]{8}|[0-9a-f]{10})\.[a-z0-9]+$/.test(path)) return { url: path, revision: null };
@@ -199,22 +203,23 @@ function filesToStore(folder, engines) {
     const integrity = `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
     return { url: path, revision: contentHash(bytes), integrity };
   };
-  const ofEngines = new Set(Object.values(engines).flatMap(({ js, wasm }) => [js, wasm]));
+  const isApart = new Set(Object.values(apart).flat());
   return {
     page: filesUnder(folder)
-      .filter((path) => !ofEngines.has(path) && path !== kShareInfo)
+      .filter((path) => !isApart.has(path) && path !== kShareInfo)
       .map(entry),
-    ...Object.fromEntries(Object.entries(engines).map(([name, { js, wasm }]) => [name, [js, wasm].map(entry)])),
+    ...Object.fromEntries(Object.entries(apart).map(([name, paths]) => [name, paths.map(entry)])),
   };
 }
 
-/** The page with its script, style sheet and asset links under their hashed names. */
-function page(html, main, assets) {
-  let text = html.replace(/(["'])(?:\.\/)?main\.ts\1/, `$1./${main.js}$1`);
-  if (text === html) throw new Stop('web/shell/index.html must load ./main.ts as a module script.');
+/** A page of web/shell with its script, style sheet and asset links under their hashed names. */
+function page(path, main, assets) {
+  const html = readFileSync(join(root, 'web/shell', path), 'utf8');
+  let text = html.replace(/(<script type="module" src=)"\.\/\w+\.ts"/, `$1"./${main.js}"`);
+  if (text === html) throw new Stop(`web/shell/${path} must load its script as a module.`);
   if (main.css) text = text.replace('</head>', `  <link rel="stylesheet" href="./${main.css}">\n</head>`);
   return text.replace(/(href|src|content)="(?:\.\.\/)+assets\/([^"]+)"/g, (whole, attribute, path) => {
-    if (!assets[path]) throw new Stop(`web/shell/index.html names assets/${path}, which does not exist.`);
+    if (!assets[path]) throw new Stop(`A page names assets/${path}, which does not exist.`);
     return `${attribute}="./${assets[path]}"`;
   });
 }
@@ -278,6 +283,8 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     assets,
     workers: {},
     speaker: '',
+    viewer: {},
+    serverSide: '',
     scripts: await putScripts(fresh),
     // A site with an engine to come is not worth storing.
     serviceWorker: isWhole ? kServiceWorker : '',
@@ -293,13 +300,24 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     );
     for (const [entry, files] of Object.entries(built)) site.workers[entry.replace(/\.worker\.ts$/, '')] = files.js;
   }
+  site.serverSide = (await bundle(fresh, read, [kServerSide], {}))[relative('web/shell', kServerSide)].js;
   site.speaker = (await bundle(fresh, read, [kSpeaker], {}))[relative('web/shell', kSpeaker)].js;
-  const built = await bundle(fresh, read, ['web/shell/main.ts'], { SPINELOFT_SITE: JSON.stringify(site) });
+  const modules = await bundle(
+    fresh,
+    read,
+    kViewerModules.map((name) => `web/shell/view/${name}.ts`),
+    { SPINELOFT_SITE: JSON.stringify(site) },
+  );
+  for (const name of kViewerModules) site.viewer[name] = modules[`view/${name}.ts`].js;
+  const built = await bundle(fresh, read, ['web/shell/main.ts', 'web/shell/view/view.ts'], {
+    SPINELOFT_SITE: JSON.stringify(site),
+  });
   put(fresh, kShareInfo, '{"server": null}\n');
-  put(fresh, 'index.html', page(readFileSync(join(shell, 'index.html'), 'utf8'), built['main.ts'], assets));
+  put(fresh, 'index.html', page('index.html', built['main.ts'], assets));
+  put(fresh, 'view.html', page('view/view.html', built['view/view.ts'], assets));
   putManifest(fresh, readFileSync(join(shell, kManifest), 'utf8'), assets);
   if (isWhole) {
-    const files = filesToStore(fresh, { threads: site.threads, single: site.single });
+    const files = filesToStore(fresh, site);
     const define = { SPINELOFT_FILES: JSON.stringify(files) };
     await bundle(fresh, read, ['web/shell/offline/service_worker.ts'], define, { outdir: '.', entryNames: '[name]' });
   }

@@ -11,13 +11,15 @@ const kCatalogues = join(root, 'assets/words');
 const kEngineFiles = [
   'engine/base/result.cpp',
   'engine/document/params.cpp',
-  'engine/loft/loft.cpp',
-  'engine/loft/section.cpp',
-  'engine/loft/section_drawing.cpp',
-  'engine/loft/section_keys.cpp',
+  'engine/sections/blend.cpp',
+  'engine/sections/ends.cpp',
+  'engine/sections/section.cpp',
+  'engine/sections/drawing.cpp',
   'engine/printing/print_check.cpp',
   'engine/surface/finish.cpp',
 ];
+/** The pages themselves. */
+const kPages = ['web/shell/index.html', 'web/shell/view/view.html'];
 const kNotShown =
   /^web\/(gl|platform|scene|main\.cpp|self_crossing\.cpp|shell\/(solids|offline\/(service_worker|protocol)|solids\.worker|site\.d|api|icons|words\/))/;
 
@@ -120,7 +122,7 @@ function wordsIn(path, text) {
   ];
 }
 
-/** Texts and spoken attributes of index.html; entities do not occur. */
+/** Texts and spoken attributes of a page; entities do not occur. */
 function wordsOfPage(html) {
   const body = html.slice(html.indexOf('<body'), html.indexOf('</body'));
   const texts = [...body.matchAll(/>([^<>]+)</g)].map((m) => m[1].trim());
@@ -136,7 +138,7 @@ export function pageWords() {
     (path) => /\.(cpp|h|ts)$/.test(path) && !kNotShown.test(path),
   );
   for (const path of sources.sort()) add(path, wordsIn(path, readFileSync(join(root, path), 'utf8')));
-  add('web/shell/index.html', wordsOfPage(readFileSync(join(root, 'web/shell/index.html'), 'utf8')));
+  for (const path of kPages) add(path, wordsOfPage(readFileSync(join(root, path), 'utf8')));
   const samples = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'));
   add(
     'assets/samples/samples.json',

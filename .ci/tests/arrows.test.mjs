@@ -35,7 +35,8 @@ test('heavy libraries stay in their box', () => {
   assert.deepEqual(of('engine/vision/edges.cpp', '#include <opencv2/core.hpp>\n'), []);
   assert.equal(of('engine/document/document.cpp', '#include <tiny_gltf.h>\n').length, 1);
   assert.equal(of('web/page/app.cpp', '#include <stb_image.h>\n').length, 1);
-  assert.deepEqual(of('engine/io/glb.cpp', '#include <tiny_gltf.h>\n#include <stb_image.h>\n'), []);
+  assert.equal(of('engine/io/gltf.cpp', '#include <tiny_gltf.h>\n').length, 1);
+  assert.deepEqual(of('engine/io/picture_file.cpp', '#include <stb_image.h>\n'), []);
 });
 
 test('the engine knows no browser, window or file', () => {
@@ -55,6 +56,35 @@ test('a file of 601 lines is caught, one of 600 is not', () => {
   assert.deepEqual(of('tests/unit/long.cpp', 'x\n'.repeat(600)), []);
 });
 
+test('a function of 81 lines is caught where it begins, one of 80 and a longer class are not', () => {
+  const body = (count) => '  x();\n'.repeat(count);
+  for (const opening of [
+    'void f() {',
+    'void f(int a,\n       int b) {',
+    'export function f(\n  a: string,\n): void {',
+    "test('a', () => {",
+  ]) {
+    const more = opening.split('\n').length - 1;
+    const before = opening.startsWith('export') ? more : 0; // its block begins with its last line
+    const text = (count) => `int a;\n${opening}\n${body(count - 2 - more + before)}}\n`;
+    assert.deepEqual(of('tests/unit/a.ts', text(80)), [], opening);
+    assert.deepEqual(
+      of('tests/unit/a.ts', text(81)),
+      [`tests/unit/a.ts:${2 + before}: a function of 81 lines, at most 80 are allowed`],
+      opening,
+    );
+  }
+  assert.deepEqual(of('tests/unit/a.ts', `class A {\n${body(90)}}\n`), []);
+});
+
+test('in a script the lines of a function within a function are its own, in C++ they count for both', () => {
+  const inner = `  const g = () => {\n${'    x();\n'.repeat(60)}  };\n`;
+  const text = `function f() {\n${inner}${inner}}\n`;
+  assert.deepEqual(of('tests/unit/a.ts', text), []);
+  assert.equal(of('tests/unit/a.cpp', text.replace('function f', 'void f')).length, 1);
+  assert.equal(of('tests/unit/a.ts', `function f() {\n${inner}${'  x();\n'.repeat(79)}}\n`).length, 1);
+});
+
 test('the house itself keeps its rules', () => {
   assert.deepEqual(houseErrors(houseFiles()), []);
 });
@@ -64,4 +94,7 @@ test('thread_local is for the one file that is compiled for each program', () =>
     'tests/unit/a_test.cpp:2: thread_local is for tests/support/scarce_memory.cpp only',
   ]);
   assert.deepEqual(of('tests/support/scarce_memory.cpp', 'thread_local int b = 1;\n'), []);
+  const spoken = '// no thread_local\n/* nor\n a thread_local */ int a;\nauto b = "thread_local";\n';
+  assert.deepEqual(of('tests/unit/a_test.cpp', spoken), []);
+  assert.equal(of('tests/unit/a_test.cpp', `${spoken}int c; thread_local int d; // e\n`).length, 1);
 });

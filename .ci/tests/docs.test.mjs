@@ -7,9 +7,19 @@ import { houseFiles } from '../arrows.mjs';
 import { root } from '../lib/paths.mjs';
 
 const kPages = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md'].concat(
-  ['accuracy', 'api', 'architecture', 'command-line', 'glossary', 'guide', 'hosting', 'method'].map(
-    (name) => `assets/docs/${name}.md`,
-  ),
+  [
+    'accuracy',
+    'api',
+    'architecture',
+    'command-line',
+    'glossary',
+    'guide',
+    'hosting',
+    'lesson',
+    'data-protection',
+    'method',
+    'viewer',
+  ].map((name) => `assets/docs/${name}.md`),
 );
 const read = (path) => readFileSync(join(root, path), 'utf8');
 

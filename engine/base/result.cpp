@@ -41,11 +41,13 @@ constexpr std::array kTexts = {
     ErrorText{Error::NotABone, "NotABone", "This part has no bone and no ribs. Choose one that was drawn with a line."},
     ErrorText{Error::NotARegion, "NotARegion",
               "This part was drawn with a bone. Choose a puff, a flat piece or a spun part."},
+    ErrorText{Error::NotAStack, "NotAStack", "This part was not drawn slice by slice. Choose one that was."},
     ErrorText{Error::TooFewRibs, "TooFewRibs",
               "The part has fewer than two ribs. Draw a longer line through the object."},
     ErrorText{Error::SectionInvalid, "SectionInvalid",
               "That slice does not work here. Choose another one, or draw a closed shape with at least "
               "three corners."},
+    ErrorText{Error::StackInvalid, "StackInvalid", "These slices do not make a solid yet."},
     ErrorText{Error::MeshInvalid, "MeshInvalid",
               "A part is not a closed solid, so it cannot be saved. Undo the last change."},
     ErrorText{Error::NothingToExport, "NothingToExport",

@@ -35,8 +35,10 @@ enum class Error {
   NothingCutOut,    ///< no thing was found where a hint said
   NotABone,         ///< only for parts that were lofted along a spine
   NotARegion,       ///< only for parts that are made of a region
+  NotAStack,        ///< only for parts that are drawn slice by slice
   TooFewRibs,       ///< a loft needs at least 2 ribs
   SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
+  StackInvalid,     ///< planes or curves of a stack that make no solid
   MeshInvalid,      ///< a mesh given for export breaks a mesh law
   NothingToExport,  ///< no part to write
   // document

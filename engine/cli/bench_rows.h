@@ -51,7 +51,7 @@ Status writeOverlay(const std::string& folder, const ReadyCase& one, std::size_t
 
 /// Does `work` for 0 … count − 1, on `jobs` threads.
 void inParallel(int jobs, std::size_t count, const std::function<void(std::size_t)>& work);
-/// The rows of all cases, on `jobs` threads. The first failure in order of the cases wins.
+/// The rows of all cases, on `jobs` threads. Error: the first failure in the order of the cases.
 Result<std::vector<io::BenchRow>> allRows(
     std::span<const std::filesystem::path> folders, int jobs,
     const std::function<Result<std::vector<io::BenchRow>>(const std::filesystem::path&)>& rowsOfCase);

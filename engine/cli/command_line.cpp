@@ -144,13 +144,13 @@ void CommandLine::addLoft(CLI::App& app) {
       ->check(oneOf({"cut", "keep"}))
       ->option_text("WHAT");
   section_ = app.add_option_function<std::string>(
-      "--section", [this](const std::string& key) { loft_.section = *loft::sectionFromKey(key); },
-      listOf(keysOf(loft::sectionNames())));
-  section_->check(oneOf(keysOf(loft::sectionNames())))->option_text("NAME");
+      "--section", [this](const std::string& key) { loft_.section = *sections::sectionFromKey(key); },
+      listOf(keysOf(sections::sectionNames())));
+  section_->check(oneOf(keysOf(sections::sectionNames())))->option_text("NAME");
   caps_ = app.add_option_function<std::string>(
-      "--caps", [this](const std::string& key) { loft_.caps = *loft::capFromKey(key); },
-      listOf(keysOf(loft::capNames())));
-  caps_->check(oneOf(keysOf(loft::capNames())))->option_text("NAME");
+      "--caps", [this](const std::string& key) { loft_.caps = *sections::capFromKey(key); },
+      listOf(keysOf(sections::capNames())));
+  caps_->check(oneOf(keysOf(sections::capNames())))->option_text("NAME");
   app.add_option("--recipe", loft_.recipe,
                  "instead of --section and --caps: JSON of a part or of a whole document, as projects hold it; then "
                  "IMAGE and --stroke are only needed where the recipe has no picture or no stroke of its own")

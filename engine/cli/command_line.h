@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "engine/loft/loft.h"
-#include "engine/loft/section.h"
 #include "engine/publish/publish.h"
+#include "engine/sections/section.h"
 
 namespace spineloft::cli {
 
@@ -21,8 +21,8 @@ struct LoftArguments {
   std::string stroke;      ///< empty only with a recipe
   std::string strokeName;  ///< empty: the first in the file
   std::string recipe;      ///< JSON of a part or of a whole document; says section and caps
-  loft::SectionPreset section = loft::SectionPreset::Circle;
-  loft::CapStyle caps = loft::CapStyle::Round;
+  sections::SectionPreset section = sections::SectionPreset::Circle;
+  sections::CapStyle caps = sections::CapStyle::Round;
   std::optional<double> heightMm;  ///< without: the recipe's, or the usual one
   /// Empty where the output is not wanted.
   std::string out, mask, ribs, report;

@@ -38,8 +38,8 @@ struct RemovePicture {
 struct DrawSpine {
   PictureId picture;
   std::vector<PicturePoint> stroke;
-  loft::SectionShape section = {};
-  loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
+  sections::SectionShape section = {};
+  sections::CapStyle startCap = sections::CapStyle::Round, endCap = sections::CapStyle::Round;
   Look look = {};
   geometry::AlongCurve depth = {};  ///< of the spine, from a pen's pressure; see loft::Pose
 };
@@ -96,10 +96,33 @@ struct RemakePart {
   Region region;
   RegionSolid solid;
 };
+/// A new part drawn slice by slice.
+struct DrawStack {
+  PictureId picture;
+  std::vector<stack::Plane> planes;
+  stack::Rail rail = {};
+  stack::StackParams stack = {};
+  Look look = {};
+};
+/// The planes of such a part, as a whole.
+struct SetPlanes {
+  PartId part;
+  std::vector<stack::Plane> planes;
+};
+/// The line that its planes stand on.
+struct SetRail {
+  PartId part;
+  stack::Rail rail;
+};
+/// How it is finished.
+struct ShapeStack {
+  PartId part;
+  stack::StackParams stack;
+};
 /// One section for the whole part.
 struct SetSection {
   PartId part;
-  loft::SectionShape section = {};
+  sections::SectionShape section = {};
 };
 /// Several sections along the spine.
 struct SetSections {
@@ -115,7 +138,7 @@ struct SetAlong {
 };
 struct SetCaps {
   PartId part;
-  loft::CapStyle start = loft::CapStyle::Round, end = loft::CapStyle::Round;
+  sections::CapStyle start = sections::CapStyle::Round, end = sections::CapStyle::Round;
 };
 struct SetLook {
   PartId part;
@@ -229,6 +252,7 @@ using Action =
                  RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument, PoseSpine, EditRibs, IgnoreForPart,
                  IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
-                 ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList>;
+                 ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
+                 DrawStack, SetPlanes, SetRail, ShapeStack>;
 
 }  // namespace spineloft::document

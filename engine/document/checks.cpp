@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "engine/inflate/profile.h"
 #include "engine/ribs/base/spine.h"
 
 namespace spineloft::document {
@@ -82,7 +83,21 @@ Status checkRegion(const Document& document, const Region& region) {
   return Done{};
 }
 
+Status checkStack(const Document& document, const StackRecipe& recipe) {
+  if (findPicture(document, recipe.picture) == nullptr) return Error::NoSuchPicture;
+  return stack::checkPlanes(recipe.planes, recipe.rail);
+}
+
+Status checkSolid(const RegionSolid& solid) {
+  if (!std::visit([](const auto& params) { return isValid(params); }, solid)) return Error::ValueOutOfRange;
+  const auto* puff = std::get_if<inflate::InflateParams>(&solid);
+  if (puff == nullptr || puff->profile.isSoft()) return Done{};
+  const auto curves = inflate::profileCurves(puff->profile.slices.front().shape, puff->sides);
+  return curves ? Status(Done{}) : Status(curves.failure());
+}
+
 Status checkDrawn(const Document& document, const Recipe& recipe) {
+  if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return checkStack(document, *stack);
   if (const Region* region = regionOf(recipe)) return checkRegion(document, *region);
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);

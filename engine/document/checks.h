@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/result.h"
+#include "engine/document/action.h"
 #include "engine/document/document.h"
 
 namespace spineloft::document {
@@ -33,7 +34,13 @@ Status checkStroke(const Document& document, const LoftRecipe& recipe);
 /// pen's width out of range), StrokeNotFinite, RegionEmpty, RegionOutside.
 Status checkRegion(const Document& document, const Region& region);
 
-/// What was drawn for a part: that of the two above for its kind.
+/// Whether a stack has something to stand on and curves in range. Errors: NoSuchPicture, ValueOutOfRange, StackInvalid.
+Status checkStack(const Document& document, const StackRecipe& recipe);
+
+/// What a region is made into. Errors: ValueOutOfRange; SectionInvalid for a slice that is no profile of a puff.
+Status checkSolid(const RegionSolid& solid);
+
+/// What was drawn for a part: that of the three above for its kind.
 Status checkDrawn(const Document& document, const Recipe& recipe);
 
 /// Whether somebody drew anything: a part, a stroke on paper, a scribble over edges. Pictures alone are no work.

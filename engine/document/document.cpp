@@ -52,6 +52,14 @@ std::size_t heldBy(const LoftRecipe& recipe) {
   }
   return bytes;
 }
+std::size_t heldBy(const StackRecipe& recipe) {
+  std::size_t bytes = bytesOf(recipe.planes) + bytesOf(recipe.rail.points);
+  for (const stack::Plane& plane : recipe.planes) {
+    bytes += bytesOf(plane.curves) + bytesOf(plane.blend.custom.points);
+    for (const stack::Curve& curve : plane.curves) bytes += bytesOf(curve.through) + bytesOf(curve.corners.at);
+  }
+  return bytes;
+}
 template <OfRegion Recipe>
 std::size_t heldBy(const Recipe& recipe) {
   return bytesOf(recipe.region);
@@ -78,7 +86,7 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
 }
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {"loft", "puff", "sheet",
-                                                                                                "lathe"};
+                                                                                                "lathe", "stack"};
 
 }  // namespace
 
@@ -99,6 +107,8 @@ Recipe emptyRecipe(PartKind kind) {
       return ExtrudeRecipe{};
     case PartKind::Lathe:
       return LatheRecipe{};
+    case PartKind::Stack:
+      return StackRecipe{};
     case PartKind::Loft:
     case PartKind::kCount:
       break;
@@ -126,12 +136,14 @@ Region* regionOf(Recipe& recipe) {
 
 PictureId pictureOf(const Recipe& recipe) {
   if (const Region* region = regionOf(recipe)) return region->picture;
+  if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return stack->picture;
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? loft->picture : PictureId{};
 }
 void setPicture(Recipe& recipe, PictureId picture) {
   if (Region* region = regionOf(recipe)) region->picture = picture;
   if (auto* loft = std::get_if<LoftRecipe>(&recipe)) loft->picture = picture;
+  if (auto* stack = std::get_if<StackRecipe>(&recipe)) stack->picture = picture;
 }
 
 const PictureEntry* findPicture(const Document& document, PictureId id) {

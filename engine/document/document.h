@@ -28,6 +28,7 @@
 #include "engine/ribs/base/rib_params.h"
 #include "engine/ribs/base/rib_set.h"
 #include "engine/ribs/edit/edits.h"
+#include "engine/stack/stack_params.h"
 
 namespace spineloft::document {
 
@@ -74,7 +75,7 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
-/// Recipe of a part that swells from a region.
+/// Recipe of a part that is an inflated region.
 struct InflateRecipe {
   Region region;
   inflate::InflateParams inflate;
@@ -95,9 +96,18 @@ struct LatheRecipe {
   bool operator==(const LatheRecipe&) const = default;
 };
 
+/// Recipe of a part drawn slice by slice: curves on planes in space.
+struct StackRecipe {
+  PictureId picture;  ///< in whose space it stands, and which colours it
+  std::vector<stack::Plane> planes;
+  stack::Rail rail;
+  stack::StackParams stack;
+  bool operator==(const StackRecipe&) const = default;
+};
+
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe>;
-enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, kCount };
+using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe>;
+enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, kCount };
 static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
 
 struct Part {
@@ -135,7 +145,7 @@ struct Document {
 
 inline PartKind kindOf(const Recipe& recipe) { return static_cast<PartKind>(recipe.index()); }
 inline PartKind kindOf(const Part& part) { return kindOf(part.recipe); }
-/// "loft", "puff", "sheet", "lathe": in files and in the API.
+/// "loft", "puff", "sheet", "lathe", "stack": in files and in the API.
 std::string_view kindKey(PartKind kind);
 /// Error: none of them: kCount.
 PartKind kindFromKey(std::string_view key);
@@ -150,6 +160,8 @@ inline InflateRecipe* inflateOf(Part& part) { return std::get_if<InflateRecipe>(
 inline const ExtrudeRecipe* extrudeOf(const Part& part) { return std::get_if<ExtrudeRecipe>(&part.recipe); }
 inline ExtrudeRecipe* extrudeOf(Part& part) { return std::get_if<ExtrudeRecipe>(&part.recipe); }
 inline const LatheRecipe* latheOf(const Part& part) { return std::get_if<LatheRecipe>(&part.recipe); }
+inline const StackRecipe* stackOf(const Part& part) { return std::get_if<StackRecipe>(&part.recipe); }
+inline StackRecipe* stackOf(Part& part) { return std::get_if<StackRecipe>(&part.recipe); }
 /// The loft that a part is, or an empty one for other kinds: for what is only looked at.
 const LoftRecipe& loftIn(const Part& part);
 /// The region of what is made of one, or null.

@@ -87,6 +87,18 @@ std::span<const ParamInfo> latheTable() {
   return kTable;
 }
 
+std::span<const ParamInfo> stackTable() {
+  using stack::StackParams;
+  constexpr auto kStack = &StackRecipe::stack;
+  static const std::array kTable = {
+      entry<StackRecipe, kStack, &StackParams::sides>(
+          {"sides", "Corners around", "", stack::kLeastSides, stack::kMostSides, 4, Measure::Plain, true}),
+      entry<StackRecipe, kStack, &StackParams::capRings>(
+          {"cap-rings", "Rings of round ends", "", 1, stack::kMostCapRings, 1, Measure::Plain, true}),
+  };
+  return kTable;
+}
+
 }  // namespace
 
 std::span<const ParamInfo> paramTable(PartKind kind) {
@@ -97,6 +109,8 @@ std::span<const ParamInfo> paramTable(PartKind kind) {
       return extrudeTable();
     case PartKind::Lathe:
       return latheTable();
+    case PartKind::Stack:
+      return stackTable();
     case PartKind::Loft:
     case PartKind::kCount:
       break;

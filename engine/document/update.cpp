@@ -11,7 +11,7 @@
 namespace spineloft::document {
 namespace {
 
-bool known(loft::CapStyle cap) { return cap < loft::CapStyle::kCount; }
+bool known(sections::CapStyle cap) { return cap < sections::CapStyle::kCount; }
 
 /// Changes the element with this id: `change` gets a copy and says whether it may replace the
 /// original.
@@ -137,7 +137,7 @@ struct Apply {
   Status operator()(const DrawSpine& a) const {
     if (!known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
     if (Status room = roomForPart(); !room) return room;
-    if (Status shape = loft::checkShape(a.section); !shape) return shape;
+    if (Status shape = sections::checkShape(a.section); !shape) return shape;
     LoftRecipe recipe;
     recipe.picture = a.picture;
     recipe.stroke = a.stroke;
@@ -152,9 +152,7 @@ struct Apply {
   }
   Status operator()(const DrawRegion& a) const {
     if (Status room = roomForPart(); !room) return room;
-    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
-      return Error::ValueOutOfRange;
-    }
+    if (Status solid = checkSolid(a.solid); !solid) return solid;
     if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
     addPart(recipeOf(a.region, a.solid), a.look);
     return Done{};
@@ -167,9 +165,7 @@ struct Apply {
     });
   }
   Status operator()(const ShapeRegion& a) const {
-    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
-      return Error::ValueOutOfRange;
-    }
+    if (Status solid = checkSolid(a.solid); !solid) return solid;
     return editRegion(a.part, [&](Part& part) -> Status {
       const Region region = *regionOf(part.recipe);
       part.recipe = recipeOf(region, a.solid);
@@ -177,14 +173,40 @@ struct Apply {
     });
   }
   Status operator()(const RemakePart& a) const {
-    if (!std::visit([](const auto& params) { return isValid(params); }, a.solid)) {
-      return Error::ValueOutOfRange;
-    }
+    if (Status solid = checkSolid(a.solid); !solid) return solid;
     if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
     return editPart(a.part, [&](Part& part) -> Status {
       part.recipe = recipeOf(a.region, a.solid);
       return Done{};
     });
+  }
+  Status operator()(const DrawStack& a) const {
+    if (Status room = roomForPart(); !room) return room;
+    if (!isValid(a.stack)) return Error::ValueOutOfRange;
+    StackRecipe recipe{a.picture, a.planes, a.rail, a.stack};
+    if (Status drawn = checkStack(document, recipe); !drawn) return drawn;
+    addPart(std::move(recipe), a.look);
+    return Done{};
+  }
+  /// Changes what only a stack has. Error: NotAStack.
+  template <class Change>
+  Status editStack(PartId id, const Change& change) const {
+    return editPart(id, [&](Part& part) -> Status {
+      StackRecipe* stack = stackOf(part);
+      if (stack == nullptr) return Error::NotAStack;
+      change(*stack);
+      return checkStack(document, *stack);
+    });
+  }
+  Status operator()(const SetPlanes& a) const {
+    return editStack(a.part, [&](StackRecipe& stack) { stack.planes = a.planes; });
+  }
+  Status operator()(const SetRail& a) const {
+    return editStack(a.part, [&](StackRecipe& stack) { stack.rail = a.rail; });
+  }
+  Status operator()(const ShapeStack& a) const {
+    if (!isValid(a.stack)) return Error::ValueOutOfRange;
+    return editStack(a.part, [&](StackRecipe& stack) { stack.stack = a.stack; });
   }
   Status operator()(const RedrawSpine& a) const {
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
@@ -214,7 +236,7 @@ struct Apply {
     });
   }
   Status operator()(const SetSection& a) const {
-    if (Status shape = loft::checkShape(a.section); !shape) return shape;
+    if (Status shape = sections::checkShape(a.section); !shape) return shape;
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {
       loft.loft.sections = {loft::SectionKey{}};
       loft.loft.sections.front().shape = a.section;

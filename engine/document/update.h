@@ -11,7 +11,7 @@ namespace spineloft::document {
 /// cut between characters; empty names become "Part N" or "Model".
 /// Errors: NoSuchPart, NoSuchPicture, PictureEmpty (AddPicture without pixels), ValueOutOfRange
 /// (parameter, height, preset, cap), and those of ribs::cleanSpine for strokes and of checkRegion
-/// for regions; NotABone and NotARegion for actions on parts of another kind.
+/// for regions; NotABone, NotARegion and NotAStack for actions on parts of another kind.
 Result<Document> update(const Document& document, const Action& action);
 
 }  // namespace spineloft::document

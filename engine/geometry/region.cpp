@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/limits.h"
+#include "engine/geometry/corners.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/region_grid.h"
@@ -11,8 +12,6 @@
 namespace spineloft::geometry {
 namespace {
 
-/// A turn of this much within one spacing is a corner that sampling keeps, radians.
-constexpr double kCorner = 0.7;
 constexpr std::size_t kLeastSamples = 8;
 
 double yUpArea(std::span<const PicturePoint> contour) { return -signedArea(contour); }
@@ -77,43 +76,14 @@ Result<Contours> finished(Contours contours) {
                                               : Result<Contours>(Error::RegionEmpty);
 }
 
-PicturePoint onContour(std::span<const PicturePoint> closed, std::span<const double> s, double at) {
-  const double length = s.back();
-  at = std::fmod(at, length);
-  return pointAt(closed, s, at < 0 ? at + length : at);
-}
-
-/// Arc lengths of the corners: where the outline turns by kCorner within one spacing, the sharpest of
-/// its neighbourhood.
-std::vector<double> cornersOf(std::span<const PicturePoint> closed, std::span<const double> s, double spacing) {
-  const double w = std::min(spacing / 2, s.back() / 8);
-  std::vector<std::pair<double, double>> turns;  // how sharp, where
-  for (std::size_t i = 0; i + 1 < closed.size(); ++i) {
-    const PicturePoint in = closed[i] - onContour(closed, s, s[i] - w);
-    const PicturePoint out = onContour(closed, s, s[i] + w) - closed[i];
-    const double turn = std::abs(std::atan2(cross(in, out), dot(in, out)));
-    if (turn > kCorner) turns.push_back({turn, s[i]});
-  }
-  std::ranges::sort(turns, std::greater{});
-  std::vector<double> corners;
-  for (const auto& [turn, at] : turns) {
-    const bool near = std::ranges::any_of(corners, [&](double other) {
-      const double apart = std::abs(at - other);
-      return std::min(apart, s.back() - apart) < spacing / 2;
-    });
-    if (!near) corners.push_back(at);
-  }
-  std::ranges::sort(corners);
-  return corners;
-}
-
 std::vector<PicturePoint> sampleContour(const std::vector<PicturePoint>& contour, double spacing) {
   std::vector<PicturePoint> closed = contour;
   closed.push_back(contour.front());
-  const std::vector<double> s = arcLengths(std::span<const PicturePoint>(closed));
+  const std::span<const PicturePoint> line(closed);
+  const std::vector<double> s = arcLengths(line);
   const double length = s.back();
   spacing = std::min(spacing, length / static_cast<double>(kLeastSamples));
-  std::vector<double> corners = cornersOf(closed, s, spacing);
+  std::vector<double> corners = cornersOf(line, std::span<const double>(s), spacing);
   if (corners.empty()) corners.push_back(0);
   std::vector<PicturePoint> out;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -121,7 +91,7 @@ std::vector<PicturePoint> sampleContour(const std::vector<PicturePoint>& contour
     const double to = i + 1 < corners.size() ? corners[i + 1] : corners[0] + length;
     const auto pieces = static_cast<int>(std::max(1.0, std::round((to - from) / spacing)));
     for (int k = 0; k < pieces; ++k) {
-      out.push_back(onContour(closed, s, from + (to - from) * k / pieces));
+      out.push_back(onContour(line, std::span<const double>(s), from + (to - from) * k / pieces));
     }
   }
   return out;

@@ -129,7 +129,7 @@ RimDistance::RimDistance(std::span<const SectionPoint> rim, std::span<const std:
     std::size_t begin = 0;
     for (const std::size_t size : sizes) {
       for (std::size_t i = 0, j = size - 1; i < size; j = i++) {
-        const Edge edge{rim[begin + j], rim[begin + i]};
+        const Edge edge{rim[begin + j], rim[begin + i], static_cast<std::uint32_t>(begin + j)};
         const Cell a = cellOf(edge.a), b = cellOf(edge.b);
         for (int y = std::min(a.y, b.y); y <= std::max(a.y, b.y); ++y) {
           for (int x = std::min(a.x, b.x); x <= std::max(a.x, b.x); ++x) {
@@ -157,30 +157,27 @@ RimDistance::Cell RimDistance::cellOf(SectionPoint p) const {
   return {step(p.x - low_.x, nx_), step(p.y - low_.y, ny_)};
 }
 
-double RimDistance::inCell(int x, int y, SectionPoint p) const {
-  double nearest = INFINITY;
-  if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return nearest;
+void RimDistance::lookInCell(int x, int y, SectionPoint p, Nearest& best) const {
+  if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return;
   const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
   for (std::uint32_t e = first_[cell]; e < first_[cell + 1]; ++e) {
-    nearest = std::min(nearest, distanceToSegment(p, edges_[e].a, edges_[e].b));
+    const double away = distanceToSegment(p, edges_[e].a, edges_[e].b);
+    if (away < best.distance) best = {away, edges_[e].from};
   }
-  return nearest;
 }
 
-double RimDistance::to(SectionPoint p) const {
+RimDistance::Nearest RimDistance::nearest(SectionPoint p) const {
   const Cell at = cellOf(p);
-  double nearest = INFINITY;
+  Nearest best{INFINITY, 0};
   // Squares of cells round p, larger and larger: what lies beyond the square is farther than its half.
   for (int r = 0; r <= std::max(nx_, ny_); ++r) {
     for (int y = at.y - r; y <= at.y + r; ++y) {
       const bool whole = y == at.y - r || y == at.y + r;
-      for (int x = at.x - r; x <= at.x + r; x += whole || r == 0 ? 1 : 2 * r) {
-        nearest = std::min(nearest, inCell(x, y, p));
-      }
+      for (int x = at.x - r; x <= at.x + r; x += whole || r == 0 ? 1 : 2 * r) lookInCell(x, y, p, best);
     }
-    if (nearest <= r * cell_) break;
+    if (best.distance <= r * cell_) break;
   }
-  return nearest;
+  return best;
 }
 
 void spreadPoints(PlaneMesh& mesh, std::span<const std::size_t> sizes, Spacing spacing, const SurfaceOver& surface) {

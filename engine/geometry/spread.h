@@ -1,6 +1,7 @@
 // Points spread over a region, for surfaces above it: near the rim as dense as the surface is steep.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -36,17 +37,25 @@ class RimDistance {
   /// The outlines must outlive it; ≥ 1 point.
   RimDistance(std::span<const SectionPoint> rim, std::span<const std::size_t> sizes);
   /// From any point; exact.
-  double to(SectionPoint p) const;
+  double to(SectionPoint p) const { return nearest(p).distance; }
+  /// The nearest edge to any point, by its first corner, and its distance. An outline of two corners is a segment, one
+  /// of one corner a point.
+  struct Nearest {
+    double distance;
+    std::uint32_t edge;
+  };
+  Nearest nearest(SectionPoint p) const;
 
  private:
   struct Edge {
     SectionPoint a, b;
+    std::uint32_t from;
   };
   struct Cell {
     int x, y;
   };
   Cell cellOf(SectionPoint p) const;
-  double inCell(int x, int y, SectionPoint p) const;
+  void lookInCell(int x, int y, SectionPoint p, Nearest& best) const;
   SectionPoint low_{};
   double cell_ = 1;
   int nx_ = 1, ny_ = 1;

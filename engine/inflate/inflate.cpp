@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
+#include "engine/geometry/pieces.h"
 #include "engine/geometry/refine.h"
 #include "engine/geometry/spread.h"
+#include "engine/inflate/fields.h"
 #include "engine/inflate/poisson_height.h"
+#include "engine/inflate/profile.h"
+#include "engine/inflate/rows.h"
+#include "engine/inflate/skeleton.h"
 #include "engine/mesh/two_sided.h"
 
 namespace spineloft::inflate {
@@ -145,13 +152,9 @@ void relax(Cushion& cushion, double height, double least) {
   flipOnSurface(mesh, heightsOf(cushion.u, mesh.rim(), height, least));
 }
 
-}  // namespace
-
-Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
+Result<mesh::TriMesh> inflateSoftly(const geometry::Contours& contours, image::Size picture,
                                     const InflateParams& params) {
-  if (!isValid(params)) return Error::ValueOutOfRange;
   const double area = geometry::areaOf(contours);
-  if (!(area > 0)) return Error::RegionEmpty;
   const double spacing = spacingFor(area, params.points);
   const geometry::PlaneRegion region = geometry::planeRegion(geometry::sampleRegion(contours, spacing));
   const Cushion coarse = evenMargin(region, kCoarse * spacing);
@@ -177,6 +180,53 @@ Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::S
       break;
   }
   return solidBetween(front, back, region.sizes, size);
+}
+
+/// How far points are apart when the curves of a profile, lengths in half widths, stand over a region: the surface has
+/// about the area of the region times their length.
+double spacingFor(double area, int points, std::span<const ProfileCurve> curves) {
+  double length = 0;
+  for (const ProfileCurve& curve : curves) {
+    const std::size_t n = curve.points.size();
+    for (std::size_t i = curve.closed ? 0 : 1; i < n; ++i) {
+      length += distance(curve.points[i], curve.points[(i + n - 1) % n]);
+    }
+  }
+  return std::sqrt(length * area / (std::sqrt(0.75) * points));
+}
+
+Result<mesh::TriMesh> inflateAlong(const geometry::Contours& contours, image::Size picture,
+                                   const InflateParams& params) {
+  const Result<std::vector<ProfileCurve>> curves = profileCurves(params.profile.slices[0].shape, params.sides);
+  if (!curves) return curves.failure();
+  const std::vector<geometry::Contours> pieces = geometry::piecesOf(contours);
+  std::vector<Fields> fields;
+  RowParams rows{spacingFor(geometry::areaOf(contours), params.points, curves.value()), params.height,
+                 params.profile.follow, 0, picture};
+  for (const geometry::Contours& piece : pieces) {
+    const Result<Skeleton> skeleton = skeletonOf(piece);
+    if (!skeleton) return skeleton.failure();
+    Result<Fields> made = fieldsOf(piece, skeleton.value());
+    if (!made) return made.failure();
+    rows.widest = std::max(rows.widest, std::ranges::max(made.value().half));
+    fields.push_back(std::move(made).value());
+  }
+  mesh::TriMesh mesh;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (Status status = addRows(fields[i], pieces[i], curves.value(), rows, mesh); !status) {
+      return status.failure();
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
+                                    const InflateParams& params) {
+  if (!isValid(params)) return Error::ValueOutOfRange;
+  if (!(geometry::areaOf(contours) > 0)) return Error::RegionEmpty;
+  return params.profile.isSoft() ? inflateSoftly(contours, picture, params) : inflateAlong(contours, picture, params);
 }
 
 }  // namespace spineloft::inflate

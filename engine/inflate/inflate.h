@@ -1,4 +1,4 @@
-// A region that swells: smooth, without ridges, its rim round.
+// An inflated region: smooth, without ridges, its rim round.
 #pragma once
 
 #include "engine/base/result.h"
@@ -13,7 +13,13 @@ namespace spineloft::inflate {
 /// them, or both, where −Δu = 4 in the region and u = 0 on its rim (a circle becomes a ball). ModelSpace;
 /// UV as seen from the front; closed, with a handle for every hole. `contours` as geometry::cleanRegion
 /// gives them; `picture` in original pixels. The mesh has about params.points corners, even on the
-/// surface. Errors: RegionEmpty, RegionTooFine, ValueOutOfRange.
+/// surface.
+///
+/// With a profile it is {(p, z) : (s(p), z / H'(p)) in its slice}, s the share of the way from the skeleton of the
+/// region to its outline, H' the half width or the largest one (fields.h, rows.h; Levet and Granier 2007): a disc and a
+/// circle make a ball, a ring and a circle a torus. `params.height` multiplies z; sides cut the slice at z = 0. A
+/// profile that crosses its axis m times and has c curves beside it makes of a piece with h holes m + c (h + 1) shells
+/// of genus m h + c (h + 1) in all. Errors: RegionEmpty, RegionTooFine, ValueOutOfRange, those of profileCurves.
 Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
                                     const InflateParams& params);
 

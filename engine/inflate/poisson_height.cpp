@@ -2,25 +2,14 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "engine/inflate/element.h"
 
 namespace spineloft::inflate {
 namespace {
 
 constexpr double kLoad = 4;  // −Δ(R² − r²)
-
-/// Gradients of the three hat functions of a triangle times twice its area, and that.
-struct Element {
-  std::array<SectionPoint, 3> gradient;
-  double area2 = 0;
-};
-Element elementOf(const geometry::PlaneMesh& mesh, const geometry::PlaneMesh::Triangle& t) {
-  const auto& points = mesh.points();
-  const SectionPoint a = points[t[0]], b = points[t[1]], c = points[t[2]];
-  const auto turned = [](SectionPoint v) { return SectionPoint{-v.y, v.x}; };
-  return {{turned(c - b), turned(a - c), turned(b - a)}, cross(b - a, c - a)};
-}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How high a region swells: the Poisson equation on its triangulation.
+// The height of an inflated region: the Poisson equation on its triangulation.
 #pragma once
 
 #include <vector>

@@ -100,12 +100,23 @@ void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
 }
 void mendRecipe(document::InflateRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.inflate), recipe.inflate, {}, notes);
+  mend(document::checkSolid(recipe.inflate).ok(), recipe.inflate.profile, {}, notes);
 }
 void mendRecipe(document::ExtrudeRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.extrude), recipe.extrude, {}, notes);
 }
 void mendRecipe(document::LatheRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.lathe), recipe.lathe, {}, notes);
+}
+
+void mendRecipe(document::StackRecipe& recipe, ReadNotes& notes) {
+  mend(isValid(recipe.stack), recipe.stack, {}, notes);
+  mend(isValid(recipe.rail), recipe.rail, {}, notes);
+  for (stack::Plane& plane : recipe.planes) {
+    mend(sections::isValid(plane.blend), plane.blend, stack::Plane{}.blend, notes);
+    weed(plane.curves, stack::kMostCurves, [](const stack::Curve& curve) { return isValid(curve); }, notes);
+  }
+  weed(recipe.planes, stack::kMostPlanes, [](const stack::Plane& plane) { return isValid(plane); }, notes);
 }
 
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {

@@ -1,18 +1,18 @@
 #include "engine/io/gltf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <exception>
-#include <limits>
 #include <numbers>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#include <tiny_gltf.h>
+#include "engine/io/document_json.h"
+#include "engine/io/glb_container.h"
 
 namespace spineloft::io {
 namespace {
@@ -33,178 +33,151 @@ std::string mimeOf(std::span<const std::uint8_t> bytes) {
   return begins(kPng) ? "image/png" : begins(kJpeg) ? "image/jpeg" : "";
 }
 
+/// Constants of glTF 2.0.
+enum Gltf : int {
+  kUnsignedShort = 5123,
+  kUnsignedInt = 5125,
+  kFloat = 5126,
+  kArrayBuffer = 34962,
+  kElementArrayBuffer = 34963,
+  kLinear = 9729,
+  kLinearMipmapLinear = 9987,
+  kClampToEdge = 33071
+};
+
 /// Collects the file's one buffer and everything that points into it.
 class Writer {
  public:
-  Writer() {
-    model_.asset.version = "2.0";
-    model_.asset.generator = "SpineLoft";
-    model_.buffers.emplace_back();
-    model_.scenes.emplace_back();
-    model_.defaultScene = 0;
-  }
-
-  void addPart(const ExportPart& part, int texture, const GlbOptions& options) {
+  void addPart(const ExportPart& part, std::optional<std::size_t> texture, const GlbOptions& options) {
     mesh::ShadedMesh shaded = mesh::shade(*part.mesh, part.faceted ? 0 : options.creaseAngle);
     for (auto& p : shaded.positions) {
       const std::array<double, 3> at = placed(part.placement, p);
       p = {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
     }
     const std::string name = cleanName(part.name);
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.attributes["POSITION"] = positions(shaded.positions);
-    primitive.attributes["NORMAL"] = attribute(shaded.normals, TINYGLTF_TYPE_VEC3);
-    if (texture >= 0) primitive.attributes["TEXCOORD_0"] = attribute(shaded.uv, TINYGLTF_TYPE_VEC2);
-    primitive.indices = indices(shaded);
-    primitive.material = material(part, name, texture);
-    if (part.joins && !model_.meshes.empty()) {
-      model_.meshes.back().primitives.push_back(std::move(primitive));
+    Json attributes = {{"POSITION", positions(shaded.positions)}, {"NORMAL", attribute(shaded.normals, "VEC3")}};
+    if (texture) attributes["TEXCOORD_0"] = attribute(shaded.uv, "VEC2");
+    Json primitive = {{"attributes", std::move(attributes)},
+                      {"indices", indices(shaded)},
+                      {"material", material(part, name, texture)}};
+    if (part.joins && !root_["meshes"].empty()) {
+      root_["meshes"].back()["primitives"].push_back(std::move(primitive));
       return;
     }
-    tinygltf::Mesh mesh;
-    mesh.name = name;
-    mesh.primitives.push_back(std::move(primitive));
-    model_.meshes.push_back(std::move(mesh));
-    tinygltf::Node node;
-    node.name = name;
-    node.mesh = static_cast<int>(model_.meshes.size() - 1);
-    model_.nodes.push_back(std::move(node));
-    model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size() - 1));
+    const std::size_t mesh = add("meshes", {{"name", name}, {"primitives", Json::array({std::move(primitive)})}});
+    nodes_.push_back(add("nodes", {{"name", name}, {"mesh", mesh}}));
   }
 
   /// Returns the texture's index.
-  int addPicture(const ExportPicture& picture, const std::string& mime) {
-    if (model_.samplers.empty()) {
-      tinygltf::Sampler sampler;
-      sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-      sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-      sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-      model_.samplers.push_back(sampler);
-    }
-    tinygltf::Image image;
-    image.name = cleanName(picture.name);
-    image.mimeType = mime;
-    image.bufferView = view(picture.bytes.data(), picture.bytes.size(), 0);
-    model_.images.push_back(std::move(image));
-    tinygltf::Texture texture;
-    texture.sampler = 0;
-    texture.source = static_cast<int>(model_.images.size() - 1);
-    model_.textures.push_back(texture);
-    return static_cast<int>(model_.textures.size() - 1);
+  std::size_t addPicture(const ExportPicture& picture, const std::string& mime) {
+    if (root_["samplers"].empty())
+      add("samplers", {{"magFilter", kLinear},
+                       {"minFilter", kLinearMipmapLinear},
+                       {"wrapS", kClampToEdge},
+                       {"wrapT", kClampToEdge}});
+    const std::size_t bytes = view(picture.bytes.data(), picture.bytes.size());
+    const std::size_t image =
+        add("images", {{"name", cleanName(picture.name)}, {"mimeType", mime}, {"bufferView", bytes}});
+    return add("textures", {{"sampler", 0}, {"source", image}});
   }
 
-  std::size_t size() const { return model_.buffers[0].data.size(); }
-
-  Bytes write() const {
-    std::ostringstream stream(std::ios::binary);
-    tinygltf::TinyGLTF gltf;
-    if (!gltf.WriteGltfSceneToStream(&model_, stream, false, true)) return {};
-    const std::string text = std::move(stream).str();
-    return Bytes(text.begin(), text.end());
+  Result<Bytes> write() {
+    root_["asset"] = {{"version", "2.0"}, {"generator", "SpineLoft"}};
+    root_["scene"] = 0;
+    root_["scenes"] = Json::array({{{"nodes", nodes_}}});
+    root_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
+    for (const char* list : {"samplers", "textures", "images"})
+      if (root_[list].empty()) root_.erase(list);
+    return writeGlbChunks({textOf(root_), binary_});
   }
 
  private:
-  /// Appends bytes to the buffer, aligned to 4 as glTF asks of every accessor here.
-  int view(const void* bytes, std::size_t size, int target) {
-    std::vector<unsigned char>& data = model_.buffers[0].data;
-    data.resize((data.size() + 3) / 4 * 4);
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = data.size();
-    view.byteLength = size;
-    view.target = target;
-    const auto* first = static_cast<const unsigned char*>(bytes);
-    data.insert(data.end(), first, first + size);
-    model_.bufferViews.push_back(std::move(view));
-    return static_cast<int>(model_.bufferViews.size() - 1);
+  /// Returns the index in the list.
+  std::size_t add(const char* list, Json item) {
+    root_[list].push_back(std::move(item));
+    return root_[list].size() - 1;
   }
 
-  int accessor(int bufferView, int component, int type, std::size_t count) {
-    tinygltf::Accessor accessor;
-    accessor.bufferView = bufferView;
-    accessor.componentType = component;
-    accessor.type = type;
-    accessor.count = count;
-    model_.accessors.push_back(std::move(accessor));
-    return static_cast<int>(model_.accessors.size() - 1);
+  /// Appends bytes to the buffer, aligned to 4 as glTF asks of every accessor here.
+  std::size_t view(const void* bytes, std::size_t size, std::optional<Gltf> target = {}) {
+    binary_.resize((binary_.size() + 3) / 4 * 4);
+    Json view = {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}};
+    if (target) view["target"] = *target;
+    const auto* first = static_cast<const std::uint8_t*>(bytes);
+    binary_.insert(binary_.end(), first, first + size);
+    return add("bufferViews", std::move(view));
   }
 
   template <class T>
-  int attribute(const std::vector<T>& values, int type) {
+  std::size_t attribute(const std::vector<T>& values, const char* type) {
     static_assert(sizeof(T) % 4 == 0);
-    const int bytes = view(values.data(), values.size() * sizeof(T), TINYGLTF_TARGET_ARRAY_BUFFER);
-    return accessor(bytes, TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size());
+    const std::size_t bytes = view(values.data(), values.size() * sizeof(T), kArrayBuffer);
+    return add("accessors",
+               {{"bufferView", bytes}, {"componentType", kFloat}, {"type", type}, {"count", values.size()}});
   }
 
-  int positions(const std::vector<std::array<float, 3>>& values) {
-    const int index = attribute(values, TINYGLTF_TYPE_VEC3);
-    tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  std::size_t positions(const std::vector<std::array<float, 3>>& values) {
+    const std::size_t index = attribute(values, "VEC3");
+    Json& accessor = root_["accessors"][index];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [low, high] = std::minmax_element(values.begin(), values.end(),
                                                    [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-      accessor.minValues.push_back(static_cast<double>((*low)[axis]));
-      accessor.maxValues.push_back(static_cast<double>((*high)[axis]));
+      accessor["min"].push_back((*low)[axis]);
+      accessor["max"].push_back((*high)[axis]);
     }
     return index;
   }
 
-  int indices(const mesh::ShadedMesh& shaded) {
-    const std::size_t count = shaded.triangles.size() * 3;
-    // 65535 restarts a primitive, so that many vertices still fit.
-    if (shaded.positions.size() > 65535) {
-      const int bytes =
-          view(shaded.triangles.data(), count * sizeof(std::uint32_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-      return accessor(bytes, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, count);
-    }
-    std::vector<std::uint16_t> small;
-    small.reserve(count);
+  template <class Index>
+  std::size_t indices(const mesh::ShadedMesh& shaded, Gltf component) {
+    std::vector<Index> corners;
+    corners.reserve(shaded.triangles.size() * 3);
     for (const auto& t : shaded.triangles) {
-      for (const std::uint32_t v : t) small.push_back(static_cast<std::uint16_t>(v));
+      for (const std::uint32_t v : t) corners.push_back(static_cast<Index>(v));
     }
-    const int bytes = view(small.data(), count * sizeof(std::uint16_t), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-    return accessor(bytes, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, count);
+    const std::size_t bytes = view(corners.data(), corners.size() * sizeof(Index), kElementArrayBuffer);
+    return add("accessors",
+               {{"bufferView", bytes}, {"componentType", component}, {"type", "SCALAR"}, {"count", corners.size()}});
   }
 
-  int material(const ExportPart& part, const std::string& name, int texture) {
-    tinygltf::Material material;
-    material.name = name;
-    material.pbrMetallicRoughness.metallicFactor = part.metallic;
-    material.pbrMetallicRoughness.roughnessFactor = part.roughness;
-    if (texture >= 0) {
-      material.pbrMetallicRoughness.baseColorTexture.index = texture;
+  std::size_t indices(const mesh::ShadedMesh& shaded) {
+    // 65535 restarts a primitive, so that many vertices still fit.
+    return shaded.positions.size() > 65535 ? indices<std::uint32_t>(shaded, kUnsignedInt)
+                                           : indices<std::uint16_t>(shaded, kUnsignedShort);
+  }
+
+  std::size_t material(const ExportPart& part, const std::string& name, std::optional<std::size_t> texture) {
+    Json surface = {{"metallicFactor", part.metallic}, {"roughnessFactor", part.roughness}};
+    if (texture) {
+      surface["baseColorTexture"] = {{"index", *texture}};
     } else {
-      material.pbrMetallicRoughness.baseColorFactor = {linear(part.colour[0]), linear(part.colour[1]),
-                                                       linear(part.colour[2]), 1};
+      surface["baseColorFactor"] = {linear(part.colour[0]), linear(part.colour[1]), linear(part.colour[2]), 1};
     }
-    model_.materials.push_back(std::move(material));
-    return static_cast<int>(model_.materials.size() - 1);
+    return add("materials", {{"name", name}, {"pbrMetallicRoughness", std::move(surface)}});
   }
 
-  tinygltf::Model model_;
+  Json root_;
+  std::vector<std::size_t> nodes_;
+  Bytes binary_;
 };
 
 Result<Bytes> write(std::span<const ExportPart> parts, std::span<const ExportPicture> pictures,
                     const GlbOptions& options) {
   Writer writer;
-  std::vector<int> textures(pictures.size(), -1);
+  std::vector<std::optional<std::size_t>> textures(pictures.size());
   for (const ExportPart& part : parts) {
-    int texture = -1;
+    std::optional<std::size_t> texture;
     if (part.picture) {
       const ExportPicture& picture = pictures[*part.picture];
       const std::string mime = mimeOf(picture.bytes);
       if (mime.empty()) return {Error::PictureUnreadable, cleanName(picture.name)};
-      int& known = textures[*part.picture];
-      if (known < 0) known = writer.addPicture(picture, mime);
+      std::optional<std::size_t>& known = textures[*part.picture];
+      if (!known) known = writer.addPicture(picture, mime);
       texture = known;
     }
     writer.addPart(part, texture, options);
   }
-  constexpr std::size_t kLargest = std::numeric_limits<std::uint32_t>::max() - (1u << 24);
-  if (writer.size() > kLargest) return {Error::OutOfMemory, "GLB over 4 GiB"};
-  Bytes bytes = writer.write();
-  if (bytes.empty()) return Error::OutOfMemory;
-  return bytes;
+  return writer.write();
 }
 
 }  // namespace

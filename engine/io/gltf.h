@@ -1,4 +1,4 @@
-// GLB, the binary form of glTF 2.0 (Khronos). The only user of tinygltf.
+// GLB, the binary form of glTF 2.0 (Khronos).
 #pragma once
 
 #include <span>

@@ -55,11 +55,11 @@ bool getPoints(const Json& from, std::vector<PicturePoint>& to) { return get(fro
 
 }  // namespace
 
-std::string_view keyOf(loft::SectionPreset value) { return loft::sectionKey(value); }
-std::string_view keyOf(loft::CapStyle value) { return loft::capKey(value); }
-std::string_view keyOf(loft::BlendKind value) {
-  const auto names = loft::blendNames();
-  const auto at = std::ranges::find(names, value, &loft::BlendName::kind);
+std::string_view keyOf(sections::SectionPreset value) { return sections::sectionKey(value); }
+std::string_view keyOf(sections::CapStyle value) { return sections::capKey(value); }
+std::string_view keyOf(sections::BlendKind value) {
+  const auto names = sections::blendNames();
+  const auto at = std::ranges::find(names, value, &sections::BlendName::kind);
   return at == names.end() ? std::string_view() : at->key;
 }
 std::string_view keyOf(ribs::Side value) { return value == ribs::Side::Left ? "left" : "right"; }
@@ -109,9 +109,11 @@ bool fromKeys(std::string_view key, T& value) {
 
 bool fromKey(std::string_view key, document::StepKind& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::OpeningSide& value) { return fromKeys(key, value); }
-bool fromKey(std::string_view key, loft::SectionPreset& value) { return keep(loft::sectionFromKey(key), value); }
-bool fromKey(std::string_view key, loft::CapStyle& value) { return keep(loft::capFromKey(key), value); }
-bool fromKey(std::string_view key, loft::BlendKind& value) { return keep(loft::blendFromKey(key), value); }
+bool fromKey(std::string_view key, sections::SectionPreset& value) {
+  return keep(sections::sectionFromKey(key), value);
+}
+bool fromKey(std::string_view key, sections::CapStyle& value) { return keep(sections::capFromKey(key), value); }
+bool fromKey(std::string_view key, sections::BlendKind& value) { return keep(sections::blendFromKey(key), value); }
 bool fromKey(std::string_view key, surface::Paint& value) { return keep(surface::paintFromKey(key), value); }
 bool fromKey(std::string_view key, ribs::Side& value) {
   if (key != "left" && key != "right") return false;
@@ -174,6 +176,11 @@ Json toJson(const std::optional<document::MirrorPlane>& plane) {
   const auto& [point, normal] = *plane;
   return Json::array(
       {toJson(point.x), toJson(point.y), toJson(point.z), toJson(normal.x), toJson(normal.y), toJson(normal.z)});
+}
+
+Json toJson(const stack::Corners& corners) {
+  const auto& [all, at] = corners;
+  return all ? Json("all") : Json(at);
 }
 
 Json toJson(const image::SketchStroke& stroke) {
@@ -321,6 +328,16 @@ bool get(const Json& from, std::optional<document::MirrorPlane>& to) {
     if (!get(from[i], numbers[i])) return false;
   }
   to = document::MirrorPlane{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+  return true;
+}
+
+bool get(const Json& from, stack::Corners& to) {
+  stack::Corners corners{from == "all", {}};
+  if (!corners.all && !from.is_array()) return false;
+  for (const Json& element : corners.all ? Json::array() : from) {
+    if (!get(element, corners.at.emplace_back())) return false;
+  }
+  to = std::move(corners);
   return true;
 }
 

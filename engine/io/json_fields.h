@@ -19,264 +19,12 @@
 #include <vector>
 
 #include "engine/document/document.h"
+#include "engine/io/json_members.h"
 #include "engine/io/project_file.h"
 
 namespace spineloft::io {
 
 using Json = nlohmann::json;
-
-/// `T` is `Plain` or `const Plain`.
-template <class T, class Plain>
-concept Is = std::same_as<std::remove_const_t<T>, Plain>;
-
-// ---- the members of every struct that is an object ----------------------------------------------
-
-template <class V, Is<ribs::SpineParams> T>
-void members(V& v, T& value) {
-  auto& [ribs, minSpacing, smoothness] = value;
-  v("ribs", ribs);
-  v("minSpacing", minSpacing);
-  v("smoothness", smoothness);
-}
-template <class V, Is<ribs::EvidenceParams> T>
-void members(V& v, T& value) {
-  auto& [learnedWeight, proximityWeight, doubt, weight] = value;
-  v("learnedWeight", learnedWeight);
-  v("proximityWeight", proximityWeight);
-  v("doubt", doubt);
-  v("weight", weight);
-  // What versions before 0.2 weighed; the network stands for it.
-  for (const char* key : {"contrastWeight", "localContrastWeight", "beyondWeight", "insideWeight", "outsideWeight",
-                          "rimWeight", "contrastReach", "knownShare"})
-    v.retired(key);
-}
-template <class V, Is<ribs::FairingParams> T>
-void members(V& v, T& value) {
-  auto& [stiffness, leastTrust, corner, outlier] = value;
-  v("stiffness", stiffness);
-  v("leastTrust", leastTrust);
-  v("corner", corner);
-  v("outlier", outlier);
-}
-template <class V, Is<ribs::RibParams> T>
-void members(V& v, T& value) {
-  auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight, medialOffsetCost,
-         evidence, fairing] = value;
-  v("levels", levels);
-  v("maxLevelShare", maxLevelShare);
-  v("neighbourWeight", neighbourWeight);
-  v("neighbourFreedom", neighbourFreedom);
-  v("neighbourCap", neighbourCap);
-  v("oppositeWeight", oppositeWeight);
-  v("leanCost", medialOffsetCost);
-  v("evidence", evidence);
-  v("fairing", fairing);
-  v.retired("priorWeight");  // a pull to a middle level
-}
-template <class V, Is<ribs::RibEdits> T>
-void members(V& v, T& value) {
-  auto& [ends, added, removed] = value;
-  v("ends", ends);
-  v("added", added);
-  v("removed", removed);
-}
-template <class V, Is<loft::Pose> T>
-void members(V& v, T& value) {
-  auto& [stroke, depth, coilTurns, coilRadius, closed] = value;
-  v("stroke", stroke);
-  v("depth", depth);
-  v("coilTurns", coilTurns);
-  v("coilRadius", coilRadius);
-  v("closed", closed);
-}
-template <class V, Is<loft::SectionShape> T>
-void members(V& v, T& value) {
-  auto& [preset, contours] = value;
-  v("preset", preset);
-  v("contours", contours);
-}
-template <class V, Is<loft::Blend> T>
-void members(V& v, T& value) {
-  auto& [kind, custom] = value;
-  v("kind", kind);
-  v("custom", custom);
-}
-template <class V, Is<loft::SectionKey> T>
-void members(V& v, T& value) {
-  auto& [at, shape, blend] = value;
-  v("at", at);
-  v("shape", shape);
-  v("blend", blend);
-}
-template <class V, Is<loft::LoftParams> T>
-void members(V& v, T& value) {
-  auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = value;
-  v("sections", sections);
-  v("twist", twist);
-  v("squash", squash);
-  v("tilt", tilt);
-  v("bulge", bulge);
-  v("startCap", startCap);
-  v("endCap", endCap);
-  v("sectionPoints", sectionPoints);
-  v("capRings", capRings);
-  v("centring", centring);
-}
-template <class V, Is<document::LoftRecipe> T>
-void members(V& v, T& value) {
-  auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = value;
-  v("picture", picture);
-  v("stroke", stroke);
-  v("spine", spine);
-  v("ribs", ribs);
-  v("edits", edits);
-  v("ignored", ignored);
-  v("pose", pose);
-  v("loft", loft);
-}
-template <class V, Is<document::Region> T>
-void members(V& v, T& value) {
-  auto& [picture, contours, ribbon, open] = value;
-  v("picture", picture);
-  v("contours", contours);
-  v("ribbon", ribbon);
-  v("open", open);
-}
-template <class V, Is<inflate::InflateParams> T>
-void members(V& v, T& value) {
-  auto& [height, sides, points] = value;
-  v("height", height);
-  v("sides", sides);
-  v("points", points);
-}
-template <class V, Is<extrude::ExtrudeParams> T>
-void members(V& v, T& value) {
-  auto& [thickness, edge, edgeSize, depth] = value;
-  v("thickness", thickness);
-  v("edge", edge);
-  v("edgeSize", edgeSize);
-  v("depth", depth);
-}
-template <class V, Is<document::InflateRecipe> T>
-void members(V& v, T& value) {
-  auto& [region, inflate] = value;
-  v("region", region);
-  v("puff", inflate);
-}
-template <class V, Is<document::ExtrudeRecipe> T>
-void members(V& v, T& value) {
-  auto& [region, extrude] = value;
-  v("region", region);
-  v("sheet", extrude);
-}
-template <class V, Is<lathe::LatheParams> T>
-void members(V& v, T& value) {
-  auto& [axisFrom, axisTo, turn, sides, wall, squash] = value;
-  v("axisFrom", axisFrom);
-  v("axisTo", axisTo);
-  v("turn", turn);
-  v("sides", sides);
-  v("wall", wall);
-  v("squash", squash);
-}
-template <class V, Is<document::LatheRecipe> T>
-void members(V& v, T& value) {
-  auto& [region, lathe] = value;
-  v("region", region);
-  v("lathe", lathe);
-}
-template <class V, Is<document::Look> T>
-void members(V& v, T& value) {
-  auto& [textured, colour, paint, second, faceted, inked] = value;
-  v("textured", textured);
-  v("colour", colour);
-  v("paint", paint);
-  v("second", second);
-  v("faceted", faceted);
-  v("inked", inked);
-}
-template <class V, Is<document::Placement> T>
-void members(V& v, T& value) {
-  auto& [pivot, move, turn, scale, mirrored] = value;
-  v("pivot", pivot);
-  v("move", move);
-  v("turn", turn);
-  v("scale", scale);
-  v("mirrored", mirrored);
-}
-template <class V, Is<document::Group> T>
-void members(V& v, T& value) {
-  auto& [id, name] = value;
-  v("id", id);
-  v.always("name", name);
-}
-template <class V, Is<document::Part> T>
-void members(V& v, T& value) {
-  auto& [id, name, recipe, look, visible, placement, mirror, group, extra] = value;
-  v("id", id);
-  v.always("name", name);
-  v.recipe("kind", "recipe", recipe);
-  v("look", look);
-  v("visible", visible);
-  v("placement", placement);
-  v("mirror", mirror);
-  v("group", group);
-  v.beyond(extra);
-}
-template <class V, Is<document::Operand> T>
-void members(V& v, T& value) {
-  auto& [part, step] = value;
-  v("part", part);
-  v("step", step);
-}
-template <class V, Is<document::Opening> T>
-void members(V& v, T& value) {
-  auto& [side, depth] = value;
-  v("side", side);
-  v("depth", depth);
-}
-template <class V, Is<document::Step> T>
-void members(V& v, T& value) {
-  auto& [id, name, kind, operands, blend, wall, opening, ownLook, look, visible, extra] = value;
-  v("id", id);
-  v.always("name", name);
-  v("kind", kind);
-  v("operands", operands);
-  v("blend", blend);
-  v("wall", wall);
-  v("opening", opening);
-  v("ownLook", ownLook);
-  v("look", look);
-  v("visible", visible);
-  v.beyond(extra);
-}
-template <class V, Is<document::PictureEntry> T>
-void members(V& v, T& value) {
-  auto& [id, name, size, picture, sketch, contentHash, ignored, extra] = value;
-  v("id", id);
-  v.always("name", name);
-  v("size", size);
-  v.photo("photo", picture, contentHash);
-  v("sketch", sketch);
-  v("ignored", ignored);
-  v.beyond(extra);
-}
-template <class V, Is<document::Document> T>
-void members(V& v, T& value) {
-  auto& [name, pictures, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId, lastGroupId, extra] =
-      value;
-  v.always("name", name);
-  v.elements("pictures", pictures);
-  v.elements("parts", parts);
-  v.elementsIfAny("steps", steps);
-  v("groups", groups);
-  v("height", height);
-  v("lastPictureId", lastPictureId);
-  v("lastPartId", lastPartId);
-  v("lastStepId", lastStepId);
-  v("lastGroupId", lastGroupId);
-  v.beyond(extra);
-}
 
 /// Stands for any visitor where only the type of what is visited is asked for.
 struct NoVisitor {};
@@ -285,18 +33,18 @@ concept Struct = requires(NoVisitor v, T value) { members(v, value); };
 
 // ---- enums by their keys ------------------------------------------------------------------------
 
-std::string_view keyOf(loft::SectionPreset value);
-std::string_view keyOf(loft::CapStyle value);
-std::string_view keyOf(loft::BlendKind value);
+std::string_view keyOf(sections::SectionPreset value);
+std::string_view keyOf(sections::CapStyle value);
+std::string_view keyOf(sections::BlendKind value);
 std::string_view keyOf(ribs::Side value);
 std::string_view keyOf(document::StepKind value);
 std::string_view keyOf(document::OpeningSide value);
 std::string_view keyOf(inflate::InflateSides value);
 std::string_view keyOf(extrude::EdgeKind value);
 std::string_view keyOf(surface::Paint value);
-bool fromKey(std::string_view key, loft::SectionPreset& value);
-bool fromKey(std::string_view key, loft::CapStyle& value);
-bool fromKey(std::string_view key, loft::BlendKind& value);
+bool fromKey(std::string_view key, sections::SectionPreset& value);
+bool fromKey(std::string_view key, sections::CapStyle& value);
+bool fromKey(std::string_view key, sections::BlendKind& value);
 bool fromKey(std::string_view key, ribs::Side& value);
 bool fromKey(std::string_view key, document::StepKind& value);
 bool fromKey(std::string_view key, document::OpeningSide& value);
@@ -333,11 +81,24 @@ Json toJson(const ribs::IgnoreMark& mark);                       ///< [radius, [
 Json toJson(const geometry::Turn& turn);                         ///< [w, x, y, z]
 Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or point and normal in one list
 Json toJson(const image::SketchStroke& stroke);                  ///< [radius, erase, colour, [x, y, …], [pressure, …]]
+Json toJson(const stack::Corners& corners);                      ///< "all", or the indices
 template <Struct T>
 Json toJson(const T& value);
 template <class Space>
 Json toJson(Vec3<Space> p) {
   return Json::array({toJson(p.x), toJson(p.y), toJson(p.z)});
+}
+template <class Space>
+Json toJson(const std::optional<Vec3<Space>>& p) {  // or null
+  return p ? toJson(*p) : Json();
+}
+template <class Space>
+Json toJson(const std::vector<Vec3<Space>>& points) {  // [x, y, z, x, y, z, …]
+  Json out = Json::array();
+  for (const Vec3<Space>& p : points) {
+    for (const double value : {p.x, p.y, p.z}) out.push_back(toJson(value));
+  }
+  return out;
 }
 template <class Space>
 Json toJson(Vec2<Space> p) {
@@ -449,6 +210,7 @@ bool get(const Json& from, ribs::IgnoreMark& to);
 bool get(const Json& from, geometry::Turn& to);
 bool get(const Json& from, std::optional<document::MirrorPlane>& to);
 bool get(const Json& from, image::SketchStroke& to);
+bool get(const Json& from, stack::Corners& to);
 template <class Space>
 bool get(const Json& from, Vec2<Space>& to) {
   Vec2<Space> p;
@@ -462,6 +224,25 @@ bool get(const Json& from, Vec3<Space>& to) {
   const bool three = from.is_array() && from.size() == 3 && get(from[0], p.x) && get(from[1], p.y) && get(from[2], p.z);
   if (three) to = p;
   return three;
+}
+template <class Space>
+bool get(const Json& from, std::optional<Vec3<Space>>& to) {
+  Vec3<Space> p;
+  if (!from.is_null() && !get(from, p)) return false;
+  to = from.is_null() ? std::nullopt : std::optional(p);
+  return true;
+}
+template <class Space>
+bool get(const Json& from, std::vector<Vec3<Space>>& to) {
+  if (!from.is_array() || from.size() % 3 != 0) return false;
+  std::vector<Vec3<Space>> points(from.size() / 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!get(from[3 * i], points[i].x) || !get(from[3 * i + 1], points[i].y) || !get(from[3 * i + 2], points[i].z)) {
+      return false;
+    }
+  }
+  to = std::move(points);
+  return true;
 }
 template <class Tag>
 bool get(const Json& from, Id<Tag>& to) {
@@ -495,6 +276,11 @@ void read(Json& from, T& to, const Reading& reading);
 /// A line is one value.
 template <class Space>
 void read(Json& from, std::vector<Vec2<Space>>& to, const Reading& reading) {
+  if (!get(from, to)) ++reading.notes.repaired;
+  from = nullptr;
+}
+template <class Space>
+void read(Json& from, std::vector<Vec3<Space>>& to, const Reading& reading) {
   if (!get(from, to)) ++reading.notes.repaired;
   from = nullptr;
 }

@@ -3,9 +3,9 @@
 
 namespace spineloft::io {
 
-/// A usual document, all keys of documents and the words among their values. Texts that were written with it are only
-/// read with it: it never changes. Keys that come later are spelled; another version of the text may begin with another
-/// example.
+/// For version 1: a usual document, all keys of documents and the words among their values. Texts that were written
+/// with it are only read with it: it never changes. Keys that come later are spelled; another version of the text may
+/// begin with another example.
 inline constexpr const char* kPackedExample =
     R"({"version":2,"name":"Model","lastPictureId":1,"lastPartId":3,"pictures":[{"id":1,"name":"Sketch 1","size":[1024,)"
     R"(768],"sketch":[[3,false,"#1f2430",[300.0,200.0,311.75,202.5,323.5,205.0,335.0,208.25,346.25,212.5,357.5,216.75,)"

@@ -14,6 +14,7 @@
 #include "engine/base/text.h"
 #include "engine/io/bit_coder.h"
 #include "engine/io/packed_example.h"
+#include "engine/io/packed_parts.h"
 
 namespace spineloft::io {
 namespace {
@@ -21,7 +22,20 @@ namespace {
 using Json = nlohmann::json;
 
 /// What a value is written as.
-enum class Kind : std::uint8_t { Null, False, True, Whole, Fraction, Unsigned, Text, Numbers, Table, List, Object };
+enum class Kind : std::uint8_t {
+  Null,
+  False,
+  True,
+  Whole,
+  Fraction,
+  Unsigned,
+  Text,
+  Numbers,
+  Table,
+  List,
+  Object,
+  Colour,  ///< "#rrggbb"; from version 2
+};
 constexpr int kKindBits = 4;
 
 /// Contexts, above the key that a value stands at.
@@ -33,23 +47,50 @@ constexpr std::array<std::int64_t, 31> kDivisors = {
     500,    512,    1000,    1024,    2048,     4096,     8192,      10000,     16384,     32768, 65536,
     100000, 131072, 1000000, 1048576, 10000000, 16777216, 100000000, 268435456, 1000000000};
 constexpr std::uint32_t kBits = kDivisors.size();  ///< stands for: the bits themselves
-constexpr int kDivisorBits = 5;
+constexpr std::uint32_t kOther = kBits + 1;        ///< stands for: another whole number, which follows; from version 2
+constexpr std::int64_t kMostOther = 1023;
 /// Whole numbers up to here are differences without overflow, and exact as doubles.
 constexpr double kMostWhole = 1125899906842624;  // 2⁵⁰
 
-/// How a list of numbers is foretold: `order` numbers (0…2), `stride` places apart.
+/// How a list of numbers is foretold, from numbers that are `stride` places apart: none, the one before, or the line
+/// through two of them that are `reach` steps apart (rounding shakes a long line less). With `halves` the second half
+/// of the list is foretold by the steps of the first one.
 struct Mode {
-  std::size_t order = 0, stride = 1;
+  std::size_t order = 0, stride = 1, reach = 1;
+  bool halves = false;
 };
-constexpr std::array<Mode, 5> kModes{{{0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}}};
+constexpr std::array<Mode, 8> kModes{{{0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {2, 1, 4}, {2, 2, 4}, {1, 1, 1, true}}};
 constexpr int kModeBits = 3;
 
-std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before) {
+/// The number behind `before`, of `count` in all.
+std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before, std::size_t count) {
   const std::size_t i = before.size(), s = mode.stride;
+  if (mode.halves && i >= count - count / 2) {
+    const std::size_t like = i - (count - count / 2);
+    return like == 0 ? before[0] : before[i - 1] + before[like] - before[like - 1];
+  }
   if (mode.order == 0 || i < s) return 0;
   if (mode.order == 1 || i < 2 * s) return before[i - s];
-  return 2 * before[i - s] - before[i - 2 * s];
+  const auto reach = static_cast<std::int64_t>(std::min(mode.reach, i / s - 1));
+  const std::int64_t last = before[i - s], change = last - before[i - s - static_cast<std::size_t>(reach) * s];
+  return last + (2 * change + (change < 0 ? -reach : reach)) / (2 * reach);  // rounded
 }
+
+/// What the versions of the text differ in.
+struct Dialect {
+  std::size_t modes;  ///< so many of kModes
+  int divisorBits;    ///< of the number of a divisor
+  /// kOther, Kind::Colour, a bit for what is as in the row above, and a difference is coded in the context of the sizes
+  /// of the two before.
+  bool later;
+  std::array<std::string_view, 4> examples;  ///< what both sides know beforehand, what is most usual last
+};
+constexpr std::array<Dialect, 2> kDialects{{
+    {5, 5, false, {kPackedExample}},
+    {8, 6, true, {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3}},
+}};
+
+constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 std::optional<std::int64_t> wholeTimes(double value, std::int64_t divisor) {
   const auto by = static_cast<double>(divisor);
@@ -60,12 +101,41 @@ std::optional<std::int64_t> wholeTimes(double value, std::int64_t divisor) {
   return static_cast<std::int64_t>(whole);
 }
 
-/// The first divisor that makes all of them whole; kBits without one.
-std::uint32_t divisorOf(std::span<const double> values) {
+bool makesWhole(std::span<const double> values, std::int64_t divisor) {
+  return std::ranges::all_of(values, [&](double v) { return wholeTimes(v, divisor).has_value(); });
+}
+
+/// What a list of numbers is divided by, and how that is written. `by` is 0 for the bits themselves.
+struct Divisor {
+  std::uint32_t symbol = kBits;
+  std::int64_t by = 0;
+};
+/// The first divisor that makes all of them whole.
+Divisor divisorOf(std::span<const double> values, const Dialect& dialect) {
   for (std::uint32_t d = 0; d < kDivisors.size(); ++d) {
-    if (std::ranges::all_of(values, [&](double v) { return wholeTimes(v, kDivisors[d]).has_value(); })) return d;
+    if (makesWhole(values, kDivisors[d])) return {d, kDivisors[d]};
   }
-  return kBits;
+  for (std::int64_t by = 2; dialect.later && by <= kMostOther; ++by) {
+    if (makesWhole(values, by)) return {kOther, by};
+  }
+  return {};
+}
+
+/// The three bytes of "#rrggbb"; none of any other text.
+std::optional<std::uint32_t> colourOf(const std::string& text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  std::uint32_t colour = 0;
+  for (const char c : std::string_view(text).substr(1)) {
+    const std::size_t digit = kHexDigits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    colour = colour * 16 + static_cast<std::uint32_t>(digit);
+  }
+  return colour;
+}
+std::string textOfColour(std::uint32_t colour) {
+  std::string text = "#";
+  for (int shift = 20; shift >= 0; shift -= 4) text += kHexDigits[colour >> shift & 15];
+  return text;
 }
 
 /// A double that the number is exactly, where there is one.
@@ -88,12 +158,12 @@ bool isTable(const Json& list) {
   });
 }
 
-Kind kindOf(const Json& value) {
+Kind kindOf(const Json& value, const Dialect& dialect) {
   switch (value.type()) {
     case Json::value_t::boolean:
       return value.get<bool>() ? Kind::True : Kind::False;
     case Json::value_t::string:
-      return Kind::Text;
+      return dialect.later && colourOf(value.get_ref<const std::string&>()) ? Kind::Colour : Kind::Text;
     case Json::value_t::object:
       return Kind::Object;
     case Json::value_t::array:
@@ -120,21 +190,27 @@ void collectWords(const Json& value, std::set<std::string>& words) {
   }
 }
 
-/// The example, and the words in it: a word is coded by its number, others by their letters.
+/// The examples, and the words in them: a word is coded by its number, others by their letters.
 struct Example {
-  Json json;
+  std::vector<Json> documents;
   std::vector<std::string> words;
 };
-const Example& example() {
+template <int version>
+const Example& exampleOnce() {
   static const Example made = [] {
-    Example out{Json::parse(kPackedExample, nullptr, false), {}};
+    Example out;
     std::set<std::string> words;
-    collectWords(out.json, words);
+    for (const std::string_view text : kDialects[version - 1].examples) {
+      if (text.empty()) continue;
+      out.documents.push_back(Json::parse(text, nullptr, false));
+      collectWords(out.documents.back(), words);
+    }
     out.words.assign(words.begin(), words.end());
     return out;
   }();
   return made;
 }
+const Example& exampleOf(int version) { return version == 1 ? exampleOnce<1>() : exampleOnce<2>(); }
 constexpr int kWordBits = 9;
 constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
 
@@ -142,7 +218,11 @@ constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
 class Packer {
  public:
   enum class Direction : std::uint8_t { Writes, Reads };
-  Packer(BitCoder& coder, Direction direction) : coder_(coder), reads_(direction == Direction::Reads) {}
+  Packer(BitCoder& coder, Direction direction, int version)
+      : coder_(coder),
+        reads_(direction == Direction::Reads),
+        dialect_(kDialects[static_cast<std::size_t>(version - 1)]),
+        words_(exampleOf(version).words) {}
 
   Json value(const Json& in, std::uint64_t key, int depth);
   bool failed() const { return failed_; }
@@ -163,6 +243,8 @@ class Packer {
   std::string word(const std::string& in, std::uint32_t coded);
   std::string letters(const std::string& in);
   double raw(double in) { return std::bit_cast<double>(coder_.plain(64, std::bit_cast<std::uint64_t>(in))); }
+  /// What these numbers are divided by; 0: nothing makes them whole.
+  std::int64_t divisor(std::span<const double> in, std::uint64_t context);
   double fraction(double in, std::uint64_t key);
   std::vector<double> numbers(std::span<const double> in, std::size_t count, std::uint64_t key);
   Json list(const Json& in, std::uint64_t key, int depth);
@@ -171,6 +253,8 @@ class Packer {
 
   BitCoder& coder_;
   bool reads_;
+  const Dialect& dialect_;
+  const std::vector<std::string>& words_;
   bool failed_ = false;
   std::size_t left_ = kMostPacked;
 };
@@ -184,10 +268,9 @@ Json jsonOf(double value) {
 }
 
 std::uint32_t Packer::wordOf(const std::string& text) const {
-  const auto& words = example().words;
-  const auto at = std::ranges::lower_bound(words, text);
-  if (at == words.end() || *at != text) return kSpelled;
-  return kFirstWord + static_cast<std::uint32_t>(at - words.begin());
+  const auto at = std::ranges::lower_bound(words_, text);
+  if (at == words_.end() || *at != text) return kSpelled;
+  return kFirstWord + static_cast<std::uint32_t>(at - words_.begin());
 }
 
 std::string Packer::letters(const std::string& in) {
@@ -206,30 +289,38 @@ std::string Packer::letters(const std::string& in) {
 
 std::string Packer::word(const std::string& in, std::uint32_t coded) {
   if (coded == kSpelled) return letters(in);
-  const auto& words = example().words;
-  if (coded < kFirstWord || coded - kFirstWord >= words.size()) {
+  if (coded < kFirstWord || coded - kFirstWord >= words_.size()) {
     failed_ = true;
     return {};
   }
-  return words[coded - kFirstWord];
+  return words_[coded - kFirstWord];
+}
+
+std::int64_t Packer::divisor(std::span<const double> in, std::uint64_t context) {
+  const Divisor known = reads_ ? Divisor{} : divisorOf(in, dialect_);
+  const std::uint32_t symbol = coder_.symbol(context, dialect_.divisorBits, known.symbol);
+  if (symbol < kBits) return kDivisors[symbol];
+  if (symbol == kBits) return 0;
+  const std::uint64_t by = symbol == kOther ? coder_.natural(context, static_cast<std::uint64_t>(known.by)) : 0;
+  if (by >= 1 && by <= kMostOther) return static_cast<std::int64_t>(by);
+  failed_ = true;
+  return 1;
 }
 
 double Packer::fraction(double in, std::uint64_t key) {
-  const std::uint32_t divisor =
-      coder_.symbol(context(key, Place::Divisor), kDivisorBits, reads_ ? 0 : divisorOf({&in, 1}));
-  if (divisor == kBits) return raw(in);
-  const std::int64_t whole = reads_ ? 0 : *wholeTimes(in, kDivisors[divisor]);
-  return static_cast<double>(coder_.integer(context(key, Place::First), whole)) /
-         static_cast<double>(kDivisors[divisor]);
+  const std::int64_t by = divisor({&in, 1}, context(key, Place::Divisor));
+  if (by == 0) return raw(in);
+  const std::int64_t whole = reads_ ? 0 : *wholeTimes(in, by);
+  return static_cast<double>(coder_.integer(context(key, Place::First), whole)) / static_cast<double>(by);
 }
 
-std::uint32_t bestMode(std::span<const std::int64_t> values) {
+std::uint32_t bestMode(std::span<const std::int64_t> values, std::size_t modes) {
   std::uint32_t best = 0;
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-  for (std::uint32_t m = 0; m < kModes.size(); ++m) {
+  for (std::uint32_t m = 0; m < modes; ++m) {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::int64_t off = values[i] - foretold(kModes[m], values.first(i));
+      const std::int64_t off = values[i] - foretold(kModes[m], values.first(i), values.size());
       bits += 2 * static_cast<std::uint64_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
     }
     if (bits < least) {
@@ -240,37 +331,47 @@ std::uint32_t bestMode(std::span<const std::int64_t> values) {
   return best;
 }
 
+/// 0…7, of the two differences before.
+std::uint64_t sizeOf(const std::array<std::int64_t, 2>& before) {
+  const double sum = std::abs(static_cast<double>(before[0])) + std::abs(static_cast<double>(before[1]));
+  std::uint64_t size = 0;
+  for (double most = 0; size < 7 && sum > most; most = 2 * most + 1) ++size;
+  return size;
+}
+
 std::vector<double> Packer::numbers(std::span<const double> in, std::size_t count, std::uint64_t key) {
-  const std::uint32_t divisor =
-      coder_.symbol(context(key, Place::Divisor, 1), kDivisorBits, reads_ ? 0 : divisorOf(in));
+  const std::int64_t by = divisor(in, context(key, Place::Divisor, 1));
   std::vector<double> out;
-  if (divisor == kBits) {
+  if (by == 0) {
     for (std::size_t i = 0; i < count; ++i) out.push_back(raw(reads_ ? 0 : in[i]));
     return out;
   }
-  const auto by = static_cast<double>(kDivisors[divisor]);
   std::vector<std::int64_t> whole;
-  for (std::size_t i = 0; i < in.size() && !reads_; ++i) whole.push_back(*wholeTimes(in[i], kDivisors[divisor]));
-  const std::uint32_t coded = coder_.symbol(context(key, Place::Mode), kModeBits, reads_ ? 0 : bestMode(whole));
-  if (coded >= kModes.size()) {
+  for (std::size_t i = 0; i < in.size() && !reads_; ++i) whole.push_back(*wholeTimes(in[i], by));
+  const std::uint32_t coded =
+      coder_.symbol(context(key, Place::Mode), kModeBits, reads_ ? 0 : bestMode(whole, dialect_.modes));
+  if (coded >= dialect_.modes) {
     failed_ = true;
     return {};
   }
   const Mode& mode = kModes[coded];
   std::vector<std::int64_t> known;
+  std::array<std::int64_t, 2> before{};  // the differences
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t guess = foretold(mode, known);
+    const std::int64_t guess = foretold(mode, known, count);
     const bool first = mode.order > 0 && i < mode.stride;
-    const std::uint64_t where =
-        first ? context(key, Place::First, 1 + i) : context(key, Place::Rest, coded * 2 + i % mode.stride);
+    std::uint64_t rest = coded * 2 + i % mode.stride;
+    if (dialect_.later) rest = rest * 8 + sizeOf(before);
+    const std::uint64_t where = first ? context(key, Place::First, 1 + i) : context(key, Place::Rest, rest);
     const std::int64_t off = coder_.integer(where, reads_ ? 0 : whole[i] - guess);
+    if (!first) before = {off, before[0]};
     // Only numbers that were not written can grow so large.
     if (std::abs(static_cast<double>(guess) + static_cast<double>(off)) > kMostWhole) {
       failed_ = true;
       return {};
     }
     known.push_back(guess + off);
-    out.push_back(static_cast<double>(known.back()) / by);
+    out.push_back(static_cast<double>(known.back()) / static_cast<double>(by));
   }
   return out;
 }
@@ -291,7 +392,14 @@ Json Packer::table(const Json& in, std::uint64_t key, int depth) {
       column = numbers(column, rows, below);
       for (std::size_t r = 0; r < column.size(); ++r) out[r][c] = jsonOf(column[r]);
     } else {
-      for (std::size_t r = 0; r < rows && !failed_; ++r) out[r][c] = value(reads_ ? Json() : in[r][c], below, depth);
+      for (std::size_t r = 0; r < rows && !failed_; ++r) {
+        const bool like = !reads_ && r > 0 && in[r][c] == in[r - 1][c];
+        if (dialect_.later && r > 0 && coder_.bit(context(below, Place::Column, 1), like)) {
+          out[r][c] = out[r - 1][c];
+        } else {
+          out[r][c] = value(reads_ ? Json() : in[r][c], below, depth);
+        }
+      }
     }
   }
   return out;
@@ -330,7 +438,7 @@ Json Packer::value(const Json& in, std::uint64_t key, int depth) {
     failed_ = true;
     return {};
   }
-  const auto written = static_cast<std::uint32_t>(reads_ ? Kind::Null : kindOf(in));
+  const auto written = static_cast<std::uint32_t>(reads_ ? Kind::Null : kindOf(in, dialect_));
   const auto kind = static_cast<Kind>(coder_.symbol(context(key, Place::Kind), kKindBits, written));
   switch (kind) {
     case Kind::Null:
@@ -362,36 +470,47 @@ Json Packer::value(const Json& in, std::uint64_t key, int depth) {
       return list(in, key, depth + 1);
     case Kind::Object:
       return object(in, key, depth + 1);
+    case Kind::Colour: {
+      const std::uint32_t known = reads_ ? 0 : colourOf(in.get_ref<const std::string&>()).value_or(0);
+      return textOfColour(static_cast<std::uint32_t>(coder_.plain(24, known)));
+    }
   }
   failed_ = true;
   return {};
 }
 
 /// What is learned from the example: text and numbers of a usual document.
-const Chances& learned() {
+template <int version>
+const Chances& learnedOnce() {
   static const Chances made = [] {
     BitLearner learner;
-    Packer(learner, Packer::Direction::Writes).value(example().json, 0, 0);
+    for (const Json& document : exampleOf(version).documents) {
+      Packer(learner, Packer::Direction::Writes, version).value(document, 0, 0);
+    }
     return learner.chances();
   }();
   return made;
 }
+const Chances& learned(int version) { return version == 1 ? learnedOnce<1>() : learnedOnce<2>(); }
 
 }  // namespace
 
-bool isPackedWord(std::string_view text) { return std::ranges::binary_search(example().words, text, std::less<>()); }
+bool isPackedWord(std::string_view text) {
+  return std::ranges::binary_search(exampleOf(kPackedVersion).words, text, std::less<>());
+}
 
 Result<std::vector<std::uint8_t>> packJson(const Json& value) {
-  BitWriter writer(learned());
-  Packer packer(writer, Packer::Direction::Writes);
+  BitWriter writer(learned(kPackedVersion));
+  Packer packer(writer, Packer::Direction::Writes, kPackedVersion);
   packer.value(value, 0, 0);
   if (packer.failed()) return Error::OutOfMemory;
   return writer.finish();
 }
 
-Result<Json> unpackJson(std::span<const std::uint8_t> bytes) {
-  BitReader reader(bytes, learned());
-  Packer packer(reader, Packer::Direction::Reads);
+Result<Json> unpackJson(std::span<const std::uint8_t> bytes, int version) {
+  if (version < 1 || version > kPackedVersion) return Error::ProjectTooNew;
+  BitReader reader(bytes, learned(version));
+  Packer packer(reader, Packer::Direction::Reads, version);
   Json value = packer.value({}, 0, 0);
   if (packer.failed()) return Error::ProjectInvalid;
   return value;

@@ -20,11 +20,14 @@ namespace spineloft::io {
 inline constexpr std::size_t kMostPacked = std::size_t{1} << 21;
 inline constexpr int kMostPackedDepth = 32;
 
+/// What packJson writes; 1 … this are read.
+inline constexpr int kPackedVersion = 2;
+
 /// Numbers that are not finite become null. Errors: OutOfMemory (more than kMostPacked, or nested deeper).
 Result<std::vector<std::uint8_t>> packJson(const nlohmann::json& value);
 /// Bytes that packJson did not write give some other value, or an error: ProjectInvalid (not UTF-8, or larger than
-/// packJson writes). The work and the memory are bounded by kMostPacked.
-Result<nlohmann::json> unpackJson(std::span<const std::uint8_t> bytes);
+/// packJson writes), ProjectTooNew. The work and the memory are bounded by kMostPacked.
+Result<nlohmann::json> unpackJson(std::span<const std::uint8_t> bytes, int version = kPackedVersion);
 
 /// Whether a key or a text is coded as one symbol; others are spelled.
 bool isPackedWord(std::string_view text);

@@ -10,6 +10,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/glb_container.h"
 #include "engine/io/picture_file.h"
+#include "engine/io/png_model.h"
 
 namespace spineloft::io {
 namespace {
@@ -239,7 +240,14 @@ Result<Bytes> embedProject(std::span<const std::uint8_t> glb, const Document& do
 
 bool holdsProject(std::span<const std::uint8_t> glb) { return jsonOfGlb(glb).find(kQuoted) != std::string_view::npos; }
 
-Result<Document> readProject(std::span<const std::uint8_t> glb, ReadNotes* notes) {
+Result<Document> readProject(std::span<const std::uint8_t> file, ReadNotes* notes) {
+  std::span<const std::uint8_t> glb = file;
+  if (isPng(file)) {
+    const auto inside = modelInPng(file);
+    if (!inside) return inside.failure();
+    glb = inside.value();
+    if (!holdsProject(glb)) return {Error::ProjectInvalid, "in a picture"};
+  }
   // A file that ends early may end before it says whose it is.
   if (isCutOff(glb)) return {Error::ProjectInvalid, "cut off"};
   if (!holdsProject(glb)) return Error::NoProjectInside;

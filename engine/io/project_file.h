@@ -61,10 +61,10 @@ Result<Bytes> embedProject(std::span<const std::uint8_t> glb, const document::Do
 /// Whether the bytes are, or at least begin as, a GLB with a project inside (cheap: looks at headers and
 /// the JSON chunk).
 bool holdsProject(std::span<const std::uint8_t> glb);
-/// The document of a GLB that was written with one, mended as by readDocument; pictures that cannot be
-/// read are left out with the parts on them, and counted. Errors: NoProjectInside (no GLB, or one of
-/// another program), ProjectInvalid (also when it is cut off), ProjectTooNew, PictureUnreadable
-/// (not one of its pictures can be read), OutOfMemory.
-Result<document::Document> readProject(std::span<const std::uint8_t> glb, ReadNotes* notes = nullptr);
+/// The document of a GLB that was written with one, alone or inside a PNG (png_model.h), mended as by readDocument;
+/// pictures that cannot be read are left out with the parts on them, and counted. Errors: NoProjectInside (no GLB, or
+/// one of another program), ProjectInvalid (also when it is cut off), ProjectTooNew, PictureUnreadable (not one of its
+/// pictures can be read), those of modelInPng, OutOfMemory.
+Result<document::Document> readProject(std::span<const std::uint8_t> file, ReadNotes* notes = nullptr);
 
 }  // namespace spineloft::io

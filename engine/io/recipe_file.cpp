@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "engine/document/action.h"
 #include "engine/document/checks.h"
 #include "engine/io/document_json.h"
 
@@ -100,13 +101,18 @@ Status checkPhoto(const RecipeInput& input, bool wanted) {
   return Done{};
 }
 
-/// A document with nothing but the photo.
+/// A document with nothing but the photo, or without one a sheet of blank paper.
 Document boardOf(const RecipeInput& input) {
   PictureEntry entry;
   entry.id = PictureId{1};
-  entry.size = {input.photo->width, input.photo->height};
-  entry.picture = input.photo;
-  entry.contentHash = document::contentHash(*input.photo);
+  if (input.photo) {
+    entry.size = {input.photo->width, input.photo->height};
+    entry.picture = input.photo;
+    entry.contentHash = document::contentHash(*input.photo);
+  } else {
+    entry.size = document::AddSketch{}.size;
+    entry.contentHash = document::contentHash(entry.size, {});
+  }
   entry.name = document::tidyName(input.photoName, document::fallbackName(entry));
   Document board;
   board.name = entry.name;
@@ -136,6 +142,17 @@ Status checkOutline(const Document& board, Json& recipe) {
   return document::checkRegion(board, region);
 }
 
+/// The planes of a part drawn slice by slice; what is no number is said later, with its key.
+Status checkSlices(const Document& board, Json& recipe) {
+  recipe["picture"] = 1;
+  document::StackRecipe stack;
+  Json copy = recipe;
+  ReadNotes notes;
+  const PictureSource none;
+  read(copy, stack, Reading{notes, none});
+  return notes.clean() ? document::checkStack(board, stack) : Status(Done{});
+}
+
 /// The line of a part: what is wrong with it is said as of a drawn one.
 Status checkLine(const Document& board, const Json& recipe) {
   document::LoftRecipe line;
@@ -149,15 +166,19 @@ Status checkLine(const Document& board, const Json& recipe) {
 
 Result<Document> withPart(Json json, const RecipeInput& input) {
   if (!json.contains("recipe")) json = Json{{"recipe", std::move(json)}};
-  if (Status photo = checkPhoto(input, true); !photo) return photo.failure();
+  const auto kind = json.find("kind");
+  const auto is = [&](document::PartKind one) { return kind != json.end() && *kind == document::kindKey(one); };
+  const bool isStack = is(document::PartKind::Stack);  // which stands in space and needs no photo
+  const bool isRegion = kind != json.end() && !isStack && !is(document::PartKind::Loft);
+  if (Status photo = checkPhoto(input, true); !photo && !isStack) return photo.failure();
   Json& recipe = json["recipe"];
   if (!recipe.is_object()) return {Error::JsonInvalid, "recipe is no object"};
   json["id"] = 1;
   nameIfNone(json, 1);
   Document document = boardOf(input);
-  const auto kind = json.find("kind");
-  const bool isRegion = kind != json.end() && *kind != document::kindKey(document::PartKind::Loft);
-  if (isRegion) {
+  if (isStack) {
+    if (Status slices = checkSlices(document, recipe); !slices) return slices.failure();
+  } else if (isRegion) {
     if (Status outline = checkOutline(document, recipe); !outline) return outline.failure();
   } else {
     recipe["picture"] = 1;

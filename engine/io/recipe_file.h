@@ -24,7 +24,7 @@ struct RecipeInput {
 ///   this program). If it stands on one photo, that is `input.photo`, whose size must agree; if on
 ///   several, they must all be it;
 /// - a part as it stands in the list `parts`, or the bare `recipe` of one: a document with this part on
-///   `input.photo` (its own `picture` and `id` are not read).
+///   `input.photo` (its own `picture` and `id` are not read). A stack without a photo is on blank paper.
 /// Stricter than readDocument, because people write recipes: what would be left out or mended there is
 /// an error here that names the key ("recipe.loft.twist"), and so is a key of a part that nobody knows.
 /// A whole document keeps such keys. Errors: JsonInvalid (with what is wrong), ProjectTooNew, those of

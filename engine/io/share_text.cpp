@@ -17,6 +17,8 @@
 #include "engine/geometry/polyline.h"
 #include "engine/io/document_json.h"
 #include "engine/io/packed_json.h"
+#include "engine/ribs/base/spine.h"
+#include "engine/ribs/edit/places.h"
 
 namespace spineloft::io {
 namespace {
@@ -31,29 +33,48 @@ constexpr int kDigits = 7;
 constexpr int kBlankSide = 64;
 /// Pressures of a pen are multiples of 1 / this.
 constexpr float kPressures = 32;
+/// Places along a spine are multiples of 1 / this.
+constexpr double kPlaces = 4096;
 
 /// Rounds places on one picture.
 class Grid {
  public:
-  explicit Grid(image::Size size) {
-    const int side = std::max({size.width, size.height, 1024});
-    step_ = std::exp2(std::floor(std::log2(side / 1024.0))) / 4;
-  }
+  explicit Grid(image::Size size) : size_(size), step_(shareStep(size)) {}
+  image::Size size() const { return size_; }
   double operator()(double value) const { return std::round(value / step_) * step_; }
   PicturePoint operator()(PicturePoint p) const { return {(*this)(p.x), (*this)(p.y)}; }
   std::vector<PicturePoint> rounded(std::vector<PicturePoint> line) const {
     for (PicturePoint& p : line) p = (*this)(p);
     return line;
   }
-  /// First rounded, then simplified: what has been through it stays as it is.
+  /// Rounded, and simplified where that is shorter in a text: what has been through it stays as it is.
   std::vector<PicturePoint> operator()(const std::vector<PicturePoint>& line) const {
     const std::vector<PicturePoint> all = rounded(line);
-    return geometry::simplifiedLine(std::span(all), tolerance());
+    const std::vector<PicturePoint> few = geometry::simplifiedLine(std::span(all), tolerance());
+    return bits(all) < bits(few) ? all : few;
   }
   double tolerance() const { return step_ / 2; }
+  /// For what is not simplified besides.
+  double alone(double value) const { return std::round(value / (2 * step_)) * (2 * step_); }
 
  private:
-  double step_ = 0.25;
+  /// About so many quarters of a bit a line takes: few where its points are evenly spaced.
+  std::size_t bits(const std::vector<PicturePoint>& line) const {
+    const auto size = [&](double change) -> std::size_t {
+      const auto steps = static_cast<std::uint64_t>(std::min(std::abs(change) / step_, 1e15));
+      return steps == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(steps));
+    };
+    std::size_t sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const PicturePoint before = i == 1 ? PicturePoint{} : line[i - 1] - line[i - 2];
+      const PicturePoint change = line[i] - line[i - 1] - before;
+      sum += size(change.x) + size(change.y);
+    }
+    return sum;
+  }
+
+  image::Size size_;
+  double step_;
 };
 
 image::SketchStroke kept(const image::SketchStroke& stroke, const Grid& grid) {
@@ -75,18 +96,46 @@ void keepMarks(std::vector<ribs::IgnoreMark>& marks, const Grid& grid) {
 void keepRegion(document::Region& region, const Grid& grid) {
   for (std::vector<PicturePoint>& contour : region.contours) contour = grid(contour);
 }
+/// The places of the spine's points, which the ribs stand on; none where the stroke gives no spine.
+std::vector<double> ribPlaces(const document::LoftRecipe& recipe, image::Size picture) {
+  std::vector<double> places;
+  const auto spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
+  if (!spine) return places;
+  const ribs::Ruler ruler(spine.value().points);
+  for (std::size_t i = 0; i < spine.value().points.size(); ++i) places.push_back(ruler.placeOfPoint(i));
+  return places;
+}
+
+/// The place at a rib that is close by, else one of a grid.
+double keptPlace(double at, const std::vector<double>& ribs) {
+  const auto above = std::ranges::lower_bound(ribs, at - 0.5 / kPlaces);
+  if (above != ribs.end() && *above <= at + 0.5 / kPlaces) return *above;
+  return std::round(at * kPlaces) / kPlaces;
+}
+
 void keep(document::LoftRecipe& recipe, const Grid& grid) {
   recipe.stroke = grid(recipe.stroke);
+  const std::vector<double> places = recipe.edits.ends.empty() ? std::vector<double>() : ribPlaces(recipe, grid.size());
   for (ribs::EndEdit& end : recipe.edits.ends) {
-    end.at = std::round(end.at * 4096) / 4096;
-    end.reach = std::round(end.reach * 4096) / 4096;
-    end.along = grid(end.along);
-    end.out = grid(end.out);
+    end.at = keptPlace(end.at, places);
+    end.reach = std::round(end.reach * kPlaces) / kPlaces;
+    end.along = grid.alone(end.along);
+    end.out = grid.alone(end.out);
   }
   keepMarks(recipe.ignored, grid);
 }
 void keep(document::InflateRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
 void keep(document::ExtrudeRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
+void keep(document::StackRecipe& recipe, const Grid& grid) {
+  const auto rounded = [&](ModelPoint& p) { p = {grid(p.x), grid(p.y), grid(p.z)}; };
+  for (stack::Plane& plane : recipe.planes) {
+    if (plane.origin) rounded(*plane.origin);
+    for (stack::Curve& curve : plane.curves) {
+      for (SectionPoint& p : curve.through) p = {grid(p.x), grid(p.y)};
+    }
+  }
+  for (ModelPoint& p : recipe.rail.points) rounded(p);
+}
 void keep(document::LatheRecipe& recipe, const Grid& grid) {
   keepRegion(recipe.region, grid);
   recipe.lathe.axisFrom = grid(recipe.lathe.axisFrom);
@@ -132,6 +181,49 @@ Json* listOf(Json& json, const char* key) {
   return at != json.end() && at->is_array() ? &*at : nullptr;
 }
 
+/// In a text the place of the i-th rib is this and i: the spine tells where it is.
+constexpr double kFirstRib = 2;
+
+/// Calls `change(place, places of the ribs)` for the place of every rib end of the document's JSON that was put
+/// somewhere.
+template <class Change>
+void forPlaces(Json& json, Change change) {
+  Json* parts = listOf(json, "parts");
+  const Json* pictures = listOf(json, kPicturesKey);
+  if (parts == nullptr || pictures == nullptr) return;
+  for (Json& part : *parts) {
+    const auto recipe = part.is_object() ? part.find("recipe") : part.end();
+    if (recipe == part.end() || !recipe->is_object()) continue;
+    const auto edits = recipe->find("edits");
+    Json* ends = edits != recipe->end() ? listOf(*edits, "ends") : nullptr;
+    if (ends == nullptr || ends->empty()) continue;
+    ReadNotes notes;
+    document::LoftRecipe loft;
+    Json stroke = {{"picture", recipe->value("picture", Json())}, {"stroke", recipe->value("stroke", Json())}};
+    if (recipe->contains("spine")) stroke["spine"] = (*recipe)["spine"];
+    read(stroke, loft, {notes, {}});
+    image::Size size;
+    for (const Json& picture : *pictures) {
+      std::uint32_t id = 0;
+      const bool ours = picture.is_object() && get(picture.value("id", Json()), id) && id == loft.picture.value;
+      if (ours) get(picture.value("size", Json()), size);
+    }
+    const std::vector<double> places = ribPlaces(loft, size);
+    for (Json& end : *ends) {
+      if (end.is_array() && end.size() > 1 && end[1].is_number()) change(end[1], places);
+    }
+  }
+}
+
+void nameRibs(Json& at, const std::vector<double>& places) {
+  const auto found = std::ranges::find(places, at.get<double>());
+  if (found != places.end()) at = toJson(kFirstRib + static_cast<double>(found - places.begin()));
+}
+void findRibs(Json& at, const std::vector<double>& places) {
+  const double rib = at.get<double>() - kFirstRib;
+  if (rib >= 0 && rib < static_cast<double>(places.size())) at = toJson(places[static_cast<std::size_t>(rib)]);
+}
+
 /// The document's JSON with rounded numbers; of a photo only that there is one.
 Json keptJson(const Document& document) {
   Document rounded = document;
@@ -151,6 +243,7 @@ Json keptJson(const Document& document) {
     box = std::move(part);
   }
   Json json = documentJson(rounded);
+  forPlaces(json, nameRibs);
   roundNumbers(json);
   if (Json* pictures = listOf(json, kPicturesKey)) {
     for (Json& picture : *pictures) {
@@ -175,6 +268,7 @@ Result<Document> documentOf(Json json, ReadNotes* notes) {
       picture[kPhotoKey] = hashKey(hash);
     }
   }
+  forPlaces(json, findRibs);
   const PictureSource photos = [&](std::uint64_t hash) -> std::shared_ptr<const image::Picture> {
     const auto found = blanks.find(hash);
     return found == blanks.end() ? nullptr : found->second;
@@ -246,7 +340,8 @@ std::optional<std::vector<std::uint8_t>> toBytes(std::string_view text) {
 
 Result<Document> readText(std::string_view text, ReadNotes* notes) {
   if (!isShareText(text)) return Error::LinkForeign;
-  if (text.front() != '0' + kShareVersion) return Error::ProjectTooNew;
+  const int version = text.front() - '0';
+  if (version > kShareVersion) return Error::ProjectTooNew;
   if (text.size() > kMostShareText) return Error::OutOfMemory;
   text.remove_prefix(1);
   const auto length = takeNumber(text);
@@ -259,12 +354,21 @@ Result<Document> readText(std::string_view text, ReadNotes* notes) {
   std::uint32_t sum = 0;
   for (const std::uint8_t byte : std::span(*bytes).last(kSumBytes)) sum = sum << 8 | byte;
   if (crc32(packed) != sum) return Error::LinkAltered;
-  Result<Json> json = unpackJson(packed);
+  Result<Json> json = unpackJson(packed, version);
   if (!json.ok()) return json.failure();
   return documentOf(std::move(json).value(), notes);
 }
 
 }  // namespace
+
+double shareStep(image::Size picture) {
+  const int side = std::max({picture.width, picture.height, 1024});
+  return std::exp2(std::floor(std::log2(side / 1024.0))) / 4;
+}
+
+std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture) {
+  return Grid(picture)(line);
+}
 
 document::Document shareable(const Document& document) {
   Result<Document> read = documentOf(keptJson(document), nullptr);
@@ -293,7 +397,10 @@ bool isShareText(std::string_view text) {
 
 std::optional<std::string_view> textOfLink(std::string_view link) {
   const std::size_t mark = link.rfind(kLinkMark);
-  if (mark != std::string_view::npos) return link.substr(mark + kLinkMark.size());
+  if (mark != std::string_view::npos) {
+    const std::string_view text = link.substr(mark + kLinkMark.size());
+    return text.substr(0, text.find('&'));  // what follows is about its looks (a poster)
+  }
   return isShareText(link) ? std::optional(link) : std::nullopt;
 }
 

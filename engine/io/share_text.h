@@ -16,15 +16,21 @@
 namespace spineloft::io {
 
 /// What texts are written as; 1 … this are read.
-inline constexpr int kShareVersion = 1;
+inline constexpr int kShareVersion = 2;
 /// Longest text that is read, characters.
 inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
 
 /// What a text keeps of a document: places on pictures as multiples of ¼ pixel of a picture of 1024 pixels (2ⁿ/4 of
-/// larger ones), strokes without the points that lie on the line between others to within half of that, so that no
-/// place is off by more than ¼ pixel of a picture of 1024 pixels; other numbers with 7 digits. A
-/// photo is a white picture of its size.
+/// larger ones), strokes without the points that lie on the line between others to within half of that; rib ends that
+/// were put somewhere as multiples of ½ pixel in the frame of their spine. So nothing is off by more than ¼ pixel of a
+/// picture of 1024 pixels in either direction. Places along a spine that are within 1/8192 of a rib are at the rib,
+/// others on multiples of 1/4096; other numbers have 7 digits. A photo is a white picture of its size.
 document::Document shareable(const document::Document& document);
+
+/// The grid of places on a picture of this size, picture pixels.
+double shareStep(image::Size picture);
+/// An open line on a picture as a text keeps it; kept again it stays as it is.
+std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture);
 
 /// Only letters, digits, '-' and '_'. Equal documents give equal texts; reading gives shareable(document).
 /// Error: OutOfMemory (a document with millions of numbers).

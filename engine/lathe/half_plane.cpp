@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "engine/base/limits.h"
+#include "engine/geometry/axis_clip.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/region_grid.h"
@@ -15,7 +15,7 @@ namespace {
 
 using Line = std::vector<SectionPoint>;
 using Lines = std::vector<Line>;
-using geometry::Contours, geometry::PictureFrame;
+using geometry::Contours, geometry::onAxis, geometry::PictureFrame;
 
 /// Shares of the profile's size: ends this near the axis lie on it, and so does any corner this near.
 constexpr double kEndReach = 0.02, kOnAxis = 1e-4;
@@ -36,9 +36,6 @@ Bounds boundsOf(const Lines& lines) {
   }
   return bounds;
 }
-
-/// Where the way from a to b meets the axis; r of the two has different signs.
-SectionPoint onAxis(SectionPoint a, SectionPoint b) { return {0, a.y + (b.y - a.y) * (a.x / (a.x - b.x))}; }
 
 /// The pieces of an open line at r ≥ 0.
 void addPieces(const Line& line, Lines& out) {
@@ -207,83 +204,6 @@ void snapToAxis(Lines& lines, double reach) {
   }
 }
 
-/// Where outlines cross the axis, in the order along it.
-struct Crossing {
-  double h = 0;
-  std::size_t chain = 0;
-  bool begins = false;  ///< the chain begins here, else it ends
-};
-
-/// Neighbours along the axis belong together, one end and one beginning: at equal places the other of two is taken.
-void pairUp(std::vector<Crossing>& crossings) {
-  std::ranges::sort(crossings, {}, [](const Crossing& c) { return std::tuple(c.h, c.chain, c.begins); });
-  for (std::size_t i = 0; i + 2 < crossings.size(); i += 2) {
-    if (crossings[i].begins == crossings[i + 1].begins && crossings[i + 1].h == crossings[i + 2].h) {
-      std::swap(crossings[i + 1], crossings[i + 2]);
-    }
-  }
-}
-
-/// The stretches of a closed outline at r > 0, each with its two points on the axis; or all of it.
-void addChains(const Line& outline, Lines& whole, Lines& chains) {
-  const std::size_t n = outline.size();
-  std::size_t start = 0;
-  while (start < n && outline[start].x > 0) ++start;
-  if (start == n) {
-    whole.push_back(outline);
-    return;
-  }
-  Line chain;
-  for (std::size_t k = 0; k < n; ++k) {
-    const SectionPoint p = outline[(start + k) % n], q = outline[(start + k + 1) % n];
-    if (p.x <= 0 && q.x > 0) chain = {p.x < 0 ? onAxis(p, q) : p};
-    if (q.x > 0) chain.push_back(q);
-    if (p.x > 0 && q.x <= 0) {
-      chain.push_back(q.x < 0 ? onAxis(p, q) : q);
-      chains.push_back(std::move(chain));
-      chain.clear();
-    }
-  }
-}
-
-}  // namespace
-
-Lines clippedAtAxis(const Lines& outlines) {
-  Lines out, chains;
-  for (const Line& outline : outlines) addChains(outline, out, chains);
-  std::vector<Crossing> crossings;
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    crossings.push_back({chains[i].front().y, i, true});
-    crossings.push_back({chains[i].back().y, i, false});
-  }
-  pairUp(crossings);
-  std::vector<std::size_t> next(chains.size(), chains.size());
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    const auto [end, begin] =
-        crossings[i].begins ? std::pair{crossings[i + 1], crossings[i]} : std::pair{crossings[i], crossings[i + 1]};
-    if (!end.begins && begin.begins) next[end.chain] = begin.chain;
-  }
-  std::vector<bool> done(chains.size(), false);
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    Line outline;
-    std::size_t at = i;
-    while (at < chains.size() && !done[at]) {
-      done[at] = true;
-      outline.insert(outline.end(), chains[at].begin(), chains[at].end());
-      at = next[at];
-    }
-    if (at == i) out.push_back(std::move(outline));
-  }
-  for (Line& outline : out) {
-    geometry::dropRepeats(outline, kSamePoint);
-    while (outline.size() > 1 && distance(outline.front(), outline.back()) <= kSamePoint) outline.pop_back();
-  }
-  std::erase_if(out, [](const Line& outline) { return outline.size() < 3; });
-  return out;
-}
-
-namespace {
-
 /// Whether lines mean the side of negative r, which is the one that makes the larger solid.
 bool isBeyond(Lines lines, bool open) {
   if (open) std::ranges::transform(lines, lines.begin(), closedAtAxis);
@@ -332,7 +252,7 @@ Result<HalfPlaneRegion> halfPlaneRegion(const Profile& profile, const LatheParam
     region.outlines = thinned(region.outlines, tolerance * size);
   }
   snapToAxis(region.outlines, kOnAxis * size);
-  region.outlines = clippedAtAxis(region.outlines);
+  region.outlines = geometry::clippedAtAxis(region.outlines);
   if (region.outlines.empty()) return Error::ProfileOnAxis;
   return region;
 }

@@ -25,7 +25,4 @@ struct HalfPlaneRegion {
 /// What of the profile is turned (spinRegion). `wall` in picture pixels.
 Result<HalfPlaneRegion> halfPlaneRegion(const Profile& profile, const LatheParams& params, double wall);
 
-/// What of simple polygons lies at r ≥ 0: pieces closed along the axis.
-std::vector<std::vector<SectionPoint>> clippedAtAxis(const std::vector<std::vector<SectionPoint>>& outlines);
-
 }  // namespace spineloft::lathe

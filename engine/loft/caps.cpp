@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/geometry/hermite.h"
+
 namespace spineloft::loft {
 namespace {
 
@@ -11,7 +13,7 @@ namespace {
 PicturePoint slopeAt(PicturePoint a, PicturePoint b, PicturePoint c) {
   const double before = distance(a, b), after = distance(b, c);
   if (!(before > 0) || !(after > 0)) return {};
-  return ((b - a) * (after / before) + (c - b) * (before / after)) / (before + after);
+  return geometry::parabolaSlope(a, b, c, before, after);
 }
 
 /// A smooth curve through all points (cubic Hermite), `steps` pieces between neighbours; the first
@@ -25,8 +27,7 @@ void throughPoints(std::span<const PicturePoint> points, std::size_t steps, std:
     const PicturePoint ma = slopeAt(points[i - 1], a, b) * span;
     const PicturePoint mb = slopeAt(a, b, points[i + 2]) * span;
     for (std::size_t k = 0; k < steps; ++k) {
-      const double t = static_cast<double>(k) / static_cast<double>(steps), u = 1 - t;
-      out.push_back(a * (u * u * (1 + 2 * t)) + ma * (t * u * u) + b * (t * t * (3 - 2 * t)) - mb * (t * t * u));
+      out.push_back(geometry::hermite(a, b, ma, mb, static_cast<double>(k) / static_cast<double>(steps)));
     }
   }
   out.push_back(points[points.size() - 2]);
@@ -169,19 +170,19 @@ void dome(const CapSite& site, double height, const CapPlan& plan, Cap& cap) {
 void planCap(const CapSite& site, const CapPlan& plan, CapMemory& memory, Cap& cap) {
   cap.chords.clear();
   cap.tip.reset();
-  if (plan.style != CapStyle::Round && plan.style != CapStyle::Pointed) return;
+  if (plan.style != sections::CapStyle::Round && plan.style != sections::CapStyle::Pointed) return;
   usableFan(site, plan.limits, memory.fan);
   std::vector<PicturePoint>& fan = memory.fan;
-  if (plan.style == CapStyle::Round) keepWithinSides(site, fan);
+  if (plan.style == sections::CapStyle::Round) keepWithinSides(site, fan);
   const double halfWidth = std::abs(cross(site.last.across(), site.travel)) / 2;
-  if (plan.style == CapStyle::Pointed) {
-    const PicturePoint point = site.last.middle() + site.travel * (kPointLength * halfWidth);
+  if (plan.style == sections::CapStyle::Pointed) {
+    const PicturePoint point = site.last.middle() + site.travel * (sections::kPointLength * halfWidth);
     closeAt(fan.empty() ? point : middleOf(fan), site, plan.limits, cap);
   } else if (!fan.empty()) {
     fanCap(site, plan, memory, cap);
   } else if (site.fan.empty()) {
     // Where a fan was found, but not beyond the last rib, the part ends there.
-    dome(site, kDomeHeight * halfWidth, plan, cap);
+    dome(site, sections::kDomeHeight * halfWidth, plan, cap);
   }
 }
 

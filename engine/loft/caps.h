@@ -36,7 +36,7 @@ struct CapMemory {
 /// Computes the chords and the tip of a cap, replacing what `cap` held. Empty for Flat and Open, and for Round where
 /// the fan ends before the last chord.
 struct CapPlan {
-  CapStyle style;
+  sections::CapStyle style;
   int rings;  ///< LoftParams::capRings
   ChordLimits limits;
 };

@@ -59,14 +59,6 @@ struct LoftWorkspace::Tables {
 
 namespace {
 
-constexpr std::array kCapNames = {
-    CapName{CapStyle::Flat, "flat", "Flat"},
-    CapName{CapStyle::Round, "round", "Round"},
-    CapName{CapStyle::Pointed, "pointed", "Pointed"},
-    CapName{CapStyle::Open, "open", "Open"},
-};
-static_assert(kCapNames.size() == static_cast<std::size_t>(CapStyle::kCount));
-
 PicturePoint clamped(PicturePoint p) {
   return {std::clamp(p.x, -kFarthest, kFarthest), std::clamp(p.y, -kFarthest, kFarthest)};
 }
@@ -117,7 +109,8 @@ ChordLimits limitsFor(const Input& input, double shortestEdge, double strictness
   const double step = input.farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) * kSteps;
   ChordLimits limits;
   limits.spacing = strictness * std::max(kSpacingShare * input.diagonal, step);
-  limits.width = strictness * std::max(kWidthShare * input.diagonal, step / (shortestEdge * kLeastDepth * (1 - kWall)));
+  limits.width =
+      strictness * std::max(kWidthShare * input.diagonal, step / (shortestEdge * kLeastDepth * (1 - sections::kWall)));
   return limits;
 }
 
@@ -199,7 +192,7 @@ void addCaps(const LoftParams& params, const ChordLimits& limits, LoftWorkspace:
     outline.chords.insert(outline.chords.begin(), cap.chords.begin(), cap.chords.end());
     outline.bodyBegin = cap.chords.size();
     outline.startTip = cap.tip;
-    outline.startOpen = params.startCap == CapStyle::Open;
+    outline.startOpen = params.startCap == sections::CapStyle::Open;
   }
   outline.bodyEnd = outline.bodyBegin + n;
   if (!body.endTip) {
@@ -208,7 +201,7 @@ void addCaps(const LoftParams& params, const ChordLimits& limits, LoftWorkspace:
             {params.endCap, params.capRings, limits}, tables.caps, cap);
     outline.chords.insert(outline.chords.end(), cap.chords.begin(), cap.chords.end());
     outline.endTip = cap.tip;
-    outline.endOpen = params.endCap == CapStyle::Open;
+    outline.endOpen = params.endCap == sections::CapStyle::Open;
   }
 }
 
@@ -230,7 +223,7 @@ void spread(Outline& outline, const ChordLimits& limits) {
 }
 
 /// Touches x = ±1 and stays in [−1, 1]².
-bool spansTheSquare(const Section& section) {
+bool spansTheSquare(const sections::Section& section) {
   constexpr double kClose = 1e-6;
   double low = 0, high = 0;
   for (const SectionPoint& p : section.points) {
@@ -304,8 +297,8 @@ Status loftPlan(const Plan& plan, LoftParams& params, LoftWorkspace::Tables& tab
   if (input.chords.size() < 2) return Error::TooFewRibs;
   if (input.diagonal < kSamePoint) return {Error::TooFewRibs, "all in one point"};
   const bool many = plan.track.sizes().size() > 1, ring = maker.ring();
-  for (CapStyle* cap : {&params.startCap, &params.endCap}) {
-    if (many || ring || (*cap == CapStyle::Open && !plan.track.hollow())) *cap = CapStyle::Flat;
+  for (sections::CapStyle* cap : {&params.startCap, &params.endCap}) {
+    if (many || ring || (*cap == sections::CapStyle::Open && !plan.track.hollow())) *cap = sections::CapStyle::Flat;
   }
   // Nearly always the first try is valid. Ribs that touch or lie in one line need the stricter
   // ones.
@@ -330,27 +323,11 @@ Status loftPlan(const Plan& plan, LoftParams& params, LoftWorkspace::Tables& tab
 
 }  // namespace
 
-std::span<const CapName> capNames() { return kCapNames; }
-
-std::optional<CapStyle> capFromKey(std::string_view key) {
-  for (const CapName& name : kCapNames) {
-    if (name.key == key) return name.style;
-  }
-  return std::nullopt;
-}
-
-std::string_view capKey(CapStyle style) {
-  for (const CapName& name : kCapNames) {
-    if (name.style == style) return name.key;
-  }
-  return {};
-}
-
 Status checkParams(const LoftParams& params) {
-  if (params.startCap >= CapStyle::kCount || params.endCap >= CapStyle::kCount) {
+  if (params.startCap >= sections::CapStyle::kCount || params.endCap >= sections::CapStyle::kCount) {
     return {Error::ValueOutOfRange, "cap"};
   }
-  if (params.sectionPoints < kMinSectionPoints || params.sectionPoints > kMaxSectionPoints) {
+  if (params.sectionPoints < sections::kMinSectionPoints || params.sectionPoints > sections::kMaxSectionPoints) {
     return {Error::ValueOutOfRange, "section points"};
   }
   if (params.capRings < 1 || params.capRings > 64) return {Error::ValueOutOfRange, "cap rings"};
@@ -407,7 +384,7 @@ Status loftRibs(const Source& source, const PosedSpine& spine, LoftWorkspace& me
 }
 
 Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params,
-                                  const Section& section) {
+                                  const sections::Section& section) {
   if (const Status status = checkInput(picture, params); !status.ok()) return status.failure();
   const std::span<const SectionPoint> points(section.points);
   if (points.size() < 3) return {Error::SectionInvalid, "fewer than 3 points"};

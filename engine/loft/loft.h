@@ -11,40 +11,14 @@
 #include "engine/geometry/along.h"
 #include "engine/image/image.h"
 #include "engine/loft/posed.h"
-#include "engine/loft/section.h"
+#include "engine/loft/section_key.h"
 #include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/base/rib_set.h"
+#include "engine/sections/ends.h"
 
 namespace spineloft::loft {
 
-/// How an end of the part is finished. Values are saved in files: only ever append.
-enum class CapStyle : std::uint8_t {
-  Flat,     ///< cut straight across: at the last rib, or where the spine ends when ribs bend round that
-            ///< end by more than a quarter of the half width
-  Round,    ///< a dome beyond the last rib that follows the end fan where there is one, as far as it
-            ///< lies beyond the rib and between the sides where they close
-  Pointed,  ///< runs out into a tip
-  Open,     ///< a hollow mouth: cut like a flat end, then the wall turns inwards and closes inside, so that the
-            ///< solid stays closed and printable
-  kCount
-};
-struct CapName {
-  CapStyle style;
-  std::string_view key, label;
-};
-std::span<const CapName> capNames();
-std::optional<CapStyle> capFromKey(std::string_view key);
-std::string_view capKey(CapStyle style);
-
-/// Height of a dome without a fan, in half widths.
-inline constexpr double kDomeHeight = 0.6;
-/// Length of a point without a fan, in half widths.
-inline constexpr double kPointLength = 2.0;
-/// Thickness of the wall of an open end, in half widths.
-inline constexpr double kWall = 0.2;
-/// How far an open end is hollow, as a share of the part's length.
-inline constexpr double kMouthDepth = 0.9;
 /// Rib ends farther out are brought back to here, picture pixels: beyond it floats are too coarse.
 inline constexpr double kFarthest = 1e6;
 
@@ -62,7 +36,7 @@ struct LoftParams {
   geometry::AlongCurve squash;  ///< depth over width, kLeastSquash…kMostSquash; without points 1
   geometry::AlongCurve tilt;    ///< shear along the spine: angle about the rib, radians, ±kMostTilt; without points 0
   geometry::AlongCurve bulge;   ///< front over back, −1 (flat front) … 1 (flat back); without points 0
-  CapStyle startCap = CapStyle::Round, endCap = CapStyle::Round;
+  sections::CapStyle startCap = sections::CapStyle::Round, endCap = sections::CapStyle::Round;
   int sectionPoints = 48;  ///< vertices around, 12…512
   int capRings = 6;        ///< rings of a round cap, 1…64
   double centring = 1.0;   ///< smoothing of centre line and depth in ribs, 0…10; the silhouette never moves
@@ -113,6 +87,6 @@ Status loftRibs(const Source& source, const PosedSpine& spine, LoftWorkspace& me
 /// params are not read). It must be simple and counter-clockwise, lie in [−1, 1]² and touch x = ±1 (to
 /// 1e-6), else SectionInvalid.
 Result<mesh::TriMesh> loftSection(const ribs::RibSet& ribs, image::Size picture, const LoftParams& params,
-                                  const Section& section);
+                                  const sections::Section& section);
 
 }  // namespace spineloft::loft

@@ -5,13 +5,15 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/geometry/hermite.h"
 #include "engine/geometry/polygon.h"
+#include "engine/sections/common_points.h"
 
 namespace spineloft::loft {
 namespace {
 
 using Curve = std::vector<SectionPoint>;
-using Pieces = std::vector<SectionPiece>;
+using Pieces = std::vector<sections::SectionPiece>;
 
 /// The pieces of `next` in the order of those of `last`: holes go with their outer curve, and of what
 /// may go together the nearest does.
@@ -19,7 +21,7 @@ std::vector<std::size_t> matched(const Pieces& last, const Pieces& next) {
   std::vector<std::size_t> match(last.size(), last.size());
   std::vector<bool> taken(next.size(), false);
   const auto holes = [](const Pieces& pieces, std::size_t outer) {
-    return std::ranges::count_if(pieces, [&](const SectionPiece& p) { return p.hole && p.outer == outer; });
+    return std::ranges::count_if(pieces, [&](const sections::SectionPiece& p) { return p.hole && p.outer == outer; });
   };
   for (const bool hole : {false, true}) {
     for (std::size_t i = 0; i < last.size(); ++i) {
@@ -67,13 +69,13 @@ SectionTrack SectionTrack::fixed(Curve points) {
 
 Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> keys, int points, bool closed) {
   if (keys.size() == 1 && !keys.front().shape.drawn()) {
-    Result<Section> section = presetSection(keys.front().shape.preset, points);
+    Result<sections::Section> section = sections::presetSection(keys.front().shape.preset, points);
     if (!section) return section.failure();
     return fixed(std::move(section).value().points);
   }
   std::vector<Pieces> shapes;
   for (const SectionKey& key : keys) {
-    Result<Pieces> pieces = readShape(key.shape);
+    Result<Pieces> pieces = sections::readShape(key.shape);
     if (!pieces) return pieces.failure();
     if (!shapes.empty()) {
       const std::vector<std::size_t> match = matched(shapes.back(), pieces.value());
@@ -90,14 +92,14 @@ Result<SectionTrack> SectionTrack::along(std::span<const SectionKey> keys, int p
     shapes.push_back(std::move(pieces).value());
   }
   // Coarse points may make a fine shape cross itself: then there are more.
-  for (int wanted = points; wanted <= 8 * kMaxSectionPoints; wanted *= 2) {
+  for (int wanted = points; wanted <= 8 * sections::kMaxSectionPoints; wanted *= 2) {
     SectionTrack track;
     track.closed_ = closed;
     for (const SectionKey& key : keys) track.keys_.push_back({key.at, key.blend, {}, false});
     for (std::size_t piece = 0; piece < shapes.front().size(); ++piece) {
-      std::vector<Contour> row;
+      std::vector<sections::Contour> row;
       for (const Pieces& shape : shapes) row.push_back(shape[piece].contour);
-      std::vector<Curve> curves = onCommonPoints(row, wanted);
+      std::vector<Curve> curves = sections::onCommonPoints(row, wanted);
       for (std::size_t k = 0; k < curves.size(); ++k) {
         if (shapes[k][piece].hole) std::ranges::reverse(curves[k]);
         Curve& all = track.keys_[k].points;
@@ -126,9 +128,10 @@ void SectionTrack::finish() {
       }
       first += size;
     }
-    key.starShaped = sizes_.size() == 1 && hubOf(key.points).has_value();
+    key.starShaped = sizes_.size() == 1 && sections::hubOf(key.points).has_value();
     hollow_ = hollow_ && key.starShaped;
   }
+  findSlopes();
 }
 
 SectionTrack::Place SectionTrack::placeAt(double share) const {
@@ -138,19 +141,69 @@ SectionTrack::Place SectionTrack::placeAt(double share) const {
   if (last == 0) return {};
   if (to > 0 && to <= last) {
     const Key& a = keys_[to - 1];
-    const double f = blendAt(a.blend, (share - a.at) / (keys_[to].at - a.at));
+    const double f = sections::blendAt(a.blend, (share - a.at) / (keys_[to].at - a.at));
     return {to - 1, to, f};
   }
   if (!closed_) return to == 0 ? Place{0, 1, 0} : Place{last - 1, last, 1};
   const double gap = keys_[0].at + 1 - keys_[last].at;
   const double gone = share - keys_[last].at + (to == 0 ? 1 : 0);
   if (!(gap > geometry::kLeastStep)) return {last, 0, 0.5};
-  return {last, 0, blendAt(keys_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
+  return {last, 0, sections::blendAt(keys_[last].blend, std::clamp(gone / gap, 0.0, 1.0))};
+}
+
+/// Share of the spine from a key to the next one; of a closed one's last to the first.
+double SectionTrack::spanAfter(std::size_t key) const {
+  const double to = key + 1 < keys_.size() ? keys_[key + 1].at : keys_.front().at + 1;
+  return std::max(to - keys_[key].at, geometry::kLeastStep);
+}
+
+void SectionTrack::findSlopes() {
+  const std::size_t n = keys_.size();
+  const bool flows = std::ranges::any_of(keys_, [](const Key& k) { return k.blend.kind == sections::BlendKind::Flow; });
+  if (!flows || n < 2) return;
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool first = !closed_ && k == 0, last = !closed_ && k + 1 == n;
+    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
+    keys_[k].slopes.resize(count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto at = [&](std::size_t key) { return keys_[key].points[i]; };
+      SectionPoint& slope = keys_[k].slopes[i];
+      if (n == 2 && !closed_) {
+        slope = (at(1) - at(0)) / spanAfter(0);
+      } else if (first) {
+        slope = geometry::parabolaEndSlope(at(0), at(1), at(2), spanAfter(0), spanAfter(1));
+      } else if (last) {
+        slope = -geometry::parabolaEndSlope(at(k), at(k - 1), at(k - 2), spanAfter(k - 1), spanAfter(k - 2));
+      } else {
+        slope = geometry::parabolaSlope(at(before), at(k), at(after), spanAfter(before), spanAfter(k));
+      }
+    }
+  }
+  constexpr int kPulls = 4, kProbes = 24;
+  for (std::size_t k = 0; k + (closed_ ? 0 : 1) < n; ++k) {
+    if (keys_[k].blend.kind != sections::BlendKind::Flow) continue;
+    const auto sound = [&] {
+      for (int i = 1; i < kProbes; ++i) {
+        if (!isSound({k, (k + 1) % n, static_cast<double>(i) / kProbes})) return false;
+      }
+      return true;
+    };
+    for (int i = 0; i < kPulls && !sound(); ++i) keys_[k].pull = i + 1 < kPulls ? keys_[k].pull / 2 : 0;
+  }
 }
 
 void SectionTrack::blended(const Place& place, Curve& out) const {
-  const Curve &a = keys_[place.from].points, &b = keys_[place.to].points;
+  const Key& key = keys_[place.from];
+  const Curve &a = key.points, &b = keys_[place.to].points;
   out.resize(count_);
+  if (key.blend.kind == sections::BlendKind::Flow && place.f > 0 && place.f < 1) {
+    const double reach = spanAfter(place.from) * key.pull;
+    const Curve &m = key.slopes, &n = keys_[place.to].slopes;
+    for (std::size_t i = 0; i < count_; ++i) {
+      out[i] = geometry::hermite(a[i], b[i], m[i] * reach, n[i] * reach, place.f);
+    }
+    return;
+  }
   for (std::size_t i = 0; i < count_; ++i) {
     out[i] = place.f == 0 ? a[i] : place.f == 1 ? b[i] : lerp(a[i], b[i], place.f);
   }
@@ -199,7 +252,7 @@ void SectionTrack::appendShape(double share, Curve& out) const {
   }
   const Curve& curve = varies() ? mixed : keys_.front().points;
   const SectionPoint middle = geometry::centroid(std::span(curve).first(sizes_.front()));
-  const SectionPoint hub = sizes_.size() == 1 ? hubOf(curve).value_or(middle) : middle;
+  const SectionPoint hub = sizes_.size() == 1 ? sections::hubOf(curve).value_or(middle) : middle;
   out.insert(out.end(), curve.begin(), curve.end());
   out.push_back(hub);
 }

@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/loft/contour.h"
-#include "engine/loft/section.h"
+#include "engine/loft/section_key.h"
 
 namespace spineloft::loft {
 
@@ -42,14 +41,20 @@ class SectionTrack {
  private:
   struct Key {
     double at = 0;
-    Blend blend;
+    sections::Blend blend;
     std::vector<SectionPoint> points;
     bool starShaped = false;  ///< one curve that its middle sees
+    /// Where sections flow: how its points move on, by share of the spine, and how much of that counts from here to
+    /// the next key.
+    std::vector<SectionPoint> slopes = {};
+    double pull = 1;
   };
   struct Place {
     std::size_t from = 0, to = 0;
     double f = 0;
   };
+  double spanAfter(std::size_t key) const;
+  void findSlopes();
   Place placeAt(double share) const;
   void blended(const Place& place, std::vector<SectionPoint>& out) const;
   bool isSound(const Place& place) const;
@@ -62,13 +67,5 @@ class SectionTrack {
   double shortestEdge_ = 0;
   bool closed_ = false, hollow_ = false;
 };
-
-/// Contours that belong together, one a key, on common points: as many on each, corners of all kept.
-/// Counter-clockwise. Between star-shaped ones straight lines between points are free of crossings.
-std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points);
-
-/// The point from which a curve's points are sorted by direction: its centroid when that sees every
-/// edge well, else the centre of its kernel; none when no point sees it all.
-std::optional<SectionPoint> hubOf(std::span<const SectionPoint> points);
 
 }  // namespace spineloft::loft

@@ -77,7 +77,9 @@ void turnAbout(std::vector<Chord>& chords) {
   for (Chord& chord : chords) chord = flipped(chord);
 }
 
-bool isStraight(CapStyle style) { return style == CapStyle::Flat || style == CapStyle::Open; }
+bool isStraight(sections::CapStyle style) {
+  return style == sections::CapStyle::Flat || style == sections::CapStyle::Open;
+}
 
 double widest(const std::vector<Chord>& chords) {
   double width = 0;

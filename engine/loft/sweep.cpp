@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/geometry/bend.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulate.h"
 #include "engine/loft/bands.h"
@@ -34,12 +35,12 @@ Station between(const Station& a, const Station& b, double t, Sweep& sweep) {
 
 /// Inner rings of a mouth at the front of `stations`, from the mouth inwards to the floor.
 std::vector<Ring> mouthRings(std::span<const Station> stations, Sweep& sweep) {
-  constexpr double kInner = 1 - kWall;
+  constexpr double kInner = 1 - sections::kWall;
   std::vector<double> along(stations.size(), 0.0);
   for (std::size_t i = 1; i < stations.size(); ++i) {
     along[i] = along[i - 1] + distance(stations[i - 1].centre, stations[i].centre);
   }
-  const double floor = kMouthDepth * along.back();
+  const double floor = sections::kMouthDepth * along.back();
   std::vector<Ring> rings;
   std::size_t i = 0;
   // A ring just before the floor would leave slivers: skip it.
@@ -63,7 +64,7 @@ void fillPath(Sweep& sweep, RingPath& path) {
   for (const Station& station : stations) path.rings.push_back({station, 1});
   path.joined = sweep.joined;
   if (startOpen && endOpen) {
-    for (auto s = stations.rbegin(); s != stations.rend(); ++s) path.rings.push_back({*s, 1 - kWall});
+    for (auto s = stations.rbegin(); s != stations.rend(); ++s) path.rings.push_back({*s, 1 - sections::kWall});
     path.joined = true;
   } else if (endOpen) {
     const std::vector<Station> backwards(stations.rbegin(), stations.rend());
@@ -185,25 +186,16 @@ class Builder {
 
   void place(const Station& station, const PaintedPoint& p, std::uint32_t at) {
     ModelPoint off = station.across * p.at.x + station.depth * p.at.y;
-    if (station.bend != ModelPoint{}) off += heldBack(off, station.bend);
+    if (station.bend != ModelPoint{}) off += geometry::heldBack(off, station.bend);
     vertex(station.centre + off, station.middle + station.half * p.paint, at);
   }
 
-  /// Which point of its rib colours a point of a section, −1 … 1. The front wears the picture as it is seen. The back
+  /// Which point of its rib colours a point of a section, −1 … 1. The front shows the picture as it is seen. The back
   /// does in its middle; nearer to the outline it takes what is further in, for else the sides would be drawn out of
   /// the outline's own pixels, row by row.
   static double paintedAt(SectionPoint p) {
     const double x = std::clamp(p.x, -1.0, 1.0), back = std::clamp(-p.y, 0.0, 1.0);
     return x * (1 - kFurtherIn * back * (1 - back) * (1 - back));
-  }
-
-  /// From a point at `off` to where it may stand: 1 is the centre of the bend.
-  static ModelPoint heldBack(ModelPoint off, ModelPoint bend) {
-    constexpr double kFree = 0.7, kMost = 0.95;
-    const double reach = dot(off, bend);
-    if (reach <= kFree) return {};
-    const double held = kFree + (kMost - kFree) * (1 - std::exp(-(reach - kFree) / (kMost - kFree)));
-    return bend * ((held - reach) / dot(bend, bend));
   }
 
   /// `paint`: the point of the picture that colours the vertex.

@@ -14,22 +14,22 @@ void Cache::keepEdges(std::uint64_t contentHash, std::shared_ptr<const image::Ed
   edges_.push_back({contentHash, std::move(edges)});
 }
 
-void Cache::keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored) {
+void Cache::keepIgnored(IgnoredKey key, std::shared_ptr<const ribs::IgnoredEdges> ignored) {
   const std::size_t bytes = bytesOf(*ignored);
   ignored_.keep(key, std::move(ignored), bytes);
 }
 
-std::shared_ptr<const TracedRibs> Cache::traced(std::uint64_t key) {
+std::shared_ptr<const TracedRibs> Cache::traced(TraceKey key) {
   auto known = traced_.find(key);
   return known ? known : previews_.find(key);
 }
 
-void Cache::keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool isPreview) {
+void Cache::keepTraced(TraceKey key, std::shared_ptr<const TracedRibs> traced, bool isPreview) {
   const std::size_t bytes = bytesOf(*traced);
   (isPreview ? previews_ : traced_).keep(key, std::move(traced), bytes);
 }
 
-std::shared_ptr<const PartShape> Cache::shape(std::uint64_t key) {
+std::shared_ptr<const PartShape> Cache::shape(ShapeKey key) {
   for (ShapeSlot& slot : shapes_) {
     if (slot.shape->key == key) {
       slot.lastRound = round_;
@@ -44,15 +44,15 @@ void Cache::keepShape(std::shared_ptr<const PartShape> shape) {
   shapes_.push_back({std::move(shape), round_, bytes});
 }
 
-std::shared_ptr<const PartShape> Cache::assignTextures(std::uint64_t key,
+std::shared_ptr<const PartShape> Cache::assignTextures(ShapeKey key,
                                                        std::shared_ptr<const surface::PartTexture> texture) {
   for (ShapeSlot& slot : shapes_) {
     if (slot.shape->key != key) continue;
-    auto dressed = std::make_shared<PartShape>(*slot.shape);
-    dressed->texture = std::move(texture);
-    dressed->textureKey = key;
-    slot.bytes = bytesOf(*dressed);
-    slot.shape = std::move(dressed);
+    auto textured = std::make_shared<PartShape>(*slot.shape);
+    textured->texture = std::move(texture);
+    textured->textureKey = key;
+    slot.bytes = bytesOf(*textured);
+    slot.shape = std::move(textured);
     return slot.shape;
   }
   return nullptr;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/base/cache_key.h"
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
@@ -16,11 +17,11 @@ namespace spineloft::pipeline {
 
 /// Values by key, each with its size; when they are more than `budget` bytes those used longest ago
 /// go (least recently used). Finding one counts as using it.
-template <class Value>
+template <class Key, class Value>
 class LruCache {
  public:
   explicit LruCache(std::size_t budget) : budget_(budget) {}
-  std::shared_ptr<const Value> find(std::uint64_t key) {
+  std::shared_ptr<const Value> find(Key key) {
     for (Slot& slot : slots_) {
       if (slot.key != key) continue;
       slot.used = ++clock_;
@@ -28,7 +29,7 @@ class LruCache {
     }
     return nullptr;
   }
-  void keep(std::uint64_t key, std::shared_ptr<const Value> value, std::size_t bytes) {
+  void keep(Key key, std::shared_ptr<const Value> value, std::size_t bytes) {
     std::erase_if(slots_, [&](const Slot& slot) { return slot.key == key; });
     slots_.push_back({key, std::move(value), bytes, ++clock_});
     while (this->bytes() > budget_ && slots_.size() > 1) {
@@ -43,7 +44,7 @@ class LruCache {
 
  private:
   struct Slot {
-    std::uint64_t key;
+    Key key;
     std::shared_ptr<const Value> value;
     std::size_t bytes;
     std::uint64_t used;
@@ -59,19 +60,18 @@ class Cache {
   std::shared_ptr<const image::EdgeMap> edges(std::uint64_t contentHash) const;
   void keepEdges(std::uint64_t contentHash, std::shared_ptr<const image::EdgeMap> edges);
   /// By ignoredKey. Null when not (or no longer) known.
-  std::shared_ptr<const ribs::IgnoredEdges> ignored(std::uint64_t key) { return ignored_.find(key); }
-  void keepIgnored(std::uint64_t key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
+  std::shared_ptr<const ribs::IgnoredEdges> ignored(IgnoredKey key) { return ignored_.find(key); }
+  void keepIgnored(IgnoredKey key, std::shared_ptr<const ribs::IgnoredEdges> ignored);
   /// By traceKey: final ribs. Null when not (or no longer) known. Those of previews are kept apart: a stroke being
   /// drawn must not evict the parts of the document.
-  std::shared_ptr<const TracedRibs> traced(std::uint64_t key);
-  void keepTraced(std::uint64_t key, std::shared_ptr<const TracedRibs> traced, bool isPreview);
+  std::shared_ptr<const TracedRibs> traced(TraceKey key);
+  void keepTraced(TraceKey key, std::shared_ptr<const TracedRibs> traced, bool isPreview);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
-  std::shared_ptr<const PartShape> shape(std::uint64_t key);
+  std::shared_ptr<const PartShape> shape(ShapeKey key);
   void keepShape(std::shared_ptr<const PartShape> shape);
   /// The shape of that key, with its texture now (null: there is nothing to see of it). Null when the shape
   /// is not known any more.
-  std::shared_ptr<const PartShape> assignTextures(std::uint64_t key,
-                                                  std::shared_ptr<const surface::PartTexture> texture);
+  std::shared_ptr<const PartShape> assignTextures(ShapeKey key, std::shared_ptr<const surface::PartTexture> texture);
   /// A round is one `derive`. Keeps the shapes of the last kKeptRounds rounds, so that undo and redo
   /// find theirs, as far as they fit into kShapeBytes, and the edges in `usedEdges`.
   void endRound(const std::vector<std::uint64_t>& usedEdges);
@@ -116,8 +116,8 @@ class Cache {
     std::shared_ptr<const image::Picture> picture;
   };
   std::vector<EdgeSlot> edges_;
-  LruCache<ribs::IgnoredEdges> ignored_{kIgnoredBytes};
-  LruCache<TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
+  LruCache<IgnoredKey, ribs::IgnoredEdges> ignored_{kIgnoredBytes};
+  LruCache<TraceKey, TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

@@ -22,7 +22,7 @@ Result<std::shared_ptr<const ribs::IgnoredEdges>> ignoredEdgesOf(const document:
                                                                  const document::PictureEntry& entry,
                                                                  const image::EdgeMap& edges, Cache& cache) {
   if (entry.ignored.empty() && recipe.ignored.empty()) return std::shared_ptr<const ribs::IgnoredEdges>{};
-  const std::uint64_t key = ignoredKey(recipe, entry);
+  const IgnoredKey key = ignoredKey(recipe, entry);
   std::shared_ptr<const ribs::IgnoredEdges> known = cache.ignored(key);
   if (known) return known;
   Result<ribs::IgnoredEdges> made = ignoredStage(edges, entry.ignored, recipe.ignored);
@@ -41,7 +41,7 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
   static const image::EdgeMap kNoEdges;
   const double started = nowMs(clock);
   const bool live = purpose == Purpose::Live;
-  const std::uint64_t key = traceKey(recipe, entry);
+  const TraceKey key = traceKey(recipe, entry);
   const std::shared_ptr<const image::EdgeMap> edges = cache.edges(entry.contentHash);
   // Without edges the ribs are guessed: that is no result to keep.
   std::shared_ptr<const TracedRibs> traced;
@@ -79,7 +79,8 @@ Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& ent
   if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
     return loftShape(*loft, entry, cache, purpose, shape, clock);
   }
-  Result<PartShape> made = regionStage(recipe, entry.size, clock);
+  const auto* stack = std::get_if<document::StackRecipe>(&recipe);
+  Result<PartShape> made = stack ? stackStage(*stack, entry.size, clock) : regionStage(recipe, entry.size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};
@@ -113,7 +114,7 @@ MarksOver marksOver(const document::Part& part, const PartShape& shape, const do
 
 // Whether an earlier part has the same shape.
 bool standsBefore(const Derived& derived, std::size_t number) {
-  const std::uint64_t key = derived.parts[number].shape->key;
+  const ShapeKey key = derived.parts[number].shape->key;
   return std::any_of(derived.parts.begin(), derived.parts.begin() + static_cast<std::ptrdiff_t>(number),
                      [&](const DerivedPart& other) { return other.shape && other.shape->key == key; });
 }
@@ -122,7 +123,7 @@ bool standsBefore(const Derived& derived, std::size_t number) {
 void assignTextures(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
                     Derived& derived) {
   const std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
-  if (!shape || isDressed(*shape)) return;
+  if (!shape || isTextureKnown(*shape)) return;
   const document::Part& part = document.parts[number];
   if (finish == Finish::Later) {
     if (!standsBefore(derived, number)) derived.wantedTextures.push_back(part.id);
@@ -160,7 +161,7 @@ namespace {
 DerivedPart derivePart(const document::Part& part, const document::PictureEntry& entry, Cache& cache,
                        const Clock& clock) {
   DerivedPart result{part.id, nullptr, std::nullopt, false};
-  const std::uint64_t key = shapeKey(part, entry);
+  const ShapeKey key = shapeKey(part, entry);
   const bool known = !needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr;
   result.shape = cache.shape(key);
   if (!result.shape && !known) result.waiting = true;
@@ -244,7 +245,14 @@ std::vector<PicturePoint> strokeOnThing(const document::Document& document, cons
   const auto ignored = ignoredEdgesOf(recipe, *entry, *edges, cache);
   if (!ignored) return recipe.stroke;
   try {
-    return ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()}, recipe.spine, recipe.ribs);
+    std::optional<ribs::TracedStroke> whole;
+    std::vector<PicturePoint> kept = ribs::strokeOnThing(recipe.stroke, {*edges, entry->size, ignored.value().get()},
+                                                         recipe.spine, recipe.ribs, cache.ribMemory(), whole);
+    if (whole) {
+      auto traced = std::make_shared<TracedRibs>(TracedRibs{std::move(whole->spine), std::move(whole->ribs)});
+      cache.keepTraced(traceKey(recipe, *entry), std::move(traced), true);
+    }
+    return kept;
   } catch (const std::bad_alloc&) {
     return recipe.stroke;
   }

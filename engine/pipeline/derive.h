@@ -27,8 +27,8 @@ struct DerivedPart {
   std::optional<Failure> failure;
   /// The edges of its picture are not in the cache yet.
   bool waiting = false;
-  /// Of a part in no step that goes through itself: its mesh without that (ModelSpace, with UV), which goes into files
-  /// in its stead. Filled by whoever has a solver, when a file is wanted.
+  /// Of a part in no step that crosses itself: its mesh without self-intersections (ModelSpace, with UV). Files get
+  /// this mesh. The caller that has a solver fills it when a file is wanted.
   std::shared_ptr<const Solid> mended = nullptr;
   /// Where the part goes through itself, if that was looked for and could not be mended.
   std::optional<ModelPoint> crossesAt = std::nullopt;

@@ -42,14 +42,42 @@ void mix(Hasher& hasher, const geometry::AlongCurve& curve) {
   hasher.number(curve.points.size());
   for (const auto& [at, value] : curve.points) mixAll(hasher, at, value);
 }
+void mix(Hasher& hasher, const sections::Blend& blend) {
+  const auto& [kind, custom] = blend;
+  hasher.number(kind);
+  mix(hasher, custom);
+}
+void mix(Hasher& hasher, const sections::SectionShape& shape) {
+  const auto& [preset, contours] = shape;
+  hasher.number(preset).number(contours.size());
+  for (const auto& contour : contours) mix(hasher, contour);
+}
 void mix(Hasher& hasher, const loft::SectionKey& key) {
   const auto& [at, shape, blend] = key;
-  const auto& [preset, contours] = shape;
-  const auto& [kind, custom] = blend;
-  mixAll(hasher, at, preset, kind);
-  hasher.number(contours.size());
-  for (const auto& contour : contours) mix(hasher, contour);
-  mix(hasher, custom);
+  hasher.number(at);
+  mix(hasher, shape);
+  mix(hasher, blend);
+}
+void mix(Hasher& hasher, const ModelPoint& p) { mixAll(hasher, p.x, p.y, p.z); }
+void mix(Hasher& hasher, const stack::Curve& curve) {
+  const auto& [through, corners] = curve;
+  const auto& [all, at] = corners;
+  mix(hasher, through);
+  mixAll(hasher, all, at.size());
+  for (const std::uint32_t i : at) hasher.number(i);
+}
+void mix(Hasher& hasher, const stack::Plane& plane) {
+  const auto& [at, origin, turn, curves, blend] = plane;
+  mixAll(hasher, at, origin.has_value());
+  if (origin) mix(hasher, *origin);
+  mixAll(hasher, turn.w, turn.x, turn.y, turn.z, curves.size());
+  for (const stack::Curve& curve : curves) mix(hasher, curve);
+  mix(hasher, blend);
+}
+void mix(Hasher& hasher, const stack::Rail& rail) {
+  const auto& [points, closed] = rail;
+  mixAll(hasher, points.size(), closed);
+  for (const ModelPoint& p : points) mix(hasher, p);
 }
 void mix(Hasher& hasher, const loft::LoftParams& params) {
   const auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = params;
@@ -83,6 +111,22 @@ void mix(Hasher& hasher, const loft::Pose& pose) {
   mixAll(hasher, coilTurns, coilRadius, closed);
 }
 
+/// Scribbles under which another thing is: its colours are not on the part.
+std::vector<ribs::IgnoreMark> coversOf(const document::PictureEntry& entry) {
+  std::vector<ribs::IgnoreMark> covers;
+  for (const ribs::IgnoreMark& mark : entry.ignored) {
+    if (mark.covers) covers.push_back(mark);
+  }
+  return covers;
+}
+
+void mix(Hasher& hasher, const inflate::ProfileParams& params) {
+  const auto& [slices, follow] = params;
+  hasher.number(slices.size());
+  for (const auto& [shape] : slices) mix(hasher, shape);
+  hasher.number(follow);
+}
+
 /// A region's solid takes only its size from the picture, its texture the pixels.
 std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
   const auto& [picture, contours, ribbon, open] = region;
@@ -99,71 +143,85 @@ std::uint64_t regionKey(const document::Region& region, const document::PictureE
 
 }  // namespace
 
-std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+IgnoredKey ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   Hasher hasher;
   hasher.number(entry.contentHash);
   mix(hasher, entry.ignored);
   mix(hasher, recipe.ignored);
-  return hasher.value();
+  return IgnoredKey{hasher.value()};
 }
 
-std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   // The picture's id is left out: equal content hashes, equal pixels.
   const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
   Hasher hasher;
-  hasher.number(ignoredKey(recipe, entry));
+  hasher.number(ignoredKey(recipe, entry).hash);
   mix(hasher, stroke);
   mix(hasher, spine);
   mix(hasher, ribs);
-  return hasher.value();
+  return TraceKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
   Hasher hasher;
-  hasher.number(traceKey(recipe, entry));
+  hasher.number(traceKey(recipe, entry).hash);
   mix(hasher, edits);
   mix(hasher, pose);
   mix(hasher, loft);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, inflate] = recipe;
-  const auto& [height, sides, points] = inflate;
+  const auto& [height, sides, points, profile] = inflate;
   Hasher hasher;
   hasher.text("puff").number(regionKey(region, entry));
   mixAll(hasher, height, sides, points);
-  return hasher.value();
+  mix(hasher, profile);
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, params] = recipe;
   const auto& [thickness, edge, edgeSize, depth] = params;
   Hasher hasher;
   hasher.text("sheet").number(regionKey(region, entry));
   mixAll(hasher, thickness, edge, edgeSize, depth);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, params] = recipe;
   const auto& [axisFrom, axisTo, turn, sides, wall, squash] = params;
   Hasher hasher;
   hasher.text("lathe").number(regionKey(region, entry));
   mixAll(hasher, axisFrom.x, axisFrom.y, axisTo.x, axisTo.y, turn, sides, wall, squash);
-  return hasher.value();
+  return ShapeKey{hasher.value()};
 }
 
-std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry) {
+  const auto& [picture, planes, rail, stack] = recipe;
+  const auto& [startCap, endCap, sides, capRings] = stack;
+  Hasher hasher;
+  hasher.text("stack").number(entry.contentHash).number(entry.size.width).number(entry.size.height);
+  mix(hasher, coversOf(entry));
+  hasher.number(planes.size());
+  for (const stack::Plane& plane : planes) mix(hasher, plane);
+  mix(hasher, rail);
+  mixAll(hasher, startCap, endCap, sides, capRings);
+  return ShapeKey{hasher.value()};
+}
+
+ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry) {
   return std::visit([&](const auto& one) { return shapeKey(one, entry); }, recipe);
 }
 
-std::uint64_t shapeKey(const document::Part& part, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry) {
   // How the texture is shown is no part of it.
   const auto& [textured, colour, paint, second, faceted, inked] = part.look;
-  const std::uint64_t key = shapeKey(part.recipe, entry);
-  return inked && entry.isSketch() ? Hasher().text("inked").number(key).value() : key;
+  const ShapeKey key = shapeKey(part.recipe, entry);
+  return inked && entry.isSketch() ? ShapeKey{Hasher().text("inked").number(key.hash).value()} : key;
 }
 
 }  // namespace spineloft::pipeline

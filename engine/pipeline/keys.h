@@ -3,29 +3,31 @@
 // has decided.
 #pragma once
 
-#include <cstdint>
-
+#include "engine/base/cache_key.h"
 #include "engine/document/document.h"
 
 namespace spineloft::pipeline {
 
 /// Of the ignored edges of one part: the picture's content, and the marks of both.
-std::uint64_t ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+IgnoredKey ignoredKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of spine and generated ribs: the picture's content, ignored edges, stroke, SpineParams and
 /// RibParams.
-std::uint64_t traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of a whole shape of any kind, with its texture.
-std::uint64_t shapeKey(const document::Part& part, const document::PictureEntry& entry);
-std::uint64_t shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry);
+ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry);
+ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry);
 
 /// Of a lofted one: the trace's, the edits, the pose and the loft.
-std::uint64_t shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
+ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of what is made of a region: the region, the picture's size, the parameters.
-std::uint64_t shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry);
-std::uint64_t shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry);
-std::uint64_t shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry);
+ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry);
+ShapeKey shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry);
+ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry);
+
+/// Of a stack: the picture, the planes, the rail and how it is finished.
+ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry);
 
 }  // namespace spineloft::pipeline

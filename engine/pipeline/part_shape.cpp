@@ -44,7 +44,7 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   shape.contours.clear();
   shape.mesh = memory.mesh;
   shape.texture.reset();
-  shape.textureKey = shape.key = 0;
+  shape.textureKey = shape.key = {};
   shape.quality = traced.quality;
   shape.ms = {};
   shape.ms.loft = lofted - ready;

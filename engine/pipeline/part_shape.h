@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/cache_key.h"
 #include "engine/base/progress.h"
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
@@ -55,16 +56,16 @@ struct PartShape {
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
-  /// Equals `key` once its texture is known. Before that 0, or the key of the earlier shape of the part whose texture
-  /// is shown in the meantime.
-  std::uint64_t textureKey = 0;
+  /// Equals `key` once its texture is known. Before that none, or the key of the earlier shape of the part whose
+  /// texture is shown in the meantime.
+  ShapeKey textureKey;
   TraceQuality quality = TraceQuality::Final;  ///< of its ribs; what has none is as final
-  std::uint64_t key = 0;                       ///< shapeKey of what it was made from; equal keys, equal shapes
+  ShapeKey key;                                ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;                                  ///< times of its ribs and loft stages; what was known already took none
 };
 
 /// Whether its texture, or that there is none, is known.
-inline bool isDressed(const PartShape& shape) { return shape.key != 0 && shape.textureKey == shape.key; }
+inline bool isTextureKnown(const PartShape& shape) { return shape.key && shape.textureKey == shape.key; }
 
 /// Memory that they take, about.
 std::size_t bytesOf(const TracedRibs& traced);
@@ -111,9 +112,12 @@ Result<PartShape> shapeStage(const document::LoftRecipe& recipe, const TracedRib
 Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture,
                   ShapeMemory& memory, PartShape& shape, const Clock& clock = {});
 
-/// Of a region: clean → swell, clean → give thickness, or turn about the axis. `key` of the result is 0; the times
-/// stand in `ms.loft`. Errors: NotARegion (a loft), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
+/// Of a region: clean → inflate, clean → give thickness, or turn about the axis. `key` of the result is 0; the times
+/// stand in `ms.loft`. Errors: NotARegion (others), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
 Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock = {});
+
+/// Slice by slice. `key` of the result is 0; the time stands in `ms.loft`. Errors: those of stackPlanes, OutOfMemory.
+Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock = {});
 
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,

@@ -30,7 +30,7 @@ class TextureJob {
   /// After the last.
   std::shared_ptr<const surface::PartTexture> texture() const { return made_; }
   /// shapeKey of the shape.
-  std::uint64_t key() const { return shape_->key; }
+  ShapeKey key() const { return shape_->key; }
 
  private:
   std::shared_ptr<const PartShape> shape_;

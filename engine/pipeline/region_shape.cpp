@@ -1,4 +1,4 @@
-// What is made of a region: puffs, flat pieces, spun parts.
+// What is made of a region (puffs, flat pieces, spun parts), and what is drawn slice by slice.
 #include <new>
 #include <utility>
 #include <variant>
@@ -8,6 +8,7 @@
 #include "engine/inflate/inflate.h"
 #include "engine/lathe/lathe.h"
 #include "engine/pipeline/part_shape.h"
+#include "engine/stack/stack.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -29,6 +30,7 @@ struct Make {
                                  {static_cast<double>(picture.width), static_cast<double>(picture.height)});
   }
   Result<PartShape> operator()(const document::LoftRecipe&) const { return Error::NotARegion; }
+  Result<PartShape> operator()(const document::StackRecipe&) const { return Error::NotARegion; }
   Result<PartShape> operator()(const document::InflateRecipe& recipe) const {
     Result<geometry::Contours> contours = clean(recipe.region);
     if (!contours) return contours.failure();
@@ -49,17 +51,29 @@ struct Make {
   }
 };
 
-}  // namespace
-
-Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock) {
+/// What `make` makes, with its time.
+template <class Make>
+Result<PartShape> timed(const Clock& clock, const Make& make) {
   const double started = clock ? clock() : 0;
   try {
-    Result<PartShape> shape = std::visit(Make{picture}, recipe);
+    Result<PartShape> shape = make();
     if (shape) shape.value().ms.loft = (clock ? clock() : 0) - started;
     return shape;
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }
+}
+
+}  // namespace
+
+Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock) {
+  return timed(clock, [&] { return std::visit(Make{picture}, recipe); });
+}
+
+Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock) {
+  return timed(clock, [&] {
+    return shapeOf(geometry::Contours{}, stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, picture));
+  });
 }
 
 }  // namespace spineloft::pipeline

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/cache_key.h"
 #include "engine/base/ids.h"
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
@@ -25,8 +26,8 @@ struct SolidPiece {
 };
 
 struct Solid {
-  std::uint64_t key = 0;  ///< of what it was made from; equal keys, equal solids
-  mesh::TriMesh mesh;     ///< WorldSpace, closed, without UV
+  SolidKey key;        ///< of what it was made from; equal keys, equal solids
+  mesh::TriMesh mesh;  ///< WorldSpace, closed, without UV
   std::vector<SolidPiece> pieces;
   double volume = 0, area = 0;  ///< world units
   int genus = 0;

@@ -79,7 +79,7 @@ Status encodeAtlas(ExportBatch& batch, Format format) {
 /// The faces of a solid, one export part for each part of the document that they come from; all at once
 /// where the format knows no colours.
 void gatherSolid(const Model& model, const document::Step& step, const Export& target, Format format,
-                 ExportBatch& batch, std::vector<UntexturedPart>& bare) {
+                 ExportBatch& batch, std::vector<UntexturedPart>& untextured) {
   const pipeline::DerivedStep* shown = shownSolid(model.document, model.derived, step);
   if (shown == nullptr) return;
   io::ExportPart out;
@@ -88,7 +88,7 @@ void gatherSolid(const Model& model, const document::Step& step, const Export& t
   out.ofSolid = true;  // closed; but the solver may leave triangles that are thinner than ours
   if (!showsPictures(format)) {
     batch.parts.push_back(out);
-    bare.push_back({&step.look, &shown->solid->mesh, nullptr, nullptr});
+    untextured.push_back({&step.look, &shown->solid->mesh, nullptr, nullptr});
     return;
   }
   for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
@@ -96,7 +96,7 @@ void gatherSolid(const Model& model, const document::Step& step, const Export& t
     const auto at = std::ranges::find(model.derived.parts, piece.part, &pipeline::DerivedPart::id);
     const document::Look& look = part == nullptr || step.ownLook ? step.look : part->look;
     batch.parts.push_back(out);
-    bare.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(), nullptr});
+    untextured.push_back({&look, &piece.mesh, at == model.derived.parts.end() ? nullptr : at->shape.get(), nullptr});
     out.joins = true;
   }
 }
@@ -110,7 +110,7 @@ const mesh::TriMesh& meshOf(const pipeline::DerivedPart& part, Format format) {
 }
 
 Status gather(const Model& model, const Export& target, Format format, ExportBatch& batch) {
-  std::vector<UntexturedPart> bare;
+  std::vector<UntexturedPart> untextured;
   for (const pipeline::DerivedPart& shown : model.derived.parts) {
     const document::Part* part = document::findPart(model.document, shown.id);
     if (part == nullptr || !showsItself(model.document, model.derived, *part) || !shown.shape) continue;
@@ -126,15 +126,15 @@ Status gather(const Model& model, const Export& target, Format format, ExportBat
       out.placement = placementOf(toWorld, turned, target);
       out.ofSolid = &mesh != &shown.shape->mesh;
       batch.parts.push_back(std::move(out));
-      bare.push_back({&part->look, turned ? &batch.turned.back() : &mesh, shown.shape.get(), nullptr, &mesh});
+      untextured.push_back({&part->look, turned ? &batch.turned.back() : &mesh, shown.shape.get(), nullptr, &mesh});
       first = false;
     }
   }
   for (const document::Step& step : model.document.steps) {
-    gatherSolid(model, step, target, format, batch, bare);
+    gatherSolid(model, step, target, format, batch, untextured);
   }
-  for (std::size_t i = 0; i < bare.size(); ++i) bare[i].part = &batch.parts[i];
-  batch.textures = assignTextures(bare, showsPictures(format));
+  for (std::size_t i = 0; i < untextured.size(); ++i) untextured[i].part = &batch.parts[i];
+  batch.textures = assignTextures(untextured, showsPictures(format));
   return encodeAtlas(batch, format);
 }
 

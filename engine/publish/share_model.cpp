@@ -6,15 +6,17 @@
 #include <utility>
 
 #include "engine/io/share_text.h"
+#include "engine/publish/short_stroke.h"
 #include "engine/ribs/edit/places.h"
 
 namespace spineloft::publish {
 namespace {
 
-/// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next.
-ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::RibEdits& edits) {
-  const ribs::Ruler ruler(shape.spine.points);
-  const std::vector<double> places = ribs::ribPlaces(ruler, shape.spine, shape.ribs);
+/// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next. `spine`
+/// is close to that of the shape.
+ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::Spine& spine, const ribs::RibEdits& edits) {
+  const std::vector<double> places = ribs::ribPlaces(ribs::Ruler(shape.spine.points), shape.spine, shape.ribs);
+  const ribs::Ruler ruler(spine.points);
   ribs::RibEdits fixed = edits;
   fixed.ends.clear();
   for (const ribs::Side side : {ribs::Side::Left, ribs::Side::Right}) {
@@ -58,7 +60,11 @@ document::Document withoutPhotos(const document::Document& document, const pipel
     const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(part));
     const auto& shape = derived.parts[i].shape;
     if (entry == nullptr || entry->isSketch() || !shape) continue;
-    if (document::LoftRecipe* loft = document::loftOf(part)) loft->edits = fixedEnds(*shape, loft->edits);
+    if (document::LoftRecipe* loft = document::loftOf(part)) {
+      StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine);
+      loft->edits = fixedEnds(*shape, shorter.spine, loft->edits);
+      loft->stroke = std::move(shorter.stroke);
+    }
     if (part.look.textured) {
       part.look.textured = false;
       part.look.paint = surface::Paint::Plain;

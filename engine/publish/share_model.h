@@ -10,7 +10,7 @@
 namespace spineloft::publish {
 
 /// The document without its photos. White pictures of their sizes stand in their places; what was found in a photo is
-/// fixed: each end of each rib of a loft on one is put where it stands (ribs/edit/edits.h), and a part that wears the
+/// fixed: each end of each rib of a loft on one is put where it stands (ribs/edit/edits.h), and a part that shows the
 /// photo gets the mean colour of what it shows of it. Documents without photos come back as they are.
 document::Document withoutPhotos(const document::Document& document, const pipeline::Derived& derived);
 

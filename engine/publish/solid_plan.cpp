@@ -83,7 +83,7 @@ class Planner {
         for (const double value : *node.opening) hasher.number(value);
       }
     }
-    node.key = hasher.value();
+    node.key = SolidKey{hasher.value()};
     plan_.nodes.push_back(std::move(node));
     return plan_.nodes.size() - 1;
   }
@@ -93,7 +93,7 @@ class Planner {
     Hasher hasher;
     hasher.text("twins");
     for (const SolidPlan::Operand& each : operands) mix(each, hasher);
-    node.key = hasher.value();
+    node.key = SolidKey{hasher.value()};
     node.step = step;
     node.operands = std::move(operands);
     plan_.nodes.push_back(std::move(node));
@@ -104,10 +104,10 @@ class Planner {
 
   void mix(const SolidPlan::Operand& operand, Hasher& hasher) const {
     if (operand.node) {
-      hasher.number(plan_.nodes[*operand.node].key);
+      hasher.number(plan_.nodes[*operand.node].key.hash);
       return;
     }
-    hasher.number(plan_.meshes[operand.mesh].key).number(operand.part.value);
+    hasher.number(plan_.meshes[operand.mesh].key.hash).number(operand.part.value);
     for (const double value : operand.toWorld) hasher.number(value);
   }
 
@@ -209,8 +209,8 @@ SolidPlan planSolids(const Document& document, const pipeline::Derived& derived,
   return Planner(document, derived, instead).plan();
 }
 
-std::uint64_t aloneKey(PartId part, const pipeline::PartShape& shape) {
-  return Hasher().text("alone").number(shape.key).number(part.value).value();
+SolidKey aloneKey(PartId part, const pipeline::PartShape& shape) {
+  return SolidKey{Hasher().text("alone").number(shape.key.hash).number(part.value).value()};
 }
 
 void planAlone(SolidPlan& plan, PartId part, const pipeline::PartShape& shape) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace spineloft::publish {
 struct SolidPlan {
   /// A part's mesh; it lives as long as the Derived that it comes from.
   struct Mesh {
-    std::uint64_t key = 0;  ///< equal keys, equal meshes
+    ShapeKey key;  ///< equal keys, equal meshes
     const mesh::TriMesh* mesh = nullptr;
   };
   /// A part in its place, or another node.
@@ -27,7 +26,7 @@ struct SolidPlan {
     std::array<double, 16> toWorld{};  ///< 4 × 4, column by column
   };
   struct Node {
-    std::uint64_t key = 0;  ///< of everything that the solid depends on
+    SolidKey key;  ///< of everything that the solid depends on
     StepId step;
     document::StepKind kind = document::StepKind::Join;
     std::vector<Operand> operands;
@@ -43,7 +42,7 @@ struct SolidPlan {
 /// A mesh that stands for a part's own: while it is being edited.
 struct Substitute {
   PartId part;
-  std::uint64_t key = 0;
+  ShapeKey key;
   const mesh::TriMesh* mesh = nullptr;
 };
 
@@ -54,7 +53,7 @@ SolidPlan planSolids(const document::Document& document, const pipeline::Derived
 
 /// Of a part in no step: a node that unites it with itself, in its own space (ModelSpace). Adds it to the plan; its key
 /// is that of `aloneKey`.
-std::uint64_t aloneKey(PartId part, const pipeline::PartShape& shape);
+SolidKey aloneKey(PartId part, const pipeline::PartShape& shape);
 void planAlone(SolidPlan& plan, PartId part, const pipeline::PartShape& shape);
 
 /// The side of a hollow step that faces a direction most (WorldSpace, any length): an end of its spine before a side of

@@ -35,29 +35,29 @@ struct Cloth {
 
 /// The mesh by whose height two colours lie: the part's own, before it was turned. Faces of a solid have none
 /// but themselves.
-const mesh::TriMesh& uprightOf(const UntexturedPart& bare) {
-  return bare.upright != nullptr ? *bare.upright : *bare.mesh;
+const mesh::TriMesh& uprightOf(const UntexturedPart& untextured) {
+  return untextured.upright != nullptr ? *untextured.upright : *untextured.mesh;
 }
 
-std::array<double, 2> placeOf(const UntexturedPart& bare, const Cloth& cloth, std::size_t vertex,
+std::array<double, 2> placeOf(const UntexturedPart& untextured, const Cloth& cloth, std::size_t vertex,
                               const mesh::Bounds& bounds) {
   if (cloth.painted) {
     const double low = bounds.low[1], high = bounds.high[1];
-    const double y = static_cast<double>(uprightOf(bare).positions[vertex][1]);
+    const double y = static_cast<double>(uprightOf(untextured).positions[vertex][1]);
     return {0.5, high > low ? std::clamp((high - y) / (high - low), 0.0, 1.0) : 0.5};
   }
-  const surface::UvArea& area = bare.shape->texture->area;
-  const auto [u, v] = bare.mesh->uv[vertex];
+  const surface::UvArea& area = untextured.shape->texture->area;
+  const auto [u, v] = untextured.mesh->uv[vertex];
   return {std::clamp((static_cast<double>(u) - area.left) / (area.right - area.left), 0.0, 1.0),
           std::clamp((static_cast<double>(v) - area.top) / (area.bottom - area.top), 0.0, 1.0)};
 }
 
-mesh::TriMesh remapped(const UntexturedPart& bare, const Cloth& cloth, const surface::UvArea& place) {
-  mesh::TriMesh mesh = *bare.mesh;
-  const mesh::Bounds bounds = mesh::boundsOf(uprightOf(bare));  // in its own space
+mesh::TriMesh remapped(const UntexturedPart& untextured, const Cloth& cloth, const surface::UvArea& place) {
+  mesh::TriMesh mesh = *untextured.mesh;
+  const mesh::Bounds bounds = mesh::boundsOf(uprightOf(untextured));  // in its own space
   mesh.uv.resize(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.uv.size(); ++v) {
-    const auto [x, y] = placeOf(bare, cloth, v, bounds);
+    const auto [x, y] = placeOf(untextured, cloth, v, bounds);
     mesh.uv[v] = surface::inAtlas(place, x, y);
   }
   return mesh;
@@ -69,19 +69,19 @@ TextureAssignment assignTextures(std::span<const UntexturedPart> parts, bool pic
   TextureAssignment out;
   std::vector<Cloth> cloths;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const UntexturedPart& bare = parts[i];
-    const document::Look& look = *bare.look;
-    io::ExportPart& part = *bare.part;
-    part.mesh = bare.mesh;
+    const UntexturedPart& untextured = parts[i];
+    const document::Look& look = *untextured.look;
+    io::ExportPart& part = *untextured.part;
+    part.mesh = untextured.mesh;
     for (std::size_t c = 0; c < 3; ++c) part.colour[c] = static_cast<float>(look.colour[c]) / 255.0f;
     part.faceted = look.faceted;
     const surface::Finish& finish = surface::finishOf(look.textured ? surface::Paint::Plain : look.paint);
     part.roughness = finish.roughness;
     part.metallic = finish.metallic;
     if (!pictures) continue;
-    if (look.textured && bare.shape != nullptr && bare.shape->texture != nullptr &&
-        bare.mesh->uv.size() == bare.mesh->positions.size()) {
-      cloths.push_back({i, &bare.shape->texture->pixels, false});
+    if (look.textured && untextured.shape != nullptr && untextured.shape->texture != nullptr &&
+        untextured.mesh->uv.size() == untextured.mesh->positions.size()) {
+      cloths.push_back({i, &untextured.shape->texture->pixels, false});
     } else if (!look.textured && look.paint == surface::Paint::TwoTone) {
       out.tiles.push_back(twoTone(look));
       cloths.push_back({i, &out.tiles.back(), true});
@@ -92,10 +92,10 @@ TextureAssignment assignTextures(std::span<const UntexturedPart> parts, bool pic
   std::optional<surface::Atlas> atlas = surface::packAtlas(images);
   if (!atlas) return out;
   for (std::size_t i = 0; i < cloths.size(); ++i) {
-    const UntexturedPart& bare = parts[cloths[i].part];
-    out.meshes.push_back(remapped(bare, cloths[i], atlas->places[i]));
-    bare.part->mesh = &out.meshes.back();
-    bare.part->picture = 0;
+    const UntexturedPart& untextured = parts[cloths[i].part];
+    out.meshes.push_back(remapped(untextured, cloths[i], atlas->places[i]));
+    untextured.part->mesh = &out.meshes.back();
+    untextured.part->picture = 0;
   }
   out.atlas = std::move(atlas->pixels);
   return out;

@@ -25,14 +25,14 @@ struct UntexturedPart {
   const mesh::TriMesh* upright = nullptr;  ///< of a part, what `mesh` was before it was turned
 };
 
-/// Meshes and pixels that the dressed parts point to; must outlive them.
+/// Meshes and pixels that the textured parts point to; must outlive them.
 struct TextureAssignment {
   std::deque<mesh::TriMesh> meshes;
   std::deque<image::Image> tiles;
   std::optional<image::Image> atlas;  ///< picture 0 of the parts that have one; none: none has
 };
 
-/// Gives every part its material. With `pictures`, parts that wear the picture or two colours get UV in
+/// Gives every part its material. With `pictures`, parts that show the picture or two colours get UV in
 /// one atlas (at most surface::kAtlasSide a side) that holds what they use and nothing else, and
 /// ExportPart::picture 0; without, or where there is no picture, they are plain.
 TextureAssignment assignTextures(std::span<const UntexturedPart> parts, bool pictures);

@@ -24,16 +24,15 @@ struct Untold {
 ///
 /// Colours of the part are learnt `reach` px within, those behind it as far outside, each from its own
 /// surroundings (mean and covariance). A pixel's colour is taken for a mixture p = (1 − a) F + a B of one of each;
-/// a is its place on the line between the means, seen in the direction that tells the two best apart (Fisher's
-/// discriminant), with what stretches of the rim have at the same depth in the mean, so that a grain or a stripe is
-/// not taken for ground. A stretch is soft where a sinks from the ground to nothing across the outline over
-/// three margins and more; only there and only as deep, pixels with a larger than a little get the most
-/// likely F of the part's colours (Chuang and others, A Bayesian approach to digital matting, 2001, eq. 9), and
-/// are trusted in `inner` from then on unless they are mostly ground. All others stay as they are, to the bit.
-/// Where a stretch is not soft, `inner` loses the pixels that are less deep than its mixture is, two margins at most:
-/// to where a sinks on as further in (the part's own shade does), and not deeper within the middle of the change than
-/// it reaches without, for what mixes two colours spoils one as far as the other. In two steps, linear: what is learnt,
-/// then what is changed. All must outlive it.
+/// a is its place on the line between the means, along Fisher's discriminant. The mean of a over a stretch of the rim
+/// at the same depth is mixed in, so that a grain or a stripe is not taken for ground. A stretch is soft where a sinks
+/// from the ground to nothing across the outline over three margins and more; only there and only as deep, pixels with
+/// a larger than a little get the most likely F of the part's colours (Chuang and others, A Bayesian approach to
+/// digital matting, 2001, eq. 9), and are trusted in `inner` from then on unless they are mostly ground. All others
+/// stay as they are, to the bit. Where a stretch is not soft, `inner` loses the pixels that are less deep than its
+/// mixture, two margins at most. The mixture ends where a falls no faster than further in (as the part's own shading
+/// does), and at the latest as far inside the middle of the change as it began outside: a blur reaches equally far to
+/// both sides. Two linear steps: learning, then changing. All arguments must outlive it.
 class RimUnmixing {
  public:
   RimUnmixing(image::Image& shown, const image::Mask& region, image::Mask& inner, double margin, double reach);

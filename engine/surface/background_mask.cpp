@@ -23,7 +23,7 @@ class Front {
   Front(const Doubt& doubt, const Palette& inside, const Palette& around)
       : doubt_(doubt), inside_(inside), around_(around), came_(doubt.covered.pixels.size()) {}
 
-  /// From the pixels of `beyond` until it meets what is not foreign. 0 where it was, else 255.
+  /// From the pixels of `beyond` until it meets what is not background. 0 where it was, else 255.
   image::Mask advance(const image::Mask& beyond) {
     image::Mask free = beyond;
     for (std::uint8_t& p : free.pixels) p = static_cast<std::uint8_t>(255 - p);

@@ -62,7 +62,7 @@ bool isCrossed(const OccludedStretch& e, const Colours& colours) {
   return 2 * crossed > threshold;
 }
 
-/// 255 where a pixel may be the intruder's.
+/// 255 where a pixel may be the occluder's.
 image::Mask likely(const OccludedStretch& e, const Colours& colours) {
   const Palette about = colours.aboutOwn();
   image::Mask out = e.reach;
@@ -108,7 +108,7 @@ image::Mask closed(const image::Mask& mask, double radius) {
 }  // namespace
 
 image::Mask occluderMask(const OccludedStretch& e) {
-  // Of the intruder that is in no colour of the part, and of the part.
+  // Of the occluder that is in no colour of the part, and of the part.
   constexpr double kUnlike = 0.8, kMost = 0.35;
   constexpr double kGap = 6;
   const Colours colours(e);

@@ -7,8 +7,8 @@
 
 namespace spineloft::surface {
 
-/// A histogram over red, green and blue, 32 steps each, smoothed so that a colour also speaks for
-/// those next to it. Add pixels, then close, then ask.
+/// A histogram over red, green and blue, 32 steps each, smoothed so that a colour also counts for its neighbours. Call
+/// `add` for all pixels, then `close`, then read.
 class Palette {
  public:
   Palette();

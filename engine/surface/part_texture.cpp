@@ -208,7 +208,7 @@ struct TextureSteps::State {
   image::Image shown;         ///< the wide one, as large as the texture's pixels are
   Lie lie;
   image::Mask inner;     ///< what can be kept where the part is sure
-  image::Mask familiar;  ///< what is not foreign
+  image::Mask familiar;  ///< what is not background
   KeptPixels kept;
   Untold untold;
   std::size_t crossed = 0;          ///< of the crossings that were looked at
@@ -262,7 +262,7 @@ void TextureSteps::State::trust() {
   next = surface.occludedStretches.empty() ? &State::judge : &State::uncover;
 }
 
-/// What an intruder hides is neither seen nor sure; one stretch a step.
+/// What an occluder hides is neither seen nor sure; one stretch a step.
 void TextureSteps::State::uncover() {
   constexpr double kSpread = 2;  // in rims: its edge is soft, and most files spread colours further than brightness
   const OccludedOutline& crossing = surface.occludedStretches[crossed++];
@@ -292,7 +292,7 @@ void TextureSteps::State::judge() {
   }
 }
 
-/// What is mixed with the foreign pixels goes with them.
+/// What is mixed with pixels of the background goes with them.
 void TextureSteps::State::settle() {
   kept.rim = common(std::move(kept.rim), familiar);
   kept.inner = common(inner, inset(familiar, lie.margin));

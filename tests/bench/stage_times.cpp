@@ -97,10 +97,14 @@ void reportRegionStages(bench::Report& report) {
   }
   const document::InflateRecipe inflate{region, {1, inflate::InflateSides::Both, 4000}};
   const document::InflateRecipe moving{region, {1, inflate::InflateSides::Both, 900}};
+  document::InflateRecipe round = inflate, movingRound = moving;
+  round.inflate.profile.slices = movingRound.inflate.profile.slices = {{sections::SectionPreset::Circle}};
   const document::ExtrudeRecipe extrude{region, {}};
   const document::LatheRecipe spun{region, {{40, 0}, {40, 499}}};
   report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::regionStage(inflate, {500, 500})); });
   report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::regionStage(moving, {500, 500})); });
+  report.stage("puff with a slice, 4000 points", 21, [&](int) { must(pipeline::regionStage(round, {500, 500})); });
+  report.stage("puff with a slice, 900 points", 51, [&](int) { must(pipeline::regionStage(movingRound, {500, 500})); });
   report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::regionStage(extrude, {500, 500})); });
   report.stage("spun ring of 400 px", 51, [&](int) { must(pipeline::regionStage(spun, {500, 500})); });
 }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { measure, parseStl } from './support/model_files.mjs';
-import { done, exported, idle, onPage, openWithPart, reload, run, state, useSite } from './support/page.mjs';
+import { done, exported, idle, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -37,9 +37,7 @@ function heldWorkers() {
 }
 
 test('while a solid takes long, a bar shows how far it is, and its button keeps the last good solid', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await page.addInitScript(heldWorkers);
-    await reload(page);
+  onPage(kit, { scripts: [heldWorkers] }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);
     await run(page, 'new-part');
     await run(page, 'draw-spine', { stroke: tube.middle.slice(15, 40).map(([x, y], i) => [x, y + 2 * (i - 12)]) });

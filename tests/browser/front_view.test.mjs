@@ -9,6 +9,7 @@ import { program, readObj } from '../support/cli.mjs';
 import { atlasUse, frontView, likeness, placeOf, withoutRim } from '../support/front_view.mjs';
 import { dataFolder } from '../../.ci/lib/paths.mjs';
 import { frontViewer } from './support/front_view.mjs';
+import { kTapPipes } from './support/model_strokes.mjs';
 import { exported, idle, onPage, openPicture, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -166,32 +167,6 @@ const kMarks = [
 ];
 
 const tap = cases.find(({ name }) => name === 'render_faucet_spout');
-const pipes = [
-  [
-    [875, 422],
-    [730, 443],
-    [584, 475],
-    [438, 500],
-    [313, 480],
-    [209, 511],
-    [162, 595],
-    [148, 678],
-  ],
-  [
-    [464, 417],
-    [457, 344],
-    [449, 261],
-    [443, 188],
-    [437, 72],
-  ],
-  [
-    [296, 83],
-    [365, 77],
-    [438, 69],
-    [511, 63],
-    [582, 56],
-  ],
-];
 
 test(
   'a tap of three pipes stuck together on the page looks from the front as its picture does, seams and all',
@@ -202,7 +177,7 @@ test(
       try {
         const picture = readFileSync(tap.image);
         await openPicture(page, picture, 'tap');
-        for (const stroke of pipes) await run(page, 'draw-spine', { stroke });
+        for (const stroke of kTapPipes) await run(page, 'draw-spine', { stroke });
         await run(page, 'stick-together', { parts: [1, 2, 3] });
         for (const contour of kMarks) await run(page, 'draw-sheet', { contours: [contour] });
         for (const [how, round] of [

@@ -22,7 +22,8 @@ import { history, inStore, models, smallTube as tube } from './support/keeping.m
 
 const kit = useSite();
 /** Every test begins on a device that has kept nothing; what is kept does not depend on the window. */
-const onEmptyDevice = (work) => onPage(kit, { alone: true, viewport: { width: 640, height: 480 } }, work);
+const onEmptyDevice = (work, scripts = []) =>
+  onPage(kit, { alone: true, viewport: { width: 640, height: 480 }, scripts }, work);
 const drawPart = (page) => openWithPart(page, tube.png, tube.middle);
 
 /** A second tab of the same browser profile. */
@@ -204,43 +205,42 @@ test('a photo is stored once however many models show it, and a small one takes 
 
 for (const locks of [true, false]) {
   test(`two tabs never write the same model: a copy or taking over, ${locks ? 'with Web Locks' : 'by signs of life'}`, () =>
-    onEmptyDevice(async (page, { context }) => {
-      if (!locks) {
-        await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }));
+    onEmptyDevice(
+      async (page) => {
+        await drawPart(page);
+        const before = await history(page);
+        const other = await secondTab(page);
+        await other.bringToFront();
+        assert.match(await banner(other).innerText(), /tube is open in another tab/);
+        assert.equal((await state(other)).picture, null);
+        assert.match(await other.locator('#models-cards .model-badge').innerText(), /another tab/);
+
+        await banner(other).getByRole('button', { name: 'Take over here' }).click();
+        await other.waitForFunction(() => window.spineloft.state().picture !== null);
+        await idle(other);
+        assert.equal(await history(other), before);
+        await done(other, 'set-section', { section: 'star', part: 1 });
+
+        await page.bringToFront();
+        await banner(page).waitFor();
+        assert.match(await banner(page).innerText(), /open in another tab now/);
+        assert.equal(await refusal(page, 'undo'), 'OpenElsewhere');
+        await page.keyboard.press('Control+z');
+        await drawWithMouse(page, tube.middle);
+        assert.equal(await history(page), before, 'here it can only be looked at');
+        await banner(page).getByRole('button', { name: 'Open a copy' }).click();
+        await idle(page);
+        assert.equal(await banner(page).count(), 0);
+        await done(page, 'set-section', { section: 'hexagon', part: 1 });
+
+        await reload(other);
+        assert.equal((await state(other)).parts[0].section, 'star');
         await reload(page);
-      }
-      await drawPart(page);
-      const before = await history(page);
-      const other = await secondTab(page);
-      await other.bringToFront();
-      assert.match(await banner(other).innerText(), /tube is open in another tab/);
-      assert.equal((await state(other)).picture, null);
-      assert.match(await other.locator('#models-cards .model-badge').innerText(), /another tab/);
-
-      await banner(other).getByRole('button', { name: 'Take over here' }).click();
-      await other.waitForFunction(() => window.spineloft.state().picture !== null);
-      await idle(other);
-      assert.equal(await history(other), before);
-      await done(other, 'set-section', { section: 'star', part: 1 });
-
-      await page.bringToFront();
-      await banner(page).waitFor();
-      assert.match(await banner(page).innerText(), /open in another tab now/);
-      assert.equal(await refusal(page, 'undo'), 'OpenElsewhere');
-      await page.keyboard.press('Control+z');
-      await drawWithMouse(page, tube.middle);
-      assert.equal(await history(page), before, 'here it can only be looked at');
-      await banner(page).getByRole('button', { name: 'Open a copy' }).click();
-      await idle(page);
-      assert.equal(await banner(page).count(), 0);
-      await done(page, 'set-section', { section: 'hexagon', part: 1 });
-
-      await reload(other);
-      assert.equal((await state(other)).parts[0].section, 'star');
-      await reload(page);
-      assert.equal((await state(page)).parts[0].section, 'hexagon');
-      assert.deepEqual((await models(page)).map((model) => model.name).sort(), ['tube', 'tube copy']);
-    }));
+        assert.equal((await state(page)).parts[0].section, 'hexagon');
+        assert.deepEqual((await models(page)).map((model) => model.name).sort(), ['tube', 'tube copy']);
+      },
+      locks ? [] : [() => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined })],
+    ));
 }
 
 test('a model that another tab has open is opened as a copy from the list', () =>
@@ -253,6 +253,13 @@ test('a model that another tab has open is opened as a copy from the list', () =
     await other.waitForFunction(() => window.spineloft.state().documentName === 'tube copy');
     assert.equal((await state(page)).documentName, 'tube');
   }));
+
+const withoutSession = () =>
+  Object.defineProperty(window, 'sessionStorage', {
+    get() {
+      throw new DOMException('no', 'SecurityError');
+    },
+  });
 
 for (const [what, spoil] of [
   [
@@ -272,29 +279,23 @@ for (const [what, spoil] of [
   ],
 ]) {
   test(`where storage is ${what} the page works on, says so once, and offers a file`, () =>
-    onEmptyDevice(async (page) => {
-      await page.addInitScript(spoil);
-      await page.addInitScript(() =>
-        Object.defineProperty(window, 'sessionStorage', {
-          get() {
-            throw new DOMException('no', 'SecurityError');
-          },
-        }),
-      );
-      await reload(page);
-      assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
-      await drawPart(page);
-      assert.match(await banner(page).innerText(), /does not let the page keep your models/);
-      assert.equal((await state(page)).parts.length, 1);
-      assert.equal(await asksBeforeLeaving(page), true);
-      await banner(page).getByRole('button', { name: 'Dismiss' }).click();
-      for (const section of ['star', 'square', 'circle']) await done(page, 'set-section', { section });
-      assert.equal(await banner(page).count(), 0, 'not on every stroke');
-      await run(page, 'new-model');
-      await page.getByRole('dialog').getByRole('button', { name: 'Let it go' }).click();
-      await idle(page);
-      assert.equal((await state(page)).picture, null);
-    }));
+    onEmptyDevice(
+      async (page) => {
+        assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
+        await drawPart(page);
+        assert.match(await banner(page).innerText(), /does not let the page keep your models/);
+        assert.equal((await state(page)).parts.length, 1);
+        assert.equal(await asksBeforeLeaving(page), true);
+        await banner(page).getByRole('button', { name: 'Dismiss' }).click();
+        for (const section of ['star', 'square', 'circle']) await done(page, 'set-section', { section });
+        assert.equal(await banner(page).count(), 0, 'not on every stroke');
+        await run(page, 'new-model');
+        await page.getByRole('dialog').getByRole('button', { name: 'Let it go' }).click();
+        await idle(page);
+        assert.equal((await state(page)).picture, null);
+      },
+      [spoil, withoutSession],
+    ));
 }
 
 /** Every way of saving, and whether the file holds the model. */
@@ -323,66 +324,65 @@ for (const [storage, spoil] of [
   ],
 ]) {
   test(`closing asks unless the work as it is is in a file or kept: every format, edited meanwhile or not, storage ${storage}`, () =>
-    onEmptyDevice(async (page) => {
-      if (spoil) {
-        await page.addInitScript(spoil);
-        await reload(page);
-      }
-      const check = async (unsaved, what) => {
-        assert.equal((await state(page)).unsaved, unsaved, what);
-        assert.equal(await asksBeforeLeaving(page), unsaved && storage !== 'on', what);
-      };
-      await drawPart(page);
-      await check(true, 'a part');
-      let mm = 50;
-      const edit = () => run(page, 'set-height', { mm: (mm += 1) });
-      for (const [command, holdsModel] of kSaves) {
-        for (const edited of [false, true]) {
-          await edit();
-          await idle(page);
-          await check(true, 'an edit');
-          await downloaded(page, async () => {
-            const saving = run(page, command);
-            if (edited) await edit();
-            await saving;
-          });
-          await idle(page);
-          await check(edited || !holdsModel, `${command}${edited ? ', edited meanwhile' : ''}`);
+    onEmptyDevice(
+      async (page) => {
+        const check = async (unsaved, what) => {
+          assert.equal((await state(page)).unsaved, unsaved, what);
+          assert.equal(await asksBeforeLeaving(page), unsaved && storage !== 'on', what);
+        };
+        await drawPart(page);
+        await check(true, 'a part');
+        let mm = 50;
+        const edit = () => run(page, 'set-height', { mm: (mm += 1) });
+        // Which file holds the model does not depend on the storage.
+        for (const [command, holdsModel] of storage === 'on' ? kSaves : [kSaves[0], kSaves[3]]) {
+          for (const edited of [false, true]) {
+            await edit();
+            await idle(page);
+            await check(true, 'an edit');
+            await downloaded(page, async () => {
+              const saving = run(page, command);
+              if (edited) await edit();
+              await saving;
+            });
+            await idle(page);
+            await check(edited || !holdsModel, `${command}${edited ? ', edited meanwhile' : ''}`);
+          }
         }
-      }
-      assert.equal(await banner(page).count(), storage === 'on' ? 0 : 1);
-    }));
+        assert.equal(await banner(page).count(), storage === 'on' ? 0 : 1);
+      },
+      spoil ? [spoil] : [],
+    ));
 
   test(`strokes on paper without a part are work: unsaved, asked about and kept as a part is, storage ${storage}`, () =>
-    onEmptyDevice(async (page) => {
-      if (spoil) {
-        await page.addInitScript(spoil);
-        await reload(page);
-      }
-      await done(page, 'new-sketch', { width: 300, height: 200 });
-      assert.equal(await asksBeforeLeaving(page), false, 'blank paper is no work');
-      await drawWithMouse(page, [
-        [60, 60],
-        [150, 120],
-        [240, 70],
-      ]);
-      assert.equal((await state(page)).unsaved, true);
-      assert.equal(await asksBeforeLeaving(page), storage !== 'on');
-      const before = await history(page);
-      if (storage === 'on') {
-        await reload(page);
+    onEmptyDevice(
+      async (page) => {
+        await done(page, 'new-sketch', { width: 300, height: 200 });
+        assert.equal(await asksBeforeLeaving(page), false, 'blank paper is no work');
+        await drawWithMouse(page, [
+          [60, 60],
+          [150, 120],
+          [240, 70],
+        ]);
+        assert.equal((await state(page)).unsaved, true);
+        assert.equal(await asksBeforeLeaving(page), storage !== 'on');
+        const before = await history(page);
+        if (storage === 'on') {
+          await reload(page);
+          assert.equal(await history(page), before);
+          return;
+        }
+        // The browser itself asks; the answer is to stay.
+        const [dialog] = await Promise.all([page.waitForEvent('dialog'), page.close({ runBeforeUnload: true })]);
+        assert.equal(dialog.type(), 'beforeunload');
+        await dialog.dismiss();
+        await downloaded(page, () => page.keyboard.press('Control+s'));
+        await idle(page);
+        assert.equal(await asksBeforeLeaving(page), false, 'a file holds it');
         assert.equal(await history(page), before);
-        return;
-      }
-      // The browser itself asks; the answer is to stay.
-      const [dialog] = await Promise.all([page.waitForEvent('dialog'), page.close({ runBeforeUnload: true })]);
-      assert.equal(dialog.type(), 'beforeunload');
-      await dialog.dismiss();
-      await downloaded(page, () => page.keyboard.press('Control+s'));
-      await idle(page);
-      assert.equal(await asksBeforeLeaving(page), false, 'a file holds it');
-      assert.equal(await history(page), before);
-    }));
+      },
+      spoil ? [spoil] : [],
+    ));
 }
 
 test('a full disk is said once with a way out, and everything is kept again when there is room', () =>

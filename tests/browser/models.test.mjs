@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { measure, parse3mf, parseStl, validated } from './support/model_files.mjs';
 import { drawWithMouse, press } from './support/hands.mjs';
+import { kSwan, kTapPipes } from './support/model_strokes.mjs';
 import {
   answer,
   chooseFromMore,
@@ -186,34 +187,10 @@ model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
 });
 
 model('a tap of three pipes, taken in hand by taps in the picture', 'render_faucet_spout', async (page) => {
-  await loft(
-    page,
-    [
-      [875, 422],
-      [730, 443],
-      [584, 475],
-      [438, 500],
-      [313, 480],
-      [209, 511],
-      [162, 595],
-      [148, 678],
-    ],
-    'Flat',
-  );
-  await loft(page, [
-    [464, 417],
-    [457, 344],
-    [449, 261],
-    [443, 188],
-    [437, 72],
-  ]);
-  await loft(page, [
-    [296, 83],
-    [365, 77],
-    [438, 69],
-    [511, 63],
-    [582, 56],
-  ]);
+  const [body, neck, handle] = kTapPipes;
+  await loft(page, body, 'Flat');
+  await loft(page, neck);
+  await loft(page, handle);
   await tapPicture(page, [650, 459]);
   await tapPicture(page, [452, 290], ['Shift']);
   await tapPicture(page, [330, 80], ['Shift']);
@@ -226,70 +203,15 @@ model('a tap of three pipes, taken in hand by taps in the picture', 'render_fauc
 });
 
 model('a swan of lofts, puffs and wings, ticked in the list', 'photo_swan_neck', async (page) => {
-  await loft(
-    page,
-    [
-      [221, 519],
-      [227, 436],
-      [250, 325],
-      [274, 241],
-      [286, 176],
-      [260, 130],
-    ],
-    'Round',
-  );
-  await loft(
-    page,
-    [
-      [250, 145],
-      [223, 165],
-      [195, 186],
-      [160, 215],
-    ],
-    ['Round, where you began', 'Pointed, where you stopped'],
-  );
+  await loft(page, kSwan.neck, 'Round');
+  await loft(page, kSwan.beak, ['Round, where you began', 'Pointed, where you stopped']);
   await press(page, 'Puff');
-  await draw(page, [
-    [121, 519],
-    [148, 464],
-    [204, 408],
-    [269, 380],
-    [352, 388],
-    [403, 394],
-    [445, 454],
-    [468, 519],
-    [427, 531],
-    [278, 536],
-    [167, 536],
-    [122, 521],
-  ]);
-  await draw(
-    page,
-    [
-      [262, 127],
-      [257, 136],
-      [247, 138],
-      [239, 131],
-      [241, 121],
-      [250, 117],
-      [259, 120],
-      [262, 127],
-    ].map(([x, y]) => [x - 6, y]),
-  );
+  await draw(page, kSwan.body);
+  await draw(page, kSwan.eye);
   await place(page, 'Front', '7');
   await alikeInDepth(page);
   await press(page, 'Flat piece');
-  await draw(page, [
-    [287, 427],
-    [352, 408],
-    [417, 427],
-    [482, 464],
-    [515, 445],
-    [482, 505],
-    [380, 505],
-    [306, 478],
-    [289, 430],
-  ]);
+  await draw(page, kSwan.wing);
   await place(page, 'Front', '26');
   await place(page, 'Turn', '-6');
   await alikeInDepth(page);

@@ -8,6 +8,7 @@ import { openPage } from '../../.ci/lib/browser.mjs';
 import { distDir } from '../../.ci/lib/paths.mjs';
 import { serveFolder } from '../../.ci/lib/server.mjs';
 import {
+  asWarm,
   done,
   idle,
   kEngines,
@@ -40,6 +41,7 @@ async function visit(t, { url }) {
     viewport: kWindow,
     deviceScaleFactor: 0.5,
     serviceWorkers: 'allow',
+    scripts: [asWarm],
   });
   t.after(() => opened.close());
   await opened.page.evaluate(async () => {

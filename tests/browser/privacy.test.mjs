@@ -5,7 +5,18 @@ import { createServer } from 'node:http';
 import test from 'node:test';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
 import { openPage, startSite } from '../../.ci/lib/browser.mjs';
-import { done, downloaded, exported, kWindow, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
+import {
+  asWarm,
+  done,
+  downloaded,
+  exported,
+  kWindow,
+  onPage,
+  openWithPart,
+  run,
+  state,
+  useSite,
+} from './support/page.mjs';
 import { tubePicture, withGps } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -90,10 +101,12 @@ for (const isolated of [true, false]) {
     const listener = await startListener(t);
     const site = await startSite({ isolated, bare: true });
     t.after(() => site.close());
-    const { page, close } = await openPage(kit.browser, site.url, { viewport: kWindow });
+    const { page, close } = await openPage(kit.browser, site.url, {
+      viewport: kWindow,
+      deviceScaleFactor: 0.5,
+      scripts: [asWarm, noteWorkers],
+    });
     t.after(close);
-    await page.addInitScript(noteWorkers);
-    await page.reload();
     await openWithPart(page, tube.png, tube.middle);
     await run(page, 'new-part');
     await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [y + 60, x - 60]) });
@@ -123,6 +136,7 @@ test('on a host that sends no policy the service worker asks its own host alone'
   const { page, context, close } = await openPage(kit.browser, site.url, {
     viewport: kWindow,
     serviceWorkers: 'allow',
+    scripts: [asWarm],
   });
   t.after(close);
   await page.evaluate(() => navigator.serviceWorker.ready);

@@ -4,6 +4,7 @@ import test from 'node:test';
 import { openPage, startSite } from '../../.ci/lib/browser.mjs';
 import { drawWithMouse } from './support/hands.mjs';
 import {
+  asWarm,
   difference,
   done,
   downloaded,
@@ -32,6 +33,7 @@ const tube = tubePicture();
  */
 async function onSpoiltPage(prepare, work) {
   const context = await kit.browser.newContext({ serviceWorkers: 'block' });
+  await context.addInitScript(asWarm);
   const page = await context.newPage();
   try {
     await prepare(page);
@@ -119,7 +121,7 @@ test(`${kSteps} steps, undos and redos without waiting need the engine memory of
   }));
 
 test('an idle page with a part and a sketch draws no frame and runs no timer', () =>
-  onPage(kit, { alone: true }, async (page) => {
+  onPage(kit, { alone: true, warmsUp: true }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);
     await run(page, 'new-sketch', { width: 768, height: 1024 });
     await drawWithMouse(page, [
@@ -167,7 +169,7 @@ test('an idle page with a part and a sketch draws no frame and runs no timer', (
 for (const isolated of [true, false]) {
   test(`the site works from a sub-path of a host ${isolated ? 'with' : 'without'} isolation headers`, async () => {
     const site = await startSite({ isolated, basePath: '/tools/spine/' });
-    const { page, troubles, close } = await openPage(kit.browser, site.url, { viewport: kWindow });
+    const { page, troubles, close } = await openPage(kit.browser, site.url, { viewport: kWindow, scripts: [asWarm] });
     try {
       await page.evaluate(() => window.spineloft.ready);
       await openWithPart(page, tube.png, tube.middle);

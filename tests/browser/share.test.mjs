@@ -1,18 +1,35 @@
-// A model in a link: by the command, opened in another page, and links that are broken. What the text keeps is said by
+// A model in a link, on stickers, in a picture and on another page (view.test.mjs: what the viewer does with it). What the text keeps is said by
 // tests/unit/io/share_text_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { idle, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
+import jsqr from 'jsqr';
+import { PNG } from 'pngjs';
+import {
+  done,
+  downloaded,
+  dropFiles,
+  exported,
+  idle,
+  kSharp,
+  onPage,
+  openWithPart,
+  run,
+  state,
+  toastText,
+  useSite,
+  waitForPicture,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 
-/** Opens the address `link` of this page in a page of its own, as a visitor does. */
+/** Opens the address `link` in a page of its own, as a visitor does, and makes the model hers. */
 async function visit(page, link, work) {
   const other = await page.context().newPage();
   try {
     await other.goto(link);
-    await other.evaluate(() => window.spineloft.ready);
+    await other.getByRole('link', { name: 'Make it mine' }).click({ timeout: 120_000 });
+    await other.waitForFunction(() => window.spineloft?.state().parts.length > 0, null, { timeout: 120_000 });
     await idle(other);
     await work(other);
   } finally {
@@ -57,27 +74,119 @@ test('Share shows a link and a QR code; who opens the link gets the model as one
     });
   }));
 
-test('a link that is cut off, altered or none is said in a sentence, and the model that is open stays', () =>
+test('a text that is none opens nothing, and the model that is open stays', () =>
   onPage(kit, { alone: true }, async (page) => {
     const tube = tubePicture();
     await openWithPart(page, tube.png, tube.middle);
     const before = await page.evaluate(() => window.spineloft.history());
-    const { url } = await linkOf(page);
-    for (const [link, sentence] of [
-      [url.slice(0, -5), /end of that link is missing/],
-      [url.slice(0, -5) + '-----', /changed on its way/],
-      [`${url.slice(0, url.indexOf('#'))}#m=?`, /no model of SpineLoft in that link/],
+    const { text } = await linkOf(page);
+    for (const [wrong, code] of [
+      ['hello', 'NoProjectInside'],
+      [text.slice(0, -5), 'LinkCut'],
+      [`${text}A`, 'LinkAltered'],
+      [`9${text.slice(1)}`, 'ProjectTooNew'],
     ]) {
-      await page.evaluate((address) => (location.href = address), link);
-      await page.getByText(sentence).first().waitFor();
+      const refused = await page.evaluate(
+        (one) =>
+          window.spineloft.openShareText(one).then(
+            () => null,
+            (error) => error.code,
+          ),
+        wrong,
+      );
+      assert.equal(refused, code, wrong);
       await idle(page);
       assert.equal(await page.evaluate(() => window.spineloft.history()), before);
     }
-    const refused = await page.evaluate(() =>
-      window.spineloft.openShareText('hello').then(
-        () => null,
-        ({ code }) => code,
-      ),
-    );
-    assert.equal(refused, 'NoProjectInside');
+  }));
+
+/** Opens the dialog Share of a model with one part. */
+async function openShare(page) {
+  const tube = tubePicture();
+  await openWithPart(page, tube.png, tube.middle);
+  await run(page, 'share-model');
+  return page.getByRole('dialog', { name: 'Share' });
+}
+
+/** What a camera reads in a picture of the page. */
+function readCode({ data, width, height }) {
+  return jsqr.default(new Uint8ClampedArray(data), width, height)?.data ?? null;
+}
+
+test('the QR code on the screen and every sticker on the printed sheet are read as the link', () =>
+  onPage(kit, { alone: true, ...kSharp }, async (page) => {
+    const dialog = await openShare(page);
+    const { url } = await linkOf(page);
+    const code = dialog.getByRole('img', { name: 'QR code of the link' });
+    await code.scrollIntoViewIfNeeded();
+    assert.equal(readCode(PNG.sync.read(await code.screenshot())), url);
+    await page.evaluate(() => (window.print = () => undefined));
+    await dialog.getByRole('button', { name: 'Stickers' }).click();
+    await page.emulateMedia({ media: 'print' });
+    const stickers = page.locator('.sticker');
+    assert.ok((await stickers.count()) >= 6, `${await stickers.count()} stickers`);
+    assert.ok(await page.locator('#bar').isHidden());
+    for (const sticker of [stickers.first(), stickers.last()])
+      assert.equal(readCode(PNG.sync.read(await sticker.screenshot())), url);
+    // On paper the sheet is one page.
+    const pdf = await page.pdf({ format: 'A4', preferCSSPageSize: true });
+    assert.equal([...pdf.toString('latin1').matchAll(/\/Type\s*\/Page\b/g)].length, 1);
+    await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+    assert.equal(await stickers.count(), 0);
+  }));
+
+test('the picture has the model inside: dropped on the page it opens with its photo; without the model it is a picture', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    const dialog = await openShare(page);
+    const before = await ends(page);
+    const { name, bytes } = await downloaded(page, () => dialog.getByRole('button', { name: 'Picture' }).click());
+    assert.match(name, /\.png$/);
+    const { width, height } = PNG.sync.read(bytes);
+    assert.deepEqual([width, height], [1024, 1024]);
+    assert.deepEqual(await exported(page, 'png'), bytes);
+    await page.keyboard.press('Escape');
+    await done(page, 'new-model');
+    await dropFiles(page, [kit.file('model.png', bytes)]);
+    await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+    await idle(page);
+    assert.deepEqual(await ends(page), before);
+    assert.equal((await state(page)).pictureList.length, 1);
+    // Programs that write a picture anew leave out what they do not know.
+    const plain = PNG.sync.write(PNG.sync.read(bytes));
+    await done(page, 'new-model');
+    await dropFiles(page, [kit.file('plain.png', plain)]);
+    await waitForPicture(page);
+    assert.equal((await state(page)).parts.length, 0);
+    // One that was spoilt on its way says so.
+    const spoilt = Buffer.from(bytes);
+    spoilt[spoilt.indexOf('spLf') + 40] ^= 1;
+    await dropFiles(page, [kit.file('spoilt.png', spoilt)]);
+    assert.match(await toastText(page), /model file is damaged.*changed on its way/);
+  }));
+
+test('the HTML for another page has the viewer with its poster; a long link offers picture and file instead of a code', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    const dialog = await openShare(page);
+    await dialog.getByText('On your own page').click();
+    const html = await dialog.getByRole('textbox', { name: 'Put this into the HTML of the page' }).inputValue();
+    const [, address] = /^<iframe src="([^"]+)"/.exec(html) ?? [];
+    const { url } = await linkOf(page);
+    assert.ok(address.replaceAll('&#38;', '&').startsWith(`${url}&poster=data:image/webp;base64,`), address);
+    await page.keyboard.press('Escape');
+    // Hundreds of strokes on paper make a long one.
+    await done(page, 'new-sketch');
+    const { width } = (await state(page)).picture;
+    for (let i = 0; i < 40; ++i) {
+      const stroke = Array.from({ length: 60 }, (_, k) => [
+        100 + ((k * 7919 + i * 104729) % (width - 200)),
+        100 + ((k * 6007 + i * 7001) % 400),
+      ]);
+      await run(page, 'draw-on-sketch', { stroke });
+    }
+    await idle(page);
+    await run(page, 'share-model');
+    assert.match(await dialog.innerText(), /characters long, and some programs cut it off/);
+    assert.equal(await dialog.getByRole('img', { name: 'QR code of the link' }).count(), 0);
+    assert.ok(await dialog.getByRole('button', { name: 'Save model' }).isVisible());
+    assert.ok(await dialog.getByRole('button', { name: 'Picture' }).isVisible());
   }));

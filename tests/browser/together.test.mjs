@@ -200,7 +200,7 @@ test('a scooped out part is as thin as its wall, open at its end, and says when 
   }));
 
 test('a worker that dies, a cancel and a deleted part each leave the model whole and say so', () =>
-  onPage(kit, { script: frailWorkers }, async (page) => {
+  onPage(kit, { scripts: [frailWorkers] }, async (page) => {
     const good = await stuck(page);
 
     // The browser ends the worker in the middle of a job, and tells nobody.
@@ -247,7 +247,7 @@ test('a worker that dies, a cancel and a deleted part each leave the model whole
   }));
 
 test('a mesh that arrives damaged names its part, and one that breaks the solver down leaves the model whole', () =>
-  onPage(kit, { script: frailWorkers }, async (page, { troubles }) => {
+  onPage(kit, { scripts: [frailWorkers] }, async (page, { troubles }) => {
     const good = await stuck(page);
 
     // A face is missing: the library refuses the part.

@@ -6,7 +6,7 @@ import { onPage, state, useSite } from './support/page.mjs';
 const kit = useSite();
 
 test('the stages of a stroke have run before the first one, and left nothing behind', () =>
-  onPage(kit, { alone: true }, async (page) => {
+  onPage(kit, { alone: true, warmsUp: true }, async (page) => {
     const before = await state(page);
     await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length === 1, null, {
       timeout: 120_000,

@@ -1,8 +1,8 @@
-// spineloft loft --recipe: puffs, and the bones of their outlines in the report.
+// spineloft loft --recipe: puffs with a slice, and the bones of their outlines in the report.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { barPng, fails, readJson, works, workFolder } from '../support/cli.mjs';
+import { fails, readJson, works, workFolder } from '../support/cli.mjs';
 
 const arc = (x, y, r, from, to, n = 60) =>
   Array.from({ length: n + 1 }, (_, i) => {
@@ -20,6 +20,7 @@ const document = (contours, recipe = {}) => ({
   pictures: [{ id: 1, size: [400, 400] }],
   parts: [{ id: 1, kind: 'puff', recipe: { region: { picture: 1, contours }, ...recipe } }],
 });
+const sliced = (shape, more = {}) => ({ profile: { slices: [{ shape }], ...more } });
 
 function write(folder, json) {
   writeFileSync(folder.path('puff.json'), JSON.stringify(json));
@@ -45,23 +46,63 @@ test('the report of a puff says where the bones of its outline are', (t) => {
   assert.equal(two.branches.length, 2, 'a bone for each piece');
 });
 
-test('outlines written as pairs of numbers are named', (t) => {
+test('a slice makes a ball, a torus, a prism; shells and handles follow from its curves', (t) => {
   const folder = workFolder(t);
-  const file = write(folder, {
-    kind: 'puff',
-    recipe: {
-      region: {
-        contours: [
-          [
-            [0, 0],
-            [90, 0],
-            [90, 90],
-          ],
+  const near = (mesh, volume, share) =>
+    assert.ok(mesh.lawful && Math.abs(mesh.volume / volume - 1) < share, `${mesh.volume}, not ${volume}`);
+  const points = { puff: { points: 4000 } };
+  near(
+    reported(folder, disc, { ...points, ...sliced({ preset: 'circle' }) }).mesh,
+    (4 / 3) * Math.PI * 120 ** 3,
+    0.015,
+  );
+  const torus = reported(folder, ring, { ...points, ...sliced({ preset: 'circle' }) }).mesh;
+  near(torus, 2 * Math.PI ** 2 * 110 * 40 ** 2, 0.02);
+  assert.equal(torus.genus, 1);
+  near(
+    reported(folder, stadium, { ...points, ...sliced({ preset: 'square' }, { follow: 0 }) }).mesh,
+    (Math.PI * 60 ** 2 + 240 * 120) * 120,
+    0.01,
+  );
+  const box = (left, right) => [left, -0.3, right, -0.3, right, 0.3, left, 0.3];
+  const rim = reported(folder, disc, sliced({ contours: [box(0.6, 0.9), box(-0.9, -0.6)] })).mesh;
+  assert.deepEqual([rim.genus, rim.shells], [1, 1]);
+  const both = reported(folder, ring, sliced({ contours: [box(0.6, 0.9), box(-0.9, -0.6), box(-0.3, 0.3)] })).mesh;
+  assert.deepEqual([both.genus, both.shells], [3, 3]);
+});
+
+test('without a slice a puff is what it was, and a recipe comes back from its file', (t) => {
+  const folder = workFolder(t);
+  const soft = reported(folder, stadium).mesh;
+  assert.deepEqual(reported(folder, stadium, { profile: {} }).mesh, soft);
+  const file = write(folder, document(stadium, sliced({ preset: 'hexagon' }, { follow: 0.5 })));
+  works('loft', '--recipe', file, '--out', folder.path('one.glb'));
+  works('open', folder.path('one.glb'), '--document', folder.path('again.json'), '--out', folder.path('two.stl'));
+  const { recipe } = readJson(folder.path('again.json')).parts[0];
+  assert.deepEqual(recipe.profile, { slices: [{ shape: { preset: 'hexagon' } }], follow: 0.5 });
+});
+
+test('what is wrong with a slice or an outline is named', (t) => {
+  const folder = workFolder(t);
+  const refused = (contours, recipe, words) => {
+    const file = write(folder, document(contours, recipe));
+    assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('report.json')), words);
+  };
+  refused(disc, sliced({ preset: 'd' }), /profile/);
+  refused(disc, sliced({ preset: 'round' }), /preset/);
+  refused(disc, sliced({ preset: 'circle' }, { follow: 2 }), /follow/);
+  refused(
+    disc,
+    sliced({
+      contours: [
+        [
+          [0, 1],
+          [1, 0],
+          [0, -1],
+          [-1, 0],
         ],
-      },
-    },
-  });
-  writeFileSync(folder.path('paper.png'), barPng());
-  const said = fails(3, 'loft', folder.path('paper.png'), '--recipe', file, '--report', folder.path('report.json'));
-  assert.match(said, /recipe\.region\.contours is no list of lists x, y, x, y/);
+      ],
+    }),
+    /contours/,
+  );
 });

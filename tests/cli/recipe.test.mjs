@@ -23,7 +23,17 @@ function reports(folder, file, ...rest) {
 
 test('every recipe of the guide makes closed solids and a GLB without a fault that can be edited again', async (t) => {
   const names = readdirSync(recipes).map((file) => file.replace(/\.json$/, ''));
-  assert.deepEqual(names.sort(), ['helix', 'ring', 'toothpaste-tube', 'twisted-pasta', 'wine-glass']);
+  assert.deepEqual(names.sort(), [
+    'hand',
+    'helix',
+    'ring',
+    'tooth',
+    'toothpaste-tube',
+    'twisted-pasta',
+    'vase',
+    'wine-glass',
+    'y-fork',
+  ]);
   const folder = workFolder(t);
   for (const name of names) {
     const glb = folder.path(`${name}.glb`);
@@ -61,6 +71,69 @@ test('the wine glass and the ring have the volumes that Pappus gives, and follow
   const cup = made('wine-glass', { wall: 3 / 360 }, { contours: [[160, 310, 200, 310, 200, 210]] });
   near(cup, Math.PI * (40 ** 2 * 3 + (40 ** 2 - 37 ** 2) * 97), 5e-3);
   assert.equal(cup.genus, 0);
+});
+
+/** Four points of a circle on a plane: the curve through them is within a thousandth of it. */
+const circle = (r, x = 0, y = 0) => ({ through: [x + r, y, x, y + r, x - r, y, x, y - r] });
+const stack = (recipe) => ({ kind: 'stack', recipe });
+
+test('a stack needs no picture, and is as large as its curves say', (t) => {
+  const folder = workFolder(t);
+  const made = (recipe) => reports(folder, write(folder, 'stack.json', stack(recipe)))[0].mesh;
+  const rail = { points: [0, 0, 0, 0, 100, 0] };
+  const linear = { kind: 'linear' };
+  const near = (mesh, volume, share) =>
+    assert.ok(mesh.lawful && Math.abs(mesh.volume / volume - 1) <= share, `${mesh.volume}, not ${volume}`);
+  near(
+    made({
+      rail,
+      planes: [
+        { at: 0, curves: [circle(40)], blend: linear },
+        { at: 1, curves: [circle(20)] },
+      ],
+    }),
+    293215,
+    2e-3,
+  );
+  const ring = { closed: true, points: [100, 0, 0, 0, 100, 0, -100, 0, 0, 0, -100, 0] };
+  const torus = made({ rail: ring, planes: [{ curves: [circle(20)] }] });
+  near(torus, 2 * Math.PI ** 2 * 100 * 400, 5e-3);
+  assert.equal(torus.genus, 1);
+  // A GLB of it opens again, and so does the text of a link, which is short.
+  const glb = folder.path('hand.glb');
+  works('loft', '--recipe', recipe('hand'), '--out', glb);
+  const text = works('share', glb).stdout.trim();
+  assert.ok(text.length <= 900, `${text.length} characters`);
+  works('open', text, '--out', folder.path('again.glb'));
+});
+
+test('slices that make no solid are refused with one sentence that names them', (t) => {
+  const folder = workFolder(t);
+  const refused = (recipe, words) => {
+    const bad = write(folder, 'bad.json', stack(recipe));
+    assert.match(fails(3, 'loft', '--recipe', bad, '--out', folder.path('bad.glb')), words);
+  };
+  const rail = { points: [0, 0, 0, 0, 100, 0] };
+  const planes = (...curves) =>
+    curves.map((curve, i) => ({ at: i / (curves.length - 1 || 1), curves: [curve].flat() }));
+  refused({ rail, planes: [] }, /no curve on a sheet/);
+  refused({ planes: [{ origin: [0, 0, 0], curves: [circle(9)] }] }, /one sheet alone/);
+  refused({ planes: planes(circle(9), circle(9)) }, /sheet 1 has no origin/);
+  const eight = { through: [-9, -9, 9, 9, 9, -9, -9, 9], corners: 'all' };
+  refused({ rail, planes: planes(circle(9), eight) }, /curve 1 on sheet 2 crosses itself/);
+  refused({ rail, planes: planes([circle(9), circle(9, 12)], circle(9)) }, /curves on sheet 1 cross/);
+  refused(
+    {
+      rail,
+      planes: [
+        { at: 0.5, curves: [circle(9)] },
+        { at: 0.5, curves: [circle(9)] },
+      ],
+    },
+    /sheet 1 and sheet 2/,
+  );
+  refused({ rail: { points: [0, 0, 0, 1] }, planes: planes(circle(9), circle(9)) }, /rail\.points/);
+  refused({ rail, planes: [{ at: 7, curves: [circle(9)] }] }, /sheet 1/);
 });
 
 test('a profile that cannot be turned is refused with one sentence', (t) => {

@@ -146,7 +146,7 @@ for (const { name, make, skip } of kStoreKits) {
       await seats[0].post({ type: 'model' });
       await teacher.hide(post, true);
       await until(() => heard.states.at(-1)?.hidden.includes(post), 'the hidden post');
-      assert.ok(await code(guest.read(post, seats[0].seat.id)));
+      assert.equal(await code(guest.read(post, seats[0].seat.id)), 'NotThere');
       assert.equal((await teacher.read(post, seats[0].seat.id)).message.animal, 'cat');
       await teacher.hide(post, false);
       assert.equal((await guest.read(post, seats[0].seat.id)).message.animal, 'cat');

@@ -59,15 +59,15 @@ LoftRecipe fullRecipe() {
 
 loft::LoftParams fullLoft() {
   loft::LoftParams params;
-  loft::SectionKey drawn{0.125, {}, {loft::BlendKind::Custom, {{{0, 0}, {0.5, 0.7}, {1, 1}}}}};
+  loft::SectionKey drawn{0.125, {}, {sections::BlendKind::Custom, {{{0, 0}, {0.5, 0.7}, {1, 1}}}}};
   drawn.shape.contours = {{{1, 0}, {0, 1}, {-1, 0}, {0, -0.5}}};
-  params.sections = {drawn, {0.75, loft::SectionPreset::Star, {loft::BlendKind::Overshoot, {}}}};
+  params.sections = {drawn, {0.75, sections::SectionPreset::Star, {sections::BlendKind::Overshoot, {}}}};
   params.twist.points = {{0, 0}, {1, 3.25}};
   params.squash.points = {{0.5, 0.5}};
   params.tilt.points = {{0, 0.1}, {1, -0.1}};
   params.bulge.points = {{0.25, 0.5}};
-  params.startCap = loft::CapStyle::Flat;
-  params.endCap = loft::CapStyle::Pointed;
+  params.startCap = sections::CapStyle::Flat;
+  params.endCap = sections::CapStyle::Pointed;
   params.sectionPoints = 36;
   params.capRings = 4;
   params.centring = 1.5;

@@ -39,10 +39,10 @@ std::vector<SectionPoint> anyContour(Rng& rng) {
   return contour;
 }
 
-loft::SectionShape anySection(Rng& rng) {
-  loft::SectionShape shape;
+sections::SectionShape anySection(Rng& rng) {
+  sections::SectionShape shape;
   shape.preset =
-      static_cast<loft::SectionPreset>(rng.below(static_cast<std::uint32_t>(loft::SectionPreset::kCount) + 1));
+      static_cast<sections::SectionPreset>(rng.below(static_cast<std::uint32_t>(sections::SectionPreset::kCount) + 1));
   if (rng.below(4) == 0) shape.contours.push_back(anyContour(rng));
   return shape;
 }
@@ -66,8 +66,8 @@ std::vector<ribs::IgnoreMark> anyMarks(Rng& rng) {
   return marks;
 }
 
-loft::CapStyle anyCap(Rng& rng) {
-  return static_cast<loft::CapStyle>(rng.below(static_cast<std::uint32_t>(loft::CapStyle::kCount) + 1));
+sections::CapStyle anyCap(Rng& rng) {
+  return static_cast<sections::CapStyle>(rng.below(static_cast<std::uint32_t>(sections::CapStyle::kCount) + 1));
 }
 
 std::vector<PicturePoint> anyStroke(Rng& rng) {
@@ -192,7 +192,7 @@ struct Make<SetSections> {
       keys[i].at = (static_cast<double>(i) + rng.uniform(0, 0.9)) / static_cast<double>(keys.size());
       keys[i].shape = anySection(rng);
       keys[i].blend.kind =
-          static_cast<loft::BlendKind>(rng.below(static_cast<std::uint32_t>(loft::BlendKind::kCount) + 1));
+          static_cast<sections::BlendKind>(rng.below(static_cast<std::uint32_t>(sections::BlendKind::kCount) + 1));
     }
     return {anyPart(rng, d), keys};
   }
@@ -333,8 +333,10 @@ RegionSolid anySolid(Rng& rng) {
                               rng.uniform(0.05, 4.2)};
   }
   if (rng.below(2) == 0) {
-    return inflate::InflateParams{rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)),
-                                  static_cast<int>(rng.below(900))};
+    inflate::InflateParams puff{
+        rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)), static_cast<int>(rng.below(900)), {}};
+    if (rng.below(3) == 0) puff.profile = {{{anySection(rng)}}, rng.uniform(-0.1, 1.1)};
+    return puff;
   }
   return extrude::ExtrudeParams{rng.uniform(0, 0.4), static_cast<extrude::EdgeKind>(rng.below(4)),
                                 rng.uniform(-0.05, 1.05), rng.uniform(-0.5, 0.5)};
@@ -355,6 +357,67 @@ struct Make<RemakePart> {
 template <>
 struct Make<ShapeRegion> {
   static ShapeRegion from(Rng& rng, const Document& d) { return {anyPart(rng, d), anySolid(rng)}; }
+};
+
+stack::Curve anyDrawnCurve(Rng& rng) {
+  stack::Curve curve;
+  const std::uint32_t count = 3 + rng.below(8);
+  const double x = rng.uniform(-20, 20), y = rng.uniform(-20, 20), size = rng.uniform(4, 30);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * i / count, radius = size * rng.uniform(0.7, 1.1);
+    curve.through.push_back({x + radius * std::cos(angle), y + radius * std::sin(angle)});
+  }
+  curve.corners.all = rng.below(4) == 0;
+  if (!curve.corners.all && rng.below(3) == 0) curve.corners.at = {rng.below(count + (rng.below(9) == 0 ? 2 : 0))};
+  return curve;
+}
+std::vector<stack::Plane> anyPlanes(Rng& rng) {
+  std::vector<stack::Plane> planes(rng.below(8) == 0 ? rng.below(2) : 2 + rng.below(3));
+  const bool free = rng.below(3) == 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    stack::Plane& plane = planes[i];
+    plane.at = static_cast<double>(i) / 4;
+    if (free) plane.origin = ModelPoint{rng.uniform(0, 40), rng.uniform(-40, 0), 60.0 * static_cast<double>(i)};
+    if (rng.below(3) == 0) {
+      plane.turn = geometry::turnAbout(ModelPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), 0.2}, rng.uniform(-0.4, 0.4));
+    }
+    for (std::uint32_t k = rng.below(3) == 0 ? 2 : 1; k > 0; --k) plane.curves.push_back(anyDrawnCurve(rng));
+    plane.blend.kind =
+        static_cast<sections::BlendKind>(rng.below(static_cast<std::uint32_t>(sections::BlendKind::kCount)));
+    if (rng.below(40) == 0) plane.at = rng.uniform(-1, 2);
+  }
+  return planes;
+}
+stack::Rail anyRail(Rng& rng) {
+  stack::Rail rail;
+  rail.closed = rng.below(3) == 0;
+  for (std::uint32_t i = 0, count = rng.below(6); i < count; ++i) {
+    const double angle = 6.283185307179586 * i / count, reach = rng.uniform(60, 90);
+    rail.points.push_back({reach * std::cos(angle), reach * std::sin(angle), rng.uniform(-10, 10)});
+  }
+  return rail;
+}
+stack::StackParams anyStackParams(Rng& rng) {
+  return {static_cast<sections::CapStyle>(rng.below(5)), static_cast<sections::CapStyle>(rng.below(4)),
+          8 + static_cast<int>(rng.below(40)), static_cast<int>(rng.below(8))};
+}
+template <>
+struct Make<DrawStack> {
+  static DrawStack from(Rng& rng, const Document& d) {
+    return {anyPicture(rng, d), anyPlanes(rng), anyRail(rng), anyStackParams(rng), {}};
+  }
+};
+template <>
+struct Make<SetPlanes> {
+  static SetPlanes from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyPlanes(rng)}; }
+};
+template <>
+struct Make<SetRail> {
+  static SetRail from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyRail(rng)}; }
+};
+template <>
+struct Make<ShapeStack> {
+  static ShapeStack from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyStackParams(rng)}; }
 };
 
 std::vector<PartId> anyParts(Rng& rng, const Document& d) {

@@ -24,6 +24,8 @@ using namespace spineloft;
 
 using accuracy::kUnknown;
 
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 struct Arguments {
   std::string folder, output;
   int jobs = 1;
@@ -72,8 +74,11 @@ bool makeRecord(const Source& source, std::size_t stroke, ribs::Search& s, Recor
   record.planes.clear();
   record.exits.clear();
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    for (const float value : channels.planes[side])
-      record.planes.push_back(static_cast<std::int8_t>(std::lround(127 * std::clamp(value, -1.f, 1.f))));
+    const ribs::Plane& plane = channels.planes[side];
+    for (int r = 0; r < plane.rows; ++r) {
+      for (std::size_t i = 0; i < index(plane.columns * plane.channels); ++i)
+        record.planes.push_back(static_cast<std::int8_t>(std::lround(127 * plane.unit * plane.at(r, 0)[i])));
+    }
     for (const ribs::StripRow& row : channels.sources[side]) record.exits.push_back(exitOfRow(row, exits));
   }
   return true;

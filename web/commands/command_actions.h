@@ -58,9 +58,19 @@ void settleCut(const CommandEnv& env);
 
 // Sections.
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
-Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name);
+Outcome keepOnShelf(const CommandEnv& env, const sections::SectionShape& shape, const std::string* name);
 /// Hands the shelf to the shell, which keeps it.
 void sendShelf(const CommandEnv& env);
+
+// Solids.
+/// Makes a solid, chooses it and says what came of it.
+Outcome makeSolid(const CommandEnv& env, const document::CombineParts& action);
+/// `wall`, `opening` and `depth` as args say, over what is there. Why not, when they cannot be read.
+Outcome readHollow(const CommandEnv& env, const Json& args, double& wall, document::Opening& opening);
+/// The part or solid that stands alone and is, or holds, what `args.part` or `args.step` names. None: none is named.
+std::optional<document::Operand> namedRoot(const CommandEnv& env, const Json& args);
+/// The sides at which a hollow solid can be open, as choices of a menu.
+void writeOpenings(JsonWriter& json, std::optional<document::OpeningSide> chosen);
 
 /// The outlines in the picture of what is made of a region; so that what cannot be shown is refused before it is kept.
 Result<geometry::Contours> outlinesFor(const CommandEnv& env, const document::Recipe& recipe);
@@ -73,6 +83,8 @@ struct Standing {
 /// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other parts of its
 /// picture, or beside what is there (pipeline::standBeside). With `lie`, what others would hide comes to lie on them.
 Standing standingActions(const CommandEnv& env, document::Action draw, const document::Recipe& recipe, bool lie);
+/// Says that the newest part is made, and how many of its ends are guesses.
+void tellMade(const CommandEnv& env);
 /// The newest part stands so: for as long as it is new it can be told otherwise.
 void tellStanding(const CommandEnv& env, const Standing& standing);
 /// The selected part is new, and was drawn over others.

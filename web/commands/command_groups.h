@@ -21,6 +21,7 @@ std::span<const Command> placeCommands();         ///< places, copies, groups: p
 std::span<const Command> lookCommands();          ///< surfaces, files with them: look_commands.cpp
 std::span<const Command> sizeCommands();          ///< how tall, and whether it can be printed: size_commands.cpp
 std::span<const Command> solidCommands();         ///< solids made of parts: solid_commands.cpp
+std::span<const Command> hollowCommands();        ///< shown before it is made hollow: hollow_commands.cpp
 std::span<const Command> keepCommands();          ///< models on this device, project files: keep_commands.cpp
 
 }  // namespace spineloft::app

@@ -18,7 +18,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "draw-on-sketch", "draw-puff", "draw-sheet", "draw-spine", "drop-on-floor", "duplicate", "duplicate-model",
     "edge-bevel", "edge-round", "edge-sharp", "edit-slice", "eraser", "extend-spine", "face-front", "fewer-ribs",
     "find-command", "find-edges", "fit", "flat-foot", "focus-picture", "focus-solid", "fold-step", "group", "hand",
-    "help", "home-view", "ignore", "ignore-edges", "ignore-whole-picture", "in-front", "inside", "join-ends",
+    "help", "hollow-cancel", "hollow-next", "hollow-open", "hollow-show", "hollow-use", "home-view", "ignore", "ignore-edges", "ignore-whole-picture", "in-front", "inside", "join-ends",
     "keep-common", "keep-ribs", "keep-slice", "language", "list-down", "list-up", "load-shelf", "lock-rib",
     "make-puff", "make-round", "make-sheet", "mirror-copy", "more-ribs", "more-tools", "move", "move-in-list",
     "move-outline-point", "move-parts", "move-rib-end", "move-slice", "move-spine", "new-model", "new-part",

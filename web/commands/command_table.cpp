@@ -80,17 +80,17 @@ void partChoices(Env env, JsonWriter& json) {
 }
 
 void sectionChoices(Env env, JsonWriter& json) {
-  const loft::SectionShape& chosen = pickedShape(env.ui, partOf(env, Json()));
-  for (const loft::SectionName& name : loft::sectionNames()) {
+  const sections::SectionShape& chosen = pickedShape(env.ui, partOf(env, Json()));
+  for (const sections::SectionName& name : sections::sectionNames()) {
     writeChoice(json, name.key, name.label, !chosen.drawn() && name.preset == chosen.preset);
   }
 }
 
 void capChoices(Env env, JsonWriter& json) {
   const document::Part* part = partOf(env, Json());
-  const loft::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui.startCap;
-  const loft::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui.endCap;
-  for (const loft::CapName& name : loft::capNames()) {
+  const sections::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui.startCap;
+  const sections::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui.endCap;
+  for (const sections::CapName& name : sections::capNames()) {
     writeChoice(json, name.key, name.label, name.style == start && name.style == end);
   }
 }

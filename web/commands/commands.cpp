@@ -16,9 +16,10 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,  latheCommands,        cutCommands,
-                                outlineCommands, spineCommands, sectionCommands, sectionBoardCommands, sketchCommands,
-                                placeCommands,   lookCommands,  sizeCommands,    solidCommands,        keepCommands};
+constexpr std::array kGroups = {generalCommands,      ribCommands,     regionCommands, latheCommands,
+                                cutCommands,          outlineCommands, spineCommands,  sectionCommands,
+                                sectionBoardCommands, sketchCommands,  placeCommands,  lookCommands,
+                                sizeCommands,         solidCommands,   hollowCommands, keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;
@@ -156,6 +157,12 @@ void writeCommands(const CommandEnv& env, JsonWriter& json) {
     json.endObject();
   }
   json.endArray();
+}
+
+std::optional<std::array<double, 4>> rowAt(const UiState& ui, const ListRow& row) {
+  const auto found = std::ranges::find(ui.rows, row, &ShownRow::row);
+  if (found == ui.rows.end()) return std::nullopt;
+  return std::array{found->at.x, found->at.y, found->at.width, found->at.height};
 }
 
 Outcome ask(const CommandEnv& env, const Question& question, Answers::mapped_type then) {

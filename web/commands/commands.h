@@ -2,6 +2,7 @@
 // the shell's command bar, the public API and the tests.
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <optional>
 #include <span>
@@ -104,7 +105,10 @@ void writeChoice(JsonWriter& json, std::string_view value, std::string_view labe
 /// The table as the contract's `spl_commands` gives it.
 void writeCommands(const CommandEnv& env, JsonWriter& json);
 
-/// Asks the visitor for a text in a dialog of the shell; `then` is told it.
+/// Where a row of the part list has its name, as Question::at; none: it is out of sight.
+std::optional<std::array<double, 4>> rowAt(const UiState& ui, const ListRow& row);
+
+/// Asks the visitor for a text in a dialog of the shell, or in place; `then` is told it.
 Outcome ask(const CommandEnv& env, const Question& question, Answers::mapped_type then);
 /// The text that came for the question of this id. Nothing for one that was never asked.
 Outcome answerQuestion(const CommandEnv& env, std::string_view id, const std::string& text);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/document/action.h"
-#include "engine/loft/section_drawing.h"
+#include "engine/sections/drawing.h"
 #include "engine/vision/cut_out.h"
 #include "web/commands/commands.h"
 #include "web/edit/placing.h"
@@ -26,8 +26,8 @@ struct DrawSpineIntent {
   geometry::AlongCurve depth = {};
   bool cut = false;  ///< the first part of all ends where the thing ends
   bool lie = false;  ///< what other parts would hide comes to lie on them
-  std::optional<loft::SectionShape> section = {};
-  std::optional<loft::CapStyle> startCap = {}, endCap = {};
+  std::optional<sections::SectionShape> section = {};
+  std::optional<sections::CapStyle> startCap = {}, endCap = {};
 };
 Outcome drawSpine(const CommandEnv& env, const DrawSpineIntent& intent);
 Outcome redrawSpine(const CommandEnv& env, PartId part, const std::vector<PicturePoint>& stroke);
@@ -40,8 +40,8 @@ Outcome showPart(const CommandEnv& env, PartId part, bool visible);
 // Settings are for all of `parts` that they fit, in one step; for none of them: the next part is made so.
 using Parts = std::vector<PartId>;
 /// A cap that is none stays as it is.
-Outcome setCaps(const CommandEnv& env, const Parts& parts, std::optional<loft::CapStyle> start,
-                std::optional<loft::CapStyle> end);
+Outcome setCaps(const CommandEnv& env, const Parts& parts, std::optional<sections::CapStyle> start,
+                std::optional<sections::CapStyle> end);
 Outcome setTextured(const CommandEnv& env, const Parts& parts, bool textured);
 Outcome setColour(const CommandEnv& env, const Parts& parts, const Colour& colour);
 Outcome setSecondColour(const CommandEnv& env, const Parts& parts, const Colour& colour);
@@ -111,13 +111,13 @@ Outcome removePicture(const CommandEnv& env, PictureId picture);
 
 /// All sections of the parts become `shape`, or the one of `key` of the only part; of the next part without one.
 Outcome setSection(const CommandEnv& env, const Parts& parts, std::optional<std::size_t> key,
-                   const loft::SectionShape& shape);
+                   const sections::SectionShape& shape);
 /// At a share of the spine; without a shape the one that is picked.
-Outcome addSection(const CommandEnv& env, PartId part, double at, const std::optional<loft::SectionShape>& shape);
+Outcome addSection(const CommandEnv& env, PartId part, double at, const std::optional<sections::SectionShape>& shape);
 Outcome moveSection(const CommandEnv& env, PartId part, std::size_t key, double to);
 Outcome removeSection(const CommandEnv& env, PartId part, std::size_t key);
 Outcome selectSection(const CommandEnv& env, PartId part, std::size_t key);
-Outcome setBlend(const CommandEnv& env, PartId part, std::size_t key, const loft::Blend& blend);
+Outcome setBlend(const CommandEnv& env, PartId part, std::size_t key, const sections::Blend& blend);
 /// Values in the unit that is shown (AlongInfo::unit).
 Outcome setAlong(const CommandEnv& env, const Parts& parts, document::AlongKind kind,
                  const geometry::AlongCurve& shown);
@@ -133,12 +133,12 @@ struct BoardStroke {
   std::vector<SectionPoint> points;  ///< of a box and an ellipse: two corners
 };
 Outcome drawOnBoard(const CommandEnv& env, const BoardStroke& stroke);
-Outcome startBoardFrom(const CommandEnv& env, const loft::SectionShape& shape);
+Outcome startBoardFrom(const CommandEnv& env, const sections::SectionShape& shape);
 Outcome startBoardFromTrace(const CommandEnv& env, std::size_t trace);
-Outcome moveBoardPoint(const CommandEnv& env, loft::PointRef point, SectionPoint to);
+Outcome moveBoardPoint(const CommandEnv& env, sections::PointRef point, SectionPoint to);
 /// A point after another one at `at`, and from there pulled to `to`.
-Outcome addBoardPoint(const CommandEnv& env, loft::PointRef after, SectionPoint at, std::optional<SectionPoint> to);
-Outcome removeBoardPoint(const CommandEnv& env, loft::PointRef point);
+Outcome addBoardPoint(const CommandEnv& env, sections::PointRef after, SectionPoint at, std::optional<SectionPoint> to);
+Outcome removeBoardPoint(const CommandEnv& env, sections::PointRef point);
 
 // ---- Where parts stand -------------------------------------------------------------------------------------------
 
@@ -160,6 +160,11 @@ Outcome selectStep(const CommandEnv& env, StepId step);
 Outcome setStep(const CommandEnv& env, const document::SetStep& action);
 /// The side of a hollow solid that looks this way opens.
 Outcome openTowards(const CommandEnv& env, StepId step, WorldPoint way);
+/// A tap on this part while *Scoop out* shows what it would do: it opens at the side that looks this way, or, of
+/// something else, that becomes hollow instead.
+Outcome tapHollow(const CommandEnv& env, PartId part, WorldPoint way);
+/// Where what is shown would open.
+Outcome openHollow(const CommandEnv& env, document::OpeningSide side);
 Outcome showStep(const CommandEnv& env, StepId step, bool visible);
 Outcome foldStep(const CommandEnv& env, StepId step);
 Outcome askStepName(const CommandEnv& env, StepId step);

@@ -99,7 +99,7 @@ constexpr std::array kTable = {
     Command{.id = "toggle-ink", .label = "Keep my ink", .icon = "pencil-line", .group = "look",
             .hint = "The drawn outline stays on the part", .enabled = onPaper, .toggled = inked, .run = toggleInk},
     Command{.id = "save-picture", .label = "Save picture", .icon = "image-down", .group = "file",
-            .hint = "A PNG of the solid", .enabled = hasParts, .run = savePicture},
+            .hint = "A PNG of the solid, with the model inside", .enabled = hasParts, .run = savePicture},
     Command{.id = "save-turntable", .label = "Save turntable", .icon = "rotate-3d", .group = "file",
             .hint = "The solid turning round, as an animated GIF", .enabled = hasParts, .run = saveTurntable},
     Command{.id = "save-obj", .label = "Save OBJ", .icon = "download", .group = "file",

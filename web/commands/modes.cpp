@@ -35,7 +35,7 @@ constexpr Mode
            [](Env env) { return env.studio.undoSteps() > 0; }, [](Env env) { return env.studio.redoSteps() > 0; }};
 
 constexpr std::array kModes = {
-    &kGesture, &kMenu, &kBoardMode, &kCutMode, &kPlaceSection, &kPointOpening, &kPreview, &kRedraw, &kWork,
+    &kGesture, &kMenu, &kBoardMode, &kCutMode, &kPlaceSection, &kPointOpening, &kHollowMode, &kPreview, &kRedraw, &kWork,
     &kOutlinePointMode, &kRibMode, &kPointMode, &kChosen, &kOutlineMode, &kPartsMode, &kTool, &kModel};
 // clang-format on
 

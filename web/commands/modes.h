@@ -31,6 +31,7 @@ const Mode& topMode(const CommandEnv& env, Function* Mode::* has) {
 
 extern const Mode kBoardMode;         ///< a slice is drawn on the board: section_board_commands.cpp
 extern const Mode kCutMode;           ///< a thing is cut out of the picture: cut_commands.cpp
+extern const Mode kHollowMode;        ///< what would become hollow is shown: hollow_commands.cpp
 extern const Mode kRibMode;           ///< a rib is chosen, for the tool of ribs: rib_commands.cpp
 extern const Mode kPointMode;         ///< a rib or a point of the spine is chosen: spine_commands.cpp
 extern const Mode kOutlinePointMode;  ///< a point of an outline is chosen: outline_commands.cpp

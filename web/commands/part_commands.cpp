@@ -23,7 +23,7 @@ using Env = const CommandEnv&;
 
 /// Selects a part; the next part is made like it, as the panels show.
 void select(Env env, const document::Part& part) {
-  env.ui.selection = part.id;
+  env.ui.selection = env.ui.chosenPart = part.id;
   env.ui.alsoSelected.clear();
   takePoints(env.ui, part);
   featureAt(env.ui, document::pictureOf(part));
@@ -37,10 +37,19 @@ void select(Env env, const document::Part& part) {
 }
 
 /// A cap named by `key`, `fallback` when it is not named; none for a name that is no cap's.
-std::optional<loft::CapStyle> capOf(const Json& args, std::string_view key, loft::CapStyle fallback) {
+std::optional<sections::CapStyle> capOf(const Json& args, std::string_view key, sections::CapStyle fallback) {
   const std::string* name = args.text(key);
   if (name == nullptr) return fallback;
-  return loft::capFromKey(*name);
+  return sections::capFromKey(*name);
+}
+
+/// Ends of ribs that are guesses.
+std::size_t guessedEnds(const ribs::RibSet& set) {
+  std::size_t count = 0;
+  for (const ribs::Rib& rib : set.ribs) {
+    for (const ribs::RibState state : {rib.leftState, rib.rightState}) count += state == ribs::RibState::Guessed;
+  }
+  return count;
 }
 
 }  // namespace
@@ -77,6 +86,16 @@ void tellStanding(Env env, const Standing& standing) {
   if (!standing.lie) return;
   env.ui.newPart = NewPart{env.ui.selection, *standing.lie, env.studio.undoSteps()};
   if (*standing.lie == Lie::InFront) sendStatus(env.host, "It lies on what it was drawn over.");
+}
+
+void tellMade(Env env) {
+  const document::Part& part = *env.studio.document().parts.back();
+  const pipeline::DerivedPart& derived = env.studio.derived().parts.back();
+  const std::size_t guesses = derived.shape ? guessedEnds(derived.shape->generated) : 0;
+  const std::string_view sentence = guesses == 0   ? "{name} is made."
+                                    : guesses == 1 ? "{name} is made. One end is a guess."
+                                                   : "{name} is made. {n} ends are guesses.";
+  sendStatus(env.host, words::tr(sentence, {{"name", words::nameOf(part.name)}, {"n", guesses}}));
 }
 
 bool partIsNew(Env env) {
@@ -173,10 +192,7 @@ constexpr std::string_view kNothingFound =
 double guessedShare(Env env) {
   const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
   if (!newest.shape || newest.shape->generated.ribs.empty()) return 0;
-  double guessed = 0;
-  for (const ribs::Rib& rib : newest.shape->generated.ribs) {
-    guessed += (rib.leftState == ribs::RibState::Guessed ? 1 : 0) + (rib.rightState == ribs::RibState::Guessed ? 1 : 0);
-  }
+  const auto guessed = static_cast<double>(guessedEnds(newest.shape->generated));
   return guessed / (2 * static_cast<double>(newest.shape->generated.ribs.size()));
 }
 
@@ -230,7 +246,7 @@ Outcome drawSpine(Env env, const DrawSpineIntent& intent) {
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
-  sendStatus(env.host, {});  // what it asked for is done
+  tellMade(env);
   tellStanding(env, standing);
   shorter ? sendHint(env.host, kCutSentence) : tellGuesses(env);
   return {};
@@ -261,7 +277,7 @@ Outcome drawSpine(Env env, const Json& args) {
     intent.depth = std::move(*depth);
   }
   if (const std::string* key = args.text("section")) {
-    const auto section = loft::sectionFromKey(*key);
+    const auto section = sections::sectionFromKey(*key);
     if (!section) return refuse({Error::ValueOutOfRange, *key});
     intent.section = *section;
   }
@@ -299,6 +315,7 @@ ToolKind toolFor(document::PartKind kind) {
     case document::PartKind::Lathe:
       return ToolKind::Spin;
     case document::PartKind::Loft:
+    case document::PartKind::Stack:
     case document::PartKind::kCount:
       break;
   }
@@ -308,6 +325,7 @@ ToolKind toolFor(document::PartKind kind) {
 Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
+  if (document::stackOf(*part)) return refuse({Error::NotABone, {}});
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   env.ui.pointsOf = {};
   if (!env.ui.redraw) return {};
@@ -343,7 +361,13 @@ Outcome deleteParts(Env env, const std::vector<PartId>& parts) {
   std::vector<document::Action> actions;
   for (const PartId id : parts) actions.push_back(document::DeletePart{id});
   const document::Document before = env.studio.document();
+  const document::Part* first = parts.empty() ? nullptr : document::findPart(before, parts.front());
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  if (first != nullptr && parts.size() == 1) {
+    sendStatus(env.host, words::tr("{name} is deleted.", {{"name", words::nameOf(first->name)}}));
+  } else {
+    sendStatus(env.host, words::tr("{n} parts are deleted.", {{"n", parts.size()}}));
+  }
   reportSolidSaving(env, before);
   return {};
 }
@@ -373,9 +397,10 @@ Outcome askPartName(Env env, PartId id) {
   const document::Part* part = document::findPart(env.studio.document(), id);
   if (part == nullptr) return noPart();
   const std::string question = "rename-part:" + std::to_string(id.value);
-  return ask(env, {question, "Rename", "A name for this part", part->name}, [id](Env later, const std::string& name) {
-    return outcomeOf(later.studio.act(document::RenamePart{id, name}));
-  });
+  const auto at = rowAt(env.ui, {id, {}});
+  return ask(
+      env, {question, "Rename", "A name for this part", part->name, at},
+      [id](Env later, const std::string& name) { return outcomeOf(later.studio.act(document::RenamePart{id, name})); });
 }
 
 Outcome showPart(Env env, PartId id, bool visible) {
@@ -389,7 +414,8 @@ Outcome showPart(Env env, PartId id, bool visible) {
   return outcomeOf(env.studio.act(document::ShowPart{id, visible}));
 }
 
-Outcome setCaps(Env env, const Parts& parts, std::optional<loft::CapStyle> start, std::optional<loft::CapStyle> end) {
+Outcome setCaps(Env env, const Parts& parts, std::optional<sections::CapStyle> start,
+                std::optional<sections::CapStyle> end) {
   const auto isLoft = [&](PartId id) {
     const document::Part* part = document::findPart(env.studio.document(), id);
     return part != nullptr && document::loftOf(*part) != nullptr;
@@ -473,11 +499,11 @@ Outcome showPart(Env env, const Json& args) {
 Outcome setCaps(Env env, const Json& args) {
   const std::optional<Parts> parts = meantParts(env, args);
   if (!parts) return noSpine(env, args);
-  std::optional<loft::CapStyle> start, end;
+  std::optional<sections::CapStyle> start, end;
   for (const auto& [key, caps] : {std::pair{"start", &start}, std::pair{"end", &end}}) {
     const std::string* name = args.text("both") ? args.text("both") : args.text(key);
     if (name == nullptr) continue;
-    *caps = loft::capFromKey(*name);
+    *caps = sections::capFromKey(*name);
     if (!*caps) return refuse({Error::ValueOutOfRange, "start or end"});
   }
   return app::setCaps(env, *parts, start, end);

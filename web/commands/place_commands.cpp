@@ -565,9 +565,12 @@ Outcome askGroupName(Env env, GroupId id) {
   const document::Group* group = document::findGroup(documentOf(env), id);
   if (group == nullptr) return noGroup();
   const std::string question = "rename-group:" + std::to_string(id.value);
-  return ask(env, {question, "Rename", "A name for this group", group->name}, [id](Env later, const std::string& name) {
-    return outcomeOf(later.studio.act(document::RenameGroup{id, name}));
-  });
+  const std::vector<PartId> members = document::partsOfGroup(documentOf(env), id);
+  const auto at = rowAt(env.ui, {members.empty() ? PartId{} : members.front(), id});
+  return ask(env, {question, "Rename", "A name for this group", group->name, at},
+             [id](Env later, const std::string& name) {
+               return outcomeOf(later.studio.act(document::RenameGroup{id, name}));
+             });
 }
 
 Outcome ungroup(Env env, GroupId group) { return outcomeOf(env.studio.act(document::Ungroup{group})); }

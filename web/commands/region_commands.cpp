@@ -354,6 +354,7 @@ Outcome drawRegion(Env env, const document::Region& region, const document::Regi
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
+  tellMade(env);
   tellStanding(env, standing);
   return {};
 }

@@ -17,7 +17,7 @@ namespace spineloft::app {
 namespace {
 
 using Env = const CommandEnv&;
-using loft::Drawing;
+using sections::Drawing;
 
 SectionBoard* boardOf(Env env) { return env.ui.sections.board ? &*env.ui.sections.board : nullptr; }
 bool isOpen(Env env) { return boardOf(env) != nullptr; }
@@ -45,8 +45,8 @@ bool cornered(Env env) {
 Outcome change(Env env, Drawing next) {
   changeDrawing(*boardOf(env), std::move(next));
   previewBoard(env.ui, env.studio.document());
-  if (const auto problem = loft::problemOf(boardOf(env)->drawing)) {
-    sendStatus(env.host, loft::sentenceOf(problem->fault));
+  if (const auto problem = sections::problemOf(boardOf(env)->drawing)) {
+    sendStatus(env.host, sections::sentenceOf(problem->fault));
   }
   return {};
 }
@@ -60,7 +60,7 @@ Outcome editSection(Env env, const Json& args) {
     if (!(*index >= 0 && *index < count)) return refuse({Error::ValueOutOfRange, "slice"});
     key = static_cast<std::size_t>(*index);
   }
-  const loft::SectionShape shape = part ? document::loftIn(*part).loft.sections[key].shape : env.ui.section;
+  const sections::SectionShape shape = part ? document::loftIn(*part).loft.sections[key].shape : env.ui.section;
   if (part) {
     env.ui.selection = part->id;
     env.ui.sections.part = part->id;
@@ -77,9 +77,9 @@ Outcome done(Env env, const Json&) {
     closeBoard(env.ui);
     return {};
   }
-  Result<loft::SectionShape> made = loft::sectionOf(board.drawing);
+  Result<sections::SectionShape> made = sections::sectionOf(board.drawing);
   if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
-  const loft::SectionShape shape = std::move(made).value();
+  const sections::SectionShape shape = std::move(made).value();
   if (const document::Part* part = document::findPart(env.studio.document(), board.part)) {
     std::vector<loft::SectionKey> keys = document::loftIn(*part).loft.sections;
     keys[std::min(board.key, keys.size() - 1)].shape = shape;
@@ -115,8 +115,8 @@ Outcome onceMore(Env env, const Json&) {
 
 Outcome clear(Env env, const Json&) {
   SectionBoard& board = *boardOf(env);
-  for (const loft::DrawnCurve& curve : board.drawing) {
-    keepTrace(env.ui.sections, loft::outlineOf(curve));
+  for (const sections::DrawnCurve& curve : board.drawing) {
+    keepTrace(env.ui.sections, sections::outlineOf(curve));
   }
   board.corners.clear();
   board.point.reset();
@@ -144,38 +144,38 @@ Outcome draw(Env env, const Json& args) {
   return missing("a stroke, an outline, corners, a box or an ellipse");
 }
 
-bool isThere(const SectionBoard& board, loft::PointRef ref) {
+bool isThere(const SectionBoard& board, sections::PointRef ref) {
   return ref.curve < board.drawing.size() && ref.point < board.drawing[ref.curve].points.size();
 }
 /// As far off as the board lets a point go.
 SectionPoint within(SectionPoint p) { return {std::clamp(p.x, -2.0, 2.0), std::clamp(p.y, -2.0, 2.0)}; }
 
-/// What a stroke draws, by the symmetry of the board. Errors: as of loft::drawFreehand and drawOutline.
-Result<Drawing> curvesOf(const BoardStroke& stroke, const loft::Symmetry& symmetry) {
-  const auto shape = [&](const loft::DrawnCurve& curve) {
+/// What a stroke draws, by the symmetry of the board. Errors: as of sections::drawFreehand and drawOutline.
+Result<Drawing> curvesOf(const BoardStroke& stroke, const sections::Symmetry& symmetry) {
+  const auto shape = [&](const sections::DrawnCurve& curve) {
     if (symmetry.none()) return Result<Drawing>(Drawing{curve});
-    return loft::drawOutline(loft::outlineOf(curve), symmetry);
+    return sections::drawOutline(sections::outlineOf(curve), symmetry);
   };
   const std::vector<SectionPoint>& points = stroke.points;
   switch (stroke.kind) {
     case BoardStroke::Kind::Freehand:
-      return loft::drawFreehand(points, symmetry);
+      return sections::drawFreehand(points, symmetry);
     case BoardStroke::Kind::Outline:
-      return loft::drawOutline(points, symmetry);
+      return sections::drawOutline(points, symmetry);
     case BoardStroke::Kind::Corners:
-      return shape(loft::polygonCurve(points));
+      return shape(sections::polygonCurve(points));
     case BoardStroke::Kind::Box:
-      return shape(loft::boxCurve(points.front(), points.back()));
+      return shape(sections::boxCurve(points.front(), points.back()));
     case BoardStroke::Kind::Ellipse:
-      return shape(loft::ellipseCurve(points.front(), points.back()));
+      return shape(sections::ellipseCurve(points.front(), points.back()));
   }
   return Error::SectionInvalid;
 }
 
-std::optional<loft::PointRef> pointOf(Env env, const Json& args) {
+std::optional<sections::PointRef> pointOf(Env env, const Json& args) {
   const SectionBoard& board = *boardOf(env);
   const std::optional<double> curve = args.number("curve"), point = args.number("point");
-  loft::PointRef ref = board.point.value_or(loft::PointRef{board.drawing.size(), 0});
+  sections::PointRef ref = board.point.value_or(sections::PointRef{board.drawing.size(), 0});
   if (curve && point) {
     if (!(*curve >= 0 && *point >= 0 && *curve < 1e6 && *point < 1e6)) return std::nullopt;
     ref = {static_cast<std::size_t>(*curve), static_cast<std::size_t>(*point)};
@@ -219,7 +219,7 @@ Outcome setCorner(Env env, const Json& args) {
   SectionBoard& board = *boardOf(env);
   Drawing next = board.drawing;
   const bool corner = !next[ref->curve].points[ref->point].corner;
-  loft::setCorner(next, *ref, args.flag("corner").value_or(corner), board.symmetry);
+  sections::setCorner(next, *ref, args.flag("corner").value_or(corner), board.symmetry);
   return change(env, std::move(next));
 }
 
@@ -248,31 +248,31 @@ int foldAfter(int fold) {
 }
 bool likeAWheel(Env env) { return isOpen(env) && boardOf(env)->symmetry.fold > 1; }
 
-Outcome setSymmetry(Env env, const loft::Symmetry& symmetry) {
+Outcome setSymmetry(Env env, const sections::Symmetry& symmetry) {
   SectionBoard& board = *boardOf(env);
   board.symmetry = symmetry;
   board.point.reset();
   if (board.drawing.empty()) return {};
-  return change(env, loft::symmetric(board.drawing, symmetry));
+  return change(env, sections::symmetric(board.drawing, symmetry));
 }
 Outcome setSymmetryRow(Env env, const Json& args) {
-  loft::Symmetry next = boardOf(env)->symmetry;
+  sections::Symmetry next = boardOf(env)->symmetry;
   next.leftRight = args.flag("leftRight").value_or(next.leftRight);
   next.frontBack = args.flag("frontBack").value_or(next.frontBack);
   const auto stated = args.number("fold");
   const bool sides = args.flag("leftRight") || args.flag("frontBack");
   const double fold = stated ? *stated : sides ? next.fold : foldAfter(next.fold);
-  if (!(fold >= 1 && fold <= loft::kMostFold)) return refuse({Error::ValueOutOfRange, "fold"});
+  if (!(fold >= 1 && fold <= sections::kMostFold)) return refuse({Error::ValueOutOfRange, "fold"});
   next.fold = static_cast<int>(fold);
   return setSymmetry(env, next);
 }
 Outcome toggleLeftRight(Env env, const Json&) {
-  loft::Symmetry next = boardOf(env)->symmetry;
+  sections::Symmetry next = boardOf(env)->symmetry;
   next.leftRight = !next.leftRight;
   return setSymmetry(env, next);
 }
 Outcome toggleFrontBack(Env env, const Json&) {
-  loft::Symmetry next = boardOf(env)->symmetry;
+  sections::Symmetry next = boardOf(env)->symmetry;
   next.frontBack = !next.frontBack;
   return setSymmetry(env, next);
 }
@@ -284,10 +284,10 @@ void foldChoices(Env env, JsonWriter& json) {
   }
 }
 
-Outcome turn(Env env, loft::Turn how) { return change(env, loft::turned(boardOf(env)->drawing, how)); }
-Outcome flipLeftRight(Env env, const Json&) { return turn(env, loft::Turn::FlipLeftRight); }
-Outcome flipFrontBack(Env env, const Json&) { return turn(env, loft::Turn::FlipFrontBack); }
-Outcome quarterTurn(Env env, const Json&) { return turn(env, loft::Turn::QuarterTurn); }
+Outcome turn(Env env, sections::Turn how) { return change(env, sections::turned(boardOf(env)->drawing, how)); }
+Outcome flipLeftRight(Env env, const Json&) { return turn(env, sections::Turn::FlipLeftRight); }
+Outcome flipFrontBack(Env env, const Json&) { return turn(env, sections::Turn::FlipFrontBack); }
+Outcome quarterTurn(Env env, const Json&) { return turn(env, sections::Turn::QuarterTurn); }
 
 Outcome toggleTraces(Env env, const Json&) {
   boardOf(env)->traces = !boardOf(env)->traces;
@@ -301,7 +301,7 @@ Outcome start(Env env, const Result<Drawing>& drawing) {
   board.corners.clear();
   board.point.reset();
   board.tool = BoardTool::Points;
-  return change(env, loft::symmetric(drawing.value(), board.symmetry));
+  return change(env, sections::symmetric(drawing.value(), board.symmetry));
 }
 
 Outcome startFrom(Env env, const Json& args) {
@@ -309,12 +309,12 @@ Outcome startFrom(Env env, const Json& args) {
     if (!(*trace >= 0 && *trace < static_cast<double>(kMostTraces))) return refuse({Error::ValueOutOfRange, "trace"});
     return startBoardFromTrace(env, static_cast<std::size_t>(*trace));
   }
-  const Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  const Result<std::optional<sections::SectionShape>> shape = shapeFrom(args, env.ui.sections);
   if (!shape) return refuse(shape.failure());
   return shape.value() ? startBoardFrom(env, *shape.value()) : missing("the name of a slice");
 }
 void startChoices(Env, JsonWriter& json) {
-  for (const loft::SectionName& name : loft::sectionNames()) {
+  for (const sections::SectionName& name : sections::sectionNames()) {
     json.beginObject().key("value").text(name.key).key("label").text(name.label).endObject();
   }
 }
@@ -392,49 +392,49 @@ Outcome drawOnBoard(Env env, const BoardStroke& stroke) {
   }
   board.corners.clear();
   board.point.reset();
-  if (!curves.value().empty()) keepTrace(env.ui.sections, loft::outlineOf(curves.value().front()));
+  if (!curves.value().empty()) keepTrace(env.ui.sections, sections::outlineOf(curves.value().front()));
   return change(env, withCurves(board.drawing, curves.value()));
 }
 
-Outcome startBoardFrom(Env env, const loft::SectionShape& shape) {
-  return isOpen(env) ? start(env, loft::drawingOf(shape)) : notOpen();
+Outcome startBoardFrom(Env env, const sections::SectionShape& shape) {
+  return isOpen(env) ? start(env, sections::drawingOf(shape)) : notOpen();
 }
 
 Outcome startBoardFromTrace(Env env, std::size_t trace) {
   if (!isOpen(env)) return notOpen();
   const auto& lines = env.ui.sections.traces;
   if (trace >= lines.size()) return refuse({Error::ValueOutOfRange, "trace"});
-  return start(env, loft::drawOutline(lines[trace], {}));
+  return start(env, sections::drawOutline(lines[trace], {}));
 }
 
-Outcome moveBoardPoint(Env env, loft::PointRef point, SectionPoint to) {
+Outcome moveBoardPoint(Env env, sections::PointRef point, SectionPoint to) {
   if (!isOpen(env)) return notOpen();
   SectionBoard& board = *boardOf(env);
   if (!isThere(board, point)) return noPoint();
   Drawing next = board.drawing;
-  loft::movePoint(next, point, within(to), board.symmetry);
+  sections::movePoint(next, point, within(to), board.symmetry);
   board.point = point;
   return change(env, std::move(next));
 }
 
-Outcome addBoardPoint(Env env, loft::PointRef after, SectionPoint at, std::optional<SectionPoint> to) {
+Outcome addBoardPoint(Env env, sections::PointRef after, SectionPoint at, std::optional<SectionPoint> to) {
   if (!isOpen(env)) return notOpen();
   SectionBoard& board = *boardOf(env);
   if (!isThere(board, after)) return noPoint();
   Drawing next = board.drawing;
-  const loft::PointRef added = loft::addPoint(next, after, within(at), board.symmetry);
-  if (to) loft::movePoint(next, added, within(*to), board.symmetry);
+  const sections::PointRef added = sections::addPoint(next, after, within(at), board.symmetry);
+  if (to) sections::movePoint(next, added, within(*to), board.symmetry);
   Outcome outcome = change(env, std::move(next));
   board.point = added;
   return outcome;
 }
 
-Outcome removeBoardPoint(Env env, loft::PointRef point) {
+Outcome removeBoardPoint(Env env, sections::PointRef point) {
   if (!isOpen(env)) return notOpen();
   SectionBoard& board = *boardOf(env);
   if (!isThere(board, point)) return noPoint();
   Drawing next = board.drawing;
-  loft::removePoint(next, point, board.symmetry);
+  sections::removePoint(next, point, board.symmetry);
   board.point.reset();
   return change(env, std::move(next));
 }

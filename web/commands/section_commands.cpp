@@ -65,8 +65,8 @@ Outcome setSections(Env env, const Json& args) {
   SectionKeys keys;
   for (const Json& entry : *list->array()) {
     loft::SectionKey key;
-    Result<std::optional<loft::SectionShape>> shape = shapeFrom(entry, env.ui.sections);
-    Result<loft::Blend> blend = blendFrom(entry, {});
+    Result<std::optional<sections::SectionShape>> shape = shapeFrom(entry, env.ui.sections);
+    Result<sections::Blend> blend = blendFrom(entry, {});
     if (!shape) return refuse(shape.failure());
     if (!blend) return refuse(blend.failure());
     if (shape.value()) key.shape = *shape.value();
@@ -86,7 +86,7 @@ Outcome addSectionRow(Env env, const Json& args) {
     if (env.ui.sections.placing) sendStatus(env.host, "Tap the bone where the slice shall be.");
     return {};
   }
-  const Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  const Result<std::optional<sections::SectionShape>> shape = shapeFrom(args, env.ui.sections);
   if (!shape) return refuse(shape.failure());
   return addSection(env, part->id, *at, shape.value());
 }
@@ -140,13 +140,13 @@ Outcome setBlendRow(Env env, const Json& args) {
   const std::optional<std::size_t> key = sectionKeyOf(env, args, *part);
   if (!key) return noSection();
   if (args.text("blend") == nullptr) return missing("a blend");
-  const Result<loft::Blend> blend = blendFrom(args, document::loftIn(*part).loft.sections[*key].blend);
+  const Result<sections::Blend> blend = blendFrom(args, document::loftIn(*part).loft.sections[*key].blend);
   return blend ? setBlend(env, part->id, *key, blend.value()) : refuse(blend.failure());
 }
 
 void blendChoices(Env env, JsonWriter& json) {
   const document::Part* part = selected(env);
-  for (const loft::BlendName& name : loft::blendNames()) {
+  for (const sections::BlendName& name : sections::blendNames()) {
     const bool on =
         part && document::loftIn(*part).loft.sections[pickedSectionKey(env.ui, *part)].blend.kind == name.kind;
     json.beginObject().key("value").text(name.key).key("label").text(name.label);
@@ -242,9 +242,9 @@ ShelfSection* onShelf(Env env, std::optional<double> id) {
 Outcome notOnShelf() { return Refusal{"NoSuchSlice", "There is no such slice on your shelf."}; }
 
 Outcome keepSection(Env env, const Json& args) {
-  Result<std::optional<loft::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  Result<std::optional<sections::SectionShape>> shape = shapeFrom(args, env.ui.sections);
   if (!shape) return refuse(shape.failure());
-  const loft::SectionShape kept = shape.value().value_or(pickedShape(env.ui, selected(env)));
+  const sections::SectionShape kept = shape.value().value_or(pickedShape(env.ui, selected(env)));
   if (!kept.drawn()) return Refusal{"NotNow", "Only slices of your own go on the shelf."};
   return keepOnShelf(env, kept, args.text("name"));
 }
@@ -332,7 +332,7 @@ void sendShelf(const CommandEnv& env) {
   env.host.send(json.json());
 }
 
-Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, const std::string* name) {
+Outcome keepOnShelf(const CommandEnv& env, const sections::SectionShape& shape, const std::string* name) {
   SectionUi& sections = env.ui.sections;
   const auto same = [&](const ShelfSection& section) { return section.shape == shape; };
   if (std::ranges::any_of(sections.shelf, same)) return {};
@@ -346,7 +346,7 @@ Outcome keepOnShelf(const CommandEnv& env, const loft::SectionShape& shape, cons
   return {};
 }
 
-Outcome setSection(Env env, const Parts& parts, std::optional<std::size_t> key, const loft::SectionShape& shape) {
+Outcome setSection(Env env, const Parts& parts, std::optional<std::size_t> key, const sections::SectionShape& shape) {
   const auto loftIn = [&](PartId id) {
     const document::Part* part = document::findPart(env.studio.document(), id);
     return part ? document::loftOf(*part) : nullptr;
@@ -367,7 +367,7 @@ Outcome setSection(Env env, const Parts& parts, std::optional<std::size_t> key, 
   });
 }
 
-Outcome addSection(Env env, PartId id, double at, const std::optional<loft::SectionShape>& shape) {
+Outcome addSection(Env env, PartId id, double at, const std::optional<sections::SectionShape>& shape) {
   const document::Part* part = document::findPart(env.studio.document(), id);
   if (part == nullptr || document::loftOf(*part) == nullptr) return noSpine(part);
   if (!(at >= 0 && at <= 1)) return refuse({Error::ValueOutOfRange, "at"});
@@ -406,7 +406,7 @@ Outcome selectSection(Env env, PartId id, std::size_t key) {
   return {};
 }
 
-Outcome setBlend(Env env, PartId id, std::size_t key, const loft::Blend& blend) {
+Outcome setBlend(Env env, PartId id, std::size_t key, const sections::Blend& blend) {
   const SectionKeys* keys = sectionsOf(env, id, key);
   if (keys == nullptr) return noSection();
   SectionKeys changed = *keys;
@@ -445,7 +445,7 @@ Outcome deleteSection(Env env, std::uint32_t id) {
 }
 
 Outcome rows::setSection(const CommandEnv& env, const Json& args) {
-  const Result<std::optional<loft::SectionShape>> read = shapeFrom(args, env.ui.sections);
+  const Result<std::optional<sections::SectionShape>> read = shapeFrom(args, env.ui.sections);
   if (!read) return refuse(read.failure());
   if (!read.value()) return missing("the name of a slice, or its contours");
   const std::optional<Parts> meant = meantParts(env, args);

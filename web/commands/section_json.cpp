@@ -18,28 +18,28 @@ Json pointsJson(const std::vector<SectionPoint>& points) {
   return list;
 }
 
-Result<loft::SectionShape> shapeOfContours(const Json& contours) {
+Result<sections::SectionShape> shapeOfContours(const Json& contours) {
   const auto bad = [] { return Failure{Error::SectionInvalid, "contours: [[[x, y], …], …]"}; };
-  if (contours.array() == nullptr || contours.array()->size() > loft::kMostContours) return bad();
+  if (contours.array() == nullptr || contours.array()->size() > sections::kMostContours) return bad();
   std::vector<std::vector<SectionPoint>> outlines;
   for (const Json& entry : *contours.array()) {
     std::optional<std::vector<SectionPoint>> points = pointsFrom(&entry);
-    if (!points || points->size() > loft::kMostDrawnPoints) return bad();
+    if (!points || points->size() > sections::kMostDrawnPoints) return bad();
     outlines.push_back(std::move(*points));
   }
-  return loft::sectionOfOutlines(std::move(outlines));
+  return sections::sectionOfOutlines(std::move(outlines));
 }
 
-std::string_view nameOf(const loft::SectionShape& shape) {
-  return shape.drawn() ? std::string_view("drawn") : loft::sectionKey(shape.preset);
+std::string_view nameOf(const sections::SectionShape& shape) {
+  return shape.drawn() ? std::string_view("drawn") : sections::sectionKey(shape.preset);
 }
 
 bool isHole(const std::vector<SectionPoint>& contour) {
   return geometry::signedArea(std::span<const SectionPoint>(contour)) < 0;
 }
 
-std::string_view blendKey(loft::BlendKind kind) {
-  for (const loft::BlendName& name : loft::blendNames()) {
+std::string_view blendKey(sections::BlendKind kind) {
+  for (const sections::BlendName& name : sections::blendNames()) {
     if (name.kind == kind) return name.key;
   }
   return {};
@@ -75,10 +75,10 @@ std::optional<geometry::AlongCurve> curveFrom(const Json* list) {
   return curve;
 }
 
-Result<std::optional<loft::SectionShape>> shapeFrom(const Json& args, const SectionUi& sections) {
-  using Shape = std::optional<loft::SectionShape>;
+Result<std::optional<sections::SectionShape>> shapeFrom(const Json& args, const SectionUi& sections) {
+  using Shape = std::optional<sections::SectionShape>;
   if (const Json* contours = args.find("contours")) {
-    Result<loft::SectionShape> shape = shapeOfContours(*contours);
+    Result<sections::SectionShape> shape = shapeOfContours(*contours);
     if (!shape) return shape.failure();
     return Shape(std::move(shape).value());
   }
@@ -88,20 +88,20 @@ Result<std::optional<loft::SectionShape>> shapeFrom(const Json& args, const Sect
     return Shape(at->shape);
   }
   if (const std::string* key = args.text("section")) {
-    const std::optional<loft::SectionPreset> preset = loft::sectionFromKey(*key);
+    const std::optional<sections::SectionPreset> preset = sections::sectionFromKey(*key);
     if (!preset) return {Error::ValueOutOfRange, *key};
-    return Shape(loft::SectionShape(*preset));
+    return Shape(sections::SectionShape(*preset));
   }
   return Shape();
 }
 
-Result<loft::Blend> blendFrom(const Json& args, const loft::Blend& fallback) {
+Result<sections::Blend> blendFrom(const Json& args, const sections::Blend& fallback) {
   const std::string* key = args.text("blend");
   if (key == nullptr) return fallback;
-  const std::optional<loft::BlendKind> kind = loft::blendFromKey(*key);
+  const std::optional<sections::BlendKind> kind = sections::blendFromKey(*key);
   if (!kind) return {Error::ValueOutOfRange, *key};
-  loft::Blend before = fallback;
-  if (*kind == loft::BlendKind::Custom && args.find("points") != nullptr) {
+  sections::Blend before = fallback;
+  if (*kind == sections::BlendKind::Custom && args.find("points") != nullptr) {
     const std::optional<geometry::AlongCurve> curve = curveFrom(args.find("points"));
     if (!curve) return {Error::ValueOutOfRange, "points: [[t, value], …]"};
     before.custom = *curve;
@@ -109,8 +109,8 @@ Result<loft::Blend> blendFrom(const Json& args, const loft::Blend& fallback) {
   return blendOf(*kind, before);
 }
 
-Json shapeJson(const loft::SectionShape& shape) {
-  if (!shape.drawn()) return Json::Object{{"section", loft::sectionKey(shape.preset)}};
+Json shapeJson(const sections::SectionShape& shape) {
+  if (!shape.drawn()) return Json::Object{{"section", sections::sectionKey(shape.preset)}};
   Json::Array contours;
   for (const auto& contour : shape.contours) contours.push_back(pointsJson(contour));
   return Json::Object{{"contours", std::move(contours)}};
@@ -131,7 +131,7 @@ void readShelf(SectionUi& sections, const Json& shelf) {
   if (shelf.array() == nullptr) return;
   for (const Json& entry : *shelf.array()) {
     if (sections.shelf.size() >= kMostShelfSections) return;
-    Result<std::optional<loft::SectionShape>> shape = shapeFrom(entry, sections);
+    Result<std::optional<sections::SectionShape>> shape = shapeFrom(entry, sections);
     const std::string* name = entry.text("name");
     if (!shape || !shape.value() || !shape.value()->drawn()) continue;
     const std::uint32_t id = ++sections.lastShelfId;
@@ -175,17 +175,17 @@ void writeSectionUi(JsonWriter& json, const SectionUi& sections) {
   json.key("frontBack").flag(board.symmetry.frontBack);
   json.key("fold").number(board.symmetry.fold).endObject();
   json.key("curves").beginArray();
-  for (const loft::DrawnCurve& curve : board.shown()) {
+  for (const sections::DrawnCurve& curve : board.shown()) {
     json.beginArray();
-    for (const loft::DrawnPoint& p : curve.points) {
+    for (const sections::DrawnPoint& p : curve.points) {
       json.beginArray().number(p.at.x).number(p.at.y).flag(p.corner).endArray();
     }
     json.endArray();
   }
   json.endArray();
-  const auto problem = loft::problemOf(board.shown());
+  const auto problem = sections::problemOf(board.shown());
   json.key("problem");
-  problem ? json.text(loft::sentenceOf(problem->fault)) : json.null();
+  problem ? json.text(sections::sentenceOf(problem->fault)) : json.null();
   json.key("undo").number(static_cast<double>(board.past.size()));
   json.key("redo").number(static_cast<double>(board.future.size()));
   const Rect& at = board.square;  // [−1, 1]² with a margin, on the canvas

@@ -20,13 +20,13 @@ std::optional<geometry::AlongCurve> curveFrom(const Json* list);
 /// The section that `args` names: {section: "star"}, {shelf: id}, or {contours: [[[x, y], …], …]},
 /// which may be in any order, direction and size. None when it names none. Errors: ValueOutOfRange
 /// for an unknown name, SectionInvalid for curves that make no section.
-Result<std::optional<loft::SectionShape>> shapeFrom(const Json& args, const SectionUi& sections);
+Result<std::optional<sections::SectionShape>> shapeFrom(const Json& args, const SectionUi& sections);
 /// A blend from {blend: key, points?: [[t, value], …]}; `fallback` without a key. Errors:
 /// ValueOutOfRange.
-Result<loft::Blend> blendFrom(const Json& args, const loft::Blend& fallback);
+Result<sections::Blend> blendFrom(const Json& args, const sections::Blend& fallback);
 
 /// {section: key} or {contours: …}: what shapeFrom reads.
-Json shapeJson(const loft::SectionShape& shape);
+Json shapeJson(const sections::SectionShape& shape);
 
 /// The shelf as one text for the browser's storage, and back: what is not sound is left out.
 Json shelfJson(const SectionUi& sections);

@@ -33,7 +33,7 @@ void countKinds(const document::Document& document, ShellView& view) {
     const document::LoftRecipe* loft = document::loftOf(part);
     if (loft == nullptr) return false;
     const auto& sections = loft->loft.sections;
-    return sections.size() > 1 || sections.front().shape != loft::SectionShape{};
+    return sections.size() > 1 || sections.front().shape != sections::SectionShape{};
   };
   const auto count = [](auto number) { return static_cast<std::size_t>(number); };
   view.solids = document.steps.size();

@@ -137,6 +137,7 @@ Outcome choose(Env env, const Status& status) {
   env.ui.solids.picked.clear();
   if (steps.empty()) return {};
   choose(env, *steps.back());
+  env.ui.solids.flash = Flash{steps.back()->id};
   sendStatus(env.host, saidOf(env, *steps.back()));
   return {};
 }
@@ -150,7 +151,7 @@ Outcome combine(Env env, const Json& args, StepKind kind) {
   document::CombineParts action;
   action.kind = kind;
   action.operands = std::move(*operands);
-  return choose(env, env.studio.act(action));
+  return makeSolid(env, action);
 }
 
 Outcome stickTogether(Env env, const Json& args) { return combine(env, args, StepKind::Join); }
@@ -184,19 +185,6 @@ Outcome checkWall(Env env, double wall) {
   return {};
 }
 
-/// `wall`, `opening` and `depth` as args say, over what is there. Why not, when they cannot be read.
-Outcome readHollow(Env env, const Json& args, double& wall, document::Opening& opening) {
-  wall = lengthOf(env, args, "wall").value_or(wall);
-  if (Outcome good = checkWall(env, wall); !good) return good;
-  opening.depth = args.number("depth").value_or(opening.depth);
-  if (const std::string* name = args.text("opening")) {
-    const auto side = sideFrom(*name);
-    if (!side) return refuse({Error::ValueOutOfRange, *name});
-    opening.side = *side;
-  }
-  return {};
-}
-
 /// [x, y, z] under `towards`.
 std::optional<WorldPoint> directionOf(const Json& args) {
   const Json* list = args.find("towards");
@@ -214,7 +202,7 @@ Outcome scoopOut(Env env, const Json& args) {
   if (step == nullptr && part == nullptr) return noPart();
   action.operands = {step ? Operand{{}, step->id} : Operand{part->id, {}}};
   if (Outcome read = readHollow(env, args, action.wall, action.opening); !read) return read;
-  return choose(env, env.studio.act(action));
+  return makeSolid(env, action);
 }
 
 Outcome release(Env env, const Json& args) {
@@ -327,21 +315,8 @@ Outcome showFailureRow(Env env, const Json& args) {
 
 void openings(Env env, JsonWriter& json) {
   const Step* step = chosenStep(env);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kChoices = {
-      {{"up", "At the top"},
-       {"down", "At the bottom"},
-       {"start", "Where the line begins"},
-       {"end", "Where the line ends"},
-       {"front", "In front"},
-       {"back", "At the back"},
-       {"left", "On the left"},
-       {"right", "On the right"},
-       {"none", "Closed"}}};
-  for (const auto& [value, label] : kChoices) {
-    const bool on =
-        step != nullptr && step->kind == StepKind::Hollow && document::openingKey(step->opening.side) == value;
-    writeChoice(json, value, label, on);
-  }
+  const bool hollow = step != nullptr && step->kind == StepKind::Hollow;
+  writeOpenings(json, hollow ? std::optional(step->opening.side) : std::nullopt);
 }
 
 // clang-format off
@@ -352,8 +327,8 @@ constexpr std::array kTable = {
             .hint = "Cut the other ticked parts out of the first", .menu = "Together", .enabled = severalRoots, .run = cut},
     Command{.id = "keep-common", .label = "Overlap", .icon = "squares-intersect", .group = "part",
             .hint = "Keep only where the ticked parts overlap", .enabled = severalRoots, .run = keepIntersection},
-    Command{.id = "scoop-out", .label = "Scoop out", .icon = "cup-soda", .group = "part",
-            .argument = {"opening", openings}, .hint = "Make it hollow, with a wall and an opening", .menu = "Together",
+    Command{.id = "scoop-out", .label = "Hollow out at once", .icon = "cup-soda", .group = "part",
+            .argument = {"opening", openings}, .hint = "Make it hollow, with a wall and an opening",
             .enabled = canHollow, .run = scoopOut},
     Command{.id = "release", .label = "Break apart", .icon = "unlink", .group = "part",
             .hint = "Undo the solid; its parts stay", .menu = "Together", .enabled = hasStep, .run = release},
@@ -388,6 +363,41 @@ constexpr std::array kTable = {
 // clang-format on
 
 }  // namespace
+
+Outcome makeSolid(Env env, const document::CombineParts& action) { return choose(env, env.studio.act(action)); }
+
+Outcome readHollow(const CommandEnv& env, const Json& args, double& wall, document::Opening& opening) {
+  wall = lengthOf(env, args, "wall").value_or(wall);
+  if (Outcome good = checkWall(env, wall); !good) return good;
+  opening.depth = args.number("depth").value_or(opening.depth);
+  if (const std::string* name = args.text("opening")) {
+    const auto side = sideFrom(*name);
+    if (!side) return refuse({Error::ValueOutOfRange, *name});
+    opening.side = *side;
+  }
+  return {};
+}
+
+std::optional<Operand> namedRoot(const CommandEnv& env, const Json& args) {
+  const Operand named{idFrom(args, "part"), stepFrom(args, "step")};
+  if (!named.part && !named.step) return std::nullopt;
+  const Step* root = rootOf(env.studio.document(), named);
+  return root != nullptr ? Operand{{}, root->id} : named;
+}
+
+void writeOpenings(JsonWriter& json, std::optional<OpeningSide> chosen) {
+  constexpr std::array<std::pair<OpeningSide, std::string_view>, 9> kChoices = {
+      {{OpeningSide::Up, "At the top"},
+       {OpeningSide::Down, "At the bottom"},
+       {OpeningSide::Start, "Where the line begins"},
+       {OpeningSide::End, "Where the line ends"},
+       {OpeningSide::Front, "In front"},
+       {OpeningSide::Back, "At the back"},
+       {OpeningSide::Left, "On the left"},
+       {OpeningSide::Right, "On the right"},
+       {OpeningSide::None, "Closed"}}};
+  for (const auto& [side, label] : kChoices) writeChoice(json, document::openingKey(side), label, chosen == side);
+}
 
 Outcome pick(Env env, const Operand& operand, bool on) {
   const document::Document& document = env.studio.document();
@@ -436,9 +446,10 @@ Outcome askStepName(Env env, StepId id) {
   const Step* step = findStep(env.studio.document(), id);
   if (step == nullptr) return noStep();
   const std::string question = "rename-step:" + std::to_string(id.value);
-  return ask(env, {question, "Rename", "A name for this solid", step->name}, [id](Env later, const std::string& name) {
-    return outcomeOf(later.studio.act(document::RenameStep{id, name}));
-  });
+  const auto at = rowAt(env.ui, {{}, {}, id});
+  return ask(
+      env, {question, "Rename", "A name for this solid", step->name, at},
+      [id](Env later, const std::string& name) { return outcomeOf(later.studio.act(document::RenameStep{id, name})); });
 }
 
 Outcome showFailure(Env env, StepId id) {

@@ -183,8 +183,7 @@ void writePlacing(JsonWriter& json, const CommandEnv& env) {
     json.beginObject().key("id").number(group.id.value).key("name").text(group.name).endObject();
   }
   json.endArray().key("snap").flag(ui.place.snap).key("gizmo");
-  const auto centre = centreOf(document, env.studio.derived(), ui, parts);
-  const std::optional<Gizmo> gizmo = centre && ui.tool == ToolKind::Place ? gizmoAt(ui, *centre) : std::nullopt;
+  const std::optional<Gizmo> gizmo = shownGizmo(document, env.studio.derived(), ui);
   if (!gizmo) {
     json.null();
     return;
@@ -207,13 +206,13 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   json.beginObject().key("id").number(part.id.value).key("name").text(part.name);
   // What only lofts have is that of an empty one for other kinds.
   const document::LoftRecipe& loft = document::loftIn(part);
-  const loft::SectionShape& shape = loft.loft.sections.front().shape;
+  const sections::SectionShape& shape = loft.loft.sections.front().shape;
   json.key("kind").text(document::kindKey(document::kindOf(part))).key("section");
-  json.text(shape.drawn() ? "drawn" : loft::sectionKey(shape.preset));
+  json.text(shape.drawn() ? "drawn" : sections::sectionKey(shape.preset));
   writeSections(json, part);
   json.key("caps").beginObject();
-  json.key("start").text(loft::capKey(loft.loft.startCap));
-  json.key("end").text(loft::capKey(loft.loft.endCap)).endObject();
+  json.key("start").text(sections::capKey(loft.loft.startCap));
+  json.key("end").text(sections::capKey(loft.loft.endCap)).endObject();
   json.key("visible").flag(pipeline::isVisible(document, part)).key("textured").flag(part.look.textured);
   json.key("colour").text(colourText(part.look.colour));
   json.key("paint").text(surface::finishOf(part.look.paint).key);
@@ -338,19 +337,25 @@ void writeCut(JsonWriter& json, const UiState& ui) {
   json.endArray().endObject();
 }
 
-void writeControls(JsonWriter& json, const UiState& ui) {
-  json.key("controls").beginArray();
-  for (const Control& control : ui.controls) {
-    json.beginObject().key("kind").text(controlKey(control.kind)).key("words").text(control.words);
-    writeNumbers(json, "at", {control.at.x, control.at.y, control.at.width, control.at.height});
-    json.key("inSight")
-        .flag(control.inSight)
-        .key("enabled")
-        .flag(control.enabled)
-        .key("on")
-        .flag(control.on)
-        .endObject();
+void writeControl(JsonWriter& json, const Control& control) {
+  json.beginObject().key("kind").text(controlKey(control.kind)).key("words").text(control.words);
+  writeNumbers(json, "at", {control.at.x, control.at.y, control.at.width, control.at.height});
+  json.key("inSight").flag(control.inSight).key("enabled").flag(control.enabled).key("on").flag(control.on);
+  json.key("id").number(control.id).key("command");
+  control.command.empty() ? json.null() : json.text(control.command);
+  json.key("slide");
+  if (control.slide) {
+    json.beginObject().key("low").number(control.slide->low).key("high").number(control.slide->high);
+    json.key("value").number(control.slide->value).key("text").text(control.slide->text).endObject();
+  } else {
+    json.null();
   }
+  json.endObject();
+}
+
+void writeControls(JsonWriter& json, const std::vector<Control>& controls) {
+  json.key("controls").beginArray();
+  for (const Control& control : controls) writeControl(json, control);
   json.endArray();
 }
 
@@ -421,12 +426,20 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   json.key("heightMm").number(document.height.value).key("beside");
   ui.beside ? json.text(things()[*ui.beside].key) : json.null();
   writePrint(json, document, ui);
-  writeControls(json, ui);
+  writeControls(json, ui.controls);
   json.key("documentName").text(document.name);
   json.key("view").text(ui.focus == Focus::Picture ? "picture" : "solid");
   json.key("camera").beginObject().key("yaw").number(ui.camera.yaw);
   json.key("pitch").number(ui.camera.pitch).key("distance").number(ui.camera.distance).endObject();
   json.key("frames").number(static_cast<double>(frames)).endObject();
+}
+
+void sendControls(platform::Host& host, const std::vector<Control>& controls) {
+  JsonWriter json;
+  json.beginObject().key("type").text("controls");
+  writeControls(json, controls);
+  json.endObject();
+  host.send(json.json());
 }
 
 }  // namespace spineloft::app

@@ -17,11 +17,11 @@ struct DepthMove {
   std::string beyond;  ///< the part or solid that it stands before or behind then
 };
 
-/// The least move along z after which `parts` stand in front of all they have passed upwards from the list of
-/// `before` to that of `after`, or behind all they have passed downwards, wherever both are seen from the front
-/// (along z, by the meshes of `derived`). They touch what they stop at, and reach into it by a few percent of the
-/// thinner one's depth, so that sticking them together makes one piece. None where nothing that was passed overlaps
-/// them, where they stand so already, for what is hidden, and for single parts of a solid: the solid is one body.
+/// The least move along z (WorldSpace, by the meshes of `derived`) that puts `parts` in front of all that they have
+/// passed upwards in the list, from `before` to `after`, or behind all that they have passed downwards. Only places
+/// count where both are seen from the front. The moved parts end a few percent of the thinner one's depth inside the
+/// part that they reach, so that a union makes one piece. None where nothing that was passed overlaps them, where the
+/// order is right already, for hidden parts, and for single parts of a solid, which moves as a whole.
 std::optional<DepthMove> depthMove(const document::Document& before, const document::Document& after,
                                    const pipeline::Derived& derived, std::span<const PartId> parts);
 

@@ -4,16 +4,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/mesh/laws.h"
+#include "web/edit/placing.h"
+
 namespace spineloft::app {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kArrow = 0.75;     // length of an arrow, in radii: within the rings
+constexpr double kArrow = 0.78;     // length of an arrow, in radii: within the rings
 constexpr double kShortest = 0.3;   // of an arrow that can be pressed, in radii
 constexpr double kCorner = 0.95;    // of the knobs for scale and depth, in radii each way
 constexpr double kFacing = 0.35;    // a ring seen flatter than this is turned by its tangent
 constexpr double kStep = kPi / 12;  // 15 degrees
 constexpr int kRingPoints = 64;
+constexpr double kAround = 1.1;                       // of the rings beyond the parts
+constexpr double kSmallest = 40;                      // radius of rings whose knobs a finger tells apart, CSS pixels
+constexpr double kBriefRoom = 16;                     // of the word below a knob, CSS pixels
 constexpr double kMouseReach = 13, kTouchReach = 24;  // CSS pixels round a knob
 
 /// A direction of the screen in the world.
@@ -126,6 +132,25 @@ const char* handleWords(GizmoHandle handle) {
   return "";
 }
 
+const char* handleBrief(GizmoHandle handle) {
+  switch (handle) {
+    case GizmoHandle::TurnX:
+      return "Tip";
+    case GizmoHandle::TurnY:
+      return "Turn";
+    case GizmoHandle::TurnZ:
+      return "Lean";
+    case GizmoHandle::Depth:
+      return "Nearer";
+    case GizmoHandle::Scale:
+      return "Larger";
+    default:
+      return "";
+  }
+}
+
+double knobRadius(const UiState& ui) { return ui.touch ? 16 : 11; }
+
 std::vector<ClientPoint> Gizmo::ring(const Camera& camera, const Rect& view, int axis) const {
   const WorldPoint u = axisVector((axis + 1) % 3), v = axisVector((axis + 2) % 3);
   std::vector<ClientPoint> points;
@@ -137,32 +162,74 @@ std::vector<ClientPoint> Gizmo::ring(const Camera& camera, const Rect& view, int
   return points;
 }
 
-std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint centre) {
+std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint pivot, double reach) {
   const Rect& view = ui.layout.solid;
-  const auto at = pointOnCanvas(ui.camera, view, centre);
-  if (!at || !view.contains(*at)) return std::nullopt;
+  const auto from = pointOnCanvas(ui.camera, view, pivot);
+  if (!from) return std::nullopt;
+  const double margin = knobRadius(ui) + 4 + (ui.touch ? kBriefRoom : 0);
+  const Rect room = (ui.solidRoom.width > 0 ? ui.solidRoom : view).inset(margin);
   Gizmo gizmo;
-  gizmo.centre = centre;
-  gizmo.at = *at;
-  gizmo.radius = std::clamp(0.25 * std::min(view.width, view.height), 60.0, ui.touch ? 116.0 : 96.0);
-  const double away = -dot(centre - ui.camera.eye(), ui.camera.back());
+  const double most = std::max(kSmallest, std::min(room.width, room.height) / 2);
+  const double usual = std::clamp(0.25 * std::min(view.width, view.height), 60.0, ui.touch ? 116.0 : 96.0);
+  gizmo.radius = std::min(most, std::max(usual, kAround * reach + knobRadius(ui)));
+  const auto within = [&](double at, double low, double length) {
+    const double half = std::min(gizmo.radius, length / 2);
+    return std::clamp(at, low + half, low + length - half);
+  };
+  gizmo.at = {within(from->x, room.x, room.width), within(from->y, room.y, room.height)};
+  const double away = -dot(pivot - ui.camera.eye(), ui.camera.back());
   gizmo.unit = 2 * kHalfHeight * away / std::max(1.0, view.height);
-  const auto add = [&](GizmoHandle handle, ClientPoint p) { gizmo.knobs.push_back({handle, p}); };
+  gizmo.pivot = pivot;
+  gizmo.centre = pivot + onScreen(ui.camera, gizmo.at - *from) * gizmo.unit;
+  // Perspective may draw a ring beyond its radius.
+  const auto add = [&](GizmoHandle handle, ClientPoint p) {
+    p = {std::clamp(p.x, room.x, std::max(room.x, room.right())),
+         std::clamp(p.y, room.y, std::max(room.y, room.bottom()))};
+    gizmo.knobs.push_back({handle, p});
+  };
   constexpr std::array kMoves = {GizmoHandle::MoveX, GizmoHandle::MoveY, GizmoHandle::MoveZ};
   constexpr std::array kTurns = {GizmoHandle::TurnX, GizmoHandle::TurnY, GizmoHandle::TurnZ};
   const double length = gizmo.unit * gizmo.radius;
   for (int axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
-    const auto tip = pointOnCanvas(ui.camera, view, centre + axisVector(axis) * (length * kArrow));
-    if (tip && distance(*tip, *at) > kShortest * gizmo.radius) add(kMoves[k], *tip);
-    const auto knob = pointOnCanvas(ui.camera, view, centre + knobWay(ui.camera, axis) * length);
+    const auto tip = pointOnCanvas(ui.camera, view, gizmo.centre + axisVector(axis) * (length * kArrow));
+    if (tip && distance(*tip, gizmo.at) > kShortest * gizmo.radius) add(kMoves[k], *tip);
+    const auto knob = pointOnCanvas(ui.camera, view, gizmo.centre + knobWay(ui.camera, axis) * length);
     if (knob) add(kTurns[k], *knob);
   }
   const double corner = kCorner * gizmo.radius;
-  add(GizmoHandle::Scale, *at + ClientPoint{corner, corner});
-  add(GizmoHandle::Depth, *at + ClientPoint{-corner, corner});
-  add(GizmoHandle::Plane, *at);
+  add(GizmoHandle::Scale, gizmo.at + ClientPoint{corner, corner});
+  add(GizmoHandle::Depth, gizmo.at + ClientPoint{-corner, corner});
+  add(GizmoHandle::Plane, gizmo.at);
   return gizmo;
+}
+
+std::optional<Gizmo> shownGizmo(const document::Document& document, const pipeline::Derived& derived,
+                                const UiState& ui) {
+  if (ui.tool != ToolKind::Place) return std::nullopt;
+  const std::vector<PartId> parts = selectedParts(document, ui);
+  const std::optional<WorldPoint> pivot = centreOf(document, derived, ui, parts);
+  const auto middle = pivot ? pointOnCanvas(ui.camera, ui.layout.solid, *pivot) : std::nullopt;
+  if (!middle) return std::nullopt;
+  double reach = 0;
+  for (std::size_t i = 0; i < std::min(document.parts.size(), derived.parts.size()); ++i) {
+    const document::Part& part = document.parts[i];
+    const document::PictureEntry* entry = findPicture(document, document::pictureOf(part));
+    const auto& shape = derived.parts[i].shape;
+    if (!shape || entry == nullptr || std::ranges::find(parts, part.id) == parts.end()) continue;
+    const mesh::Bounds box = mesh::boundsOf(shape->mesh);
+    const pipeline::Copies copies = shownCopies(ui, part, entry->size);
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto side = [&](int axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        return (corner >> axis & 1) != 0 ? box.high[k] : box.low[k];
+      };
+      const auto at =
+          pointOnCanvas(ui.camera, ui.layout.solid, (*copies.begin())(ModelPoint{side(0), side(1), side(2)}));
+      if (at) reach = std::max({reach, std::abs(at->x - middle->x), std::abs(at->y - middle->y)});
+    }
+  }
+  return gizmoAt(ui, *pivot, reach);
 }
 
 GizmoHandle handleAt(const Gizmo& gizmo, ClientPoint p, bool touch) {
@@ -180,7 +247,7 @@ GizmoHandle handleAt(const Gizmo& gizmo, ClientPoint p, bool touch) {
 document::Motion motionOf(const GizmoDrag& drag, ClientPoint to, bool steps) {
   const Gizmo& gizmo = drag.gizmo;
   document::Motion motion;
-  motion.centre = gizmo.centre;
+  motion.centre = gizmo.pivot;
   switch (drag.handle) {
     case GizmoHandle::MoveX:
     case GizmoHandle::MoveY:
@@ -216,7 +283,7 @@ document::Motion motionOf(const GizmoDrag& drag, ClientPoint to, bool steps) {
 
 document::Motion pairMotion(const GizmoDrag& drag, ClientPoint by, double angle, double factor) {
   document::Motion motion;
-  motion.centre = drag.gizmo.centre;
+  motion.centre = drag.gizmo.pivot;
   motion.move = onScreen(drag.camera, by) * drag.gizmo.unit;
   if (angle != 0) motion.turn = geometry::turnAbout(drag.camera.back(), -angle);
   motion.scale = std::clamp(factor, 0.05, 20.0);

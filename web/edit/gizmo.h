@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/document/document.h"
 #include "engine/document/placement.h"
+#include "engine/pipeline/derive.h"
 #include "web/ui/space.h"
 #include "web/ui/ui_state.h"
 #include "web/ui/views.h"
@@ -22,9 +24,12 @@ int axisOf(GizmoHandle handle);
 std::string_view handleKey(GizmoHandle handle);
 /// "Move left and right" …: what a press on it does, in plain words.
 const char* handleWords(GizmoHandle handle);
+/// The same in a word, to stand below its knob; empty for arrows, which say it themselves.
+const char* handleBrief(GizmoHandle handle);
 
 struct Gizmo {
-  WorldPoint centre;
+  WorldPoint pivot;    ///< about what parts turn and grow
+  WorldPoint centre;   ///< of the handles: the pivot, or as near to it as lets all of them be in sight
   ClientPoint at;      ///< the centre on the canvas
   double radius = 80;  ///< of the rings, CSS pixels
   double unit = 0;     ///< world units a CSS pixel at the centre's depth
@@ -38,8 +43,15 @@ struct Gizmo {
   std::vector<ClientPoint> ring(const Camera& camera, const Rect& view, int axis) const;
 };
 
-/// None when the centre is behind the eye or out of the view.
-std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint centre);
+/// CSS pixels round a knob that its drawing takes.
+double knobRadius(const UiState& ui);
+
+/// Round what reaches `reach` CSS pixels from its pivot, and beyond that where there is room, so that the parts are not
+/// covered; all of it within ui.solidRoom. None when the pivot is behind the eye.
+std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint pivot, double reach = 0);
+/// That of the parts in hand; none without one, or without the tool. Cost: O(their vertices).
+std::optional<Gizmo> shownGizmo(const document::Document& document, const pipeline::Derived& derived,
+                                const UiState& ui);
 
 /// The handle under a point of the canvas.
 GizmoHandle handleAt(const Gizmo& gizmo, ClientPoint p, bool touch);

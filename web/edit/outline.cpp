@@ -44,12 +44,12 @@ void outlineOf(const ribs::RibSet& set, const loft::LoftParams& params, std::vec
   for (const ribs::Rib& rib : set.ribs) chords.push_back({rib.left, rib.right});
   loft::cutStraightEnds(chords, set, params);
   for (const loft::Chord& chord : chords) out.push_back(chord.left);
-  if (params.endCap == loft::CapStyle::Round) {
+  if (params.endCap == sections::CapStyle::Round) {
     const auto& fan = set.endFan.points;
     out.insert(out.end(), fan.begin(), fan.end());
   }
   for (auto chord = chords.rbegin(); chord != chords.rend(); ++chord) out.push_back(chord->right);
-  if (params.startCap == loft::CapStyle::Round) {
+  if (params.startCap == sections::CapStyle::Round) {
     const auto& fan = set.startFan.points;
     out.insert(out.end(), fan.rbegin(), fan.rend());
   }

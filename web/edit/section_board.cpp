@@ -20,7 +20,7 @@ void forgetGesture(SectionBoard& board) {
 }
 
 /// One step from `from` to `to`.
-bool step(SectionBoard& board, std::vector<loft::Drawing>& from, std::vector<loft::Drawing>& to) {
+bool step(SectionBoard& board, std::vector<sections::Drawing>& from, std::vector<sections::Drawing>& to) {
   if (from.empty()) return false;
   forgetGesture(board);
   board.corners.clear();
@@ -56,14 +56,14 @@ ClientPoint toCanvas(const SectionBoard& board, SectionPoint p) {
   return {c.x + p.x * half, c.y - p.y * half};
 }
 
-void openBoard(UiState& ui, const BoardStart& start, const loft::SectionShape& shape) {
+void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShape& shape) {
   SectionBoard board;
   if (start.part) board.part = start.part->id;
   board.key = start.key;
-  Result<loft::Drawing> drawing = loft::drawingOf(shape);
+  Result<sections::Drawing> drawing = sections::drawingOf(shape);
   if (drawing && start.empty) {
-    for (const loft::DrawnCurve& curve : drawing.value()) {
-      keepTrace(ui.sections, loft::outlineOf(curve));
+    for (const sections::DrawnCurve& curve : drawing.value()) {
+      keepTrace(ui.sections, sections::outlineOf(curve));
     }
   } else if (drawing) {
     board.drawing = std::move(drawing).value();
@@ -80,7 +80,7 @@ void closeBoard(UiState& ui) {
   ui.preview.reset();
 }
 
-void changeDrawing(SectionBoard& board, loft::Drawing next) {
+void changeDrawing(SectionBoard& board, sections::Drawing next) {
   forgetGesture(board);
   if (next == board.drawing) return;
   board.past.push_back(std::move(board.drawing));
@@ -99,13 +99,14 @@ bool undoBoard(SectionBoard& board) {
 
 bool redoBoard(SectionBoard& board) { return step(board, board.future, board.past); }
 
-loft::Drawing withCurves(const loft::Drawing& drawing, const loft::Drawing& curves) {
+sections::Drawing withCurves(const sections::Drawing& drawing, const sections::Drawing& curves) {
   std::vector<Line> fresh;
-  for (const loft::DrawnCurve& curve : curves) fresh.push_back(loft::outlineOf(curve));
-  loft::Drawing out;
-  for (const loft::DrawnCurve& curve : drawing) {
-    const Line line = loft::outlineOf(curve);
-    const bool free = std::ranges::none_of(fresh, [&](const Line& other) { return loft::outlinesMeet(line, other); });
+  for (const sections::DrawnCurve& curve : curves) fresh.push_back(sections::outlineOf(curve));
+  sections::Drawing out;
+  for (const sections::DrawnCurve& curve : drawing) {
+    const Line line = sections::outlineOf(curve);
+    const bool free =
+        std::ranges::none_of(fresh, [&](const Line& other) { return sections::outlinesMeet(line, other); });
     if (free) out.push_back(curve);
   }
   out.insert(out.end(), curves.begin(), curves.end());
@@ -124,8 +125,8 @@ void growBoard(UiState& ui, const document::Document& document) {
   SectionBoard& board = *ui.sections.board;
   const bool freehand = board.tool == BoardTool::Pen;
   if (!freehand && board.tool != BoardTool::Box && board.tool != BoardTool::Ellipse) return;
-  const Result<loft::Drawing> curves =
-      freehand ? loft::drawFreehand(board.stroke, board.symmetry) : loft::drawOutline(board.stroke, board.symmetry);
+  const Result<sections::Drawing> curves = freehand ? sections::drawFreehand(board.stroke, board.symmetry)
+                                                    : sections::drawOutline(board.stroke, board.symmetry);
   if (!curves) return;
   board.live = withCurves(board.drawing, curves.value());
   previewBoard(ui, document);
@@ -136,10 +137,10 @@ void previewBoard(UiState& ui, const document::Document& document) {
   const SectionBoard& board = *ui.sections.board;
   const document::Part* part = document::findPart(document, board.part);
   if (part == nullptr) return;
-  Result<loft::SectionShape> shape = loft::sectionOf(board.shown());
+  Result<sections::SectionShape> shape = sections::sectionOf(board.shown());
   if (!shape || board.past.empty()) {
     if (!board.live) ui.preview.reset();
-    if (!shape || !board.live) return;  // the last good one stays while the hand moves
+    if (!shape || !board.live) return;  // the last valid one stays until the gesture ends
   }
   loft::LoftParams params = document::loftIn(*part).loft;
   const std::size_t key = std::min(board.key, params.sections.size() - 1);

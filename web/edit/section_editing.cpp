@@ -82,12 +82,12 @@ std::size_t pickedSectionKey(const UiState& ui, const document::Part& part) {
   return std::min(ui.sections.key, document::loftIn(part).loft.sections.size() - 1);
 }
 
-const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* part) {
+const sections::SectionShape& pickedShape(const UiState& ui, const document::Part* part) {
   if (part == nullptr) return ui.section;
   return document::loftIn(*part).loft.sections[pickedSectionKey(ui, *part)].shape;
 }
 
-SectionKeys withSectionKey(std::span<const loft::SectionKey> keys, double at, const loft::SectionShape& shape,
+SectionKeys withSectionKey(std::span<const loft::SectionKey> keys, double at, const sections::SectionShape& shape,
                            std::size_t& added) {
   SectionKeys out(keys.begin(), keys.end());
   at = std::clamp(at, 0.0, 1.0);
@@ -123,10 +123,10 @@ SectionKeys withMovedSectionKey(std::span<const loft::SectionKey> keys, std::siz
   return out;
 }
 
-loft::Blend blendOf(loft::BlendKind kind, const loft::Blend& before) {
-  loft::Blend blend;
+sections::Blend blendOf(sections::BlendKind kind, const sections::Blend& before) {
+  sections::Blend blend;
   blend.kind = kind;
-  if (kind != loft::BlendKind::Custom) return blend;
+  if (kind != sections::BlendKind::Custom) return blend;
   blend.custom = before.custom;
   if (blend.custom.empty()) blend.custom.points = {{0, 0}, {0.5, 0.5}, {1, 1}};
   return blend;

@@ -21,14 +21,14 @@ struct BoardStart {
   bool empty = false;  ///< a new section: the shape is a trace only
 };
 /// Opens it with a shape as its drawing, or as a trace below an empty one.
-void openBoard(UiState& ui, const BoardStart& start, const loft::SectionShape& shape);
+void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShape& shape);
 void closeBoard(UiState& ui);
 /// The drawing becomes `next`, as a step that the board can take back.
-void changeDrawing(SectionBoard& board, loft::Drawing next);
+void changeDrawing(SectionBoard& board, sections::Drawing next);
 bool undoBoard(SectionBoard& board);
 bool redoBoard(SectionBoard& board);
 /// The board's drawing with these curves added: those that they would cross make room.
-loft::Drawing withCurves(const loft::Drawing& drawing, const loft::Drawing& curves);
+sections::Drawing withCurves(const sections::Drawing& drawing, const sections::Drawing& curves);
 /// Keeps a line as a trace to start from.
 void keepTrace(SectionUi& sections, std::span<const SectionPoint> line);
 /// Once a frame: what the line under the pen makes of the drawing, and of the part.
@@ -45,19 +45,19 @@ void previewLoft(UiState& ui, const document::Part& part, loft::LoftParams param
 /// The section that tiles change: an index into the part's sections.
 std::size_t pickedSectionKey(const UiState& ui, const document::Part& part);
 /// The section for new parts, or the picked one of the part.
-const loft::SectionShape& pickedShape(const UiState& ui, const document::Part* part);
+const sections::SectionShape& pickedShape(const UiState& ui, const document::Part* part);
 
 /// One more section at `at`. A part with a single section keeps that one at both ends, or at the far
 /// end when `at` is near an end; a section nearly there is replaced. `added` receives the new one's
 /// index.
 std::vector<loft::SectionKey> withSectionKey(std::span<const loft::SectionKey> keys, double at,
-                                             const loft::SectionShape& shape, std::size_t& added);
+                                             const sections::SectionShape& shape, std::size_t& added);
 /// A section moved to `at`, no nearer to its neighbours than their names allow; order stays.
 std::vector<loft::SectionKey> withMovedSectionKey(std::span<const loft::SectionKey> keys, std::size_t index, double at);
 /// Without a section. The last one stays.
 std::vector<loft::SectionKey> withoutSectionKey(std::span<const loft::SectionKey> keys, std::size_t index);
 /// A blend of this kind; a custom one keeps the curve that `before` has, or begins as a straight line.
-loft::Blend blendOf(loft::BlendKind kind, const loft::Blend& before);
+sections::Blend blendOf(sections::BlendKind kind, const sections::Blend& before);
 inline constexpr double kSectionKeyGap = 0.02;  ///< least way between two sections, share of the spine
 inline constexpr double kNearEnd = 0.15;        ///< a place this near an end means the end's side
 

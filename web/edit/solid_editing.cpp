@@ -92,6 +92,7 @@ void settleSolids(const document::Document& document, UiState& ui) {
   if (chosen != nullptr && ui.selection && !holds()) chosen = nullptr;
   if (chosen == nullptr) ui.solids.step = {};
   if (chosen == nullptr || chosen->kind != document::StepKind::Hollow) ui.solids.pointing = false;
+  if (ui.solids.hollow && !isRoot(document, ui.solids.hollow->operands.front())) ui.solids.hollow.reset();
   std::erase_if(ui.solids.picked, [&](const Operand& o) { return !isRoot(document, o); });
   std::erase_if(ui.solids.folded, [&](StepId id) { return findStep(document, id) == nullptr; });
 }
@@ -124,7 +125,16 @@ void writeSolids(JsonWriter& json, const CommandEnv& env) {
   writeOperands(json, env.ui.solids.picked);
   json.key("selectedStep");
   env.ui.solids.step ? json.number(env.ui.solids.step.value) : json.null();
-  json.key("pointing").flag(env.ui.solids.pointing);
+  json.key("pointing").flag(env.ui.solids.pointing).key("hollow");
+  if (!env.ui.solids.hollow) {
+    json.null();
+    return;
+  }
+  const document::CombineParts& draft = *env.ui.solids.hollow;
+  json.beginObject().key("what");
+  writeOperands(json, draft.operands);
+  json.key("wall").number(draft.wall).key("opening").text(openingKey(draft.opening.side));
+  json.key("openingDepth").number(draft.opening.depth).endObject();
 }
 
 }  // namespace spineloft::app

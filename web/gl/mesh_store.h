@@ -1,7 +1,6 @@
 // Meshes on the GPU: one upload a key; the buffers of meshes that are gone serve the next ones.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "web/gl/handles.h"
@@ -27,7 +26,7 @@ class MeshStore {
 
  private:
   struct Slot {
-    std::uint64_t key = 0;
+    MeshKey key;
     GpuMesh mesh;
     bool used = true;
   };

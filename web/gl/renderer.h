@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/cache_key.h"
 #include "engine/image/image.h"
 #include "engine/mesh/tri_mesh.h"
 #include "web/gl/mat4.h"
@@ -17,17 +18,23 @@ struct Viewport {
   double x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Pixels that may lie on the GPU under `key`: equal keys, equal pixels. Never 0.
+using TextureKey = CacheKey<struct TextureKeyTag>;  ///< of pixels on the GPU
+using MeshKey = CacheKey<struct MeshKeyTag>;        ///< of geometry on the GPU
+
+/// Pixels that may lie on the GPU under `key`, which is never none.
 struct SceneTexture {
-  std::uint64_t key = 0;
+  TextureKey key;
   const image::Image* image = nullptr;
+  /// Its numbers are what the screen shows, as Dear ImGui draws, whose texture ids of anything but its font are
+  /// addresses of a SceneTexture that lives while the frame is drawn.
+  bool forPanels = false;
 };
 
 /// How a surface takes the light.
 enum class Finish : std::uint8_t { Plain, Clay, Glaze, Metal };
 
 struct SceneMesh {
-  std::uint64_t key = 0;                ///< equal keys, equal geometry; never 0
+  MeshKey key;                          ///< never none
   const mesh::TriMesh* mesh = nullptr;  ///< alive while the scene is drawn
   Mat4 toWorld;                         ///< a turn or mirror, a uniform scale and a shift
   bool flips = false;                   ///< `toWorld` mirrors

@@ -1,7 +1,6 @@
 // Pictures on the GPU: sRGB, mipmapped, at most 4096 pixels a side, one upload a key.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "web/gl/handles.h"
@@ -20,7 +19,7 @@ class TextureStore {
 
  private:
   struct Slot {
-    std::uint64_t key = 0;
+    TextureKey key;
     Texture texture;
     bool used = true;
   };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "web/gl/handles.h"
 #include "web/gl/mesh_store.h"
@@ -112,7 +113,10 @@ class WebGlRenderer final : public Renderer {
     drawSolidView(scene);
     glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, width, height);
-    if (ImDrawData* ui = ImGui::GetDrawData()) ImGui_ImplOpenGL3_RenderDrawData(ui);
+    if (ImDrawData* ui = ImGui::GetDrawData()) {
+      nameTextures(*ui);
+      ImGui_ImplOpenGL3_RenderDrawData(ui);
+    }
     meshes_.endFrame();
     textures_.endFrame();
   }
@@ -166,6 +170,19 @@ class WebGlRenderer final : public Renderer {
     const int bottom = px(scene.height) - px(at.y + at.height), top = px(scene.height) - px(at.y);
     glViewport(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
     glScissor(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
+  }
+
+  /// Addresses of textures become the names that Dear ImGui's backend takes.
+  void nameTextures(ImDrawData& ui) {
+    const ImTextureID font = ImGui::GetIO().Fonts->TexID;
+    for (ImDrawList* list : ui.CmdLists) {
+      for (ImDrawCmd& command : list->CmdBuffer) {
+        if (command.UserCallback != nullptr || command.TextureId == font) continue;
+        const auto name =
+            static_cast<std::intptr_t>(textures_.get(*static_cast<const SceneTexture*>(command.TextureId)));
+        command.TextureId = reinterpret_cast<ImTextureID>(name);
+      }
+    }
   }
 
   void drawQuad() const {

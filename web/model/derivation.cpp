@@ -219,7 +219,7 @@ void Derivation::solveAgain() {
 
 bool Derivation::finishParts() {
   settled();
-  if (!finishing_) solids_.refineLabels(derived_);
+  if (!finishing_) solids_.forgetUnanswered(derived_);
   finishing_ = true;
   stale_ = true;
   settled();

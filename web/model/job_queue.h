@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -25,7 +24,7 @@ class JobQueue {
   using Take = std::function<void(const Making&)>;
   /// Something wanted, and how to begin with it; null where that can't be.
   struct Wanted {
-    std::uint64_t key = 0;
+    decltype(std::declval<const Making&>().key()) key{};
     std::function<std::shared_ptr<Making>()> begin;
   };
   /// The pool must not outlive it. `goOn` is called when a worker is free for what was not begun: `update` is due.

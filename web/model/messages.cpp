@@ -50,7 +50,15 @@ void sendQuestion(platform::Host& host, const Question& question) {
   JsonWriter json;
   json.beginObject().key("type").text("ask").key("id").text(question.id);
   json.key("title").text(question.title).key("text").text(question.text);
-  json.key("value").text(question.value).endObject();
+  json.key("value").text(question.value).key("at");
+  if (question.at) {
+    json.beginArray();
+    for (const double value : *question.at) json.number(value);
+    json.endArray();
+  } else {
+    json.null();
+  }
+  json.endObject();
   host.send(json.json());
 }
 

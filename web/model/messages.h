@@ -1,6 +1,8 @@
 // Events of the contract, as the shell understands them.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,9 +33,10 @@ void sendPickPicture(platform::Host& host);
 void sendCursor(platform::Host& host, std::string_view css);
 void sendStatus(platform::Host& host, std::string_view text);
 
-/// A text that the visitor types in a dialog of the shell; the answer comes with `id`.
+/// A text that the visitor types, in a dialog of the shell or, with `at`, in place; the answer comes with `id`.
 struct Question {
   std::string_view id, title, text, value;
+  std::optional<std::array<double, 4>> at = {};  ///< x, y, width, height, CSS pixels of the canvas
 };
 void sendQuestion(platform::Host& host, const Question& question);
 

@@ -81,7 +81,7 @@ std::vector<PrintLine> printLines(const PrintReport& report) {
   for (const std::string& part : report.crossing)
     lines.push_back({false, spokenFailure({Error::PartCrossesItself, part})});
   lines.insert(lines.end(), {sizeLine(check), wallLine(check, report.thin)});
-  // How a heap of loose pieces stands is nobody's question.
+  // Loose pieces have no common foot to stand on.
   if (check.pieces < 2) lines.push_back(standLine(check));
   return lines;
 }

@@ -28,14 +28,14 @@ platform::SolverMesh meshOf(const mesh::TriMesh& mesh) {
 }
 
 void writeNode(JsonWriter& json, const publish::SolidPlan& plan, const publish::SolidPlan::Node& node, bool coarse) {
-  json.beginObject().key("key").text(io::hashKey(node.key)).key("step").number(node.step.value);
+  json.beginObject().key("key").text(io::hashKey(node.key.hash)).key("step").number(node.step.value);
   json.key("kind").text(document::stepKindKey(node.kind)).key("operands").beginArray();
   for (const publish::SolidPlan::Operand& operand : node.operands) {
     json.beginObject();
     if (operand.node) {
-      json.key("node").text(io::hashKey(plan.nodes[*operand.node].key));
+      json.key("node").text(io::hashKey(plan.nodes[*operand.node].key.hash));
     } else {
-      json.key("mesh").text(io::hashKey(plan.meshes[operand.mesh].key));
+      json.key("mesh").text(io::hashKey(plan.meshes[operand.mesh].key.hash));
       json.key("part").number(operand.part.value).key("matrix").beginArray();
       for (const double value : operand.toWorld) json.number(value);
       json.endArray();
@@ -80,7 +80,7 @@ void waitForParts(const document::Document& document, const pipeline::Derived& d
 }
 
 /// A preview's solid is coarser: it must not be taken for the real one.
-std::uint64_t previewKey(std::uint64_t key) { return Hasher().text("preview").number(key).value(); }
+SolidKey previewKey(SolidKey key) { return SolidKey{Hasher().text("preview").number(key.hash).value()}; }
 
 /// Takes arrays of numbers off the front of the bytes.
 class Bytes {
@@ -126,7 +126,7 @@ std::vector<pipeline::SolidArrays::Run> runsOf(const Json& mesh) {
 void SolidWork::update(const document::Document& document, pipeline::Derived& derived, Alone alone) {
   derived.steps.clear();
   publish::SolidPlan plan;
-  std::vector<std::uint64_t> missing;
+  std::vector<SolidKey> missing;
   if (document.steps.empty()) {
     latest_.clear();
   } else {
@@ -143,7 +143,7 @@ void SolidWork::update(const document::Document& document, pipeline::Derived& de
 }
 
 void SolidWork::updateSteps(const document::Document& document, pipeline::Derived& derived,
-                            const publish::SolidPlan& plan, std::vector<std::uint64_t>& missing) {
+                            const publish::SolidPlan& plan, std::vector<SolidKey>& missing) {
   for (const document::Step& step : document.steps) {
     pipeline::DerivedStep result;
     result.id = step.id;
@@ -152,7 +152,7 @@ void SolidWork::updateSteps(const document::Document& document, pipeline::Derive
     const auto last = std::ranges::find(latest_, step.id, &decltype(latest_)::value_type::first);
     if (last != latest_.end()) result.solid = last->second;
     if (root != plan.roots.end()) {
-      const std::uint64_t key = plan.nodes[*root].key;
+      const SolidKey key = plan.nodes[*root].key;
       const StepFailure* failed = failureOf(key);
       if (auto known = solids_.find(key)) {
         result.solid = known;
@@ -180,7 +180,7 @@ void SolidWork::updateSteps(const document::Document& document, pipeline::Derive
 }
 
 void SolidWork::updateAlone(const document::Document& document, pipeline::Derived& derived, Alone alone,
-                            publish::SolidPlan& plan, std::vector<std::uint64_t>& missing) {
+                            publish::SolidPlan& plan, std::vector<SolidKey>& missing) {
   for (pipeline::DerivedPart& part : derived.parts) {
     part.mended.reset();
     part.crossesAt.reset();
@@ -188,7 +188,7 @@ void SolidWork::updateAlone(const document::Document& document, pipeline::Derive
     if (known == nullptr || !known->visible || !part.shape || rootOf(document, {part.id, {}}) != nullptr) continue;
     const Looked* looked = lookOver(*part.shape, alone);
     if (looked == nullptr || !looked->crosses) continue;
-    const std::uint64_t key = publish::aloneKey(part.id, *part.shape);
+    const SolidKey key = publish::aloneKey(part.id, *part.shape);
     const StepFailure* failed = failureOf(key);
     part.mended = solids_.find(key);
     if (part.mended) continue;
@@ -215,7 +215,7 @@ const SolidWork::Looked* SolidWork::lookOver(const pipeline::PartShape& shape, A
   return &looked_.back();
 }
 
-void SolidWork::refineLabels(const pipeline::Derived& derived) {
+void SolidWork::forgetUnanswered(const pipeline::Derived& derived) {
   for (const pipeline::DerivedPart& part : derived.parts) {
     if (!part.shape) continue;
     std::erase_if(failures_, [key = publish::aloneKey(part.id, *part.shape)](const StepFailure& failed) {
@@ -227,7 +227,7 @@ void SolidWork::refineLabels(const pipeline::Derived& derived) {
 void SolidWork::preview(const document::Document& document, pipeline::Derived& derived,
                         const publish::Substitute* instead) {
   const publish::SolidPlan plan = publish::planSolids(document, derived, instead);
-  std::vector<std::uint64_t> missing;
+  std::vector<SolidKey> missing;
   for (const std::size_t index : plan.roots) {
     const publish::SolidPlan::Node& node = plan.nodes[index];
     const auto at = std::ranges::find(derived.steps, node.step, &pipeline::DerivedStep::id);
@@ -246,19 +246,19 @@ void SolidWork::preview(const document::Document& document, pipeline::Derived& d
   if (!missing.empty() && !busy()) ask(plan, std::move(missing), Purpose::Preview);
 }
 
-void SolidWork::ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose) {
+void SolidWork::ask(const publish::SolidPlan& plan, std::vector<SolidKey> keys, Purpose purpose) {
   JsonWriter json;
   json.beginObject().key("type").text("solve").key("id").number(static_cast<double>(++lastId_));
   json.key("meshes").beginArray();
   std::vector<platform::SolverMesh> meshes;
   for (const publish::SolidPlan::Mesh& mesh : plan.meshes) {
-    json.text(io::hashKey(mesh.key));
+    json.text(io::hashKey(mesh.key.hash));
     meshes.push_back(meshOf(*mesh.mesh));
   }
   json.endArray().key("nodes").beginArray();
   for (const publish::SolidPlan::Node& node : plan.nodes) writeNode(json, plan, node, purpose == Purpose::Preview);
   json.endArray().key("wanted").beginArray();
-  for (const std::uint64_t key : keys) json.text(io::hashKey(key));
+  for (const SolidKey key : keys) json.text(io::hashKey(key.hash));
   json.endArray().endObject();
   asked_ = Asked{static_cast<double>(lastId_), std::move(keys), purpose, 0};
   host_.solve(json.json(), meshes);
@@ -280,7 +280,7 @@ void SolidWork::expect(PartId part) {
 
 void SolidWork::cancel() {
   if (!asked_) return;
-  for (const std::uint64_t key : asked_->keys) {
+  for (const SolidKey key : asked_->keys) {
     if (asked_->purpose == Purpose::Document) keepFailure({key, {Error::Cancelled, {}}, {}, {}});
   }
   asked_.reset();
@@ -288,12 +288,12 @@ void SolidWork::cancel() {
 }
 
 void SolidWork::forget() {
-  solids_ = pipeline::LruCache<pipeline::Solid>(kMostBytes);
+  solids_ = pipeline::LruCache<SolidKey, pipeline::Solid>(kMostBytes);
   latest_.clear();
   failures_.clear();
 }
 
-const SolidWork::StepFailure* SolidWork::failureOf(std::uint64_t key) const {
+const SolidWork::StepFailure* SolidWork::failureOf(SolidKey key) const {
   const auto at = std::ranges::find(failures_, key, &StepFailure::key);
   return at == failures_.end() ? nullptr : &*at;
 }
@@ -318,7 +318,7 @@ bool SolidWork::takeLoss(Error reason) {
   if (!asked_) return false;
   const Asked lost = *std::exchange(asked_, std::nullopt);
   if (lost.purpose != Purpose::Document) return true;
-  for (const std::uint64_t key : lost.keys) {
+  for (const SolidKey key : lost.keys) {
     if (!solids_.find(key)) keepFailure({key, {reason, {}}, {}, {}});
   }
   sendError(host_, errorSentence(reason));
@@ -329,7 +329,7 @@ bool SolidWork::takeSolid(const Json& answer, std::span<const std::uint8_t> byte
   const std::optional<std::uint64_t> named = io::hashFromKey(*answer.text("key"));
   if (!named) return false;
   const bool preview = answer.flag("coarse").value_or(false);
-  const std::uint64_t key = preview ? previewKey(*named) : *named;
+  const SolidKey key = preview ? previewKey(SolidKey{*named}) : SolidKey{*named};
   const Json* mesh = answer.find("mesh");
   if (mesh == nullptr || mesh->isNull()) {
     const Json* failure = answer.find("failure");

@@ -34,16 +34,16 @@ class SolidWork {
   /// Sets `derived.steps`, and what is known of parts that go through themselves; asks the solver for what is not known
   /// yet. A newer request replaces the one it is at.
   void update(const document::Document& document, pipeline::Derived& derived, Alone alone = Alone::AsKnown);
-  /// Forgets which parts in no step were not mended because the solver was stopped or died: the next `update` for all
-  /// asks once more.
-  void refineLabels(const pipeline::Derived& derived);
-  /// The same for a document as a gesture would make it, with another mesh for a part that is being edited, unless
-  /// the solver is at something: the hand never waits. What comes shows until the next `update`. Parts that are only
-  /// joined show themselves meanwhile: that looks the same, and costs nothing.
+  /// Forgets the failures of parts in no step for which the solver was stopped or ended without an answer: the next
+  /// `update` for all asks again.
+  void forgetUnanswered(const pipeline::Derived& derived);
+  /// The same for a document as a gesture would make it, with another mesh for a part that is being edited. While the
+  /// solver is busy nothing is asked for, so that gestures do not wait. Results show until the next `update`. Parts
+  /// that are only joined are drawn themselves: the picture is the same, without a solver.
   void preview(const document::Document& document, pipeline::Derived& derived, const publish::Substitute* instead);
 
-  /// The part that is likely to be edited next, or none: told to the solver when it is another one than before, so
-  /// that it makes ready while nothing else is asked for.
+  /// The part that is likely to be edited next, or none. A change is sent to the solver, which prefetches for that part
+  /// while nothing else is asked for.
   void expect(PartId part);
 
   /// What the solver says: {id, done}, {id, progress}, {lost, loaded} or {id, step, key, ms, mesh | failure}, with the
@@ -66,12 +66,12 @@ class SolidWork {
   enum class Purpose { Document, Preview };
   struct Asked {
     double id = 0;
-    std::vector<std::uint64_t> keys;
+    std::vector<SolidKey> keys;
     Purpose purpose = Purpose::Document;
     double done = 0;
   };
   struct StepFailure {
-    std::uint64_t key = 0;
+    SolidKey key;
     Failure failure;
     PartId faulty;
     std::optional<WorldPoint> at;
@@ -79,23 +79,23 @@ class SolidWork {
   };
   /// A shape that was looked over for places where it goes through itself.
   struct Looked {
-    std::uint64_t key = 0;
+    ShapeKey key;
     std::optional<ModelPoint> crosses;
   };
   void updateSteps(const document::Document& document, pipeline::Derived& derived, const publish::SolidPlan& plan,
-                   std::vector<std::uint64_t>& missing);
+                   std::vector<SolidKey>& missing);
   void updateAlone(const document::Document& document, pipeline::Derived& derived, Alone alone,
-                   publish::SolidPlan& plan, std::vector<std::uint64_t>& missing);
+                   publish::SolidPlan& plan, std::vector<SolidKey>& missing);
   const Looked* lookOver(const pipeline::PartShape& shape, Alone alone);
-  void ask(const publish::SolidPlan& plan, std::vector<std::uint64_t> keys, Purpose purpose);
+  void ask(const publish::SolidPlan& plan, std::vector<SolidKey> keys, Purpose purpose);
   void keepFailure(StepFailure failed);
-  const StepFailure* failureOf(std::uint64_t key) const;
+  const StepFailure* failureOf(SolidKey key) const;
   bool takeLoss(Error reason);
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
 
   platform::Host& host_;
   static constexpr std::size_t kMostBytes = std::size_t{96} << 20;
-  pipeline::LruCache<pipeline::Solid> solids_{kMostBytes};
+  pipeline::LruCache<SolidKey, pipeline::Solid> solids_{kMostBytes};
   std::vector<std::pair<StepId, std::shared_ptr<const pipeline::Solid>>> latest_;  ///< last good ones
   std::vector<StepFailure> failures_;
   std::vector<Looked> looked_;

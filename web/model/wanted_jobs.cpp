@@ -6,7 +6,7 @@
 namespace spineloft::app {
 namespace {
 
-/// How far beyond a texture a shape may reach that wears it meanwhile, as a share of its sides.
+/// How far beyond a texture a shape may reach that shows it meanwhile, as a share of its sides.
 constexpr double kBeyond = 0.25;
 
 bool liesOn(const mesh::TriMesh& mesh, const surface::UvArea& area) {
@@ -23,7 +23,7 @@ std::vector<TextureWork::Wanted> wantedTextures(const document::Document& docume
   std::vector<TextureWork::Wanted> wanted;
   for (const PartId id : derived.wantedTextures) {
     const auto part = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
-    if (part == derived.parts.end() || !part->shape || isDressed(*part->shape)) continue;
+    if (part == derived.parts.end() || !part->shape || isTextureKnown(*part->shape)) continue;
     wanted.push_back(
         {part->shape->key, [&document, &derived, id] { return pipeline::makeTexture(document, derived, id); }});
   }
@@ -32,14 +32,14 @@ std::vector<TextureWork::Wanted> wantedTextures(const document::Document& docume
 
 void keepEarlierTextures(const pipeline::Derived& before, pipeline::Derived& now) {
   for (pipeline::DerivedPart& part : now.parts) {
-    if (!part.shape || part.shape->key == 0 || isDressed(*part.shape)) continue;
+    if (!part.shape || !part.shape->key || isTextureKnown(*part.shape)) continue;
     const auto was = std::ranges::find(before.parts, part.id, &pipeline::DerivedPart::id);
     if (was == before.parts.end() || !was->shape || !was->shape->texture) continue;
     if (!liesOn(part.shape->mesh, was->shape->texture->area)) continue;
-    auto dressed = std::make_shared<pipeline::PartShape>(*part.shape);
-    dressed->texture = was->shape->texture;
-    dressed->textureKey = was->shape->textureKey;
-    part.shape = std::move(dressed);
+    auto textured = std::make_shared<pipeline::PartShape>(*part.shape);
+    textured->texture = was->shape->texture;
+    textured->textureKey = was->shape->textureKey;
+    part.shape = std::move(textured);
   }
 }
 

@@ -14,7 +14,7 @@ using TextureWork = JobQueue<pipeline::TextureJob>;
 /// Of Derived::wantedTextures; begins as long as both are as they are.
 std::vector<TextureWork::Wanted> wantedTextures(const document::Document& document, const pipeline::Derived& derived);
 
-/// Parts that wait for a texture of their own wear that of their earlier shape, where it lies on the same
+/// Parts that wait for a texture of their own show that of their earlier shape, where it lies on the same
 /// stretch of the picture: nothing flickers while a part is worked on.
 void keepEarlierTextures(const pipeline::Derived& before, pipeline::Derived& now);
 

@@ -7,6 +7,7 @@
 #include "engine/base/hash.h"
 #include "engine/base/limits.h"
 #include "engine/io/picture_probe.h"
+#include "engine/io/png_model.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/state_json.h"
 #include "web/edit/editing.h"
@@ -25,6 +26,7 @@ namespace {
 constexpr double kPumpMs = 16;   // how often finished work is looked for
 constexpr double kWaitMs = 150;  // how often a frame says that the solver is still at it
 constexpr double kTooltipMs = 650;
+constexpr double kFlashMs = 900;
 constexpr double kLongestStepSeconds = 0.5;
 
 }  // namespace
@@ -170,19 +172,24 @@ void App::frame() {
   growSolid();
   frameNewPart();
   fly();
+  fadeFlash();
   // Work goes on where nothing can be drawn: it can still be saved.
   if (!lost_) drawFrame();
   watchWork();
   announce();
+  announceControls();
   if (moving() || framesWanted_ > 0) host_.requestFrame();
 }
 
-bool App::moving() const { return ui_.flight || (ui_.preview && !ui_.preview->settled()) || studio_.works(); }
+bool App::moving() const {
+  return ui_.flight || (ui_.solids.flash && ui_.solids.flash->sinceMs) || (ui_.preview && !ui_.preview->settled()) ||
+         studio_.works();
+}
 
 void App::drawFrame() {
   words::forgetMuch();
   beginUi();
-  panels::draw({env(), studio_.derived(), fonts_, sink_});
+  panels::draw({env(), studio_.derived(), fonts_, sink_, partPictures_, mouth_});
   ImGui::Render();
   if (!sink_.empty()) framesWanted_ = std::max(framesWanted_, 2);
   runCalls();
@@ -190,6 +197,7 @@ void App::drawFrame() {
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
   scene_.still = !moving() && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
   renderer_->draw(scene_);
+  partPictures_.forgetUnused();
   ++frames_;
 }
 
@@ -210,6 +218,20 @@ void App::fly() {
   if (t >= 1) ui_.flight.reset();
 }
 
+/// What was just put together is lit for a moment from when it is there.
+void App::fadeFlash() {
+  std::optional<Flash>& flash = ui_.solids.flash;
+  if (!flash) return;
+  const auto& steps = studio_.derived().steps;
+  const auto at = std::ranges::find(steps, flash->step, &pipeline::DerivedStep::id);
+  if (at == steps.end() || at->failure) return flash.reset();
+  if (at->waiting || !at->solid) return;
+  if (!flash->sinceMs) flash->sinceMs = host_.nowMs();
+  const double past = (host_.nowMs() - *flash->sinceMs) / kFlashMs;
+  if (past >= 1) return flash.reset();
+  flash->light = host_.reducedMotion() ? 1 : 1 - past;
+}
+
 void App::beginUi() {
   ImGuiIO& io = ImGui::GetIO();
   const double now = host_.nowMs();
@@ -217,6 +239,7 @@ void App::beginUi() {
   io.DisplayFramebufferScale = {static_cast<float>(ui_.dpr), static_cast<float>(ui_.dpr)};
   io.DeltaTime = static_cast<float>(std::clamp((now - lastFrameMs_) / 1000, 1e-4, kLongestStepSeconds));
   lastFrameMs_ = now;
+  workAsked();
   renderer_->beginUi();
   ImGui::NewFrame();
 }
@@ -432,22 +455,28 @@ const std::string& App::sentence(std::string_view name) {
   return text_;
 }
 
-std::span<const std::uint8_t> App::exportModel(std::string_view format) {
+std::span<const std::uint8_t> App::exported(Result<publish::Bytes> bytes) {
   exported_.clear();
-  Failure failure{Error::ValueOutOfRange, std::string(format)};
-  if (const std::optional<publish::Format> known = publish::formatFromKey(format)) {
-    Result<publish::Bytes> bytes = studio_.publishNow(*known);
-    if (bytes) {
-      exported_ = std::move(bytes).value();
-      return exported_;
-    }
-    failure = bytes.failure();
+  if (bytes) {
+    exported_ = std::move(bytes).value();
+    return exported_;
   }
   json_.clear();
-  json_.beginObject().key("ok").flag(false).key("error").text(errorName(failure.error));
-  json_.key("sentence").text(spokenFailure(failure)).endObject();
+  json_.beginObject().key("ok").flag(false).key("error").text(errorName(bytes.error()));
+  json_.key("sentence").text(spokenFailure(bytes.failure())).endObject();
   lastError_ = json_.json();
   return {};
+}
+
+std::span<const std::uint8_t> App::exportModel(std::string_view format) {
+  const std::optional<publish::Format> known = publish::formatFromKey(format);
+  if (!known) return exported({Error::ValueOutOfRange, std::string(format)});
+  return exported(studio_.publishNow(*known));
+}
+
+std::span<const std::uint8_t> App::pictureWithModel(std::span<const std::uint8_t> png) {
+  const Result<publish::Bytes> model = studio_.publishNow(publish::Format::Project);
+  return exported(model ? io::withModel(png, model.value()) : Result<publish::Bytes>(model.failure()));
 }
 
 Vec2<platform::CanvasSpace> App::imageToCanvas(double x, double y) {
@@ -516,7 +545,7 @@ void App::growSolid() {
     return;
   }
   const Preview& preview = *ui_.preview;
-  const std::uint64_t key = Hasher().text("preview").number(preview.revision).value();
+  const ShapeKey key{Hasher().text("preview").number(preview.revision).value()};
   studio_.previewSolid({preview.part, key, &preview.shape->mesh});
 }
 

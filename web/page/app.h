@@ -10,6 +10,8 @@
 #include "web/commands/action_sink.h"
 #include "web/commands/commands.h"
 #include "web/commands/shell_view.h"
+#include "web/edit/hollowing.h"
+#include "web/edit/part_pictures.h"
 #include "web/gl/renderer.h"
 #include "web/model/json.h"
 #include "web/model/keeping.h"
@@ -52,11 +54,14 @@ class App final : public platform::Page, Hand {
   const std::string& lastError() override;
   const std::string& sentence(std::string_view errorName) override;
   std::span<const std::uint8_t> exportModel(std::string_view format) override;
+  std::span<const std::uint8_t> pictureWithModel(std::span<const std::uint8_t> png) override;
   Vec2<platform::CanvasSpace> imageToCanvas(double x, double y) override;
   void contextLost() override;
   void contextRestored() override;
   void answer(std::string_view id, std::string_view text) override;
   bool idle() override;
+  void workControl(std::uint32_t id, std::optional<double> value) override;
+  void showControl(std::uint32_t id) override;
   void cancelWork() override;
   void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
   void finishParts() override { studio_.finishParts(); }
@@ -89,17 +94,23 @@ class App final : public platform::Page, Hand {
   void reportWaitingPrint();
   void growSolid();
   void fly();
+  void fadeFlash();
   void frameNewPart();
   void beginUi();
+  void workAsked();
   void drawFrame();
   /// Something on the screen moves by itself, or work is under way.
   bool moving() const;
   void watchWork();
   void announce();
+  void announceControls();
+  void addRibs(const ribs::RibSet& set, std::vector<Control>& controls) const;
   /// Names the rib end that is lit, for screen readers.
   void nameRib();
   void refused(const Refusal& refusal);
   const std::string& answerWith(const Outcome& outcome);
+  /// Empty on failure, with the reason in `lastError_`.
+  std::span<const std::uint8_t> exported(Result<publish::Bytes> bytes);
   void feedPanels(const platform::PointerEvent& event);
 
   platform::Host& host_;
@@ -115,13 +126,16 @@ class App final : public platform::Page, Hand {
   Picker picker_;
   gl::Scene scene_;
   Thumbnails thumbnails_;
+  PartPictures partPictures_;
+  ShownMouth mouth_;
   JsonWriter json_;
   std::string text_, lastError_ = "null";
   std::vector<std::uint8_t> exported_;
   image::Image thumbnail_;
   std::string cursor_;
-  PartId chosenOf_;        ///< the part that ui_.chosen is about
-  std::string named_;      ///< the rib end that the status names
+  PartId chosenOf_;    ///< the part that ui_.chosen is about
+  std::string named_;  ///< the rib end that the status names
+  std::vector<Control> toldControls_;
   ShellView told_, view_;  ///< what the shell knows, and what it is compared with
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;

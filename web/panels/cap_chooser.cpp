@@ -14,18 +14,18 @@ namespace spineloft::panels {
 namespace {
 
 /// A part cut lengthwise, with its end on the left (`direction` −1) or on the right (+1).
-void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float direction, ImU32 colour) {
+void paintCap(ImDrawList& list, sections::CapStyle style, ImVec2 c, float r, float direction, ImU32 colour) {
   const float tail = c.x - direction * r, h = r * 0.62f;
   const float neck = c.x + direction * r * 0.25f, tip = c.x + direction * r;
   list.PathClear();
   list.PathLineTo({tail, c.y - h});
   switch (style) {
-    case loft::CapStyle::Flat:
-    case loft::CapStyle::Open:
+    case sections::CapStyle::Flat:
+    case sections::CapStyle::Open:
       list.PathLineTo({tip - direction * 2, c.y - h});
       list.PathLineTo({tip - direction * 2, c.y + h});
       break;
-    case loft::CapStyle::Round: {
+    case sections::CapStyle::Round: {
       list.PathLineTo({neck, c.y - h});
       const float sweep = r * 0.75f;
       for (int i = 1; i < 12; ++i) {
@@ -35,29 +35,29 @@ void paintCap(ImDrawList& list, loft::CapStyle style, ImVec2 c, float r, float d
       list.PathLineTo({neck, c.y + h});
       break;
     }
-    case loft::CapStyle::Pointed:
+    case sections::CapStyle::Pointed:
       list.PathLineTo({neck - direction * 3, c.y - h});
       list.PathLineTo({tip, c.y});
       list.PathLineTo({neck - direction * 3, c.y + h});
       break;
-    case loft::CapStyle::kCount:
+    case sections::CapStyle::kCount:
       break;
   }
   list.PathLineTo({tail, c.y + h});
   list.PathStroke(colour, ImDrawFlags_None, 1.8f);
-  if (style == loft::CapStyle::Open) {
+  if (style == sections::CapStyle::Open) {
     list.AddEllipse({tip - direction * 2, c.y}, r * 0.3f, h, colour, 0, 20, 1.8f);
   }
 }
 
-void row(const PanelEnv& env, bool atStart, loft::CapStyle chosen, float width) {
+void row(const PanelEnv& env, bool atStart, sections::CapStyle chosen, float width) {
   const float direction = atStart ? -1.f : 1.f;
   const float gap = 6;
   const ImVec2 size{std::floor(std::min((width - 3 * gap) / 4, 84.f)), env.ui().layout.strip ? 44.f : 52.f};
   ImGui::PushID(atStart ? "start" : "end");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   bool first = true;
-  for (const loft::CapName& name : loft::capNames()) {
+  for (const sections::CapName& name : sections::capNames()) {
     if (!first) ImGui::SameLine();
     first = false;
     const std::string key(name.key);
@@ -67,7 +67,7 @@ void row(const PanelEnv& env, bool atStart, loft::CapStyle chosen, float width) 
     const Text text = size.y < 50 ? Text("") : Text(name.label);
     const std::string control = std::string(name.label) + (atStart ? ", where you began" : ", where you stopped");
     if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, control}, paint)) {
-      const std::optional<loft::CapStyle> cap = name.style, same;
+      const std::optional<sections::CapStyle> cap = name.style, same;
       env.sink.run(app::setCaps, app::selectedParts(env.document(), env.ui()), atStart ? cap : same,
                    atStart ? same : cap);
     }
@@ -80,8 +80,8 @@ void row(const PanelEnv& env, bool atStart, loft::CapStyle chosen, float width) 
 
 void capChooser(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
-  const loft::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui().startCap;
-  const loft::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui().endCap;
+  const sections::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui().startCap;
+  const sections::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui().endCap;
   if (env.ui().layout.strip) {
     const float half = (width - 24) / 2;
     if (half < 240) {

@@ -55,8 +55,10 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
                                     {"edge-sharp", true},
                                     {"edge-bevel", true},
                                     {"edge-round", true}};
+  static constexpr Item kHollow[] = {{"hollow-use", true}, {"hollow-cancel", true}, {"hollow-next", true}};
   static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
   static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
+  if (ui.solids.hollow) return kHollow;
   const bool draws = ui.tool == app::ToolKind::Draw || app::drawsRegions(ui.tool);
   if (draws && !ui.cut && !ui.preview && app::partIsNew(env.env)) return kNew;
   switch (ui.tool) {
@@ -148,20 +150,19 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   // Words with the number in them, in place of a format.
   const std::string shown(words::drawn(turns ? words::tr("{n} turns", {{"n", tenths(own)}})
                                              : words::tr("{n} mm wide", {{"n", tenths(mm)}})));
-  const bool changed = turns
-                           ? ImGui::SliderFloat("##turns", &value, -kMostTurns, kMostTurns, shown.c_str())
-                           : ImGui::SliderFloat("##radius", &value, 0, 0.25f * static_cast<float>(size), shown.c_str());
-  registerControl(env, app::Control::Kind::Slider, turns ? "Turns" : "Width");
-  // The slider says so in every frame while the hand stands between two tenths.
+  const SliderTurn turn =
+      turns ? slider(env, {"##turns", "Turns", -kMostTurns, kMostTurns, shown.c_str()}, value)
+            : slider(env, {"##radius", "Width", 0, 0.25f * static_cast<float>(size), shown.c_str()}, value);
+  // The slider reports a change in every frame while its value is between two tenths.
   const double wanted = turns ? tenths(static_cast<double>(value)) : static_cast<double>(value);
-  if (changed && wanted != own) {
+  if (turn.changed && wanted != own) {
     own = wanted;
     app::Preview& preview = app::previewPart(env.ui(), part);
     preview.loft().pose = pose;
     preview.fresh = false;
     app::guardPreview(env.ui(), env.document(), env.derived);
   }
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  if (!turn.done) return;
   if (const document::LoftRecipe* taken = app::heldBack(env.ui())) pose = taken->pose;
   env.ui().preview.reset();
   env.sink.run(app::setCoil, part.id, pose.coilTurns, pose.coilRadius);
@@ -245,7 +246,8 @@ void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, co
 
 void drawEditBar(const PanelEnv& env) {
   const std::span<const Item> items = itemsOf(env);
-  const bool places = env.ui().tool == app::ToolKind::Place;  // which works in the solid view
+  // What works in the solid view.
+  const bool places = env.ui().tool == app::ToolKind::Place || env.ui().solids.hollow;
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = places ? layout.solid : layout.picture;
   env.ui().barHead = 0;

@@ -4,6 +4,8 @@
 
 #include "web/commands/action_sink.h"
 #include "web/commands/commands.h"
+#include "web/edit/hollowing.h"
+#include "web/edit/part_pictures.h"
 #include "web/ui/fonts.h"
 
 namespace spineloft::panels {
@@ -13,6 +15,8 @@ struct PanelEnv {
   const pipeline::Derived& derived;
   const app::Fonts& fonts;
   app::ActionSink& sink;
+  app::PartPictures& pictures;
+  app::ShownMouth& mouth;
 
   const document::Document& document() const { return env.studio.document(); }
   app::UiState& ui() const { return env.ui; }
@@ -28,6 +32,7 @@ void drawPictureOverlay(const PanelEnv& env);    ///< spines, ribs, outlines
 void drawSolidOverlay(const PanelEnv& env);      ///< the spine with the handles of its depth
 void drawFailureInPicture(const PanelEnv& env);  ///< where a solid could not be made
 void drawFailureInSolid(const PanelEnv& env);
+void drawHollowOverlay(const PanelEnv& env);   ///< where what is scooped out would open
 void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand
 void drawScale(const PanelEnv& env);           ///< how tall the solid is, and a thing beside it
 void drawEditBar(const PanelEnv& env);         ///< what the tool in use can be told

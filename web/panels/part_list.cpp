@@ -40,9 +40,16 @@ std::vector<PartId> partsOf(const PanelEnv& env, const document::Step& root) {
 bool draggedFar() { return ImGui::GetIO().MouseDragMaxDistanceSqr[0] >= kDragSlop * kDragSlop; }
 
 /// Shift, or a finger that stays, takes one more part in hand.
-bool takesMore(const PanelEnv& env) {
-  const bool stayed = env.ui().touch && ImGui::GetIO().MouseDownDurationPrev[0] >= kLongPress;
-  return stayed || ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+bool takesMore(const PanelEnv& env) { return stayed(env) || ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl; }
+
+/// The part as a small picture.
+void picture(const PanelEnv& env, const document::Part& part, ImVec2 low, float side) {
+  const gl::SceneTexture* texture = env.pictures.of(env.document(), env.derived, part);
+  if (texture == nullptr) return;
+  const ImU32 tint = part.visible ? IM_COL32_WHITE : faded(IM_COL32_WHITE, 90);
+  // Dear ImGui keeps the address; the renderer knows what it is of.
+  ImGui::GetWindowDrawList()->AddImage(const_cast<gl::SceneTexture*>(texture), low, {low.x + side, low.y + side},
+                                       {0, 0}, {1, 1}, tint);
 }
 
 /// `indent` is not 0 for a part of a solid, which shows and hides as a whole.
@@ -54,7 +61,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const bool free = indent <= 0, ticks = free && canTick(env, {part.id, {}});
   const bool bins = selected && !holdsWhole(env);
   const float buttons = height * (static_cast<float>(free) + static_cast<float>(ticks) + static_cast<float>(bins));
-  const float grips = 30;
+  const float grips = height;  // with the picture in it
   ImGui::PushID(static_cast<int>(part.id.value));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
   width -= indent;
@@ -68,25 +75,24 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   if (!inHand && ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }
-  const auto& c = part.look.colour;
-  // A patch of its colour: the circle in the row is the tick.
-  const ImVec2 low{at.x + 8, at.y + height / 2 - 7}, high{at.x + 22, at.y + height / 2 + 7};
-  list.AddRectFilled(low, high, part.look.textured ? kPaper : IM_COL32(c[0], c[1], c[2], 255), 4);
-  list.AddRect(low, high, part.look.textured ? kMuted : faded(kInk, 60), 4, 0, 1.3f);
+  showRow(env, {part.id, {}}, at.x + grips);
+  picture(env, part, {at.x + 5, at.y + 3}, height - 6);
   const float textHeight = ImGui::GetTextLineHeight();
   const std::string_view name =
       shortened(ImGui::GetFont(), asIs(words::nameOf(part.name)), width - buttons - grips - 4);
   const ImU32 ink = !part.visible ? faded(kMuted, 150) : elsewhere ? kMuted : inHand ? kAccent : kInk;
-  drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - textHeight) / 2}, ink}, name);
+  drawLine(list, {ImGui::GetFont(), {at.x + grips + 3, at.y + (height - textHeight) / 2}, ink}, name);
   if (elsewhere) {
     const document::PictureEntry* picture = findPicture(env.document(), document::pictureOf(part));
     if (picture != nullptr) tooltip(asIs(words::tr("On {name}", {{"name", words::nameOf(picture->name)}})));
   }
   if (pressed) {
-    if (takesMore(env)) {
-      env.sink.run(app::selectPart, part.id, true);
-    } else if (selected && secondClick()) {
+    // Of the only one in hand a finger that stays asks for another name.
+    const bool only = selected && env.ui().alsoSelected.empty();
+    if (selected && (secondClick() || (only && stayed(env)))) {
       env.sink.run(app::askPartName, part.id);
+    } else if (takesMore(env)) {
+      env.sink.run(app::selectPart, part.id, true);
     } else {
       env.sink.run(app::selectPart, part.id, false);
     }
@@ -120,6 +126,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height});
   registerControl(env, app::Control::Kind::Row, group.name);
+  showRow(env, place.row, at.x + 24);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   const float size = env.fonts.bold->FontSize * ImGui::GetIO().FontGlobalScale;
@@ -128,7 +135,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   drawLine(list, {env.fonts.bold, {at.x + 30, at.y + (height - size) / 2}, kInk},
            words::drawn(words::nameOf(group.name)));
   list.PopClipRect();
-  if (pressed && secondClick()) {
+  if (pressed && (secondClick() || stayed(env))) {
     env.sink.run(app::askGroupName, group.id);
   } else if (pressed) {
     env.sink.run(app::selectPart, place.parts.front(), false);

@@ -14,6 +14,8 @@
 namespace spineloft::panels {
 namespace {
 
+constexpr float kBriefShare = 0.9f;  // of the small font
+constexpr float kTail = 0.62f;       // of an arrow that is not drawn
 constexpr std::array<ImU32, 3> kAxisColour = {rgb(0xd0412f), rgb(0x2f9a4b), rgb(0x2b62d9)};
 
 ImVec2 vec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
@@ -27,8 +29,10 @@ void arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float size) {
   const float length = std::max(1.f, std::sqrt(dx * dx + dy * dy));
   const float ux = dx / length, uy = dy / length;
   const ImVec2 neck{to.x - ux * size * 0.8f, to.y - uy * size * 0.8f};
-  list.AddLine(from, neck, faded(kHalo, 200), 6);
-  list.AddLine(from, neck, colour, 3.2f);
+  // Only its end: what it moves is in sight.
+  const ImVec2 tail{from.x + (neck.x - from.x) * kTail, from.y + (neck.y - from.y) * kTail};
+  list.AddLine(tail, neck, faded(kHalo, 200), 6);
+  list.AddLine(tail, neck, colour, 3.2f);
   const ImVec2 tip{to.x + ux * size * 0.7f, to.y + uy * size * 0.7f};
   const ImVec2 a{neck.x - uy * size * 0.75f, neck.y + ux * size * 0.75f};
   const ImVec2 b{neck.x + uy * size * 0.75f, neck.y - ux * size * 0.75f};
@@ -46,7 +50,7 @@ void ring(ImDrawList& list, const std::vector<app::ClientPoint>& points, ImU32 c
 
 /// A round knob with a sign drawn in it.
 void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const char* icon, bool hot) {
-  const float radius = (env.ui().touch ? 16.f : 11.f) + (hot ? 2.f : 0.f);
+  const float radius = static_cast<float>(app::knobRadius(env.ui())) + (hot ? 2.f : 0.f);
   list.AddCircleFilled(at, radius + 1.5f, faded(kHalo, 235), 32);
   list.AddCircleFilled(at, radius, hot ? colour : kHalo, 32);
   list.AddCircle(at, radius, colour, 32, 2);
@@ -54,6 +58,19 @@ void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const 
   const float size = radius * 1.3f;
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, icon);
   list.AddText(font, size, {at.x - extent.x / 2, at.y - extent.y / 2}, hot ? kHalo : colour, icon);
+}
+
+/// The word below a knob, for fingers: no pointer rests on it to be told.
+void brief(const PanelEnv& env, ImDrawList& list, const app::Gizmo::Knob& one) {
+  const std::string_view text = shown(app::handleBrief(one.handle));
+  if (text.empty()) return;
+  const ImVec2 extent = extentOf(env.fonts.small, text, kBriefShare);
+  const app::Rect& view = env.ui().layout.solid;
+  const float x = std::clamp(static_cast<float>(one.at.x) - extent.x / 2, static_cast<float>(view.x) + 4,
+                             static_cast<float>(view.right()) - extent.x - 4);
+  const float y = static_cast<float>(one.at.y + app::knobRadius(env.ui())) + 2;
+  list.AddRectFilled({x - 3, y - 1}, {x + extent.x + 3, y + extent.y + 1}, faded(kSurface, 215), 5);
+  drawLine(list, {env.fonts.small, {x, y}, kInk, kBriefShare}, text);
 }
 
 /// What the handle under the pointer does, beside the gizmo.
@@ -75,10 +92,7 @@ void words(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo, app::
 
 void drawPlaceOverlay(const PanelEnv& env) {
   app::UiState& ui = env.ui();
-  if (ui.tool != app::ToolKind::Place) return;
-  const std::vector<PartId> parts = app::selectedParts(env.document(), ui);
-  const auto centre = app::centreOf(env.document(), env.derived, ui, parts);
-  const std::optional<app::Gizmo> gizmo = centre ? app::gizmoAt(ui, *centre) : std::nullopt;
+  const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document(), env.derived, ui);
   if (!gizmo) return;
   const app::Rect& view = ui.layout.solid;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -100,12 +114,16 @@ void drawPlaceOverlay(const PanelEnv& env) {
     const ImU32 colour = axis >= 0 ? kAxisColour[static_cast<std::size_t>(axis)] : kDark;
     if (isMove(one.handle)) {
       arrow(list, vec(gizmo->at), vec(one.at), colour, (ui.touch ? 15.f : 11.f) + (lit ? 3.f : 0.f));
+    } else if (one.handle == app::GizmoHandle::Plane && !lit) {
+      list.AddCircleFilled(vec(one.at), 5, faded(kHalo, 220), 20);
+      list.AddCircle(vec(one.at), 5, colour, 20, 2);
     } else {
       const std::string& icon = axis >= 0                               ? turnIcon
                                 : one.handle == app::GizmoHandle::Scale ? scaleIcon
                                 : one.handle == app::GizmoHandle::Depth ? depthIcon
                                                                         : moveIcon;
       knob(env, list, vec(one.at), colour, icon.c_str(), lit);
+      if (ui.touch && !holding) brief(env, list, one);
     }
   }
   words(env, list, *gizmo, hot);

@@ -36,17 +36,17 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   label(env.fonts.small, kMuted, info.label);
   ImGui::SetNextItemWidth(width);
   const std::string id = "##" + std::string(info.key);
-  const bool changed = ImGui::SliderFloat(id.c_str(), &value, static_cast<float>(info.low * as.factor),
-                                          static_cast<float>(info.high * as.factor), as.format,
-                                          info.low > 0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  registerControl(env, app::Control::Kind::Slider, info.label);
-  if (changed) {
+  const SliderTurn turn = panels::slider(env,
+                                         {id.c_str(), info.label, static_cast<float>(info.low * as.factor),
+                                          static_cast<float>(info.high * as.factor), as.format, info.low > 0},
+                                         value);
+  if (turn.changed) {
     app::Preview& shown = app::previewPart(env.ui(), part);
     shown.recipe = part.recipe;
     info.set(shown.recipe, std::clamp(static_cast<double>(value) / as.factor, info.low, info.high));
     shown.fresh = false;
   }
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  if (!turn.done) return;
   const double chosen = std::clamp(static_cast<double>(value) / as.factor, info.low, info.high);
   env.ui().preview.reset();
   env.sink.run(app::setParameter, app::selectedParts(env.document(), env.ui()), std::string(info.key), chosen);
@@ -62,6 +62,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
     case document::PartKind::Extrude:
       return kEdges;
     case document::PartKind::Lathe:
+    case document::PartKind::Stack:
     case document::PartKind::Loft:
     case document::PartKind::kCount:
       break;
@@ -83,9 +84,10 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   for (const document::ParamInfo& info : table) {
     if (!info.forFew) slider(env, part, info, width);
   }
+  const bool ofRegion = document::regionOf(part.recipe) != nullptr;
   const app::CommandId other = document::inflateOf(part) ? app::CommandId("make-sheet") : app::CommandId("make-puff");
-  wordButton(env, {other, width, buttonSide(env), kAccent});
-  if (!document::latheOf(part)) wordButton(env, {"make-round", width, buttonSide(env), kAccent});
+  if (ofRegion) wordButton(env, {other, width, buttonSide(env), kAccent});
+  if (ofRegion && !document::latheOf(part)) wordButton(env, {"make-round", width, buttonSide(env), kAccent});
   if (std::ranges::none_of(table, &document::ParamInfo::forFew)) return;
   bool& more = env.ui().moreNumbers;
   const char* text = more ? "Less about this" : "More about this";

@@ -173,7 +173,7 @@ void paintPoints(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
     const auto& points = board.shown()[c].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const ImVec2 at = frame.at(points[i].at);
-      const bool on = board.point == loft::PointRef{c, i};
+      const bool on = board.point == sections::PointRef{c, i};
       const ImU32 ink = on ? kAccent : kInk, inside = on ? kAccent : kSurface;
       if (points[i].corner) {
         list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, inside, 1);
@@ -197,10 +197,10 @@ void paintStroke(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
     if (board.stroke.size() == 2) line.push_back(board.stroke[1]);
   }
   if (line.empty()) return;
-  const std::size_t count = loft::images(line.front(), board.symmetry).size();
+  const std::size_t count = sections::images(line.front(), board.symmetry).size();
   for (std::size_t k = count; k-- > 0;) {
     std::vector<SectionPoint> image;
-    for (const SectionPoint p : line) image.push_back(loft::images(p, board.symmetry)[k]);
+    for (const SectionPoint p : line) image.push_back(sections::images(p, board.symmetry)[k]);
     paintLine(list, frame, image, {k == 0 ? kAccent : faded(kAccent, 90), 0, k == 0 ? 2.6f : 1.8f});
   }
   if (board.tool != app::BoardTool::Line) return;
@@ -225,9 +225,9 @@ void paintBoard(const PanelEnv& env, const app::Rect& square) {
   for (const auto& line : env.ui().sections.traces) {
     if (board.traces) paintOutlines(list, frame, std::span(&line, 1), {faded(kMuted, 60), 0, 1.4f});
   }
-  const auto problem = loft::problemOf(board.drawing);
+  const auto problem = sections::problemOf(board.drawing);
   std::vector<std::vector<SectionPoint>> outlines;
-  for (const loft::DrawnCurve& curve : board.shown()) outlines.push_back(loft::outlineOf(curve));
+  for (const sections::DrawnCurve& curve : board.shown()) outlines.push_back(sections::outlineOf(curve));
   const bool drawing = !board.stroke.empty();
   paintOutlines(list, frame, outlines, {faded(kAccent, drawing ? 110u : 255u), rgb(0xf4a88f, 70), 2.2f});
   if (problem && problem->curve < outlines.size() && !board.live) {
@@ -243,7 +243,7 @@ void startRow(const PanelEnv& env, float width) {
   ImGui::BeginChild("start from", {width, kStartTile + 12}, ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
-  const auto put = [&](const char* id, Text tip, const loft::SectionShape& shape) {
+  const auto put = [&](const char* id, Text tip, const sections::SectionShape& shape) {
     return tile(env, {id, "", tip, {kStartTile, kStartTile}, false},
                 [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
                   paintSection(list, {centre, radius}, shape, {ink, 0, 1.6f});
@@ -256,16 +256,16 @@ void startRow(const PanelEnv& env, float width) {
     }
     ImGui::SameLine();
   }
-  for (const loft::SectionName& name : loft::sectionNames()) {
+  for (const sections::SectionName& name : sections::sectionNames()) {
     const std::string id(name.key);
     if (put(id.c_str(), name.label, name.preset)) {
-      env.sink.run(app::startBoardFrom, loft::SectionShape(name.preset));
+      env.sink.run(app::startBoardFrom, sections::SectionShape(name.preset));
     }
     ImGui::SameLine();
   }
   for (std::size_t i = env.ui().sections.traces.size(); i-- > 0;) {
     const std::string id = "trace" + std::to_string(i);
-    loft::SectionShape shape;
+    sections::SectionShape shape;
     shape.contours = {env.ui().sections.traces[i]};
     if (put(id.c_str(), "An earlier line", shape)) {
       env.sink.run(app::startBoardFromTrace, i);
@@ -280,9 +280,9 @@ void startRow(const PanelEnv& env, float width) {
 std::string_view hintOf(const app::SectionBoard& board) {
   if (board.drawing.empty() && board.corners.empty()) {
     return board.tool == app::BoardTool::Pen ? "Draw the slice in one go, all the way round."
-                                             : loft::sentenceOf(loft::DrawingFault::Empty);
+                                             : sections::sentenceOf(sections::DrawingFault::Empty);
   }
-  if (const auto problem = loft::problemOf(board.drawing)) return loft::sentenceOf(problem->fault);
+  if (const auto problem = sections::problemOf(board.drawing)) return sections::sentenceOf(problem->fault);
   switch (board.tool) {
     case app::BoardTool::Line:
       return "Tap corner after corner; the first one closes the curve.";
@@ -331,7 +331,7 @@ void drawSectionBoard(const PanelEnv& env) {
   toolbar(env, column);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + column);
   const app::SectionBoard& board = *ui.sections.board;
-  const bool wrong = !board.past.empty() && !board.drawing.empty() && loft::problemOf(board.drawing);
+  const bool wrong = !board.past.empty() && !board.drawing.empty() && sections::problemOf(board.drawing);
   label(env.fonts.small, wrong ? kWrong : kMuted, hintOf(board));
   ImGui::PopTextWrapPos();
   app::Rect square;

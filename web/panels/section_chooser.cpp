@@ -16,7 +16,7 @@ namespace spineloft::panels {
 namespace {
 
 /// Chooses a section for the picked place of the part, or as the start of the one on the board.
-void choose(const PanelEnv& env, const loft::SectionShape& shape) {
+void choose(const PanelEnv& env, const sections::SectionShape& shape) {
   if (env.ui().sections.board) {
     env.sink.run(app::startBoardFrom, shape);
     return;
@@ -46,7 +46,7 @@ class Grid {
   static constexpr float kGap = 6;
 
   /// A tile of a section; it can be pressed, or dragged to a part.
-  bool section(const char* id, Text name, const loft::SectionShape& shape, bool on) {
+  bool section(const char* id, Text name, const sections::SectionShape& shape, bool on) {
     place();
     const Text text = size_.y < 50 ? Text("") : name;
     const bool pressed =
@@ -64,9 +64,9 @@ class Grid {
 };
 
 /// Drawn sections of the model that are not on the shelf, each once.
-std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
-  std::vector<const loft::SectionShape*> out;
-  const auto known = [&](const loft::SectionShape& shape) {
+std::vector<const sections::SectionShape*> recentOf(const PanelEnv& env) {
+  std::vector<const sections::SectionShape*> out;
+  const auto known = [&](const sections::SectionShape& shape) {
     return std::ranges::any_of(env.ui().sections.shelf, [&](const app::ShelfSection& s) { return s.shape == shape; }) ||
            std::ranges::any_of(out, [&](const auto* other) { return *other == shape; });
   };
@@ -79,7 +79,7 @@ std::vector<const loft::SectionShape*> recentOf(const PanelEnv& env) {
 }
 
 /// What can be done with a chosen section of one's own.
-void ownSection(const PanelEnv& env, const loft::SectionShape& chosen) {
+void ownSection(const PanelEnv& env, const sections::SectionShape& chosen) {
   const float side = buttonSide(env);
   const auto& shelf = env.ui().sections.shelf;
   const auto kept = std::ranges::find_if(shelf, [&](const app::ShelfSection& s) { return s.shape == chosen; });
@@ -98,14 +98,14 @@ void ownSection(const PanelEnv& env, const loft::SectionShape& chosen) {
 
 void sectionChooser(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
-  const loft::SectionShape& chosen = app::pickedShape(env.ui(), part);
+  const sections::SectionShape& chosen = app::pickedShape(env.ui(), part);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {Grid::kGap, Grid::kGap});
   Grid grid(env, width);
   if (env.ui().layout.strip) {  // first where little shows at once
     grid.place();
     commandTile(env, "edit-slice", grid.size());
   }
-  for (const loft::SectionName& name : loft::sectionNames()) {
+  for (const sections::SectionName& name : sections::sectionNames()) {
     const std::string key(name.key);
     const bool on = !chosen.drawn() && name.preset == chosen.preset;
     if (grid.section(key.c_str(), name.label, name.preset, on)) choose(env, name.preset);
@@ -117,7 +117,7 @@ void sectionChooser(const PanelEnv& env, float width) {
     }
   }
   int recent = 0;
-  for (const loft::SectionShape* shape : recentOf(env)) {
+  for (const sections::SectionShape* shape : recentOf(env)) {
     const std::string id = "recent" + std::to_string(recent++);
     if (grid.section(id.c_str(), "In model", *shape, *shape == chosen)) {
       choose(env, *shape);

@@ -57,18 +57,18 @@ void blends(const PanelEnv& env, const SectionKeys& keys, std::size_t picked, fl
   const int columns = strip ? 6 : 3;
   const float gap = 6, side = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   int index = 0;
-  for (const loft::BlendName& name : loft::blendNames()) {
+  for (const sections::BlendName& name : sections::blendNames()) {
     if (index++ % columns != 0) ImGui::SameLine(0, gap);
     const std::string id = "blend-" + std::string(name.key);
     const bool on = keys[picked].blend.kind == name.kind;
     const auto paint = [&](ImDrawList& list, ImVec2 c, float radius, ImU32 ink) {
-      loft::Blend blend = keys[picked].blend;
+      sections::Blend blend = keys[picked].blend;
       if (blend.kind != name.kind) blend = {name.kind, {{{0, 0}, {0.35, 0.7}, {0.65, 0.3}, {1, 1}}}};
       constexpr int kSteps = 20;
       for (int i = 0; i <= kSteps; ++i) {
         const double t = static_cast<double>(i) / kSteps;
         list.PathLineTo({c.x + radius * static_cast<float>(2 * t - 1),
-                         c.y - radius * 0.8f * static_cast<float>(2 * loft::blendAt(blend, t) - 1)});
+                         c.y - radius * 0.8f * static_cast<float>(2 * sections::blendAt(blend, t) - 1)});
       }
       list.PathStroke(ink, 0, 1.8f);
     };
@@ -104,8 +104,8 @@ void sectionKeyBar(const PanelEnv& env, float width) {
   if (picked + 1 >= keys.size()) return;
   label(env.fonts.small, kMuted, "Change to the next one");
   blends(env, keys, picked, width);
-  const loft::Blend& blend = keys[picked].blend;
-  if (blend.kind != loft::BlendKind::Custom) return;
+  const sections::Blend& blend = keys[picked].blend;
+  if (blend.kind != sections::BlendKind::Custom) return;
   const geometry::AlongCurve& curve = env.ui().sections.graph ? *env.ui().sections.graph : blend.custom;
   curveGraph(env, {app::GraphArea::Kind::Blend, -0.5, 1.5, 0, "", {width, 96}}, curve);
 }

@@ -17,7 +17,7 @@ namespace {
 
 ImVec2 toVec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-void handle(ImDrawList& list, ImVec2 at, const loft::SectionShape& shape, bool on, float r) {
+void handle(ImDrawList& list, ImVec2 at, const sections::SectionShape& shape, bool on, float r) {
   list.AddCircleFilled({at.x, at.y + 1.5f}, r + 1, faded(kDark, 50), 32);
   list.AddCircleFilled(at, r, kHalo, 32);
   list.AddCircle(at, r, on ? kAccent : kSpine, 32, on ? 2.6f : 1.8f);

@@ -8,7 +8,7 @@ namespace {
 
 using Outlines = std::vector<std::vector<SectionPoint>>;
 constexpr int kOutlinePoints = 40;
-constexpr std::size_t kPresets = static_cast<std::size_t>(loft::SectionPreset::kCount);
+constexpr std::size_t kPresets = static_cast<std::size_t>(sections::SectionPreset::kCount);
 constexpr float kLineStep = 1.5f;  // CSS pixels between the lines that fill
 
 void fill(ImDrawList& list, const SectionFrame& frame, std::span<const std::vector<SectionPoint>> outlines,
@@ -38,11 +38,11 @@ void fill(ImDrawList& list, const SectionFrame& frame, std::span<const std::vect
 
 }  // namespace
 
-const Outlines& outlinesOf(const loft::SectionShape& shape) {
+const Outlines& outlinesOf(const sections::SectionShape& shape) {
   static const auto presets = [] {
     std::array<Outlines, kPresets> out;
-    for (const loft::SectionName& name : loft::sectionNames()) {
-      Result<loft::Section> section = loft::presetSection(name.preset, kOutlinePoints);
+    for (const sections::SectionName& name : sections::sectionNames()) {
+      Result<sections::Section> section = sections::presetSection(name.preset, kOutlinePoints);
       if (section) out[static_cast<std::size_t>(name.preset)] = {section.value().points};
     }
     return out;
@@ -59,7 +59,8 @@ void paintOutlines(ImDrawList& list, const SectionFrame& frame, std::span<const 
   }
 }
 
-void paintSection(ImDrawList& list, const SectionFrame& frame, const loft::SectionShape& shape, const SectionPen& pen) {
+void paintSection(ImDrawList& list, const SectionFrame& frame, const sections::SectionShape& shape,
+                  const SectionPen& pen) {
   paintOutlines(list, frame, outlinesOf(shape), pen);
 }
 

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "engine/loft/section.h"
+#include "engine/sections/section.h"
 
 namespace spineloft::panels {
 
 /// The outlines of a preset (few points) or of a drawn section.
-const std::vector<std::vector<SectionPoint>>& outlinesOf(const loft::SectionShape& shape);
+const std::vector<std::vector<SectionPoint>>& outlinesOf(const sections::SectionShape& shape);
 
 /// Where the square [−1, 1]² lies on the canvas: its middle and half its side.
 struct SectionFrame {
@@ -28,7 +28,8 @@ struct SectionPen {
 /// Closed curves; what lies in an odd number of them is filled.
 void paintOutlines(ImDrawList& list, const SectionFrame& frame, std::span<const std::vector<SectionPoint>> outlines,
                    const SectionPen& pen);
-void paintSection(ImDrawList& list, const SectionFrame& frame, const loft::SectionShape& shape, const SectionPen& pen);
+void paintSection(ImDrawList& list, const SectionFrame& frame, const sections::SectionShape& shape,
+                  const SectionPen& pen);
 /// An open line.
 void paintLine(ImDrawList& list, const SectionFrame& frame, std::span<const SectionPoint> line, const SectionPen& pen);
 

@@ -58,14 +58,15 @@ Text forParts(const PanelEnv& env, const char* text) {
   return asIs(words::tr("{what} of {n} parts", {{"what", words::tr(text)}, {"n", count}}));
 }
 
-/// The selected part when it is made of a region, else null.
+/// The selected part when it has no bone: made of a region, or drawn slice by slice. Else null.
 const document::Part* selectedRegion(const PanelEnv& env) {
   const document::Part* part = env.selected();
-  return part != nullptr && document::regionOf(part->recipe) != nullptr ? part : nullptr;
+  return part != nullptr && document::loftOf(*part) == nullptr ? part : nullptr;
 }
 
 const char* titleOf(const document::Part& region) {
   if (document::latheOf(region)) return "Spin";
+  if (document::stackOf(region)) return "Slice by slice";
   return document::inflateOf(region) ? "Puff" : "Flat piece";
 }
 

@@ -48,15 +48,16 @@ void slider(const PanelEnv& env, const document::Step& step, double document::Se
   ImGuiStorage& held = *ImGui::GetStateStorage();
   const ImGuiID here = ImGui::GetID(id);
   if (ImGui::GetActiveID() == here) value = held.GetFloat(here, value);
-  ImGui::SliderFloat(id, &value, low, high, "%.1f mm");
-  registerControl(env, app::Control::Kind::Slider, text);
+  const SliderTurn turn = panels::slider(env, {id, text, low, high, "%.1f mm"}, value);
   held.SetFloat(here, value);
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  if (!turn.done) return;
   action.*length = static_cast<double>(value) / unit;
   env.sink.run(app::setStep, action);
 }
 
-void openingChooser(const PanelEnv& env, const document::Step& step, float width) {
+/// The sides at which a hollow solid can be open, `on` pressed; `choose(side)` is told another one.
+template <class Choose>
+void openingChooser(const PanelEnv& env, document::OpeningSide on, float width, const Choose& choose) {
   using document::OpeningSide;
   constexpr std::array<std::pair<OpeningSide, const char*>, 9> kChoices = {{{OpeningSide::Up, "Top"},
                                                                             {OpeningSide::Down, "Bottom"},
@@ -70,12 +71,24 @@ void openingChooser(const PanelEnv& env, const document::Step& step, float width
   label(env.fonts.small, kMuted, "Open at");
   WordButtons row(env, width);
   for (const auto& [side, text] : kChoices) {
-    if (!row.button(text, text, step.opening.side == side)) continue;
-    document::SetStep action{step.id, step.kind, step.blend, step.wall, step.opening};
-    action.opening.side = side;
-    env.sink.run(app::setStep, action);
+    if (row.button(text, text, on == side)) choose(side);
   }
-  commandText(env, {"point-opening", width});
+}
+
+/// What *Scoop out* shows, in place of what else can be made.
+void shownHollow(const PanelEnv& env, const document::CombineParts& draft, float width) {
+  const document::Operand what = draft.operands.front();
+  const document::Step* step = findStep(env.document(), what.step);
+  const document::Part* part = findPart(env.document(), what.part);
+  const std::string_view name = words::nameOf(step ? step->name : part ? part->name : std::string_view());
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  label(env.fonts.bold, kInk, asIs(words::tr("{name} becomes hollow", {{"name", name}})));
+  ImGui::PopTextWrapPos();
+  openingChooser(env, draft.opening.side, width,
+                 [&](document::OpeningSide side) { env.sink.run(app::openHollow, side); });
+  ImGui::Dummy({0, 2});
+  commandText(env, {"hollow-use", width, true});
+  commandText(env, {"hollow-cancel", width});
 }
 
 void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
@@ -84,7 +97,12 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
   if (blends) slider(env, step, &document::SetStep::blend, "Round the seam");
   if (step.kind == StepKind::Hollow) {
     slider(env, step, &document::SetStep::wall, "Wall");
-    openingChooser(env, step, width);
+    openingChooser(env, step.opening.side, width, [&](document::OpeningSide side) {
+      document::SetStep action{step.id, step.kind, step.blend, step.wall, step.opening};
+      action.opening.side = side;
+      env.sink.run(app::setStep, action);
+    });
+    commandText(env, {"point-opening", width});
   }
   ImGui::PopID();
 }
@@ -100,6 +118,16 @@ void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const float dy : {-5.f, 0.f, 5.f}) list.AddCircleFilled({at.x + 3, at.y + size.y / 2 + dy}, 1.4f, kMuted, 8);
 }
+
+void showRow(const PanelEnv& env, const app::ListRow& row, float left) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  if (!ImGui::GetCurrentWindow()->ClipRect.Contains(ImVec2((low.x + high.x) / 2, (low.y + high.y) / 2))) return;
+  // A name may be longer than the buttons at the end of its row leave it.
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  env.ui().rows.push_back({row, {left, low.y, right - left, high.y - low.y}});
+}
+
+bool stayed(const PanelEnv& env) { return env.ui().touch && ImGui::GetIO().MouseDownDurationPrev[0] >= kLongPress; }
 
 bool secondClick() { return ImGui::GetIO().MouseClickedLastCount[0] == 2; }
 
@@ -142,6 +170,12 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   }
   const bool pressed = ImGui::InvisibleButton("row", {row - grips, height});
   registerControl(env, app::Control::Kind::Row, step.name, true, selected);
+  showRow(env, {{}, {}, step.id}, at.x + 26);
+  const std::optional<app::Flash>& flash = env.ui().solids.flash;
+  if (flash && flash->step == step.id) {
+    const ImU32 lit = faded(kAccent, static_cast<unsigned>(110 * flash->light));
+    list.AddRectFilled(at, {at.x + width - indent, at.y + height}, lit, 8);
+  }
   if (selected || ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
   }
@@ -154,7 +188,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const ImU32 ink = !step.visible ? faded(kMuted, 150) : selected ? kAccent : kInk;
   drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2}, ink}, name);
   if (pressed) {
-    const bool twice = selected && secondClick();
+    const bool twice = selected && (secondClick() || stayed(env));
     env.sink.run(twice ? app::askStepName : app::selectStep, step.id);
   }
   ImGui::SameLine(0, 0);
@@ -199,6 +233,7 @@ void solidPanel(const PanelEnv& env, float width) {
     commandText(env, {"solve-again", half});
     ImGui::PopID();
   }
+  if (env.ui().solids.hollow) return shownHollow(env, *env.ui().solids.hollow, width);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
   const float each = std::min(74.f, (width - 12) / 4);
   int tiles = 0;
@@ -210,7 +245,7 @@ void solidPanel(const PanelEnv& env, float width) {
     for (const app::CommandId id : std::initializer_list<app::CommandId>{"stick-together", "cut", "keep-common"})
       tile(id);
   }
-  if (step == nullptr || step->kind != StepKind::Hollow) tile("scoop-out");
+  if (step == nullptr || step->kind != StepKind::Hollow) tile("hollow-show");
   if (step != nullptr) tile("release");
   // A bin beside one of its parts would take that part alone.
   if (holdsWhole(env)) tile("delete-step");

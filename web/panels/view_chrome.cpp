@@ -262,6 +262,10 @@ void drawHints(const PanelEnv& env) {
     pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
          {"Any further, and it would go through itself", kAccent, kOnAccent});
   }
+  if (env.ui().solids.hollow) {
+    pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
+         {"Tap where it is to open", kAccent, kOnAccent});
+  }
   // What is to come, while there is nothing to see yet.
   if (env.document().parts.empty() && !drawing) {
     pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot,
@@ -284,10 +288,10 @@ void drawViewChrome(const PanelEnv& env) {
   const app::Rect beside{layout.picture.x + shift, layout.picture.y, layout.picture.width - shift,
                          layout.picture.height};
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
-  if (tool != app::ToolKind::Place || !layout.stacked) {
+  const bool barInSolid = tool == app::ToolKind::Place || env.ui().solids.hollow;
+  if (!barInSolid || !layout.stacked) {
     const std::string size = app::roundLength(env.document().height.value);
-    const bool sharesRow = tool == app::ToolKind::Place;  // with the bar that places parts
-    const Text solid = env.document().parts.empty() || sharesRow
+    const Text solid = env.document().parts.empty() || barInSolid  // which shares the row
                            ? Text("Solid")
                            : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
     chip(env, layout.solid, solid, !onPicture);
@@ -305,11 +309,11 @@ void drawViewChrome(const PanelEnv& env) {
   using Ids = std::span<const app::CommandId>;
   const bool few = layout.stacked || env.ui().touch || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
-  const bool bare = env.document().parts.empty();
+  const bool empty = env.document().parts.empty();
   const app::Rect paper = sketchBarRect(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const Ids simple = few ? Ids(kSimpleFew) : Ids(kSimple);
-  const Ids full = (few || onPaper) && bare ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
+  const Ids full = (few || onPaper) && empty ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
   const Ids all = env.ui().allTools ? full : simple;
   const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the spine
   const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;
@@ -358,6 +362,7 @@ void drawActivity(const PanelEnv& env) {
 void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
   env.ui().controls.clear();
+  env.ui().rows.clear();
   env.ui().sections.graphs.clear();
   drawPictureOverlay(env);
   drawPictureStrip(env);
@@ -365,11 +370,13 @@ void draw(const PanelEnv& env) {
   drawSolidOverlay(env);
   drawScale(env);
   drawFailureInSolid(env);
+  drawHollowOverlay(env);
   drawPlaceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);
   drawEditBar(env);
   drawHints(env);
+  env.ui().solidRoom = app::roomBeside(env.ui().layout.solid, env.ui().overlays);
   drawSidePanel(env);
   drawSectionBoard(env);
   drawActivity(env);

@@ -124,8 +124,35 @@ void registerControl(const PanelEnv& env, app::Control::Kind kind, std::string_v
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
   const bool inSight = ImGui::GetCurrentWindow()->ClipRect.Contains(middle);
-  env.ui().controls.push_back(
-      {kind, std::string(words), {low.x, low.y, high.x - low.x, high.y - low.y}, inSight, enabled, on});
+  app::UiState& ui = env.ui();
+  const std::uint32_t id = ImGui::GetItemID();
+  ui.controls.push_back(
+      {kind, std::string(words), {low.x, low.y, high.x - low.x, high.y - low.y}, inSight, enabled, on, id});
+  if (ui.wantedInSight == 0 || ui.wantedInSight != id) return;
+  ui.wantedInSight = 0;
+  if (!inSight) ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleCenterY | ImGuiScrollFlags_KeepVisibleEdgeX);
+}
+
+void namesCommand(const PanelEnv& env, app::CommandId id) { env.ui().controls.back().command = id; }
+
+SliderTurn slider(const PanelEnv& env, const Slider& what, float& value) {
+  SliderTurn turn;
+  turn.changed = ImGui::SliderFloat(what.id, &value, what.low, what.high, what.format,
+                                    what.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  turn.done = ImGui::IsItemDeactivatedAfterEdit();
+  registerControl(env, app::Control::Kind::Slider, what.words);
+  app::Control& control = env.ui().controls.back();
+  std::optional<app::AskedControl>& asked = env.ui().asked;
+  if (asked && asked->value && asked->id == control.id) {
+    value = std::clamp(static_cast<float>(*asked->value), what.low, what.high);
+    asked.reset();
+    turn = {true, true};
+  }
+  std::array<char, 80> text{};
+  ImFormatString(text.data(), text.size(), what.format, static_cast<double>(value));
+  control.slide = {static_cast<double>(what.low), static_cast<double>(what.high), static_cast<double>(value),
+                   text.data()};
+  return turn;
 }
 
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect) {
@@ -238,16 +265,18 @@ void commandButton(const PanelEnv& env, app::CommandId id, float size, float wid
   const ImU32 colour = command.group == "tool" ? toolColour(env.ui().tool) : 0;
   const std::string tip = tipOf(command);
   const Text below = width > 0 ? Text(command.label) : Text("");
-  if (iconButton(env,
-                 {name.c_str(), command.icon, asIs(tip), active, can, size, colour, command.label, below, width})) {
-    env.sink.run(command);
-  }
+  const bool pressed =
+      iconButton(env, {name.c_str(), command.icon, asIs(tip), active, can, size, colour, command.label, below, width});
+  namesCommand(env, id);
+  if (pressed) env.sink.run(command);
 }
 
 bool namedButton(const PanelEnv& env, app::CommandId id, float size) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)}, tip = tipOf(command);
-  return iconButton(env, {name.c_str(), command.icon, asIs(tip), false, true, size, 0, command.label});
+  const bool pressed = iconButton(env, {name.c_str(), command.icon, asIs(tip), false, true, size, 0, command.label});
+  namesCommand(env, id);
+  return pressed;
 }
 
 float wordButtonWidth(const PanelEnv& env, Text text, float height) {
@@ -262,6 +291,7 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = pressedItem(std::string(std::string_view(button.id)).c_str(), {button.width, button.height});
   registerControl(env, app::Control::Kind::Button, command.label, can, active);
+  namesCommand(env, button.id);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.width, at.y + button.height};
@@ -314,6 +344,7 @@ void commandText(const PanelEnv& env, const CommandText& button) {
   const Text text = button.value.empty() ? Text(command.label) : button.value;
   const bool pressed = textButton(
       env, {name.c_str(), text, on || button.primary, app::enabled(command, env.env), buttonSide(env), button.width});
+  namesCommand(env, button.id);
   tooltip(command.hint);
   if (pressed) env.sink.run(command);
 }
@@ -365,6 +396,7 @@ void commandTile(const PanelEnv& env, app::CommandId id, ImVec2 size) {
                               const ImVec2 extent = font->CalcTextSizeA(side, FLT_MAX, 0, icon);
                               list.AddText(font, side, {c.x - extent.x / 2, c.y - extent.y / 2}, kAccent, icon);
                             });
+  namesCommand(env, id);
   if (pressed && can) env.sink.run(command);
 }
 

@@ -52,6 +52,23 @@ bool beginFixed(const char* name, const app::Rect& rect, ImGuiWindowFlags extra 
 void registerControl(const PanelEnv& env, app::Control::Kind kind, std::string_view words, bool enabled = true,
                      bool on = false);
 
+/// The control that was registered last runs this command.
+void namesCommand(const PanelEnv& env, app::CommandId id);
+
+/// A slider for a value in the unit that it shows. `changed` while a hand moves it, `done` when it has let go; both at
+/// once where it is worked without a pointer.
+struct Slider {
+  const char* id = "";
+  std::string_view words;  ///< what it sets
+  float low = 0, high = 1;
+  const char* format = "%.1f";  ///< may be words that hold the number
+  bool logarithmic = false;
+};
+struct SliderTurn {
+  bool changed = false, done = false;
+};
+SliderTurn slider(const PanelEnv& env, const Slider& what, float& value);
+
 /// A floating card of buttons; its place is kept from the tools.
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
 void endCard();

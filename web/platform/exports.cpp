@@ -3,7 +3,9 @@
 #include <emscripten.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "web/platform/browser_host.h"
 #include "web/platform/page.h"
@@ -134,6 +136,15 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_export(const char* format, std::uin
   return bytes.empty() ? nullptr : bytes.data();
 }
 
+/// As spl_export.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* spl_pictureWithModel(const std::uint8_t* png, std::uint32_t size,
+                                                              std::uint32_t* length) {
+  const std::span<const std::uint8_t> bytes =
+      page() && png ? page()->pictureWithModel({png, size}) : std::span<const std::uint8_t>();
+  if (length != nullptr) *length = static_cast<std::uint32_t>(bytes.size());
+  return bytes.empty() ? nullptr : bytes.data();
+}
+
 EMSCRIPTEN_KEEPALIVE void spl_imageToClient(double x, double y, double* out) {
   if (page() == nullptr || out == nullptr) return;
   const auto at = page()->imageToCanvas(x, y);
@@ -151,6 +162,13 @@ EMSCRIPTEN_KEEPALIVE void spl_answer(const char* id, const char* answer) {
   if (page() != nullptr) page()->answer(text(id), text(answer));
 }
 EMSCRIPTEN_KEEPALIVE int spl_idle() { return page() == nullptr || page()->idle() ? 1 : 0; }
+/// Not a number: it is pressed.
+EMSCRIPTEN_KEEPALIVE void spl_workControl(std::uint32_t id, double value) {
+  if (page() != nullptr) page()->workControl(id, std::isnan(value) ? std::nullopt : std::optional(value));
+}
+EMSCRIPTEN_KEEPALIVE void spl_showControl(std::uint32_t id) {
+  if (page() != nullptr) page()->showControl(id);
+}
 EMSCRIPTEN_KEEPALIVE int spl_warmUp() { return warmUp() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
   if (page() != nullptr) page()->cancelWork();

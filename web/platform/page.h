@@ -81,12 +81,18 @@ class Page {
   virtual const std::string& sentence(std::string_view errorName) = 0;
   /// The whole model as a file; empty on failure. Valid until the next call.
   virtual std::span<const std::uint8_t> exportModel(std::string_view format) = 0;
+  /// A PNG picture of the model with the model inside (engine/io/png_model.h); as `exportModel`.
+  virtual std::span<const std::uint8_t> pictureWithModel(std::span<const std::uint8_t> png) = 0;
   /// Where a point of the picture is on the canvas.
   virtual Vec2<struct CanvasSpace> imageToCanvas(double x, double y) = 0;
   virtual void contextLost() = 0;
   virtual void contextRestored() = 0;
   virtual void answer(std::string_view id, std::string_view text) = 0;
   virtual bool idle() = 0;
+  // Controls of the panels without a pointer, by the ids of {type: 'controls'}: what is out of sight comes into sight.
+  /// A slider gets a value; without one it is pressed.
+  virtual void workControl(std::uint32_t id, std::optional<double> value) = 0;
+  virtual void showControl(std::uint32_t id) = 0;
   virtual void cancelWork() = 0;
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
   /// web/model/solid_work.h).

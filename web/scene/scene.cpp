@@ -1,10 +1,12 @@
 #include "web/scene/scene.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "engine/base/hash.h"
 #include "engine/mesh/laws.h"
 #include "engine/publish/publish.h"
+#include "web/edit/hollowing.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 
@@ -13,11 +15,8 @@ namespace {
 
 gl::Viewport viewport(const Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
 
-/// What lies on the GPU under the key 0 is nothing.
-std::uint64_t gpuKey(std::uint64_t hash) { return hash == 0 ? 1 : hash; }
-
 gl::SceneTexture textureOf(const document::PictureEntry& entry, const image::Picture& pixels) {
-  return {gpuKey(entry.contentHash), &pixels.working};
+  return {{Hasher().text("picture").number(entry.contentHash).value()}, &pixels.working};
 }
 
 gl::Mat4 matrixOf(const pipeline::ToWorld& toWorld) {
@@ -58,10 +57,11 @@ Source sourceOf(const document::Document& document, const pipeline::Derived& der
 void useTexture(const Source& source, const pipeline::PartShape& shape, gl::SceneMesh& mesh) {
   if (shape.texture) {
     const surface::UvArea& area = shape.texture->area;
-    mesh.texture = {gpuKey(Hasher().text("texture").number(shape.textureKey).value()), &shape.texture->pixels};
+    const gl::TextureKey key{Hasher().text("texture").number(shape.textureKey.hash).value()};
+    mesh.texture = {key, &shape.texture->pixels};
     mesh.textureArea = {static_cast<float>(area.left), static_cast<float>(area.top),
                         static_cast<float>(area.right - area.left), static_cast<float>(area.bottom - area.top)};
-  } else if (!isDressed(shape) && source.pixels) {
+  } else if (!isTextureKnown(shape) && source.pixels) {
     mesh.texture = textureOf(*source.entry, *source.pixels);
   }
 }
@@ -105,9 +105,9 @@ gl::SceneMesh meshOf(const Source& source, const document::Look& look, const pip
   return mesh;
 }
 
-/// Of the mesh as it lies on the GPU.
-std::uint64_t keyOf(std::uint64_t shape, const document::Look& look) {
-  return gpuKey(Hasher().text("mesh").number(shape).number(look.faceted).value());
+/// Of the mesh as it lies on the GPU. `what` is of which kind `hash` is.
+gl::MeshKey meshKey(std::string_view what, std::uint64_t hash, bool faceted) {
+  return {Hasher().text(what).number(hash).number(faceted).value()};
 }
 
 void addParts(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
@@ -120,9 +120,10 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     if (!shape || !showsItself(document, derived, part) || source.entry == nullptr) continue;
     if (previewOf(ui, part.id)) continue;
     gl::SceneMesh mesh = meshOf(source, part.look, *shape);
-    mesh.key = keyOf(shape->key, part.look);
+    mesh.key = meshKey("shape", shape->key.hash, mesh.faceted);
     const bool several = document.parts.size() > 1;
-    mesh.glow = several && isSelected(document, ui, part.id) ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
+    const bool lit = ui.solids.hollow ? becomesHollow(document, ui, part.id) : isSelected(document, ui, part.id);
+    mesh.glow = several && lit ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
     addCopies(mesh, shownCopies(ui, part, source.entry->size), scene);
   }
 }
@@ -159,10 +160,13 @@ void addSolids(const document::Document& document, const pipeline::Derived& deri
     std::size_t number = 0;
     for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
       gl::SceneMesh mesh = pieceOf(document, derived, step, piece);
-      const std::uint64_t key = Hasher().text("piece").number(shown->solid->key).number(number++).value();
-      mesh.key = gpuKey(Hasher().number(key).number(mesh.faceted).value());
-      const bool chosen = piece.part && piece.part == ui.selection;
+      const Hasher place = Hasher().number(shown->solid->key.hash).number(number++);
+      mesh.key = meshKey("piece", place.value(), mesh.faceted);
+      const bool chosen =
+          piece.part && (ui.solids.hollow ? becomesHollow(document, ui, piece.part) : piece.part == ui.selection);
       mesh.glow = chosen ? 0.7f : piece.part && piece.part == ui.hover.part ? 0.35f : 0.f;
+      const std::optional<Flash>& flash = ui.solids.flash;
+      if (flash && flash->step == step.id) mesh.glow = std::max(mesh.glow, static_cast<float>(flash->light));
       scene.meshes.push_back(mesh);
     }
   }
@@ -176,7 +180,7 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
   const Source source = sourceOf(document, derived, document::pictureOf(preview.recipe));
   if (source.entry == nullptr) return;
   gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
-  mesh.key = keyOf(Hasher().text("preview").number(preview.revision).value(), preview.look);
+  mesh.key = meshKey("preview", preview.revision, mesh.faceted);
   addCopies(mesh, previewCopies(document, derived, ui, source.entry->size), scene);
 }
 

@@ -27,7 +27,7 @@ void Thumbnails::addTo(gl::Scene& scene, const document::Document& document, con
     const document::PictureEntry* entry = document::findPicture(document, wanted.picture);
     const image::Picture* pixels = pipeline::pixelsOf(document, derived, wanted.picture);
     if (entry == nullptr || pixels == nullptr) continue;
-    const std::uint64_t key = Hasher().text("thumbnail").number(entry->contentHash).value() | 1u;
+    const gl::TextureKey key{Hasher().text("thumbnail").number(entry->contentHash).value()};
     const Rect& at = wanted.at;
     scene.thumbnails.push_back({{key, small(*entry, *pixels)}, {at.x, at.y, at.width, at.height}});
   }

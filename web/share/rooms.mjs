@@ -2,7 +2,7 @@
 // What they post is encrypted; of the room the server knows who posted, when and how much, and what is hidden.
 import { days, kLimits, minutes } from './limits.mjs';
 import { Refusal } from './refusal.mjs';
-import { isSame } from './secrets.mjs';
+import { isSame, secretOf } from './secrets.mjs';
 
 const kRoomLimits = { bytes: kLimits.roomBytes, posts: kLimits.roomPosts };
 const kRefused = { none: 'NotThere', taken: 'Taken', full: 'RoomFull', frozen: 'Frozen' };
@@ -97,7 +97,7 @@ export function roomRoutes(app, { store, clock, addresses, misses, watchers, idO
     const post = await store.post(room.id, idOf(request.params.post));
     if (!post) throw new Refusal('NotThere');
     // What is hidden is for the teacher.
-    if (post.hidden && !isSame(room.owner, needSecret(request))) throw new Refusal('NotThere');
+    if (post.hidden && !isSame(room.owner, secretOf(request))) throw new Refusal('NotThere');
     return sendBytes(reply, post.bytes);
   });
 

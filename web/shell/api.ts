@@ -38,7 +38,7 @@ export interface Rib {
 }
 
 /** One of the slices along a bone. */
-export interface SliceStop {
+export interface SectionKey {
   /** Share of the bone's length, 0…1. */
   at: number;
   /** Key of the preset, or 'drawn'. */
@@ -84,7 +84,7 @@ export interface Part {
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
   /** All slices along the bone, in order. */
-  slices: SliceStop[];
+  slices: SectionKey[];
   along: AlongCurves;
   /** Keys of the two ends: 'flat', 'round', 'pointed' or 'open'. */
   caps: { start: string; end: string };
@@ -189,7 +189,7 @@ export interface Step {
 
 /** Something on the canvas that can be pressed; 'words' are told and cannot be. Names of parts are the words of rows and grips. */
 export interface Control {
-  kind: 'button' | 'row' | 'grip' | 'field' | 'slider' | 'section' | 'tab' | 'words';
+  kind: 'button' | 'row' | 'grip' | 'field' | 'slider' | 'section' | 'tab' | 'words' | 'rib';
   words: string;
   /** CSS pixels of the canvas. */
   at: [x: number, y: number, width: number, height: number];
@@ -197,6 +197,12 @@ export interface Control {
   inSight: boolean;
   enabled: boolean;
   on: boolean;
+  /** Its number for as long as it is shown; 0 for words. */
+  id: number;
+  /** The command that it runs. */
+  command: string | null;
+  /** Of a slider: its ends and its value in the unit that it shows, and the value in words. */
+  slide: { low: number; high: number; value: number; text: string } | null;
 }
 
 /** What is on the page now. A copy: changing it changes nothing. */
@@ -220,6 +226,8 @@ export interface State {
   gizmo: { at: [number, number]; held: boolean; knobs: { handle: string; at: [number, number] }[] } | null;
   /** Solids made of parts. */
   steps: Step[];
+  /** What *Scoop out* shows before it does it: what becomes hollow, with its wall and opening. */
+  hollow: { what: Operand[]; wall: number; opening: string; openingDepth: number } | null;
   /** Ticked in the list for the next solid, in this order. */
   picked: Operand[];
   /** Id of the chosen solid. */
@@ -354,8 +362,8 @@ export interface Command {
   } | null;
 }
 
-/** 'zip': OBJ with its colours and its picture. */
-export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft' | 'zip' | '3mf';
+/** 'zip': OBJ with its colours and its picture. 'png': a picture of the solid with the whole model inside. */
+export type ExportFormat = 'glb' | 'obj' | 'stl' | 'spineloft' | 'zip' | '3mf' | 'png';
 
 /** A model that this device keeps. */
 export interface KeptModelInfo {
@@ -378,7 +386,7 @@ export interface SpineLoftFailure extends Error {
 
 /** A model in a link. */
 export interface SharedLink {
-  /** The address of this page with the text behind '#m='. */
+  /** The address of the viewer with the text behind '#m=': it shows the model, and "Make it mine" opens a copy of it here. */
   url: string;
   /** The text alone: letters, digits, '-' and '_'. */
   text: string;
@@ -386,6 +394,8 @@ export interface SharedLink {
   characters: number;
   /** Photos that are not in it: white paper stands for each, the ribs found in it are fixed, and parts have its mean colour. */
   photosLeft: number;
+  /** True where the text is an id and a key of the server of this page's host, which keeps the model for some days. */
+  stored: boolean;
 }
 
 export interface SpineLoftApi {
@@ -397,11 +407,13 @@ export interface SpineLoftApi {
   idle(): Promise<void>;
   /** Opens a picture file (PNG, JPEG, WebP, GIF, BMP, AVIF) as dropping it would. */
   openImage(blob: Blob, name?: string): Promise<void>;
-  /** Opens a model file (.spineloft, or a GLB of this page) as a new model; the one that was open stays in the list. */
+  /** Opens a model file (.spineloft, a GLB of this page, or a PNG with a model inside) as a new model; the one that was open stays in the list. */
   openProject(blob: Blob): Promise<void>;
-  /** The model as a link that holds all of it but its photos. */
-  shareLink(): Promise<SharedLink>;
-  /** Opens the model of such a link, or of its text, as a new model; the one that was open stays in the list. */
+  /** The model as a link that holds all of it but its photos; with `stored` as a short link with its photos, where the host has a share server. */
+  shareLink(options?: { stored?: boolean }): Promise<SharedLink>;
+  /** Deletes what a stored link of this browser (its address or text) leads to. */
+  takeBackLink(text: string): Promise<void>;
+  /** Opens the model of such a link (stored or not), or of its text, as a new model; the one that was open stays in the list. */
   openShareText(text: string): Promise<void>;
   /** The models that this device keeps, the last changed first; `run('open-model', {id})` opens one. */
   models(): Promise<KeptModelInfo[]>;

@@ -3,12 +3,11 @@
 import type { Command, ExportFormat, State } from './api.ts';
 import { boundScript } from './bound_script.ts';
 import { Failure } from './failure.ts';
-import type { Script } from './fonts.ts';
-import type { About, JournalEvent } from './keep/journal_writer.ts';
-import type { KeepEvent } from './keep/keeper.ts';
+import type { EngineEvent, RawEvent } from './engine_events.ts';
+import type { Fonts, Script } from './fonts.ts';
+import type { About } from './keep/journal_writer.ts';
 import type { RawPhoto } from './keep/pack.ts';
 import type { ShellView } from './shell_view.ts';
-import type { TurntableEvent } from './turntable.ts';
 import type { Probe, WorkingCopy } from './picture.ts';
 import { waitForEnd } from './solids/lifeline.ts';
 import { Solver } from './solids/solver.ts';
@@ -16,37 +15,7 @@ import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 import { forCanvas } from './words/words.ts';
 import type { Language } from './words/words.ts';
 
-/** A button of a toast that runs a command of the table. */
-export interface Offer {
-  label: string;
-  command: string;
-  args: Record<string, unknown> | null;
-}
-
-/** What the engine tells the shell; see `Host`. */
-export type EngineEvent =
-  | { type: 'changed'; view: ShellView }
-  | { type: 'toast'; level: 'info' | 'hint' | 'warning' | 'error'; text: string; offer?: Offer }
-  | { type: 'file'; name: string; mediaType: string; bytes: Uint8Array }
-  | { type: 'pickPicture' }
-  | { type: 'ask'; id: string; title: string; text: string; value?: string }
-  | { type: 'cursor'; css: string }
-  | { type: 'shelf'; slices: unknown[] }
-  | { type: 'status'; text: string }
-  /** The page is to speak this language. */
-  | { type: 'language'; id: string }
-  /** A dialog of the shell. */
-  | { type: 'show'; dialog: 'help' | 'find-command' }
-  | { type: 'stopSolving' }
-  /** The part of a solid that is chosen, and so the likely one to be edited next. */
-  | { type: 'expectEdit'; part: number | null }
-  | TurntableEvent
-  | JournalEvent
-  | KeepEvent;
-
-type RawEvent =
-  | Exclude<EngineEvent, { type: 'file' }>
-  | { type: 'file'; name: string; mediaType: string; ptr: number; length: number };
+export type { EngineEvent, Offer } from './engine_events.ts';
 
 /** Pointer kinds, devices and modifiers as numbers of the C++ side. */
 export const kPointerKind = { down: 0, move: 1, up: 2, cancel: 3, leave: 4 } as const;
@@ -69,12 +38,6 @@ export interface Size {
   width: number;
   height: number;
   dpr: number;
-}
-
-export interface Fonts {
-  text: Uint8Array;
-  bold: Uint8Array;
-  icons: Uint8Array;
 }
 
 interface Module {
@@ -122,6 +85,7 @@ interface Module {
   _spl_commands(): number;
   _spl_run(id: number, args: number): number;
   _spl_export(format: number, outLength: number): number;
+  _spl_pictureWithModel(png: number, size: number, outLength: number): number;
   _spl_lastError(): number;
   _spl_sentence(code: number): number;
   _spl_imageToClient(x: number, y: number, out: number): void;
@@ -129,6 +93,8 @@ interface Module {
   _spl_contextRestored(): void;
   _spl_answer(id: number, text: number): void;
   _spl_idle(): number;
+  _spl_workControl(id: number, value: number): void;
+  _spl_showControl(id: number): void;
   _spl_warmUp(): number;
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
@@ -381,10 +347,25 @@ export class Engine {
     this.check(this.withStrings([id, JSON.stringify(args)], (at) => this.text(this.module._spl_run(at[0]!, at[1]!))));
   }
 
-  exportModel(format: ExportFormat): Uint8Array {
+  exportModel(format: Exclude<ExportFormat, 'png'>): Uint8Array {
+    return this.file((outLength) => this.withStrings([format], (ptr) => this.module._spl_export(ptr[0]!, outLength)));
+  }
+
+  /** A PNG picture of the model with the model inside. */
+  pictureWithModel(png: Uint8Array): Uint8Array {
+    const at = this.put(png);
+    try {
+      return this.file((outLength) => this.module._spl_pictureWithModel(at, png.length, outLength));
+    } finally {
+      this.module._free(at);
+    }
+  }
+
+  /** The bytes whose place `write` returns; it leaves their number at `outLength`. */
+  private file(write: (outLength: number) => number): Uint8Array {
     const outLength = this.module._malloc(4);
     try {
-      const at = this.withStrings([format], (ptr) => this.module._spl_export(ptr[0]!, outLength));
+      const at = write(outLength);
       if (at === 0) {
         this.check(this.text(this.module._spl_lastError()));
         throw new Failure('NothingToExport', this.sentence('NothingToExport'));
@@ -423,6 +404,16 @@ export class Engine {
 
   answer(id: string, text: string): void {
     this.withStrings([id, text], (at) => this.module._spl_answer(at[0]!, at[1]!));
+  }
+
+  /** Works a control of the panels without a pointer: see 'controls'. */
+  workControl(id: number, value = Number.NaN): void {
+    this.module._spl_workControl(id, value);
+  }
+
+  /** Brings it into sight. */
+  showControl(id: number): void {
+    this.module._spl_showControl(id);
   }
 
   isIdle(): boolean {

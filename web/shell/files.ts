@@ -64,15 +64,37 @@ export function pickModel(): void {
   byId<HTMLInputElement>('model-picker').click();
 }
 
-/** Whether a file is a GLB by its first bytes: a project of ours, or of another program. */
-export async function isModelFile(file: Blob): Promise<boolean> {
-  const head = new Uint8Array(
-    await file
-      .slice(0, 4)
-      .arrayBuffer()
-      .catch(() => new ArrayBuffer(0)),
+/** Bytes of a file; fewer, where they are not there or cannot be read. */
+async function bytesOf(file: Blob, from: number, count: number): Promise<DataView> {
+  const bytes = await file
+    .slice(from, from + count)
+    .arrayBuffer()
+    .catch(() => new ArrayBuffer(0));
+  return new DataView(bytes);
+}
+
+const lettersOf = (bytes: DataView, from: number, count: number) =>
+  String.fromCharCode(
+    ...Array.from({ length: Math.min(count, bytes.byteLength - from) }, (_, i) => bytes.getUint8(from + i)),
   );
-  return String.fromCharCode(...head) === 'glTF';
+
+/** Whether one of the chunks of a PNG holds a model (engine/io/png_model.h). */
+async function hasModelChunk(png: Blob): Promise<boolean> {
+  for (let at = 8; at + 12 <= png.size;) {
+    const head = await bytesOf(png, at, 8);
+    const type = head.byteLength < 8 ? 'IEND' : lettersOf(head, 4, 4);
+    if (type === 'spLf') return true;
+    if (type === 'IEND' || type === 'IDAT') return false; // it stands in front of the pixels
+    at += 12 + head.getUint32(0);
+  }
+  return false;
+}
+
+/** Whether a file is a GLB, a project of ours or of another program, or a PNG with a model inside. */
+export async function isModelFile(file: Blob): Promise<boolean> {
+  const head = await bytesOf(file, 0, 8);
+  if (lettersOf(head, 0, 4) === 'glTF') return true;
+  return lettersOf(head, 0, 8) === '\x89PNG\r\n\x1a\n' && hasModelChunk(file);
 }
 
 /** Offers bytes as a download. */

@@ -2,7 +2,13 @@
 import textAddress from '@expo-google-fonts/inter/400Regular/Inter_400Regular.ttf';
 import boldAddress from '@expo-google-fonts/inter/600SemiBold/Inter_600SemiBold.ttf';
 import iconAddress from 'lucide-static/font/lucide.ttf';
-import type { Fonts } from './engine.ts';
+
+/** The bytes of the fonts that the canvas always has. */
+export interface Fonts {
+  text: Uint8Array;
+  bold: Uint8Array;
+  icons: Uint8Array;
+}
 
 async function fetchBytes(address: string): Promise<Uint8Array> {
   const response = await fetch(new URL(address, import.meta.url));

@@ -57,13 +57,15 @@ export function connectKeyboard(page: KeyboardPage): void {
       return;
     }
     if (page.isLocked()) return;
-    if (down && page.pen.key(event)) {
+    // A pen that is out has its keys first. It comes by Enter, unless that ends what is open.
+    if (down && page.pen.isOut && page.pen.key(event)) {
       event.preventDefault();
       return;
     }
     const plain = !event.ctrlKey && !event.metaKey;
     if (page.isQuiet() && plain) return;
-    if (page.engine.key(event.code, event.key, down, modifiersOf(event))) event.preventDefault();
+    const used = page.engine.key(event.code, event.key, down, modifiersOf(event)) || (down && page.pen.key(event));
+    if (used) event.preventDefault();
   };
   window.addEventListener('keydown', (event) => listen(event, true));
   window.addEventListener('keyup', (event) => listen(event, false));

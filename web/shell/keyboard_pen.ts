@@ -31,6 +31,10 @@ export class KeyboardPen {
     page.canvas.addEventListener('pointerdown', () => this.putAway());
   }
 
+  get isOut(): boolean {
+    return this.at !== null;
+  }
+
   /** True when the pen used the key. */
   key(event: KeyboardEvent): boolean {
     if (document.activeElement !== this.page.canvas || event.ctrlKey || event.metaKey || event.altKey) return false;

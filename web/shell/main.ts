@@ -1,66 +1,35 @@
 // The page starts here: look whether this browser can run it, load the engine, connect everything.
 import './styles/base.css';
 import './styles/chrome.css';
+import './styles/class.css';
 import './styles/models.css';
 import './styles/popups.css';
 import './styles/start.css';
 import { adoptWords, asIs, byId, make, translatePage } from './dom.ts';
-import { loadEngine } from './engine.ts';
-import type { Engine, EngineEvent } from './engine.ts';
-import { Failure } from './failure.ts';
+import type { Engine } from './engine.ts';
+import type { Failure } from './failure.ts';
 import { connectFiles } from './files.ts';
-import { loadFonts } from './fonts.ts';
 import { openLanguages } from './help.ts';
 import { icon } from './icons.ts';
 import { watchInputKind } from './input_kind.ts';
 import { connectKeyboard } from './keyboard.ts';
 import { KeyboardPen } from './keyboard_pen.ts';
 import { receiveFiles, startOffline } from './offline/offline.ts';
+import { kLinkMark, takeOwn, viewerFor } from './links.ts';
 import { Page } from './page.ts';
 import { connectPointer } from './pointer.ts';
 import { installApi } from './public_api.ts';
+import { startEngine } from './start_engine.ts';
 import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
-import { hasWebGl2, sizeOf, watchContext, watchSize, watchTheme } from './surface.ts';
+import { sizeOf, watchContext, watchSize, watchTheme } from './surface.ts';
 import { toast } from './toasts.ts';
-import { takeLink } from './share.ts';
+import { serverLink, takeServerLink } from './room/address.ts';
+import { Classroom } from './room/classroom.ts';
 import { connectTooltips } from './tooltip.ts';
 import { warmUpWhenIdle } from './warm_up.ts';
 import { language, onLanguage, preferredLanguage, speak, t } from './words/words.ts';
 
 const canvas = byId<HTMLCanvasElement>('canvas');
-
-/** Why this browser cannot run the page, or null. */
-function missing(): Failure | null {
-  if (typeof WebAssembly !== 'object') {
-    return new Failure(
-      'NoWebAssembly',
-      'This browser has no WebAssembly, which SpineLoft needs. Update the browser, or open the page in a current Chrome, Edge, Firefox or Safari.',
-    );
-  }
-  if (!hasWebGl2()) {
-    return new Failure(
-      'NoWebGL2',
-      'This browser cannot draw in 3D: WebGL 2 is missing or switched off. Switch on graphics acceleration in its settings, or try another browser.',
-    );
-  }
-  return null;
-}
-
-async function startEngine(onEvent: (event: EngineEvent) => void): Promise<Engine> {
-  const failure = missing();
-  if (failure) throw failure;
-  try {
-    const [engine, fonts] = await Promise.all([loadEngine(canvas, onEvent), loadFonts()]);
-    if (!engine.start(fonts, sizeOf(canvas))) throw new Error('the engine did not start');
-    return engine;
-  } catch (thrown) {
-    console.warn(thrown);
-    throw new Failure(
-      'EngineNotLoaded',
-      'SpineLoft did not load completely. Check the connection and load the page again.',
-    );
-  }
-}
 
 /** The page cannot run: say why in the place of the drop area. */
 function showFailure(failure: Failure): void {
@@ -89,7 +58,7 @@ function connect(page: Page, engine: Engine): void {
     pen,
     show: (dialog) => page.show(dialog),
     isQuiet: () => page.isOnStartPage,
-    isLocked: () => page.isReadOnly,
+    isLocked: () => page.isReadOnly || !byId('wall').hidden,
   });
   window.addEventListener('beforeunload', (event) => {
     if (page.hasUnsavedWork) event.preventDefault();
@@ -124,7 +93,11 @@ function main(): void {
   const page = new Page();
   connectLanguage(page);
   let engine: Engine | null = null;
-  const starting = startEngine((event) => page.handle(event));
+  const starting = startEngine(
+    canvas,
+    (event) => page.handle(event),
+    () => sizeOf(canvas),
+  );
   const ready = starting.then(async (started) => {
     connect(page, started);
     warmUpWhenIdle(started);
@@ -168,12 +141,43 @@ function main(): void {
     () => whenReady(() => page.drawOnPaper()),
   );
   connectTooltips(byId('bar'));
+  const classroom = new Classroom({
+    engine: () => engine,
+    openModel: async (bytes) => {
+      await page.openProject(new Blob([bytes as BlobPart]));
+      await window.spineloft.idle();
+      return page.currentModel;
+    },
+    currentModel: () => page.currentModel,
+    isOnStartPage: () => page.isOnStartPage,
+    back: () => page.refresh(),
+  });
+  page.onNextPupil = () => classroom.leave();
+  ready.then(
+    () => classroom.begin(),
+    () => undefined,
+  );
   const openAddress = () => {
-    const link = takeLink();
-    if (link) whenReady(() => void page.openLink(link).catch((thrown: unknown) => page.complain(thrown)));
+    const onServer = takeServerLink();
+    if (onServer?.kind === 'stored') {
+      const address = serverLink('', onServer);
+      whenReady(() => void page.openLink(address).catch((thrown: unknown) => page.complain(thrown)));
+    } else if (onServer) {
+      ready.then(
+        () => classroom.follow(onServer),
+        () => undefined,
+      );
+    }
+    const viewer = viewerFor(location);
+    if (viewer) location.assign(viewer);
+    const text = takeOwn();
+    if (text) whenReady(() => void page.openLink(kLinkMark + text).catch((thrown: unknown) => page.complain(thrown)));
   };
   window.addEventListener('hashchange', openAddress);
   openAddress();
 }
 
-main();
+// A model in a link is looked at first.
+const viewer = viewerFor(location);
+if (viewer) location.replace(viewer);
+else main();

@@ -12,15 +12,19 @@ import { loadScript } from './fonts.ts';
 import { Guide } from './guide.ts';
 import { showHelp } from './help.ts';
 import { icon } from './icons.ts';
+import { askInPlace } from './in_place.ts';
 import { askAnimal } from './keep/animals.ts';
 import { Keeper } from './keep/keeper.ts';
 import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
+import { Mirror } from './mirror.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
 import type { ShellView } from './shell_view.ts';
 import { sharedLink, showShare } from './share.ts';
+import { serverLinkIn } from './room/address.ts';
+import { asSharedLink, readStored, storedSection, storeModel, takeBack } from './room/stored.ts';
 import { keepShelf, readShelf, watchShelf } from './shelf.ts';
 import { ToolChoice, wantsAllTools } from './tool_choice.ts';
 import { kSamples, sampleAddress } from './start_page.ts';
@@ -28,7 +32,7 @@ import type { Sample } from './start_page.ts';
 import type { Task } from './tasks.ts';
 import { toast } from './toasts.ts';
 import type { ToastAction } from './toasts.ts';
-import { gifOf, pngOf } from './turntable.ts';
+import { gifOf, pngOf, stillOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
 import { isSolidLikely, startSolver } from './warm_up.ts';
 import { keepLanguage, language, onLanguage, speak, t } from './words/words.ts';
@@ -42,6 +46,8 @@ export class Page {
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
   private passing: string | null = null;
   private turning = false;
+  /** Called when the device is handed on. */
+  onNextPupil: () => void = () => undefined;
   private readonly opening = new Set<AbortController>();
   private readonly canvas = byId<HTMLCanvasElement>('canvas');
   private readonly home = byId<HTMLButtonElement>('home');
@@ -50,6 +56,15 @@ export class Page {
   private readonly guide = new Guide();
   private readonly coach = new Coach();
   private readonly tools = new ToolChoice();
+  private readonly mirror = new Mirror({
+    press: ({ kind, id }) => {
+      if (kind === 'rib') this.run('choose-rib', { rib: id >> 1, side: id % 2 === 0 ? 'left' : 'right' });
+      else this.work((engine) => engine.workControl(id));
+    },
+    set: (id, value) => this.work((engine) => engine.workControl(id, value)),
+    show: (id) => this.engine?.showControl(id),
+    nameText,
+  });
   private readonly models = new ModelsView({
     list: () => this.listModels(),
     elsewhere: () => this.keeper?.elsewhere() ?? Promise.resolve(new Set()),
@@ -89,7 +104,7 @@ export class Page {
       askAnimal,
       beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
-      showShare: () => showShare(this.shareLink()),
+      showShare: () => this.showShare(engine),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
     });
@@ -144,6 +159,9 @@ export class Page {
         break;
       case 'cursor':
         this.canvas.style.cursor = event.css;
+        break;
+      case 'controls':
+        this.mirror.update(event.controls);
         break;
       case 'shelf':
         keepShelf(event.slices);
@@ -210,6 +228,16 @@ export class Page {
     try {
       this.mustBeChangeable();
       this.engine?.run(id, args);
+    } catch (thrown) {
+      toast(sentenceOf(thrown), 'error');
+    }
+  }
+
+  /** Works a control of the panels, unless nothing can be changed here. */
+  private work(control: (engine: Engine) => void): void {
+    try {
+      this.mustBeChangeable();
+      if (this.engine) control(this.engine);
     } catch (thrown) {
       toast(sentenceOf(thrown), 'error');
     }
@@ -286,6 +314,7 @@ export class Page {
 
   /** For the next pupil on this device: few tools, and the first steps. */
   private beginAfresh(): void {
+    this.onNextPupil();
     this.run('more-tools', { on: false });
     this.coach.begin(null);
     this.refresh();
@@ -336,15 +365,51 @@ export class Page {
     this.refresh();
   }
 
+  private showShare(engine: Engine): void {
+    const host = {
+      name: engine.about().name,
+      still: (side: number) => stillOf(engine, side),
+      picture: () => pngOf(engine),
+      save: () => this.run('save-project'),
+    };
+    showShare(
+      this.shareLink(),
+      host,
+      storedSection(() => this.modelFile()),
+    );
+  }
+
   /** The open model as a link that holds it. */
   shareLink(): SharedLink {
     if (!this.engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
     return sharedLink(this.engine.shareText());
   }
 
+  /** The open model as a file with its photos, and its name. */
+  private async modelFile(): Promise<{ name: string; bytes: Uint8Array }> {
+    const bytes = await window.spineloft.exportModel('spineloft');
+    return { name: this.engine!.about().name, bytes };
+  }
+
+  /** The open model under a short link, on the server of this host. */
+  async storeLink(): Promise<SharedLink> {
+    const { name, bytes } = await this.modelFile();
+    return asSharedLink(await storeModel(name, bytes));
+  }
+
+  /** Id of the open model in the list; null while it is empty and new. */
+  get currentModel(): string | null {
+    return this.keeper?.current ?? null;
+  }
+
   /** Opens the model in a link as a new one; rejects when there is none, and then nothing has changed. */
-  openLink(link: string): Promise<void> {
-    return this.openProject(new Blob([link]));
+  async openLink(link: string): Promise<void> {
+    const stored = serverLinkIn(link);
+    return this.openProject(new Blob(stored ? [(await readStored(stored)) as BlobPart] : [link]));
+  }
+
+  async takeBackLink(text: string): Promise<void> {
+    await takeBack(serverLinkIn(text)?.id ?? '');
   }
 
   /** Files that the visitor dropped, pasted or chose, one after the other. */
@@ -414,7 +479,9 @@ export class Page {
   private async ask(event: Extract<EngineEvent, { type: 'ask' }>): Promise<void> {
     const command = event.id.split(':')[0]!;
     const isOne = this.table.some(({ id }) => id === command);
-    const text = await askText(event.title, event.text, event.value, isOne ? command : undefined);
+    const text = event.at
+      ? await askInPlace(event.at, event.text, event.value ?? '')
+      : await askText(event.title, event.text, event.value, isOne ? command : undefined);
     if (text !== null) this.engine?.answer(event.id, text);
   }
 
@@ -433,7 +500,7 @@ export class Page {
   }
 
   /** Brings the DOM in step with what the engine told. */
-  private refresh(view = this.engine?.view): void {
+  refresh(view = this.engine?.view): void {
     if (!this.engine || !view) return;
     if (!this.readOnly && isSolidLikely(this.view, view)) startSolver(this.engine);
     this.view = view;
@@ -447,6 +514,7 @@ export class Page {
     setAttribute(this.home, 'title', hasPicture ? 'Home: the start page, with your models' : null);
     byId('home-word').textContent = hasPicture ? t('Home') : 'SpineLoft';
     this.canvas.inert = !hasPicture || this.readOnly;
+    byId('mirror').hidden = !hasPicture || this.readOnly;
     void this.models.update();
     const commands = commandsNow(this.table, view);
     this.tools.see(commands.find(({ id }) => id === 'more-tools')?.toggled === true);

@@ -3,11 +3,12 @@ import type { Command, ExportFormat, KeptModelInfo, SharedLink, SpineLoftApi, St
 import type { Engine } from './engine.ts';
 import { Failure } from './failure.ts';
 import type { ModelInfo } from './keep/store.ts';
+import { pngOf } from './turntable.ts';
 
 const kPollMs = 12;
 /** A page that draws slower than this is not waited for. */
 const kFramesMs = 1000;
-const kFormats: ExportFormat[] = ['glb', 'obj', 'stl', 'spineloft', 'zip', '3mf'];
+const kFormats: ExportFormat[] = ['glb', 'obj', 'stl', 'spineloft', 'zip', '3mf', 'png'];
 
 export interface ApiPage {
   /** Null until the engine runs. */
@@ -20,6 +21,8 @@ export interface ApiPage {
     /** The same of a model file. */
     openProject(blob: Blob): Promise<void>;
     shareLink(): SharedLink;
+    storeLink(): Promise<SharedLink>;
+    takeBackLink(text: string): Promise<void>;
     openLink(link: string): Promise<void>;
     listModels(): Promise<ModelInfo[]>;
     /** Throws while another tab has the model. */
@@ -37,6 +40,7 @@ const kBeforeReady: State = {
   pen: { size: 'medium', eraser: 'medium', colour: '#1f2430', points: null, menu: false },
   parts: [],
   steps: [],
+  hollow: null,
   picked: [],
   selectedStep: null,
   selected: [],
@@ -137,11 +141,14 @@ export function installApi(api: ApiPage): void {
       await running();
       await page.openProject(blob);
     },
-    async shareLink() {
+    async shareLink({ stored = false } = {}) {
       await running();
       // What is still searched for is found first: the ribs in a photo are fixed as they are.
       await installed.idle();
-      return page.shareLink();
+      return stored ? page.storeLink() : page.shareLink();
+    },
+    async takeBackLink(text) {
+      await page.takeBackLink(text);
     },
     async openShareText(text) {
       await running();
@@ -171,14 +178,17 @@ export function installApi(api: ApiPage): void {
       if (!kFormats.includes(format)) {
         throw new Failure(
           'ValueOutOfRange',
-          `There is no export to "${String(format)}". Choose glb, obj, zip, stl, 3mf or spineloft.`,
+          `There is no export to "${String(format)}". Choose glb, obj, zip, stl, 3mf, png or spineloft.`,
         );
       }
       // A file holds finished solids, and parts that do not go through themselves.
       await installed.idle();
       if (format !== 'spineloft') engine.finishParts();
       await installed.idle();
-      return engine.exportModel(format);
+      if (format !== 'png') return engine.exportModel(format);
+      const png = await pngOf(engine);
+      if (!png) throw new Failure('NothingToExport', engine.sentence('NothingToExport'));
+      return png;
     },
   };
   Object.defineProperty(window, 'spineloft', { value: Object.freeze(installed), enumerable: true });

@@ -1,60 +1,45 @@
-// The model as a link: its text stands behind the '#' of the page's own address, which browsers send to no server.
-import { create } from 'qrcode/lib/core/qrcode.js';
+// The dialog Share: the model as a link and a QR code, as a picture, on stickers, and on another page.
 import type { SharedLink } from './api.ts';
 import { openDialog } from './dialogs.ts';
 import { make } from './dom.ts';
+import { sentenceOf } from './failure.ts';
+import { download } from './files.ts';
 import { icon } from './icons.ts';
+import { viewAddress } from './links.ts';
+import { qrCode } from './qr.ts';
+import { printStickers } from './stickers.ts';
 import { toast } from './toasts.ts';
 import { t } from './words/words.ts';
-
-/** What stands in front of the text; the engine knows it too (io/share_text.h). */
-const kMark = '#m=';
 
 /** Longest link that most programs keep whole, and that is read well from a QR code on a screen. */
 const kMostCharacters = 1900;
 
-/** Modules of white round a QR code (ISO/IEC 18004). */
-const kQuiet = 4;
+/** What the dialog needs of the page. */
+export interface ShareHost {
+  name: string;
+  /** A square picture of the model on a canvas; null while there is nothing to show. */
+  still(side: number): HTMLCanvasElement | null;
+  /** The picture with the model inside; null while there is nothing to show. */
+  picture(): Promise<Uint8Array | null>;
+  /** Saves a model file. */
+  save(): void;
+}
 
 export function sharedLink({ text, photos }: { text: string; photos: number }): SharedLink {
-  const url = location.origin + location.pathname + kMark + text;
-  return { url, text, characters: text.length, photosLeft: photos };
+  return { url: viewAddress(text), text, characters: text.length, photosLeft: photos, stored: false };
 }
 
-/** The link in the page's address, which is taken out of it: loading the page again must not open the model again. */
-export function takeLink(): string | null {
-  if (!location.hash.startsWith(kMark)) return null;
-  const link = location.hash;
-  history.replaceState(null, '', location.pathname + location.search);
-  return link;
-}
-
-/** Black on white in any theme, so that every camera reads it. */
-export function qrCode(text: string): SVGElement {
-  const { size, data } = create(text, { errorCorrectionLevel: 'L' }).modules;
-  const rows = Array.from({ length: size }, (_, y) =>
-    Array.from(data.subarray(y * size, (y + 1) * size), (dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : '')).join(''),
-  );
-  const side = size + 2 * kQuiet;
-  const holder = document.createElement('template');
-  holder.innerHTML =
-    `<svg viewBox="${-kQuiet} ${-kQuiet} ${side} ${side}" shape-rendering="crispEdges" role="img">` +
-    `<path fill="#fff" d="M${-kQuiet} ${-kQuiet}h${side}v${side}h${-side}z"/><path d="${rows.join('')}"/></svg>`;
-  const svg = holder.content.querySelector('svg') as SVGElement;
-  svg.setAttribute('class', 'share-code');
-  svg.setAttribute('aria-label', t('QR code of the link'));
-  return svg;
-}
+type TextField = HTMLInputElement | HTMLTextAreaElement;
 
 /** Without https the clipboard can only be reached by what is marked. */
-async function copy(field: HTMLInputElement): Promise<void> {
+export async function copyField(field: TextField, said: string): Promise<void> {
   field.select();
   try {
     await navigator.clipboard.writeText(field.value);
   } catch {
-    if (!document.execCommand('copy')) return toast('Press Ctrl+C to copy the link.');
+    if (!document.execCommand('copy')) return toast('Press Ctrl+C to copy it.');
   }
-  toast('The link is copied.');
+  toast(said);
 }
 
 function button(name: string, text: string, act: () => void, look = ''): HTMLButtonElement {
@@ -64,18 +49,90 @@ function button(name: string, text: string, act: () => void, look = ''): HTMLBut
   return made;
 }
 
-/** The dialog with the link of the model. */
-export function showShare({ url, characters, photosLeft }: SharedLink): void {
-  const field = make('input', { type: 'text', id: 'share-link', readonly: '', value: url });
+function selectWhole(field: TextField): void {
   field.addEventListener('focus', () => field.select());
-  const buttons = make('div', { class: 'dialog-buttons' });
-  if (typeof navigator.share === 'function') {
-    buttons.append(button('send', 'Send', () => void navigator.share({ url }).catch(() => undefined)));
+}
+
+/** Sides of the picture on a sticker and of the poster of an embedded viewer, pixels. */
+const kStickerSide = 200,
+  kPosterSide = 240;
+
+/** Hands the picture to the system's share sheet where it takes files, else saves it. */
+async function sendPicture(host: ShareHost): Promise<void> {
+  const bytes = await host.picture();
+  if (!bytes) return toast('There is nothing to show yet. Draw a line through something first.', 'error');
+  const file = new File([bytes as BlobPart], `${host.name}.png`, { type: 'image/png' });
+  if (navigator.canShare?.({ files: [file] })) {
+    try {
+      return await navigator.share({ files: [file] });
+    } catch (thrown) {
+      if ((thrown as Error).name === 'AbortError') return; // the visitor closed it
+    }
   }
-  buttons.append(button('copy', 'Copy link', () => void copy(field), 'button-primary'));
+  download(file.name, file.type, bytes);
+  toast(t('Saved {file}.', { file: file.name }));
+}
+
+const escaped = (text: string) => text.replace(/[&"<>]/g, (letter) => `&#${letter.charCodeAt(0)};`);
+
+/** The HTML that shows the model inside another page: its picture first, and the viewer when that is pressed. */
+export function snippetOf(url: string, host: Pick<ShareHost, 'name' | 'still'>): string {
+  const poster = host.still(kPosterSide)?.toDataURL('image/webp', 0.7) ?? '';
+  const address = poster.startsWith('data:image/webp') ? `${url}&poster=${poster}` : url;
+  return (
+    `<iframe src="${escaped(address)}" title="${escaped(host.name)}" width="480" height="360" ` +
+    `style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen; xr-spatial-tracking"></iframe>`
+  );
+}
+
+/** A part of the dialog that opens when it is pressed. */
+function onAPage(url: string, host: ShareHost): HTMLElement {
+  const field = make('textarea', { id: 'share-snippet', readonly: '', rows: '4', spellcheck: 'false' });
+  selectWhole(field);
+  const fold = make(
+    'details',
+    { class: 'share-fold' },
+    make('summary', {}, 'On your own page'),
+    make('label', { for: 'share-snippet' }, 'Put this into the HTML of the page'),
+    field,
+    make(
+      'div',
+      { class: 'dialog-buttons' },
+      button('copy', 'Copy', () => void copyField(field, 'The HTML is copied.')),
+    ),
+  );
+  // The picture in it takes a moment to make.
+  fold.addEventListener('toggle', () => {
+    if (fold.open && field.value === '') field.value = snippetOf(url, host);
+  });
+  return fold;
+}
+
+/** The dialog with the link of the model; `more` comes below it, where there is something. */
+export function showShare(
+  { url, characters, photosLeft }: SharedLink,
+  host: ShareHost,
+  more: Promise<HTMLElement | null>,
+): void {
+  const field = make('input', { type: 'text', id: 'share-link', readonly: '', value: url });
+  selectWhole(field);
   const isLong = characters > kMostCharacters;
+  const buttons = make('div', { class: 'dialog-buttons' });
+  if (typeof navigator.share === 'function')
+    buttons.append(button('send', 'Send', () => void navigator.share({ url }).catch(() => undefined)));
+  buttons.append(
+    button('copy', 'Copy link', () => void copyField(field, 'The link is copied.'), isLong ? '' : 'button-primary'),
+  );
+  const send = () => void sendPicture(host).catch((thrown: unknown) => toast(sentenceOf(thrown), 'error'));
+  const others = make('div', { class: 'share-others' });
+  others.append(button('image-down', 'Picture', send, isLong ? 'button-primary' : ''));
+  if (isLong) others.append(button('save', 'Save model', () => host.save()));
+  else {
+    const picture = () => host.still(kStickerSide)?.toDataURL() ?? null;
+    others.append(button('qr-code', 'Stickers', () => printStickers({ url, name: host.name, picture: picture() })));
+  }
   const body: Node[] = [
-    make('p', {}, 'The whole model is in this link. Who opens it gets a copy; yours stays as it is.'),
+    make('p', {}, 'The whole model is in this link. Who opens it sees it and can have a copy; yours stays as it is.'),
     ...(photosLeft > 0 ? [make('p', {}, 'Photos stay here: the parts keep their shape and get one colour each.')] : []),
     make('label', { for: 'share-link' }, 'Link'),
     field,
@@ -84,12 +141,21 @@ export function showShare({ url, characters, photosLeft }: SharedLink): void {
       ? make(
           'p',
           {},
-          t('This link is {n} characters long, and some programs cut it off. A model file is safer.', {
-            n: characters,
-          }),
+          t(
+            'This link is {n} characters long, and some programs cut it off. Send the picture or the model file instead: the whole model is in both.',
+            { n: characters },
+          ),
         )
-      : qrCode(url),
+      : qrCode(url).svg,
+    make(
+      'p',
+      { class: 'share-more' },
+      'The picture has the model inside, with its photos: who drops it on this page can go on with it.',
+    ),
+    others,
+    onAPage(url, host),
   ];
-  openDialog('Share', body, 'dialog share');
+  const dialog = openDialog('Share', body, 'dialog share');
+  void more.then((section) => section && dialog.append(section));
   field.select();
 }

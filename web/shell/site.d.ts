@@ -18,8 +18,12 @@ interface SpineLoftSite {
   readonly workers: Readonly<Record<string, string>>;
   /** The module of web/shell/words/speaker.ts. */
   readonly speaker: string;
+  /** The module of web/shell/room/server_side.ts. */
+  readonly serverSide: string;
   /** By language: fonts with the letters of its script, as TrueType files. */
   readonly scripts: Readonly<Record<string, { readonly text: string; readonly bold: string }>>;
+  /** What view.html loads when it needs it: web/shell/view/derive.ts and room.ts. */
+  readonly viewer: { readonly derive: string; readonly room: string };
   /** The service worker beside index.html; empty while the site is not whole. */
   readonly serviceWorker: string;
 }
@@ -28,7 +32,10 @@ declare const SPINELOFT_SITE: SpineLoftSite;
 
 /** In the service worker: all files of the release, by who needs them. `revision` is null where the name has a hash. */
 declare const SPINELOFT_FILES: Readonly<
-  Record<'page' | 'threads' | 'single', readonly { url: string; revision: string | null; integrity?: string }[]>
+  Record<
+    'page' | 'threads' | 'single' | 'rare',
+    readonly { url: string; revision: string | null; integrity?: string }[]
+  >
 >;
 
 // Files that can be imported: SVG as text (lucide-static/icons/NAME.svg), fonts and pictures as their hashed URL,
@@ -50,6 +57,9 @@ declare module '*.jpg' {
   export default url;
 }
 declare module '*.css';
+
+// <model-viewer> is an element; its types are in the way of a page without React.
+declare module '@google/model-viewer';
 
 // The part of the reshaper that is used; it has no types of its own.
 declare module 'arabic-persian-reshaper' {

@@ -68,7 +68,7 @@ export const kTasks: Task[] = [
     steps: [
       outline('Draw the outline of a vase with the pen'),
       { say: 'Draw a line down its middle, from the rim to the foot', done: parts(1) },
-      { say: 'Press Scoop out: it becomes hollow', done: hollow },
+      { say: 'Press Scoop out, then Make it hollow', done: hollow },
       turn,
       save,
     ],
@@ -82,7 +82,7 @@ export const kTasks: Task[] = [
     steps: [
       outline('Draw the outline of a mug, without its handle, with the pen'),
       { say: 'Draw a line down its middle', done: parts(1) },
-      { say: 'Press Scoop out: it becomes hollow', done: hollow },
+      { say: 'Press Scoop out, then Make it hollow', done: hollow },
       { say: 'Draw a line for the handle, from the mug and back to it', done: parts(2) },
       { say: 'Press Stick: mug and handle become one', done: (now, start) => now.solids >= start.solids + 2 },
       save,

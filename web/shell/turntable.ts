@@ -14,6 +14,11 @@ export interface Turnable {
   turntable(width: number, height: number, turn: number): Uint8ClampedArray | null;
 }
 
+/** Who puts the model into a PNG, too. */
+export interface PictureMaker extends Turnable {
+  pictureWithModel(png: Uint8Array): Uint8Array;
+}
+
 /** Sides of the pictures in pixels, and how the GIF goes round. */
 export const kPngSide = 1024,
   kGifSide = 320,
@@ -21,16 +26,23 @@ export const kPngSide = 1024,
   kFrameMs = 100;
 const kColours = 256;
 
-/** One picture as PNG; null when there is nothing to show. */
-export async function pngOf(engine: Turnable, side = kPngSide): Promise<Uint8Array | null> {
+/** The model from home on a canvas of its own; null when there is nothing to show. */
+export function stillOf(engine: Turnable, side: number): HTMLCanvasElement | null {
   const rgba = engine.turntable(side, side, 0);
   if (!rgba) return null;
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = side;
   canvas.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(rgba), side, side), 0, 0);
+  return canvas;
+}
+
+/** One picture as PNG with the model inside; null when there is nothing to show. */
+export async function pngOf(engine: PictureMaker, side = kPngSide): Promise<Uint8Array | null> {
+  const canvas = stillOf(engine, side);
+  if (!canvas) return null;
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   if (!blob) throw new Error('the picture could not be written');
-  return new Uint8Array(await blob.arrayBuffer());
+  return engine.pictureWithModel(new Uint8Array(await blob.arrayBuffer()));
 }
 
 /**

@@ -16,8 +16,12 @@ function whenIdle(work: (deadline?: IdleDeadline) => void): void {
   else setTimeout(() => work(), kPause);
 }
 
-/** Begins after the page has been drawn, and goes on only while the page and its engine have nothing else to do. */
+/**
+ * Begins after the page has been drawn, unless the mark is set already, and goes on only while the page and its engine have
+ * nothing else to do.
+ */
 export function warmUpWhenIdle(engine: Engine): void {
+  if (performance.getEntriesByName(kWarmMark).length > 0) return;
   let left = kRounds;
   const round = (deadline?: IdleDeadline) => {
     const room = deadline === undefined || deadline.timeRemaining() >= kSlice;

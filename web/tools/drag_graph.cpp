@@ -130,7 +130,7 @@ void DragGraph::commit(const ToolEnv& env) {
   if (part == nullptr || curve == current(env)) return;
   if (isBlend()) {
     env.sink.run(app::setBlend, part->id, app::pickedSectionKey(env.ui, *part),
-                 loft::Blend{loft::BlendKind::Custom, curve});
+                 sections::Blend{sections::BlendKind::Custom, curve});
   } else {
     const app::AlongInfo& info = app::alongInfo(env.ui.sections.along);
     for (AlongPoint& p : curve.points) p.value = std::clamp(p.value, info.low, info.high);

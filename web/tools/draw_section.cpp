@@ -15,10 +15,10 @@ using app::BoardTool;
 using Kind = app::BoardStroke::Kind;
 
 /// How far a place on the canvas is from the outline after a point of a curve.
-double distanceToStretch(const app::SectionBoard& board, const loft::DrawnCurve& curve, std::size_t i,
+double distanceToStretch(const app::SectionBoard& board, const sections::DrawnCurve& curve, std::size_t i,
                          app::ClientPoint at) {
   double best = 1e9;
-  const std::vector<SectionPoint> stretch = loft::stretchOf(curve, i);
+  const std::vector<SectionPoint> stretch = sections::stretchOf(curve, i);
   for (std::size_t k = 1; k < stretch.size(); ++k) {
     const app::ClientPoint a = app::toCanvas(board, stretch[k - 1]);
     const app::ClientPoint along = app::toCanvas(board, stretch[k]) - a;
@@ -49,16 +49,16 @@ void DrawSection::takePoint(const ToolEnv& env) {
   double reach = reachOf(last_);
   double stretchReach = reach;
   for (std::size_t c = 0; c < board.drawing.size(); ++c) {
-    const loft::DrawnCurve& curve = board.drawing[c];
+    const sections::DrawnCurve& curve = board.drawing[c];
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const double off = distance(app::toCanvas(board, curve.points[i].at), last_.at);
       if (off < reach) {
         reach = off;
-        held_ = loft::PointRef{c, i};
+        held_ = sections::PointRef{c, i};
       }
       if (const double side = distanceToStretch(board, curve, i, last_.at); side < stretchReach) {
         stretchReach = side;
-        after_ = loft::PointRef{c, i};
+        after_ = sections::PointRef{c, i};
       }
     }
   }
@@ -83,19 +83,19 @@ void DrawSection::move(const ToolEnv& env, const ToolEvent& event) {
       break;
     case BoardTool::Box:
     case BoardTool::Ellipse:
-      board.stroke =
-          loft::outlineOf(board.tool == BoardTool::Box ? loft::boxCurve(from_, to_) : loft::ellipseCurve(from_, to_));
+      board.stroke = sections::outlineOf(board.tool == BoardTool::Box ? sections::boxCurve(from_, to_)
+                                                                      : sections::ellipseCurve(from_, to_));
       break;
     case BoardTool::Points:
       if (!held_ && after_) {  // pulling at the curve pulls a new point out of it
-        loft::Drawing next = board.drawing;
-        held_ = loft::addPoint(next, *after_, from_, board.symmetry);
+        sections::Drawing next = board.drawing;
+        held_ = sections::addPoint(next, *after_, from_, board.symmetry);
         board.live = std::move(next);
       }
       if (held_) {
         if (!board.live) board.live = board.drawing;
         board.point = held_;
-        loft::movePoint(*board.live, *held_, to_, board.symmetry);
+        sections::movePoint(*board.live, *held_, to_, board.symmetry);
         app::previewBoard(env.ui, env.document);
       }
       break;
@@ -156,7 +156,7 @@ void DrawSection::commitPoint(const ToolEnv& env) {
     return;
   }
   if (!board.live) return;
-  loft::Drawing next = *std::exchange(board.live, std::nullopt);
+  sections::Drawing next = *std::exchange(board.live, std::nullopt);
   if (!held_) return;
   // One step even where a point was pulled out of the curve.
   if (after_ && next.size() == board.drawing.size() &&

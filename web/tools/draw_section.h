@@ -2,7 +2,7 @@
 // point.
 #pragma once
 
-#include "engine/loft/section_drawing.h"
+#include "engine/sections/drawing.h"
 #include "web/tools/tool.h"
 
 namespace spineloft::tools {
@@ -23,8 +23,8 @@ class DrawSection final : public Tool {
   ToolEvent last_;
   SectionPoint from_, to_;
   bool doubled_ = false;
-  std::optional<loft::PointRef> held_;   ///< the point under the pointer
-  std::optional<loft::PointRef> after_;  ///< the pointer is on the curve after this point
+  std::optional<sections::PointRef> held_;   ///< the point under the pointer
+  std::optional<sections::PointRef> after_;  ///< the pointer is on the curve after this point
 };
 
 }  // namespace spineloft::tools

@@ -4,13 +4,13 @@
 #include <limits>
 
 #include "web/commands/intents.h"
+#include "web/edit/gizmo.h"
 #include "web/edit/outline.h"
 #include "web/edit/picker.h"
 #include "web/edit/placing.h"
 #include "web/edit/region_editing.h"
 #include "web/edit/section_editing.h"
 #include "web/edit/spinning.h"
-#include "web/tools/place_tool.h"
 
 namespace spineloft::tools {
 namespace {
@@ -138,7 +138,7 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
       hover.depth = static_cast<int>(i);
     }
   }
-  if (const std::optional<app::Gizmo> gizmo = shownGizmo(env)) {
+  if (const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document, env.derived, ui)) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
   }
   const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
@@ -150,7 +150,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
   using app::ToolKind;
   const app::Hover& hover = ui.hover;
   if (view == app::Focus::Solid) {
-    if (ui.solids.pointing) return hover.part ? "crosshair" : "grab";
+    if (ui.solids.pointing || ui.solids.hollow) return hover.part ? "crosshair" : "grab";
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.depth >= 0) return "ns-resize";
     return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";

@@ -21,19 +21,12 @@ double angleOf(const FingerPair& pair) {
 
 }  // namespace
 
-std::optional<app::Gizmo> shownGizmo(const ToolEnv& env) {
-  if (env.ui.tool != app::ToolKind::Place) return std::nullopt;
-  const std::vector<PartId> parts = app::selectedParts(env.document, env.ui);
-  const auto centre = app::centreOf(env.document, env.derived, env.ui, parts);
-  return centre ? app::gizmoAt(env.ui, *centre) : std::nullopt;
-}
-
 void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
   touch_ = event.touch();
   beganMs_ = nowMs_ = event.timeMs;
   parts_ = app::selectedParts(env.document, env.ui);
-  const std::optional<app::Gizmo> gizmo = shownGizmo(env);
+  const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document, env.derived, env.ui);
   drag_.camera = env.ui.camera;
   drag_.view = env.ui.layout.solid;
   drag_.from = event.at;
@@ -48,7 +41,7 @@ void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
     }
     const auto centre = app::centreOf(env.document, env.derived, env.ui, parts_);
     drag_.handle = app::GizmoHandle::Plane;
-    drag_.gizmo.centre = centre.value_or(hit.at);
+    drag_.gizmo.centre = drag_.gizmo.pivot = centre.value_or(hit.at);
     // What is under the finger stays under it: pixels are measured at its depth.
     const double away = -dot(hit.at - env.ui.camera.eye(), env.ui.camera.back());
     drag_.gizmo.unit = 2 * app::kHalfHeight * away / std::max(1.0, drag_.view.height);

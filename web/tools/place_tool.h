@@ -34,7 +34,4 @@ class PlaceTool final : public Tool {
   document::Motion motion_;
 };
 
-/// The gizmo of the parts in hand, where they are shown; none without one.
-std::optional<app::Gizmo> shownGizmo(const ToolEnv& env);
-
 }  // namespace spineloft::tools

@@ -14,7 +14,7 @@ class SpineTool final : public Tool {
   void cancel(const ToolEnv& env) override;
 
  private:
-  /// The line with what the hand did so far.
+  /// The line with the changes of the gesture so far.
   std::vector<PicturePoint> line(const ToolEnv& env, const app::Subject& subject, const ToolEvent& event);
   void tap(const ToolEnv& env) const;
   DragWatch watch_;

@@ -45,7 +45,7 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
 std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInSolid(env, event);
   if (under.depth >= 0) return std::make_unique<DepthTool>();
-  if (env.ui.solids.pointing) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
+  if (env.ui.solids.pointing || env.ui.solids.hollow) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
   const bool held = under.gizmo != app::GizmoHandle::None || under.part;
   if (env.ui.tool == app::ToolKind::Place && held) return std::make_unique<PlaceTool>();
   return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);

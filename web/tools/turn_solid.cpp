@@ -48,6 +48,11 @@ void TurnSolid::commit(const ToolEnv& env) {
     pointOpening(env, ray);
     return;
   }
+  if (env.ui.solids.hollow) {
+    const app::RayHit hit = env.picker->firstHit(env.document, env.derived, env.ui, ray);
+    if (hit) env.sink.run(app::tapHollow, hit.part, hit.normal);
+    return;
+  }
   const PartId part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   selectTapped(env, part, adds_);
 }

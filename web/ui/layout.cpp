@@ -99,6 +99,24 @@ Rect clearOf(Rect words, std::span<const Rect> taken, double gap, Toward way) {
   return words;
 }
 
+Rect roomBeside(Rect view, std::span<const Rect> taken) {
+  const Rect whole = view;
+  for (const Rect& one : taken) {
+    const bool covers =
+        one.x <= whole.x && one.y <= whole.y && one.right() >= whole.right() && one.bottom() >= whole.bottom();
+    if (covers || !view.meets(one)) continue;
+    const Rect sides[] = {{view.x, view.y, view.width, one.y - view.y},
+                          {view.x, one.bottom(), view.width, view.bottom() - one.bottom()},
+                          {view.x, view.y, one.x - view.x, view.height},
+                          {one.right(), view.y, view.right() - one.right(), view.height}};
+    const auto area = [](const Rect& side) { return std::max(0.0, side.width) * std::max(0.0, side.height); };
+    view = *std::ranges::max_element(sides, {}, area);
+    view.width = std::max(0.0, view.width);
+    view.height = std::max(0.0, view.height);
+  }
+  return view;
+}
+
 double shareAt(const Layout& layout, ClientPoint at) {
   // The strip of pictures counts with the picture view, wherever it is cut off.
   const double length =

@@ -46,6 +46,10 @@ enum class Toward { Head, Foot };
 /// them and everything in `taken`. They may end up outside of the view: then there is no room for them.
 Rect clearOf(Rect words, std::span<const Rect> taken, double gap, Toward way);
 
+/// What is left of a view beside everything in `taken`, as one rectangle: of each the side that costs least is given
+/// up. What covers all of the view does not count: it is a menu, and goes.
+Rect roomBeside(Rect view, std::span<const Rect> taken);
+
 /// The share for which the splitter's middle would lie under `at`.
 double shareAt(const Layout& layout, ClientPoint at);
 

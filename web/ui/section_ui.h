@@ -10,7 +10,7 @@
 
 #include "engine/base/ids.h"
 #include "engine/document/action.h"
-#include "engine/loft/section_drawing.h"
+#include "engine/sections/drawing.h"
 #include "web/ui/space.h"
 
 namespace spineloft::app {
@@ -25,20 +25,20 @@ std::optional<BoardTool> boardToolFromKey(std::string_view key);
 struct SectionBoard {
   PartId part;          ///< none: the section of the next part
   std::size_t key = 0;  ///< which section of the part
-  loft::Drawing drawing;
-  std::vector<loft::Drawing> past, future;  ///< of this board alone
-  loft::Symmetry symmetry;
+  sections::Drawing drawing;
+  std::vector<sections::Drawing> past, future;  ///< of this board alone
+  sections::Symmetry symmetry;
   BoardTool tool = BoardTool::Pen;
-  bool traces = true;                   ///< pale lines of what was drawn before
-  std::optional<loft::PointRef> point;  ///< the one that was touched last
+  bool traces = true;                       ///< pale lines of what was drawn before
+  std::optional<sections::PointRef> point;  ///< the one that was touched last
 
   /// The gesture in hand: what the board would hold, and the line under the pen. None: `drawing`.
-  std::optional<loft::Drawing> live;
+  std::optional<sections::Drawing> live;
   std::vector<SectionPoint> stroke;
   std::vector<SectionPoint> corners;  ///< of the straight lines that are not closed yet
 
   Rect square;  ///< where the board lies on the canvas, with its margin
-  const loft::Drawing& shown() const { return live ? *live : drawing; }
+  const sections::Drawing& shown() const { return live ? *live : drawing; }
 };
 
 /// The board shows a little more than the square of sections, so that lines may begin outside.
@@ -50,7 +50,7 @@ ClientPoint toCanvas(const SectionBoard& board, SectionPoint p);
 struct ShelfSection {
   std::uint32_t id = 0;
   std::string name;
-  loft::SectionShape shape;
+  sections::SectionShape shape;
 };
 inline constexpr std::size_t kMostShelfSections = 48, kMostTraces = 8;
 
@@ -68,11 +68,11 @@ struct SectionUi {
   std::vector<ShelfSection> shelf;
   std::uint32_t lastShelfId = 0;
 
-  PartId part;                                ///< whose section `key` is
-  std::size_t key = 0;                        ///< the section that tiles change, of several along the spine
-  bool placing = false;                       ///< a tap on the part puts a section there
-  std::optional<loft::SectionShape> pressed;  ///< the tile under the finger
-  std::optional<loft::SectionShape> carried;  ///< a tile that is dragged to a part
+  PartId part;                                    ///< whose section `key` is
+  std::size_t key = 0;                            ///< the section that tiles change, of several along the spine
+  bool placing = false;                           ///< a tap on the part puts a section there
+  std::optional<sections::SectionShape> pressed;  ///< the tile under the finger
+  std::optional<sections::SectionShape> carried;  ///< a tile that is dragged to a part
   ClientPoint carriedTo;
 
   bool alongOpen = false;    ///< the panel shows the graphs

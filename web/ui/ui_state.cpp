@@ -13,8 +13,8 @@ std::string_view toolKey(ToolKind tool) {
 }
 
 std::string_view controlKey(Control::Kind kind) {
-  static constexpr std::array<std::string_view, 8> kKeys = {"button", "row",     "grip", "field",
-                                                            "slider", "section", "tab",  "words"};
+  static constexpr std::array<std::string_view, 9> kKeys = {"button",  "row", "grip",  "field", "slider",
+                                                            "section", "tab", "words", "rib"};
   return kKeys[static_cast<std::size_t>(kind)];
 }
 

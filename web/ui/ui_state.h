@@ -71,7 +71,7 @@ struct Preview {
   std::uint64_t revision = 0;           ///< of `shape`; none other had it
   double costMs = 0;                    ///< what the last shape took
   double nextMs = 0;                    ///< not before this time is the next one made
-  /// From this time on, if the hand rests, the shape is made exactly; none: it is exact.
+  /// When the exact shape is made if the pointer rests until then; none: the shape is exact.
   std::optional<double> exactMs;
   bool guarded = false;                ///< a shape that goes through itself is not taken
   std::optional<ModelPoint> crossing;  ///< where the one that was asked for last does
@@ -98,14 +98,32 @@ struct Thumbnail {
 
 /// What the panels show on the canvas: something that can be pressed, or words that lie above a view.
 struct Control {
-  enum class Kind : std::uint8_t { Button, Row, Grip, Field, Slider, Section, Tab, Words };
+  /// Rib: an end of a rib, for screen readers only; its id is twice its rib, and one more on the right.
+  enum class Kind : std::uint8_t { Button, Row, Grip, Field, Slider, Section, Tab, Words, Rib };
   Kind kind = Kind::Button;
   std::string words;  ///< as it says, or what it does
   Rect at;
   bool inSight = true;  ///< nothing of the panel that it is in hides its middle
   bool enabled = true, on = false;
+  std::uint32_t id = 0;           ///< Dear ImGui's, by which it is pressed without a pointer; 0: words
+  std::string_view command = {};  ///< of the table, which it runs; empty: none
+  /// Of a slider, in the unit that it shows.
+  struct Slide {
+    double low = 0, high = 1, value = 0;
+    std::string text;  ///< the value as it is read out
+    bool operator==(const Slide&) const = default;
+  };
+  std::optional<Slide> slide = {};
+  bool operator==(const Control&) const = default;
 };
-/// "button", "row", "grip", "field", "slider", "section", "tab", "words".
+
+/// A control that is worked without a pointer, by its id.
+struct AskedControl {
+  std::uint32_t id = 0;
+  std::optional<double> value = {};  ///< that a slider is to have; none: it is pressed
+  int frames = 6;                    ///< that are left to bring it into sight
+};
+/// "button", "row", "grip", "field", "slider", "section", "tab", "words", "rib".
 std::string_view controlKey(Control::Kind kind);
 
 /// A point of the region of a part, as drawn.
@@ -194,6 +212,12 @@ struct ListRow {
   bool operator==(const ListRow&) const = default;
 };
 
+/// Where a row of the part list is.
+struct ShownRow {
+  ListRow row;
+  Rect at;  ///< of its name
+};
+
 /// A camera on its way.
 struct CameraFlight {
   Camera from, to;
@@ -215,10 +239,20 @@ struct NewPart {
   std::size_t undo = 0;  ///< steps that there were then
 };
 
+/// A solid that was just made, lit for a moment.
+struct Flash {
+  StepId step;
+  double light = 1;                    ///< 0…1
+  std::optional<double> sinceMs = {};  ///< none: it is not there yet
+};
+
 /// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.
 struct SolidUi {
-  StepId step;                            ///< the chosen solid
-  bool pointing = false;                  ///< a tap on it says where it is open
+  StepId step;            ///< the chosen solid
+  bool pointing = false;  ///< a tap on it says where it is open
+  /// What *Scoop out* would make hollow, while it is shown: one operand (see edit/hollowing.h).
+  std::optional<document::CombineParts> hollow;
+  std::optional<Flash> flash;
   std::vector<document::Operand> picked;  ///< ticked, in this order
   std::vector<StepId> folded;             ///< whose parts the list does not show
 };
@@ -233,6 +267,7 @@ struct UiState {
   PanelTab tab = PanelTab::Section;
   unsigned folded = 1u << static_cast<unsigned>(PanelTab::Along);  ///< bits of the column's sections
   PartId selection;
+  PartId chosenPart;  ///< the last one that the visitor chose; what is only just drawn is selected without that
   Hover hover;
   Chosen chosen;
   InHand inHand;
@@ -253,13 +288,14 @@ struct UiState {
   BarMenu barMenu = BarMenu::None;
   double barHead = 0;  ///< CSS pixels that a bar takes at the head of the picture view on a phone
   double barLeft = 0;  ///< CSS pixels that a column takes at the left of a low picture view
+  Rect solidRoom;      ///< of the solid view, what no bar covers, as of the last frame; empty: not known yet
   Camera camera;
   std::optional<CameraFlight> flight;
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
 
   /// What the next part is made with.
-  loft::SectionShape section;
-  loft::CapStyle startCap = loft::CapStyle::Round, endCap = loft::CapStyle::Round;
+  sections::SectionShape section;
+  sections::CapStyle startCap = sections::CapStyle::Round, endCap = sections::CapStyle::Round;
   document::Look look;
   inflate::InflateParams inflate;
   extrude::ExtrudeParams extrude;
@@ -276,6 +312,7 @@ struct UiState {
   PlaceOptions place;
   /// Where the gesture in hand has the parts it holds; empty between gestures.
   std::vector<document::PlaceParts::One> placing;
+  std::vector<ShownRow> rows;            ///< in sight, as of the last frame
   std::optional<ListRow> listDrag;       ///< the row of the part list that is dragged
   GizmoHandle held = GizmoHandle::None;  ///< by the gesture in hand
 
@@ -296,6 +333,8 @@ struct UiState {
   std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame
   std::vector<Rect> overlays;         ///< ImGui windows above the views, as of the last frame
   std::vector<Control> controls;      ///< as of the last frame
+  std::optional<AskedControl> asked;  ///< to be worked in this frame
+  std::uint32_t wantedInSight = 0;    ///< the control that its panel is to bring into sight; 0: none
 };
 
 void closeMenus(UiState& ui);

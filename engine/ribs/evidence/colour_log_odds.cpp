@@ -1,4 +1,4 @@
-// Colour evidence: how foreign the colours along the curves are to the spine.
+// Colour evidence: log-odds of the colours along the curves, against those at the spine.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -203,16 +203,16 @@ float held(float ratio) {
   return low > kMostLogOdds ? kMostLogOdds : low;
 }
 
-// How foreign every cell is to every stretch, against all colours.
+// The log-odds of every cell for every stretch, against all colours.
 void compareWithAll(ColourTables& colours) {
   const std::vector<float>&all = colours.all, &spine = colours.spine;
   float overlap = 0;  // Bhattacharyya coefficient
   for (std::size_t i = 0; i < kCells; ++i) overlap += std::sqrt(all[i] * spine[i]);
   const float trust = std::sqrt(std::max(0.f, 1 - overlap));
-  colours.foreign.resize(kStretches * kCells);
+  colours.logOdds.resize(kStretches * kCells);
   for (std::size_t s = 0; s < kStretches; ++s) {
     const float* stretch = &colours.stretches[s * kCells];
-    float* out = &colours.foreign[s * kCells];
+    float* out = &colours.logOdds[s * kCells];
     for (std::size_t i = 0; i < kCells; ++i) {
       const float own = spine[i] + kStretchFirst * (stretch[i] - spine[i]);
       out[i] = trust * held(quickLog((all[i] + kLeastShare) / (own + kLeastShare)));
@@ -222,10 +222,10 @@ void compareWithAll(ColourTables& colours) {
 
 // The same against those around the object.
 void compareWithAround(ColourTables& colours) {
-  colours.foreign.resize(kStretches * kCells);
+  colours.logOdds.resize(kStretches * kCells);
   for (std::size_t s = 0; s < kStretches; ++s) {
     const float *stretch = &colours.stretches[s * kCells], *near = &colours.aroundStretches[s * kCells];
-    float* out = &colours.foreign[s * kCells];
+    float* out = &colours.logOdds[s * kCells];
     for (std::size_t i = 0; i < kCells; ++i) {
       const float own = colours.spine[i] + kStretchLater * (stretch[i] - colours.spine[i]);
       const float other = colours.around[i] + kNearAround * (near[i] - colours.around[i]);
@@ -264,7 +264,7 @@ void spineLogOdds(const GradientCurves& curves, const UnwrappedImage& strip, con
     compareWithAround(colours);
   }
   for (int c = 0; c < strip.curves; ++c) {
-    const float* own = &colours.foreign[index(stretchOf(curves.layout, c)) * kCells];
+    const float* own = &colours.logOdds[index(stretchOf(curves.layout, c)) * kCells];
     const std::size_t row = curves.at(c, 0), end = row + index(curves.reached[index(c)]);
     for (std::size_t i = row; i < end; ++i) logOdds[i] = own[colours.cells[i]];
     for (std::size_t i = row; i < end && !strip.ignored.empty(); ++i) {

@@ -1,4 +1,4 @@
-// The picture along the gradient curves, and how foreign its colours are to the object (method: "Where is the
+// The picture along the gradient curves, and the log-odds of its colours against the object (method: "Where is the
 // boundary?").
 #pragma once
 
@@ -49,7 +49,7 @@ inline constexpr int kColourBins = 12;
 struct ColourTables {
   std::vector<std::uint16_t> cells;                       ///< of every entry of a strip
   std::vector<float> all;                                 ///< shares of the cells in the whole strip, smoothed
-  std::vector<float> spine, stretches, blurred, foreign;  ///< memory of spineLogOdds
+  std::vector<float> spine, stretches, blurred, logOdds;  ///< memory of spineLogOdds
   std::vector<float> around, aroundStretches;             ///< the same
   std::vector<float> values;                              ///< memory of sortColours
 };

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/base/lanes.h"
+#include "engine/base/short_lanes.h"
 #include "engine/ribs/evidence/evidence.h"
 #include "engine/ribs/evidence/feature_sampler.h"
 
@@ -29,21 +29,23 @@ constexpr Shares makeShares() {
 }
 constexpr Shares kShares = makeShares();
 
+static_assert(2 * kMostBand + 1 <= FeatureSampler::kMostSamples);
+
 // Sums of colour and nearness.
 class Sampler {
  public:
   explicit Sampler(const image::EdgeMap& map) : picture(map) {}
 
   void clear() {
-    sum_ = all4(0);
+    sum_ = Int4{};
     count_ = 0;
   }
-  void add(Float4 look) {
+  void add(Int4 look) {
     sum_ += look;
     ++count_;
   }
   void read(std::array<float, 4>& lab, float& near) const {
-    const Float4 mean = sum_ / count_;
+    const Float4 mean = FeatureSampler::meanOf(sum_, count_);
     lab = {mean[0], mean[1], mean[2], 0};
     near = mean[3];
   }
@@ -51,8 +53,8 @@ class Sampler {
   const FeatureSampler picture;
 
  private:
-  Float4 sum_ = all4(0);
-  float count_ = 0;
+  Int4 sum_{};
+  int count_ = 0;
 };
 
 // Map coordinates of all points of the curves, and how many band samples lie between each curve and

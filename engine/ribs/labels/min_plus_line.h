@@ -1,4 +1,4 @@
-// One step along a chain for a single line of costs: the min-convolution of chain_step.h, with the
+// One step along a chain for a single line of costs: the min-convolution of min_plus_step.h, with the
 // windows known beforehand.
 #pragma once
 

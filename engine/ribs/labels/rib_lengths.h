@@ -84,7 +84,7 @@ struct LabelBounds {
   double cells() const;               ///< pairs of labels left, over all ribs
 };
 
-/// Memory of one step along a chain (chain_step.h).
+/// Memory of one step along a chain (min_plus_step.h).
 struct StepScratch {
   std::vector<int> low, high;  ///< of the windows of labels that are free of charge
   std::vector<float> running, tables;

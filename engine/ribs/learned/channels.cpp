@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/lanes.h"
+#include "engine/base/short_lanes.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -67,53 +67,102 @@ bool runsBackwards(const CurveLayout& layout, const GradientCurves& curves, cons
   return difference < 0;
 }
 
+// Four rows of a 4 × 4 matrix to its columns.
+void transpose(Int4 (&m)[4]) {
+  const Int4 a = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5), b = __builtin_shufflevector(m[2], m[3], 0, 4, 1, 5),
+             c = __builtin_shufflevector(m[0], m[1], 2, 6, 3, 7), d = __builtin_shufflevector(m[2], m[3], 2, 6, 3, 7);
+  m[0] = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+  m[1] = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  m[2] = __builtin_shufflevector(c, d, 0, 1, 4, 5);
+  m[3] = __builtin_shufflevector(c, d, 2, 3, 6, 7);
+}
+
+// `kChannels` rows of `levels` values within ±1 each, one after the other, to 16 bits and the channels of a label next
+// to each other.
+void interleave(const float* rows, std::size_t levels, std::int16_t* to) {
+  constexpr std::size_t kGroups = kChannels / 4;
+  for (std::size_t k = 0; k < levels; k += 4) {
+    Int4 labels[kGroups][4];
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      for (std::size_t c = 0; c < 4; ++c)
+        labels[g][c] = nearest4(Plane::kMost * load4(rows + (4 * g + c) * levels + k));
+      transpose(labels[g]);
+    }
+    for (std::size_t i = 0; i < 4; ++i, to += kChannels) {
+      for (std::size_t g = 0; g < kGroups; g += 2) storeShort8(labels[g][i], labels[g + 1][i], to + 4 * g);
+    }
+  }
+}
+
 class Filler {
  public:
   Filler(const GradientCurves& curves, const UnwrappedImage& strip, const std::vector<float>& logOdds,
          ChannelScratch& scratch, StripChannels& channels)
-      : curves_(curves), strip_(strip), logOdds_(logOdds), s_(scratch), c_(channels), levels_(curves.levels) {}
+      : curves_(curves), strip_(strip), logOdds_(logOdds), s_(scratch), c_(channels), levels_(index(channels.levels)) {}
 
   void run() {
     for (const int side : {0, 1}) gather(side);
     ownColours();
     for (const int side : {0, 1}) {
-      c_.planes[index(side)].assign(index(c_.rows) * index(c_.levels) * kChannels, 0.f);
-      for (int r = 0; r < c_.rows; ++r) fillRow(side, r);
+      for (int r = 0; r < c_.rows; ++r) findDifferences(s_.sides[index(side)], r);
     }
-    relate();
-  }
-
- private:
-  std::size_t cell(int row, int level) const { return index(row) * index(levels_) + index(level); }
-
-  // The means of the curves of every row.
-  void gather(int side) {
-    auto& colours = s_.colours[index(side)];
-    auto &along = s_.along[index(side)], &foreign = s_.foreign[index(side)];
-    auto& reached = s_.reached[index(side)];
-    const std::size_t size = index(c_.rows) * index(levels_);
-    colours.resize(size);
-    along.resize(size);
-    foreign.resize(size);
-    reached.resize(index(c_.rows));
-    for (int r = 0; r < c_.rows; ++r) {
-      const StripRow& row = c_.sources[index(side)][index(r)];
-      const std::size_t a = curves_.at(row.first, 0), b = curves_.at(row.second, 0), to = cell(r, 0);
-      const int both = std::min(curves_.reached[index(row.first)], curves_.reached[index(row.second)]);
-      reached[index(r)] = both;
-      for (std::size_t k = 0; k < index(both); ++k) {
-        Float4 look = load4(strip_.lab[a + k].data());
-        look[3] = strip_.proximity[a + k];
-        Float4 other = load4(strip_.lab[b + k].data());
-        other[3] = strip_.proximity[b + k];
-        store4(look + row.share * (other - look), colours[to + k].data());
-        along[to + k] = curves_.along[a + k] + row.share * (curves_.along[b + k] - curves_.along[a + k]);
-        foreign[to + k] = logOdds_[a + k] + row.share * (logOdds_[b + k] - logOdds_[a + k]);
+    findStrong();
+    s_.row.resize(kChannels * levels_);
+    for (const int side : {0, 1}) {
+      Plane& plane = c_.planes[index(side)];
+      plane.shape(c_.rows, c_.levels, kChannels);
+      plane.unit = 1 / Plane::kMost;
+      for (int r = 0; r < c_.rows; ++r) {
+        fillRow(side, r);
+        interleave(s_.row.data(), levels_, plane.at(r, 0));
       }
     }
   }
 
+ private:
+  using Side = ChannelScratch::Side;
+
+  std::size_t cell(int row) const { return index(row) * levels_; }
+  float* channel(Channel which) { return &s_.row[static_cast<std::size_t>(which) * levels_]; }
+
+  // The means of the curves of every row.
+  void gather(int which) {
+    Side& side = s_.sides[index(which)];
+    const std::size_t size = cell(c_.rows);
+    side.colours.resize(size);
+    for (auto* plane : {&side.lightness, &side.red, &side.blue, &side.near, &side.along, &side.x, &side.y, &side.across,
+                        &side.acrossWide, &side.beside})
+      plane->resize(size);
+    side.reached.resize(index(c_.rows));
+    for (int r = 0; r < c_.rows; ++r) {
+      const StripRow& row = c_.sources[index(which)][index(r)];
+      const std::size_t a = curves_.at(row.first, 0), b = curves_.at(row.second, 0), to = cell(r);
+      const int both = std::min(curves_.reached[index(row.first)], curves_.reached[index(row.second)]);
+      side.reached[index(r)] = both;
+      for (std::size_t k = 0; k < index(both); ++k) {
+        Float4 look = load4(strip_.lab[a + k].data()), other = load4(strip_.lab[b + k].data());
+        look[3] = logOdds_[a + k];
+        other[3] = logOdds_[b + k];
+        const Float4 mean = look + row.share * (other - look);
+        store4(mean, side.colours[to + k].data());
+        side.lightness[to + k] = mean[0];
+        side.red[to + k] = mean[1];
+        side.blue[to + k] = mean[2];
+      }
+      const auto mean = [&](const std::vector<float>& from, std::vector<float>& into) {
+        const float *first = &from[a], *second = &from[b];
+        float* out = &into[to];
+        for (std::size_t k = 0; k < index(both); ++k) out[k] = first[k] + row.share * (second[k] - first[k]);
+      };
+      mean(strip_.proximity, side.near);
+      mean(curves_.along, side.along);
+      mean(curves_.x, side.x);
+      mean(curves_.y, side.y);
+    }
+  }
+
   bool isIgnored(int side, int row, int level) const {
+    if (strip_.ignored.empty()) return false;
     const StripRow& source = c_.sources[index(side)][index(row)];
     return strip_.isIgnored(curves_.at(source.first, level)) || strip_.isIgnored(curves_.at(source.second, level));
   }
@@ -126,10 +175,10 @@ class Filler {
       const int low = std::max(0, r - half), high = std::min(c_.rows - 1, r + half);
       for (std::size_t channel = 0; channel < 3; ++channel) {
         s_.samples.clear();
-        for (const int side : {0, 1}) {
+        for (const Side& side : s_.sides) {
           for (int q = low; q <= high; ++q) {
-            for (int k = 0; k < std::min(kOwnLabels, s_.reached[index(side)][index(q)]); ++k)
-              s_.samples.push_back(s_.colours[index(side)][cell(q, k)][channel]);
+            for (int k = 0; k < std::min(kOwnLabels, side.reached[index(q)]); ++k)
+              s_.samples.push_back(side.colours[cell(q) + index(k)][channel]);
           }
         }
         const auto middle = s_.samples.begin() + static_cast<std::ptrdiff_t>(s_.samples.size() / 2);
@@ -139,125 +188,145 @@ class Filler {
     }
   }
 
-  static float apart(const std::array<float, 4>& a, const std::array<float, 4>& b) {
-    const float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    return std::sqrt(x * x + y * y + z * z);
+  // Lab differences of `count` pairs of entries.
+  static void apart(const Side& side, std::size_t a, std::size_t b, std::size_t count, float* out) {
+    const float *l = &side.lightness[a], *m = &side.lightness[b], *p = &side.red[a], *q = &side.red[b],
+                *u = &side.blue[a], *v = &side.blue[b];
+    for (std::size_t k = 0; k < count; ++k) {
+      const float x = l[k] - m[k], y = p[k] - q[k], z = u[k] - v[k];
+      out[k] = std::sqrt(x * x + y * y + z * z);
+    }
   }
 
-  void fillRow(int side, int r) {
-    const int reached = s_.reached[index(side)][index(r)];
-    const std::array<float, 4>* colours = &s_.colours[index(side)][cell(r, 0)];
-    const float *along = &s_.along[index(side)][cell(r, 0)], *foreign = &s_.foreign[index(side)][cell(r, 0)];
-    const std::array<float, 3>& own = s_.own[index(r)];
-    float* out = &c_.planes[index(side)][c_.at(r, 0)];
-    const auto put = [&](int k, Channel channel, float value) {
-      out[index(k) * kChannels + static_cast<std::size_t>(channel)] = value;
+  // Over ± `reach` labels, as far as they exist.
+  static void apartAlong(const Side& side, std::size_t row, std::size_t reached, std::size_t reach, float* out) {
+    const std::size_t inner = std::min(reach, reached), last = reached - 1;
+    const auto one = [&](std::size_t k) {
+      apart(side, row + std::min(k + reach, last), row + (k > reach ? k - reach : 0), 1, out + k);
     };
+    for (std::size_t k = 0; k < inner; ++k) one(k);
+    const std::size_t end = std::max(inner, reached - inner);
+    if (end > inner) apart(side, row + 2 * reach, row, end - inner, out + inner);
+    for (std::size_t k = end; k < reached; ++k) one(k);
+  }
+
+  void findDifferences(Side& side, int r) {
+    const std::size_t reached = index(side.reached[index(r)]), row = cell(r);
+    apartAlong(side, row, reached, 1, &side.across[row]);
+    apartAlong(side, row, reached, kWide, &side.acrossWide[row]);
+    // Between the rows on either side, or from here where one of them does not reach.
     const int above = std::max(0, r - 1), below = std::min(c_.rows - 1, r + 1);
-    const int reachedAbove = s_.reached[index(side)][index(above)],
-              reachedBelow = s_.reached[index(side)][index(below)];
-    const std::array<float, 4>* before = &s_.colours[index(side)][cell(above, 0)];
-    const std::array<float, 4>* after = &s_.colours[index(side)][cell(below, 0)];
-    const auto last = reached - 1;
-    for (int k = 0; k < reached; ++k) {
-      for (std::size_t channel = 0; channel < 3; ++channel)
-        put(k, static_cast<Channel>(channel), squashed(colours[k][channel] - own[channel], kColourHalf));
-      const float across = apart(colours[std::min(k + 1, last)], colours[std::max(k - 1, 0)]);
-      put(k, Channel::Across, across);
-      put(k, Channel::AcrossWide, apart(colours[std::min(k + kWide, last)], colours[std::max(k - kWide, 0)]));
-      put(k, Channel::AcrossUnits, held(kLogUnits * quickLog(1 + across)));
-      put(k, Channel::Along,
-          apart(k < reachedBelow ? after[k] : colours[k], k < reachedAbove ? before[k] : colours[k]));
-      put(k, Channel::Near, colours[k][3]);
-      put(k, Channel::Foreign, kLogOdds * foreign[k]);
-      put(k, Channel::Reached, 1);
-      put(k, Channel::Fan, c_.sources[index(side)][index(r)].fan ? 1.f : 0.f);
-    }
-    fillGeometry(side, r, out);
-    fillMeans(colours, along, foreign, reached, out);
-    for (int k = 0; k < reached && !strip_.ignored.empty(); ++k) {
-      if (isIgnored(side, r, k)) std::fill_n(out + index(k) * kChannels, kChannels, 0.f);
-    }
+    const std::size_t a = index(side.reached[index(above)]), b = index(side.reached[index(below)]);
+    const std::size_t both = std::min({a, b, reached}), one = std::min(std::max(a, b), reached);
+    apart(side, cell(below), cell(above), both, &side.beside[row]);
+    const std::size_t from = (b > a ? cell(below) : row) + both, to = (b > a ? row : cell(above)) + both;
+    if (one > both) apart(side, from, to, one - both, &side.beside[row + both]);
+    std::fill(&side.beside[row] + one, &side.beside[row] + reached, 0.f);
   }
 
-  PicturePoint pointOf(const StripRow& row, int k) const {
-    return lerp(curves_.point(row.first, k), curves_.point(row.second, k), static_cast<double>(row.share));
-  }
-
-  void fillGeometry(int side, int r, float* out) const {
-    const int reached = s_.reached[index(side)][index(r)];
-    const float* along = &s_.along[index(side)][cell(r, 0)];
-    const StripRow& row = c_.sources[index(side)][index(r)];
-    const int near = std::clamp(r + (r + 1 < c_.rows ? 1 : -1), 0, c_.rows - 1);
-    const StripRow& next = c_.sources[index(side)][index(near)];
-    const int both = std::min(reached, s_.reached[index(side)][index(near)]);
-    float slope = 0;
-    for (int k = 0; k < reached; ++k) {
-      const float step = k > 0 ? along[k] - along[k - 1] : along[std::min(1, reached - 1)];
-      if (k < both) {
-        const PicturePoint apart = pointOf(row, k) - pointOf(next, k);
-        const auto dx = static_cast<float>(apart.x), dy = static_cast<float>(apart.y);
-        slope = quickLog(std::max(step, 1e-3f) / std::max(std::sqrt(dx * dx + dy * dy), 1e-3f));
-      }
-      float* to = out + index(k) * kChannels;
-      to[static_cast<std::size_t>(Channel::Slope)] = held(kLogSlope * slope);
-      to[static_cast<std::size_t>(Channel::Distance)] =
-          held(1 + kLogDistance * quickLog(std::max(along[k], 1e-2f) / length_));
-    }
-  }
-
-  // What depends on means between the spine and a label, and from there on.
-  void fillMeans(const std::array<float, 4>* colours, const float* along, const float* foreign, int reached,
-                 float* out) {
-    sums_.resize(index(reached));
-    Float4 sum = all4(0);
-    for (int k = 0; k < reached; ++k) {
-      const float run = k > 0 ? along[k] - along[k - 1] : 0.f;
-      Float4 look = load4(colours[k].data());
-      look[3] = foreign[k];
-      sum += run * look;
-      store4(sum, sums_[index(k)].data());
-    }
-    int far = 0;
-    for (int k = 1; k < reached; ++k) {
-      const float until = kJustOutside * along[k] + 2 * static_cast<float>(strip_.pixel);
-      far = std::max(far, k);
-      while (far + 1 < reached && along[far + 1] <= until) ++far;
-      if (far == k && far + 1 < reached) ++far;
-      float* to = out + index(k) * kChannels;
-      const Float4 here = load4(sums_[index(k)].data());
-      const Float4 inside = here / std::max(along[k], 1e-3f);
-      to[static_cast<std::size_t>(Channel::Inside)] = kLogOdds * inside[3];
-      if (far == k) continue;
-      const Float4 outside = (load4(sums_[index(far)].data()) - here) / std::max(along[far] - along[k], 1e-3f);
-      to[static_cast<std::size_t>(Channel::Outside)] = kLogOdds * outside[3];
-      const Float4 d = inside - outside;
-      to[static_cast<std::size_t>(Channel::Step)] =
-          squashed(std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), kStepHalf);
-    }
-  }
-
-  // Differences relative to the strong ones of the strip.
-  void relate() {
-    for (const Channel channel : {Channel::Across, Channel::AcrossWide, Channel::Along}) {
+  // What is strong in this strip.
+  void findStrong() {
+    for (auto plane : {&Side::across, &Side::acrossWide, &Side::beside}) {
       s_.samples.clear();
       for (const int side : {0, 1}) {
-        const std::vector<float>& planes = c_.planes[index(side)];
         for (int r = 0; r < c_.rows; ++r) {
-          const int reached = s_.reached[index(side)][index(r)];
-          for (int k = r % 2; k < reached; k += 2)
-            s_.samples.push_back(planes[c_.at(r, k) + static_cast<std::size_t>(channel)]);
+          const float* row = &(s_.sides[index(side)].*plane)[cell(r)];
+          for (int k = r % 2; k < s_.sides[index(side)].reached[index(r)]; k += 2)
+            s_.samples.push_back(isIgnored(side, r, k) ? 0.f : row[k]);
         }
       }
       const auto at =
           s_.samples.begin() + static_cast<std::ptrdiff_t>(kStrongShare * static_cast<double>(s_.samples.size() - 1));
       std::nth_element(s_.samples.begin(), at, s_.samples.end());
       const float half = kStrongest * *at + kNoise;
-      for (const int side : {0, 1}) {
-        std::vector<float>& planes = c_.planes[index(side)];
-        for (std::size_t i = static_cast<std::size_t>(channel); i < planes.size(); i += kChannels)
-          planes[i] = planes[i] / (planes[i] + half);
-      }
+      (plane == &Side::across ? strong_ : plane == &Side::acrossWide ? strongWide_ : strongBeside_) = half;
+    }
+  }
+
+  void fillRow(int which, int r) {
+    const Side& side = s_.sides[index(which)];
+    const std::size_t row = cell(r), reached = index(side.reached[index(r)]);
+    const auto relative = [&](Channel to, const std::vector<float>& plane, float half) {
+      const float* from = &plane[row];
+      float* out = channel(to);
+      for (std::size_t k = 0; k < reached; ++k) out[k] = from[k] / (from[k] + half);
+    };
+    relative(Channel::Across, side.across, strong_);
+    relative(Channel::AcrossWide, side.acrossWide, strongWide_);
+    relative(Channel::Along, side.beside, strongBeside_);
+    const auto unlike = [&](Channel to, const std::vector<float>& plane, float own) {
+      const float* from = &plane[row];
+      float* out = channel(to);
+      for (std::size_t k = 0; k < reached; ++k) out[k] = squashed(from[k] - own, kColourHalf);
+    };
+    const std::array<float, 3>& own = s_.own[index(r)];
+    unlike(Channel::Lightness, side.lightness, own[0]);
+    unlike(Channel::Red, side.red, own[1]);
+    unlike(Channel::Blue, side.blue, own[2]);
+    float *units = channel(Channel::AcrossUnits), *logOdds = channel(Channel::LogOdds);
+    const float* across = &side.across[row];
+    for (std::size_t k = 0; k < reached; ++k) units[k] = held(kLogUnits * quickLog(1 + across[k]));
+    for (std::size_t k = 0; k < reached; ++k) logOdds[k] = kLogOdds * side.colours[row + k][3];
+    std::copy_n(&side.near[row], reached, channel(Channel::Near));
+    std::fill_n(channel(Channel::Reached), reached, 1.f);
+    std::fill_n(channel(Channel::Fan), reached, c_.sources[index(which)][index(r)].fan ? 1.f : 0.f);
+    fillGeometry(side, r);
+    fillMeans(side, row, reached);
+    for (std::size_t c = 0; c < kChannels; ++c)
+      std::fill(&s_.row[c * levels_] + reached, &s_.row[c * levels_] + levels_, 0.f);
+    for (std::size_t k = 0; k < reached && !strip_.ignored.empty(); ++k) {
+      if (!isIgnored(which, r, static_cast<int>(k))) continue;
+      for (std::size_t c = 0; c < kChannels; ++c) s_.row[c * levels_ + k] = 0;
+    }
+  }
+
+  void fillGeometry(const Side& side, int r) {
+    const std::size_t row = cell(r), reached = index(side.reached[index(r)]);
+    const int near = std::clamp(r + (r + 1 < c_.rows ? 1 : -1), 0, c_.rows - 1);
+    const std::size_t next = cell(near), both = std::min(reached, index(side.reached[index(near)]));
+    const float *along = &side.along[row], *x = &side.x[row], *y = &side.y[row], *nextX = &side.x[next],
+                *nextY = &side.y[next];
+    float *slope = channel(Channel::Slope), *away = channel(Channel::Distance);
+    const auto slopeAt = [&](std::size_t k, float step) {
+      const float dx = x[k] - nextX[k], dy = y[k] - nextY[k], apart = std::sqrt(dx * dx + dy * dy);
+      const float ratio = (step < 1e-3f ? 1e-3f : step) / (apart < 1e-3f ? 1e-3f : apart);
+      slope[k] = held(kLogSlope * quickLog(ratio));
+    };
+    slopeAt(0, along[std::min<std::size_t>(1, reached - 1)]);
+    for (std::size_t k = 1; k < both; ++k) slopeAt(k, along[k] - along[k - 1]);
+    std::fill(slope + both, slope + reached, slope[both - 1]);
+    for (std::size_t k = 0; k < reached; ++k)
+      away[k] = held(1 + kLogDistance * quickLog((along[k] < 1e-2f ? 1e-2f : along[k]) / length_));
+  }
+
+  // What depends on means between the spine and a label, and from there on.
+  void fillMeans(const Side& side, std::size_t row, std::size_t reached) {
+    const float* along = &side.along[row];
+    float *inner = channel(Channel::Inside), *outer = channel(Channel::Outside), *steps = channel(Channel::Step);
+    auto& sums = s_.sums;
+    sums.resize(reached);
+    Float4 sum = all4(0);
+    for (std::size_t k = 0; k < reached; ++k) {
+      const float run = k > 0 ? along[k] - along[k - 1] : 0.f;
+      sum += run * load4(side.colours[row + k].data());
+      store4(sum, sums[k].data());
+    }
+    inner[0] = outer[0] = steps[0] = 0;
+    std::size_t far = 0;
+    for (std::size_t k = 1; k < reached; ++k) {
+      const float until = kJustOutside * along[k] + 2 * static_cast<float>(strip_.pixel);
+      far = std::max(far, k);
+      while (far + 1 < reached && along[far + 1] <= until) ++far;
+      if (far == k && far + 1 < reached) ++far;
+      const Float4 here = load4(sums[k].data());
+      const Float4 inside = here / std::max(along[k], 1e-3f);
+      inner[k] = kLogOdds * inside[3];
+      outer[k] = steps[k] = 0;
+      if (far == k) continue;
+      const Float4 outside = (load4(sums[far].data()) - here) / std::max(along[far] - along[k], 1e-3f);
+      outer[k] = kLogOdds * outside[3];
+      const Float4 d = inside - outside;
+      steps[k] = squashed(std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), kStepHalf);
     }
   }
 
@@ -266,8 +335,9 @@ class Filler {
   const std::vector<float>& logOdds_;
   ChannelScratch& s_;
   StripChannels& c_;
-  const int levels_;
-  std::vector<std::array<float, 4>>& sums_ = s_.sums;
+  const std::size_t levels_;
+  // Differences that count for one half.
+  float strong_ = 1, strongWide_ = 1, strongBeside_ = 1;
   float length_ = spineLength();
 
   float spineLength() const {

@@ -8,6 +8,7 @@
 
 #include "engine/ribs/evidence/evidence.h"
 #include "engine/ribs/field/curves.h"
+#include "engine/ribs/learned/layers.h"
 
 namespace spineloft::ribs {
 
@@ -22,7 +23,7 @@ enum class Channel : std::uint8_t {
   AcrossUnits,  ///< logarithm of the difference over ± 1 label, Lab units
   Along,        ///< Lab difference between the rows on either side, relative like Across
   Near,         ///< nearness to a Canny edge
-  Foreign,      ///< log-odds of the colour against those close to the spine (spineLogOdds)
+  LogOdds,      ///< log-odds of the colour against those close to the spine (spineLogOdds)
   Inside,       ///< mean of that between the spine and here
   Outside,      ///< mean of it from here to three tenths farther
   Step,         ///< difference of the mean colours between the spine and here, and from here to three tenths farther
@@ -47,21 +48,23 @@ struct StripChannels {
   int rows = 0, levels = 0;                      ///< rows even; levels a multiple of 4, beyond those of the curves 0
   bool reversed = false;                         ///< rows run against the stroke
   std::array<std::vector<StripRow>, 2> sources;  ///< of either side's rows: left, right
-  std::array<std::vector<float>, 2> planes;      ///< rows × levels × kChannels
-  std::size_t at(int row, int level) const {
-    return (static_cast<std::size_t>(row) * static_cast<std::size_t>(levels) + static_cast<std::size_t>(level)) *
-           kChannels;
-  }
+  Planes planes;                                 ///< rows × levels × kChannels
 };
 
-/// Memory of fillChannels.
+/// Memory of fillChannels: planes of every row and label of a side.
 struct ChannelScratch {
-  std::array<std::vector<std::array<float, 4>>, 2> colours;  ///< Lab and nearness, of every row and label
-  std::array<std::vector<float>, 2> along, foreign;
-  std::array<std::vector<int>, 2> reached;
+  struct Side {
+    std::vector<std::array<float, 4>> colours;  ///< Lab and log-odds
+    std::vector<float> lightness, red, blue, near;
+    std::vector<float> along, x, y;
+    std::vector<float> across, acrossWide, beside;  ///< Lab differences along and across the rows
+    std::vector<int> reached;                       ///< labels of every row that exist
+  };
+  std::array<Side, 2> sides;
   std::vector<float> samples;
   std::vector<std::array<float, 3>> own;   ///< median Lab close to the spine, of every row
   std::vector<std::array<float, 4>> sums;  ///< of colour and log-odds along a row
+  std::vector<float> row;                  ///< the channels of one row, one after the other
 };
 
 /// Rows along the ribs of a stroke with that many ribs, whose curves have that many levels.

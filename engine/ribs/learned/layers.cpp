@@ -3,69 +3,107 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/base/lanes.h"
+#include "engine/base/short_lanes.h"
 
 namespace spineloft::ribs {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+// What a tile of outputs is made from and where it goes.
+struct Site {
+  const std::int16_t* in;  // at the first tap of the first output
+  std::size_t inRow, inPixel;
+  const std::int16_t* added;
+  float* out;
+};
+// What all tiles of a layer share.
+struct Layer {
+  const Convolution& of;
+  After after;
+  float inUnit, addedUnit;
+};
+
 // Sums of `pixels` neighbouring outputs of a row, `lanes` · 4 channels each: as many as there are registers for.
 template <int pixels, int lanes>
-struct Tile {
-  const Convolution& layer;
-  const float* in;  // at the first tap of the first output
-  std::size_t inRow, inPixel;
-  int firstOutput;
-
-  void sum(Float4 (&sums)[pixels][lanes]) const {
-    const auto outputs = index(layer.outputs), inputs = index(layer.inputs);
-    for (int p = 0; p < pixels; ++p) {
-      for (int v = 0; v < lanes; ++v) sums[p][v] = load4(&layer.biases[index(firstOutput + 4 * v)]);
-    }
-    const float* weights = layer.weights.data() + firstOutput;
-    for (int i = 0; i < layer.side; ++i) {
-      for (int j = 0; j < layer.side; ++j) {
-        const float* from = in + index(i * layer.apart) * inRow + index(j * layer.apart) * inputs;
-        for (std::size_t c = 0; c < inputs; ++c, weights += outputs) {
-          Float4 w[lanes];
-          for (int v = 0; v < lanes; ++v) w[v] = load4(weights + 4 * v);
-          for (int p = 0; p < pixels; ++p) {
-            const Float4 x = all4(from[index(p) * inPixel + c]);
-            for (int v = 0; v < lanes; ++v) sums[p][v] += x * w[v];
-          }
+void sumTile(const Convolution& layer, const Site& site, int firstOutput, Int4 (&sums)[pixels][lanes]) {
+  const std::size_t outputs = index(layer.outputs), inputs = index(layer.inputs);
+  for (auto& pixel : sums) {
+    for (Int4& sum : pixel) sum = Int4{};
+  }
+  const std::int16_t* weights = layer.weights.data() + 2 * firstOutput;
+  for (int i = 0; i < layer.side; ++i) {
+    for (int j = 0; j < layer.side; ++j) {
+      const std::int16_t* from = site.in + index(i * layer.apart) * site.inRow + index(j * layer.apart) * inputs;
+      for (std::size_t c = 0; c < inputs; c += 2, weights += 2 * outputs) {
+        Short8 w[lanes];
+        for (int v = 0; v < lanes; ++v) w[v] = load8(weights + 8 * v);
+        for (int p = 0; p < pixels; ++p) {
+          const Short8 x = pair8(from + index(p) * site.inPixel + c);
+          for (int v = 0; v < lanes; ++v) sums[p][v] += dotPairs(x, w[v]);
         }
       }
     }
   }
-};
-
-struct Target {
-  After after;
-  const float* added;
-  float* out;
-  std::size_t pixel;  // from one output to the next
-};
+}
 
 template <int pixels, int lanes>
-void runTile(const Convolution& layer, const float* in, std::size_t inRow, int firstOutput, const Target& target) {
-  Float4 sums[pixels][lanes];
-  Tile<pixels, lanes>{layer, in, inRow, index(layer.columnStep * layer.inputs), firstOutput}.sum(sums);
-  for (int p = 0; p < pixels; ++p) {
-    for (int v = 0; v < lanes; ++v) {
-      const std::size_t at = index(p) * target.pixel + index(firstOutput + 4 * v);
-      Float4 value = sums[p][v];
-      if (target.after == After::AddedAndRectified) value += load4(target.added + at);
-      store4(target.after == After::Nothing ? value : most4(value, all4(0)), target.out + at);
+void runTile(const Layer& layer, const Site& site, int firstOutput) {
+  Int4 sums[pixels][lanes];
+  sumTile(layer.of, site, firstOutput, sums);
+  for (int v = 0; v < lanes; ++v) {
+    const std::size_t channel = index(firstOutput + 4 * v);
+    const Float4 scale = layer.inUnit * load4(&layer.of.scales[channel]), bias = load4(&layer.of.biases[channel]);
+    for (int p = 0; p < pixels; ++p) {
+      const std::size_t at = index(p) * index(layer.of.outputs) + channel;
+      Float4 value = __builtin_convertvector(sums[p][v], Float4) * scale + bias;
+      if (layer.after == After::AddedAndRectified) value += layer.addedUnit * load4(site.added + at);
+      store4(layer.after == After::Nothing ? value : most4(value, all4(0)), site.out + at);
     }
   }
 }
 
 template <int pixels>
-void runOutputs(const Convolution& layer, const float* in, std::size_t inRow, const Target& target) {
+void runOutputs(const Layer& layer, const Site& site) {
   int first = 0;
-  for (; first + 12 <= layer.outputs; first += 12) runTile<pixels, 3>(layer, in, inRow, first, target);
-  for (; first < layer.outputs; first += 4) runTile<pixels, 1>(layer, in, inRow, first, target);
+  for (; first + 12 <= layer.of.outputs; first += 12) runTile<pixels, 3>(layer, site, first);
+  for (; first < layer.of.outputs; first += 4) runTile<pixels, 1>(layer, site, first);
+}
+
+void convolveSide(const Layer& layer, const Plane& in, const Plane* added, FloatPlane& out) {
+  constexpr int kPixels = 4;
+  const Convolution& of = layer.of;
+  assert(in.channels == of.inputs && of.inputs % 2 == 0 && of.outputs % 4 == 0);
+  assert(of.side * of.side * of.inputs <= Convolution::kMostTerms);
+  out.shape(in.rows / of.rowStep, in.columns / of.columnStep, of.outputs);
+  const int before = of.side / 2 * of.apart;
+  for (int y = 0; y < out.rows; ++y) {
+    const auto site = [&](int x) {
+      return Site{in.at(y * of.rowStep - before, x * of.columnStep - before), in.rowStride(),
+                  index(of.columnStep * of.inputs), added ? added->at(y, x) : nullptr, out.at(y, x)};
+    };
+    int x = 0;
+    for (; x + kPixels <= out.columns; x += kPixels) runOutputs<kPixels>(layer, site(x));
+    for (; x < out.columns; ++x) runOutputs<1>(layer, site(x));
+  }
+}
+
+// The greatest magnitude; the sizes of planes are multiples of 4.
+float mostOf(const std::vector<float>& values) {
+  Float4 most = all4(0);
+  for (std::size_t i = 0; i < values.size(); i += 4) most = most4(magnitude4(load4(&values[i])), most);
+  return std::max({most[0], most[1], most[2], most[3]});
+}
+
+// `count`, a multiple of 4, values to the nearest units.
+void narrow(const float* from, std::size_t count, float perUnit, std::int16_t* to) {
+  std::size_t i = 0;
+  for (; i + 8 <= count; i += 8)
+    storeShort8(nearest4(perUnit * load4(from + i)), nearest4(perUnit * load4(from + i + 4)), to + i);
+  for (; i < count; i += 4) {
+    const Int4 last = nearest4(perUnit * load4(from + i));
+    for (std::size_t v = 0; v < 4; ++v) to[i + v] = static_cast<std::int16_t>(last[v]);
+  }
 }
 
 }  // namespace
@@ -75,54 +113,72 @@ void Plane::shape(int newRows, int newColumns, int newChannels) {
   rows = newRows;
   columns = newColumns;
   channels = newChannels;
-  values.assign((index(rows) + 2 * kBorder) * rowStride(), 0.f);
+  values.assign((index(rows) + 2 * kBorder) * rowStride(), 0);
 }
 
-void convolve(const Convolution& layer, const Plane& in, After after, const Plane* added, Plane& out) {
-  constexpr int kPixels = 4;
-  assert(in.channels == layer.inputs && layer.outputs % 4 == 0 && &in != &out);
-  out.shape(in.rows / layer.rowStep, in.columns / layer.columnStep, layer.outputs);
-  const int before = layer.side / 2 * layer.apart;
-  for (int y = 0; y < out.rows; ++y) {
-    const auto run = [&](int x, auto&& outputs) {
-      const float* from = in.at(y * layer.rowStep - before, x * layer.columnStep - before);
-      const Target target{after, added ? added->at(y, x) : nullptr, out.at(y, x), index(layer.outputs)};
-      outputs(layer, from, in.rowStride(), target);
-    };
-    int x = 0;
-    for (; x + kPixels <= out.columns; x += kPixels) run(x, runOutputs<kPixels>);
-    for (; x < out.columns; ++x) run(x, runOutputs<1>);
+void FloatPlane::shape(int newRows, int newColumns, int newChannels) {
+  rows = newRows;
+  columns = newColumns;
+  channels = newChannels;
+  values.resize(index(rows) * rowStride());
+}
+
+void convolve(const Convolution& layer, const Planes& in, After after, const Planes* added, FloatPlanes& out) {
+  const Layer all{layer, after, in[0].unit, added ? (*added)[0].unit : 0};
+  for (const std::size_t side : {0u, 1u}) convolveSide(all, in[side], added ? &(*added)[side] : nullptr, out[side]);
+}
+
+void toFixed(const FloatPlanes& from, Planes& to) {
+  const float most = std::max(mostOf(from[0].values), mostOf(from[1].values));
+  const float perUnit = most > 0 ? Plane::kMost / most : 1;
+  for (const std::size_t side : {0u, 1u}) {
+    const FloatPlane& plane = from[side];
+    to[side].shape(plane.rows, plane.columns, plane.channels);
+    to[side].unit = most > 0 ? most / Plane::kMost : 1;
+    for (int y = 0; y < plane.rows; ++y) narrow(plane.at(y, 0), plane.rowStride(), perUnit, to[side].at(y, 0));
   }
 }
 
-void joinSides(const Plane& own, const Plane& other, Plane& out) {
-  const auto channels = index(own.channels);
-  out.shape(own.rows, own.columns, 3 * own.channels);
-  const float share = 0.5f / static_cast<float>(own.rows);
-  for (int x = 0; x < own.columns; ++x) {
-    float* mean = out.at(0, x) + 2 * channels;
-    std::fill(mean, mean + channels, 0.f);
-    for (int y = 0; y < own.rows; ++y) {
-      const float *a = own.at(y, x), *b = other.at(y, x);
-      for (std::size_t c = 0; c < channels; ++c) mean[c] += a[c] + b[c];
+void joinSides(const Planes& sides, std::vector<std::int32_t>& sums, Planes& joined) {
+  const Plane& shape = sides[0];
+  const std::size_t channels = index(shape.channels), row = index(shape.columns) * channels;
+  sums.assign(row, 0);
+  for (const Plane& side : sides) {
+    for (int y = 0; y < side.rows; ++y) {
+      const std::int16_t* from = side.at(y, 0);
+      for (std::size_t i = 0; i < row; ++i) sums[i] += from[i];
     }
-    for (std::size_t c = 0; c < channels; ++c) mean[c] *= share;
-    for (int y = 0; y < own.rows; ++y) {
-      float* to = out.at(y, x);
-      std::copy_n(own.at(y, x), channels, to);
-      std::copy_n(other.at(y, x), channels, to + channels);
-      if (y > 0) std::copy_n(mean, channels, to + 2 * channels);
+  }
+  const std::int32_t count = 2 * shape.rows;
+  for (std::int32_t& sum : sums) sum = (sum >= 0 ? sum + shape.rows : sum - shape.rows) / count;
+  for (const std::size_t side : {0u, 1u}) {
+    Plane& out = joined[side];
+    out.shape(shape.rows, shape.columns, 3 * shape.channels);
+    out.unit = shape.unit;
+    for (int y = 0; y < shape.rows; ++y) {
+      const std::int16_t *own = sides[side].at(y, 0), *other = sides[1 - side].at(y, 0);
+      std::int16_t* to = out.at(y, 0);
+      for (std::size_t i = 0; i < row; i += channels, to += 3 * channels) {
+        std::copy_n(own + i, channels, to);
+        std::copy_n(other + i, channels, to + channels);
+        for (std::size_t c = 0; c < channels; ++c) to[2 * channels + c] = static_cast<std::int16_t>(sums[i + c]);
+      }
     }
   }
 }
 
-void addCoarse(const Plane& coarse, Plane& fine) {
-  const int channels = fine.channels;
-  for (int y = 0; y < fine.rows; ++y) {
-    for (int x = 0; x < fine.columns; ++x) {
-      const float* from = coarse.at(y / 2, x / 2);
-      float* to = fine.at(y, x);
-      for (int c = 0; c < channels; ++c) to[c] = std::max(0.f, to[c] + from[c]);
+void addCoarse(const FloatPlanes& coarse, const Planes& fine, FloatPlanes& out) {
+  for (const std::size_t side : {0u, 1u}) {
+    const Plane& own = fine[side];
+    out[side].shape(own.rows, own.columns, own.channels);
+    for (int y = 0; y < own.rows; ++y) {
+      for (int x = 0; x < own.columns; ++x) {
+        const float* above = coarse[side].at(y / 2, x / 2);
+        const std::int16_t* from = own.at(y, x);
+        float* to = out[side].at(y, x);
+        for (int c = 0; c < own.channels; c += 4)
+          store4(most4(own.unit * load4(from + c) + load4(above + c), all4(0)), to + c);
+      }
     }
   }
 }

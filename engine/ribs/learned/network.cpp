@@ -53,7 +53,7 @@ class Reader {
     return value;
   }
   float number() { return std::bit_cast<float>(word()); }
-  float byte() { return static_cast<float>(static_cast<std::int8_t>(bytes_[at_++])); }
+  std::int8_t byte() { return static_cast<std::int8_t>(bytes_[at_++]); }
 
  private:
   std::span<const std::uint8_t> bytes_;
@@ -65,14 +65,16 @@ Failure damaged(const char* what) { return {Error::FileUnreadable, std::string("
 // Outputs beyond those of the file are 0: sums are taken four at a time.
 void readLayer(Reader& from, Convolution& layer) {
   const int outputs = layer.outputs, padded = (outputs + 3) / 4 * 4;
-  std::vector<float> scales;
   layer.outputs = padded;
+  layer.scales.assign(index(padded), 0.f);
   layer.biases.assign(index(padded), 0.f);
-  layer.weights.assign(layer.weightCount(), 0.f);
-  for (int i = 0; i < outputs; ++i) scales.push_back(from.number());
+  layer.weights.assign(layer.weightCount(), 0);
+  for (int i = 0; i < outputs; ++i) layer.scales[index(i)] = from.number();
   for (int i = 0; i < outputs; ++i) layer.biases[index(i)] = from.number();
-  for (std::size_t row = 0; row < layer.weights.size(); row += index(padded)) {
-    for (int i = 0; i < outputs; ++i) layer.weights[row + index(i)] = scales[index(i)] * from.byte();
+  for (int tap = 0; tap < layer.side * layer.side; ++tap) {
+    for (int input = 0; input < layer.inputs; ++input) {
+      for (int i = 0; i < outputs; ++i) layer.weights[layer.at(tap, input, i)] = from.byte();
+    }
   }
 }
 
@@ -103,48 +105,39 @@ Result<RibNetwork> RibNetwork::read(std::span<const std::uint8_t> file) {
 
 void RibNetwork::run(const StripChannels& channels, NetworkScratch& s,
                      std::array<std::vector<float>, 2>& scores) const {
-  const auto both = [&](auto&& step) {
-    step(0, 1);
-    step(1, 0);
-  };
   const auto& l = layers_;
-  both([&](std::size_t side, std::size_t) {
-    Plane& input = s.input[side];
-    input.shape(channels.rows, channels.levels, kChannels);
-    const std::size_t row = index(channels.levels) * kChannels;
-    for (int r = 0; r < channels.rows; ++r) std::copy_n(&channels.planes[side][channels.at(r, 0)], row, input.at(r, 0));
-    convolve(l[Enter], input, After::Rectified, nullptr, s.refined[side]);
-    convolve(l[Near], s.refined[side], After::AddedAndRectified, &s.refined[side], s.fine[side]);
-    convolve(l[Down], s.fine[side], After::Rectified, nullptr, s.coarse[side]);
-  });
-  const auto join = [&](Layer layer, std::array<Plane, 2>& from, std::array<Plane, 2>& to) {
-    both([&](std::size_t side, std::size_t other) {
-      joinSides(from[side], from[other], s.joined);
-      convolve(l[layer], s.joined, After::AddedAndRectified, &from[side], to[side]);
-    });
+  const auto run = [&](Layer layer, const Planes& in, After after, const Planes* added, Planes& out) {
+    convolve(l[layer], in, after, added, s.sums);
+    toFixed(s.sums, out);
   };
-  const auto deepen = [&](Layer layer, std::array<Plane, 2>& from, std::array<Plane, 2>& to) {
-    both([&](std::size_t side, std::size_t) {
-      convolve(l[layer], from[side], After::AddedAndRectified, &from[side], to[side]);
-    });
+  const auto deepen = [&](Layer layer, const Planes& from, Planes& to) {
+    run(layer, from, After::AddedAndRectified, &from, to);
   };
+  const auto join = [&](Layer layer, const Planes& from, Planes& to) {
+    joinSides(from, s.columnSums, s.joined);
+    run(layer, s.joined, After::AddedAndRectified, &from, to);
+  };
+  run(Enter, channels.planes, After::Rectified, nullptr, s.refined);
+  deepen(Near, s.refined, s.fine);
+  run(Down, s.fine, After::Rectified, nullptr, s.coarse);
   join(Join, s.coarse, s.deeper);
   deepen(Deep, s.deeper, s.coarse);
   deepen(Deeper, s.coarse, s.deeper);
   deepen(Deepest, s.deeper, s.coarse);
   join(Rejoin, s.coarse, s.deeper);
   deepen(Last, s.deeper, s.coarse);
-  both([&](std::size_t side, std::size_t) {
-    convolve(l[Up], s.coarse[side], After::Nothing, nullptr, s.raised[side]);
-    addCoarse(s.raised[side], s.fine[side]);
-    convolve(l[Refine], s.fine[side], After::AddedAndRectified, &s.fine[side], s.refined[side]);
-    convolve(l[Out], s.refined[side], After::Nothing, nullptr, s.scores[side]);
+  convolve(l[Up], s.coarse, After::Nothing, nullptr, s.raised);
+  addCoarse(s.raised, s.fine, s.sums);
+  toFixed(s.sums, s.fine);
+  deepen(Refine, s.fine, s.refined);
+  convolve(l[Out], s.refined, After::Nothing, nullptr, s.sums);
+  for (const std::size_t side : {0u, 1u}) {
     scores[side].resize(index(channels.rows) * index(channels.levels));
     float* out = scores[side].data();
     for (int r = 0; r < channels.rows; ++r) {
-      for (int k = 0; k < channels.levels; k += 2, out += 2) std::copy_n(s.scores[side].at(r, k / 2), 2, out);
+      for (int k = 0; k < channels.levels; k += 2, out += 2) std::copy_n(s.sums[side].at(r, k / 2), 2, out);
     }
-  });
+  }
 }
 
 const RibNetwork* builtInNetwork() {

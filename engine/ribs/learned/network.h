@@ -16,8 +16,9 @@ namespace spineloft::ribs {
 
 /// Memory of one run.
 struct NetworkScratch {
-  std::array<Plane, 2> input, fine, refined, coarse, deeper, raised, scores;
-  Plane joined;
+  Planes fine, refined, coarse, deeper, joined;
+  FloatPlanes sums, raised;
+  std::vector<std::int32_t> columnSums;
 };
 
 class RibNetwork {

@@ -9,8 +9,8 @@
 
 namespace spineloft::ribs {
 
-/// traceRibs on three quarters of the labels, from which the network takes half of the time. It remembers nothing but
-/// memory: equal moves give equal ribs.
+/// traceRibs with at most 51 ribs, between which the others are filled in: the network has no more rows for them. It
+/// remembers nothing but memory: equal moves give equal ribs.
 class LiveTrace {
  public:
   /// The stroke as it is now. The ribs are near those of traceRibs for the same input, whose laws they
@@ -27,6 +27,8 @@ class LiveTrace {
 
  private:
   RibWorkspace memory_;
+  Spine few_;
+  RibSet fewRibs_;
   Progress unwatched_;
 };
 

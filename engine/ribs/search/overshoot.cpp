@@ -22,7 +22,7 @@ constexpr double kBeforeEnd = 0.3, kMostBeforeEnd = 0.12;
 // If less than this share of the spine would be left, nothing is cut.
 constexpr double kLeastLeft = 0.3;
 
-// Colours: novelty beyond and on the thing, how far apart they have to be, and the least number of ribs that
+// Colours: log-odds beyond and on the thing, how far apart they have to be, and the least number of ribs that
 // are beyond. What is above kBalance, summed up in half widths, says how sure it is.
 constexpr double kBalance = 0.3, kBackground = 0.4, kOwn = -0.2, kApart = 1.3, kLeastSum = 0.05;
 constexpr int kLeastRibs = 2;
@@ -33,10 +33,10 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // What is seen along the spine, by rib.
 struct Along {
-  std::vector<double> foreign;  // mean novelty
+  std::vector<double> logOdds;  // mean log-odds
   std::vector<double> edge;     // mean nearness to an edge
   std::vector<double> support;  // nearness of the ribs' two ends to an edge
-  int ribs() const { return static_cast<int>(foreign.size()); }
+  int ribs() const { return static_cast<int>(logOdds.size()); }
 };
 
 // The same from one end inwards.
@@ -61,7 +61,7 @@ double middleHalfWidth(const RibSet& set) {
   return std::max(2.0, *middle);
 }
 
-// How foreign the picture is to the inside of the middle's ribs.
+// Log-odds of the picture's colours against the inside of the middle's ribs.
 const std::vector<float>& logOddsToMiddle(double half, Search& s) {
   const CurveLayout& layout = s.curves.layout;
   const auto curves = index(layout.total());
@@ -88,7 +88,7 @@ Along lookAlong(double half, Search& s) {
   const int ribs = s.problem.ribs;
   Along along;
   for (int i = 0; i < ribs; ++i) {
-    double foreign = 0, edge = 0, support = 0;
+    double odds = 0, edge = 0, support = 0;
     int count = 0;
     for (const bool leftSide : {true, false}) {
       const int curve = s.curves.layout.sideOf(i, leftSide);
@@ -97,11 +97,11 @@ Along lookAlong(double half, Search& s) {
       for (int k = 0; k < s.curves.reached[index(curve)]; ++k, ++count) {
         const std::size_t at = s.curves.at(curve, k);
         if (static_cast<double>(s.curves.along[at]) > kNear * half) break;
-        foreign += static_cast<double>(logOdds[at]);
+        odds += static_cast<double>(logOdds[at]);
         edge += static_cast<double>(s.strip.proximity[at]);
       }
     }
-    along.foreign.push_back(foreign / std::max(1, count));
+    along.logOdds.push_back(odds / std::max(1, count));
     along.edge.push_back(edge / std::max(1, count));
     along.support.push_back(support);
   }
@@ -110,17 +110,17 @@ Along lookAlong(double half, Search& s) {
 
 // Number of ribs of an end that lie beyond the object, by their colours. `share`: the spacing of ribs in half widths.
 int beyondByColour(const FromEnd& end, int most, double share) {
-  const std::vector<double>& foreign = end.along.foreign;
+  const std::vector<double>& logOdds = end.along.logOdds;
   double sum = 0, best = 0;
   int cut = 0;
   for (int i = 0; i < most; ++i) {
-    sum += (foreign[end.at(i)] - kBalance) * share;
+    sum += (logOdds[end.at(i)] - kBalance) * share;
     if (sum <= best) continue;
     best = sum;
     cut = i + 1;
   }
-  const double out = end.mean(foreign, 0, cut);
-  const double in = end.mean(foreign, cut, std::min(end.along.ribs(), cut + end.along.ribs() / 6));
+  const double out = end.mean(logOdds, 0, cut);
+  const double in = end.mean(logOdds, cut, std::min(end.along.ribs(), cut + end.along.ribs() / 6));
   const bool clear = out > kBackground && in < kOwn && out - in > kApart;
   return clear && cut >= kLeastRibs && best > kLeastSum ? cut : 0;
 }
@@ -137,7 +137,7 @@ int beyondByLine(const FromEnd& end, int most) {
   const bool nothing = end.mean(along.support, 0, before) < kNothing;
   const bool something = end.mean(along.support, behind, behind + depth) > kSomething;
   // Here the colours decide nothing, or agree.
-  const double out = end.mean(along.foreign, 0, before), in = end.mean(along.foreign, behind, behind + depth);
+  const double out = end.mean(along.logOdds, 0, before), in = end.mean(along.logOdds, behind, behind + depth);
   return nothing && something && out > -kBalance && out > in - kBalance ? line : 0;
 }
 
@@ -170,15 +170,13 @@ Spot spotOn(std::span<const PicturePoint> stroke, PicturePoint p, double shareOf
 }  // namespace
 
 Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                                    RibWorkspace& memory) {
-  if (picture.edges.empty()) return SpineStretch{};
+                                    RibWorkspace& memory, RibSet& set) {
   Search& s = memory.search();
-  RibSet set;
   const Status found = searchRibs(spine, picture, params, Progress(), s, set);
   if (!found.ok()) return found.failure();
   constexpr int kFewest = 16;
   const int ribs = s.problem.ribs;
-  if (ribs < kFewest) return SpineStretch{};
+  if (picture.edges.empty() || ribs < kFewest) return SpineStretch{};
   const double half = middleHalfWidth(set), length = s.field.length();
   const double share = length / (ribs - 1) / half;
   const int most = static_cast<int>(std::min(kMostOfRibs * ribs, kFarthest / share + 2));
@@ -195,27 +193,39 @@ Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& p
 }
 
 std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
-                                        const SpineParams& spine, const RibParams& ribs) {
+                                        const SpineParams& spine, const RibParams& ribs, RibWorkspace& memory,
+                                        std::optional<TracedStroke>& whole) {
   std::vector<PicturePoint> kept(stroke.begin(), stroke.end());
-  const Result<Spine> cleaned = cleanSpine(stroke, picture.size, spine);
-  if (!cleaned) return kept;
-  RibWorkspace memory;
-  const Result<SpineStretch> found = stretchOnThing(cleaned.value(), picture, ribs, memory);
-  if (!found || found.value().whole()) return kept;
-  const std::span<const PicturePoint> points = cleaned.value().points;
+  whole.reset();
+  Result<Spine> cleaned = cleanSpine(stroke, picture.size, spine);
+  if (!cleaned || picture.edges.empty()) return kept;
+  TracedStroke traced{std::move(cleaned).value(), {}};
+  const Result<SpineStretch> found = stretchOnThing(traced.spine, picture, ribs, memory, traced.ribs);
+  if (!found) return kept;
+  const std::span<const PicturePoint> points = traced.spine.points;
   const std::vector<double> s = geometry::arcLengths(points);
   const auto spotAt = [&](double share) {
     return spotOn(stroke, geometry::pointAt(points, std::span<const double>(s), share * s.back()), share);
   };
   const auto [from, to] = found.value();
   const Spot first = spotAt(from), last = spotAt(to);
-  if (first.segment > last.segment) return kept;
+  if (found.value().whole() || first.segment > last.segment) {
+    whole = std::move(traced);
+    return kept;
+  }
   kept.clear();
   if (from > 0) kept.push_back(first.at);
   const auto at = [&](std::size_t i) { return stroke.begin() + static_cast<std::ptrdiff_t>(i); };
   kept.insert(kept.end(), at(from > 0 ? first.segment + 1 : 0), at(to < 1 ? last.segment + 1 : stroke.size()));
   if (to < 1) kept.push_back(last.at);
   return kept;
+}
+
+std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
+                                        const SpineParams& spine, const RibParams& ribs) {
+  RibWorkspace memory;
+  std::optional<TracedStroke> whole;
+  return strokeOnThing(stroke, picture, spine, ribs, memory, whole);
 }
 
 }  // namespace spineloft::ribs

@@ -2,6 +2,7 @@
 // cost a part more accuracy than any wobble of the stroke.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,12 +25,22 @@ struct SpineStretch {
 ///   do not help).
 /// The stretch ends a third of a half width before that place, as a careful stroke would. It is the whole spine where
 /// the case is not clear or little would be left. Searched up to three half widths or two fifths of the spine from
-/// either end. Costs one traceRibs and has its errors.
+/// either end. Costs one traceRibs, whose ribs it leaves in `set`, and has its errors.
 Result<SpineStretch> stretchOnThing(const Spine& spine, const PictureEvidence& picture, const RibParams& params,
-                                    RibWorkspace& memory);
+                                    RibWorkspace& memory, RibSet& set);
+
+/// A stroke's spine and its ribs: those of traceRibs.
+struct TracedStroke {
+  Spine spine;
+  RibSet ribs;
+};
 
 /// The points of a stroke (picture pixels) that lie on the object, with new ends where it was cut. The stroke itself
-/// where there is nothing to cut, the picture has no edges, or the stroke gives no spine.
+/// where there is nothing to cut, the picture has no edges, or the stroke gives no spine. `whole` becomes what was
+/// traced on the way where that is the stroke's own: it need not be traced again.
+std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
+                                        const SpineParams& spine, const RibParams& ribs, RibWorkspace& memory,
+                                        std::optional<TracedStroke>& whole);
 std::vector<PicturePoint> strokeOnThing(std::span<const PicturePoint> stroke, const PictureEvidence& picture,
                                         const SpineParams& spine, const RibParams& ribs);
 

@@ -4,6 +4,7 @@ import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { browserFlags, browserPath } from '../../../.ci/lib/browser.mjs';
+import { asWarm } from './page.mjs';
 import { tubePicture } from './pictures.mjs';
 
 /** A picture so small that everything about it is quick. */
@@ -63,7 +64,9 @@ export async function startMortalBrowser(folder) {
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
     const browser = await chromium.connectOverCDP(`http://127.0.0.1:${readFileSync(told, 'utf8').split('\n')[0]}`);
-    return { page: await browser.contexts()[0].newPage(), kill };
+    const page = await browser.contexts()[0].newPage();
+    await page.addInitScript(asWarm);
+    return { page, kill };
   } catch (error) {
     await kill();
     throw error;

@@ -26,6 +26,12 @@ if (process.env.SPINELOFT_ENGINE === 'single') kEngines.reverse();
 /** How much longer random tests go on than in `npm test`. */
 export const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
 
+/**
+ * In the page, before its own scripts: the engine's stages count as warmed up. Its twelve rounds take the processor for
+ * longer than all else that a page does to start, and only tests of the warm-up itself need them.
+ */
+export const asWarm = () => performance.mark('spineloft-warm');
+
 /** In the page: an empty board, no models, nothing said; true when that is so. */
 async function beginAnew() {
   const api = window.spineloft;
@@ -63,22 +69,30 @@ export function useSite() {
   });
   /**
    * A ready page in a context of its own, with all tools; options are Playwright's, `isolated` and `query` of the
-   * address, `firstVisit`: with the first tools only, and `script`, a function that runs in the page before its own.
+   * address, `firstVisit`: with the first tools only, `warmsUp`: with the engine's warm-up, and `scripts`, functions that
+   * run in the page before its own.
    */
-  kit.open = async ({ isolated = kEngines[0].isolated, query = '', script, firstVisit, ...context } = {}) => {
-    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, { ...kQuick, ...context });
+  kit.open = async ({
+    isolated = kEngines[0].isolated,
+    query = '',
+    scripts = [],
+    firstVisit,
+    warmsUp,
+    ...context
+  } = {}) => {
+    const opened = await openPage(kit.browser, kit.sites[isolated].url + query, {
+      ...kQuick,
+      ...context,
+      scripts: warmsUp ? scripts : [asWarm, ...scripts],
+    });
     await opened.page.evaluate(() => window.spineloft.ready);
-    if (script) {
-      await opened.page.addInitScript(script);
-      await reload(opened.page);
-    }
     // The first tools are for a first visit; `firstVisit` tests what that shows.
     if (!firstVisit) await run(opened.page, 'more-tools', { on: true });
     return opened;
   };
   /** The page that the tests with these options share, begun anew; settings that outlast a model stay as they are. */
   kit.page = async (options) => {
-    const key = JSON.stringify({ ...options, script: String(options.script) });
+    const key = JSON.stringify({ ...options, scripts: String(options.scripts) });
     const known = kit.shared.get(key);
     if (known) {
       if (await known.page.evaluate(beginAnew)) return known;

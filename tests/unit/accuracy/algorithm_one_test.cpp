@@ -15,7 +15,7 @@ TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") 
   Rng rng(33);
   LengthWorkspace workspace;
   int strictlyBetter = 0;
-  for (int round = 0; round < 24; ++round) {
+  for (int round = 0; round < 12; ++round) {
     const LengthProblem p =
         round % 2 == 0 ? fixtures::pictureLikeProblem(40, 32, rng) : fixtures::randomProblem(25, 20, true, rng);
     const double ours = energyOf(p, optimalLabels(p, workspace)).total();
@@ -24,5 +24,5 @@ TEST_CASE("the optimum's energy never exceeds that of the paper's Algorithm 1") 
     CHECK(ours <= theirs + 1e-4);
     strictlyBetter += ours < theirs - 1e-4 ? 1 : 0;
   }
-  CHECK(strictlyBetter >= 20);
+  CHECK(strictlyBetter >= 10);
 }

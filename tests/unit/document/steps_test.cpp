@@ -102,9 +102,9 @@ TEST_CASE("measures, name, order and look of a solid are set, within their limit
   CHECK(update(document, ShowStep{StepId{7}, true}).error() == Error::NoSuchStep);
 }
 
-TEST_CASE("steps of hundreds of random sessions are forests of sound steps") {
+TEST_CASE("steps of random sessions are forests of sound steps") {
   std::size_t most = 0;
-  for (const std::uint64_t seed : testing::seeds(0, 200)) {
+  for (const std::uint64_t seed : testing::seeds(0, 60)) {
     CAPTURE(seed);
     Document document = withParts(6);
     Rng rng(seed);

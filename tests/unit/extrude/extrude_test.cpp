@@ -13,6 +13,7 @@
 #include "engine/mesh/shading.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/outlines.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using extrude::EdgeKind, extrude::ExtrudeParams;
@@ -88,7 +89,7 @@ TEST_CASE("an edge larger than the piece is wide meets itself in a ridge and sta
     sheeted({{{20, 200}, {480, 190}, {480, 210}}}, {0.1, edge, 1, 0});
     sheeted({ellipse({100, 100}, 3, 3, 20)}, {0.5, edge, 1, 0});
     Rng rng(9);
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < testing::rounds(3); ++round) {
       Outline scribble;
       for (int i = 0; i < 8; ++i) scribble.push_back({rng.uniform(20, 480), rng.uniform(20, 380)});
       sheeted({scribble}, {rng.uniform(0.01, 0.3), edge, rng.uniform(0, 1), 0});

@@ -10,6 +10,7 @@
 #include "engine/base/rng.h"
 #include "engine/geometry/polygon.h"
 #include "tests/support/outlines.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::geometry;
@@ -85,7 +86,7 @@ TEST_CASE("polygons keep their corners and their straight sides") {
 
 TEST_CASE("what is steadied is still a region, however it was drawn" * doctest::test_suite("slow")) {
   Rng rng(12);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < testing::rounds(15); ++round) {
     std::vector<PicturePoint> scribble;
     const int count = 4 + int(rng.below(40));
     for (int i = 0; i < count; ++i) scribble.push_back({rng.uniform(5, 395), rng.uniform(5, 395)});

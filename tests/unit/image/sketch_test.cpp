@@ -146,7 +146,7 @@ TEST_CASE("a straight line covers its length times its width and two half discs"
 
 TEST_CASE("a stroke touches no pixel beyond its radius and fills every pixel within it" * doctest::test_suite("slow")) {
   Rng rng(15);
-  for (int round = 0; round < testing::rounds(10); ++round) {
+  for (int round = 0; round < testing::rounds(3); ++round) {
     const Size size{160, 120};
     SketchStroke stroke = black(randomStroke(rng, size));
     stroke.erase = false;
@@ -313,7 +313,7 @@ TEST_CASE("two pen lines, open at both ends, loft to the bottle between them") {
   }
   const std::vector<PicturePoint> spine{{248, 70}, {253, 180}, {249, 300}, {251, 412}};
   DrawSpine draw{PictureId{1}, spine};
-  draw.startCap = draw.endCap = loft::CapStyle::Flat;
+  draw.startCap = draw.endCap = sections::CapStyle::Flat;
   document = update(document, draw).value();
   pipeline::Cache cache;
   const auto derived = pipeline::deriveWithEdges(document, cache, {});

@@ -14,13 +14,8 @@
 #include "engine/loft/loft.h"
 #include "engine/mesh/laws.h"
 #include "tests/support/generators.h"
+#include "tests/support/gltf_reader.h"
 #include "tests/support/mesh_laws.h"
-
-// As the engine has it: no picture decoder.
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#include <tiny_gltf.h>
 
 using namespace spineloft;
 using namespace spineloft::testing;
@@ -36,11 +31,11 @@ const Bytes kPng = {0x89, 'P',  'N',  'G',  0x0d, 0x0a, 0x1a, 0x0a, 0,    0,    
                     0,    0,    10,   'I',  'D',  'A',  'T',  0x78, 0x9c, 0x63, 0x68, 0,   0,    0,    0x82, 0,    0x81,
                     0x77, 0xcd, 0x72, 0xb6, 0,    0,    0,    0,    'I',  'E',  'N',  'D', 0xae, 0x42, 0x60, 0x82};
 
-mesh::TriMesh vase(loft::SectionPreset section, int points = 48) {
+mesh::TriMesh vase(sections::SectionPreset section, int points = 48) {
   loft::LoftParams params;
   params.sections.front().shape.preset = section;
   params.sectionPoints = points;
-  params.startCap = loft::CapStyle::Flat;
+  params.startCap = sections::CapStyle::Flat;
   const auto set = straightRibs({300, 700}, {320, 100}, 40, [](double t) { return 120 + 60 * std::sin(7 * t); });
   const auto mesh = loft::loftRibs(set, {640, 800}, params);
   REQUIRE(mesh.ok());
@@ -109,8 +104,8 @@ std::vector<std::uint32_t> indicesOf(const tinygltf::Model& model, int index) {
 }  // namespace
 
 TEST_CASE("a GLB read back is what was written: places, normals, texture, one node a part") {
-  const mesh::TriMesh square = vase(loft::SectionPreset::Square);
-  const mesh::TriMesh circle = vase(loft::SectionPreset::Circle, 512);
+  const mesh::TriMesh square = vase(sections::SectionPreset::Square);
+  const mesh::TriMesh circle = vase(sections::SectionPreset::Circle, 512);
   std::vector<ExportPart> parts = {partOf(square, "Kiste"), partOf(circle, "Käse\xff\n"), partOf(square, "plain")};
   parts[0].picture = parts[1].picture = 1;
   parts[2].colour = {1, 0.5f, 0};
@@ -191,7 +186,7 @@ TEST_CASE("a GLB with more than 65535 vertices uses wide indices") {
 }
 
 TEST_CASE("binary STL has its layout, stands up, and keeps the volume") {
-  const mesh::TriMesh mesh = vase(loft::SectionPreset::Heart);
+  const mesh::TriMesh mesh = vase(sections::SectionPreset::Heart);
   std::vector<ExportPart> parts = {partOf(mesh, "a"), partOf(mesh, "b")};
   for (ExportPart& part : parts) part.placement = {{}, 0.5};
   const Bytes bytes = io::writeStl(parts).value();
@@ -228,7 +223,7 @@ TEST_CASE("binary STL has its layout, stands up, and keeps the volume") {
 TEST_CASE(
     "OBJ read back gives the same mesh; in image space y points down and the volume stays "
     "positive") {
-  const mesh::TriMesh mesh = vase(loft::SectionPreset::Star);
+  const mesh::TriMesh mesh = vase(sections::SectionPreset::Star);
   std::vector<ExportPart> parts = {partOf(mesh, "first\npart"), partOf(mesh, "second")};
   for (ExportPart& part : parts) part.placement = {};
   for (const io::ObjSpace space : {io::ObjSpace::World, io::ObjSpace::Image}) {
@@ -307,7 +302,7 @@ TEST_CASE("what cannot be exported says why, in every format") {
   const Bytes text = {'h', 'e', 'l', 'l', 'o'};
   const std::vector<ExportPicture> pictures = {{"note.txt", text}};
   CHECK(io::writeGlb(std::vector{part}, pictures).error() == Error::MeshInvalid);
-  const mesh::TriMesh textured = vase(loft::SectionPreset::D);
+  const mesh::TriMesh textured = vase(sections::SectionPreset::D);
   part.mesh = &textured;
   CHECK(io::writeGlb(std::vector{part}, pictures).error() == Error::PictureUnreadable);
   CHECK(io::writeGlb(std::vector{partOf(mesh, "box")}, {}, {4.0}).error() == Error::ValueOutOfRange);

@@ -50,10 +50,11 @@ struct KeyCollector {
       std::visit([&](auto& one) { (*this)(key, one); }, recipe);
     }
   }
-  void operator()(const char* key, std::vector<loft::SectionKey>&) {
+  template <Struct T>
+  void operator()(const char* key, std::vector<T>&) {
     keys.insert(key);
-    loft::SectionKey section;
-    members(*this, section);
+    T element;
+    members(*this, element);
   }
   template <class T>
   void always(const char* key, T&) {
@@ -157,6 +158,19 @@ TEST_CASE("the golden document with regions reads as what was written") {
   CHECK(read.parts[1]->recipe == document::Recipe(ear));
 }
 
+TEST_CASE("the golden document with puffs of a slice reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-puffs.json");
+  const document::Region region{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0};
+  document::InflateRecipe coin{region, {0.5, inflate::InflateSides::Front, 400}}, bowl{region, {}};
+  coin.inflate.profile = {{{sections::SectionPreset::Square}}, 0.25};
+  sections::SectionShape drawn;
+  drawn.contours = {{{-1, -0.5}, {1, -0.5}, {1, 0.25}, {-1, 0.25}}, {{-0.5, -0.25}, {0.5, -0.25}, {0.5, 0}, {-0.5, 0}}};
+  bowl.inflate.profile.slices = {{drawn}};
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0]->recipe == document::Recipe(coin));
+  CHECK(read.parts[1]->recipe == document::Recipe(bowl));
+}
+
 TEST_CASE("the golden document with spun parts reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-spun.json");
   const document::LatheRecipe glass{{PictureId{1}, {{{60, 70}, {90.5, 70}, {80, 20}}}, 0, true},
@@ -165,6 +179,31 @@ TEST_CASE("the golden document with spun parts reads as what was written") {
   REQUIRE(read.parts.size() == 2);
   CHECK(read.parts[0]->recipe == document::Recipe(glass));
   CHECK(read.parts[1]->recipe == document::Recipe(ring));
+}
+
+TEST_CASE("the golden document with a stack reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-stack.json");
+  stack::Plane foot, top;
+  foot.curves = {{{{30, 0}, {0, 30.5}, {-30, 0}, {0, -30}}, {false, {0, 2}}},
+                 {{{9, 9}, {-9, 9}, {-9, -9}, {9, -9}}, {true, {}}}};
+  foot.blend = {sections::BlendKind::Custom, {{{0, 0}, {0.5, 0.75}, {1, 1}}}};
+  top.at = 0.75;
+  top.origin = ModelPoint{60, 0.25, -8};
+  top.turn = {0.5, 0.5, -0.5, 0.5};
+  top.curves = {{{{10, 0}, {0, 10}, {-10, 0}}, {}}};
+  const document::StackRecipe post{PictureId{1},
+                                   {foot, top},
+                                   {{{60, -70, 0}, {55.5, -40, 12}, {60, 0, 0}}, true},
+                                   {sections::CapStyle::Open, sections::CapStyle::Pointed, 64, 4}};
+  stack::Plane end;
+  end.at = 1;
+  end.curves = top.curves;
+  foot = end;
+  foot.at = 0;
+  const document::StackRecipe plain{PictureId{1}, {foot, end}, {{{20, -60, 0}, {20, 0, 0}}, false}, {}};
+  REQUIRE(read.parts.size() == 2);
+  CHECK(read.parts[0]->recipe == document::Recipe(post));
+  CHECK(read.parts[1]->recipe == document::Recipe(plain));
 }
 
 TEST_CASE("the golden document with parts that were placed, mirrored and grouped reads as what was written") {
@@ -228,18 +267,27 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   CHECK(wanted.size() > 45);
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
-    // A key that is spelled takes as many characters of a link as its name has.
-    CHECK_MESSAGE(isPackedWord(key), key);
+    // A key that is spelled takes as many characters of a link as its name has; the example never changes.
+    static const std::set<std::string> kCameLater{"corners", "curves", "follow", "origin", "planes",
+                                                  "profile", "rail",   "slices", "stack",  "through"};
+    CHECK_MESSAGE(isPackedWord(key) != kCameLater.contains(key), key);
   }
 }
 
-TEST_CASE("the golden link of version 1 opens as the model that was shared") {
-  const auto bytes = testFile("golden/share-v1.txt");
-  ReadNotes notes;
-  const auto read = readShareText({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, &notes);
-  REQUIRE_MESSAGE(read.ok(), failureSentence(read.failure()));
-  CHECK(notes.clean());
-  CHECK(read.value() == shareable(completeDocument()));
+TEST_CASE("the golden link of every version opens as the model that was shared") {
+  for (int version = 1; version <= kShareVersion; ++version) {
+    CAPTURE(version);
+    const std::string name = "golden/share-v" + std::to_string(version);
+    const auto text = testFile(name + ".txt"), shared = testFile(name + ".json");
+    ReadNotes notes;
+    const auto read = readShareText({reinterpret_cast<const char*>(text.data()), text.size()}, &notes);
+    REQUIRE_MESSAGE(read.ok(), failureSentence(read.failure()));
+    CHECK(notes.clean());
+    const std::string wanted(shared.begin(), shared.end());
+    CHECK(writeDocument(read.value()) == wanted.substr(0, wanted.find('\n')));
+  }
+  // Texts are written in the last one.
+  CHECK(writeShareText(completeDocument()).value().front() == '0' + kShareVersion);
 }
 
 TEST_CASE("what the fuzzers once found or began with does no harm") {
@@ -250,7 +298,7 @@ TEST_CASE("what the fuzzers once found or began with does no harm") {
 }
 
 TEST_CASE("documents of random sessions with numbers changed are derived, written and planned for the solver") {
-  for (const std::uint64_t seed : seeds(0, 120)) {
+  for (const std::uint64_t seed : seeds(0, 40)) {
     CAPTURE(seed);
     Rng rng(seed);
     std::vector<std::uint8_t> input(5 + rng.below(40));

@@ -202,12 +202,12 @@ TEST_CASE("a file cut anywhere is refused and nothing breaks") {
   CHECK(readProject(longer).value() == tail());
 }
 
-TEST_CASE("ten thousand flipped bits give a sound document or a reason, and its file opens again") {
+TEST_CASE("thousands of flipped bits give a sound document or a reason, and its file opens again") {
   const Document document = tail();
   const Bytes file = projectOf(document);
   Rng rng(2024);
   int opened = 0, refused = 0;
-  for (int round = 0; round < testing::rounds(10000); ++round) {
+  for (int round = 0; round < testing::rounds(4000); ++round) {
     Bytes bad = file;
     for (std::uint32_t flips = 1 + rng.below(3); flips > 0; --flips) {
       bad[rng.below(static_cast<std::uint32_t>(bad.size()))] ^= static_cast<std::uint8_t>(1 << rng.below(8));
@@ -220,8 +220,8 @@ TEST_CASE("ten thousand flipped bits give a sound document or a reason, and its 
     ++opened;
     if (round % 10 == 0) REQUIRE(readProject(projectOf(read.value())).value() == read.value());
   }
-  CHECK(opened > 1000);
-  CHECK(refused > 1000);
+  CHECK(opened > 400);
+  CHECK(refused > 400);
 }
 
 TEST_CASE("keys that nobody knows survive the project file too") {

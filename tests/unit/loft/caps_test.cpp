@@ -11,6 +11,7 @@
 
 using namespace spineloft;
 using namespace spineloft::loft;
+using namespace spineloft::sections;
 using namespace spineloft::testing;
 
 namespace {

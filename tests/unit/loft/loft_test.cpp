@@ -9,9 +9,11 @@
 
 #include "tests/support/generators.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::loft;
+using namespace spineloft::sections;
 using namespace spineloft::testing;
 
 namespace {
@@ -145,7 +147,7 @@ TEST_CASE("slanted ribs across a straight bar give the bar its true depth") {
 TEST_CASE("seen from the front the outline passes through every rib end of well-formed ribs" *
           doctest::test_suite("slow")) {
   Rng rng(7);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < testing::rounds(15); ++round) {
     const ribs::RibSet set = randomRibs(rng);
     for (const SectionName& name : sectionNames()) {
       LoftParams params;
@@ -210,12 +212,12 @@ TEST_CASE("open ends leave a wall: one open end is a cup, two are a tube of genu
   CHECK(tube.volume == doctest::Approx(full - bore * 400).epsilon(2e-3));
 }
 
-TEST_CASE("thousands of random and hostile rib sets are lawful with every section and cap") {
+TEST_CASE("a thousand random and hostile rib sets are lawful with every section and cap") {
   Rng rng(2025);
   const auto names = sectionNames();
   const auto caps = capNames();
   int combination = 0;
-  for (int round = 0; round < 2500; ++round) {
+  for (int round = 0; round < testing::rounds(1000); ++round) {
     const bool hostile = round % 2 == 1;
     const ribs::RibSet set = hostile ? hostileRibs(rng) : randomRibs(rng);
     LoftParams params;
@@ -301,7 +303,7 @@ TEST_CASE("mirrored ribs give the mirrored mesh, and travelling the other way th
 }
 
 TEST_CASE(
-    "the front wears the picture where it stands; the back does in its middle, and draws no side out of the outline") {
+    "the front shows the picture where it stands; the back does in its middle, and draws no side out of the outline") {
   // A bar along x: ribs run along y, half width `half`.
   const auto mesh = lofted(cylinderRibs(), withCaps(CapStyle::Flat, CapStyle::Flat, 48));
   REQUIRE(mesh.uv.size() == mesh.positions.size());

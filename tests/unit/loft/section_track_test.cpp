@@ -14,6 +14,7 @@
 
 using namespace spineloft;
 using namespace spineloft::loft;
+using namespace spineloft::sections;
 using namespace spineloft::testing;
 
 namespace {
@@ -148,4 +149,44 @@ TEST_CASE("sections that cannot be are refused with the reason") {
   CHECK(checkShape(drawn({square, scaled(square, 0.5), scaled(square, 0.2)})).ok());
   const std::vector<SectionKey> keys = {{0, drawn({square, scaled(square, 0.5)}), {}}, {1, SectionPreset::Circle, {}}};
   CHECK(checkSectionKeys(keys).error() == Error::SectionInvalid);
+}
+
+TEST_CASE("flowing sections go through every key without a kink, also where the way closes") {
+  const auto rhombus = [](double height) { return drawn({{{1, 0}, {0, height}, {-1, 0}, {0, -height}}}); };
+  const auto heightAt = [](const SectionTrack& track, double share) {
+    Curve points;
+    track.appendShape(share, points);
+    return std::ranges::max_element(points, {}, &SectionPoint::y)->y;
+  };
+  const Blend flow{BlendKind::Flow, {}};
+  // The slopes of parabolas through neighbours give a parabola back.
+  const auto parabola = [](double t) { return 0.4 + 0.9 * t - 0.5 * t * t; };
+  std::vector<SectionKey> keys;
+  for (const double at : {0.0, 0.3, 0.6, 1.0}) keys.push_back({at, rhombus(parabola(at)), flow});
+  const auto open = SectionTrack::along(keys, 48, false);
+  REQUIRE(open.ok());
+  for (int i = 0; i <= 100; ++i) {
+    CHECK(heightAt(open.value(), i / 100.0) == doctest::Approx(parabola(i / 100.0)).epsilon(1e-6));
+  }
+  const std::vector<SectionKey> round = {
+      {0.1, rhombus(0.5), flow}, {0.4, rhombus(0.9), flow}, {0.7, rhombus(0.6), flow}};
+  const auto closed = SectionTrack::along(round, 48, true);
+  REQUIRE(closed.ok());
+  constexpr double kStep = 1e-4;
+  for (const SectionKey& key : round) {
+    const double before = heightAt(closed.value(), key.at - kStep), here = heightAt(closed.value(), key.at);
+    CHECK((here - before) / kStep ==
+          doctest::Approx((heightAt(closed.value(), key.at + kStep) - here) / kStep).epsilon(0.02));
+  }
+  CHECK(heightAt(closed.value(), 0) == doctest::Approx(heightAt(closed.value(), 1)));
+  for (const double at : {0.0, 0.3, 0.6, 1.0}) {
+    const auto straight = std::vector<SectionKey>{{0, rhombus(0.4), {BlendKind::Linear, {}}}, {1, rhombus(0.8), flow}};
+    CHECK(heightAt(SectionTrack::along(straight, 48, false).value(), at) == doctest::Approx(0.4 + 0.4 * at));
+  }
+}
+
+TEST_CASE("flowing sections on the way are sound between any two slices") {
+  for (const SectionName& a : sectionNames()) {
+    for (const SectionName& b : sectionNames()) requireSoundWay(a.preset, b.preset, BlendKind::Flow);
+  }
 }

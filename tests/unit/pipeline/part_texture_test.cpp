@@ -256,7 +256,7 @@ Document spottedDocument() {
   return update({}, AddPicture{"spot", shared}).value();
 }
 
-/// Red pixels of what a part wears, and those that differ from another texture of the same size.
+/// Red pixels of what a part shows, and those that differ from another texture of the same size.
 int reds(const image::Image& pixels) {
   int count = 0;
   for (std::size_t i = 0; i + 3 < pixels.pixels.size(); i += 4)
@@ -286,7 +286,7 @@ void requireEqualBeyond(const surface::PartTexture& with, const surface::PartTex
 
 }  // namespace
 
-TEST_CASE("under a mark that covers a part wears its own colours, and elsewhere what it wore, whatever its kind") {
+TEST_CASE("under a mark that covers a part shows its own colours, and elsewhere what it showed, whatever its kind") {
   const Document empty = spottedDocument();
   const std::vector<PicturePoint> round = {{120, 108}, {200, 108}, {200, 150}, {120, 150}};
   DrawRegion inflate{};
@@ -356,13 +356,13 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     REQUIRE((making->texture() && whole->texture));
     CHECK(*making->texture() == *whole->texture);
     CHECK_FALSE(making->step());
-    const auto dressed = later.assignTextures(making->key(), making->texture());
-    REQUIRE(dressed);
-    CHECK(isDressed(*dressed));
+    const auto textured = later.assignTextures(making->key(), making->texture());
+    REQUIRE(textured);
+    CHECK(isTextureKnown(*textured));
     const pipeline::Derived again = pipeline::derive(document, later, {}, pipeline::Finish::Later);
     CHECK(again.wantedTextures.empty());
-    CHECK(again.parts[0].shape == dressed);
-    CHECK(later.assignTextures(12345, nullptr) == nullptr);
+    CHECK(again.parts[0].shape == textured);
+    CHECK(later.assignTextures(ShapeKey{12345}, nullptr) == nullptr);
   }
   CHECK(pipeline::makeTexture({}, {}, PartId{1}) == nullptr);
 }

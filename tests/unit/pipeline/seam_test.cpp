@@ -138,7 +138,8 @@ TEST_CASE("one does not see where the picture on a part ends, from the front and
   std::vector<PicturePoint> stroke;
   for (int x = 48; x <= 312; x += 4) stroke.push_back({double(x), middleAt(x)});
   document = update(document, DrawSpine{PictureId{1}, stroke}).value();
-  for (const loft::CapStyle cap : {loft::CapStyle::Round, loft::CapStyle::Flat, loft::CapStyle::Pointed}) {
+  for (const sections::CapStyle cap :
+       {sections::CapStyle::Round, sections::CapStyle::Flat, sections::CapStyle::Pointed}) {
     const Document styled = update(document, SetCaps{PartId{1}, cap, cap}).value();
     pipeline::Cache cache;
     const auto shape = pipeline::deriveWithEdges(styled, cache, {}).value().parts[0].shape;
@@ -149,10 +150,10 @@ TEST_CASE("one does not see where the picture on a part ends, from the front and
     for (const View view : {View{0, 60}, View{0, -60}, View{1, 60}, View{1, -60}}) {
       CAPTURE(view.axis);
       CAPTURE(view.degrees);
-      CAPTURE(std::string(loft::capKey(cap)));
+      CAPTURE(std::string(sections::capKey(cap)));
       const Seen seen = featureAt(part, *shape->texture, view);
-      MESSAGE(view.axis << " " << view.degrees << " " << loft::capKey(cap) << ": across " << seen.seam.mean() << " ("
-                        << seen.seam.count << "), elsewhere " << seen.within.mean());
+      MESSAGE(view.axis << " " << view.degrees << " " << sections::capKey(cap) << ": across " << seen.seam.mean()
+                        << " (" << seen.seam.count << "), elsewhere " << seen.within.mean());
       CHECK(seen.seam.count > 100);
       CHECK(seen.seam.mean() <= 1.5 * seen.within.mean());
     }

@@ -60,7 +60,7 @@ TEST_CASE("a loft covers the polygon through its rib ends and no gap is left bet
     const auto set = straightRibs(middle - along, middle + along, 2 + static_cast<int>(rng.below(60)),
                                   [&](double) { return width; });
     loft::LoftParams params;
-    params.startCap = params.endCap = loft::CapStyle::Flat;
+    params.startCap = params.endCap = sections::CapStyle::Flat;
     const auto mesh = loft::loftRibs(set, {320, 240}, params);
     REQUIRE(mesh.ok());
     requireLawful(mesh.value());

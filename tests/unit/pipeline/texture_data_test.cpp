@@ -187,7 +187,7 @@ class Surroundings {
     }
     within_ = surface::trusted(within, kAway), without_ = surface::inset(without, kAway);
   }
-  /// Whether a colour that is worn from pixel (x, y) is unlike all of the thing there, and more like the ground.
+  /// Whether a colour that is shown from pixel (x, y) is unlike all of the thing there, and more like the ground.
   bool isGround(const std::array<double, 3>& colour, int x, int y) const {
     constexpr int kFar = 26, kStep = 2;
     constexpr double kUnlike = 16;
@@ -256,7 +256,7 @@ double shareWorn(const fs::path& folder, const std::string& kind) {
   return double(worn) / hidden;
 }
 
-/// Along the edge of what another thing hides of a part, the mean share of that thing in what the part wears.
+/// Along the edge of what another thing hides of a part, the mean share of that thing in what the part shows.
 double shareAlongEdge(const fs::path& folder, const std::string& kind) {
   constexpr double kBeside = 6, kAlike = 40;
   const image::Image whole = maskOf(folder / "mask.png"), visible = maskOf(folder / "mask_visible.png");
@@ -286,7 +286,7 @@ double shareAlongEdge(const fs::path& folder, const std::string& kind) {
 }
 
 /// Of what of a part is turned away by more than 60° from the front, and by less from the back's middle, the share
-/// that wears colours of the ground.
+/// that shows colours of the ground.
 double shareOfGroundOnSides(const fs::path& folder, const std::string& kind) {
   const auto [picture, shape] = madeOf(folder, kind);
   REQUIRE(shape->texture);
@@ -317,7 +317,7 @@ double shareOfGroundOnSides(const fs::path& folder, const std::string& kind) {
 
 }  // namespace
 
-TEST_CASE("the sides of a tail of fur do not wear the meadow behind it" * doctest::test_suite("data")) {
+TEST_CASE("the sides of a tail of fur do not show the meadow behind it" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
   for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
     CAPTURE(kind);
@@ -327,7 +327,7 @@ TEST_CASE("the sides of a tail of fur do not wear the meadow behind it" * doctes
   }
 }
 
-TEST_CASE("the sides of things with a crisp rim do not wear what is mixed into it, whatever is made of them" *
+TEST_CASE("the sides of things with a crisp rim do not show what is mixed into it, whatever is made of them" *
           doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
   struct Case {
@@ -400,13 +400,13 @@ TEST_CASE(
   CHECK(looked >= 36);
 }
 
-TEST_CASE("a thumb and a mug that reach over the outline of a part are not worn by it" * doctest::test_suite("data")) {
+TEST_CASE("a thumb and a mug that reach over the outline of a part are not shown on it" * doctest::test_suite("data")) {
   const auto folder = testing::dataFolder();
   for (const std::string name : {"photo_zucchini_hand", "render_banana_occluded"}) {
     for (const std::string kind : {"careful", "sloppy", "offcentre"}) {
       CAPTURE(kind);
       const double share = shareWorn(folder / name, kind);
-      MESSAGE(name << ", " << kind << ": " << 100 * share << " % of what is hidden is worn");
+      MESSAGE(name << ", " << kind << ": " << 100 * share << " % of what is hidden is shown");
       CHECK(share < 0.05);
     }
   }

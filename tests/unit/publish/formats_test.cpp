@@ -10,13 +10,9 @@
 #include "engine/document/update.h"
 #include "engine/io/picture_file.h"
 #include "engine/publish/publish.h"
+#include "tests/support/gltf_reader.h"
 #include "tests/support/random_documents.h"
 #include "tests/support/unzip.h"
-
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#include <tiny_gltf.h>
 
 using namespace spineloft;
 using namespace spineloft::document;
@@ -164,7 +160,7 @@ Points pointsOf(const Bytes& bytes, Format format) {
 }  // namespace
 
 TEST_CASE("a typed height is that height in every file, to a hundredth of a millimetre" * doctest::test_suite("slow")) {
-  for (const double mm : {40.0, 12.5, 999.0}) {
+  for (const double mm : {12.5, 999.0}) {
     std::size_t before = 0;
     // As they were traced, and mirrored, moved, turned and copied: all of them count.
     for (const Document& document : {twoParts(mm), placedParts(mm)}) {

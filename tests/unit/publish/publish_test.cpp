@@ -95,7 +95,7 @@ TEST_CASE("hidden parts are not exported, and without a visible part there is no
   }
 }
 
-TEST_CASE("a GLB holds one texture for all parts that wear a picture, and none when none does") {
+TEST_CASE("a GLB holds one texture for all parts that show a picture, and none when none does") {
   Document document = twoParts();
   const auto jpegs = [&] {
     const Bytes glb = publish::publish(document, derivedOf(document), Format::Glb, {}, {.withProject = false}).value();

@@ -109,7 +109,7 @@ TEST_CASE("the key of a solid changes when what it is made from changes, and not
   const auto keyOf = [&](const Document& document) {
     return rootNode(publish::planSolids(document, derive(document))).key;
   };
-  const std::uint64_t key = keyOf(base);
+  const SolidKey key = keyOf(base);
   Placement moved;
   moved.move = {0.1, 0, 0};
   Look red;
@@ -132,7 +132,7 @@ TEST_CASE("the key of a solid changes when what it is made from changes, and not
   const std::vector<std::pair<const char*, Action>> something = {
       {"a part of it, moved", PlaceParts{{{PartId{1}, moved, {}}}}},
       {"a part of it, doubled", PlaceParts{{{PartId{1}, {}, MirrorPlane{}}}}},
-      {"a part of it with another slice", SetSection{PartId{1}, loft::SectionPreset::Square}},
+      {"a part of it with another slice", SetSection{PartId{1}, sections::SectionPreset::Square}},
       {"a part of it drawn again", RedrawSpine{PartId{2}, {{24, 40}, {48, 36}, {70, 40}}}},
       {"round seams", SetStep{StepId{1}, StepKind::Join, 0.02, 0.02, {}}},
       {"another kind", SetStep{StepId{1}, StepKind::Cut, 0, 0.02, {}}},
@@ -231,12 +231,12 @@ TEST_CASE("a part in hand stands in for its own mesh, and nothing else changes")
   const pipeline::Derived& derived = derive(document);
   const SolidPlan plain = publish::planSolids(document, derived);
   mesh::TriMesh other = *plain.meshes[0].mesh;
-  const publish::Substitute instead{PartId{1}, 77, &other};
+  const publish::Substitute instead{PartId{1}, ShapeKey{77}, &other};
   const SolidPlan plan = publish::planSolids(document, derived, &instead);
   CHECK(rootNode(plan).key != rootNode(plain).key);
   REQUIRE(plan.meshes.size() == 2);
   CHECK(plan.meshes[0].mesh == &other);
-  CHECK(plan.meshes[0].key == 77);
+  CHECK(plan.meshes[0].key == ShapeKey{77});
   CHECK(plan.meshes[1].key == plain.meshes[1].key);
   CHECK(rootNode(plan).operands[0].toWorld == rootNode(plain).operands[0].toWorld);
 }

@@ -31,9 +31,32 @@ double middleAt(double x) { return 180 + 46 * std::sin((x - 60) / 360 * 2 * 3.14
 
 /// Signed distance to the thing, negative inside: to its middle, sampled finely, and its round ends.
 double distanceTo(PicturePoint p) {
-  double best = 1e9;
-  for (double x = 70; x <= 410; x += 1) best = std::min(best, std::hypot(p.x - x, p.y - middleAt(x)));
-  return best - kHalf;
+  static const std::vector<PicturePoint> kMiddle = [] {
+    std::vector<PicturePoint> middle;
+    for (double x = 70; x <= 410; x += 1) middle.push_back({x, middleAt(x)});
+    return middle;
+  }();
+  double best = 1e18;
+  for (const PicturePoint& m : kMiddle) best = std::min(best, (p.x - m.x) * (p.x - m.x) + (p.y - m.y) * (p.y - m.y));
+  return std::sqrt(best) - kHalf;
+}
+
+/// Sample i of four of a pixel.
+PicturePoint sampleAt(int x, int y, int i) { return {x + (i % 2) * 0.5 - 0.25, y + (i / 2) * 0.5 - 0.25}; }
+
+/// distanceTo of all samples, row by row: the thing is the same in every scene.
+const std::vector<double>& sampledDistances() {
+  static const std::vector<double> kDistances = [] {
+    std::vector<double> distances;
+    distances.reserve(std::size_t{4} * kSize.width * kSize.height);
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        for (int i = 0; i < 4; ++i) distances.push_back(distanceTo(sampleAt(x, y, i)));
+      }
+    }
+    return distances;
+  }();
+  return kDistances;
 }
 
 using Paint = std::function<Colour(PicturePoint, double away)>;
@@ -42,12 +65,12 @@ using Paint = std::function<Colour(PicturePoint, double away)>;
 image::EdgeMap mapOf(const Paint& paint) {
   Rng rng(11);
   image::Image image{kSize.width, kSize.height, {}};
+  const double* away = sampledDistances().data();
   for (int y = 0; y < kSize.height; ++y) {
     for (int x = 0; x < kSize.width; ++x) {
       Colour sum;
       for (int i = 0; i < 4; ++i) {
-        const PicturePoint p{x + (i % 2) * 0.5 - 0.25, y + (i / 2) * 0.5 - 0.25};
-        const Colour c = paint(p, distanceTo(p));
+        const Colour c = paint(sampleAt(x, y, i), *away++);
         sum = {sum.r + c.r / 4, sum.g + c.g / 4, sum.b + c.b / 4};
       }
       const double noise = rng.uniform(-4, 4);

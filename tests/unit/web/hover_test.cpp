@@ -76,7 +76,7 @@ TEST_CASE("a slice on its way out of a panel goes back with Escape, and is no st
   PartRig rig;
   const double before = *rig.state().number("undo");
   app::UiState& ui = const_cast<app::UiState&>(rig.app->ui());
-  ui.sections.pressed = ui.sections.carried = loft::SectionShape{loft::SectionPreset::Star};
+  ui.sections.pressed = ui.sections.carried = sections::SectionShape{sections::SectionPreset::Star};
   CHECK(rig.key("Escape", "Escape"));
   CHECK_FALSE(ui.sections.pressed.has_value());
   CHECK_FALSE(ui.sections.carried.has_value());

@@ -65,6 +65,8 @@ struct Desk {
     if (chance()) pileCut(rng);
     ui.sections.placing = chance();
     ui.solids.pointing = chance();
+    ui.solids.hollow.reset();
+    if (chance()) ui.solids.hollow.emplace();
     ui.preview.reset();
     if (chance()) ui.preview.renew();
     ui.redraw = chance() ? anyPart(rng) : PartId{};

@@ -82,10 +82,10 @@ TEST_CASE(
   Desk desk;
   std::size_t asked[3] = {};
   SUBCASE("round ends, a circle") {}
-  SUBCASE("flat ends") { desk.ui.startCap = desk.ui.endCap = loft::CapStyle::Flat; }
-  SUBCASE("open ends") { desk.ui.startCap = desk.ui.endCap = loft::CapStyle::Open; }
-  SUBCASE("pointed ends") { desk.ui.startCap = desk.ui.endCap = loft::CapStyle::Pointed; }
-  SUBCASE("a star") { desk.ui.section = loft::SectionPreset::Star; }
+  SUBCASE("flat ends") { desk.ui.startCap = desk.ui.endCap = sections::CapStyle::Flat; }
+  SUBCASE("open ends") { desk.ui.startCap = desk.ui.endCap = sections::CapStyle::Open; }
+  SUBCASE("pointed ends") { desk.ui.startCap = desk.ui.endCap = sections::CapStyle::Pointed; }
+  SUBCASE("a star") { desk.ui.section = sections::SectionPreset::Star; }
   SUBCASE("depth by pressure") { desk.ui.edit.depthByPressure = true; }
   for (std::size_t& bytes : asked) {
     desk.press();

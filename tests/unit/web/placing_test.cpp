@@ -161,9 +161,9 @@ TEST_CASE("the ring turns, the lower right knob scales, the middle moves in the 
     return *page.part().find("placement")->find(key)->array()->at(i).number();
   };
   const double undo = *page.state().number("undo");
-  page.drag(page.knob("turn-y"), {45, 12});
+  page.drag(page.knob("turn-y"), {90, 24});
   CHECK(std::abs(placement("degrees", 1)) > 5);
-  page.drag(page.knob("scale"), {40, 40});
+  page.drag(page.knob("scale"), {60, 60});
   CHECK(*page.part().find("placement")->number("scale") > 1.2);
   const std::vector<double> before = page.move();
   page.drag(page.knob("plane"), {-50, 20});

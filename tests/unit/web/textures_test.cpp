@@ -57,7 +57,7 @@ TEST_CASE("a part shows at once, and soon has the mesh and the texture that it i
     desk.draw(40, 160);
     CHECK(desk.shape().quality == pipeline::TraceQuality::Final);
     CHECK(desk.shape().mesh.triangles.size() > 1000);
-    CHECK_FALSE(isDressed(desk.shape()));
+    CHECK_FALSE(isTextureKnown(desk.shape()));
     CHECK(desk.shape().texture == nullptr);
     // Nobody needs to know.
     CHECK(desk.studio.busy());
@@ -65,33 +65,33 @@ TEST_CASE("a part shows at once, and soon has the mesh and the texture that it i
     const int rounds = desk.rest();
     if (threads == 0) CHECK(rounds > 4);
     const pipeline::PartShape made = whole(desk.studio.document());
-    CHECK(isDressed(desk.shape()));
+    CHECK(isTextureKnown(desk.shape()));
     REQUIRE((made.texture && desk.shape().texture));
     CHECK(*desk.shape().texture == *made.texture);
     CHECK(desk.shape().mesh == made.mesh);
   }
 }
 
-TEST_CASE("a part that changes wears its earlier texture until the new one is made, and undo finds its own again") {
+TEST_CASE("a part that changes shows its earlier texture until the new one is made, and undo finds its own again") {
   Desk desk(0);
   desk.draw(40, 160);
   desk.rest();
   const auto first = desk.shape().texture;
-  const std::uint64_t key = desk.shape().key;
+  const ShapeKey key = desk.shape().key;
   desk.act(document::SetParameter{PartId{1}, "ribs", 20.0});
   CHECK(desk.shape().key != key);
-  CHECK_FALSE(isDressed(desk.shape()));
+  CHECK_FALSE(isTextureKnown(desk.shape()));
   CHECK(desk.shape().texture == first);
   CHECK(desk.shape().textureKey == key);
   desk.act(document::SetParameter{PartId{1}, "ribs", 25.0});
   CHECK(desk.shape().texture == first);
   desk.rest();
-  CHECK(isDressed(desk.shape()));
+  CHECK(isTextureKnown(desk.shape()));
   CHECK(*desk.shape().texture == *whole(desk.studio.document()).texture);
   REQUIRE(desk.studio.undo().ok());
-  CHECK_FALSE(isDressed(desk.shape()));
+  CHECK_FALSE(isTextureKnown(desk.shape()));
   REQUIRE(desk.studio.undo().ok());
-  CHECK(isDressed(desk.shape()));
+  CHECK(isTextureKnown(desk.shape()));
   CHECK(desk.shape().texture == first);
   CHECK(desk.rest() <= 1);
 }
@@ -101,11 +101,11 @@ TEST_CASE("a file holds every texture, whenever it is asked for") {
   desk.draw(40, 160);
   const auto early = desk.studio.publishNow(publish::Format::Glb);
   REQUIRE(early.ok());
-  CHECK(isDressed(desk.shape()));
+  CHECK(isTextureKnown(desk.shape()));
   desk.rest();
   CHECK(desk.studio.publishNow(publish::Format::Glb).value() == early.value());
   desk.draw(50, 150);
-  CHECK_FALSE(isDressed(desk.shape(1)));
+  CHECK_FALSE(isTextureKnown(desk.shape(1)));
   REQUIRE(desk.studio.save(publish::Format::Glb).ok());
   desk.rest();
   REQUIRE(desk.host.files.size() == 1);

@@ -191,7 +191,7 @@ export class JournalWriter {
         (thrown: unknown) => storeFailureOf(thrown),
       );
       over();
-      // What became of a model that the visitor has left, because the store did not answer, is nobody's business here.
+      // The visitor has left this model while the store did not answer: its result concerns no banner.
       if (!failure || attached !== this.attached) {
         second = false;
         this.report(null);

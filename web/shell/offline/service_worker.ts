@@ -22,7 +22,7 @@ const scope = globalThis as unknown as {
   addEventListener(type: 'activate', listener: (event: ServiceWorkerEvent) => void): void;
 };
 
-/** Which of the two engines the page runs; the other one is stored when it is first asked for. */
+/** Which of the two engines the page runs; the other one, and what few need, is stored when it is first asked for. */
 const engine = new URL(location.href).searchParams.get('engine') === 'threads' ? 'threads' : 'single';
 const kLaterCache = 'spineloft-later';
 
@@ -34,7 +34,9 @@ precacheAndRoute([...SPINELOFT_FILES.page, ...SPINELOFT_FILES[engine]], {
 });
 
 const others = new Set(
-  [...SPINELOFT_FILES.threads, ...SPINELOFT_FILES.single].map(({ url }) => new URL(url, location.href).href),
+  [...SPINELOFT_FILES.threads, ...SPINELOFT_FILES.single, ...SPINELOFT_FILES.rare].map(
+    ({ url }) => new URL(url, location.href).href,
+  ),
 );
 registerRoute(({ url }) => others.has(url.href), new CacheFirst({ cacheName: kLaterCache }));
 scope.addEventListener('activate', (event) => {

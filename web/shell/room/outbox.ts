@@ -1,7 +1,7 @@
 // Hand-ins that wait until the server has them: kept in the browser as they will be sent, so that a reload, a sleep or a
 // lost network loses none, and the same bytes under the same ids arrive once.
 import { openDB } from 'idb';
-import type { IDBPDatabase } from 'idb';
+import type { IDBPDatabase, IDBPObjectStore } from 'idb';
 import { ServerFailure } from './client.ts';
 
 export interface Parcel {
@@ -22,6 +22,7 @@ export interface OutboxEvents {
 }
 
 const kStore = 'parcels';
+type Shelf = IDBPObjectStore<unknown, string[], typeof kStore, 'readwrite'>;
 
 async function openShelf(): Promise<IDBPDatabase | null> {
   try {
@@ -63,8 +64,7 @@ export class Outbox {
 
   /** Resolves when the parcel is kept or sent. */
   async add(parcel: Parcel): Promise<void> {
-    const shelf = await this.shelf;
-    await shelf?.put(kStore, parcel).catch(() => undefined);
+    await this.write((store) => store.put(parcel));
     this.parcels.push(parcel);
     void this.flush();
   }
@@ -113,6 +113,12 @@ export class Outbox {
   }
 
   private async forget({ id }: Parcel): Promise<void> {
-    await (await this.shelf)?.delete(kStore, id).catch(() => undefined);
+    await this.write((store) => store.delete(id));
+  }
+
+  /** On the disk when it resolves. A browser that keeps nothing sends all the same. */
+  private async write(work: (store: Shelf) => Promise<unknown>): Promise<void> {
+    const tx = (await this.shelf)?.transaction(kStore, 'readwrite', { durability: 'strict' });
+    if (tx) await Promise.all([work(tx.store), tx.done]).catch(() => undefined);
   }
 }

@@ -52,7 +52,7 @@ export class PartStore {
     return this.parts.get(partKey(operand));
   }
 
-  /** The part as a solid, or why it is none. What the hand is at is not looked over for places where it crosses itself. */
+  /** The part as a solid, or why it is none. Coarse parts, those of a gesture, are not tested for self-intersection. */
   of(operand: PartOperand, coarse: boolean): Kept {
     const key = partKey(operand),
       known = this.parts.get(key),

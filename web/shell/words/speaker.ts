@@ -3,7 +3,9 @@
 import { ArabicShaper } from 'arabic-persian-reshaper';
 import bidiFactory from 'bidi-js';
 import { IntlMessageFormat } from 'intl-messageformat';
-import type { Args } from './words.ts';
+
+/** What a text names in braces. */
+export type Args = Readonly<Record<string, string | number>>;
 
 /** English text → the message in a language, in ICU syntax. */
 export type Catalogue = Readonly<Record<string, string>>;

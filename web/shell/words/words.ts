@@ -1,6 +1,6 @@
 // The visitor's language. English words stand in the code and are the keys of the catalogues (assets/words/ID.json);
 // `t` gives them in the language that is spoken. Ids, keys, files and what a visitor typed are never translated.
-import type { Catalogue, Speaker } from './speaker.ts';
+import type { Args, Catalogue, Speaker } from './speaker.ts';
 
 export interface Language {
   id: string;
@@ -17,9 +17,6 @@ export const kLanguages: readonly Language[] = [
   { id: 'ja', name: '日本語', dir: 'ltr' },
   { id: 'ar', name: 'العربية', dir: 'rtl' },
 ];
-
-/** What a text names in braces. */
-export type Args = Readonly<Record<string, string | number>>;
 
 let speaker: Speaker | null = null; // null: English
 let spoken: Language = kLanguages[0]!;

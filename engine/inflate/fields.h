@@ -1,0 +1,51 @@
+// Two smooth numbers at every place of a region: the share of the way from its skeleton to its outline, and the half
+// width there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/geometry/refine.h"
+#include "engine/inflate/skeleton.h"
+
+namespace spineloft::inflate {
+
+/// On a triangulation of one piece of a region, whose rim are its outlines and which has the skeleton among its edges.
+/// One value a point of the mesh, linear in between. Each component of the region without the skeleton is a ring that
+/// one outline bounds; for every level 0 < c < 1 the set s = c is one closed line in each of them.
+struct Fields {
+  geometry::PlaneMesh mesh;
+  std::vector<std::size_t> sizes;                   ///< corners of each outline of the rim
+  std::vector<std::array<std::uint32_t, 2>> bones;  ///< edges of the skeleton; none: `onBone` has one point
+  std::vector<char> onBone;                         ///< by point: on the skeleton
+  std::vector<double> s;                            ///< 0 on the skeleton … 1 on the outline
+  std::vector<double> half;                         ///< H, pixels
+  std::vector<std::uint32_t> side;                  ///< by triangle: in the ring of which outline
+  double spacing = 0;                               ///< of the points, pixels
+};
+
+/// s and H on about 1,000 points. s² has a Laplacian that is smoothed from that of d_S/(d_S + d_R), the distances to
+/// skeleton and outline, over 0.15 half widths, so that s is exact on discs, strips and rings, and s² has no crease
+/// elsewhere; H is the radius of the nearest point of the skeleton, smoothed in the same way. Ends of the skeleton
+/// nearer to the outline than 1.5 spacings are left out. Errors: RegionTooFine.
+Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton);
+
+/// A place on a line of equal s.
+struct LevelPoint {
+  SectionPoint at;
+  double half = 0;  ///< H there
+};
+struct LevelLine {
+  std::uint32_t side = 0;          ///< the outline that it goes round with
+  std::vector<LevelPoint> points;  ///< closed; the skeleton on its right, the outline on its left
+};
+/// All lines where s = `level`, 0 < level < 1: one an outline.
+std::vector<LevelLine> levelLines(const Fields& fields, double level);
+
+/// For each outline the closed walk along the skeleton that has its ring on the left: points of the mesh, as often as
+/// it passes them. One point where that is all.
+std::vector<std::vector<std::uint32_t>> walksRoundBones(const Fields& fields);
+
+}  // namespace spineloft::inflate

@@ -1,0 +1,314 @@
+// The members of every struct of the document that is a JSON object, with their keys. Internal to io/.
+//
+// Each is taken apart by one structured binding that both directions share, so that a field added later does not
+// compile until it is saved.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "engine/document/document.h"
+
+namespace spineloft::io {
+
+/// `T` is `Plain` or `const Plain`.
+template <class T, class Plain>
+concept Is = std::same_as<std::remove_const_t<T>, Plain>;
+
+template <class V, Is<ribs::SpineParams> T>
+void members(V& v, T& value) {
+  auto& [ribs, minSpacing, smoothness] = value;
+  v("ribs", ribs);
+  v("minSpacing", minSpacing);
+  v("smoothness", smoothness);
+}
+template <class V, Is<ribs::EvidenceParams> T>
+void members(V& v, T& value) {
+  auto& [learnedWeight, proximityWeight, doubt, weight] = value;
+  v("learnedWeight", learnedWeight);
+  v("proximityWeight", proximityWeight);
+  v("doubt", doubt);
+  v("weight", weight);
+  // What versions before 0.2 weighed; the network stands for it.
+  for (const char* key : {"contrastWeight", "localContrastWeight", "beyondWeight", "insideWeight", "outsideWeight",
+                          "rimWeight", "contrastReach", "knownShare"})
+    v.retired(key);
+}
+template <class V, Is<ribs::FairingParams> T>
+void members(V& v, T& value) {
+  auto& [stiffness, leastTrust, corner, outlier] = value;
+  v("stiffness", stiffness);
+  v("leastTrust", leastTrust);
+  v("corner", corner);
+  v("outlier", outlier);
+}
+template <class V, Is<ribs::RibParams> T>
+void members(V& v, T& value) {
+  auto& [levels, maxLevelShare, neighbourWeight, neighbourFreedom, neighbourCap, oppositeWeight, medialOffsetCost,
+         evidence, fairing] = value;
+  v("levels", levels);
+  v("maxLevelShare", maxLevelShare);
+  v("neighbourWeight", neighbourWeight);
+  v("neighbourFreedom", neighbourFreedom);
+  v("neighbourCap", neighbourCap);
+  v("oppositeWeight", oppositeWeight);
+  v("leanCost", medialOffsetCost);
+  v("evidence", evidence);
+  v("fairing", fairing);
+  v.retired("priorWeight");  // a pull to a middle level
+}
+template <class V, Is<ribs::RibEdits> T>
+void members(V& v, T& value) {
+  auto& [ends, added, removed] = value;
+  v("ends", ends);
+  v("added", added);
+  v("removed", removed);
+}
+template <class V, Is<loft::Pose> T>
+void members(V& v, T& value) {
+  auto& [stroke, depth, coilTurns, coilRadius, closed] = value;
+  v("stroke", stroke);
+  v("depth", depth);
+  v("coilTurns", coilTurns);
+  v("coilRadius", coilRadius);
+  v("closed", closed);
+}
+template <class V, Is<sections::SectionShape> T>
+void members(V& v, T& value) {
+  auto& [preset, contours] = value;
+  v("preset", preset);
+  v("contours", contours);
+}
+template <class V, Is<sections::Blend> T>
+void members(V& v, T& value) {
+  auto& [kind, custom] = value;
+  v.always("kind", kind);  // what is usual depends on where it stands
+  v("custom", custom);
+}
+template <class V, Is<loft::SectionKey> T>
+void members(V& v, T& value) {
+  auto& [at, shape, blend] = value;
+  v("at", at);
+  v("shape", shape);
+  v("blend", blend);
+}
+template <class V, Is<loft::LoftParams> T>
+void members(V& v, T& value) {
+  auto& [sections, twist, squash, tilt, bulge, startCap, endCap, sectionPoints, capRings, centring] = value;
+  v("sections", sections);
+  v("twist", twist);
+  v("squash", squash);
+  v("tilt", tilt);
+  v("bulge", bulge);
+  v("startCap", startCap);
+  v("endCap", endCap);
+  v("sectionPoints", sectionPoints);
+  v("capRings", capRings);
+  v("centring", centring);
+}
+template <class V, Is<document::LoftRecipe> T>
+void members(V& v, T& value) {
+  auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = value;
+  v("picture", picture);
+  v("stroke", stroke);
+  v("spine", spine);
+  v("ribs", ribs);
+  v("edits", edits);
+  v("ignored", ignored);
+  v("pose", pose);
+  v("loft", loft);
+}
+template <class V, Is<document::Region> T>
+void members(V& v, T& value) {
+  auto& [picture, contours, ribbon, open] = value;
+  v("picture", picture);
+  v("contours", contours);
+  v("ribbon", ribbon);
+  v("open", open);
+}
+template <class V, Is<inflate::InflateParams> T>
+void members(V& v, T& value) {
+  auto& [height, sides, points, profile] = value;  // the profile stands beside them in the recipe
+  v("height", height);
+  v("sides", sides);
+  v("points", points);
+}
+template <class V, Is<inflate::ProfileSlice> T>
+void members(V& v, T& value) {
+  auto& [shape] = value;
+  v("shape", shape);
+}
+template <class V, Is<inflate::ProfileParams> T>
+void members(V& v, T& value) {
+  auto& [slices, follow] = value;
+  v("slices", slices);
+  v("follow", follow);
+}
+template <class V, Is<extrude::ExtrudeParams> T>
+void members(V& v, T& value) {
+  auto& [thickness, edge, edgeSize, depth] = value;
+  v("thickness", thickness);
+  v("edge", edge);
+  v("edgeSize", edgeSize);
+  v("depth", depth);
+}
+template <class V, Is<document::InflateRecipe> T>
+void members(V& v, T& value) {
+  auto& [region, inflate] = value;
+  v("region", region);
+  v("puff", inflate);
+  v("profile", inflate.profile);
+}
+template <class V, Is<document::ExtrudeRecipe> T>
+void members(V& v, T& value) {
+  auto& [region, extrude] = value;
+  v("region", region);
+  v("sheet", extrude);
+}
+template <class V, Is<lathe::LatheParams> T>
+void members(V& v, T& value) {
+  auto& [axisFrom, axisTo, turn, sides, wall, squash] = value;
+  v("axisFrom", axisFrom);
+  v("axisTo", axisTo);
+  v("turn", turn);
+  v("sides", sides);
+  v("wall", wall);
+  v("squash", squash);
+}
+template <class V, Is<document::LatheRecipe> T>
+void members(V& v, T& value) {
+  auto& [region, lathe] = value;
+  v("region", region);
+  v("lathe", lathe);
+}
+template <class V, Is<stack::Curve> T>
+void members(V& v, T& value) {
+  auto& [through, corners] = value;
+  v("through", through);
+  v("corners", corners);
+}
+template <class V, Is<stack::Plane> T>
+void members(V& v, T& value) {
+  auto& [at, origin, turn, curves, blend] = value;
+  v("at", at);
+  v("origin", origin);
+  v("turn", turn);
+  v("curves", curves);
+  v("blend", blend);
+}
+template <class V, Is<stack::Rail> T>
+void members(V& v, T& value) {
+  auto& [points, closed] = value;
+  v("points", points);
+  v("closed", closed);
+}
+template <class V, Is<stack::StackParams> T>
+void members(V& v, T& value) {
+  auto& [startCap, endCap, sides, capRings] = value;
+  v("startCap", startCap);
+  v("endCap", endCap);
+  v("sides", sides);
+  v("capRings", capRings);
+}
+template <class V, Is<document::StackRecipe> T>
+void members(V& v, T& value) {
+  auto& [picture, planes, rail, stack] = value;
+  v("picture", picture);
+  v("planes", planes);
+  v("rail", rail);
+  v("stack", stack);
+}
+template <class V, Is<document::Look> T>
+void members(V& v, T& value) {
+  auto& [textured, colour, paint, second, faceted, inked] = value;
+  v("textured", textured);
+  v("colour", colour);
+  v("paint", paint);
+  v("second", second);
+  v("faceted", faceted);
+  v("inked", inked);
+}
+template <class V, Is<document::Placement> T>
+void members(V& v, T& value) {
+  auto& [pivot, move, turn, scale, mirrored] = value;
+  v("pivot", pivot);
+  v("move", move);
+  v("turn", turn);
+  v("scale", scale);
+  v("mirrored", mirrored);
+}
+template <class V, Is<document::Group> T>
+void members(V& v, T& value) {
+  auto& [id, name] = value;
+  v("id", id);
+  v.always("name", name);
+}
+template <class V, Is<document::Part> T>
+void members(V& v, T& value) {
+  auto& [id, name, recipe, look, visible, placement, mirror, group, extra] = value;
+  v("id", id);
+  v.always("name", name);
+  v.recipe("kind", "recipe", recipe);
+  v("look", look);
+  v("visible", visible);
+  v("placement", placement);
+  v("mirror", mirror);
+  v("group", group);
+  v.beyond(extra);
+}
+template <class V, Is<document::Operand> T>
+void members(V& v, T& value) {
+  auto& [part, step] = value;
+  v("part", part);
+  v("step", step);
+}
+template <class V, Is<document::Opening> T>
+void members(V& v, T& value) {
+  auto& [side, depth] = value;
+  v("side", side);
+  v("depth", depth);
+}
+template <class V, Is<document::Step> T>
+void members(V& v, T& value) {
+  auto& [id, name, kind, operands, blend, wall, opening, ownLook, look, visible, extra] = value;
+  v("id", id);
+  v.always("name", name);
+  v("kind", kind);
+  v("operands", operands);
+  v("blend", blend);
+  v("wall", wall);
+  v("opening", opening);
+  v("ownLook", ownLook);
+  v("look", look);
+  v("visible", visible);
+  v.beyond(extra);
+}
+template <class V, Is<document::PictureEntry> T>
+void members(V& v, T& value) {
+  auto& [id, name, size, picture, sketch, contentHash, ignored, extra] = value;
+  v("id", id);
+  v.always("name", name);
+  v("size", size);
+  v.photo("photo", picture, contentHash);
+  v("sketch", sketch);
+  v("ignored", ignored);
+  v.beyond(extra);
+}
+template <class V, Is<document::Document> T>
+void members(V& v, T& value) {
+  auto& [name, pictures, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId, lastGroupId, extra] =
+      value;
+  v.always("name", name);
+  v.elements("pictures", pictures);
+  v.elements("parts", parts);
+  v.elementsIfAny("steps", steps);
+  v("groups", groups);
+  v("height", height);
+  v("lastPictureId", lastPictureId);
+  v("lastPartId", lastPartId);
+  v("lastStepId", lastStepId);
+  v("lastGroupId", lastGroupId);
+  v.beyond(extra);
+}
+
+}  // namespace spineloft::io

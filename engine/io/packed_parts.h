@@ -1,0 +1,93 @@
+// What version 2 of packJson begins with besides the example of version 1. Internal to packed_json.cpp.
+#pragma once
+
+namespace spineloft::io {
+
+/// Parts of photos as links hold them: a bent tap, a cup, a bottle. Texts that were written with them are only read
+/// with them: they never change.
+inline constexpr const char* kPackedPart1 =
+    R"({"lastPartId":1,"lastPictureId":1,"name":"Model","parts":[{"id":1,"look":{"colour":"#88704a","textured":)"
+    R"(false},"name":"Part 1","recipe":{"edits":{"ends":[["left",2,-59,56.5,0,false],["left",3,-24.5,76.5,0,fal)"
+    R"(se],["left",4,-10.5,78,0,false],["left",5,-5.5,77.5,0,false],["left",6,-3,78,0,false],["left",7,-1.5,78.)"
+    R"(5,0,false],["left",8,-1,79.5,0,false],["left",9,-1,81,0,false],["left",10,-2,82.5,0,false],["left",11,-3)"
+    R"(.5,84,0,false],["left",12,-3.5,85.5,0,false],["left",13,-2.5,85.5,0,false],["left",14,-2.5,86.5,0,false])"
+    R"(,["left",15,-2,87.5,0,false],["left",16,-1.5,89.5,0,false],["left",17,-2,92,0,false],["left",18,-4,94.5,)"
+    R"(0,false],["left",19,-5.5,97.5,0,false],["left",20,-6.5,99.5,0,false],["left",21,-5.5,102,0,false],["left)"
+    R"(",22,-2.5,103,0,false],["left",23,1.5,103,0,false],["left",24,4.5,101,0,false],["left",25,6,98.5,0,false)"
+    R"(],["left",26,5.5,96,0,false],["left",27,5,93.5,0,false],["left",28,3,90.5,0,false],["left",29,1.5,88.5,0)"
+    R"(,false],["left",30,1,86.5,0,false],["left",31,0,85.5,0,false],["left",32,0.5,85.5,0,false],["left",33,1.)"
+    R"(5,85.5,0,false],["left",34,2.5,85.5,0,false],["left",35,3.5,85.5,0,false],["left",36,5,86,0,false],["lef)"
+    R"(t",37,7,86,0,false],["left",38,10.5,85.5,0,false],["left",39,16.5,83.5,0,false],["left",40,29.5,78.5,0,f)"
+    R"(alse],["left",41,59.5,54.5,0,false],["right",2,-45.5,43.5,0,false],["right",3,-28,67,0,false],["right",4)"
+    R"(,-16,69,0,false],["right",5,-11.5,72,0,false],["right",6,-9.5,73.5,0,false],["right",7,-7.5,75.5,0,false)"
+    R"(],["right",8,-6,77.5,0,false],["right",9,-4.5,79,0,false],["right",10,-1,81,0,false],["right",11,3,82,0,)"
+    R"(false],["right",12,4.5,82,0,false],["right",13,4,83.5,0,false],["right",14,3,85,0,false],["right",15,2,8)"
+    R"(6.5,0,false],["right",16,1.5,88.5,0,false],["right",17,2.5,92,0,false],["right",18,4.5,96.5,0,false],["r)"
+    R"(ight",19,6,101.5,0,false],["right",20,6.5,106.5,0,false],["right",21,6,109,0,false],["right",22,3,111,0,)"
+    R"(false],["right",23,-0.5,111.5,0,false],["right",24,-3,111,0,false],["right",25,-4.5,109,0,false],["right)"
+    R"(",26,-4.5,106,0,false],["right",27,-4,102.5,0,false],["right",28,-1.5,99,0,false],["right",29,0.5,96,0,f)"
+    R"(alse],["right",30,2,93.5,0,false],["right",31,3.5,91.5,0,false],["right",32,4,90,0,false],["right",33,3.)"
+    R"(5,89.5,0,false],["right",34,3.5,89.5,0,false],["right",35,4.5,89.5,0,false],["right",36,6,89.5,0,false],)"
+    R"(["right",37,8,89.5,0,false],["right",38,11.5,89,0,false],["right",39,18.5,87,0,false],["right",40,32.5,8)"
+    R"(1,0,false],["right",41,63.5,55.5,0,false]]},"picture":1,"spine":{"ribs":40},"stroke":[147.5,639.25,154.2)"
+    R"(5,596.25,167,554.75,190.5,518,224.25,491,266.25,481,309.75,477.25,353.25,476,396.5,482,439.75,487.5,483,)"
+    R"(483,524.25,469.5,565,453.75,607.5,444.75,651,441,694.5,436.5,737.75,432.5,781.25,428.25,824.5,424.5]}}],)"
+    R"("pictures":[{"id":1,"name":"photo.jpg","photo":true,"size":[960,720]}],"version":2})";
+
+inline constexpr const char* kPackedPart2 =
+    R"({"lastPartId":1,"lastPictureId":1,"name":"Model","parts":[{"id":1,"look":{"colour":"#b16e51","textured":)"
+    R"(false},"name":"Part 1","recipe":{"edits":{"ends":[["left",2,-29,21.5,0,false],["left",3,-25.5,41,0,false)"
+    R"(],["left",4,-24.5,55,0,false],["left",5,-24,67,0,false],["left",6,-24,77,0,false],["left",7,-24,86,0,fal)"
+    R"(se],["left",8,-23.5,93,0,false],["left",9,-23,99,0,false],["left",10,-22,104,0,false],["left",11,-21.5,1)"
+    R"(08.5,0,false],["left",12,-20.5,112,0,false],["left",13,-19.5,115,0,false],["left",14,-17,117.5,0,false],)"
+    R"(["left",15,-12.5,120,0,false],["left",16,-8,121.5,0,false],["left",17,-5,122,0,false],["left",18,-3.5,12)"
+    R"(1.5,0,false],["left",19,-2.5,121,0,false],["left",20,-1,119.5,0,false],["left",21,0.5,118,0,false],["lef)"
+    R"(t",22,2,116,0,false],["left",23,3.5,114.5,0,false],["left",24,5,113,0,false],["left",25,7,113,0,false],[)"
+    R"("left",26,9.5,115,0,false],["left",27,11,119.5,0,false],["left",28,12,128,0,false],["left",29,14,140,0,f)"
+    R"(alse],["left",30,19,153.5,0,false],["left",31,27.5,165,0,false],["left",32,37,174,0,false],["left",33,47)"
+    R"(,178,0,false],["left",34,56.5,178,0,false],["left",35,65,173.5,0,false],["left",36,72.5,165.5,0,false],[)"
+    R"("left",37,81,155.5,0,false],["left",38,89.5,143,0,false],["left",39,97.5,124.5,0,false],["left",40,110,1)"
+    R"(00.5,0,false],["left",41,123.5,53.5,0,false],["right",2,-29.5,20.5,0,false],["right",3,-26,39.5,0,false])"
+    R"(,["right",4,-25,53,0,false],["right",5,-25,64.5,0,false],["right",6,-24.5,75,0,false],["right",7,-23,83.)"
+    R"(5,0,false],["right",8,-21.5,91,0,false],["right",9,-19.5,97.5,0,false],["right",10,-17,102.5,0,false],[")"
+    R"(right",11,-14.5,106.5,0,false],["right",12,-11.5,109,0,false],["right",13,-9,111,0,false],["right",14,-7)"
+    R"(.5,112,0,false],["right",15,-8.5,112.5,0,false],["right",16,-9,112.5,0,false],["right",17,-8.5,112.5,0,f)"
+    R"(alse],["right",18,-6.5,112.5,0,false],["right",19,-4.5,112.5,0,false],["right",20,-3,112.5,0,false],["ri)"
+    R"(ght",21,-1.5,112,0,false],["right",22,-0.5,112,0,false],["right",23,0.5,113,0,false],["right",24,1.5,116)"
+    R"(,0,false],["right",25,3,121.5,0,false],["right",26,5,130,0,false],["right",27,9.5,141.5,0,false],["right)"
+    R"(",28,26,188,0,false],["right",29,37,192,0,false],["right",30,45,193.5,0,false],["right",31,50.5,193,0,fa)"
+    R"(lse],["right",32,55,190.5,0,false],["right",33,59.5,186,0,false],["right",34,64.5,180.5,0,false],["right)"
+    R"(",35,71.5,176.5,0,false],["right",36,76,166,0,false],["right",37,82.5,156,0,false],["right",38,90.5,144,)"
+    R"(0,false],["right",39,102.5,130,0,false],["right",40,112.5,104,0,false],["right",41,123,56,0,false]]},"pi)"
+    R"(cture":1,"spine":{"ribs":40},"stroke":[285,42,284.75,115,290.75,188,290.5,261]}}],"pictures":[{"id":1,"n)"
+    R"(ame":"photo.jpg","photo":true,"size":[600,400]}],"version":2})";
+
+inline constexpr const char* kPackedPart3 =
+    R"({"lastPartId":1,"lastPictureId":1,"name":"Model","parts":[{"id":1,"look":{"colour":"#5b524d","textured":)"
+    R"(false},"name":"Part 1","recipe":{"edits":{"ends":[["left",2,-5,10.5,0,false],["left",3,-1.5,13,0,false],)"
+    R"(["left",4,0,13.5,0,false],["left",5,0,13.5,0,false],["left",6,0,14,0,false],["left",7,0,15,0,false],["le)"
+    R"(ft",8,0,16,0,false],["left",9,0,18,0,false],["left",10,-0.5,20,0,false],["left",11,-0.5,22,0,false],["le)"
+    R"(ft",12,0,24.5,0,false],["left",13,0,27,0,false],["left",14,0,29,0,false],["left",15,0,31.5,0,false],["le)"
+    R"(ft",16,0,33.5,0,false],["left",17,0,35,0,false],["left",18,0,36,0,false],["left",19,0,37,0,false],["left)"
+    R"(",20,0,37.5,0,false],["left",21,0,37.5,0,false],["left",22,0,37.5,0,false],["left",23,0,37.5,0,false],[")"
+    R"(left",24,0,37.5,0,false],["left",25,0,37,0,false],["left",26,0,37,0,false],["left",27,0,37,0,false],["le)"
+    R"(ft",28,0.5,37,0,false],["left",29,0.5,37,0,false],["left",30,0.5,37,0,false],["left",31,0.5,37,0,false],)"
+    R"(["left",32,0.5,37.5,0,false],["left",33,0.5,38,0,false],["left",34,1,38,0,false],["left",35,1.5,38.5,0,f)"
+    R"(alse],["left",36,1,38.5,0,false],["left",37,1.5,38.5,0,false],["left",38,4,38,0,false],["left",39,7,36,0)"
+    R"(,false],["left",40,10.5,33,0,false],["left",41,21,24.5,0,false],["right",2,-4,11.5,0,false],["right",3,-)"
+    R"(1,12.5,0,false],["right",4,-0.5,13,0,false],["right",5,-0.5,14,0,false],["right",6,-0.5,15,0,false],["ri)"
+    R"(ght",7,0,15.5,0,false],["right",8,0,17,0,false],["right",9,0,18.5,0,false],["right",10,0,20.5,0,false],[)"
+    R"("right",11,0,22.5,0,false],["right",12,0,24.5,0,false],["right",13,0,26.5,0,false],["right",14,0,29,0,fa)"
+    R"(lse],["right",15,0,31,0,false],["right",16,0,32.5,0,false],["right",17,0,34,0,false],["right",18,0,35.5,)"
+    R"(0,false],["right",19,0,36,0,false],["right",20,0,36.5,0,false],["right",21,0,36.5,0,false],["right",22,0)"
+    R"(,36.5,0,false],["right",23,0,36.5,0,false],["right",24,0,36.5,0,false],["right",25,0.5,36.5,0,false],["r)"
+    R"(ight",26,0.5,36.5,0,false],["right",27,0,36.5,0,false],["right",28,0,36.5,0,false],["right",29,0,37,0,fa)"
+    R"(lse],["right",30,0.5,37,0,false],["right",31,0.5,37,0,false],["right",32,0.5,37,0,false],["right",33,0.5)"
+    R"(,37.5,0,false],["right",34,0.5,37.5,0,false],["right",35,1,38,0,false],["right",36,2,38.5,0,false],["rig)"
+    R"(ht",37,2.5,38,0,false],["right",38,2.5,37,0,false],["right",39,3.5,36,0,false],["right",40,9,33.5,0,fals)"
+    R"(e],["right",41,21,22,0,false]]},"picture":1,"spine":{"ribs":40},"stroke":[256.75,24,251.75,56,243,87.25,)"
+    R"(234.25,118.5,225.5,149.75,216.5,180.75,209.75,212.5,203.5,244.5,196.5,276.25,188.25,307.5,181,339.25,172)"
+    R"(.75,370.5,165.25,402,155.5,433,156.25,465]}}],"pictures":[{"id":1,"name":"photo.jpg","photo":true,"size")"
+    R"(:[384,512]}],"version":2})";
+
+}  // namespace spineloft::io

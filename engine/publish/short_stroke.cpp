@@ -1,0 +1,62 @@
+#include "engine/publish/short_stroke.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/geometry/polyline.h"
+#include "engine/io/share_text.h"
+
+namespace spineloft::publish {
+namespace {
+
+/// Numbers of points that are tried, fewest first.
+constexpr std::array<std::size_t, 14> kCounts = {2, 3, 4, 5, 6, 8, 10, 12, 15, 19, 24, 30, 38, 48};
+/// In steps of the text's grid: one pixel.
+constexpr double kPixels = 4;
+/// Cleaning rounds bends; so often the points are moved against it.
+constexpr int kRounds = 4;
+
+/// The largest distance between points of the same number; none where the numbers differ.
+std::optional<double> apart(const ribs::Spine& a, const ribs::Spine& b) {
+  if (a.points.size() != b.points.size()) return std::nullopt;
+  double most = 0;
+  for (std::size_t i = 0; i < a.points.size(); ++i) most = std::max(most, distance(a.points[i], b.points[i]));
+  return most;
+}
+
+/// `points` moved by how far the spine that they give is from `wanted` beside each.
+void moveAgainst(std::vector<PicturePoint>& points, const ribs::Spine& wanted, const ribs::Spine& got) {
+  const double last = static_cast<double>(wanted.points.size() - 1);
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    const double at = last * static_cast<double>(j) / static_cast<double>(points.size() - 1);
+    const auto i = static_cast<std::size_t>(std::lround(at));
+    points[j] += wanted.points[i] - got.points[i];
+  }
+}
+
+}  // namespace
+
+StrokeAndSpine shortStroke(const StrokeAndSpine& given, image::Size picture, const ribs::SpineParams& params) {
+  const double most = kPixels * io::shareStep(picture);
+  const ribs::Spine& wanted = given.spine;
+  std::vector<PicturePoint> whole = io::keptLine(given.stroke, picture);
+  for (const std::size_t count : kCounts) {
+    if (wanted.points.size() < 2) break;
+    std::vector<PicturePoint> points = geometry::resample(std::span(wanted.points), count);
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<PicturePoint> stroke = io::keptLine(points, picture);
+      Result<ribs::Spine> got = ribs::cleanSpine(stroke, picture, params);
+      const std::optional<double> off = got ? apart(wanted, got.value()) : std::nullopt;
+      if (!off) break;
+      if (*off <= most) return {std::move(stroke), std::move(got).value()};
+      moveAgainst(points, wanted, got.value());
+    }
+  }
+  Result<ribs::Spine> got = ribs::cleanSpine(whole, picture, params);
+  if (got && apart(wanted, got.value())) return {std::move(whole), std::move(got).value()};
+  return given;
+}
+
+}  // namespace spineloft::publish

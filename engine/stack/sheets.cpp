@@ -1,0 +1,274 @@
+#include "engine/stack/sheets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
+#include "engine/sections/drawing.h"
+
+namespace spineloft::stack {
+namespace {
+
+using Points = std::vector<SectionPoint>;
+
+std::string nameOf(std::size_t sheet) { return "sheet " + std::to_string(sheet + 1); }
+
+struct Box2 {
+  SectionPoint low{kFarOut, kFarOut}, high{-kFarOut, -kFarOut};
+  void add(const Points& points) {
+    for (const SectionPoint p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  double size() const { return std::max(high.x - low.x, high.y - low.y); }
+};
+
+void reverse(sections::Contour& contour) {
+  std::ranges::reverse(contour.points);
+  std::reverse(contour.knot.begin(), contour.knot.end());
+}
+
+/// The curve as a polygon; it is drawn larger, for outlines of sections are coarser than solids of true size want them.
+sections::Contour polygonOf(const Curve& curve) {
+  constexpr double kEnlarged = 32;  // section units: the outline is within a ten-thousandth of half the size
+  Box2 box;
+  box.add(curve.through);
+  const double scale = 2 * kEnlarged / box.size();
+  const SectionPoint middle = (box.low + box.high) / 2;
+  sections::DrawnCurve drawn;
+  for (const SectionPoint p : curve.through) drawn.points.push_back({(p - middle) * scale, curve.corners.all});
+  for (const std::uint32_t i : curve.corners.at) drawn.points[i].corner = true;
+  sections::Contour contour;
+  for (std::size_t i = 0; i < drawn.points.size(); ++i) {
+    const Points stretch = sections::stretchOf(drawn, i);
+    for (std::size_t k = 0; k + 1 < stretch.size(); ++k) {
+      contour.points.push_back(k == 0 ? curve.through[i] : middle + stretch[k] / scale);
+      contour.knot.push_back(k == 0 && drawn.points[i].corner);
+    }
+  }
+  return contour;
+}
+
+/// With fewer points where there are very many; corners stay.
+void simplify(sections::Contour& contour, double size) {
+  constexpr std::size_t kMostPoints = 1536;
+  for (double tolerance = size * 2e-5; contour.points.size() > kMostPoints; tolerance *= 2) {
+    const std::size_t n = contour.points.size();
+    std::vector<bool> kept = contour.knot;
+    kept[0] = kept[n / 2] = true;
+    std::vector<std::size_t> fixed;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (kept[i]) fixed.push_back(i);
+    }
+    std::vector<std::array<std::size_t, 2>> spans;
+    for (std::size_t k = 0; k < fixed.size(); ++k) {
+      spans.push_back({fixed[k], k + 1 < fixed.size() ? fixed[k + 1] : fixed[0] + n});
+    }
+    geometry::keepFarther(std::span<const SectionPoint>(contour.points), spans, tolerance, kept);
+    sections::Contour fewer;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!kept[i]) continue;
+      fewer.points.push_back(contour.points[i]);
+      fewer.knot.push_back(contour.knot[i]);
+    }
+    if (fewer.points.size() == n) break;
+    contour = std::move(fewer);
+  }
+}
+
+void dropRepeats(Curve& curve, double reach) {
+  Curve out;
+  out.corners.all = curve.corners.all;
+  const std::size_t n = curve.through.size();
+  std::vector<bool> corner(n, false);
+  for (const std::uint32_t i : curve.corners.at) corner[i] = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const SectionPoint p = curve.through[i];
+    if (!out.through.empty() && distance(out.through.back(), p) <= reach) continue;
+    if (i + 1 == n && !out.through.empty() && distance(out.through.front(), p) <= reach) continue;
+    if (corner[i]) out.corners.at.push_back(static_cast<std::uint32_t>(out.through.size()));
+    out.through.push_back(p);
+  }
+  curve = std::move(out);
+}
+
+/// The curves of a plane as pieces, or which of them cannot be used.
+Result<std::vector<sections::SectionPiece>> readCurves(const Plane& plane, std::size_t number) {
+  constexpr double kNothing = 1e-6, kSliver = 1e-5;  // px; share of the size squared
+  std::vector<sections::SectionPiece> pieces;
+  Points all;
+  std::vector<std::size_t> sizes;
+  for (std::size_t c = 0; c < plane.curves.size(); ++c) {
+    const auto refused = [&](const char* why) {
+      return Failure{Error::StackInvalid, "curve " + std::to_string(c + 1) + " on " + nameOf(number) + " " + why};
+    };
+    Curve curve = plane.curves[c];
+    Box2 box;
+    box.add(curve.through);
+    if (!(box.size() > kNothing)) return refused("has no size: draw it anew");
+    dropRepeats(curve, box.size() * kNothing);
+    if (curve.through.size() < 3) return refused("needs three different points");
+    sections::Contour contour = polygonOf(curve);
+    simplify(contour, box.size());
+    const std::span<const SectionPoint> points(contour.points);
+    const double area = geometry::signedArea(points);
+    const bool isWide = std::min(box.high.x - box.low.x, box.high.y - box.low.y) > kSliver * box.size();
+    if (isWide && !geometry::isSimple(points)) return refused("crosses itself: draw it anew");
+    if (!(std::abs(area) > kSliver * box.size() * box.size())) return refused("encloses nothing: draw it wider");
+    if (area < 0) {
+      reverse(contour);
+    }
+    all.insert(all.end(), contour.points.begin(), contour.points.end());
+    sizes.push_back(contour.points.size());
+    pieces.push_back({std::move(contour), false, 0});
+  }
+  if (sizes.size() > 1 && !geometry::areSimple(all, sizes)) {
+    return Failure{Error::StackInvalid, "curves on " + nameOf(number) + " cross each other: move them apart"};
+  }
+  sections::nest(pieces);
+  return pieces;
+}
+
+Stand standOf(const Plane& plane, const std::optional<RailLine>& rail) {
+  Stand stand{{}, {1, 0, 0}, {0, 1, 0}};
+  if (plane.origin) {
+    stand.origin = *plane.origin;
+    stand.x = geometry::turned(plane.turn, stand.x);
+    stand.y = geometry::turned(plane.turn, stand.y);
+    return stand;
+  }
+  const geometry::Frame frame = rail->at(plane.at);
+  const auto inFrame = [&](ModelPoint v) {
+    return frame.across * v.x + frame.depth * v.y + cross(frame.across, frame.depth) * v.z;
+  };
+  stand.origin = frame.at;
+  stand.x = inFrame(geometry::turned(plane.turn, stand.x));
+  stand.y = inFrame(geometry::turned(plane.turn, stand.y));
+  return stand;
+}
+
+/// Middle of the curves of a sheet, by their areas.
+ModelPoint middleOf(const Sheet& sheet) {
+  SectionPoint sum;
+  double total = 0;
+  for (const sections::SectionPiece& piece : sheet.pieces) {
+    if (piece.hole) continue;
+    const std::span<const SectionPoint> points(piece.contour.points);
+    const double area = geometry::signedArea(points);
+    sum += geometry::centroid(points) * area;
+    total += area;
+  }
+  return sheet.stand.at(sum / total);
+}
+
+/// The same place in space seen from behind.
+void turnOver(Sheet& sheet) {
+  sheet.stand.y = -sheet.stand.y;
+  for (sections::SectionPiece& piece : sheet.pieces) {
+    for (SectionPoint& p : piece.contour.points) p.y = -p.y;
+    reverse(piece.contour);
+  }
+}
+
+/// Turns sheets over whose normal points against the way through the stack.
+void faceTravel(Sheets& sheets) {
+  const std::size_t n = sheets.all.size();
+  std::vector<ModelPoint> middles;
+  for (const Sheet& sheet : sheets.all) middles.push_back(middleOf(sheet));
+  for (std::size_t i = 0; i < n; ++i) {
+    Sheet& sheet = sheets.all[i];
+    ModelPoint travel;
+    if (sheets.alongRail) {
+      travel = sheets.rail->at(sheet.at).tangent;
+    } else {
+      if (i > 0) travel += normalized(middles[i] - middles[i - 1]);
+      if (i + 1 < n) travel += normalized(middles[i + 1] - middles[i]);
+    }
+    if (dot(sheet.stand.normal(), travel) < 0) turnOver(sheet);
+  }
+}
+
+/// How far the curves of one sheet are ahead of the plane of another at least; behind it with `way` −1.
+double leastAhead(const Sheet& of, const Sheet& curves, double way) {
+  double least = INFINITY;
+  for (const sections::SectionPiece& piece : curves.pieces) {
+    for (const SectionPoint p : piece.contour.points) {
+      least = std::min(least, way * dot(curves.stand.at(p) - of.stand.origin, of.stand.normal()));
+    }
+  }
+  return least;
+}
+
+/// Sheets that cut each other within their curves, or stand in the wrong order.
+Status checkOrder(const Sheets& sheets) {
+  constexpr double kStep = 1e-4;  // of the rail
+  for (std::size_t i = 1; i < sheets.all.size(); ++i) {
+    const Sheet &a = sheets.all[i - 1], &b = sheets.all[i];
+    const std::string both = nameOf(a.number) + " and " + nameOf(b.number);
+    if (sheets.alongRail) {
+      if (!(b.at - a.at >= kStep)) {
+        return {Error::StackInvalid, both + " stand at one place of the rail or in the wrong order: move one along it"};
+      }
+      continue;
+    }
+    if (!(leastAhead(a, b, 1) > 0) || !(leastAhead(b, a, -1) > 0)) {
+      return {Error::StackInvalid,
+              both + " stand at one place or cut each other inside their curves: move or turn one"};
+    }
+  }
+  if (sheets.closed() && sheets.all.size() > 1 && !(sheets.all.front().at + 1 - sheets.all.back().at >= kStep)) {
+    return {Error::StackInvalid, "the first and the last sheet stand at one place of the ring: move one along it"};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail) {
+  Sheets sheets;
+  if (!rail.points.empty()) {
+    Result<RailLine> line = RailLine::of(rail);
+    if (!line) return line.failure();
+    sheets.rail = std::move(line).value();
+  }
+  sheets.alongRail = sheets.rail.has_value();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane& plane = planes[i];
+    if (plane.curves.empty()) continue;
+    if (!plane.origin && !sheets.rail) {
+      return Failure{Error::StackInvalid, nameOf(i) + " has no origin, and there is no rail that it stands on"};
+    }
+    if (plane.origin) sheets.alongRail = false;
+    Result<std::vector<sections::SectionPiece>> pieces = readCurves(plane, i);
+    if (!pieces) return pieces.failure();
+    sheets.all.push_back({i, standOf(plane, sheets.rail), plane.at, std::move(pieces).value(), plane.blend});
+  }
+  if (sheets.all.size() == 1 && !sheets.rail) {
+    return Failure{Error::StackInvalid, "one sheet alone has no height: draw on another sheet"};
+  }
+  if (sheets.all.size() == 1 && sheets.alongRail && !sheets.rail->closed()) {  // the same from end to end
+    Plane ends = planes[sheets.all.front().number];
+    for (const double at : {0.0, 1.0}) {
+      ends.at = at;
+      Sheet sheet = sheets.all.front();
+      sheet.at = at;
+      sheet.stand = standOf(ends, sheets.rail);
+      sheets.all.push_back(std::move(sheet));
+    }
+    sheets.all.erase(sheets.all.begin());
+  }
+  if (sheets.all.size() == 1 && !sheets.closed()) {
+    return Failure{Error::StackInvalid, "one sheet beside the rail has no height: put it on the rail"};
+  }
+  faceTravel(sheets);
+  if (Status order = checkOrder(sheets); !order) return order.failure();
+  return sheets;
+}
+
+}  // namespace spineloft::stack

@@ -1,0 +1,350 @@
+#include "engine/stack/stack.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "engine/geometry/polygon.h"
+#include "engine/mesh/laws.h"
+#include "engine/mesh/self_crossing.h"
+#include "engine/sections/common_points.h"
+#include "engine/stack/fork.h"
+#include "engine/stack/network.h"
+#include "engine/stack/passage.h"
+#include "engine/stack/skin.h"
+
+namespace spineloft::stack {
+namespace {
+
+using sections::CapStyle;
+
+/// Most vertices of a stack, about, and most rows between two planes.
+constexpr std::size_t kMostVertices = 400000;
+constexpr int kMostRows = 256;
+
+/// An outer curve somewhere along a tube.
+struct Row {
+  Passage::Section place;  ///< its figure is the outer curve alone
+  RingVertices ring;
+};
+
+/// An outer curve and all that it becomes.
+struct Tube {
+  std::vector<std::size_t> curves;
+  bool closed = false, holed = false;
+  std::vector<Row> rows;
+};
+
+class Builder {
+ public:
+  Builder(const Sheets& sheets, const Network& network, const StackParams& params, image::Size picture)
+      : sheets_(sheets), network_(network), params_(params), skin_(picture), rings_(network.curves.size()) {}
+
+  void setFullness(double fullness) { shape_.fullness = fullness; }
+
+  /// False when a lid cannot be filled.
+  bool run() {
+    for (const Link& link : network_.links) passages_.emplace_back(sheets_, network_, link);
+    std::size_t points = 0;
+    for (const Passage& passage : passages_) points += passage.count();
+    most_ = static_cast<int>(std::clamp<std::size_t>(kMostVertices / std::max<std::size_t>(1, points), 4, kMostRows));
+    bool filled = true;
+    for (Tube& tube : tubes()) {
+      walls(tube);
+      if (!tube.closed) filled = filled && ends(tube);
+      for (const std::size_t outer : tube.curves) filled = filled && pockets(outer);
+    }
+    for (const Fork& fork : network_.forks) addJoint(jointOf(fork), shape_, skin_);
+    return filled;
+  }
+  mesh::TriMesh take() { return skin_.take(); }
+
+ private:
+  std::vector<Tube> tubes() const {
+    std::vector<Tube> out;
+    std::vector<bool> done(network_.curves.size(), false);
+    for (const bool closed : {false, true}) {
+      for (std::size_t first = 0; first < network_.curves.size(); ++first) {
+        const Drawn& start = network_.curves[first];
+        if (done[first] || start.hole || (!closed && start.down != kNone)) continue;
+        Tube tube;
+        tube.closed = closed;
+        for (std::size_t at = first; at != kNone && !done[at]; at = network_.curves[at].up) {
+          done[at] = true;
+          tube.curves.push_back(at);
+        }
+        const bool goesOn = tube.closed || tube.curves.size() > 1 || start.forksUp || start.forksDown;
+        if (goesOn) out.push_back(std::move(tube));
+      }
+    }
+    return out;
+  }
+
+  const Stand& standOf(std::size_t curve) const { return sheets_.all[network_.curves[curve].sheet].stand; }
+
+  /// The vertices of a drawn curve.
+  const RingVertices& ringOf(std::size_t curve) {
+    RingVertices& ring = rings_[curve];
+    if (ring.empty()) {
+      for (const SectionPoint p : network_.curves[curve].ring) ring.push_back(skin_.vertex(standOf(curve).at(p)));
+    }
+    return ring;
+  }
+
+  Loop loopOf(std::size_t curve, bool up) {
+    Loop loop{{}, ringOf(curve), standOf(curve).normal() * (up ? 1.0 : -1.0)};
+    for (const SectionPoint p : network_.curves[curve].ring) loop.points.push_back(standOf(curve).at(p));
+    if (up) return loop;
+    std::ranges::reverse(loop.points);
+    std::ranges::reverse(loop.vertices);
+    return loop;
+  }
+  Joint jointOf(const Fork& fork) {
+    Joint joint{loopOf(fork.stem, fork.up), {}, network_.curves[fork.stem].hole};
+    for (const std::size_t branch : fork.branches) joint.branches.push_back(loopOf(branch, fork.up));
+    return joint;
+  }
+
+  Row drawnRow(std::size_t curve) {
+    const Drawn& drawn = network_.curves[curve];
+    const Stand& stand = standOf(curve);
+    Row row{{{}, stand.at(drawn.centre), stand.x, stand.y, {}}, ringOf(curve)};
+    for (const SectionPoint p : drawn.ring) row.place.figure.push_back(p - drawn.centre);
+    return row;
+  }
+
+  /// All walls between the curves of a tube, and its rows.
+  void walls(Tube& tube) {
+    for (const std::size_t curve : tube.curves) {
+      tube.rows.push_back(drawnRow(curve));
+      const auto link = std::ranges::find(network_.links, curve, &Link::from);
+      if (link == network_.links.end()) continue;
+      const Passage& passage = passages_[static_cast<std::size_t>(link - network_.links.begin())];
+      tube.holed = tube.holed || passage.sizes().size() > 1;
+      std::vector<RingVertices> last;
+      for (const std::size_t own : passage.from()) last.push_back(ringOf(own));
+      const int steps = passage.steps(most_);
+      for (int i = 1; i <= steps; ++i) {
+        std::vector<RingVertices> next(last.size());
+        if (i == steps) {
+          for (std::size_t c = 0; c < next.size(); ++c) next[c] = ringOf(passage.to()[c]);
+        } else {
+          Passage::Section section = passage.section(static_cast<double>(i) / steps);
+          std::size_t at = 0;
+          for (std::size_t c = 0; c < next.size(); ++c) {
+            for (std::size_t k = 0; k < passage.sizes()[c]; ++k) {
+              next[c].push_back(skin_.vertex(section.at(section.figure[at++])));
+            }
+          }
+          section.figure.resize(passage.sizes().front());
+          tube.rows.push_back({std::move(section), next.front()});
+        }
+        for (std::size_t c = 0; c < next.size(); ++c) skin_.strip(last[c], next[c], c > 0);
+        last = std::move(next);
+      }
+    }
+  }
+
+  /// From where an end is finished: a point that sees the whole curve. None: it ends flat.
+  static std::optional<SectionPoint> hubOf(const Row& row) {
+    const double size = radiusOf(row);
+    std::vector<SectionPoint> points = row.place.figure;
+    for (SectionPoint& p : points) p = p / size;
+    const std::optional<SectionPoint> hub = sections::hubOf(points);
+    return hub ? std::optional(*hub * size) : std::nullopt;
+  }
+  static double radiusOf(const Row& row) {
+    const double area = geometry::signedArea(std::span<const SectionPoint>(row.place.figure));
+    return std::sqrt(std::abs(area) / std::numbers::pi);
+  }
+
+  /// The row shrunk towards its hub and moved along its normal.
+  RingVertices shrunk(const Row& row, SectionPoint hub, double scale, double ahead) {
+    RingVertices ring;
+    const ModelPoint shift = cross(row.place.x, row.place.y) * ahead;
+    for (const SectionPoint p : row.place.figure) {
+      ring.push_back(skin_.vertex(row.place.at(lerp(hub, p, scale)) + shift));
+    }
+    return ring;
+  }
+
+  bool ends(Tube& tube) {
+    const bool startsHere = !network_.curves[tube.curves.front()].forksDown;
+    const bool endsHere = !network_.curves[tube.curves.back()].forksUp;
+    CapStyle start = startsHere ? params_.startCap : CapStyle::Flat, end = endsHere ? params_.endCap : CapStyle::Flat;
+    const bool open = start == CapStyle::Open || end == CapStyle::Open;
+    const bool alone = tube.rows.size() < 2;  // nothing to be hollow
+    const bool seen = !alone && std::ranges::all_of(tube.rows, [](const Row& row) { return hubOf(row).has_value(); });
+    if (open && (tube.holed || !seen)) {
+      if (start == CapStyle::Open) start = CapStyle::Flat;
+      if (end == CapStyle::Open) end = CapStyle::Flat;
+    }
+    if (start == CapStyle::Open && end == CapStyle::Open) {
+      bore(tube);
+      return true;
+    }
+    if (start == CapStyle::Open) mouth(tube, true);
+    if (end == CapStyle::Open) mouth(tube, false);
+    return (!startsHere || start == CapStyle::Open || cap(tube, start, true)) &&
+           (!endsHere || end == CapStyle::Open || cap(tube, end, false));
+  }
+
+  /// A closed end: flat, round or pointed.
+  bool cap(const Tube& tube, CapStyle style, bool before) {
+    const Row& row = before ? tube.rows.front() : tube.rows.back();
+    const std::size_t outer = before ? tube.curves.front() : tube.curves.back();
+    const std::optional<SectionPoint> hub = style == CapStyle::Flat || tube.holed ? std::nullopt : hubOf(row);
+    if (!hub || hasHoles(outer, before)) return lid(outer, before);
+    const double radius = radiusOf(row), way = before ? -1 : 1;
+    const double height = radius * (style == CapStyle::Round ? sections::kDomeHeight : sections::kPointLength);
+    RingVertices last = row.ring;
+    for (int i = 1; style == CapStyle::Round && i <= params_.capRings; ++i) {
+      const double angle = std::numbers::pi / 2 * i / (params_.capRings + 1);
+      const RingVertices next = shrunk(row, *hub, std::cos(angle), way * height * std::sin(angle));
+      if (before) {
+        skin_.strip(next, last, false);
+      } else {
+        skin_.strip(last, next, false);
+      }
+      last = next;
+    }
+    const ModelPoint tip = row.place.at(*hub) + cross(row.place.x, row.place.y) * (way * height);
+    skin_.cone(last, skin_.vertex(tip), before);
+    return true;
+  }
+
+  static bool goesOn(const Drawn& curve, bool up) {
+    return up ? curve.up != kNone || curve.forksUp : curve.down != kNone || curve.forksDown;
+  }
+  Skin::Rim rimOf(std::size_t curve) { return {ringOf(curve), network_.curves[curve].ring}; }
+
+  /// Whether holes in an outer curve go on from its end.
+  bool hasHoles(std::size_t outer, bool up) const {
+    return std::ranges::any_of(network_.curves,
+                               [&](const Drawn& c) { return c.hole && c.outer == outer && goesOn(c, up); });
+  }
+
+  /// A flat lid on an outer curve, with the holes that go on from there.
+  bool lid(std::size_t outer, bool before) {
+    std::vector<Skin::Rim> holes;
+    for (std::size_t i = 0; i < network_.curves.size(); ++i) {
+      const Drawn& hole = network_.curves[i];
+      if (hole.hole && hole.outer == outer && goesOn(hole, before)) holes.push_back(rimOf(i));
+    }
+    return skin_.lid(rimOf(outer), holes, before);
+  }
+
+  /// The floors of holes that end at a sheet where the curve round them goes on.
+  bool pockets(std::size_t outer) {
+    bool filled = true;
+    const Drawn& around = network_.curves[outer];
+    for (std::size_t i = 0; i < network_.curves.size(); ++i) {
+      const Drawn& hole = network_.curves[i];
+      if (!hole.hole || hole.outer != outer || goesOn(hole, true) == goesOn(hole, false)) continue;
+      const bool endsAbove = !goesOn(hole, true);
+      if (!goesOn(around, endsAbove)) continue;  // the lid leaves it open
+      filled = filled && skin_.lid(rimOf(i), {}, endsAbove);
+    }
+    return filled;
+  }
+
+  /// A wall inside from end to end.
+  void bore(const Tube& tube) {
+    RingVertices first, last;
+    for (std::size_t i = tube.rows.size(); i-- > 0;) {
+      const Row& row = tube.rows[i];
+      RingVertices next = shrunk(row, *hubOf(row), 1 - sections::kWall, 0);
+      skin_.strip(last.empty() ? tube.rows.back().ring : last, next, false);
+      last = std::move(next);
+    }
+    skin_.strip(last, tube.rows.front().ring, false);
+  }
+
+  /// A wall inside from one end almost to the other.
+  void mouth(const Tube& tube, bool before) {
+    const std::size_t n = tube.rows.size();
+    const auto rowAt = [&](std::size_t i) -> const Row& { return tube.rows[before ? i : n - 1 - i]; };
+    std::vector<double> along(n, 0.0);
+    for (std::size_t i = 1; i < n; ++i) {
+      along[i] = along[i - 1] + distance(rowAt(i - 1).place.centre, rowAt(i).place.centre);
+    }
+    const double floor = sections::kMouthDepth * along.back();
+    RingVertices last = rowAt(0).ring;
+    const auto go = [&](RingVertices next) {
+      if (before) {
+        skin_.strip(next, last, false);
+      } else {
+        skin_.strip(last, next, false);
+      }
+      last = std::move(next);
+    };
+    std::size_t i = 0;
+    constexpr double kJustBefore = 0.98;  // a ring just before the floor would leave slivers
+    for (; i + 1 < n && along[i] <= kJustBefore * floor; ++i) go(inner(rowAt(i), 0, rowAt(i)));
+    const double step = along[i] - along[i - 1];
+    const double t = step > 0 ? std::clamp((floor - along[i - 1]) / step, 0.05, 1.0) : 0.5;
+    go(inner(rowAt(i - 1), t, rowAt(i)));
+    skin_.cone(last, skin_.vertex(floorOf(rowAt(i - 1), t, rowAt(i))), before);
+  }
+  static ModelPoint floorOf(const Row& a, double t, const Row& b) {
+    return lerp(a.place.at(*hubOf(a)), b.place.at(*hubOf(b)), t);
+  }
+  RingVertices inner(const Row& a, double t, const Row& b) {
+    const SectionPoint hubA = *hubOf(a), hubB = *hubOf(b);
+    RingVertices ring;
+    for (std::size_t k = 0; k < a.place.figure.size(); ++k) {
+      const ModelPoint p = a.place.at(lerp(hubA, a.place.figure[k], 1 - sections::kWall));
+      const ModelPoint q = b.place.at(lerp(hubB, b.place.figure[k], 1 - sections::kWall));
+      ring.push_back(skin_.vertex(lerp(p, q, t)));
+    }
+    return ring;
+  }
+
+  const Sheets& sheets_;
+  const Network& network_;
+  const StackParams& params_;
+  Skin skin_;
+  std::vector<RingVertices> rings_;
+  std::vector<Passage> passages_;
+  int most_ = kMostRows;
+  JointShape shape_;
+};
+
+}  // namespace
+
+Result<mesh::TriMesh> stackPlanes(const Stack& stack, image::Size picture) {
+  if (!isValid(stack.params) || picture.width < 1 || picture.height < 1) return Error::ValueOutOfRange;
+  if (Status planes = checkPlanes(stack.planes, stack.rail); !planes) return planes.failure();
+  const Result<Sheets> sheets = standSheets(stack.planes, stack.rail);
+  if (!sheets) return sheets.failure();
+  const Network network = linkSheets(sheets.value(), stack.params.sides);
+  if (network.links.empty() && network.forks.empty()) {
+    return Failure{Error::StackInvalid, "no curve is near enough to one on the next sheet: draw them above each other"};
+  }
+  // Full joints first; where their walls cross, straighter ones. Without a fork the first is as good as any.
+  constexpr std::array kFullness = {0.35, 0.175, 0.0875, 0.0};
+  mesh::TriMesh mesh;
+  for (const double fullness : kFullness) {
+    Builder builder(sheets.value(), network, stack.params, picture);
+    builder.setFullness(fullness);
+    const bool filled = builder.run();
+    mesh = builder.take();
+    mesh::MeshReport report = mesh::inspect(mesh);
+    if (!report.outward) {  // it goes back through itself more than ahead
+      for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+      report.outward = true;
+    }
+    if (!filled || !report.valid()) {
+      return Failure{Error::StackInvalid,
+                     "the sheets are too close to each other or their curves too fine: move them apart"};
+    }
+    if (network.forks.empty() || !mesh::selfCrossing(mesh)) break;
+  }
+  return mesh;
+}
+
+}  // namespace spineloft::stack

@@ -1,0 +1,2 @@
+#define TINYGLTF_IMPLEMENTATION
+#include "tests/support/gltf_reader.h"

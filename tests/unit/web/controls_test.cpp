@@ -1,0 +1,134 @@
+// Controls of the panels for those who use no pointer: told to the shell when they are at rest, and worked by their
+// ids.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "tests/unit/web/rig.h"
+
+using namespace spineloft;
+using app::Control;
+using app::Json;
+using test::Rig;
+
+namespace {
+
+const Control& controlOf(const Rig& rig, std::string_view words, Control::Kind kind = Control::Kind::Button) {
+  for (const Control& one : rig.app->ui().controls) {
+    if (one.words == words && one.kind == kind) return one;
+  }
+  FAIL("no control " << words);
+  return rig.app->ui().controls.front();
+}
+
+void work(Rig& rig, std::uint32_t id, std::optional<double> value = {}) {
+  rig.app->workControl(id, value);
+  rig.settle();
+}
+
+/// What the shell was told last; null: nothing.
+Json told(const Rig& rig) {
+  for (auto sent = rig.host.sent.rbegin(); sent != rig.host.sent.rend(); ++sent) {
+    if (sent->starts_with(R"({"type":"controls")")) return *Json::parse(*sent);
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a control is pressed by its id as by a pointer, also one that its panel has scrolled away") {
+  Rig page({1200, 420, 1});
+  page.openBar();
+  page.drawBar();
+  work(page, controlOf(page, "Puff").id);
+  CHECK(*page.state().text("tool") == "puff");
+  work(page, controlOf(page, "Line").id);
+  CHECK(*page.state().text("tool") == "draw");
+  // Below the foot of the panel, where a pointer does not come.
+  const Control metal = controlOf(page, "Metal");
+  REQUIRE_FALSE(metal.inSight);
+  work(page, metal.id);
+  CHECK(*(*page.state().find("parts")->array())[0].text("paint") == "metal");
+  CHECK(controlOf(page, "Metal").inSight);
+  // What is not there any more is not pressed.
+  const double undo = *page.state().number("undo");
+  work(page, 12345);
+  CHECK(page.state().number("undo") == undo);
+}
+
+TEST_CASE("a slider gets a value by its id: it is set once, in one step, and read out in its unit") {
+  Rig page;
+  page.openBar();
+  page.run("draw-puff", R"({"line": [[60,60],[140,60],[140,140],[60,140],[60,60]]})");
+  page.settle();
+  const auto slider =
+      std::ranges::find_if(page.app->ui().controls, [](const Control& one) { return one.slide.has_value(); });
+  REQUIRE(slider != page.app->ui().controls.end());
+  const Control before = *slider;
+  CHECK(before.slide->low < before.slide->high);
+  CHECK(before.slide->value >= before.slide->low);
+  const double undo = *page.state().number("undo");
+  const double wanted = (before.slide->value + before.slide->high) / 2;
+  work(page, before.id, wanted);
+  CHECK(page.state().number("undo") == undo + 1);
+  const Control after = controlOf(page, before.words, Control::Kind::Slider);
+  CHECK(after.slide->value == doctest::Approx(wanted).epsilon(1e-3));
+  CHECK(after.slide->text != before.slide->text);
+  // No further than the slider goes.
+  work(page, before.id, 1e9);
+  CHECK(controlOf(page, before.words, Control::Kind::Slider).slide->value == doctest::Approx(before.slide->high));
+}
+
+TEST_CASE("ids tell controls apart, at every size and with every tool") {
+  for (const platform::CanvasSize size : {platform::CanvasSize{1440, 800, 1}, {1024, 700, 1}, {390, 740, 2}}) {
+    Rig page(size);
+    page.openBar();
+    page.drawBar();
+    page.run("draw-puff", R"({"line": [[20,60],[50,60],[50,90],[20,90],[20,60]]})");
+    for (const char* tool : {"draw", "puff", "ribs", "bone", "move"}) {
+      page.run(tool);
+      page.settle();
+      std::map<std::uint32_t, std::string> known;
+      for (const Control& one : page.app->ui().controls) {
+        if (one.kind == Control::Kind::Words) continue;
+        CAPTURE(size.width);
+        CAPTURE(one.words);
+        CAPTURE(known[one.id]);
+        CHECK(one.id != 0);
+        CHECK(known[one.id].empty());
+        known[one.id] = one.words;
+        if (!one.command.empty()) CHECK(app::findCommand(one.command) != nullptr);
+      }
+    }
+  }
+}
+
+TEST_CASE("the shell is told the controls when they are at rest and differ; with the ribs while these are in hand") {
+  Rig page;
+  page.openBar();
+  page.host.sent.clear();
+  page.press(100, 40, 100, 160);
+  page.app->frame();
+  CHECK(told(page).isNull());
+  page.lift();
+  page.settle();
+  CHECK_FALSE(told(page).isNull());
+  page.host.sent.clear();
+  page.app->frame();
+  page.settle();
+  CHECK(told(page).isNull());
+  page.run("ribs");
+  page.settle();
+  const Json all = told(page);
+  REQUIRE_FALSE(all.isNull());
+  std::size_t ends = 0;
+  for (const Json& one : *all.find("controls")->array()) {
+    if (*one.text("kind") != "rib") continue;
+    ++ends;
+    CHECK(one.text("words")->starts_with("Rib "));
+  }
+  const Json state = page.state();
+  CHECK(ends == 2 * (*state.find("parts")->array())[0].find("ribs")->array()->size());
+}

@@ -1,0 +1,248 @@
+// *Scoop out* shows what it would make hollow and where that opens, before it does it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/unit/web/rig.h"
+#include "tests/unit/web/shown.h"
+#include "web/commands/commands.h"
+#include "web/edit/hollowing.h"
+
+using namespace spineloft;
+using app::Json;
+using test::Rig;
+
+namespace {
+
+/// A bar, and on it a small puff that was drawn after it and is in hand.
+struct BarAndHandle : Rig {
+  BarAndHandle() {
+    openBar();
+    drawBar();
+    run("draw-puff", R"({"line": [[40,90],[60,90],[60,110],[40,110],[40,90]]})");
+    settle();
+    REQUIRE(parts() == 2);
+    REQUIRE(state().number("selection") == 2);
+  }
+  /// What is shown: a part's id; 0: nothing is.
+  double shown() {
+    const Json all = state();
+    const Json* hollow = all.find("hollow");
+    if (hollow->isNull()) return 0;
+    return hollow->find("what")->array()->front().number("part").value_or(-1);
+  }
+  std::string opening() { return *state().find("hollow")->text("opening"); }
+  std::size_t solids() { return state().find("steps")->array()->size(); }
+  /// Nobody solves here, so that a page with a solid would never rest: two frames bring in what was done.
+  void draw() {
+    app->frame();
+    app->frame();
+  }
+  bool well(const char* id, const char* args = "{}") {
+    const bool done = *run(id, args).flag("ok");
+    draw();
+    return done;
+  }
+  bool press(std::string_view key) {
+    const bool used = app->key({key, key, true, 0});
+    draw();
+    return used;
+  }
+};
+
+/// The same without panels, where the functions behind them can be asked.
+struct Desk {
+  test::FakeHost host;
+  app::Studio studio{host, 0};
+  app::UiState ui;
+  app::CommandEnv env{studio, ui, host};
+
+  Desk() {
+    REQUIRE(studio.act(document::AddPicture{"bar", std::make_shared<const image::Picture>(test::barPicture())}).ok());
+    ui.picture = studio.document().pictures.back()->id;
+    run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
+    do {
+      studio.pump();
+      studio.derived();
+    } while (studio.busy());
+  }
+  void run(std::string_view id, std::string_view args) { REQUIRE(app::runCommand(env, id, *Json::parse(args)).ok()); }
+  std::optional<app::Mouth> mouth(document::OpeningSide side, double depth = 0) {
+    document::CombineParts draft = app::hollowOf(env, {PartId{1}, {}});
+    draft.opening = {side, depth};
+    return app::mouthOf(studio.document(), studio.derived(), draft);
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "what is scooped out is shown first and changes nothing; a handle that was only just drawn is not the likely one") {
+  BarAndHandle page;
+  const double undo = *page.state().number("undo");
+  CHECK(page.well("hollow-show"));
+  CHECK(page.shown() == 1);
+  CHECK(page.solids() == 0);
+  CHECK(page.state().number("undo") == undo);
+  CHECK(page.state().number("selection") == 2);
+  // What the visitor chose is the likely one.
+  CHECK(page.well("hollow-cancel"));
+  CHECK(page.shown() == 0);
+  CHECK(page.well("select-part", R"({"id": 2})"));
+  CHECK(page.well("hollow-show"));
+  CHECK(page.shown() == 2);
+  CHECK(page.well("hollow-next"));
+  CHECK(page.shown() == 1);
+  CHECK(page.well("hollow-next"));
+  CHECK(page.shown() == 2);
+}
+
+TEST_CASE("Enter makes hollow what is shown, as it is shown, in one step; Escape leaves everything as it was") {
+  BarAndHandle page;
+  page.well("hollow-show");
+  CHECK(page.press("Escape"));
+  CHECK(page.shown() == 0);
+  CHECK(page.solids() == 0);
+  page.well("hollow-show");
+  CHECK(page.well("hollow-open", R"({"opening": "left"})"));
+  const double undo = *page.state().number("undo");
+  CHECK(page.press("Enter"));
+  CHECK(page.shown() == 0);
+  REQUIRE(page.solids() == 1);
+  CHECK(page.state().number("undo") == undo + 1);
+  const Json state = page.state();
+  const Json& step = state.find("steps")->array()->front();
+  CHECK(*step.text("kind") == "hollow");
+  CHECK(*step.text("opening") == "left");
+  CHECK(step.find("operands")->array()->front().number("part") == 1);
+  // What is hollow is not offered again; the other part is.
+  page.well("hollow-show");
+  CHECK(page.shown() == 2);
+  CHECK(page.well("hollow-use"));
+  CHECK_FALSE(page.well("hollow-show"));
+}
+
+TEST_CASE("a tap on the solid says where it opens, and a tap on another part that this becomes hollow") {
+  BarAndHandle page;
+  page.well("hollow-show");
+  page.run("home-view");
+  page.settle();
+  REQUIRE(page.opening() != "front");
+  // Straight from the front, a tap meets a side that looks there.
+  for (int i = 0; i < 40 && *page.state().find("camera")->number("yaw") > 0.05; ++i) page.run("turn-left");
+  const app::Rect view = page.app->ui().layout.solid;
+  const auto tap = [&](double x, double y) {
+    page.click(view.x + view.width * x, view.y + view.height * y);
+    return page.shown();
+  };
+  // The bar is right of the middle, for the handle is left of it.
+  double other = 0;
+  for (double x = 0.1; x < 0.95 && other != 2; x += 0.02) other = tap(x, 0.5);
+  CHECK(other == 2);
+  double bar = 0;
+  for (double x = 0.95; x > 0.1 && bar != 1; x -= 0.02) bar = tap(x, 0.5);
+  REQUIRE(bar == 1);
+  // What is beside everything stays unheard.
+  CHECK(tap(0.02, 0.02) == 1);
+  CHECK(page.solids() == 0);
+  CHECK(page.state().number("selection") == 2);
+}
+
+TEST_CASE("what is shown goes with its part, and with what takes the part into a solid") {
+  BarAndHandle page;
+  page.well("hollow-show");
+  REQUIRE(page.shown() == 1);
+  CHECK(page.well("delete-part", R"({"id": 1})"));
+  CHECK(page.shown() == 0);
+  CHECK(page.well("undo"));
+  page.well("hollow-show", R"({"part": 1})");
+  REQUIRE(page.shown() == 1);
+  CHECK(page.well("stick-together", R"({"parts": [1, 2]})"));
+  CHECK(page.shown() == 0);
+  // Of a part in a solid the whole is meant.
+  CHECK(page.well("hollow-show", R"({"part": 1})"));
+  CHECK(page.state().find("hollow")->find("what")->array()->front().number("step") == 1);
+}
+
+TEST_CASE("the bar over the solid has what is needed to go on, at every size") {
+  for (const platform::CanvasSize size : {platform::CanvasSize{1440, 800, 1}, {1024, 700, 1}, {390, 740, 2}}) {
+    Rig page(size);
+    page.openBar();
+    page.drawBar();
+    page.run("hollow-show");
+    page.settle();
+    std::vector<std::string> words;
+    for (const test::Shown& one : test::inSight(page)) words.push_back(one.words);
+    CAPTURE(size.width);
+    for (const char* word : {"Make it hollow", "Not this", "Tap where it is to open"}) {
+      CAPTURE(word);
+      CHECK(std::ranges::count(words, word) > 0);
+    }
+  }
+}
+
+TEST_CASE(
+    "the rim is where the surface meets a plane across the opening: closed, as deep as is cut off, and goes along") {
+  Desk desk;
+  using document::OpeningSide;
+  CHECK_FALSE(desk.mouth(OpeningSide::None));
+  for (const OpeningSide side : {OpeningSide::Up, OpeningSide::Down, OpeningSide::Start, OpeningSide::Left}) {
+    for (const double depth : {0., 0.2, 0.5}) {
+      const auto mouth = desk.mouth(side, depth);
+      REQUIRE(mouth);
+      REQUIRE(mouth->rim.size() >= 8);
+      CHECK(norm(mouth->out) == doctest::Approx(1));
+      const double level = dot(mouth->rim.front()[0], mouth->out);
+      std::vector<WorldPoint> ends;
+      for (const auto& segment : mouth->rim) {
+        for (const WorldPoint& p : segment) {
+          CHECK(dot(p, mouth->out) == doctest::Approx(level).epsilon(1e-9));
+          ends.push_back(p);
+        }
+      }
+      // Each end of a segment is one of another segment.
+      for (std::size_t i = 0; i < ends.size(); i += 7) {
+        const auto near = std::ranges::count_if(ends, [&](const WorldPoint& p) { return distance(p, ends[i]) < 1e-9; });
+        CHECK(near % 2 == 0);
+      }
+      const auto deeper = desk.mouth(side, depth + 0.2);
+      CHECK(dot(deeper->at, mouth->out) < dot(mouth->at, mouth->out));
+    }
+  }
+  const auto before = desk.mouth(OpeningSide::Up, 0.3);
+  desk.run("set-place", R"({"part": 1, "x": 20, "y": -10, "z": 30})");
+  desk.studio.derived();
+  const auto after = desk.mouth(OpeningSide::Up, 0.3);
+  REQUIRE(after);
+  REQUIRE(after->rim.size() == before->rim.size());
+  const WorldPoint by = after->at - before->at;
+  CHECK(norm(by) > 0.01);
+  for (std::size_t i = 0; i < after->rim.size(); ++i) {
+    CHECK(distance(after->rim[i][0], before->rim[i][0] + by) < 1e-6);
+  }
+}
+
+TEST_CASE("the mouth that is shown follows side, depth and place as one that is found anew") {
+  Desk desk;
+  app::ShownMouth shown;
+  document::CombineParts draft = app::hollowOf(desk.env, {PartId{1}, {}});
+  const auto isSame = [&] {
+    const auto& kept = shown.of(desk.studio.document(), desk.studio.derived(), draft);
+    const auto fresh = app::mouthOf(desk.studio.document(), desk.studio.derived(), draft);
+    REQUIRE(kept.has_value() == fresh.has_value());
+    if (fresh) CHECK(distance(kept->at, fresh->at) == 0);
+    if (fresh) CHECK(kept->rim.size() == fresh->rim.size());
+  };
+  isSame();
+  draft.opening.depth = 0.4;
+  isSame();
+  draft.opening.side = document::OpeningSide::None;
+  isSame();
+  draft.opening.side = document::OpeningSide::Down;
+  isSame();
+  desk.run("set-place", R"({"part": 1, "x": 20, "y": -10, "z": 30})");
+  isSame();
+  desk.run("set-section", R"({"part": 1, "section": "square"})");
+  isSame();
+}

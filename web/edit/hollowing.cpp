@@ -1,0 +1,200 @@
+#include "web/edit/hollowing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/base/hash.h"
+#include "engine/document/update.h"
+#include "engine/pipeline/world.h"
+#include "engine/publish/solid_plan.h"
+#include "web/edit/solid_editing.h"
+
+namespace spineloft::app {
+namespace {
+
+using document::Operand;
+using publish::SolidPlan;
+
+WorldPoint placed(const SolidPlan::Operand& leaf, const std::array<float, 3>& p) {
+  const auto& m = leaf.toWorld;
+  const double x = p[0], y = p[1], z = p[2];
+  return {m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13],
+          m[2] * x + m[6] * y + m[10] * z + m[14]};
+}
+
+/// The parts in a node, where they stand.
+std::vector<SolidPlan::Operand> leavesOf(const SolidPlan& plan, const SolidPlan::Node& node) {
+  std::vector<SolidPlan::Operand> leaves;
+  std::vector<SolidPlan::Operand> left = node.operands;
+  while (!left.empty()) {
+    const SolidPlan::Operand operand = left.back();
+    left.pop_back();
+    if (!operand.node) {
+      leaves.push_back(operand);
+      continue;
+    }
+    const auto& inner = plan.nodes[*operand.node].operands;
+    left.insert(left.end(), inner.begin(), inner.end());
+  }
+  return leaves;
+}
+
+/// `visit` is told the three corners of every triangle in the world.
+template <class Visit>
+void eachTriangle(const SolidPlan& plan, const std::vector<SolidPlan::Operand>& leaves, const Visit& visit) {
+  std::vector<WorldPoint> at;
+  for (const SolidPlan::Operand& leaf : leaves) {
+    const mesh::TriMesh& mesh = *plan.meshes[leaf.mesh].mesh;
+    at.clear();
+    for (const auto& p : mesh.positions) at.push_back(placed(leaf, p));
+    for (const auto& t : mesh.triangles) visit(at[t[0]], at[t[1]], at[t[2]]);
+  }
+}
+
+/// The document as it would be, and what its solver would be asked.
+struct Planned {
+  document::Document document;
+  SolidPlan plan;
+  const SolidPlan::Node* node = nullptr;  ///< of the new solid
+};
+
+std::optional<Planned> planned(const document::Document& document, const pipeline::Derived& derived,
+                               const document::CombineParts& draft) {
+  Result<document::Document> then = document::update(document, draft);
+  if (!then) return std::nullopt;
+  Planned out{std::move(then.value()), {}, nullptr};
+  out.plan = publish::planSolids(out.document, derived);
+  const StepId id = out.document.steps.back()->id;
+  const auto at = std::ranges::find_if(out.plan.nodes, [&](const SolidPlan::Node& node) {
+    return node.step == id && node.kind == document::StepKind::Hollow;
+  });
+  if (at == out.plan.nodes.end()) return std::nullopt;
+  out.node = &*at;
+  return out;
+}
+
+document::CombineParts draftOf(Operand what) {
+  document::CombineParts draft;
+  draft.kind = document::StepKind::Hollow;
+  draft.operands = {what};
+  return draft;
+}
+
+/// Of the parts in it, each for itself; 0: something in it has no shape.
+double volumeOf(const CommandEnv& env, Operand what) {
+  const auto then = planned(env.studio.document(), env.studio.derived(), draftOf(what));
+  if (!then) return 0;
+  double six = 0;
+  for (const SolidPlan::Operand& leaf : leavesOf(then->plan, *then->node)) {
+    double own = 0;
+    eachTriangle(then->plan, {leaf}, [&](WorldPoint a, WorldPoint b, WorldPoint c) { own += dot(a, cross(b, c)); });
+    six += std::abs(own);
+  }
+  return six / 6;
+}
+
+bool canBeHollow(const document::Document& document, Operand what) {
+  const document::Step* step = findStep(document, what.step);
+  if (step != nullptr) return step->visible && step->kind != document::StepKind::Hollow;
+  const document::Part* part = findPart(document, what.part);
+  return part != nullptr && part->visible;
+}
+
+}  // namespace
+
+std::vector<Operand> hollowable(const CommandEnv& env) {
+  const document::Document& document = env.studio.document();
+  const auto isChosen = [&](Operand what) {
+    if (what.step && what.step == env.ui.solids.step) return true;
+    const std::vector<PartId> parts = partsIn(document, what);
+    return env.ui.selection == env.ui.chosenPart && std::ranges::count(parts, env.ui.selection) > 0;
+  };
+  std::vector<std::pair<double, Operand>> found;
+  for (const Operand what : rootsOf(document)) {
+    const double volume = canBeHollow(document, what) ? volumeOf(env, what) : 0;
+    if (volume > 0) found.emplace_back(isChosen(what) ? std::numeric_limits<double>::infinity() : volume, what);
+  }
+  std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Operand> out;
+  for (const auto& each : found) out.push_back(each.second);
+  return out;
+}
+
+document::CombineParts hollowOf(const CommandEnv& env, Operand what) {
+  document::CombineParts draft = draftOf(what);
+  draft.opening.side = sideOf(env, draft, {0, 1, 0});
+  return draft;
+}
+
+document::OpeningSide sideOf(const CommandEnv& env, const document::CombineParts& draft, const WorldPoint& direction) {
+  const auto then = planned(env.studio.document(), env.studio.derived(), draft);
+  if (!then) return draft.opening.side;
+  return publish::sideFacing(then->document, env.studio.derived(), *then->document.steps.back(), direction);
+}
+
+bool becomesHollow(const document::Document& document, const UiState& ui, PartId part) {
+  if (!ui.solids.hollow) return false;
+  return std::ranges::count(partsIn(document, ui.solids.hollow->operands.front()), part) > 0;
+}
+
+std::optional<Mouth> mouthOf(const document::Document& document, const pipeline::Derived& derived,
+                             const document::CombineParts& draft) {
+  const auto then = planned(document, derived, draft);
+  if (!then || !then->node->opening) return std::nullopt;
+  const auto& way = *then->node->opening;
+  Mouth mouth{{}, {way[0], way[1], way[2]}, {}};
+  const std::vector<SolidPlan::Operand> leaves = leavesOf(then->plan, *then->node);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  eachTriangle(then->plan, leaves, [&](WorldPoint a, WorldPoint b, WorldPoint c) {
+    for (const WorldPoint& p : {a, b, c}) {
+      const double along = dot(p, mouth.out);
+      low = std::min(low, along);
+      if (along <= high) continue;
+      high = along;
+      mouth.at = p;  // should the plane meet nothing
+    }
+  });
+  if (!(low < high)) return std::nullopt;
+  const double level = high - std::max(draft.opening.depth * (high - low), std::min(draft.wall, (high - low) / 4));
+  WorldPoint sum;
+  eachTriangle(then->plan, leaves, [&](WorldPoint a, WorldPoint b, WorldPoint c) {
+    std::array<WorldPoint, 2> ends;
+    int count = 0;
+    for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
+      const double up = dot(p, mouth.out) - level, uq = dot(q, mouth.out) - level;
+      if ((up > 0) != (uq > 0) && count < 2) ends[static_cast<std::size_t>(count++)] = p + (q - p) * (up / (up - uq));
+    }
+    if (count < 2) return;
+    mouth.rim.push_back(ends);
+    sum = sum + ends[0] + ends[1];
+  });
+  if (!mouth.rim.empty()) mouth.at = sum * (1. / (2. * static_cast<double>(mouth.rim.size())));
+  return mouth;
+}
+
+const std::optional<Mouth>& ShownMouth::of(const document::Document& document, const pipeline::Derived& derived,
+                                           const document::CombineParts& draft) {
+  Hasher hasher;
+  hasher.text("mouth").number(draft.wall).number(draft.opening.side).number(draft.opening.depth);
+  for (const PartId id : partsIn(document, draft.operands.front())) {
+    const document::Part* part = findPart(document, id);
+    const auto at = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
+    const document::PictureEntry* entry = part ? findPicture(document, document::pictureOf(*part)) : nullptr;
+    if (entry == nullptr || at == derived.parts.end() || !at->shape) continue;
+    hasher.number(id.value).number(at->shape->key.hash);
+    for (const pipeline::ToWorld& toWorld : pipeline::copiesInWorld(*part, entry->size)) {
+      for (const double value : toWorld.linear) hasher.number(value);
+      const WorldPoint zero = toWorld(ModelPoint{});
+      hasher.number(zero.x).number(zero.y).number(zero.z);
+    }
+  }
+  const std::uint64_t key = hasher.value() | 1u;
+  if (key == key_) return mouth_;
+  key_ = key;
+  mouth_ = mouthOf(document, derived, draft);
+  return mouth_;
+}
+
+}  // namespace spineloft::app
