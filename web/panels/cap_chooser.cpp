@@ -65,7 +65,8 @@ void row(const PanelEnv& env, bool atStart, sections::CapStyle chosen, float wid
       paintCap(list, name.style, centre, radius, direction, colour);
     };
     const Text text = size.y < 50 ? Text("") : Text(name.label);
-    const std::string control = std::string(name.label) + (atStart ? ", where you began" : ", where you stopped");
+    const char* where = atStart ? words::text("where you began") : words::text("where you stopped");
+    const std::string control = std::string(name.label) + ", " + where;
     if (tile(env, {key.c_str(), text, name.label, size, name.style == chosen, control}, paint)) {
       const std::optional<sections::CapStyle> cap = name.style, same;
       env.sink.run(app::setCaps, app::selectedParts(env.document(), env.ui()), atStart ? cap : same,

@@ -156,7 +156,7 @@ void swatches(const PanelEnv& env, const document::Look& look, float width) {
     if (i % static_cast<std::size_t>(columns) != 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton(swatch.value.data(), {side, side});
-    registerControl(env, app::Control::Kind::Button, swatch.value, true, !look.textured && hexOf(chosen) == swatch.hex);
+    registerControl(env, app::Control::Kind::Button, swatch.label, true, !look.textured && hexOf(chosen) == swatch.hex);
     const ImVec2 centre{at.x + side / 2, at.y + side / 2};
     const float radius = side / 2 - 3;
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -18,6 +18,17 @@ interface Mirrored {
   element: HTMLElement;
 }
 
+/** Words of a control in the visitor's language: a text of the catalogue, or several with commas between them. */
+function said(words: string): string {
+  const whole = t(words);
+  return whole === words
+    ? words
+        .split(', ')
+        .map((one) => t(one))
+        .join(', ')
+    : whole;
+}
+
 /** How far a key moves a slider, of its length. */
 const kSliderSteps = 50;
 
@@ -106,11 +117,11 @@ export class Mirror {
     const [x, y, width, height] = control.at;
     Object.assign(element.style, { left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px` });
     if (kind === 'words') {
-      const text = t(words);
+      const text = said(words);
       if (element.textContent !== text) element.textContent = text;
       return;
     }
-    setAttribute(element, 'aria-label', kind === 'row' ? this.panels.nameText(words) : words);
+    setAttribute(element, 'aria-label', kind === 'row' ? this.panels.nameText(words) : said(words));
     setAttribute(element, 'aria-disabled', enabled ? null : 'true');
     setAttribute(element, 'data-command', command);
     if (slide && element instanceof HTMLInputElement) {
