@@ -177,7 +177,12 @@ model('a mug with its handle, scooped out', 'sketch_mug', async (page) => {
   const full = measure(parseStl(await exported(page, 'stl'))).volume;
   await tapPicture(page, [400, 500]);
   assert.equal((await state(page)).selection, 1, 'a tap takes the body');
-  await chooseFromMore(page, 'Scoop out', 'Where the line begins');
+  await chooseFromMore(page, 'Scoop out');
+  assert.deepEqual((await state(page)).steps, [], 'shown before it is done');
+  await done(page, 'hollow-open', { opening: 'start' });
+  await page.locator('#canvas').focus();
+  await page.keyboard.press('Enter');
+  await idle(page);
   await chooseFromMore(page, 'Stick together');
   assert.ok(measure(parseStl(await exported(page, 'stl'))).volume < 0.5 * full, 'most of the body is air');
   await tall(page, '9.5 cm');

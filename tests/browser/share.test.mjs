@@ -176,7 +176,7 @@ test('the HTML for another page has the viewer with its poster; a long link offe
     // Hundreds of strokes on paper make a long one.
     await done(page, 'new-sketch');
     const { width } = (await state(page)).picture;
-    for (let i = 0; i < 40; ++i) {
+    for (let i = 0; i < 120; ++i) {
       const stroke = Array.from({ length: 60 }, (_, k) => [
         100 + ((k * 7919 + i * 104729) % (width - 200)),
         100 + ((k * 6007 + i * 7001) % 400),
