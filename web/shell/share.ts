@@ -7,7 +7,7 @@ import { download } from './files.ts';
 import { icon } from './icons.ts';
 import { viewAddress } from './links.ts';
 import { qrCode } from './qr.ts';
-import { printStickers } from './stickers.ts';
+import { printCopies } from './stickers.ts';
 import { toast } from './toasts.ts';
 import { t } from './words/words.ts';
 
@@ -128,8 +128,12 @@ export function showShare(
   others.append(button('image-down', 'Picture', send, isLong ? 'button-primary' : ''));
   if (isLong) others.append(button('save', 'Save model', () => host.save()));
   else {
-    const picture = () => host.still(kStickerSide)?.toDataURL() ?? null;
-    others.append(button('qr-code', 'Stickers', () => printStickers({ url, name: host.name, picture: picture() })));
+    const print = () => {
+      const src = host.still(kStickerSide)?.toDataURL();
+      const picture = () => (src ? make('img', { src, alt: '' }) : null);
+      void printCopies({ url, name: host.name, maker: null, picture });
+    };
+    others.append(button('qr-code', 'Stickers', print));
   }
   const body: Node[] = [
     make('p', {}, 'The whole model is in this link. Who opens it sees it and can have a copy; yours stays as it is.'),

@@ -13,10 +13,13 @@ const kMargin = 4,
   kBeside = 26;
 
 export interface Sticker {
-  url: string;
+  /** What the code leads to; null: no code. */
+  url: string | null;
   name: string;
-  /** Address of a picture; null while there is none. */
-  picture: string | null;
+  /** Who made it; null: what to do with the code stands there. */
+  maker: Node | null;
+  /** A new picture of it; null while there is none. */
+  picture(): Node | null;
 }
 
 /** How large a code of so many modules is printed, and how many stickers a sheet takes. */
@@ -29,23 +32,35 @@ export function sheetOf(modules: number): { side: number; columns: number; rows:
   };
 }
 
-function stickerOf({ url, name, picture }: Sticker): HTMLElement {
+function stickerOf({ url, name, maker, picture }: Sticker): HTMLElement {
   const words = make('div', { class: 'sticker-words' });
-  if (picture) words.append(make('img', { src: picture, alt: '' }));
-  words.append(make('b', {}, asIs(name)), make('span', {}, 'Scan me'));
-  return make('div', { class: 'sticker' }, qrCode(url).svg, words);
+  const shown = picture();
+  if (shown) words.append(shown);
+  words.append(make('b', {}, asIs(name)), maker ?? make('span', {}, 'Scan me'));
+  return make('div', { class: 'sticker' }, ...(url ? [qrCode(url).svg] : []), words);
 }
 
-/** Opens the system's print dialog with the sheet; the page looks as before when it closes. */
-export function printStickers(sticker: Sticker): void {
+/** Prints these stickers through the system's dialog; `end` when it closes, and the page looks as before. */
+export async function printSheet(stickers: Sticker[], end: () => void = () => undefined): Promise<void> {
   document.querySelector('.stickers')?.remove();
-  const { side, columns, rows } = sheetOf(qrCode(sticker.url).modules);
-  const sheet = make('div', {
-    class: 'stickers',
-    style: `--side: ${side}mm; --columns: ${columns}`,
-  });
-  for (let i = 0; i < columns * rows; ++i) sheet.append(stickerOf(sticker));
+  const { side, columns } = sheetOf(Math.max(0, ...stickers.map(({ url }) => (url ? qrCode(url).modules : 0))));
+  const sheet = make(
+    'div',
+    { class: 'stickers', style: `--side: ${side}mm; --columns: ${columns}` },
+    ...stickers.map(stickerOf),
+  );
   document.body.append(sheet);
-  window.addEventListener('afterprint', () => sheet.remove(), { once: true });
+  await Promise.all([...sheet.querySelectorAll('img')].map((image) => image.decode().catch(() => undefined)));
+  const close = () => {
+    sheet.remove();
+    end();
+  };
+  window.addEventListener('afterprint', close, { once: true });
   window.print();
+}
+
+/** A whole sheet of one. */
+export function printCopies(sticker: Sticker & { url: string }): Promise<void> {
+  const { columns, rows } = sheetOf(qrCode(sticker.url).modules);
+  return printSheet(Array.from({ length: columns * rows }, () => sticker));
 }

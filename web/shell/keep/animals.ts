@@ -30,20 +30,23 @@ export function animalOf(id: string | null): Animal | null {
   return kAnimals.find((animal) => animal.id === id) ?? null;
 }
 
-/** All animals as buttons; `chosen(take)` is called with the one that is pressed. */
-export function animalGrid(): { grid: HTMLElement; chosen(take: (animal: Animal) => void): void } {
+/** Asks for one of the animals in a dialog, with this above them; null: none. */
+export function chooseAnimal(title: string, above: Node[], look: string): Promise<Animal | null> {
   const buttons = kAnimals.map((animal) => {
     const button = make('button', { type: 'button', class: 'animal', value: animal.id }, t(animal.name));
     button.prepend(icon(animal.id));
     return button;
   });
   const grid = make('div', { class: 'animals' }, ...buttons);
-  const chosen = (take: (animal: Animal) => void) =>
+  const dialog = openDialog(title, [...above, grid], look);
+  return new Promise((resolve) => {
+    let answer: Animal | null = null;
     grid.addEventListener('click', (event) => {
-      const animal = animalOf((event.target as Element).closest('button')?.value ?? null);
-      if (animal) take(animal);
+      answer = animalOf((event.target as Element).closest('button')?.value ?? null);
+      if (answer) dialog.close();
     });
-  return { grid, chosen };
+    dialog.addEventListener('close', () => resolve(answer));
+  });
 }
 
 /** Asks under which animal so many models are put away; null: under none, everything stays. */
@@ -54,14 +57,5 @@ export function askAnimal(models: number): Promise<Animal | null> {
       : t('Choose your animal. Your {n} models are put away under it, and the next pupil begins with an empty page.', {
           n: models,
         });
-  const { grid, chosen } = animalGrid();
-  const dialog = openDialog(t('Next pupil'), [make('p', {}, text), grid], 'dialog');
-  return new Promise((resolve) => {
-    let answer: Animal | null = null;
-    chosen((animal) => {
-      answer = animal;
-      dialog.close();
-    });
-    dialog.addEventListener('close', () => resolve(answer));
-  });
+  return chooseAnimal(t('Next pupil'), [make('p', {}, text)], 'dialog');
 }

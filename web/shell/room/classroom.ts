@@ -23,7 +23,7 @@ import type { Membership } from './membership.ts';
 import type { Message } from './messages.ts';
 import type { Outbox } from './outbox.ts';
 import { askOpenClass, askSeat, askWords, showBack, showCard } from './room_dialogs.ts';
-import { printStickers } from './stickers.ts';
+import { printWall } from './stickers.ts';
 import { Wall } from './wall.ts';
 import type { Joining, WallView } from './wall.ts';
 
@@ -61,7 +61,7 @@ export class Classroom {
     spotlight: (card) => this.try(() => this.room!.post({ type: 'spotlight', card: card?.post ?? null })),
     newWords: () => this.try(() => this.renewWords()),
     downloadAll: () => this.try(() => this.downloadAll()),
-    printStickers: () => this.try(() => printStickers(this.live!.room, this.visible())),
+    printStickers: () => this.try(() => printWall(this.live!.room, this.visible())),
     startEverybody: () => this.try(() => this.startEverybody()),
     end: () => void this.end(),
   });

@@ -1,7 +1,7 @@
 // The dialogs of a class: opening one, joining one, choosing an animal, and one model of the wall.
 import { openDialog } from '../dialogs.ts';
 import { asIs, make } from '../dom.ts';
-import { animalGrid } from '../keep/animals.ts';
+import { chooseAnimal } from '../keep/animals.ts';
 import type { Animal } from '../keep/animals.ts';
 import { t } from '../words/words.ts';
 import type { Card } from './class_room.ts';
@@ -90,16 +90,7 @@ export function askWords<T>(find: (typed: string) => Promise<T>): Promise<T | nu
 
 /** Asks which animal a pupil wants to be; null: none. */
 export function askSeat(): Promise<Animal | null> {
-  const { grid, chosen } = animalGrid();
-  const dialog = openDialog('Which animal are you?', [grid], 'dialog class-dialog');
-  return new Promise((resolve) => {
-    let answer: Animal | null = null;
-    chosen((animal) => {
-      answer = animal;
-      dialog.close();
-    });
-    dialog.addEventListener('close', () => resolve(answer));
-  });
+  return chooseAnimal(t('Which animal are you?'), [], 'dialog class-dialog');
 }
 
 export interface CardActions {
