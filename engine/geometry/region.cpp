@@ -105,6 +105,16 @@ double areaOf(const Contours& contours) {
   return area;
 }
 
+double perimeterOf(const Contours& contours) {
+  double length = 0;
+  for (const auto& contour : contours) {
+    for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
+      length += distance(contour[i], contour[j]);
+    }
+  }
+  return length;
+}
+
 PlaneRegion planeRegion(const Contours& contours) {
   PlaneRegion region;
   for (const auto& contour : contours) {

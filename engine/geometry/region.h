@@ -37,6 +37,9 @@ Contours sampleRegion(const Contours& contours, double spacing);
 /// Square pixels; holes count negative.
 double areaOf(const Contours& contours);
 
+/// Pixels, of all outlines, each closed.
+double perimeterOf(const Contours& contours);
+
 /// The same with y up, all outlines one after the other, and their sizes: as triangulate wants them.
 struct PlaneRegion {
   std::vector<SectionPoint> points;

@@ -27,16 +27,6 @@ constexpr double kLattice = 1.25;    ///< spacing that spreadPoints makes one sp
 constexpr double kSmooth = 0.15;     ///< of the half width: how far creases are smoothed
 constexpr int kRounds = 8;
 
-double perimeterOf(const geometry::Contours& contours) {
-  double length = 0;
-  for (const auto& contour : contours) {
-    for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
-      length += distance(contour[i], contour[j]);
-    }
-  }
-  return length;
-}
-
 /// The half width that a tenth of the skeleton's length is below.
 double thinness(const Skeleton& skeleton) {
   std::vector<std::pair<double, double>> stretches;  // radius, length
@@ -439,7 +429,8 @@ bool findSides(Fields& fields) {
 
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton) {
   const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints));
-  const double spacing = std::max(std::min(even, kThin * thinness(skeleton)), perimeterOf(piece) / kMostOnRim);
+  const double spacing =
+      std::max(std::min(even, kThin * thinness(skeleton)), geometry::perimeterOf(piece) / kMostOnRim);
   const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, spacing));
   std::optional<Boned> boned = bonedMesh(rim, BoneMaker(skeleton, spacing).run(), spacing);
   if (!boned) return Error::RegionTooFine;

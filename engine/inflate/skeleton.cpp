@@ -25,16 +25,6 @@ using geometry::PlaneMesh;
 constexpr std::uint32_t kNone = PlaneMesh::kNone;
 using Chain = std::vector<SkeletonPoint>;
 
-double perimeterOf(const geometry::Contours& contours) {
-  double length = 0;
-  for (const auto& contour : contours) {
-    for (std::size_t i = 0, j = contour.size() - 1; i < contour.size(); j = i++) {
-      length += distance(contour[i], contour[j]);
-    }
-  }
-  return length;
-}
-
 /// The dual graph of the triangulation of samples: a disc a triangle, an edge where two share an edge.
 class MedialAxis {
  public:
@@ -375,7 +365,7 @@ void count(Skeleton& skeleton) {
 
 Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma) {
   const geometry::PlaneRegion samples =
-      geometry::planeRegion(geometry::sampleRegion(piece, perimeterOf(piece) / kSamples));
+      geometry::planeRegion(geometry::sampleRegion(piece, geometry::perimeterOf(piece) / kSamples));
   const PlaneMesh mesh(samples.points, samples.sizes);
   if (mesh.empty()) return Error::RegionTooFine;
   MedialAxis axis(mesh, geometry::RimDistance(samples.points, samples.sizes), samples.sizes.size() == 1);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/mesh_angles.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/outlines.h"
 #include "tests/support/rounds.h"
@@ -33,22 +34,6 @@ double highest(const mesh::TriMesh& mesh) {
   float high = 0;
   for (const auto& p : mesh.positions) high = std::max(high, p[2]);
   return static_cast<double>(high);
-}
-
-/// The smallest angle of all triangles, degrees.
-double worstAngle(const mesh::TriMesh& mesh) {
-  double worst = 180;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto at = [&](std::size_t k) {
-        const auto& p = mesh.positions[t[(c + k) % 3]];
-        return ModelPoint{p[0], p[1], p[2]};
-      };
-      const ModelPoint a = at(1) - at(0), b = at(2) - at(0);
-      worst = std::min(worst, std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi);
-    }
-  }
-  return worst;
 }
 
 /// The least distance from a point to a triangle: inside of it along its normal, else to one of its edges.
@@ -111,7 +96,7 @@ TEST_CASE("a circle becomes a ball to 1 % in height, volume and area, better wit
     CHECK(highest(mesh) == doctest::Approx(r).epsilon(0.01));
     CHECK(report.area == doctest::Approx(4 * std::numbers::pi * r * r).epsilon(0.01));
     CHECK(mesh.positions.size() < 1.3 * points);
-    CHECK(worstAngle(mesh) > 20);
+    CHECK(anglesOf(mesh).front() > 20);
   }
 }
 
@@ -142,7 +127,7 @@ TEST_CASE("sampling the same outline differently changes the solid by less than 
     const Outline fine = sampled(1800);
     for (std::size_t i = 0; i < fine.size(); i += i < fine.size() / 2 ? 15 : 2) uneven.push_back(fine[i]);
     const mesh::TriMesh dense = puffed({sampled(900)});
-    worst = std::min(worst, worstAngle(dense));
+    worst = std::min(worst, anglesOf(dense).front());
     for (const Outline& other : {sampled(131), sampled(317), uneven}) {
       const mesh::TriMesh solid = puffed({other});
       CHECK(mesh::inspect(dense).volume == doctest::Approx(mesh::inspect(solid).volume).epsilon(0.01));
@@ -150,7 +135,7 @@ TEST_CASE("sampling the same outline differently changes the solid by less than 
       const double off = std::max(farthest(dense, solid), farthest(solid, dense)) / (2 * kRadius);
       CHECK(off < 0.01);
       farthestOff = std::max(farthestOff, off);
-      worst = std::min(worst, worstAngle(solid));
+      worst = std::min(worst, anglesOf(solid).front());
     }
   }
   MESSAGE("48 blobs: worst angle " << worst << " degrees, at most " << 100 * farthestOff << " % of the size off");
@@ -204,7 +189,7 @@ TEST_CASE("triangles are well shaped on hard outlines too, but for corners that 
                                      {star, 15.0},
                                      {rectangle(20, 100, 480, 103), 20.0},
                                      {Outline{{20, 100}, {480, 100}, {480, 300}}, 15.0}}) {
-    const double worst = worstAngle(puffed({drawn}));
+    const double worst = anglesOf(puffed({drawn})).front();
     MESSAGE("worst angle: " << worst << " degrees");
     CHECK(worst > least);
   }

@@ -12,6 +12,7 @@
 #include "engine/inflate/inflate.h"
 #include "engine/mesh/self_crossing.h"
 #include "engine/mesh/topology.h"
+#include "tests/support/mesh_angles.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/named_shapes.h"
 #include "tests/support/outlines.h"
@@ -97,23 +98,6 @@ std::pair<double, double> offOver(const mesh::TriMesh& mesh, const Off& off) {
     }
   }
   return {std::sqrt(sum / area), most};
-}
-
-/// The angles of all triangles, degrees, from small to large.
-std::vector<double> anglesOf(const mesh::TriMesh& mesh) {
-  std::vector<double> angles;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto at = [&](std::size_t k) {
-        const auto& p = mesh.positions[t[(c + k) % 3]];
-        return ModelPoint{p[0], p[1], p[2]};
-      };
-      const ModelPoint a = at(1) - at(0), b = at(2) - at(0);
-      angles.push_back(std::atan2(norm(cross(a, b)), dot(a, b)) * 180 / kPi);
-    }
-  }
-  std::ranges::sort(angles);
-  return angles;
 }
 
 }  // namespace
