@@ -1,20 +1,8 @@
 // The shell's pure parts, without a browser: palms, taps, sizes, wheel.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { build } from 'esbuild';
-import { root } from '../../.ci/lib/paths.mjs';
+import { load } from './support/load.mjs';
 
-async function load(file) {
-  const result = await build({
-    absWorkingDir: root,
-    entryPoints: [`web/shell/${file}`],
-    bundle: true,
-    write: false,
-    format: 'esm',
-    logLevel: 'silent',
-  });
-  return import(`data:text/javascript;base64,${Buffer.from(result.outputFiles[0].text).toString('base64')}`);
-}
 const { PalmFilter } = await load('palm.ts');
 const { TapFinder } = await load('taps.ts');
 const { sizeError, workingSize } = await load('picture.ts');

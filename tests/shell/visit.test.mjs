@@ -3,20 +3,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { build } from 'esbuild';
 import { root } from '../../.ci/lib/paths.mjs';
+import { load } from './support/load.mjs';
 
-async function load(file) {
-  const result = await build({
-    absWorkingDir: root,
-    entryPoints: [`web/shell/${file}`],
-    bundle: true,
-    write: false,
-    format: 'esm',
-    logLevel: 'silent',
-  });
-  return import(`data:text/javascript;base64,${Buffer.from(result.outputFiles[0].text).toString('base64')}`);
-}
 const { findCommands } = await load('find_commands.ts');
 const { kFirstVisit, kTasks, Steps } = await load('tasks.ts');
 

@@ -8,40 +8,15 @@ import { copyField } from '../share.ts';
 import { toast } from '../toasts.ts';
 import { language, t } from '../words/words.ts';
 import { serverLink } from './address.ts';
-import type { StoredModel } from './client.ts';
 import { iconButton } from './faces.ts';
 import { hostInfo, reachableAddress, serverSide } from './host.ts';
+import { keepLinks, madeLinks } from './made_links.ts';
+import type { MadeLink } from './made_links.ts';
 
-/** A link that was made here. */
-interface MadeLink extends StoredModel {
-  name: string;
-  url: string;
-  /** When it expires, in milliseconds since 1970. */
-  until: number;
-}
-
-const kKey = 'spineloft.stored.1';
 const kDays = [7, 1, 30, 365];
 const kDayMs = 86_400_000;
 /** The server takes 8 MB, and encryption adds a little. */
 const kMostBytes = 8_000_000;
-
-function madeLinks(): MadeLink[] {
-  try {
-    const all = JSON.parse(localStorage.getItem(kKey) ?? '[]') as MadeLink[];
-    return all.filter(({ until }) => until > Date.now());
-  } catch {
-    return [];
-  }
-}
-
-function keepLinks(links: MadeLink[]): void {
-  try {
-    localStorage.setItem(kKey, JSON.stringify(links));
-  } catch {
-    // Blocked storage: it can be taken back until the page is closed.
-  }
-}
 
 async function connected() {
   const { server } = await hostInfo();
