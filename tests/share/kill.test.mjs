@@ -6,7 +6,7 @@ import { randomBytes } from 'node:crypto';
 import { mkdtempSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { afterEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { seeded } from '../support/random.mjs';
 import { id } from './support/stores.mjs';
@@ -18,13 +18,23 @@ const kKills = kRounds > 1 ? 200 : 25;
 const kFileKills = 25;
 const kProgram = fileURLToPath(new URL('./support/mortal_server.mjs', import.meta.url));
 
+/** What runs still when a test fails. */
+const children = new Set();
+afterEach(() => children.forEach((child) => child.kill('SIGKILL')));
+
 /** Starts the program; `port` when it listens, `ended` when it has. `blocks`: of 512 bytes, how large a file may get. */
 async function start(args, blocks) {
   const words = blocks
     ? ['sh', ['-c', `ulimit -S -f ${blocks}; exec "$@"`, 'sh', process.execPath]]
     : [process.execPath, []];
   const child = spawn(words[0], [...words[1], kProgram, ...args], { stdio: ['ignore', 'pipe', 'inherit'] });
-  const ended = new Promise((resolve) => child.once('exit', (status, signal) => resolve(signal ?? status)));
+  children.add(child);
+  const ended = new Promise((resolve) =>
+    child.once('exit', (status, signal) => {
+      children.delete(child);
+      resolve(signal ?? status);
+    }),
+  );
   const port = await Promise.race([
     new Promise((resolve) => child.stdout.once('data', (text) => resolve(Number(String(text))))),
     ended.then((how) => {
@@ -89,6 +99,8 @@ async function check(port, ledger) {
     } else {
       assert.equal(response.status, 404, path);
       assert.ok(!known || ledger.open.has(path), `${path} was acknowledged and is gone`);
+      // Taken back before the answer could be sent: it must not come again.
+      if (known) ledger.acknowledged.set(path, null);
     }
   }
 }
