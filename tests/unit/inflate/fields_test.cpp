@@ -123,7 +123,8 @@ TEST_CASE("off the skeleton and the outline no point has an extreme value") {
   }
 }
 
-TEST_CASE("tremor of 1 % changes a round height by 1 % RMS, 6 % at most off the rim; another sampling by 1.5 % RMS") {
+TEST_CASE("tremor of 1 % changes a round height by 1 % RMS, 6 % at most off the rim; another sampling by 1.5 % RMS" *
+          doctest::test_suite("slow")) {
   const auto height = [](const Fields& fields, SectionPoint p) {
     if (!fields.mesh.find(p)) return 0.0;
     std::vector<double> w(fields.s.size());

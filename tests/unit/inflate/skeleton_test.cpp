@@ -73,7 +73,8 @@ TEST_CASE("the skeletons of named shapes have the ends and rings that a person w
   }
 }
 
-TEST_CASE("tremor of 1 % and 2 % of the largest half width leaves ends and rings in at least 19 of 20 drawings") {
+TEST_CASE("tremor of 1 % and 2 % of the largest half width leaves ends and rings in at least 19 of 20 drawings" *
+          doctest::test_suite("slow")) {
   std::map<std::string, int> wrong;
   int all = 0, sound = 0;
   for (const NamedShape& shape : namedShapes()) {

@@ -9,6 +9,7 @@
 
 #include "engine/base/rng.h"
 #include "engine/geometry/polygon.h"
+#include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::vision;
@@ -84,7 +85,7 @@ TEST_CASE("more marks never lose a marked pixel: what was marked stays as the la
   const PicturePoint centre{130, 100};
   const image::Picture picture = discPicture(280, 200, centre, 60);
   Rng rng(12);
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < testing::rounds(4); ++round) {
     CutHints hints;
     if (round % 2) {
       hints.inside = {centre};

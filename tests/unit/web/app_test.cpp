@@ -511,7 +511,7 @@ TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws"
           rig.run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
           break;
       }
-      if (step % 8 == 0) rig.settle(200);  // a solid that nobody solves would never come
+      if (step % 8 == 0) rig.settle();
     }
     // Nobody solves here: what waits for a solid (a file of parts that go through themselves) is given up.
     rig.app->cancelWork();

@@ -72,7 +72,7 @@ struct Desk {
   double shift = 0;
 };
 
-constexpr double kFirst = 60, kLast = 360, kStep = 3;
+constexpr double kFirst = 60, kLast = 360, kStep = 5;
 
 }  // namespace
 
@@ -80,7 +80,7 @@ TEST_CASE(
     "from pen move to mesh a stroke like the one before asks for no memory, whatever its ends and its slice, and with "
     "pressure") {
   Desk desk;
-  std::size_t asked[3] = {};
+  std::size_t asked[2] = {};
   SUBCASE("round ends, a circle") {}
   SUBCASE("flat ends") { desk.ui.startCap = desk.ui.endCap = sections::CapStyle::Flat; }
   SUBCASE("open ends") { desk.ui.startCap = desk.ui.endCap = sections::CapStyle::Open; }
@@ -99,7 +99,7 @@ TEST_CASE(
       REQUIRE(desk.ui.preview->shape);
       live += desk.ui.preview->shape->quality == pipeline::TraceQuality::Live ? 1 : 0;
     }
-    CHECK(live > 50);
+    CHECK(live > 30);
     CHECK(desk.ui.preview->shape->ribs.ribs.size() == 100);
     CHECK(desk.ui.preview->shape->mesh.triangles.size() > 1000);
     CHECK(desk.ui.preview->loft().pose.depth.empty() != desk.ui.edit.depthByPressure);
@@ -107,7 +107,6 @@ TEST_CASE(
   }
   CHECK(asked[0] > 100000);
   CHECK(asked[1] == 0);
-  CHECK(asked[2] == 0);
 }
 
 TEST_CASE("a stroke in memory that earlier ones were drawn in has the shapes of a first stroke") {
