@@ -6,6 +6,8 @@ import { buildDir, root } from './paths.mjs';
 import { duration, run, say } from './run.mjs';
 
 const kMinutes = 60000;
+/** Of one test, times the rounds: what waits for ever is named instead of holding all up. */
+const kMostTestMinutes = 8;
 
 /** The test files (*.test.mjs) of these folders of the repository, sorted. */
 export function testFiles(folders) {
@@ -27,6 +29,7 @@ async function testFile(name, file, env) {
     '--test-reporter-destination=stdout',
     '--test-reporter=tap',
     `--test-reporter-destination=${tap}`,
+    `--test-timeout=${kMostTestMinutes * kMinutes * Number(env.SPINELOFT_ROUNDS ?? 1)}`,
     file,
   ];
   const options = { cwd: root, env: { NODE_OPTIONS: '', ...env }, allowFailure: true, log: `${name}-tests` };

@@ -406,13 +406,35 @@ test('a store that never answers is trouble that is told, holds nothing up, and 
   clock.next();
   clock.next();
   await settled;
-  assert.deepEqual([log.troubles, log.late], [['silent'], [true]]);
+  assert.deepEqual([log.troubles, log.late], [['silent'], [true, false]]);
   assert.deepEqual([writer.isBusy, writer.isSafe, writer.isInTrouble], [false, false, true]);
   for (const word of ['three', 'four']) writer.take(engine.step(word));
   await writer.settled();
   goOn();
   await untilSafe(writer);
   assert.deepEqual([log.troubles, log.late, writer.isSafe], [['silent', null], [true, false], true]);
+  assert.deepEqual((await readBack(store, 'a')).words, engine.words);
+  store.close();
+});
+
+test('a write that never ends is given up, and the next try keeps everything', async () => {
+  const store = await freshStore();
+  const engine = new FakeEngine();
+  const clock = new Clock();
+  const { writer, log } = writerOf(engine, store, { id: 'a', ...clock.parts });
+  const original = ModelStore.prototype.missingPhotos;
+  ModelStore.prototype.missingPhotos = () => new Promise(() => undefined);
+  writer.take(engine.step('one', 'photo'));
+  await breathe();
+  clock.next();
+  clock.next();
+  ModelStore.prototype.missingPhotos = original;
+  writer.take(engine.step('two'));
+  await settle(writer);
+  assert.deepEqual([log.troubles, log.kept], [['silent'], 0]);
+  clock.next();
+  await untilSafe(writer);
+  assert.deepEqual([log.troubles, clock.timers.size], [['silent', null], 0]);
   assert.deepEqual((await readBack(store, 'a')).words, engine.words);
   store.close();
 });

@@ -81,8 +81,7 @@ export class JournalWriter {
   private cancelRetry: () => void = () => undefined;
   private stopped = false;
   private newId: string | null = null; // of a model whose first write is still to come
-  private silence: Promise<void> = new Promise(() => undefined); // ends when the store does not answer
-  private attached = 0; // counts the models
+  private turn = 0; // counts models, and writes that were given up: what belongs to an earlier one changes nothing any more
 
   constructor(
     private readonly source: HistorySource,
@@ -101,7 +100,7 @@ export class JournalWriter {
     return this.info?.id ?? null;
   }
 
-  /** Something is being written, by a store that answers. */
+  /** Something is being written, by a store that answers as far as is known. */
   get isBusy(): boolean {
     return this.running !== null && this.failure?.code !== 'silent';
   }
@@ -123,7 +122,7 @@ export class JournalWriter {
 
   /** From now on steps belong to this model; null: to a new one, made with the first step. Call it when nothing is pending. */
   attach(info: ModelInfo | null): void {
-    this.attached += 1;
+    this.turn += 1;
     this.info = info;
     this.newId = null;
     this.pending = [];
@@ -161,7 +160,7 @@ export class JournalWriter {
 
   /** Resolves when nothing is being written any more, or the store does not answer. */
   async settled(): Promise<void> {
-    while (this.isBusy) await Promise.race([this.running, this.silence]);
+    while (this.isBusy) await this.running;
   }
 
   private start(): void {
@@ -171,28 +170,35 @@ export class JournalWriter {
       this.wantsBase = true;
       return;
     }
-    // A microtask later: not inside a call into the engine.
-    this.running = Promise.resolve()
-      .then(() => this.writeAll())
-      .finally(() => {
-        this.running = null;
-        // A step that came after the last look; after a failure the next step tries again.
-        if (!this.failure && this.pending.length > 0) this.start();
-      });
+    // A microtask later: not inside a call into the engine. It ends when the store does not answer: the next try is another.
+    let giveUp = (): void => undefined;
+    const silence = new Promise<void>((resolve) => (giveUp = resolve));
+    const run = Promise.race([Promise.resolve().then(() => this.writeAll(giveUp)), silence]).finally(() => {
+      this.running = null;
+      // A step that came after the last look; after a failure the next step tries again.
+      if (!this.failure && this.pending.length > 0) this.start();
+    });
+    this.running = run;
   }
 
-  private async writeAll(): Promise<void> {
+  private async writeAll(giveUp: () => void): Promise<void> {
     let second = false;
     while (!this.stopped && (this.pending.length > 0 || this.wantsBase)) {
-      const over = this.watch(),
-        { attached } = this;
+      const { turn } = this;
+      const over = this.watch(giveUp);
       const failure = await this.writeOnce().then(
         () => null,
         (thrown: unknown) => storeFailureOf(thrown),
       );
       over();
-      // The visitor has left this model while the store did not answer: its result concerns no banner.
-      if (!failure || attached !== this.attached) {
+      if (turn !== this.turn) {
+        // The visitor has left this model, or the store answers late: what came meanwhile is written now.
+        if (failure || this.failure?.code !== 'silent') return;
+        this.report(null);
+        if (this.pending.length > 0 || this.wantsBase) this.start();
+        return;
+      }
+      if (!failure) {
         second = false;
         this.report(null);
         continue;
@@ -211,26 +217,27 @@ export class JournalWriter {
     }
   }
 
-  /** Tells when a write takes long, until the function that it returns is called. */
-  private watch(): () => void {
+  /** Tells when a write takes long, until the function that it returns is called; gives it up when it takes far longer. */
+  private watch(giveUp: () => void): () => void {
     let isLate = false;
     const notLate = this.later(kLateMs, () => {
       isLate = true;
       this.events.late(true);
     });
-    let notSilent = (): void => undefined;
-    this.silence = new Promise((resolve) => {
-      notSilent = this.later(kSilentMs, () => {
-        this.wantsBase = true;
-        this.report(new StoreFailure('silent'));
-        resolve();
-      });
+    const notSilent = this.later(kSilentMs, () => {
+      over();
+      this.turn += 1;
+      this.wantsBase = true;
+      this.report(new StoreFailure('silent'));
+      giveUp();
     });
-    return () => {
+    const over = (): void => {
       notLate();
       notSilent();
       if (isLate) this.events.late(false);
+      isLate = false;
     };
+    return over;
   }
 
   /** True when a second try makes sense. */
@@ -261,7 +268,7 @@ export class JournalWriter {
   /** One transaction. What is asked of the engine is asked before the first await: it all belongs together. */
   private async writeOnce(): Promise<void> {
     const batch = this.pending.splice(0),
-      { attached } = this;
+      { turn } = this;
     const wanted = [...new Set(batch.flatMap((event) => event.photos))];
     let whole = this.wantsBase || !this.info || isLong(this.info);
     let photos = whole ? this.source.photos() : wanted;
@@ -277,9 +284,9 @@ export class JournalWriter {
     this.wantsBase = false;
     if (!this.store) throw new StoreFailure('missing');
     const packed = await this.pack(this.store, fresh ?? []);
-    if (attached !== this.attached) return;
+    if (turn !== this.turn) return;
     const id = this.info?.id ?? this.newId ?? (await this.events.begin());
-    if (attached !== this.attached) return;
+    if (turn !== this.turn) return;
     this.newId = id;
     const records = batch.map((event) => event.record);
     const before = this.info?.photos ?? [];
@@ -295,7 +302,7 @@ export class JournalWriter {
       photos,
       packed,
     });
-    if (attached !== this.attached) return;
+    if (turn !== this.turn) return;
     this.info = info;
     for (const hash of photos) this.known.add(hash);
     this.events.kept(this.info);
