@@ -52,6 +52,10 @@ std::span<const ParamInfo> inflateTable() {
           {"height", "Height", "times", inflate::kLeastHeight, inflate::kMostHeight, 0.05, Measure::Percent}),
       entry<InflateRecipe, kPuff, &InflateParams::points>(
           {"points", "Points", "", inflate::kLeastPoints, inflate::kMostPoints, 100, Measure::Plain, true}),
+      ParamInfo{"follow", "Thick where it is wide", "", 0, 1, 0.01, Measure::Percent, false,
+                [](const Recipe& recipe) { return !std::get<InflateRecipe>(recipe).inflate.profile.isSoft(); },
+                [](const Recipe& recipe) { return std::get<InflateRecipe>(recipe).inflate.profile.follow; },
+                [](Recipe& recipe, double value) { std::get<InflateRecipe>(recipe).inflate.profile.follow = value; }},
   };
   return kTable;
 }

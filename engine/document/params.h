@@ -24,7 +24,8 @@ struct ParamInfo {
   std::string_view unit;   ///< "", "px", "ribs" …
   double low = 0, high = 0, step = 0;
   Measure measure = Measure::Plain;
-  bool forFew = false;  ///< it changes how finely a part is made, not what it is
+  bool forFew = false;                       ///< it changes how finely a part is made, not what it is
+  bool (*applies)(const Recipe&) = nullptr;  ///< whether it changes such a recipe; null: always
   /// Expect a recipe of the table's kind.
   double (*get)(const Recipe&) = nullptr;
   /// Expects a value within the range, on a whole step.

@@ -175,6 +175,25 @@ void fitSquare(std::vector<Line>& lines) {
   }
 }
 
+/// The outlines as drawn: what lies in an odd number of others goes round the other way and comes last.
+Result<SectionShape> nestedShape(const Outlines& outlines) {
+  if (const auto problem = problemOf(outlines)) {
+    return {Error::SectionInvalid, std::string(sentenceOf(problem->fault))};
+  }
+  std::vector<std::pair<int, Line>> nested;
+  for (std::size_t i = 0; i < outlines.lines.size(); ++i) {
+    nested.emplace_back(outlines.depth(i), outlines.lines[i]);
+  }
+  std::ranges::stable_sort(nested, {}, [](const auto& entry) { return entry.first % 2; });
+  SectionShape shape;
+  for (auto& [depth, line] : nested) {
+    const bool hole = depth % 2 != 0;
+    if ((geometry::signedArea(View(line)) < 0) != hole) std::ranges::reverse(line);
+    shape.contours.push_back(std::move(line));
+  }
+  return shape;
+}
+
 }  // namespace
 
 std::vector<SectionPoint> images(SectionPoint p, const Symmetry& symmetry) {
@@ -352,23 +371,21 @@ std::string_view sentenceOf(DrawingFault fault) {
 Result<SectionShape> sectionOf(const Drawing& drawing) { return sectionOfOutlines(Outlines(drawing).lines); }
 
 Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> lines) {
-  const Outlines outlines(std::move(lines));
-  if (const auto problem = problemOf(outlines)) {
-    return {Error::SectionInvalid, std::string(sentenceOf(problem->fault))};
+  Result<SectionShape> shape = nestedShape(Outlines(std::move(lines)));
+  if (!shape) return shape;
+  fitSquare(shape.value().contours);
+  if (Status status = checkShape(shape.value()); !status) return status.failure();
+  return shape;
+}
+
+Result<SectionShape> profileOf(const Drawing& drawing) {
+  Outlines outlines(drawing);
+  for (Line& line : outlines.lines) {
+    for (SectionPoint& p : line) p = {std::clamp(p.x, -1.0, 1.0), std::clamp(p.y, -1.0, 1.0)};
   }
-  std::vector<std::pair<int, Line>> nested;
-  for (std::size_t i = 0; i < outlines.lines.size(); ++i) {
-    nested.emplace_back(outlines.depth(i), outlines.lines[i]);
-  }
-  std::ranges::stable_sort(nested, {}, [](const auto& entry) { return entry.first % 2; });
-  SectionShape shape;
-  for (auto& [depth, line] : nested) {
-    const bool hole = depth % 2 != 0;
-    if ((geometry::signedArea(View(line)) < 0) != hole) std::ranges::reverse(line);
-    shape.contours.push_back(std::move(line));
-  }
-  fitSquare(shape.contours);
-  if (Status status = checkShape(shape); !status) return status.failure();
+  Result<SectionShape> shape = nestedShape(Outlines(std::move(outlines.lines)));
+  if (!shape) return shape;
+  if (Status status = checkShape(shape.value()); !status) return status.failure();
   return shape;
 }
 

@@ -121,5 +121,8 @@ std::string_view sentenceOf(DrawingFault fault);
 Result<SectionShape> sectionOf(const Drawing& drawing);
 /// The same of closed polygons in any order and direction. Errors: SectionInvalid.
 Result<SectionShape> sectionOfOutlines(std::vector<std::vector<SectionPoint>> outlines);
+/// The drawing as the slice of a puff, which is not scaled: x = ±1 is the outline, and what lies beyond it is brought
+/// to it. Errors: those of sectionOf.
+Result<SectionShape> profileOf(const Drawing& drawing);
 
 }  // namespace spineloft::sections

@@ -5,8 +5,10 @@ import { dragMouse, placeOf, strokeAlong } from './support/hands.mjs';
 import {
   done,
   exported,
+  idle,
   kPhone,
   onPage,
+  openPicture,
   openWithPart,
   reload,
   run,
@@ -139,4 +141,34 @@ test('a drawn slice with a hole is a tube in the file: genus 1; without, genus 0
       await run(page, 'set-section', { contours });
       assert.equal(genusOf(await exported(page, 'glb')), genus, `${contours.length} curves`);
     }
+  }));
+
+test('a puff takes a ready slice with one tap, and one drawn with the pen on the board; the file has its rings', () =>
+  onPage(kit, {}, async (page) => {
+    await openPicture(page, tube.png);
+    await done(page, 'draw-puff', {
+      contours: [
+        [
+          [100, 60],
+          [380, 60],
+          [380, 300],
+          [100, 300],
+        ],
+      ],
+    });
+    const slice = async () => (await state(page)).parts[0].slice;
+    assert.equal(await slice(), 'soft');
+    const { undo } = await state(page);
+    const tile = await placeOf(page, 'Ring');
+    await page.mouse.click(tile.x, tile.y);
+    await idle(page);
+    assert.deepEqual([await slice(), (await state(page)).undo], ['ring', undo + 1]);
+    assert.equal(genusOf(await exported(page, 'glb')), 1);
+    await done(page, 'edit-slice', { empty: true });
+    const hill = Array.from({ length: 16 }, (_, i) => [0.06 * i, 0.5 - 0.03 * i]);
+    const back = Array.from({ length: 16 }, (_, i) => [0.9 - 0.06 * i, 0.05 - 0.03 * i]);
+    await strokeAlong(page, 'pen', await onBoard(page, [...hill, ...back]));
+    await done(page, 'slice-done');
+    assert.deepEqual([await slice(), (await state(page)).undo], ['own', undo + 2]);
+    assert.equal(genusOf(await exported(page, 'glb')), 0);
   }));

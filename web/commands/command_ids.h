@@ -25,7 +25,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "new-sketch", "next-outline-point", "next-part", "next-picture", "next-point", "next-pupil", "next-slice",
     "nudge", "nudge-outline-point", "nudge-part", "open-file", "open-model", "open-picture", "order-operands",
     "other-end", "paint-over", "pen", "pen-colour", "pen-size", "pick", "point-opening", "pose-spine",
-    "previous-outline-point", "previous-picture", "previous-point", "puff", "puff-back", "puff-both", "puff-front",
+    "previous-outline-point", "previous-picture", "previous-point", "puff", "puff-back", "puff-both", "puff-front", "puff-slice",
     "reach-less", "reach-more", "redo", "redraw", "redraw-region", "redraw-spine", "release", "remove-ignore",
     "remove-picture", "remove-slice", "rename-group", "rename-model", "rename-part", "rename-picture", "rename-slice",
     "rename-step", "reset-place", "reset-pose", "reset-rib", "reset-ribs", "ribs", "save-3mf", "save-glb", "save-obj",

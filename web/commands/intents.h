@@ -90,6 +90,8 @@ Outcome removeIgnored(const CommandEnv& env, std::size_t mark);
 /// `lie` as of DrawSpineIntent.
 Outcome drawRegion(const CommandEnv& env, const document::Region& region, const document::RegionSolid& solid, bool lie);
 Outcome redrawRegion(const CommandEnv& env, PartId part, const document::Region& region);
+/// What stands over the puffs among the parts; for none of them: over the next one.
+Outcome setProfile(const CommandEnv& env, const Parts& parts, const inflate::ProfileParams& profile);
 Outcome moveOutlinePoint(const CommandEnv& env, PartId part, OutlinePoint at, PicturePoint to);
 /// The axis of a spun part, or of the next one. Picture pixels.
 Outcome setAxis(const CommandEnv& env, PartId part, PicturePoint from, PicturePoint to);

@@ -8,11 +8,13 @@
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/region.h"
+#include "engine/inflate/ready_profiles.h"
 #include "engine/io/json_fields.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/commands/section_json.h"
 #include "web/edit/preview.h"
 #include "web/edit/region_editing.h"
 #include "web/model/messages.h"
@@ -233,6 +235,27 @@ bool hasEdge(Env env) {
   return env.ui.extrude.edge == kEdge;
 }
 
+/// {slice: "roof"}, or a slice as shapeFrom reads it.
+Outcome setProfileRow(Env env, const Json& args) {
+  if (const std::string* key = args.text("slice")) {
+    const std::optional<inflate::ProfileParams> ready = inflate::readyProfile(*key);
+    return ready ? setProfile(env, partsFrom(env, args), *ready) : refuse({Error::ValueOutOfRange, *key});
+  }
+  const Result<std::optional<sections::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+  if (!shape) return refuse(shape.failure());
+  if (!shape.value()) return missing("a slice: soft, round, roof, block, step, bowl, ring or two-rings");
+  inflate::ProfileParams profile;
+  profile.slices = {{*shape.value()}};
+  profile.follow = args.number("follow").value_or(profile.follow);
+  return setProfile(env, partsFrom(env, args), profile);
+}
+void profileChoices(Env env, JsonWriter& json) {
+  const document::Part* part = regionPart(env, {});
+  const document::InflateRecipe* puff = part ? document::inflateOf(*part) : nullptr;
+  const std::string_view now = inflate::profileKey((puff ? puff->inflate : env.ui.inflate).profile);
+  for (const auto& [key, label] : inflate::readyProfiles()) writeChoice(json, key, label, key == now);
+}
+
 bool isInflated(Env env) {
   const document::Part* part = regionPart(env, {});
   return part != nullptr && document::inflateOf(*part) != nullptr;
@@ -288,6 +311,9 @@ constexpr std::array kTable = {
     Command{.id = "puff-back", .label = "Back only", .icon = "arrow-up-from-line", .group = "part",
             .hint = "The puff has a flat front", .enabled = hasPicture, .toggled = hasSides<InflateSides::Back>,
             .run = setSides<InflateSides::Back>},
+    Command{.id = "puff-slice", .label = "Slice of the puff", .icon = "slice", .group = "part",
+            .argument = {"slice", profileChoices}, .hint = "What a cut through the puff looks like",
+            .enabled = hasPicture, .run = setProfileRow},
     Command{.id = "edge-sharp", .label = "Sharp edge", .icon = "square", .group = "part",
             .hint = "The flat piece has a sharp edge", .enabled = hasPicture, .toggled = hasEdge<EdgeKind::Sharp>,
             .run = setEdge<EdgeKind::Sharp>},
@@ -357,6 +383,21 @@ Outcome drawRegion(Env env, const document::Region& region, const document::Regi
   tellMade(env);
   tellStanding(env, standing);
   return {};
+}
+
+Outcome setProfile(Env env, const Parts& parts, const inflate::ProfileParams& profile) {
+  inflate::InflateParams next = env.ui.inflate;
+  next.profile = profile;
+  if (const Status status = document::checkSolid(next); !status) return refuse(status.failure());
+  env.ui.inflate = std::move(next);
+  if (parts.empty()) return {};
+  return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
+    const document::InflateRecipe* own = document::inflateOf(part);
+    if (own == nullptr) return std::nullopt;
+    inflate::InflateParams params = own->inflate;
+    params.profile = profile;
+    return document::ShapeRegion{part.id, params};
+  });
 }
 
 Outcome redrawRegion(Env env, PartId id, const document::Region& region) {

@@ -31,6 +31,7 @@ bool hasCurves(Env env) { return isOpen(env) && !boardOf(env)->drawing.empty(); 
 bool hasPoint(Env env) { return isOpen(env) && boardOf(env)->point.has_value(); }
 bool canEdit(Env env) { return !env.studio.document().pictures.empty(); }
 bool leftRight(Env env) { return isOpen(env) && boardOf(env)->symmetry.leftRight; }
+bool isFree(Env env) { return isOpen(env) && !boardOf(env)->profile; }
 bool frontBack(Env env) { return isOpen(env) && boardOf(env)->symmetry.frontBack; }
 bool traces(Env env) { return isOpen(env) && boardOf(env)->traces; }
 bool cornered(Env env) {
@@ -51,7 +52,23 @@ Outcome change(Env env, Drawing next) {
   return {};
 }
 
+/// The part that is meant, or in hand, when it is a puff: its one slice is drawn.
+const document::Part* puffOf(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  return part && document::inflateOf(*part) ? part : nullptr;
+}
+
+Outcome editProfile(Env env, const document::Part& part, const Json& args) {
+  const inflate::ProfileParams& profile = document::inflateOf(part)->inflate.profile;
+  const sections::SectionShape shape = profile.isSoft() ? sections::SectionShape() : profile.slices.front().shape;
+  env.ui.selection = part.id;
+  openBoard(env.ui, {&part, 0, args.flag("empty").value_or(!shape.drawn()), true}, shape);
+  sendStatus(env.host, "Draw one half of the slice, from the middle of the puff to its rim. Enter when it is done.");
+  return {};
+}
+
 Outcome editSection(Env env, const Json& args) {
+  if (const document::Part* puff = puffOf(env, args)) return editProfile(env, *puff, args);
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr && args.find("part") != nullptr) return refuse({Error::NoSuchPart, {}});
   std::size_t key = part ? pickedSectionKey(env.ui, *part) : 0;
@@ -77,16 +94,22 @@ Outcome done(Env env, const Json&) {
     closeBoard(env.ui);
     return {};
   }
-  Result<sections::SectionShape> made = sections::sectionOf(board.drawing);
+  Result<sections::SectionShape> made = shapeOnBoard(board);
   if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
   const sections::SectionShape shape = std::move(made).value();
-  if (const document::Part* part = document::findPart(env.studio.document(), board.part)) {
+  const document::Part* part = document::findPart(env.studio.document(), board.part);
+  if (part && board.profile) {
+    inflate::InflateParams params = document::inflateOf(*part)->inflate;
+    params.profile.slices = {{shape}};
+    const Status status = env.studio.act(document::ShapeRegion{part->id, params});
+    if (!status) return refuse(status.failure());
+  } else if (part) {
     std::vector<loft::SectionKey> keys = document::loftIn(*part).loft.sections;
     keys[std::min(board.key, keys.size() - 1)].shape = shape;
     const Status status = env.studio.act(document::SetSections{part->id, std::move(keys)});
     if (!status) return refuse(status.failure());
   }
-  env.ui.section = shape;
+  if (!board.profile) env.ui.section = shape;
   closeBoard(env.ui);
   sendStatus(env.host, "The slice is done, and on your shelf.");
   if (const Outcome kept = keepOnShelf(env, shape, nullptr); !kept) sendHint(env.host, kept.refusal().sentence);
@@ -257,7 +280,7 @@ Outcome setSymmetry(Env env, const sections::Symmetry& symmetry) {
 }
 Outcome setSymmetryRow(Env env, const Json& args) {
   sections::Symmetry next = boardOf(env)->symmetry;
-  next.leftRight = args.flag("leftRight").value_or(next.leftRight);
+  if (isFree(env)) next.leftRight = args.flag("leftRight").value_or(next.leftRight);
   next.frontBack = args.flag("frontBack").value_or(next.frontBack);
   const auto stated = args.number("fold");
   const bool sides = args.flag("leftRight") || args.flag("frontBack");
@@ -336,7 +359,7 @@ constexpr std::array kTable = {
             .argument = {"tool", toolChoices}, .hint = "Pen, straight lines, box, ellipse or points", .enabled = isOpen,
             .run = useTool},
     Command{.id = "slice-left-right", .label = "Left like right", .icon = "flip-vertical-2", .group = "board",
-            .hint = "Both sides are the same", .enabled = isOpen, .toggled = leftRight, .run = toggleLeftRight},
+            .hint = "Both sides are the same", .enabled = isFree, .toggled = leftRight, .run = toggleLeftRight},
     Command{.id = "slice-front-back", .label = "Front like back", .icon = "flip-horizontal-2", .group = "board",
             .hint = "Front and back are the same", .enabled = isOpen, .toggled = frontBack, .run = toggleFrontBack},
     Command{.id = "slice-symmetry", .label = "Like a wheel", .icon = "flower", .group = "board",

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/document/params.h"
+#include "engine/inflate/ready_profiles.h"
 #include "engine/io/json_fields.h"
 #include "web/edit/editing.h"
 #include "web/edit/gizmo.h"
@@ -124,6 +125,7 @@ void writeRegion(JsonWriter& json, const document::Part& part, const pipeline::P
   json.key("outlines").number(shape ? static_cast<double>(shape->contours.size()) : 0);
   if (const document::InflateRecipe* inflate = document::inflateOf(part)) {
     json.key("sides").text(io::keyOf(inflate->inflate.sides));
+    json.key("slice").text(inflate::profileKey(inflate->inflate.profile));
   }
   if (const document::ExtrudeRecipe* extrude = document::extrudeOf(part)) {
     json.key("edge").text(io::keyOf(extrude->extrude.edge));

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/document/checks.h"
+#include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 
 namespace spineloft::app {
@@ -43,6 +45,10 @@ std::optional<BoardTool> boardToolFromKey(std::string_view key) {
   return static_cast<BoardTool>(at - kToolKeys.begin());
 }
 
+Result<sections::SectionShape> shapeOnBoard(const SectionBoard& board) {
+  return board.profile ? sections::profileOf(board.shown()) : sections::sectionOf(board.shown());
+}
+
 SectionPoint toSection(const SectionBoard& board, ClientPoint at) {
   const double half = board.square.width / 2 / kBoardReach;
   const ClientPoint c = board.square.centre();
@@ -60,6 +66,8 @@ void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShap
   SectionBoard board;
   if (start.part) board.part = start.part->id;
   board.key = start.key;
+  board.profile = start.profile;
+  board.symmetry.leftRight = start.profile;
   Result<sections::Drawing> drawing = sections::drawingOf(shape);
   if (drawing && start.empty) {
     for (const sections::DrawnCurve& curve : drawing.value()) {
@@ -137,10 +145,20 @@ void previewBoard(UiState& ui, const document::Document& document) {
   const SectionBoard& board = *ui.sections.board;
   const document::Part* part = document::findPart(document, board.part);
   if (part == nullptr) return;
-  Result<sections::SectionShape> shape = sections::sectionOf(board.shown());
+  Result<sections::SectionShape> shape = shapeOnBoard(board);
   if (!shape || board.past.empty()) {
     if (!board.live) ui.preview.reset();
     if (!shape || !board.live) return;  // the last valid one stays until the gesture ends
+  }
+  if (board.profile) {
+    document::InflateRecipe puff = *document::inflateOf(*part);
+    puff.inflate.profile.slices = {{std::move(shape).value()}};
+    if (!document::checkSolid(puff.inflate)) return;
+    Preview& preview = previewPart(ui, *part);
+    if (preview.recipe == document::Recipe(puff)) return;
+    preview.recipe = std::move(puff);
+    preview.fresh = false;
+    return;
   }
   loft::LoftParams params = document::loftIn(*part).loft;
   const std::size_t key = std::min(board.key, params.sections.size() - 1);

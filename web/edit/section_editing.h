@@ -18,7 +18,8 @@ namespace spineloft::app {
 struct BoardStart {
   const document::Part* part = nullptr;  ///< null: the next part
   std::size_t key = 0;
-  bool empty = false;  ///< a new section: the shape is a trace only
+  bool empty = false;    ///< a new section: the shape is a trace only
+  bool profile = false;  ///< the slice of a puff
 };
 /// Opens it with a shape as its drawing, or as a trace below an empty one.
 void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShape& shape);

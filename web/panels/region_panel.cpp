@@ -2,13 +2,17 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <string>
 
 #include "engine/document/params.h"
+#include "engine/inflate/ready_profiles.h"
 #include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
+#include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -52,6 +56,46 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   env.sink.run(app::setParameter, app::selectedParts(env.document(), env.ui()), std::string(info.key), chosen);
 }
 
+/// Soft: no slice of the recipe, but this is what a cut through it looks like.
+const sections::SectionShape& softSlice() {
+  static const sections::SectionShape shape = [] {
+    sections::SectionShape out;
+    out.contours.emplace_back();
+    for (int i = 0; i < 40; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 40, c = std::cos(angle), s = std::sin(angle);
+      out.contours[0].push_back({std::copysign(std::sqrt(std::abs(c)), c), 0.62 * s});
+    }
+    return out;
+  }();
+  return shape;
+}
+
+/// Ready slices of a puff, and one of one's own.
+void profileTiles(const PanelEnv& env, const document::InflateRecipe& puff, float width) {
+  constexpr float kGap = 6;
+  const int columns = env.ui().layout.strip && width > app::kFlatStripFrom ? 9 : 3;
+  const float each = (width - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  const ImVec2 size{each, env.ui().layout.strip ? 50.f : 58.f};
+  const std::string_view now = inflate::profileKey(puff.inflate.profile);
+  label(env.fonts.small, kMuted, "Slice");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
+  int count = 0;
+  for (const auto& [key, name] : inflate::readyProfiles()) {
+    if (count++ % columns != 0) ImGui::SameLine();
+    const std::string id = "slice-" + std::string(key);
+    const inflate::ProfileParams ready = *inflate::readyProfile(key);
+    const sections::SectionShape& shape = ready.isSoft() ? softSlice() : ready.slices.front().shape;
+    const bool pressed = tile(env, {id.c_str(), name, name, size, key == now},
+                              [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
+                                paintSection(list, {centre, radius}, shape, {ink, 0, 1.8f});
+                              });
+    if (pressed) env.sink.run(app::setProfile, app::selectedParts(env.document(), env.ui()), ready);
+  }
+  if (count % columns != 0) ImGui::SameLine();
+  commandTile(env, "edit-slice", size);
+  ImGui::PopStyleVar();
+}
+
 /// The ways of a kind that are chosen by pictures: none, or three.
 std::span<const app::CommandId> tilesFor(document::PartKind kind) {
   static constexpr app::CommandId kSides[] = {"puff-both", "puff-front", "puff-back"},
@@ -80,9 +124,10 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
     if (i > 0) ImGui::SameLine(0, kGap);
     commandTile(env, tiles[i], {each, height});
   }
+  if (const document::InflateRecipe* puff = document::inflateOf(part)) profileTiles(env, *puff, width);
   const auto table = document::paramTable(document::kindOf(part));
   for (const document::ParamInfo& info : table) {
-    if (!info.forFew) slider(env, part, info, width);
+    if (!info.forFew && (info.applies == nullptr || info.applies(part.recipe))) slider(env, part, info, width);
   }
   const bool ofRegion = document::regionOf(part.recipe) != nullptr;
   const app::CommandId other = document::inflateOf(part) ? app::CommandId("make-sheet") : app::CommandId("make-puff");

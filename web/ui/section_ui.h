@@ -23,8 +23,9 @@ std::optional<BoardTool> boardToolFromKey(std::string_view key);
 
 /// The board on which a section is drawn. The document does not change until it is done.
 struct SectionBoard {
-  PartId part;          ///< none: the section of the next part
-  std::size_t key = 0;  ///< which section of the part
+  PartId part;           ///< none: the section of the next part
+  std::size_t key = 0;   ///< which section of the part
+  bool profile = false;  ///< the slice of a puff: mirrored, and not scaled
   sections::Drawing drawing;
   std::vector<sections::Drawing> past, future;  ///< of this board alone
   sections::Symmetry symmetry;
@@ -43,6 +44,8 @@ struct SectionBoard {
 
 /// The board shows a little more than the square of sections, so that lines may begin outside.
 inline constexpr double kBoardReach = 1.18;
+/// What the board shows as a shape. Errors: those of sections::sectionOf.
+Result<sections::SectionShape> shapeOnBoard(const SectionBoard& board);
 SectionPoint toSection(const SectionBoard& board, ClientPoint at);
 ClientPoint toCanvas(const SectionBoard& board, SectionPoint p);
 

@@ -10,6 +10,7 @@
 
 #include "engine/geometry/pieces.h"
 #include "engine/inflate/inflate.h"
+#include "engine/inflate/ready_profiles.h"
 #include "engine/mesh/self_crossing.h"
 #include "engine/mesh/topology.h"
 #include "tests/support/mesh_angles.h"
@@ -189,19 +190,41 @@ TEST_CASE("shells and handles follow from the curves of the slice and the holes 
 TEST_CASE("every shape with every slice is lawful, does not cross itself, and has good triangles") {
   double worst = 90;
   for (const NamedShape& shape : namedShapes()) {
-    for (const auto& [slice, which] : {std::pair{kCircle, "circle"},
-                                       {kSquare, "square"},
-                                       {kRoof, "roof"},
-                                       {kRing, "ring"},
-                                       {kMushroom, "mushroom"}}) {
+    std::vector<InflateParams> all = {paramsOf(kMushroom)};
+    for (const ReadyProfile& ready : readyProfiles())
+      all.push_back({.points = 3000, .profile = *readyProfile(ready.key)});
+    for (const InflateParams& params : all) {
       CAPTURE(shape.name);
-      CAPTURE(std::string(which));
-      const Made made = puffed(shape.contours, paramsOf(slice, 3000));
+      CAPTURE(std::string(profileKey(params.profile)));
+      const Made made = puffed(shape.contours, params);
       const std::vector<double> angles = anglesOf(made.mesh);
       worst = std::min(worst, angles[angles.size() / 100]);
     }
   }
   MESSAGE("the smallest angle of the best 99 % is " << worst << " degrees");
+}
+
+TEST_CASE("a ready profile is known by its slice, cut or not, and has the shells and handles of its curves") {
+  CHECK_FALSE(readyProfile("pyramid"));
+  CHECK(profileKey(paramsOf(kMushroom).profile) == "own");
+  for (const ReadyProfile& ready : readyProfiles()) {
+    CAPTURE(std::string(ready.key));
+    const ProfileParams profile = *readyProfile(ready.key);
+    CHECK(profileKey(profile) == ready.key);
+    if (profile.isSoft()) continue;
+    for (const InflateSides sides : {InflateSides::Both, InflateSides::Front, InflateSides::Back}) {
+      const auto curves = profileCurves(profile.slices.front().shape, sides);
+      REQUIRE(curves.ok());
+      const InflateParams params{.sides = sides, .points = 3000, .profile = profile};
+      for (const auto& [name, holes] : {std::pair{"stadium", 0}, {"ring", 1}, {"eight", 2}}) {
+        CAPTURE(std::string(name));
+        const Topology expected = topologyOf(curves.value(), holes);
+        const Made made = puffed(name, params);
+        CHECK(made.report.shells == expected.shells);
+        CHECK(made.report.genus == expected.genus);
+      }
+    }
+  }
 }
 
 TEST_CASE("one side is the slice cut in the picture's plane") {

@@ -274,3 +274,73 @@ TEST_CASE("a line that crosses itself is told to make more than one piece, and o
   CHECK_FALSE(said(R"({"contours":[[[40,40],[120,40],[120,120],[40,120]],[[60,60],[80,60],[80,80],[60,80]]]})"));
   CHECK_FALSE(said(R"({"lines":[[[40,40],[120,120]],[[120,40],[40,120]]],"width":8})"));
 }
+
+TEST_CASE(
+    "a tap gives a puff a ready slice: one step, told by the state, taken back whole, and kept for the next puff") {
+  Rig rig;
+  rig.openBar();
+  rig.run("draw-puff", kSquare);
+  rig.settle();
+  const double undo = *rig.state().number("undo");
+  CHECK(*lastPart(rig).text("slice") == "soft");
+  double before = *lastPart(rig).number("triangles");
+  for (const std::string key : {"roof", "block", "ring", "two-rings"}) {
+    CAPTURE(key);
+    CHECK(rig.run("puff-slice", R"({"slice": ")" + key + R"("})").flag("ok") == true);
+    rig.settle();
+    const app::Json part = lastPart(rig);
+    CHECK(*part.text("slice") == key);
+    CHECK(part.find("failure")->isNull());
+    CHECK(std::exchange(before, *part.number("triangles")) != before);
+  }
+  CHECK(rig.state().number("undo") == undo + 4);
+  rig.run("draw-puff", R"({"contours":[[[20,20],[50,20],[50,50],[20,50]]]})");
+  CHECK(*lastPart(rig).text("slice") == "two-rings");
+  for (int i = 0; i < 5; ++i) rig.run("undo");
+  rig.settle();
+  CHECK(*lastPart(rig).text("slice") == "soft");
+  CHECK_FALSE(rig.run("puff-slice", R"({"slice": "pyramid"})").flag("ok").value_or(true));
+  const app::Json lopsided = rig.run("puff-slice", R"({"contours":[[[-1,0],[1,-1],[1,1]]]})");
+  CHECK_FALSE(lopsided.flag("ok").value_or(true));
+  CHECK(*lastPart(rig).text("slice") == "soft");
+}
+
+TEST_CASE("a slice of one's own: drawn on the board, always mirrored, the puff follows the pen, and Done is one step") {
+  Rig rig;
+  rig.openBar();
+  rig.run("draw-puff", kSquare);
+  rig.settle();
+  const double undo = *rig.state().number("undo");
+  REQUIRE(rig.run("edit-slice").flag("ok") == true);
+  rig.settle();
+  CHECK_FALSE(rig.run("slice-left-right").flag("ok").value_or(true));
+  rig.run("slice-symmetry", R"({"leftRight": false})");
+  // A box beside the middle: with its mirror image a ring round the outline.
+  REQUIRE(rig.run("slice-draw", R"({"box": [[0.4, -0.2], [0.8, 0.2]]})").flag("ok") == true);
+  rig.settle();
+  REQUIRE_FALSE(rig.state().find("preview")->isNull());
+  CHECK(*rig.state().find("preview")->number("triangles") > 100);
+  REQUIRE(rig.run("slice-done").flag("ok") == true);
+  rig.settle();
+  const app::Json part = lastPart(rig);
+  CHECK(*part.text("slice") == "own");
+  CHECK(part.find("failure")->isNull());
+  CHECK(rig.state().number("undo") == undo + 1);
+  // It is taken as drawn, with its mirror image.
+  rig.run("edit-slice");
+  const app::Json board = *rig.state().find("sliceBoard");
+  REQUIRE(board.find("curves")->array()->size() == 2);
+  for (const app::Json& curve : *board.find("curves")->array()) {
+    for (const app::Json& point : *curve.array()) {
+      const double x = std::abs(*(*point.array())[0].number());
+      CHECK((x > 0.39 && x < 0.81));
+    }
+  }
+  // What is drawn beyond the outline ends there.
+  rig.run("slice-clear");
+  REQUIRE(rig.run("slice-draw", R"({"ellipse": [[-1.1, -0.5], [1.1, 0.5]]})").flag("ok") == true);
+  REQUIRE(rig.run("slice-done").flag("ok") == true);
+  rig.settle();
+  CHECK(lastPart(rig).find("failure")->isNull());
+  CHECK(rig.state().number("undo") == undo + 2);
+}
