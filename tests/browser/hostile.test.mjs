@@ -125,6 +125,8 @@ test('what pupils send, whatever their program is, is text on the wall, on the p
       cards.push(await pupil.post(card, Buffer.from(text)));
     }
     await allShown(desk, kTexts);
+    // What is no picture is not shown as one.
+    await desk.waitForFunction(() => document.querySelector('#wall .turning img') === null);
     for (const card of cards.slice(0, 3)) {
       await desk.locator(`[data-post="${card}"] button`).click();
       await desk.getByRole('dialog').waitFor();
@@ -170,6 +172,7 @@ test('names of models, parts, pictures and files are text in the editor, in its 
     await run(page, 'share-model');
     const dialog = page.getByRole('dialog', { name: 'Share' });
     await dialog.getByText('On your own page').click();
+    await page.waitForFunction(() => document.querySelector('#share-snippet').value !== '');
     const snippet = await dialog.getByRole('textbox', { name: 'Put this into the HTML of the page' }).inputValue();
     const found = await page.evaluate((html) => {
       const { body } = new DOMParser().parseFromString(html, 'text/html');
