@@ -2,7 +2,10 @@
 // carries, Martin 1979). Internal to io/.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -24,7 +27,15 @@ class Chance {
   std::uint16_t seen_ = 0;
 };
 
-using Chances = std::unordered_map<std::uint64_t, Chance>;
+/// How much each of several contexts of a bit weighs, in 1/65536.
+inline constexpr std::size_t kMostMixed = 3;
+using Weights = std::array<std::int32_t, kMostMixed>;
+
+/// What has been learned: a chance for every context, and weights for every mixture of them.
+struct Chances {
+  std::unordered_map<std::uint64_t, Chance> of;
+  std::unordered_map<std::uint64_t, Weights> weights;
+};
 
 /// Writes or reads the same calls in the same order: `bit` returns the bit that was handed in, or the one that was
 /// written there. What encodes and decodes is then one function. A context is any number; each has a chance of its own.
@@ -43,9 +54,25 @@ class BitCoder {
   /// A number below 2^count, each of its bits in the context of those before it. count 1…12.
   std::uint32_t symbol(std::uint64_t context, int count, std::uint32_t value);
   /// Any number; small ones take few bits (Elias gamma of value + 1 with a learned length).
-  std::uint64_t natural(std::uint64_t context, std::uint64_t value);
+  std::uint64_t natural(std::uint64_t context, std::uint64_t value) { return natural(Mixed{context}, value); }
   /// Size and sign; any value but the least of 64 bits.
   std::int64_t integer(std::uint64_t context, std::int64_t value);
+
+  /// 1 … kMostMixed contexts that each know something of a bit. Their chances are mixed as log-odds, by weights that
+  /// are learned (Mahoney 2005, in whole numbers: all machines mix alike).
+  class Mixed {
+   public:
+    Mixed(std::initializer_list<std::uint64_t> contexts);
+    /// The same contexts at a place within them.
+    Mixed at(std::uint64_t place) const;
+    std::span<const std::uint64_t> contexts() const { return {contexts_.data(), count_}; }
+    std::uint64_t weights = 0;  ///< which weights are learned
+
+   private:
+    std::array<std::uint64_t, kMostMixed> contexts_{};
+    std::size_t count_ = 0;
+  };
+  std::int64_t integer(const Mixed& size, const Mixed& sign, std::int64_t value);
   const Chances& chances() const { return chances_; }
 
  protected:
@@ -53,6 +80,8 @@ class BitCoder {
   virtual bool code(std::uint32_t ofZero, bool value) = 0;
 
  private:
+  bool bit(const Mixed& contexts, bool value);
+  std::uint64_t natural(const Mixed& contexts, std::uint64_t value);
   Chances chances_;
 };
 

@@ -51,6 +51,8 @@ constexpr std::uint32_t kOther = kBits + 1;        ///< stands for: another whol
 constexpr std::int64_t kMostOther = 1023;
 /// Whole numbers up to here are differences without overflow, and exact as doubles.
 constexpr double kMostWhole = 1125899906842624;  // 2⁵⁰
+/// Largest power of two that numbers of a list are known to be multiples of.
+constexpr std::uint64_t kMostSpread = 50;
 
 /// How a list of numbers is foretold, from numbers that are `stride` places apart: none, the one before, or the line
 /// through two of them that are `reach` steps apart (rounding shakes a long line less). With `halves` the second half
@@ -59,7 +61,7 @@ struct Mode {
   std::size_t order = 0, stride = 1, reach = 1;
   bool halves = false;
 };
-constexpr std::array<Mode, 8> kModes{{{0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {2, 1, 4}, {2, 2, 4}, {1, 1, 1, true}}};
+constexpr std::array<Mode, 8> kModes{{{0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {2, 1, 4}, {2, 2, 4}, {2, 1, 1, true}}};
 constexpr int kModeBits = 3;
 
 /// The number behind `before`, of `count` in all.
@@ -80,14 +82,18 @@ std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before, st
 struct Dialect {
   std::size_t modes;  ///< so many of kModes
   int divisorBits;    ///< of the number of a divisor
-  /// kOther, Kind::Colour, a bit for what is as in the row above, and a difference is coded in the context of the sizes
-  /// of the two before.
+  /// kOther, Kind::Colour, a bit for what is as in the row above, lists of multiples of a power of two, words that were
+  /// spelled before, and a difference is coded after what the two before tell.
   bool later;
-  std::array<std::string_view, 4> examples;  ///< what both sides know beforehand, what is most usual last
+  std::array<std::string_view, 8> examples;  ///< what both sides know beforehand, what is most usual last
 };
 constexpr std::array<Dialect, 2> kDialects{{
     {5, 5, false, {kPackedExample}},
-    {8, 6, true, {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3}},
+    {8,
+     6,
+     true,
+     {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3, kPackedPart4, kPackedPart5, kPackedPart6,
+      kPackedPart7}},
 }};
 
 constexpr std::string_view kHexDigits = "0123456789abcdef";
@@ -225,9 +231,18 @@ class Packer {
         words_(exampleOf(version).words) {}
 
   Json value(const Json& in, std::uint64_t key, int depth);
+  /// A text by its letters, each in the context of the one before.
+  std::string letters(const std::string& in);
   bool failed() const { return failed_; }
 
  private:
+  /// The place of a number in a list.
+  struct Spot {
+    std::uint64_t key;
+    std::uint32_t mode;
+    std::size_t at, count;
+    std::size_t fromEnd() const { return std::min({at, count - 1 - at, std::size_t{4}}); }
+  };
   static std::uint64_t context(std::uint64_t key, Place place, std::uint64_t more = 0) {
     return (key * 16 + static_cast<std::uint64_t>(place)) * 1024 + more;
   }
@@ -241,10 +256,13 @@ class Packer {
   std::uint32_t wordOf(const std::string& text) const;
   /// `coded` is the number of a word, or kSpelled.
   std::string word(const std::string& in, std::uint32_t coded);
-  std::string letters(const std::string& in);
+  /// The power of two that all of them are multiples of.
+  int spread(std::span<const std::int64_t> in, std::uint64_t context);
   double raw(double in) { return std::bit_cast<double>(coder_.plain(64, std::bit_cast<std::uint64_t>(in))); }
   /// What these numbers are divided by; 0: nothing makes them whole.
   std::int64_t divisor(std::span<const double> in, std::uint64_t context);
+  static BitCoder::Mixed signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot);
+  static BitCoder::Mixed sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot);
   double fraction(double in, std::uint64_t key);
   std::vector<double> numbers(std::span<const double> in, std::size_t count, std::uint64_t key);
   Json list(const Json& in, std::uint64_t key, int depth);
@@ -257,6 +275,7 @@ class Packer {
   const std::vector<std::string>& words_;
   bool failed_ = false;
   std::size_t left_ = kMostPacked;
+  std::vector<std::string> spelled_;  ///< words by their letters, in the order in which they came
 };
 
 /// As toJson has numbers: whole ones without a point.
@@ -288,7 +307,18 @@ std::string Packer::letters(const std::string& in) {
 }
 
 std::string Packer::word(const std::string& in, std::uint32_t coded) {
-  if (coded == kSpelled) return letters(in);
+  if (coded == kSpelled) {
+    if (dialect_.later) {
+      const auto known = std::ranges::find(spelled_, in);
+      const auto back = known == spelled_.end() ? 0 : static_cast<std::uint64_t>(spelled_.end() - known);
+      const std::uint64_t at = coder_.natural(context(0, Place::Byte, 256), back);
+      if (at > spelled_.size()) failed_ = true;
+      if (failed_) return {};
+      if (at > 0) return spelled_[spelled_.size() - static_cast<std::size_t>(at)];
+    }
+    spelled_.push_back(letters(in));
+    return spelled_.back();
+  }
   if (coded < kFirstWord || coded - kFirstWord >= words_.size()) {
     failed_ = true;
     return {};
@@ -331,12 +361,41 @@ std::uint32_t bestMode(std::span<const std::int64_t> values, std::size_t modes) 
   return best;
 }
 
+int Packer::spread(std::span<const std::int64_t> in, std::uint64_t context) {
+  if (!dialect_.later) return 0;
+  std::uint64_t all = 0;
+  for (const std::int64_t value : in) all |= static_cast<std::uint64_t>(value);
+  const std::uint64_t coded = coder_.natural(context, all == 0 ? 0 : static_cast<std::uint64_t>(std::countr_zero(all)));
+  if (coded > kMostSpread) failed_ = true;
+  return failed_ ? 0 : static_cast<int>(coded);
+}
+
 /// 0…7, of the two differences before.
 std::uint64_t sizeOf(const std::array<std::int64_t, 2>& before) {
   const double sum = std::abs(static_cast<double>(before[0])) + std::abs(static_cast<double>(before[1]));
   std::uint64_t size = 0;
   for (double most = 0; size < 7 && sum > most; most = 2 * most + 1) ++size;
   return size;
+}
+
+/// What is known of a sign from the two differences before: what was rounded up is rounded down next.
+BitCoder::Mixed Packer::signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) {
+  const auto within = [](std::int64_t value, std::int64_t most) {
+    return static_cast<std::uint64_t>(std::clamp(value, -most, most) + most);
+  };
+  return {context(0, Place::Rest, 128 + within(before[0], 2) * 3 + within(before[1], 1)),
+          context(spot.key, Place::Rest, 144 + spot.mode),
+          context(0, Place::Rest, 160 + within(before[0], 1) * 8 + spot.fromEnd())};
+}
+
+/// And of a size.
+BitCoder::Mixed Packer::sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) {
+  const Mode& mode = kModes[spot.mode];
+  BitCoder::Mixed sizes = {context(0, Place::Rest, (mode.halves ? 3 : mode.order) * 8 + sizeOf(before)),
+                           context(spot.key, Place::Rest, 32 + spot.mode * 2 + spot.at % mode.stride),
+                           context(0, Place::Rest, 64 + spot.fromEnd() * 8 + sizeOf({before[0], 0}))};
+  sizes.weights = 1;
+  return sizes;
 }
 
 std::vector<double> Packer::numbers(std::span<const double> in, std::size_t count, std::uint64_t key) {
@@ -348,6 +407,8 @@ std::vector<double> Packer::numbers(std::span<const double> in, std::size_t coun
   }
   std::vector<std::int64_t> whole;
   for (std::size_t i = 0; i < in.size() && !reads_; ++i) whole.push_back(*wholeTimes(in[i], by));
+  const std::int64_t unit = std::int64_t{1} << spread(whole, context(key, Place::Divisor, 2));
+  for (std::int64_t& value : whole) value /= unit;
   const std::uint32_t coded =
       coder_.symbol(context(key, Place::Mode), kModeBits, reads_ ? 0 : bestMode(whole, dialect_.modes));
   if (coded >= dialect_.modes) {
@@ -360,18 +421,24 @@ std::vector<double> Packer::numbers(std::span<const double> in, std::size_t coun
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t guess = foretold(mode, known, count);
     const bool first = mode.order > 0 && i < mode.stride;
-    std::uint64_t rest = coded * 2 + i % mode.stride;
-    if (dialect_.later) rest = rest * 8 + sizeOf(before);
-    const std::uint64_t where = first ? context(key, Place::First, 1 + i) : context(key, Place::Rest, rest);
-    const std::int64_t off = coder_.integer(where, reads_ ? 0 : whole[i] - guess);
+    const std::int64_t difference = reads_ ? 0 : whole[i] - guess;
+    const Spot spot{key, coded, i, count};
+    std::int64_t off = 0;
+    if (first) {
+      off = coder_.integer(context(key, Place::First, 1 + i), difference);
+    } else if (dialect_.later) {
+      off = coder_.integer(sizesAfter(before, spot), signsAfter(before, spot), difference);
+    } else {
+      off = coder_.integer(context(key, Place::Rest, coded * 2 + i % mode.stride), difference);
+    }
     if (!first) before = {off, before[0]};
     // Only numbers that were not written can grow so large.
-    if (std::abs(static_cast<double>(guess) + static_cast<double>(off)) > kMostWhole) {
+    if (std::abs(static_cast<double>(guess) + static_cast<double>(off)) * static_cast<double>(unit) > kMostWhole) {
       failed_ = true;
       return {};
     }
     known.push_back(guess + off);
-    out.push_back(static_cast<double>(known.back()) / static_cast<double>(by));
+    out.push_back(static_cast<double>(known.back() * unit) / static_cast<double>(by));
   }
   return out;
 }
@@ -484,6 +551,10 @@ template <int version>
 const Chances& learnedOnce() {
   static const Chances made = [] {
     BitLearner learner;
+    if (kDialects[version - 1].later) {
+      Packer packer(learner, Packer::Direction::Writes, version);
+      for (const std::string& word : exampleOf(version).words) packer.letters(word);
+    }
     for (const Json& document : exampleOf(version).documents) {
       Packer(learner, Packer::Direction::Writes, version).value(document, 0, 0);
     }

@@ -58,20 +58,7 @@ class Grid {
   double alone(double value) const { return std::round(value / (2 * step_)) * (2 * step_); }
 
  private:
-  /// About so many quarters of a bit a line takes: few where its points are evenly spaced.
-  std::size_t bits(const std::vector<PicturePoint>& line) const {
-    const auto size = [&](double change) -> std::size_t {
-      const auto steps = static_cast<std::uint64_t>(std::min(std::abs(change) / step_, 1e15));
-      return steps == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(steps));
-    };
-    std::size_t sum = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const PicturePoint before = i == 1 ? PicturePoint{} : line[i - 1] - line[i - 2];
-      const PicturePoint change = line[i] - line[i - 1] - before;
-      sum += size(change.x) + size(change.y);
-    }
-    return sum;
-  }
+  std::size_t bits(const std::vector<PicturePoint>& line) const { return lineCost(line, size_); }
 
   image::Size size_;
   double step_;
@@ -364,6 +351,28 @@ Result<Document> readText(std::string_view text, ReadNotes* notes) {
 double shareStep(image::Size picture) {
   const int side = std::max({picture.width, picture.height, 1024});
   return std::exp2(std::floor(std::log2(side / 1024.0))) / 4;
+}
+
+std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture) {
+  double step = shareStep(picture);
+  const auto isOn = [&](PicturePoint p) { return std::fmod(p.x, step) == 0 && std::fmod(p.y, step) == 0; };
+  for (int doublings = 0; doublings < 8; ++doublings) {
+    step *= 2;
+    if (std::ranges::all_of(line, isOn)) continue;
+    step /= 2;
+    break;
+  }
+  const auto size = [&](double change) -> std::size_t {
+    const auto steps = static_cast<std::uint64_t>(std::min(std::abs(change) / step, 1e15));
+    return steps == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(steps));
+  };
+  std::size_t sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const PicturePoint before = i == 1 ? PicturePoint{} : line[i - 1] - line[i - 2];
+    const PicturePoint change = line[i] - line[i - 1] - before;
+    sum += size(change.x) + size(change.y);
+  }
+  return sum;
 }
 
 std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture) {

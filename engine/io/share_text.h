@@ -32,6 +32,9 @@ double shareStep(image::Size picture);
 /// An open line on a picture as a text keeps it; kept again it stays as it is.
 std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture);
 
+/// About so many quarters of a bit a line takes in a text: few where its points are evenly spaced, or on a coarse grid.
+std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture);
+
 /// Only letters, digits, '-' and '_'. Equal documents give equal texts; reading gives shareable(document).
 /// Error: OutOfMemory (a document with millions of numbers).
 Result<std::string> writeShareText(const document::Document& document);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "engine/io/share_text.h"
 #include "engine/publish/short_stroke.h"
@@ -13,10 +15,13 @@ namespace spineloft::publish {
 namespace {
 
 /// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next. `spine`
-/// is close to that of the shape.
+/// is close to that of the shape, and a rib on a point of the one is on the same point of the other.
 ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::Spine& spine, const ribs::RibEdits& edits) {
-  const std::vector<double> places = ribs::ribPlaces(ribs::Ruler(shape.spine.points), shape.spine, shape.ribs);
+  std::vector<double> places = ribs::ribPlaces(ribs::Ruler(shape.spine.points), shape.spine, shape.ribs);
   const ribs::Ruler ruler(spine.points);
+  for (std::size_t i = 0; i < std::min({places.size(), spine.points.size(), shape.spine.points.size()}); ++i) {
+    if (shape.spine.points[i] == shape.ribs.ribs[i].center) places[i] = ruler.placeOfPoint(i);
+  }
   ribs::RibEdits fixed = edits;
   fixed.ends.clear();
   for (const ribs::Side side : {ribs::Side::Left, ribs::Side::Right}) {
@@ -30,6 +35,16 @@ ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::Spine& sp
     }
   }
   return fixed;
+}
+
+/// What rib ends cost in a text, as io::lineCost says it.
+std::size_t costOf(const ribs::RibEdits& edits, image::Size picture) {
+  const double step = 2 * io::shareStep(picture);
+  std::vector<PicturePoint> line;
+  for (const ribs::EndEdit& end : edits.ends) {
+    line.push_back({std::round(end.along / step) * step, std::round(end.out / step) * step});
+  }
+  return io::lineCost(line, picture);
 }
 
 /// Of the places of the photo at the part's vertices; the look's own colour where there are none.
@@ -61,7 +76,10 @@ document::Document withoutPhotos(const document::Document& document, const pipel
     const auto& shape = derived.parts[i].shape;
     if (entry == nullptr || entry->isSketch() || !shape) continue;
     if (document::LoftRecipe* loft = document::loftOf(part)) {
-      StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine);
+      const auto besides = [&](const ribs::Spine& spine) {
+        return costOf(fixedEnds(*shape, spine, loft->edits), entry->size);
+      };
+      StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine, besides);
       loft->edits = fixedEnds(*shape, shorter.spine, loft->edits);
       loft->stroke = std::move(shorter.stroke);
     }

@@ -13,8 +13,10 @@ namespace {
 
 /// Numbers of points that are tried, fewest first.
 constexpr std::array<std::size_t, 14> kCounts = {2, 3, 4, 5, 6, 8, 10, 12, 15, 19, 24, 30, 38, 48};
-/// In steps of the text's grid: one pixel.
-constexpr double kPixels = 4;
+/// Grids that are tried, in steps of the text's own.
+constexpr std::array<double, 3> kGrids = {8, 4, 1};
+/// One pixel of a picture of 1024 pixels, in steps of the text's grid.
+constexpr double kMostOff = 4;
 /// Cleaning rounds bends; so often the points are moved against it.
 constexpr int kRounds = 4;
 
@@ -36,24 +38,43 @@ void moveAgainst(std::vector<PicturePoint>& points, const ribs::Spine& wanted, c
   }
 }
 
+/// `count` points on a grid of `step` that give the wanted spine; none where they do not.
+std::optional<StrokeAndSpine> strokeOn(double step, std::size_t count, const ribs::Spine& wanted, image::Size picture,
+                                       const ribs::SpineParams& params) {
+  std::vector<PicturePoint> points = geometry::resample(std::span(wanted.points), count);
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<PicturePoint> stroke = points;
+    for (PicturePoint& p : stroke) p = {std::round(p.x / step) * step, std::round(p.y / step) * step};
+    stroke = io::keptLine(stroke, picture);
+    Result<ribs::Spine> got = ribs::cleanSpine(stroke, picture, params);
+    const std::optional<double> off = got ? apart(wanted, got.value()) : std::nullopt;
+    if (!off) break;
+    if (*off <= kMostOff * io::shareStep(picture)) return StrokeAndSpine{std::move(stroke), std::move(got).value()};
+    moveAgainst(points, wanted, got.value());
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-StrokeAndSpine shortStroke(const StrokeAndSpine& given, image::Size picture, const ribs::SpineParams& params) {
-  const double most = kPixels * io::shareStep(picture);
+StrokeAndSpine shortStroke(const StrokeAndSpine& given, image::Size picture, const ribs::SpineParams& params,
+                           const CostOfSpine& besides) {
   const ribs::Spine& wanted = given.spine;
   std::vector<PicturePoint> whole = io::keptLine(given.stroke, picture);
+  std::optional<StrokeAndSpine> best;
+  std::size_t least = 0;
   for (const std::size_t count : kCounts) {
     if (wanted.points.size() < 2) break;
-    std::vector<PicturePoint> points = geometry::resample(std::span(wanted.points), count);
-    for (int round = 0; round < kRounds; ++round) {
-      std::vector<PicturePoint> stroke = io::keptLine(points, picture);
-      Result<ribs::Spine> got = ribs::cleanSpine(stroke, picture, params);
-      const std::optional<double> off = got ? apart(wanted, got.value()) : std::nullopt;
-      if (!off) break;
-      if (*off <= most) return {std::move(stroke), std::move(got).value()};
-      moveAgainst(points, wanted, got.value());
+    for (const double steps : kGrids) {
+      auto found = strokeOn(steps * io::shareStep(picture), count, wanted, picture, params);
+      if (!found) continue;
+      const std::size_t cost = io::lineCost(found->stroke, picture) + besides(found->spine);
+      if (best && cost >= least) continue;
+      best = std::move(found);
+      least = cost;
     }
   }
+  if (best) return *std::move(best);
   Result<ribs::Spine> got = ribs::cleanSpine(whole, picture, params);
   if (got && apart(wanted, got.value())) return {std::move(whole), std::move(got).value()};
   return given;

@@ -1,6 +1,8 @@
 // A stroke that a link has room for. Internal to publish/.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -15,9 +17,14 @@ struct StrokeAndSpine {
   ribs::Spine spine;
 };
 
-/// As few evenly spaced points, as a share text keeps them (io::keptLine), as give the same spine to within one pixel
-/// of a picture of 1024 pixels, point by point: rib ends that are fixed beside it are measured from it, and the solid
-/// stands on them. `given` where none do, with its stroke as a text keeps it. Cost: some dozen spines.
-StrokeAndSpine shortStroke(const StrokeAndSpine& given, image::Size picture, const ribs::SpineParams& params);
+/// What else a text says beside a spine costs so much, in the unit of io::lineCost.
+using CostOfSpine = std::function<std::size_t(const ribs::Spine&)>;
+
+/// The evenly spaced points of fewest characters, as a share text keeps them (io::keptLine), that give the same spine
+/// to within one pixel of a picture of 1024 pixels, point by point: rib ends that are fixed beside it are measured
+/// from it, and the solid stands on them. `given` where none do, with its stroke as a text keeps it. Cost: a hundred
+/// spines.
+StrokeAndSpine shortStroke(const StrokeAndSpine& given, image::Size picture, const ribs::SpineParams& params,
+                           const CostOfSpine& besides);
 
 }  // namespace spineloft::publish

@@ -53,6 +53,20 @@ const figures = (times) => {
 };
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
+let retried = 0;
+/** Asks again as the page does, where that may help. */
+async function patiently(work) {
+  for (let tries = 0; ; tries += 1) {
+    try {
+      return await work();
+    } catch (thrown) {
+      if (!thrown.retryAfter || tries >= 5) throw thrown;
+      retried += 1;
+      await pause(1000 * thrown.retryAfter);
+    }
+  }
+}
+
 /** A server as a process; `url` when it listens. */
 async function startServer(store) {
   const child = fork(fileURLToPath(import.meta.url), ['--as-server', store], { stdio: ['ignore', 2, 2, 'ipc'] });
@@ -81,7 +95,7 @@ async function load({ pupils, rooms, bytes, join: joinSeconds, handIn: handInSec
       {
         post({ post, seat, size }) {
           if (size > 160_000) return;
-          wall.read(post, seat).then(
+          patiently(() => wall.read(post, seat)).then(
             (read) => read?.message.type === 'card' && seen.set(post, performance.now()),
             (failure) => failures.push(failure.message),
           );
@@ -106,9 +120,9 @@ async function load({ pupils, rooms, bytes, join: joinSeconds, handIn: handInSec
     const { key, locator } = classes[i % rooms];
     await pause((1000 * joinSeconds * i) / pupils);
     const before = performance.now();
-    await server.bytes(`words/${locator}`);
+    await patiently(() => server.bytes(`words/${locator}`));
     const room = new Room(server, { id: key.id, key: key.key }, { id: newId(), secret: newId() });
-    const number = await room.sit();
+    const number = await patiently(() => room.sit());
     await room.post({ type: 'seat', animal: 'cat', number });
     joins.push(performance.now() - before);
     const quiet = () => undefined;
@@ -119,8 +133,8 @@ async function load({ pupils, rooms, bytes, join: joinSeconds, handIn: handInSec
     const bodies = [room.sealed(modelPost, { type: 'model' }, model), room.sealed(card, message, pictures)];
     await pause(0); // encrypting is the pupil's own work, too
     const start = performance.now();
-    await room.send(modelPost, bodies[0]);
-    await room.send(card, bodies[1]);
+    await patiently(() => room.send(modelPost, bodies[0]));
+    await patiently(() => room.send(card, bodies[1]));
     begun.set(card, { start, acknowledged: performance.now() });
   };
   await Promise.all(
@@ -135,6 +149,7 @@ async function load({ pupils, rooms, bytes, join: joinSeconds, handIn: handInSec
     hand_in_to_wall: figures([...seen].map(([post, when]) => when - begun.get(post).start)),
     acknowledged_to_wall: figures([...seen].map(([post, when]) => Math.max(0, when - begun.get(post).acknowledged))),
     handed_in: begun.size,
+    retried,
     lost,
     failures: failures.slice(0, 5),
     failure_count: failures.length,

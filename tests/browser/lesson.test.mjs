@@ -133,6 +133,8 @@ test('five pages play a lesson from the words to the end of the class', async (t
     all.push(screen);
     await wall(screen.page).getByText('3 animals are here').waitFor();
     assert.equal(await strip(screen.page).isVisible(), false);
+    // It does not know the words, so it says nothing of them.
+    assert.equal(await wall(screen.page).getByText('four words').count(), 0);
   });
 
   await t.test('everybody hands in; names are shown as they are, whatever they look like', async () => {

@@ -168,6 +168,8 @@ test('the HTML for another page has the viewer with its poster; a long link offe
   onPage(kit, { alone: true }, async (page) => {
     const dialog = await openShare(page);
     await dialog.getByText('On your own page').click();
+    // The field is filled once the fold has opened.
+    await page.waitForFunction(() => document.querySelector('#share-snippet').value !== '');
     const html = await dialog.getByRole('textbox', { name: 'Put this into the HTML of the page' }).inputValue();
     const [, address] = /^<iframe src="([^"]+)"/.exec(html) ?? [];
     const { url } = await linkOf(page);

@@ -1,8 +1,10 @@
 // spineloft share: a model as a short text, which open takes instead of a file.
 import assert from 'node:assert/strict';
+import { existsSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { barFolder, fails, readJson, run, workFolder, works } from '../support/cli.mjs';
+import { barFolder, dataFolder, fails, readJson, run, workFolder, works } from '../support/cli.mjs';
 
 const glass = fileURLToPath(new URL('../../assets/docs/recipes/wine-glass.json', import.meta.url));
 
@@ -49,3 +51,31 @@ test('what is cut off, altered, foreign or too new is said in one sentence', (t)
   assert.match(fails(3, 'open', `3${text.slice(1)}`), /newer SpineLoft/);
   assert.match(fails(3, 'open', 'no such file.glb'), /cannot be read/);
 });
+
+/** Of other pictures than the examples of engine/io/packed_parts.h. */
+const kTraced = [
+  ...['photo_dutar', 'photo_kingfisher_branch', 'photo_swan_neck', 'photo_zucchini_hand'],
+  ...['render_banana_occluded', 'render_beer_bottle', 'render_lamp_missing', 'render_palm_noise'],
+  ...['render_vase_lowcontrast', 'sketch_bat_noisy', 'sketch_dino_tail'],
+  ...['proc_bent_g25', 'proc_straight_g0', 'proc_taper_g25', 'proc_very_thin_g25'],
+];
+
+test(
+  'a part of 40 ribs that was traced in a real picture is a text of at most 150 characters',
+  { skip: dataFolder ? false : 'there are no real pictures here' },
+  (t) => {
+    const folder = workFolder(t);
+    writeFileSync(folder.path('40.json'), '{"spine": {"ribs": 40}}');
+    for (const name of kTraced) {
+      const at = (file) => join(dataFolder, name, file);
+      const picture = ['image.png', 'image.jpg'].map(at).find(existsSync);
+      const how = ['--stroke', at('case.json'), '--stroke-name', 'careful', '--recipe', folder.path('40.json')];
+      works('loft', picture, ...how, '--out', folder.path('part.spineloft'));
+      const { stdout } = run('share', folder.path('part.spineloft'));
+      assert.ok(stdout.trim().length <= 150, `${name}: ${stdout.trim().length} characters`);
+      works('open', stdout.trim(), '--report', folder.path('r.json'));
+      const { parts, lawful, dropped, repaired } = readJson(folder.path('r.json'));
+      assert.deepEqual({ parts, lawful, dropped, repaired }, { parts: 1, lawful: 1, dropped: 0, repaired: 0 }, name);
+    }
+  },
+);

@@ -37,6 +37,63 @@ const kTables = `
   CREATE INDEX ON spineloft_words (box);
 `;
 
+/**
+ * What locks a box does so for one statement: a server that is busy with something else between two statements would keep
+ * the whole class waiting. The row is locked until the end, so that posts of a box become visible in the order of their
+ * numbers. Made anew by every server that starts.
+ */
+const kFunctions = `
+  CREATE OR REPLACE FUNCTION spineloft_put_seat(
+    in_box text, in_seat text, in_secret bytea, most integer, now bigint, OUT result text, OUT number integer
+  ) LANGUAGE plpgsql AS $$
+  DECLARE
+    room spineloft_boxes;
+    known spineloft_seats;
+  BEGIN
+    number := 0;
+    SELECT * INTO room FROM spineloft_boxes WHERE id = in_box AND expires > now FOR UPDATE;
+    IF room.id IS NULL THEN result := 'none'; RETURN; END IF;
+    SELECT * INTO known FROM spineloft_seats WHERE box = in_box AND seat = in_seat;
+    IF known.box IS NOT NULL THEN
+      result := CASE WHEN known.secret = in_secret THEN 'same' ELSE 'taken' END;
+      number := known.number;
+      RETURN;
+    END IF;
+    IF room.seats >= most THEN result := 'full'; RETURN; END IF;
+    number := room.seats + 1;
+    INSERT INTO spineloft_seats (box, seat, secret, number) VALUES (in_box, in_seat, in_secret, number);
+    UPDATE spineloft_boxes SET seats = number WHERE id = in_box;
+    result := 'made';
+  END $$;
+  CREATE OR REPLACE FUNCTION spineloft_put_post(
+    in_box text, in_post text, in_seat text, in_bytes bytea, most_bytes bigint, most_posts integer, now bigint,
+    OUT result text, OUT seq integer
+  ) LANGUAGE plpgsql AS $$
+  DECLARE
+    room spineloft_boxes;
+    known spineloft_posts;
+  BEGIN
+    seq := 0;
+    SELECT * INTO room FROM spineloft_boxes WHERE id = in_box AND expires > now FOR UPDATE;
+    IF room.id IS NULL THEN result := 'none'; RETURN; END IF;
+    SELECT * INTO known FROM spineloft_posts WHERE box = in_box AND post = in_post;
+    IF known.box IS NOT NULL THEN
+      result := CASE WHEN known.seat IS NOT DISTINCT FROM in_seat AND known.bytes = in_bytes
+        THEN 'same' ELSE 'taken' END;
+      seq := known.seq;
+      RETURN;
+    END IF;
+    IF room.frozen AND in_seat IS NOT NULL THEN result := 'frozen'; RETURN; END IF;
+    IF room.bytes + length(in_bytes) > most_bytes OR room.next > most_posts THEN result := 'full'; RETURN; END IF;
+    seq := room.next;
+    INSERT INTO spineloft_posts (box, post, seq, seat, size, at, bytes)
+      VALUES (in_box, in_post, room.next, in_seat, length(in_bytes), now, in_bytes);
+    UPDATE spineloft_boxes SET next = room.next + 1, bytes = room.bytes + length(in_bytes) WHERE id = in_box;
+    PERFORM pg_notify('${kChannel}', in_box || CASE WHEN in_seat IS NULL THEN ' owner' ELSE ' seat' END);
+    result := 'stored';
+  END $$;
+`;
+
 const kBox = 'SELECT kind, owner, expires, frozen, next, bytes, seats FROM spineloft_boxes WHERE id = $1';
 const kListed = 'SELECT seq, post, seat, size, at FROM spineloft_posts WHERE box = $1 AND seq > $2';
 
@@ -72,9 +129,10 @@ export class PostgresStore {
     await this.write(async (ask) => {
       await ask('SELECT pg_advisory_xact_lock($1)', [kTablesLock]);
       const [{ there }] = await ask("SELECT to_regclass('spineloft_version') IS NOT NULL AS there");
-      if (!there) return ask(kTables);
+      if (!there) await ask(kTables);
       const [{ version }] = await ask('SELECT version FROM spineloft_version');
       if (version > kStoreVersion) throw new StoreTooNew();
+      await ask(kFunctions);
     });
   }
 
@@ -189,19 +247,20 @@ export class PostgresStore {
     });
   }
 
+  /** One statement, which is a transaction of its own; a full disk is told as such, and has changed nothing. */
+  async call(name, values) {
+    const places = values.map((_, i) => `$${i + 1}`).join(', ');
+    try {
+      const [row] = await this.ask(`SELECT * FROM ${name}(${places})`, values);
+      return row;
+    } catch (error) {
+      if (kFull.test(error.code ?? '')) throw new StoreFull();
+      throw error;
+    }
+  }
+
   putSeat({ box, seat, secret }, most, now) {
-    return this.write(async (ask) => {
-      const [room] = await ask(`${kBox} AND expires > $2 FOR UPDATE`, [box, now]);
-      if (!room) return { result: 'none', number: 0 };
-      const [known] = await ask('SELECT secret, number FROM spineloft_seats WHERE box = $1 AND seat = $2', [box, seat]);
-      if (known) return { result: known.secret.equals(secret) ? 'same' : 'taken', number: known.number };
-      if (room.seats >= most) return { result: 'full', number: 0 };
-      const number = room.seats + 1;
-      const values = [box, seat, secret, number];
-      await ask('INSERT INTO spineloft_seats (box, seat, secret, number) VALUES ($1, $2, $3, $4)', values);
-      await ask('UPDATE spineloft_boxes SET seats = $2 WHERE id = $1', [box, number]);
-      return { result: 'made', number };
-    });
+    return this.call('spineloft_put_seat', [box, seat, secret, most, now]);
   }
 
   async seat(box, seat) {
@@ -218,24 +277,7 @@ export class PostgresStore {
   }
 
   putPost({ box, post, seat, bytes }, { bytes: mostBytes, posts: mostPosts }, now) {
-    return this.write(async (ask) => {
-      // The row is locked until the end: posts of a box become visible in the order of their numbers.
-      const [room] = await ask(`${kBox} AND expires > $2 FOR UPDATE`, [box, now]);
-      if (!room) return { result: 'none', seq: 0 };
-      const [known] = await ask('SELECT seq, seat, bytes FROM spineloft_posts WHERE box = $1 AND post = $2', [
-        box,
-        post,
-      ]);
-      if (known) {
-        const isSame = known.seat === seat && known.bytes.equals(bytes);
-        return { result: isSame ? 'same' : 'taken', seq: known.seq };
-      }
-      if (room.frozen && seat !== null) return { result: 'frozen', seq: 0 };
-      if (room.bytes + bytes.length > mostBytes || room.next > mostPosts) return { result: 'full', seq: 0 };
-      await this.addPost(ask, { box, post, seat, bytes }, room.next, now);
-      await this.tell(ask, box, seat === null ? 'owner' : 'seat');
-      return { result: 'stored', seq: room.next };
-    });
+    return this.call('spineloft_put_post', [box, post, seat, bytes, mostBytes, mostPosts, now]);
   }
 
   posts(box, { after = 0, ofOwner = false, most = 200 } = {}) {

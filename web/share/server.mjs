@@ -26,7 +26,8 @@ const kHeaders = {
 export const kTimes = {
   headersTimeout: 10_000,
   requestTimeout: 60_000,
-  keepAliveTimeout: 10_000,
+  // Longer than the minute for which balancers keep a connection: none is closed here while a request is on its way.
+  keepAliveTimeout: 75_000,
   connectionsCheckingInterval: 2000,
 };
 

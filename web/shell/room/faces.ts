@@ -29,6 +29,7 @@ export function turning(card: Card): { element: HTMLElement; release(): void } {
     decoding: 'async',
   });
   const element = make('span', { class: 'turning' }, picture);
+  picture.addEventListener('error', () => picture.remove()); // not a picture, whoever sent it
   element.style.setProperty('--frames', String(card.frames));
   return { element, release: () => URL.revokeObjectURL(address) };
 }

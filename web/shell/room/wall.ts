@@ -103,7 +103,8 @@ export class Wall {
       make('p', { class: 'wall-address' }, asIs(address)),
     );
     if (words) text.append(make('p', { class: 'wall-words' }, asIs(words.join(' '))));
-    else text.append(make('p', {}, 'The four words have expired. The code still works.'));
+    // A screen that takes no part does not know whether there are words.
+    else if (this.view !== 'screen') text.append(make('p', {}, 'The four words have expired. The code still works.'));
     const code = qrCode(link).svg;
     code.setAttribute('aria-label', t('QR code to join the class'));
     return make('div', { class: 'wall-join' }, text, code);
