@@ -343,6 +343,7 @@ export class Page {
       const picture = await decodePicture(blob, engine);
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
+      await Promise.resolve(); // what the engine says of the step comes first
       this.sayUntilNext(t('{name} is open.', { name: t(name) }));
     } finally {
       this.opening.delete(aborter);
