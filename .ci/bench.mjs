@@ -211,6 +211,7 @@ await mainProgram(async () => {
     solids: (await import('../tests/bench/solids.mjs')).solidTimes(),
     solidsOnPage: await (await import('../tests/bench/solids_page.mjs')).solidPageTimes(),
     editing: await editingTimes(),
+    firstLoad: await (await import('../tests/bench/first_load.mjs')).firstLoadTimes(),
   };
   printStages(result.stages);
   result.growth = growth(result.stages);
@@ -244,6 +245,11 @@ await mainProgram(async () => {
       median: 'median_ms',
       'of the processor, the busiest worker': 'cpu_ms',
     },
+  );
+  printTable(
+    'The first visit in Chromium, from an empty cache',
+    Object.entries(result.firstLoad).map(([name, times]) => ({ name, ...times })),
+    { where: 'name', 'painted, ms': 'painted_ms', 'can be used, ms': 'usable_ms', 'bytes over the line': 'bytes' },
   );
   if (result.sizes.length)
     printTable('Sizes in bytes', result.sizes, { file: 'file', raw: 'raw', gzip: 'gzip', brotli: 'brotli' });

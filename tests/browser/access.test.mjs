@@ -322,9 +322,11 @@ test('the shortcut sheet lists the keys of the table and closes with Escape', ()
     await page.keyboard.press('?');
     const sheet = page.getByRole('dialog', { name: 'Help' });
     const text = await sheet.innerText();
+    const kKeys = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓' };
     for (const { label, shortcut } of await page.evaluate(() => window.spineloft.commands())) {
-      if (shortcut)
-        assert.ok(text.includes(label) && text.includes(shortcut.split(/,\s*/)[0]), `${label}: ${shortcut}`);
+      if (!shortcut) continue;
+      const keys = shortcut.split(/,\s*/)[0].replace(/Arrow\w+/, (key) => kKeys[key]);
+      assert.ok(text.includes(label) && text.includes(keys), `${label}: ${keys}`);
     }
     await page.keyboard.press('Escape');
     assert.equal(await sheet.count(), 0);
@@ -347,7 +349,7 @@ test('what happens is said in live regions: the picture, the parts, refusals', (
     await openPicture(page, tube.png, 'tube.png');
     const line = page.locator('#status');
     assert.equal(await line.getAttribute('aria-live'), 'polite');
-    assert.match(await line.innerText(), /tube\.png is open: 480 by 360 pixels/);
+    assert.equal(await line.innerText(), 'tube.png is open.');
     assert.equal(await page.locator('#status-end').innerText(), 'No part yet');
     await done(page, 'draw-spine', { stroke: tube.middle });
     await page.waitForFunction(() => /^1 part · ./.test(document.getElementById('status-end').textContent));

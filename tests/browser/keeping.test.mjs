@@ -516,11 +516,12 @@ test('a model whose base is damaged is said and stays in the list; the page work
     assert.equal((await models(page)).length, 2);
   }));
 
-test('Help tells how much undo history there is', () =>
+test('Help tells how many steps can be taken back, behind its heading', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);
     await page.locator('#bar-help').click();
-    assert.match(await page.getByRole('dialog', { name: 'Help' }).innerText(), /Undo history: [1-9]\d* KB of 64 MB/);
+    await page.getByText('More about this model').click();
+    assert.match(await page.getByRole('dialog', { name: 'Help' }).innerText(), /Steps that can be taken back: [1-9]/);
   }));
 
 test('Ctrl+S saves a project file; dropped on the page it opens as a model of its own, and the open one stays', () =>

@@ -98,6 +98,34 @@ test('a slider is read with its value and unit, and set; ribs are read with thei
     assert.equal(reader.property(chosen, 'pressed'), 'true');
   }));
 
+test('points of a graph are read with their numbers and moved, added and taken away; what happened is said', () =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await run(page, 'set-along', {
+      kind: 'twist',
+      points: [
+        [0, 0],
+        [0.5, 1],
+        [1, 0],
+      ],
+    });
+    await run(page, 'show-along', { kind: 'twist' });
+    await idle(page);
+    const points = async () => (await state(page)).parts[0].along.twist;
+    const reader = await readerOf(page);
+    await reader.set('slider', 'Twist, point 2 of 3: value', '0.5');
+    await page.waitForFunction(() => Math.abs(window.spineloft.state().parts[0].along.twist[1][1] - 0.5) < 0.05);
+    assert.match(await page.locator('#status').innerText(), /^Done: Twist and depth \(Part 1\)\.$/);
+    await reader.press('button', 'Twist: add a point');
+    assert.equal((await points()).length, 4);
+    await reader.press('button', 'Twist, point 1 of 4: take it away');
+    assert.equal((await points()).length, 3);
+    await key(page, 'Control+z');
+    await idle(page);
+    assert.equal((await points()).length, 4);
+    assert.match(await page.locator('#status').innerText(), /^Undone: Twist and depth \(Part 1\)\.$/);
+  }));
+
 test('keys go through the panels on the canvas, what is out of sight comes into sight, and the focus stays', () =>
   onPage(kit, {}, async (page) => {
     await openWithPart(page, tube.png, tube.middle);

@@ -27,7 +27,7 @@ test('a picture dropped from the system opens', () =>
     await waitForPicture(page);
     assert.deepEqual(await pictureSize(page), { width: tube.width, height: tube.height });
     assert.equal(await page.locator('#start').isVisible(), false);
-    assert.match(await page.locator('#status').innerText(), /480 by 360/);
+    assert.equal(await page.locator('#status').innerText(), 'tube.png is open.');
     await done(page, 'draw-spine', { stroke: tube.middle });
     // What was said of the opening is over with the first step.
     assert.match(await page.locator('#status').innerText(), /^Part 1 is made\./);
@@ -67,13 +67,12 @@ for (const [index, sample] of samples().entries()) {
     onPage(kit, {}, async (page) => {
       const image = page.locator('.sample img').nth(index);
       await image.scrollIntoViewIfNeeded();
-      assert.equal(
-        await image.evaluate(async (element) => {
-          await element.decode();
-          return element.naturalWidth;
-        }),
-        sample.width,
-      );
+      // A small copy of the whole picture.
+      const [width, height] = await image.evaluate(async (element) => {
+        await element.decode();
+        return [element.naturalWidth, element.naturalHeight];
+      });
+      assert.ok(width <= 420 && Math.abs((width * sample.height) / sample.width - height) < 1, `${width} by ${height}`);
       await page.locator('.sample-open').nth(index).click();
       await waitForPicture(page);
       assert.deepEqual(await pictureSize(page), { width: sample.width, height: sample.height });

@@ -7,6 +7,8 @@
 #include "engine/document/update.h"
 #include "engine/io/journal.h"
 #include "web/model/messages.h"
+#include "web/model/what_changed.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -28,6 +30,13 @@ std::vector<std::uint64_t> newPhotos(const document::Document& before, const doc
   return hashes;
 }
 
+/// What a step did, in the status line; what a command says itself comes after it, in its place.
+void say(platform::Host& host, const char* sentence, const document::Document& before,
+         const document::Document& after) {
+  const std::string what = whatChanged(before, after);
+  if (!what.empty()) sendStatus(host, words::tr(sentence, {{"what", what}}));
+}
+
 }  // namespace
 
 Status Session::act(std::span<const document::Action> actions, std::string_view burst) {
@@ -44,20 +53,27 @@ Status Session::act(std::span<const document::Action> actions, std::string_view 
   burstMs_ = now;
   const document::Document before = document();
   tell(history_.commit(std::move(next), burst.empty() ? 0 : gesture_), before);
+  say(host_, "Done: {what}.", before, document());
   return Done{};
 }
 
 Status Session::undo() {
   sendAmends(true);
+  const document::Document before = document();
   Status status = history_.undo();
-  if (status) sendRecord(io::undoRecord(), document());
+  if (!status) return status;
+  sendRecord(io::undoRecord(), document());
+  say(host_, "Undone: {what}.", document(), before);
   return status;
 }
 
 Status Session::redo() {
   sendAmends(true);
+  const document::Document before = document();
   Status status = history_.redo();
-  if (status) sendRecord(io::redoRecord(), document());
+  if (!status) return status;
+  sendRecord(io::redoRecord(), document());
+  say(host_, "Done again: {what}.", before, document());
   return status;
 }
 
@@ -68,6 +84,7 @@ void Session::clear() {
   empty.lastStepId = document().lastStepId;
   const document::Document before = document();
   tell(history_.commit(std::move(empty)), before);
+  say(host_, "Done: {what}.", before, document());
 }
 
 void Session::open(document::History<document::Document> history) {

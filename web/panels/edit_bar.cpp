@@ -12,6 +12,7 @@
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/panels/bar_menu.h"
+#include "web/panels/number_text.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 #include "web/words/words.h"
@@ -147,9 +148,7 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   // Pixels of the picture as lengths of the model.
   const double mm = static_cast<double>(value) / size * app::mmPerUnit(env.document(), env.derived);
   const auto tenths = [](double number) { return std::round(number * 10) / 10; };
-  // Words with the number in them, in place of a format.
-  const std::string shown(words::drawn(turns ? words::tr("{n} turns", {{"n", tenths(own)}})
-                                             : words::tr("{n} mm wide", {{"n", tenths(mm)}})));
+  const std::string shown = turns ? numberText("{n} turns", own, 1) : numberText("{n} mm wide", mm, 1);
   const SliderTurn turn =
       turns ? slider(env, {"##turns", "Turns", -kMostTurns, kMostTurns, shown.c_str()}, value)
             : slider(env, {"##radius", "Width", 0, 0.25f * static_cast<float>(size), shown.c_str()}, value);
@@ -271,7 +270,9 @@ void drawEditBar(const PanelEnv& env) {
   }
   const double width = widest + split.more(side) + 2 * kPadding;
   const double height = rows * (side + kGap) - kGap + 2 * kPadding;
-  const app::Rect card{view.right() - column - kMargin - width, view.y + kMargin, width, height};
+  // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot.
+  const double y = env.ui().solids.hollow ? view.bottom() - kMargin - height : view.y + kMargin;
+  const app::Rect card{view.right() - column - kMargin - width, y, width, height};
   env.ui().overlays.push_back(card);
   if (layout.stacked && !places) env.ui().barHead = height + kMargin;
   const ImU32 colour = toolColour(env.ui().tool);

@@ -12,6 +12,7 @@
 #include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
+#include "web/panels/number_text.h"
 #include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -19,15 +20,16 @@
 namespace spineloft::panels {
 namespace {
 
-/// How a number of this measure is shown: times a factor, in a unit.
+/// How a number of this measure is shown: times a factor, in a unit, with so many digits behind the point.
 struct Shown {
   double factor = 1;
-  const char* format = "%.2f";
+  const char* text = "{n}";
+  int digits = 0;
 };
 Shown shownAs(const PanelEnv& env, const document::ParamInfo& info) {
-  if (info.measure == document::Measure::Percent) return {100, "%.0f %%"};
-  if (info.measure == document::Measure::Plain) return {1, info.step >= 1 ? "%.0f" : "%.2f"};
-  return {app::mmPerUnit(env.document(), env.derived), "%.1f mm"};
+  if (info.measure == document::Measure::Percent) return {100, "{n} %", 0};
+  if (info.measure == document::Measure::Length) return {app::mmPerUnit(env.document(), env.derived), "{n} mm", 1};
+  return {1, info.unit == "degrees" ? "{n}°" : "{n}", info.step >= 1 ? 0 : 2};
 }
 
 /// A slider that shows what it would do and does it when it is let go.
@@ -40,15 +42,16 @@ void slider(const PanelEnv& env, const document::Part& part, const document::Par
   label(env.fonts.small, kMuted, info.label);
   ImGui::SetNextItemWidth(width);
   const std::string id = "##" + std::string(info.key);
+  const std::string shown = numberText(as.text, static_cast<double>(value), as.digits);
   const SliderTurn turn = panels::slider(env,
                                          {id.c_str(), info.label, static_cast<float>(info.low * as.factor),
-                                          static_cast<float>(info.high * as.factor), as.format, info.low > 0},
+                                          static_cast<float>(info.high * as.factor), shown.c_str(), info.low > 0},
                                          value);
   if (turn.changed) {
-    app::Preview& shown = app::previewPart(env.ui(), part);
-    shown.recipe = part.recipe;
-    info.set(shown.recipe, std::clamp(static_cast<double>(value) / as.factor, info.low, info.high));
-    shown.fresh = false;
+    app::Preview& changed = app::previewPart(env.ui(), part);
+    changed.recipe = part.recipe;
+    info.set(changed.recipe, std::clamp(static_cast<double>(value) / as.factor, info.low, info.high));
+    changed.fresh = false;
   }
   if (!turn.done) return;
   const double chosen = std::clamp(static_cast<double>(value) / as.factor, info.low, info.high);

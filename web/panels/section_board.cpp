@@ -11,6 +11,7 @@
 #include "web/edit/section_editing.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
+#include "web/panels/point_control.h"
 #include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -186,6 +187,30 @@ void paintPoints(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
   }
 }
 
+/// The points without a pointer, in hundredths of half the slice's width.
+void askedPoints(const PanelEnv& env, const SectionFrame& frame) {
+  const sections::Drawing& drawing = env.ui().sections.board->drawing;
+  std::size_t all = 0, n = 0;
+  for (const sections::DrawnCurve& curve : drawing) all += curve.points.size();
+  for (std::size_t c = 0; c < drawing.size(); ++c) {
+    for (std::size_t i = 0; i < drawing[c].points.size(); ++i) {
+      const words::Args number = {{"n", ++n}, {"all", all}};
+      SectionPoint to = drawing[c].points[i].at;
+      const auto moved = [&](const char* id, const char* sentence, double& value) {
+        const double percent = 100 * value;
+        const PointControl what{id + std::to_string(n), words::tr(sentence, number), frame.at(to)};
+        const std::string text(words::tr("{n} %", {{"n", std::round(percent)}}));
+        const auto asked = pointSlider(env, what, {-100, 100, percent, text});
+        if (asked) value = *asked / 100;
+        return asked.has_value();
+      };
+      const bool across = moved("across", "Point {n} of {all}: to the right", to.x);
+      const bool front = moved("front", "Point {n} of {all}: to the front", to.y);
+      if (across || front) env.sink.run(app::moveBoardPoint, sections::PointRef{c, i}, to);
+    }
+  }
+}
+
 /// The line under the pen with its images.
 void paintStroke(const PanelEnv& env, ImDrawList& list, const SectionFrame& frame) {
   const app::SectionBoard& board = *env.ui().sections.board;
@@ -233,7 +258,10 @@ void paintBoard(const PanelEnv& env, const app::Rect& square) {
   if (problem && problem->curve < outlines.size() && !board.live) {
     paintOutlines(list, frame, std::span(&outlines[problem->curve], 1), {kWrong, 0, 3});
   }
-  if (board.tool == app::BoardTool::Points) paintPoints(env, list, frame);
+  if (board.tool == app::BoardTool::Points) {
+    paintPoints(env, list, frame);
+    askedPoints(env, frame);
+  }
   paintStroke(env, list, frame);
   list.PopClipRect();
 }
@@ -305,10 +333,13 @@ void titleRow(const PanelEnv& env, float width) {
   }
   const auto widthOf = [&](app::CommandId id) { return textButtonWidth(env, app::commandOf(id).label); };
   const float done = widthOf("slice-done") + 12, leave = widthOf("slice-cancel");
-  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - done - leave - 6);
-  commandText(env, {"slice-cancel", leave});
-  ImGui::SameLine(0, 6);
-  commandText(env, {"slice-done", done, true});
+  // At the end of the row; below it, and below each other, where that is too short.
+  const float start = ImGui::GetStyle().WindowPadding.x + width - done - leave - 6;
+  const float taken = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  if (start >= taken + 4) ImGui::SameLine(start);
+  commandText(env, {"slice-cancel", std::min(leave, width)});
+  if (done + leave + 6 <= width) ImGui::SameLine(0, 6);
+  commandText(env, {"slice-done", std::min(done, width), true});
 }
 
 }  // namespace

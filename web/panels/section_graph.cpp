@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "web/commands/intents.h"
+#include "web/edit/graph_points.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/curve_graph.h"
 #include "web/panels/draw_lines.h"
+#include "web/panels/point_control.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -126,9 +129,58 @@ void shapes(const PanelEnv& env, const app::AlongInfo& info, bool used, float wi
   chip("none", "Reset", {}, used);
 }
 
+std::string_view numberOf(const CurveGraph& graph, double value) {
+  return words::tr(graph.unit, {{"n", std::round(value * 100) / 100}});
+}
+
+/// The numbers of one point.
+void askedPoint(const PanelEnv& env, const CurveGraph& graph, std::size_t i, ImVec2 at,
+                std::optional<geometry::AlongCurve>& asked, const geometry::AlongCurve& curve) {
+  const geometry::AlongPoint& p = curve.points[i];
+  const auto [low, high] = app::roomOfPoint(curve, i);
+  const auto control = [&](const char* what, const char* sentence) {
+    const std::string_view words =
+        words::tr(sentence, {{"graph", graph.name}, {"n", i + 1}, {"all", curve.points.size()}});
+    return PointControl{what + std::to_string(i), words, at};
+  };
+  const auto ask = [&]() -> geometry::AlongPoint& { return (asked = curve)->points[i]; };
+  const auto value = pointSlider(env, control("value", "{graph}, point {n} of {all}: value"),
+                                 {graph.low, graph.high, p.value, std::string(numberOf(graph, p.value))});
+  if (value) ask().value = *value;
+  const double share = std::round(100 * p.at);
+  const auto place = pointSlider(env, control("place", "{graph}, point {n} of {all}: place"),
+                                 {100 * std::min(low, p.at), 100 * std::max(high, p.at), 100 * p.at,
+                                  std::string(words::tr("{n} %", {{"n", share}}))});
+  if (place) ask().at = *place / 100;
+  if (pointButton(env, control("remove", "{graph}, point {n} of {all}: take it away"))) {
+    asked = curve;
+    asked->points.erase(asked->points.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+/// The points without a pointer: the curve that was asked for.
+template <class ToCanvas>
+std::optional<geometry::AlongCurve> askedPoints(const PanelEnv& env, const CurveGraph& graph,
+                                                const geometry::AlongCurve& curve, const ToCanvas& toCanvas) {
+  std::optional<geometry::AlongCurve> asked;
+  ImGui::PushID(static_cast<int>(graph.kind));
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    if (!app::isFixedPoint(graph.kind, curve, i)) askedPoint(env, graph, i, toCanvas(curve.points[i]), asked, curve);
+  }
+  const double at = app::widestGap(curve), value = geometry::valueAt(curve, at, graph.rest);
+  const PointControl add{"add", words::tr("{graph}: add a point", {{"graph", graph.name}}), toCanvas({at, value})};
+  if (curve.points.size() < geometry::kMostAlongPoints && pointButton(env, add)) {
+    std::size_t point = 0;
+    asked = app::withPointAt(curve, {at, value}, graph.rest, point);
+  }
+  ImGui::PopID();
+  return asked;
+}
+
 }  // namespace
 
-void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::AlongCurve& curve) {
+std::optional<geometry::AlongCurve> curveGraph(const PanelEnv& env, const CurveGraph& graph,
+                                               const geometry::AlongCurve& curve) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), end{at.x + graph.size.x, at.y + graph.size.y};
   ImGui::Dummy(graph.size);
   if (env.ui().sections.revealGraph) {
@@ -170,7 +222,7 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
     list.AddCircleFilled(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSurface, 20);
     list.AddCircle(p, env.ui().touch ? 7.f : 5.5f, on ? kAccent : kSpine, 20, 2);
   }
-  const auto number = [&](double value) { return asIs(words::tr(graph.unit, {{"n", std::round(value * 100) / 100}})); };
+  const auto number = [&](double value) { return asIs(numberOf(graph, value)); };
   Text text = "";
   if (dragging && env.ui().sections.graphPoint < curve.points.size()) {
     text = number(curve.points[env.ui().sections.graphPoint].value);
@@ -181,6 +233,7 @@ void curveGraph(const PanelEnv& env, const CurveGraph& graph, const geometry::Al
   }
   drawLine(list, {env.fonts.small, {at.x + 8, at.y + 4}, kMuted}, text.shown());
   list.PopClipRect();
+  return askedPoints(env, graph, curve, [&](const geometry::AlongPoint& p) { return ImVec2{x(p.at), y(p.value)}; });
 }
 
 void alongPanel(const PanelEnv& env, float width) {
@@ -200,6 +253,9 @@ void alongPanel(const PanelEnv& env, float width) {
   const bool blending = env.ui().sections.graph && !env.ui().sections.graphs.empty() &&
                         env.ui().sections.graphs.front().kind == app::GraphArea::Kind::Blend;
   if (env.ui().sections.graph && !blending) curve = *env.ui().sections.graph;
+  CurveGraph graph{.low = low, .high = high, .rest = info.rest, .unit = unitOf(info.kind)};
+  graph.name = words::tr(info.label);
+  std::optional<geometry::AlongCurve> asked;
   const bool strip = env.ui().layout.strip;
   if (strip) {
     width -= ImGui::GetStyle().ScrollbarSize + 2;
@@ -208,12 +264,14 @@ void alongPanel(const PanelEnv& env, float width) {
     kinds(env, params, left, left > 150 ? 4 : 2);
     ImGui::EndGroup();
     ImGui::SameLine(0, 8);
-    curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width - left - 8, 94}},
-               curve);
+    graph.size = {width - left - 8, 94};
+    asked = curveGraph(env, graph, curve);
   } else {
     kinds(env, params, width, 4);
-    curveGraph(env, {app::GraphArea::Kind::Along, low, high, info.rest, unitOf(info.kind), {width, 116}}, curve);
+    graph.size = {width, 116};
+    asked = curveGraph(env, graph, curve);
   }
+  if (asked) env.sink.run(app::setAlong, app::Parts{part->id}, info.kind, *asked);
   shapes(env, info, !document::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
 }
 

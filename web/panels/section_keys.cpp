@@ -10,6 +10,7 @@
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/panels/curve_graph.h"
+#include "web/panels/point_control.h"
 #include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -40,7 +41,12 @@ void bar(const PanelEnv& env, const SectionKeys& keys, std::size_t picked, float
       if (ImGui::InvisibleButton("key", {2 * r, 2 * r})) {
         env.sink.run(app::selectSection, env.ui().selection, i);
       }
-      registerControl(env, app::Control::Kind::Button, "Slice " + std::to_string(i + 1), true, i == picked);
+      const words::Args number = {{"n", i + 1}};
+      registerControl(env, app::Control::Kind::Button, words::tr("Slice {n}", number), true, i == picked);
+      const double share = std::round(100 * keys[i].at);
+      const auto to = pointSlider(env, {"place", words::tr("Slice {n}: place", number), c},
+                                  {0, 100, 100 * keys[i].at, std::string(words::tr("{n} %", {{"n", share}}))});
+      if (to) env.sink.run(app::moveSection, env.ui().selection, i, *to / 100);
       ImGui::PopID();
       const bool on = i == picked;
       list.AddCircleFilled(c, r, on ? kAccentSoft : kSurface, 32);
@@ -107,7 +113,12 @@ void sectionKeyBar(const PanelEnv& env, float width) {
   const sections::Blend& blend = keys[picked].blend;
   if (blend.kind != sections::BlendKind::Custom) return;
   const geometry::AlongCurve& curve = env.ui().sections.graph ? *env.ui().sections.graph : blend.custom;
-  curveGraph(env, {app::GraphArea::Kind::Blend, -0.5, 1.5, 0, "", {width, 96}}, curve);
+  CurveGraph graph{.kind = app::GraphArea::Kind::Blend, .low = -0.5, .high = 1.5};
+  graph.size = {width, 96};
+  graph.name = words::tr("Change to the next one");
+  if (const auto asked = curveGraph(env, graph, curve)) {
+    env.sink.run(app::setBlend, part.id, picked, sections::Blend{sections::BlendKind::Custom, *asked});
+  }
 }
 
 }  // namespace spineloft::panels

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "web/edit/solid_editing.h"
+#include "web/panels/number_text.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -48,7 +49,8 @@ void slider(const PanelEnv& env, const document::Step& step, double document::Se
   ImGuiStorage& held = *ImGui::GetStateStorage();
   const ImGuiID here = ImGui::GetID(id);
   if (ImGui::GetActiveID() == here) value = held.GetFloat(here, value);
-  const SliderTurn turn = panels::slider(env, {id, text, low, high, "%.1f mm"}, value);
+  const std::string shown = numberText("{n} mm", static_cast<double>(value), 1);
+  const SliderTurn turn = panels::slider(env, {id, text, low, high, shown.c_str()}, value);
   held.SetFloat(here, value);
   if (!turn.done) return;
   action.*length = static_cast<double>(value) / unit;
@@ -75,7 +77,7 @@ void openingChooser(const PanelEnv& env, document::OpeningSide on, float width, 
   }
 }
 
-/// What *Scoop out* shows, in place of what else can be made.
+/// What *Scoop out* shows, in place of what else can be made; the bar of the solid view does it.
 void shownHollow(const PanelEnv& env, const document::CombineParts& draft, float width) {
   const document::Operand what = draft.operands.front();
   const document::Step* step = findStep(env.document(), what.step);
@@ -86,9 +88,6 @@ void shownHollow(const PanelEnv& env, const document::CombineParts& draft, float
   ImGui::PopTextWrapPos();
   openingChooser(env, draft.opening.side, width,
                  [&](document::OpeningSide side) { env.sink.run(app::openHollow, side); });
-  ImGui::Dummy({0, 2});
-  commandText(env, {"hollow-use", width, true});
-  commandText(env, {"hollow-cancel", width});
 }
 
 void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {

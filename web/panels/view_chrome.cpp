@@ -143,9 +143,7 @@ void legend(const PanelEnv& env, const app::Rect& view, const app::Rect& bar) {
   const ShortList<LegendEntry> entries = statesInView(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const bool stacked = env.ui().layout.stacked;
-  const app::ToolKind tool = env.ui().tool;
-  const bool barThere = tool != app::ToolKind::Draw && tool != app::ToolKind::Hand;
-  const bool taken = stacked && (barThere || app::buttonsAtSide(view));  // by other buttons
+  const bool taken = stacked && (env.ui().barHead > 0 || app::buttonsAtSide(view));  // by other buttons
   if (entries.empty() || view.width < 330 || view.height < 200 || taken) return;
   if (stacked && !legendButton(env, view)) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -288,7 +286,7 @@ void drawViewChrome(const PanelEnv& env) {
   const app::Rect beside{layout.picture.x + shift, layout.picture.y, layout.picture.width - shift,
                          layout.picture.height};
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
-  const bool barInSolid = tool == app::ToolKind::Place || env.ui().solids.hollow;
+  const bool barInSolid = tool == app::ToolKind::Place && !env.ui().solids.hollow;
   if (!barInSolid || !layout.stacked) {
     const std::string size = app::roundLength(env.document().height.value);
     const Text solid = env.document().parts.empty() || barInSolid  // which shares the row
@@ -322,6 +320,7 @@ void drawViewChrome(const PanelEnv& env) {
   legend(env, layout.picture, bar);
   const bool fewSolid =
       layout.stacked || env.ui().touch || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
+  if (env.ui().solids.hollow) return;  // its bar is in their place
   buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
                 app::Focus::Solid});
 }

@@ -193,7 +193,7 @@ export interface Control {
   words: string;
   /** CSS pixels of the canvas. */
   at: [x: number, y: number, width: number, height: number];
-  /** False: its panel has to be scrolled first. */
+  /** False: its panel has to be scrolled first, or it is for screen readers alone, as the points of graphs are. */
   inSight: boolean;
   enabled: boolean;
   on: boolean;

@@ -100,11 +100,15 @@ export function firstShortcut(shortcuts: string): string {
   return shortcuts.split(/,\s*/)[0] ?? '';
 }
 
+/** What is printed on the keys. */
+const kArrows: Record<string, string> = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓' };
+
 /** "Ctrl+Z" as this machine's keyboard says it. */
 export function shortcutText(shortcut: string): string {
   const spoken: Record<string, string> = { Ctrl: t('Ctrl'), Shift: t('Shift'), Arrows: t('Arrows') };
-  if (!kIsMac) return shortcut.replace(/Ctrl|Shift|Arrows/g, (key) => spoken[key] ?? key);
-  return shortcut.replaceAll('Ctrl+', '⌘').replaceAll('Shift+', '⇧').replaceAll('Alt+', '⌥');
+  const shown = shortcut.replace(/Arrow(Left|Right|Up|Down)/g, (key) => kArrows[key] ?? key);
+  if (!kIsMac) return shown.replace(/Ctrl|Shift|Arrows/g, (key) => spoken[key] ?? key);
+  return shown.replaceAll('Ctrl+', '⌘').replaceAll('Shift+', '⇧').replaceAll('Alt+', '⌥');
 }
 
 /** The same in the form of aria-keyshortcuts. */

@@ -127,11 +127,34 @@ export function wantsThreads(): boolean {
   return asked !== '0' && globalThis.crossOriginIsolated === true && typeof SharedArrayBuffer === 'function';
 }
 
+/** Compiles while it comes, beside the script that starts it; as a whole from hosts that call it something else. */
+async function compile(address: string): Promise<WebAssembly.Module> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address}: ${response.status}`);
+  const isNamed = response.headers.get('Content-Type') === 'application/wasm';
+  return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+type Receive = (instance: WebAssembly.Instance, program: WebAssembly.Module) => void;
+
+/** Starts what is compiled already; without it the script fetches its program itself. */
+function startWith(create: Factory, program: WebAssembly.Module | null, argument: object): Promise<Module> {
+  return new Promise((resolve, reject) => {
+    const instantiateWasm = (imports: WebAssembly.Imports, receive: Receive) => {
+      WebAssembly.instantiate(program!, imports).then((instance) => receive(instance, program!), reject);
+      return {};
+    };
+    create({ ...argument, ...(program ? { instantiateWasm } : {}) }).then(resolve, reject);
+  });
+}
+
 /** Loads the variant that fits this page; events arrive in order, never inside a call into the engine (but 'journal' at once). */
 export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: EngineEvent) => void): Promise<Engine> {
   const files = wantsThreads() ? SPINELOFT_SITE.threads : SPINELOFT_SITE.single;
   const script = new URL(files.js, document.baseURI).href;
-  const { default: create } = (await import(script)) as { default: Factory };
+  // An engine that is still being linked names no program yet.
+  const program = files.wasm ? compile(new URL(files.wasm, document.baseURI).href) : null;
+  const [{ default: create }, compiled] = await Promise.all([import(script) as Promise<{ default: Factory }>, program]);
   const queue: EngineEvent[] = [];
   let module: Module | null = null;
   let solver: Solver | null = null;
@@ -168,7 +191,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   };
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
-  module = await create({
+  module = await startWith(create, compiled, {
     canvas,
     host,
     sharp,

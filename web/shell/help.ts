@@ -126,6 +126,11 @@ function tasks(begin: (task: Task) => void): HTMLElement {
   return list;
 }
 
+/** What few look for, behind its heading. */
+function folded(title: string, inside: HTMLElement[], open: boolean): HTMLElement {
+  return make('details', { class: 'help-more', open }, make('summary', {}, make('h3', {}, title)), ...inside);
+}
+
 /** Opens Help; nothing while it is open. */
 export function showHelp(page: HelpPage): void {
   if (document.querySelector('dialog.sheet')) return;
@@ -149,11 +154,10 @@ export function showHelp(page: HelpPage): void {
     again,
     make('h3', {}, touches ? 'With fingers' : 'With mouse and pen'),
     gestures(touches ? kFingers : kMouse),
-    make('h3', {}, 'With keys'),
-    ...keyTables(page.commands),
+    folded('With keys', keyTables(page.commands), !touches),
     make('h3', {}, 'Language'),
     languages(choose),
-    ...(facts.length > 0 ? [make('h3', {}, 'More about this model'), ...facts] : []),
+    ...(facts.length > 0 ? [folded('More about this model', facts, false)] : []),
   );
   const dialog = openDialog('Help', [body], 'dialog sheet');
 }

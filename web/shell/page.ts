@@ -269,7 +269,7 @@ export class Page {
     const { selected } = view;
     const ribs =
       selected?.kind === 'loft' ? [t('{name} has {n} ribs.', { name: nameText(selected.name), n: selected.ribs })] : [];
-    return [...ribs, historyText(view)];
+    return [...ribs, t('Steps that can be taken back: {n}.', { n: view.undo })];
   }
 
   /** Begins a task on a model of its own, or leads once more through the first steps of the one that is open. */
@@ -343,8 +343,8 @@ export class Page {
       const picture = await decodePicture(blob, engine);
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
-      const size = { width: picture.originalWidth, height: picture.originalHeight };
-      this.sayUntilNext(t('{name} is open: {width} by {height} pixels.', { name: t(name), ...size }));
+      await Promise.resolve(); // what the engine says of the step comes first
+      this.sayUntilNext(t('{name} is open.', { name: t(name) }));
     } finally {
       this.opening.delete(aborter);
       this.refresh();
@@ -558,13 +558,4 @@ function summary({ parts, selected }: ShellView): string {
   if (parts === 0) return t('No part yet');
   const count = parts === 1 ? t('1 part') : t('{n} parts', { n: parts });
   return selected ? `${count} · ${nameText(selected.name)}` : count;
-}
-
-/** "Undo history: 12 KB of 64 MB." */
-function historyText({ history: { bytes, budget } }: ShellView): string {
-  const megabyte = 1_048_576;
-  const kilobytes = bytes < megabyte;
-  const n = kilobytes ? Math.ceil(bytes / 1024) : Math.round((10 * bytes) / megabyte) / 10;
-  const sentence = kilobytes ? 'Undo history: {n} KB of {all} MB.' : 'Undo history: {n} MB of {all} MB.';
-  return t(sentence, { n, all: Math.round(budget / megabyte) });
 }

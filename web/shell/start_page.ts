@@ -27,10 +27,18 @@ export interface Sample {
 
 export const kSamples = samples as unknown as Sample[];
 
+function assetAddress(name: string): string {
+  return new URL(SPINELOFT_SITE.assets[name] ?? '', document.baseURI).href;
+}
+
 /** Address of a sample's picture on this site. */
 export function sampleAddress(sample: Sample): string {
-  const path = SPINELOFT_SITE.assets[`samples/${sample.file}`];
-  return new URL(path ?? '', document.baseURI).href;
+  return assetAddress(`samples/${sample.file}`);
+}
+
+/** The same picture as small as its card needs it: the first visit waits for no more. */
+function cardAddress(sample: Sample): string {
+  return assetAddress(`samples/cards/${sample.file.replace(/\.\w+$/, '.webp')}`);
 }
 
 const kBottom = '50% 100%';
@@ -38,7 +46,7 @@ const kBottom = '50% 100%';
 function card(sample: Sample, isFirst: boolean, open: (sample: Sample) => void): HTMLElement {
   const isDrawing = sample.file.endsWith('.png');
   const picture = make('img', {
-    src: sampleAddress(sample),
+    src: cardAddress(sample),
     alt: sample.alt,
     width: String(sample.width),
     height: String(sample.height),

@@ -1,8 +1,10 @@
 #include "web/tools/drag_graph.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "web/commands/intents.h"
+#include "web/edit/graph_points.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 #include "web/tools/section_tools.h"
@@ -11,16 +13,13 @@ namespace spineloft::tools {
 namespace {
 
 constexpr double kDraggedOut = 40;  // CSS pixels above or below the graph
-constexpr double kLeastGap = 0.01;  // share of the spine between two points
 constexpr double kAtEnd = 0.06;     // a tap this near an end is about the end
 
 using geometry::AlongPoint;
 
 }  // namespace
 
-bool DragGraph::isFixed(std::size_t point) const {
-  return isBlend() && (point == 0 || point + 1 == start_.points.size());
-}
+bool DragGraph::isFixed(std::size_t point) const { return app::isFixedPoint(area_.kind, start_, point); }
 
 /// The curve of the area in `params`, in the units that are shown.
 geometry::AlongCurve DragGraph::shownCurve(const ToolEnv& env, const loft::LoftParams& params,
@@ -61,13 +60,8 @@ void DragGraph::begin(const ToolEnv& env, const ToolEvent& event) {
     const double rest = app::alongInfo(env.ui.sections.along).rest;
     if (at < kAtEnd) at = 0;
     if (at > 1 - kAtEnd) at = 1;
-    if (start_.empty()) start_.points = {{0, rest}, {1, rest}};
-    auto next = std::ranges::lower_bound(start_.points, at - kLeastGap, {}, &AlongPoint::at);
-    if (next == start_.points.end() || next->at > at + kLeastGap) {
-      next = start_.points.insert(next, {at, value});
-    }
-    point_ = static_cast<std::size_t>(next - start_.points.begin());
-    next->value = isFixed(point_) ? next->value : std::clamp(value, area_.low, area_.high);
+    start_ = app::withPointAt(std::move(start_), {at, value}, rest, point_);
+    if (!isFixed(point_)) start_.points[point_].value = std::clamp(value, area_.low, area_.high);
     fresh_ = true;
   }
   env.ui.sections.graph = start_;
@@ -84,8 +78,7 @@ void DragGraph::move(const ToolEnv& env, const ToolEvent& event) {
     curve.points.erase(curve.points.begin() + static_cast<std::ptrdiff_t>(point_));
   } else {
     AlongPoint& p = curve.points[point_];
-    const double low = point_ > 0 ? curve.points[point_ - 1].at + kLeastGap : 0;
-    const double high = point_ + 1 < curve.points.size() ? curve.points[point_ + 1].at - kLeastGap : 1;
+    const auto [low, high] = app::roomOfPoint(curve, point_);
     if (low <= high) p.at = std::clamp((event.at.x - at.x) / at.width, low, high);
     const double up = (at.bottom() - event.at.y) / at.height;
     p.value = std::clamp(area_.low + up * (area_.high - area_.low), area_.low, area_.high);

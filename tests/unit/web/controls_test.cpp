@@ -132,3 +132,61 @@ TEST_CASE("the shell is told the controls when they are at rest and differ; with
   const Json state = page.state();
   CHECK(ends == 2 * (*state.find("parts")->array())[0].find("ribs")->array()->size());
 }
+
+TEST_CASE(
+    "points of a graph have a number each for those who use no pointer: set, taken away and added, one step each") {
+  Rig page;
+  page.openBar();
+  page.drawBar();
+  page.run("show-along", R"({"kind":"twist"})");
+  page.run("set-along", R"({"kind":"twist","points":[[0,0],[0.4,1],[1,0]]})");
+  page.settle();
+  const auto points = [&] {
+    const Json state = page.state();
+    return *(*state.find("parts")->array())[0].find("along")->find("twist")->array();
+  };
+  const auto number = [](const Json& point, std::size_t i) { return *(*point.array())[i].number(); };
+  REQUIRE(points().size() == 3);
+  const Control value = controlOf(page, "Twist, point 2 of 3: value", Control::Kind::Slider);
+  CHECK(value.slide->value == doctest::Approx(1));
+  CHECK(value.slide->text == "1 turns");
+  const Control place = controlOf(page, "Twist, point 2 of 3: place", Control::Kind::Slider);
+  CHECK(place.slide->text == "40 %");
+  const double undo = *page.state().number("undo");
+  work(page, value.id, 0.5);
+  CHECK(number(points()[1], 1) == doctest::Approx(0.5));
+  work(page, place.id, 60);
+  CHECK(number(points()[1], 0) == doctest::Approx(0.6));
+  // No further than the next point.
+  work(page, place.id, 1000);
+  CHECK(number(points()[1], 0) < 1);
+  work(page, controlOf(page, "Twist: add a point").id);
+  CHECK(points().size() == 4);
+  work(page, controlOf(page, "Twist, point 1 of 4: take it away").id);
+  CHECK(points().size() == 3);
+  CHECK(page.state().number("undo") == undo + 5);
+  CHECK(page.host.said("Done: Twist and depth"));
+}
+
+TEST_CASE("slices along a bone and the points of a drawn slice are moved without a pointer") {
+  Rig page;
+  page.openBar();
+  page.drawBar();
+  page.run("add-slice", R"({"at":0.5})");
+  page.settle();
+  const Control place = controlOf(page, "Slice 2: place", Control::Kind::Slider);
+  const double before = place.slide->value;
+  work(page, place.id, before - 20);
+  CHECK(controlOf(page, "Slice 2: place", Control::Kind::Slider).slide->value == doctest::Approx(before - 20));
+  page.run("edit-slice");
+  page.run("slice-start-from", R"({"section":"star"})");
+  page.run("slice-tool", R"({"tool":"points"})");
+  page.settle();
+  const auto wanted = [](const Control& one) { return one.words.ends_with(": to the right"); };
+  const auto point = std::ranges::find_if(page.app->ui().controls, wanted);
+  REQUIRE(point != page.app->ui().controls.end());
+  const std::string words = point->words;
+  const double to = point->slide->value / 2 + 10;
+  work(page, point->id, to);
+  CHECK(controlOf(page, words, Control::Kind::Slider).slide->value == doctest::Approx(to).epsilon(1e-3));
+}

@@ -1,0 +1,63 @@
+// Bars of small screens: what they cover, and what they offer once.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/unit/web/rig.h"
+#include "tests/unit/web/shown.h"
+
+using namespace spineloft;
+using spineloft::test::inSight;
+using spineloft::test::Rig;
+using spineloft::test::Shown;
+
+namespace {
+
+constexpr platform::CanvasSize kPhone{390, 740, 1}, kOnItsSide{844, 306, 1}, kDesk{1440, 820, 1};
+
+}  // namespace
+
+TEST_CASE(
+    "what is scooped out is done by one bar, at the foot of the solid view: what opens at the head stays in sight") {
+  for (const platform::CanvasSize size : {kPhone, kOnItsSide, kDesk}) {
+    CAPTURE(size.width);
+    Rig rig(size);
+    rig.openBar();
+    rig.drawBar();
+    REQUIRE(rig.run("hollow-show").flag("ok") == true);
+    rig.settle();
+    const app::Rect& view = rig.app->ui().layout.solid;
+    for (const char* words : {"Make it hollow", "Not this"}) {
+      int times = 0;
+      for (const Shown& one : inSight(rig)) {
+        if (one.words != words) continue;
+        ++times;
+        CHECK(view.contains(one.at.centre()));
+        CHECK(one.at.y > view.centre().y);
+      }
+      CHECK(times == 1);
+    }
+  }
+}
+
+TEST_CASE("on a phone no button lies on another while a part that lies on others is new") {
+  Rig rig(kPhone);
+  rig.openBar();
+  rig.drawBar();
+  rig.press(85, 100, 115, 100);
+  rig.lift();
+  rig.settle();
+  const std::vector<Shown> all = inSight(rig);
+  int lies = 0;
+  for (const Shown& one : all) lies += one.words == "In front" || one.words == "Inside" || one.words == "Behind";
+  REQUIRE(lies == 3);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      if (all[i].kind != "button" || all[k].kind != "button") continue;
+      CAPTURE(all[i].words);
+      CAPTURE(all[k].words);
+      CHECK_FALSE(all[i].at.meets(all[k].at));
+    }
+  }
+}
