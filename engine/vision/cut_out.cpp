@@ -268,14 +268,14 @@ cv::Mat wantedPieces(const cv::Mat& thing, const Copy& copy, const CutHints& hin
   return maskWhere(thing.size(), [&](int pixel) { return keep[static_cast<std::size_t>(pieces.of(pixel))]; });
 }
 
-/// Which things of a drawing the hints mean: those with a hint or a mark in them, or those within the box.
+/// Which things of a drawing the hints mean: those under a hint or a mark, as wide as a finger, or those within the
+/// box.
 cv::Mat meantThings(const Drawing& drawing, const Copy& copy, const CutHints& hints) {
   const Pieces pieces(drawing.things);
-  std::vector<bool> meant = pieces.touched(markedAs(copy, hints, true));
-  for (const PicturePoint hint : hints.inside) {
-    const cv::Point at = copy.at(hint);
-    if (copy.holds(at)) meant[static_cast<std::size_t>(pieces.of(at.y * copy.bgr.cols + at.x))] = true;
-  }
+  cv::Mat hinted = markedAs(copy, hints, true);
+  const int dot = static_cast<int>(kHintRadius * std::max(hinted.cols, hinted.rows));
+  for (const PicturePoint hint : hints.inside) cv::circle(hinted, copy.at(hint), dot, cv::Scalar(255), cv::FILLED);
+  std::vector<bool> meant = pieces.touched(hinted);
   if (hints.box) {
     cv::Mat beyond = plainMask(copy.bgr.size(), 255);
     const cv::Point low = copy.at(hints.box->low), high = copy.at(hints.box->high);

@@ -90,6 +90,7 @@ TEST_CASE("a tap in a closed line gives what the middle of the line surrounds, w
         // Wherever inside it is tapped.
         CHECK(tapped(picture, kMiddle + PicturePoint{-130, 100}).value() == middle.value());
         CHECK(tapped(picture, kMiddle + PicturePoint{0, -175}).value() == middle.value());
+        CHECK(tapped(picture, kMiddle + PicturePoint{-200, 0}).value() == middle.value());  // the line itself
       }
     }
   }
