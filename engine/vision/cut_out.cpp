@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "engine/vision/colour_gradient.h"
+#include "engine/vision/enclosed.h"
 #include "engine/vision/masks.h"
 #include "engine/vision/one_thread.h"
 
@@ -33,6 +34,9 @@ constexpr double kRoundBox = 0.1;
 /// Where a box gives nothing, only this ellipse in its middle is likely at first: share of its axes,
 /// squared.
 constexpr double kCore = 0.35;
+
+/// Longer side of the copy on which drawn lines are looked for: a pen's line is two pixels wide there.
+constexpr int kDrawnSide = 640;
 
 /// The copy that is cut, how many original pixels one of its pixels is, and where it begins.
 struct Copy {
@@ -82,8 +86,8 @@ image::Image cropped(const image::Image& whole, const cv::Rect& frame) {
   return part;
 }
 
-Copy copyOf(const image::Picture& picture, const cv::Rect& frame) {
-  const double shrink = std::min(1.0, static_cast<double>(kCutSide) / std::max(frame.width, frame.height));
+Copy copyOf(const image::Picture& picture, const cv::Rect& frame, int side) {
+  const double shrink = std::min(1.0, static_cast<double>(side) / std::max(frame.width, frame.height));
   const int width = std::max(2, static_cast<int>(std::lround(frame.width * shrink)));
   const int height = std::max(2, static_cast<int>(std::lround(frame.height * shrink)));
   const image::Image small = image::shrink(cropped(picture.working, frame), width, height);
@@ -152,13 +156,18 @@ struct Flood {
   int area = 0;
 };
 
-/// The copy's colours as Lab, without their grain.
-std::vector<image::PixelFeature> calmColours(const Copy& copy) {
+image::Image imageOf(const Copy& copy) {
   image::Image pixels{copy.bgr.cols, copy.bgr.rows, {}};
   pixels.pixels.reserve(4 * copy.bgr.total());
   for (const cv::Vec3b& bgr : cv::Mat_<cv::Vec3b>(copy.bgr)) {
     pixels.pixels.insert(pixels.pixels.end(), {bgr[2], bgr[1], bgr[0], 255});
   }
+  return pixels;
+}
+
+/// The copy's colours as Lab, without their grain.
+std::vector<image::PixelFeature> calmColours(const Copy& copy) {
+  const image::Image pixels = imageOf(copy);
   image::EdgeMap map;
   map.width = pixels.width;
   map.height = pixels.height;
@@ -259,6 +268,25 @@ cv::Mat wantedPieces(const cv::Mat& thing, const Copy& copy, const CutHints& hin
   return maskWhere(thing.size(), [&](int pixel) { return keep[static_cast<std::size_t>(pieces.of(pixel))]; });
 }
 
+/// Which things of a drawing the hints mean: those under a hint or a mark, as wide as a finger, or those within the
+/// box.
+cv::Mat meantThings(const Drawing& drawing, const Copy& copy, const CutHints& hints) {
+  const Pieces pieces(drawing.things);
+  cv::Mat hinted = markedAs(copy, hints, true);
+  const int dot = static_cast<int>(kHintRadius * std::max(hinted.cols, hinted.rows));
+  for (const PicturePoint hint : hints.inside) cv::circle(hinted, copy.at(hint), dot, cv::Scalar(255), cv::FILLED);
+  std::vector<bool> meant = pieces.touched(hinted);
+  if (hints.box) {
+    cv::Mat beyond = plainMask(copy.bgr.size(), 255);
+    const cv::Point low = copy.at(hints.box->low), high = copy.at(hints.box->high);
+    beyond(cv::Rect(low, high) & cv::Rect({0, 0}, beyond.size())).setTo(cv::Scalar(0));
+    const std::vector<bool> reaches = pieces.touched(beyond);
+    for (std::size_t i = 0; i < meant.size(); ++i) meant[i] = meant[i] || !reaches[i];
+  }
+  meant[0] = false;
+  return maskWhere(copy.bgr.size(), [&](int pixel) { return meant[static_cast<std::size_t>(pieces.of(pixel))]; });
+}
+
 /// Pieces of `mask` below the size of noise become `value`, but for those with a marked pixel.
 void dropNoise(cv::Mat& mask, const cv::Mat& of, const cv::Mat& marked, int value) {
   const double noise = kNoiseShare * static_cast<double>(of.total());
@@ -333,8 +361,29 @@ struct CutOutSearch::State {
   int round = 0, rounds = kRounds;
   bool failed = false;
 
+  bool findDrawn(const image::Picture& picture);
   CutContours outlines() const;
 };
+
+/// Whether the picture is a drawing whose lines say what the thing is, or that there is only paper: then there are no
+/// rounds.
+bool CutOutSearch::State::findDrawn(const image::Picture& picture) {
+  const Copy fine = copyOf(picture, {0, 0, picture.working.width, picture.working.height}, kDrawnSide);
+  if (fine.bgr.empty() || !isUsable(hints, fine)) return false;
+  const Drawing drawing = findEnclosed(imageOf(fine));
+  if (!drawing.any) return false;
+  const cv::Mat meant = meantThings(drawing, fine, hints);
+  const auto isPaper = [&](PicturePoint hint) {
+    const cv::Point at = fine.at(hint);
+    return fine.holds(at) && drawing.paper.at<std::uint8_t>(at) != 0;
+  };
+  if (cv::countNonZero(meant) == 0 && std::ranges::none_of(hints.inside, isPaper)) return false;
+  copy = fine;
+  mask = plainMask(meant.size(), cv::GC_BGD);
+  mask.setTo(cv::Scalar(cv::GC_FGD), meant);
+  round = rounds;
+  return true;
+}
 
 CutContours CutOutSearch::State::outlines() const {
   const cv::Mat in = markedAs(copy, hints, true), out = markedAs(copy, hints, false);
@@ -359,10 +408,11 @@ Result<CutOutSearch> CutOutSearch::begin(const image::Picture& picture, const Cu
     if (picture.working.empty()) return Error::PictureEmpty;
     useOneThread();
     auto state = std::make_unique<State>();
-    state->copy = copyOf(picture, frameOf(picture, hints));
+    state->copy = copyOf(picture, frameOf(picture, hints), kCutSide);
     state->hints = hints;
     if (state->copy.bgr.empty()) return Error::PictureEmpty;
     if (!isUsable(hints, state->copy)) return {Error::ValueOutOfRange, "hint"};
+    if (state->findDrawn(picture)) return CutOutSearch(std::move(state));
     state->mask = firstGuess(state->copy, hints, false);
     const int likely = cv::countNonZero(thingOf(state->mask));
     if (likely == 0 || likely == static_cast<int>(state->mask.total())) return Error::NothingCutOut;

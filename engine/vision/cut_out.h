@@ -35,10 +35,10 @@ struct CutHints {
 
 using CutContours = std::vector<std::vector<PicturePoint>>;
 
-/// Cutting a thing out, in rounds that each take a part of a second, so that it can be shown and
-/// cancelled in between. The same hints always give the same outlines. GrabCut (Rother, Kolmogorov and
-/// Blake 2004) on a copy of at most kCutSide pixels of the picture, or of the box and what is round it; of what it
-/// finds the pieces that hold a point or a mark inside, or the largest one.
+/// Cutting a thing out, in rounds that each take a part of a second, so that it can be shown and cancelled in between.
+/// The same hints always give the same outlines. GrabCut (Rother, Kolmogorov and Blake 2004) on a copy of at most
+/// kCutSide pixels of the picture, or of the box and what is round it; of what it finds the pieces that hold a point or
+/// a mark inside, or the largest one. In a line drawing it is what the lines enclose, in one round.
 class CutOutSearch {
  public:
   /// Errors: PictureEmpty, ValueOutOfRange (no hint, or not on the picture), NothingCutOut (no ground, or

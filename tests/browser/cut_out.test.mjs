@@ -2,8 +2,8 @@
 // do is said by tests/unit/web: cut_test, regions_test and words_test.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { drawWithMouse } from './support/hands.mjs';
-import { done, exported, onPage, openPicture, run, state, useSite } from './support/page.mjs';
+import { drawWithFinger, drawWithMouse, press } from './support/hands.mjs';
+import { done, exported, idle, onPage, openPicture, run, state, toClient, useSite } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -73,4 +73,34 @@ test('a box cuts the thing out, brushes correct it, and it becomes a part in one
     assert.equal(now.undo, undo + 1);
     assert.ok(Math.abs(areaOf(now.parts[0].contours) - area) < 1);
     assert.ok((await exported(page, 'stl')).length > 1000);
+  }));
+
+test('on paper a tap in a line drawn by a pen cuts out what it encloses, with its gap; beside it a sentence says so', () =>
+  onPage(kit, { hasTouch: true }, async (page) => {
+    await page.locator('#paper').tap();
+    await idle(page);
+    const { width, height } = (await state(page)).picture;
+    const [x, y, radius] = [width / 2, height / 2, width / 4];
+    const ring = Array.from({ length: 40 }, (_, i) => {
+      const angle = 0.2 + ((2 * Math.PI - 0.35) * i) / 39;
+      return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+    });
+    await drawWithFinger(page, ring, { count: ring.length });
+    await press(page, 'Puff', { touch: true });
+    assert.equal((await state(page)).tool, 'puff');
+    const tap = async (at) => {
+      const [client] = await toClient(page, [at]);
+      await page.touchscreen.tap(client.x, client.y);
+      await idle(page);
+    };
+    await tap([x, y - 1.5 * radius]);
+    assert.equal((await state(page)).cut, null);
+    assert.match(await page.locator('#toasts').innerText(), /no clear thing there/);
+    await tap([x - radius / 3, y]);
+    const { cut } = await state(page);
+    const share = areaOf(cut.contours) / (Math.PI * radius * radius);
+    assert.ok(share > 0.95 && share < 1.05, `${share}`);
+    await run(page, 'cut-use');
+    const { parts } = await state(page);
+    assert.deepEqual([parts.length, parts[0].kind, parts[0].failure], [1, 'puff', null]);
   }));

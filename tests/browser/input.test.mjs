@@ -2,7 +2,16 @@
 // gesture means there is said by tests/unit/web.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { dragMouse, drawWithFinger, drawWithMouse, drawWithPen, line, strokeAlong, tapWith } from './support/hands.mjs';
+import {
+  dragMouse,
+  drawWithFinger,
+  drawWithMouse,
+  drawWithPen,
+  line,
+  press,
+  strokeAlong,
+  tapWith,
+} from './support/hands.mjs';
 import {
   difference,
   done,
@@ -250,4 +259,12 @@ test('a handle is dragged in the picture: a rib end goes with the mouse, in one 
     assert.equal((await state(page)).undo, undo + 1);
     await run(page, 'undo');
     assert.deepEqual(await ribs(), before);
+  }));
+
+test('a finger that comes from the start page presses what it touches on the canvas with its first tap', () =>
+  onPage(kit, { hasTouch: true, viewport: { width: 1024, height: 768 } }, async (page) => {
+    await page.locator('#paper').tap();
+    await idle(page);
+    await press(page, 'Line', { touch: true });
+    assert.equal((await state(page)).tool, 'draw');
   }));

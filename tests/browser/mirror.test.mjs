@@ -80,6 +80,41 @@ test('a mug with a handle by keyboard alone: drawn, scooped out, stuck together 
     assert.match(name, /\.(spineloft|glb)$/);
   }));
 
+test('a bird with wings by the accessibility tree alone: all that is pressed is found there by role and name', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    const reader = await readerOf(page);
+    await reader.press('button', 'Draw on paper');
+    await reader.focus('application', 'Drawing: picture and solid');
+    await key(page, 'Enter');
+    await moveTo(page, ['Left 3', 'Up 1']);
+    await draw(page, ['Right 4', 'Up 1', 'Right 1', 'Down 3', 'Left 5', 'Up 2']);
+    await reader.press('button', 'Puff');
+    await reader.focus('application', 'Drawing: picture and solid');
+    await moveTo(page, ['Right 3', 'Down 1']); // the pen is where it was: in the middle of the bird now
+    await key(page, 'Space', 2);
+    await idle(page);
+    await reader.press('button', 'Use this');
+    assert.equal((await state(page)).parts.length, 1);
+    assert.match(await reader.said(), /^Part 1 is made\./);
+    await reader.focus('application', 'Drawing: picture and solid');
+    await moveTo(page, ['Left 1']);
+    await draw(page, ['Right 1', 'Down 1', 'Left 1', 'Up 1']);
+    assert.equal((await state(page)).parts.length, 2);
+    const row = await reader.one('button', 'Part 2');
+    assert.equal(reader.property(row, 'pressed'), 'true', 'the new part is in hand, and that is said');
+    await reader.press('button', 'More');
+    await reader.press('menuitem', 'Symmetry');
+    await reader.press('menuitemradio', 'Front and back');
+    assert.ok((await state(page)).parts[1].mirror, 'the wing is on the other side, too');
+    await reader.press('button', 'Stick together');
+    const [bird] = (await state(page)).steps;
+    assert.deepEqual([bird.kind, bird.failure, bird.operands.length], ['join', null, 2]);
+    assert.match(await reader.said(), /are one piece now/);
+    await reader.press('button', 'Save');
+    const { name } = await downloaded(page, () => reader.press('menuitem', /GLB/));
+    assert.match(name, /\.glb$/);
+  }));
+
 test('a slider is read with its value and unit, and set; ribs are read with their state, and chosen', () =>
   onPage(kit, {}, async (page) => {
     await openWithPart(page, tube.png, tube.middle);

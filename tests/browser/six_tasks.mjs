@@ -246,6 +246,7 @@ const kTasks = {
     );
     await me.press('Puff');
     await me.tapPicture(0.5, 0.5);
+    await me.press('Use this');
     await me.draw(
       loop([
         [0.45, 0.42],
@@ -256,6 +257,7 @@ const kTasks = {
     );
     await me.pressDom('#bar-more');
     await me.pressDom('.menu [data-command=symmetry]');
+    await me.pressDom('.menu [role=menuitemradio]:has-text("Front and back")');
     await me.press('Stick together', kParts);
   },
   robot: async (me) => {

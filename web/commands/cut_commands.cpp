@@ -31,14 +31,13 @@ bool cutsBy(Env env) {
 /// The draft becomes a part, or the region of one. It stays when it cannot.
 Outcome take(Env env) {
   const CutDraft& draft = *env.ui.cut;
-  const bool atOnce = draft.atOnce;
   const document::Region region{draft.picture, draft.shape.contours, 0};
   const document::RegionSolid solid =
       draft.flat ? document::RegionSolid(env.ui.extrude) : document::RegionSolid(env.ui.inflate);
+  if (!draft.atOnce) sendStatus(env.host, {});  // before what was made is told
   Outcome done = draft.part ? redrawRegion(env, draft.part, region) : drawRegion(env, region, solid, true);
   if (!done) return done;
   env.ui.cut.reset();
-  if (!atOnce) sendStatus(env.host, {});
   return {};
 }
 

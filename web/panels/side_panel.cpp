@@ -148,7 +148,11 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   const float width = static_cast<float>(at.width) - 20;
   ImGui::SetCursorPos({10, 0});
   ImGui::BeginGroup();
-  tabs(env, width);
+  // The bar of a small page has no room for it.
+  const float side = env.ui().touch ? 44.f : 38.f;
+  tabs(env, width - side);
+  ImGui::SameLine(10 + width - side);
+  commandButton(env, "new-part", side);
   ImGui::EndGroup();
   ImGui::SetCursorPos({10, env.ui().touch ? 47.f : 43.f});
   ImGui::BeginChild("content", {width, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);

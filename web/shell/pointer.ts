@@ -88,6 +88,11 @@ class PointerBridge {
     if (deviceOf(event) !== kDevice.touch) this.send(event, kPointerKind.leave);
   }
 
+  /** Before it comes to the canvas: what is there is as large as this kind of pointer needs, before it is pressed. */
+  elsewhere(event: PointerEvent): void {
+    if (event.target !== this.page.canvas) this.send(event, kPointerKind.leave);
+  }
+
   wheel(event: WheelEvent): void {
     event.preventDefault(); // the page itself never scrolls or zooms under the drawing
     this.box = this.page.canvas.getBoundingClientRect();
@@ -149,6 +154,7 @@ export function connectPointer(page: PointerPage): void {
   canvas.addEventListener('pointerup', (event) => bridge.up(event, kPointerKind.up));
   canvas.addEventListener('pointercancel', (event) => bridge.up(event, kPointerKind.cancel));
   canvas.addEventListener('pointerleave', (event) => bridge.leave(event));
+  window.addEventListener('pointerdown', (event) => bridge.elsewhere(event), { capture: true });
   canvas.addEventListener('wheel', (event) => bridge.wheel(event), { passive: false });
   canvas.addEventListener('contextmenu', (event) => event.preventDefault());
   // iOS: a touch that begins on the drawing must not scroll, zoom or select.

@@ -104,7 +104,7 @@ export const kTasks: Task[] = [
     start: 'Begin with Draw on paper.',
     steps: [
       outline('Draw the outline of a bird from the side with the pen'),
-      { say: 'Take Puff and tap the bird: it swells', done: parts(1) },
+      { say: 'Take Puff, tap the bird and press Use this: it swells', done: parts(1) },
       { say: 'With Puff, draw a line round a wing on it', done: parts(2) },
       { say: 'Choose Symmetry: the wing comes on the other side, too', done: mirrored },
       { say: 'Tick both in the list and press Stick', done: joined },

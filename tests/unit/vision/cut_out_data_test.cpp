@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/geometry/polygon.h"
@@ -59,12 +60,12 @@ struct Photo {
   std::vector<PicturePoint> stroke;  ///< a careful one along the thing
 };
 
-/// The public photos.
-std::vector<Photo> photos() {
+/// The public photos, or the drawings.
+std::vector<Photo> photos(std::string_view kind = "photo_") {
   std::vector<Photo> out;
   for (const fs::directory_entry& entry : fs::directory_iterator(testing::dataFolder())) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with("photo_")) continue;
+    if (!name.starts_with(kind)) continue;
     fs::path image = entry.path() / "image.jpg";
     if (!fs::exists(image)) image = entry.path() / "image.png";
     fs::path mask = entry.path() / "mask_visible.png";
@@ -142,4 +143,19 @@ TEST_CASE("a scribble along the thing cuts more of it out of the public photos t
   if (taps.empty()) return;
   MESSAGE("overlap of a tap and of a scribble: " << said);
   CHECK(medianOf(scribbles) > medianOf(taps));
+}
+
+TEST_CASE("a tap on the middle of a drawn thing cuts it out, most of it in most of the public drawings" *
+          doctest::test_suite("data")) {
+  std::vector<double> overlaps;
+  std::string said;
+  for (const Photo& drawing : photos("sketch_")) {
+    CutHints tap;
+    tap.inside = {drawing.stroke[drawing.stroke.size() / 2]};
+    overlaps.push_back(overlapOf(drawing, tap));
+    said += drawing.name + " " + std::to_string(overlaps.back()).substr(0, 5) + "  ";
+  }
+  if (overlaps.empty()) return;
+  MESSAGE("overlap of a tap on drawings: " << said);
+  CHECK(medianOf(overlaps) > 0.8);
 }

@@ -233,6 +233,7 @@ TEST_CASE("the line at the foot tells of the tool in use, and no longer of a cut
     rig.run(way);
     rig.settle();
     CHECK_MESSAGE(status().find("Use this") == std::string::npos, way);
+    if (way == std::string_view("cut-use")) CHECK_FALSE(status().empty());  // what was made
   }
 }
 
