@@ -50,7 +50,7 @@ export async function openPage(browser, url, { scripts = [], ...contextOptions }
   const troubles = [];
   const origin = new URL(url).origin;
   page.on('console', (message) => {
-    if (message.type() === 'error') troubles.push(`console: ${message.text()}`);
+    if (message.type() === 'error') troubles.push(`console: ${message.text()} ${message.location().url}`);
   });
   page.on('pageerror', (error) => troubles.push(`exception: ${error.message}`));
   page.on('requestfailed', (request) => troubles.push(`request failed: ${request.url()}`));

@@ -8,8 +8,6 @@ import {
   dropFiles,
   exported,
   idle,
-  onPage,
-  openWithPart,
   refusal,
   reload,
   run,
@@ -18,13 +16,19 @@ import {
   toastText,
   useSite,
 } from './support/page.mjs';
-import { history, inStore, models, smallTube as tube } from './support/keeping.mjs';
+import {
+  asksBeforeLeaving,
+  banner,
+  drawPart,
+  emptyDevice,
+  history,
+  inStore,
+  models,
+  smallTube as tube,
+} from './support/keeping.mjs';
 
 const kit = useSite();
-/** Every test begins on a device that has kept nothing; what is kept does not depend on the window. */
-const onEmptyDevice = (work, scripts = []) =>
-  onPage(kit, { alone: true, viewport: { width: 640, height: 480 }, scripts }, work);
-const drawPart = (page) => openWithPart(page, tube.png, tube.middle);
+const onEmptyDevice = emptyDevice(kit);
 
 /** A second tab of the same browser profile. */
 async function secondTab(page) {
@@ -33,14 +37,6 @@ async function secondTab(page) {
   await other.evaluate(() => window.spineloft.ready);
   return other;
 }
-
-const banner = (page) => page.locator('#banners .banner');
-const asksBeforeLeaving = (page) =>
-  page.evaluate(() => {
-    const event = new Event('beforeunload', { cancelable: true });
-    window.dispatchEvent(event);
-    return event.defaultPrevented;
-  });
 
 test('a reload brings back the model with undo and redo, and says so', () =>
   onEmptyDevice(async (page) => {
@@ -252,268 +248,6 @@ test('a model that another tab has open is opened as a copy from the list', () =
     await banner(other).getByRole('button', { name: 'Open a copy' }).click();
     await other.waitForFunction(() => window.spineloft.state().documentName === 'tube copy');
     assert.equal((await state(page)).documentName, 'tube');
-  }));
-
-const withoutSession = () =>
-  Object.defineProperty(window, 'sessionStorage', {
-    get() {
-      throw new DOMException('no', 'SecurityError');
-    },
-  });
-
-for (const [what, spoil] of [
-  [
-    'missing',
-    () => {
-      delete globalThis.indexedDB;
-      Object.defineProperty(globalThis, 'indexedDB', { value: undefined });
-    },
-  ],
-  [
-    'blocked',
-    () => {
-      IDBFactory.prototype.open = () => {
-        throw new DOMException('no', 'SecurityError');
-      };
-    },
-  ],
-]) {
-  test(`where storage is ${what} the page works on, says so once, and offers a file`, () =>
-    onEmptyDevice(
-      async (page) => {
-        assert.equal(await banner(page).count(), 0, 'nothing to lose yet');
-        await drawPart(page);
-        assert.match(await banner(page).innerText(), /does not let the page keep your models/);
-        assert.equal((await state(page)).parts.length, 1);
-        assert.equal(await asksBeforeLeaving(page), true);
-        await banner(page).getByRole('button', { name: 'Dismiss' }).click();
-        for (const section of ['star', 'square', 'circle']) await done(page, 'set-section', { section });
-        assert.equal(await banner(page).count(), 0, 'not on every stroke');
-        await run(page, 'new-model');
-        await page.getByRole('dialog').getByRole('button', { name: 'Let it go' }).click();
-        await idle(page);
-        assert.equal((await state(page)).picture, null);
-      },
-      [spoil, withoutSession],
-    ));
-}
-
-/** Every way of saving, and whether the file holds the model. */
-const kSaves = [
-  ['save-project', true],
-  ['save-glb', true],
-  ['save-obj', false],
-  ['save-stl', false],
-  ['save-3mf', false],
-  ['save-picture', false],
-];
-
-for (const [storage, spoil] of [
-  ['on', null],
-  ['off', () => Object.defineProperty(globalThis, 'indexedDB', { value: undefined })],
-  // Opened and read, but nothing can be put into it.
-  [
-    'full',
-    () => {
-      const original = IDBDatabase.prototype.transaction;
-      IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
-        if (mode === 'readwrite') throw new DOMException('full', 'QuotaExceededError');
-        return original.call(this, names, mode, options);
-      };
-    },
-  ],
-]) {
-  test(`closing asks unless the work as it is is in a file or kept: every format, edited meanwhile or not, storage ${storage}`, () =>
-    onEmptyDevice(
-      async (page) => {
-        const check = async (unsaved, what) => {
-          assert.equal((await state(page)).unsaved, unsaved, what);
-          assert.equal(await asksBeforeLeaving(page), unsaved && storage !== 'on', what);
-        };
-        await drawPart(page);
-        await check(true, 'a part');
-        let mm = 50;
-        const edit = () => run(page, 'set-height', { mm: (mm += 1) });
-        // Which file holds the model does not depend on the storage.
-        for (const [command, holdsModel] of storage === 'on' ? kSaves : [kSaves[0], kSaves[3]]) {
-          for (const edited of [false, true]) {
-            await edit();
-            await idle(page);
-            await check(true, 'an edit');
-            await downloaded(page, async () => {
-              const saving = run(page, command);
-              if (edited) await edit();
-              await saving;
-            });
-            await idle(page);
-            await check(edited || !holdsModel, `${command}${edited ? ', edited meanwhile' : ''}`);
-          }
-        }
-        assert.equal(await banner(page).count(), storage === 'on' ? 0 : 1);
-      },
-      spoil ? [spoil] : [],
-    ));
-
-  test(`strokes on paper without a part are work: unsaved, asked about and kept as a part is, storage ${storage}`, () =>
-    onEmptyDevice(
-      async (page) => {
-        await done(page, 'new-sketch', { width: 300, height: 200 });
-        assert.equal(await asksBeforeLeaving(page), false, 'blank paper is no work');
-        await drawWithMouse(page, [
-          [60, 60],
-          [150, 120],
-          [240, 70],
-        ]);
-        assert.equal((await state(page)).unsaved, true);
-        assert.equal(await asksBeforeLeaving(page), storage !== 'on');
-        const before = await history(page);
-        if (storage === 'on') {
-          await reload(page);
-          assert.equal(await history(page), before);
-          return;
-        }
-        // The browser itself asks; the answer is to stay.
-        const [dialog] = await Promise.all([page.waitForEvent('dialog'), page.close({ runBeforeUnload: true })]);
-        assert.equal(dialog.type(), 'beforeunload');
-        await dialog.dismiss();
-        await downloaded(page, () => page.keyboard.press('Control+s'));
-        await idle(page);
-        assert.equal(await asksBeforeLeaving(page), false, 'a file holds it');
-        assert.equal(await history(page), before);
-      },
-      spoil ? [spoil] : [],
-    ));
-}
-
-test('a full disk is said once with a way out, and everything is kept again when there is room', () =>
-  onEmptyDevice(async (page) => {
-    await drawPart(page);
-    // Chromium's own quota looks at usage only now and then, so the disk is full in the page.
-    await page.evaluate(() => {
-      const original = IDBDatabase.prototype.transaction;
-      window.makeRoom_ = () => {
-        IDBDatabase.prototype.transaction = original;
-      };
-      IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
-        if (mode === 'readwrite') throw new DOMException('full', 'QuotaExceededError');
-        return original.call(this, names, mode, options);
-      };
-    });
-    for (const section of ['star', 'square', 'hexagon']) {
-      await done(page, 'set-section', { section });
-    }
-    assert.equal(await banner(page).count(), 1);
-    assert.match(await banner(page).innerText(), /no room left[\s\S]*Save a file[\s\S]*Your models/);
-    assert.equal(await asksBeforeLeaving(page), true);
-    const now = await history(page);
-    await page.evaluate(() => window.makeRoom_());
-    await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
-    await idle(page);
-    assert.match(await toastText(page, 'status'), /kept on this device again/);
-    assert.equal(await banner(page).count(), 0);
-    await reload(page);
-    assert.equal(await history(page), now);
-  }));
-
-/** In the page: what is written does not reach the disk before `letGo_()`. */
-const holdWrites = () => {
-  const original = IDBDatabase.prototype.transaction;
-  let isHeld = true;
-  window.letGo_ = () => {
-    isHeld = false;
-    IDBDatabase.prototype.transaction = original;
-  };
-  IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
-    const held = original.call(this, names, mode, options);
-    const store = held.objectStore(held.objectStoreNames[0]);
-    const again = () => {
-      if (isHeld && mode === 'readwrite') store.count().onsuccess = again;
-    };
-    again();
-    return held;
-  };
-};
-
-test('what is not on the disk yet is said, storage that never answers too, and neither holds anything up', () =>
-  onEmptyDevice(async (page) => {
-    await drawPart(page);
-    const sign = page.locator('#keeping');
-    assert.equal(await sign.isVisible(), false);
-    await page.evaluate(holdWrites);
-    await run(page, 'set-section', { section: 'star' });
-    await sign.waitFor();
-    assert.match(await sign.innerText(), /Not kept yet/);
-    assert.equal(await asksBeforeLeaving(page), true);
-    await page.evaluate(() => window.letGo_());
-    await sign.waitFor({ state: 'hidden' });
-    await idle(page);
-    assert.equal(await asksBeforeLeaving(page), false);
-
-    await page.evaluate(holdWrites);
-    await run(page, 'set-section', { section: 'square' });
-    await banner(page).waitFor();
-    assert.match(await banner(page).innerText(), /does not answer/);
-    await done(page, 'set-section', { section: 'hexagon' });
-    assert.equal(await asksBeforeLeaving(page), true);
-    const now = await history(page);
-    await page.evaluate(() => window.letGo_());
-    assert.match(await toastText(page, 'status'), /kept on this device again/);
-    await idle(page);
-    assert.equal(await asksBeforeLeaving(page), false);
-    await reload(page);
-    assert.equal(await history(page), now);
-  }));
-
-test('models of a newer page are left alone, and it is said what to do', () =>
-  onEmptyDevice(async (page) => {
-    await page.evaluate(
-      () =>
-        new Promise((resolve) => {
-          const opening = indexedDB.open('spineloft', 77);
-          opening.onsuccess = () => {
-            opening.result.close();
-            resolve();
-          };
-        }),
-    );
-    await reload(page);
-    await drawPart(page);
-    assert.match(await banner(page).innerText(), /newer SpineLoft/);
-    assert.equal((await state(page)).parts.length, 1);
-  }));
-
-test('a damaged record is said, what came before it is there, and what comes after it is kept', () =>
-  onEmptyDevice(async (page) => {
-    await drawPart(page);
-    for (const section of ['star', 'square', 'hexagon']) await done(page, 'set-section', { section });
-    await inStore(page, 'journal', (store) => {
-      const all = store.getAll();
-      all.onsuccess = () => {
-        const row = all.result.at(-2);
-        store.put({ ...row, text: row.text.replace('square', 'sqvare') });
-      };
-    });
-    await reload(page);
-    assert.match(await toastText(page), /The last 2 steps of tube could not be read/);
-    assert.equal((await state(page)).parts[0].section, 'star');
-    await done(page, 'set-caps', { both: 'flat', part: 1 });
-    const now = await history(page);
-    await reload(page);
-    assert.equal(await history(page), now);
-  }));
-
-test('a model whose base is damaged is said and stays in the list; the page works', () =>
-  onEmptyDevice(async (page) => {
-    await drawPart(page);
-    await inStore(page, 'bases', (store) => {
-      const all = store.getAll();
-      all.onsuccess = () => store.put({ ...all.result[0], text: all.result[0].text.slice(1) });
-    });
-    await reload(page);
-    assert.match(await toastText(page), /tube could not be brought back/);
-    assert.equal((await models(page)).length, 1);
-    await drawPart(page);
-    assert.equal((await models(page)).length, 2);
   }));
 
 test('Help tells how many steps can be taken back, behind its heading', () =>

@@ -40,14 +40,14 @@ async function visit(url, work, options = {}) {
 /** A page of somebody else around the viewer, which notes what it is told. */
 async function visitEmbedded(address, work, options) {
   const site = kit.sites.false.url;
-  const opened = await openPage(kit.browser, `${site}assets/LICENSES.md`, { viewport: kWindow, ...options });
+  const opened = await openPage(kit.browser, `${site}view.html`, { viewport: kWindow, ...options });
   try {
     const { page } = opened;
     page.setDefaultTimeout(kPatience);
     await page.route('**/host.html', (route) =>
       route.fulfill({
         contentType: 'text/html',
-        body: `<!doctype html><script>
+        body: `<!doctype html><link rel="icon" href="data:,"><script>
           window.told = [];
           addEventListener('message', ({ data }) => window.told.push(data));
         </script><iframe id="frame" width="640" height="480" src="${address}"></iframe>`,

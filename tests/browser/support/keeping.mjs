@@ -4,11 +4,28 @@ import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { browserFlags, browserPath } from '../../../.ci/lib/browser.mjs';
-import { asWarm } from './page.mjs';
+import { asWarm, onPage, openWithPart } from './page.mjs';
 import { tubePicture } from './pictures.mjs';
 
 /** A picture so small that everything about it is quick. */
 export const smallTube = tubePicture({ width: 120, height: 90, half: 8 });
+
+/** Tests of this `kit` that begin on a device that has kept nothing; what is kept does not depend on the window. */
+export const emptyDevice =
+  (kit) =>
+  (work, scripts = []) =>
+    onPage(kit, { alone: true, viewport: { width: 640, height: 480 }, scripts }, work);
+
+export const drawPart = (page) => openWithPart(page, smallTube.png, smallTube.middle);
+export const banner = (page) => page.locator('#banners .banner');
+
+/** Whether the page holds up who leaves it. */
+export const asksBeforeLeaving = (page) =>
+  page.evaluate(() => {
+    const event = new Event('beforeunload', { cancelable: true });
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
 
 export const history = (page) => page.evaluate(() => window.spineloft.history());
 export const models = (page) => page.evaluate(() => window.spineloft.models());

@@ -79,11 +79,11 @@ class Rig {
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
-  /// Gives the page frames and wakes until it asks for no more. False when it does not rest within 24 seconds of its
-  /// own time, as while a solid waits for a solver, or two minutes of waiting for a worker.
-  bool settle() {
+  /// Gives the page frames and wakes until it asks for no more. False when it does not rest within `most` turns of
+  /// 16 ms of its own time, as while a solid waits for a solver, or two minutes of waiting for a worker.
+  bool settle(int most = 1500) {
     const auto start = std::chrono::steady_clock::now();
-    for (int turns = 0; turns < 1500;) {
+    for (int turns = 0; turns < most;) {
       host.clockMs += 16;
       if (std::exchange(host.wakesAsked, 0) > 0) app->wake();
       const bool drawn = std::exchange(host.frameAsked, false);
