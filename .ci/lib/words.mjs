@@ -11,6 +11,7 @@ const kCatalogues = join(root, 'assets/words');
 const kEngineFiles = [
   'engine/base/result.cpp',
   'engine/document/params.cpp',
+  'engine/inflate/ready_profiles.cpp',
   'engine/sections/blend.cpp',
   'engine/sections/ends.cpp',
   'engine/sections/section.cpp',
