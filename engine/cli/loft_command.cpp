@@ -8,7 +8,7 @@
 #include "engine/cli/program.h"
 #include "engine/document/update.h"
 #include "engine/geometry/pieces.h"
-#include "engine/inflate/skeleton.h"
+#include "engine/inflate/bone_edits.h"
 #include "engine/io/json_values.h"
 #include "engine/io/obj.h"
 #include "engine/io/picture_file.h"
@@ -172,11 +172,11 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
   return io::writeObj({&part, 1}, io::ObjSpace::Image);
 }
 
-/// The skeletons of the pieces of a puff.
-std::vector<inflate::Skeleton> bonesOf(const pipeline::PartShape& shape) {
-  std::vector<inflate::Skeleton> bones;
+/// The skeletons of the pieces of a puff, as edited.
+std::vector<inflate::EditedSkeleton> bonesOf(const pipeline::PartShape& shape, const inflate::BoneEdits& edits) {
+  std::vector<inflate::EditedSkeleton> bones;
   for (const geometry::Contours& piece : geometry::piecesOf(shape.contours)) {
-    Result<inflate::Skeleton> skeleton = inflate::skeletonOf(piece);
+    Result<inflate::EditedSkeleton> skeleton = inflate::editedSkeleton(piece, edits);
     if (skeleton.ok()) bones.push_back(std::move(skeleton).value());
   }
   return bones;
@@ -194,7 +194,12 @@ std::string reportOf(const Model& model) {
     report.triangles = shape.mesh.triangles.size();
     report.energy = shape.ribs.energy;
     report.mesh = mesh::inspect(shape.mesh);
-    if (document::inflateOf(*model.document.parts[i])) report.bones = bonesOf(shape);
+    if (const document::InflateRecipe* puff = document::inflateOf(*model.document.parts[i])) {
+      const std::vector<inflate::EditedSkeleton> bones = bonesOf(shape, puff->inflate.bones);
+      report.bones.emplace();
+      for (const inflate::EditedSkeleton& piece : bones) report.bones->push_back(piece.skeleton);
+      report.asleep = inflate::asleep(bones, puff->inflate.bones);
+    }
     report.milliseconds = model.milliseconds;
     text += (text.empty() ? "" : ",\n") + io::writeReport(report);
   }

@@ -60,6 +60,17 @@ std::size_t heldBy(const StackRecipe& recipe) {
   }
   return bytes;
 }
+std::size_t heldBy(const InflateRecipe& recipe) {
+  const inflate::ProfileParams& profile = recipe.inflate.profile;
+  const inflate::BoneEdits& bones = recipe.inflate.bones;
+  std::size_t bytes = bytesOf(recipe.region) + bytesOf(profile.slices) + bytesOf(bones.drop) + bytesOf(bones.add) +
+                      bytesOf(bones.move) + bytesOf(bones.heights);
+  for (const auto& slice : profile.slices) {
+    for (const auto& contour : slice.shape.contours) bytes += sizeof(contour) + bytesOf(contour);
+  }
+  for (const auto& line : bones.add) bytes += bytesOf(line);
+  return bytes;
+}
 template <OfRegion Recipe>
 std::size_t heldBy(const Recipe& recipe) {
   return bytesOf(recipe.region);

@@ -47,13 +47,18 @@ std::span<const ParamInfo> loftTable() {
 std::span<const ParamInfo> inflateTable() {
   using inflate::InflateParams;
   constexpr auto kPuff = &InflateRecipe::inflate;
+  constexpr auto hasProfile = [](const Recipe& recipe) {
+    return !std::get<InflateRecipe>(recipe).inflate.profile.isSoft();
+  };
   static const std::array kTable = {
       entry<InflateRecipe, kPuff, &InflateParams::height>(
           {"height", "Height", "times", inflate::kLeastHeight, inflate::kMostHeight, 0.05, Measure::Percent}),
       entry<InflateRecipe, kPuff, &InflateParams::points>(
           {"points", "Points", "", inflate::kLeastPoints, inflate::kMostPoints, 100, Measure::Plain, true}),
-      ParamInfo{"follow", "Thick where it is wide", "", 0, 1, 0.01, Measure::Percent, false,
-                [](const Recipe& recipe) { return !std::get<InflateRecipe>(recipe).inflate.profile.isSoft(); },
+      ParamInfo{"bone-detail", "Few or many bones", "", 0, 1, 0.05, Measure::Percent, false, hasProfile,
+                [](const Recipe& recipe) { return std::get<InflateRecipe>(recipe).inflate.bones.detail; },
+                [](Recipe& recipe, double value) { std::get<InflateRecipe>(recipe).inflate.bones.detail = value; }},
+      ParamInfo{"follow", "Thick where it is wide", "", 0, 1, 0.01, Measure::Percent, false, hasProfile,
                 [](const Recipe& recipe) { return std::get<InflateRecipe>(recipe).inflate.profile.follow; },
                 [](Recipe& recipe, double value) { std::get<InflateRecipe>(recipe).inflate.profile.follow = value; }},
   };

@@ -11,6 +11,7 @@
 
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/spread.h"
+#include "engine/inflate/boned_mesh.h"
 #include "engine/inflate/element.h"
 
 namespace spineloft::inflate {
@@ -23,9 +24,8 @@ constexpr double kPoints = 1000;     ///< of the mesh, about
 constexpr double kThin = 0.7;        ///< of the half width of what is thin: the spacing there
 constexpr double kMostOnRim = 3000;  ///< points of all outlines, about
 constexpr double kNearEnd = 1.5;     ///< spacings: ends nearer to the outline are left out
-constexpr double kLattice = 1.25;    ///< spacing that spreadPoints makes one spacing of
 constexpr double kSmooth = 0.15;     ///< of the half width: how far creases are smoothed
-constexpr int kRounds = 8;
+constexpr int kRounds = 8;           ///< of floods
 
 /// The half width that a tenth of the skeleton's length is below.
 double thinness(const Skeleton& skeleton) {
@@ -47,12 +47,6 @@ double thinness(const Skeleton& skeleton) {
   }
   return stretches.back().first;
 }
-
-/// The skeleton with points as the mesh wants them.
-struct Bones {
-  std::vector<SkeletonPoint> points;
-  std::vector<std::array<std::uint32_t, 2>> edges;
-};
 
 class BoneMaker {
  public:
@@ -112,9 +106,10 @@ class BoneMaker {
       const double at = s.back() * static_cast<double>(k) / static_cast<double>(steps);
       while (i + 1 < s.size() && s[i] < at) ++i;
       const double span = s[i] - s[i - 1], share = span > 0 ? std::clamp((at - s[i - 1]) / span, 0.0, 1.0) : 0;
-      const double radius =
-          std::lerp(skeleton_.points[branch[i - 1]].radius, skeleton_.points[branch[i]].radius, share);
-      const std::uint32_t next = k == steps ? node(branch.back()) : add({lerp(line[i - 1], line[i], share), radius});
+      const SkeletonPoint &p = skeleton_.points[branch[i - 1]], &q = skeleton_.points[branch[i]];
+      const SkeletonPoint between{lerp(p.at, q.at, share), std::lerp(p.radius, q.radius, share),
+                                  std::lerp(p.factor, q.factor, share)};
+      const std::uint32_t next = k == steps ? node(branch.back()) : add(between);
       bones_.edges.push_back({last, next});
       last = next;
     }
@@ -126,93 +121,6 @@ class BoneMaker {
   std::vector<std::uint32_t> index_;
   Bones bones_;
 };
-
-std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | std::max(a, b);
-}
-
-/// The mesh with the skeleton in it: what its points are, and its edges.
-struct Boned {
-  PlaneMesh mesh;
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< of mesh points
-  std::vector<double> radius;                       ///< by mesh point; 0 off the skeleton
-};
-
-/// A mesh point at p, new or there already.
-std::optional<std::uint32_t> pointAt(PlaneMesh& mesh, SectionPoint p) {
-  if (const auto added = mesh.insert(p)) return added;
-  const auto found = mesh.find(p);
-  if (!found) return std::nullopt;
-  const auto& t = mesh.triangles()[*found];
-  const auto away = [&](std::uint32_t corner) { return distance(mesh.points()[corner], p); };
-  const std::uint32_t nearest = *std::ranges::min_element(t, {}, away);
-  const bool inner = nearest >= mesh.rim();
-  return inner ? std::optional(nearest) : std::nullopt;
-}
-
-/// Makes every edge of the skeleton an edge of the mesh by splitting those that are not; no edge joins two corners of
-/// the rim across the region.
-bool conform(Boned& boned) {
-  for (int round = 0; round < kRounds; ++round) {
-    boned.mesh.splitChords();
-    boned.radius.resize(boned.mesh.points().size(), 0.0);
-    std::unordered_set<std::uint64_t> edges;
-    edges.reserve(3 * boned.mesh.triangles().size());
-    for (const auto& [a, b, c] : boned.mesh.triangles()) {
-      edges.insert(edgeKey(a, b));
-      edges.insert(edgeKey(b, c));
-      edges.insert(edgeKey(c, a));
-    }
-    std::vector<std::array<std::uint32_t, 2>> next;
-    bool whole = true;
-    for (const auto& [a, b] : boned.edges) {
-      if (edges.contains(edgeKey(a, b))) {
-        next.push_back({a, b});
-        continue;
-      }
-      whole = false;
-      const auto middle = pointAt(boned.mesh, (boned.mesh.points()[a] + boned.mesh.points()[b]) / 2);
-      if (!middle || *middle == a || *middle == b) return false;
-      boned.radius.resize(boned.mesh.points().size(), 0.0);
-      boned.radius[*middle] = (boned.radius[a] + boned.radius[b]) / 2;
-      next.push_back({a, *middle});
-      next.push_back({*middle, b});
-    }
-    boned.edges = std::move(next);
-    if (whole) return true;
-  }
-  return false;
-}
-
-std::optional<Boned> bonedMesh(const geometry::PlaneRegion& rim, const Bones& bones, double spacing) {
-  Boned boned{PlaneMesh(rim.points, rim.sizes), {}, {}};
-  if (boned.mesh.empty()) return std::nullopt;
-  constexpr double kAll = 1e-3;  // of the spacing: nearer ones are left out
-  std::vector<SectionPoint> features;
-  for (const SkeletonPoint& p : bones.points) features.push_back(p.at);
-  geometry::spreadPoints(
-      boned.mesh, rim.sizes, {kAll * spacing, kLattice * spacing},
-      {[](std::size_t) { return std::vector<double>{}; }, [](SectionPoint) { return 0.0; }, features});
-  // Features come first and keep their order; one that was refused lies on another point.
-  std::vector<std::uint32_t> index;
-  std::uint32_t at = static_cast<std::uint32_t>(boned.mesh.rim());
-  for (const SectionPoint p : features) {
-    if (at < boned.mesh.points().size() && boned.mesh.points()[at] == p) {
-      index.push_back(at++);
-      continue;
-    }
-    const auto there = pointAt(boned.mesh, p);
-    if (!there) return std::nullopt;
-    index.push_back(*there);
-  }
-  boned.radius.assign(boned.mesh.points().size(), 0.0);
-  for (std::size_t i = 0; i < index.size(); ++i) boned.radius[index[i]] = bones.points[i].radius;
-  for (const auto& [a, b] : bones.edges) {
-    if (index[a] != index[b]) boned.edges.push_back({index[a], index[b]});
-  }
-  if (!conform(boned)) return std::nullopt;
-  return boned;
-}
 
 /// What a plane mesh means for its points: stiffness between neighbours, and masses.
 struct Operators {
@@ -356,11 +264,11 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(const PlaneMesh& mesh) {
   return out;
 }
 
-/// Distances to skeleton and outline, and the half width at the nearest place of the skeleton.
+/// s, the distance to the skeleton, and half width and factor at its nearest place.
 struct Measured {
-  std::vector<double> s, half;
+  std::vector<double> s, away, half, factor;
 };
-Measured measure(const Fields& fields, const std::vector<double>& radius) {
+Measured measure(const Fields& fields, const std::vector<Boned::Width>& width) {
   const auto& points = fields.mesh.points();
   std::vector<SectionPoint> ends;
   std::vector<std::uint32_t> of;
@@ -373,14 +281,17 @@ Measured measure(const Fields& fields, const std::vector<double>& radius) {
   const std::vector<std::size_t> sizes(fields.bones.empty() ? 1 : fields.bones.size(), fields.bones.empty() ? 1 : 2);
   const geometry::RimDistance toBone(ends, sizes);
   const geometry::RimDistance toRim(std::span<const SectionPoint>(points).first(fields.mesh.rim()), fields.sizes);
-  Measured out{std::vector<double>(points.size(), 1.0), std::vector<double>(points.size(), 0.0)};
+  const std::size_t count = points.size();
+  Measured out{std::vector(count, 1.0), std::vector(count, 0.0), std::vector(count, 0.0), std::vector(count, 1.0)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [away, edge] = toBone.nearest(points[i]);
     const std::uint32_t a = of[edge], b = of[sizes[0] == 2 ? edge ^ 1u : edge];
     const SectionPoint along = points[b] - points[a];
     const double squared = dot(along, along);
     const double share = squared > 0 ? std::clamp(dot(points[i] - points[a], along) / squared, 0.0, 1.0) : 0;
-    out.half[i] = std::lerp(radius[a], radius[b], share);
+    out.away[i] = away;
+    out.half[i] = std::lerp(width[a].radius, width[b].radius, share);
+    out.factor[i] = std::lerp(width[a].factor, width[b].factor, share);
     if (fields.onBone[i]) {
       out.s[i] = 0;
     } else if (i >= fields.mesh.rim()) {
@@ -434,12 +345,12 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
   const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, spacing));
   std::optional<Boned> boned = bonedMesh(rim, BoneMaker(skeleton, spacing).run(), spacing);
   if (!boned) return Error::RegionTooFine;
-  Fields fields{std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, spacing};
+  Fields fields{std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, {}, {}, spacing};
   const std::size_t count = fields.mesh.points().size(), onRim = fields.mesh.rim();
   fields.onBone.assign(count, 0);
-  for (std::size_t i = 0; i < count; ++i) fields.onBone[i] = boned->radius[i] > 0;
+  for (std::size_t i = 0; i < count; ++i) fields.onBone[i] = boned->width[i].radius > 0;
   if (!findSides(fields)) return Error::RegionTooFine;
-  const Measured measured = measure(fields, boned->radius);
+  const Measured measured = measure(fields, boned->width);
   const Operators operators = operatorsOf(fields.mesh);
   const auto neighbours = neighboursOf(fields.mesh);
 
@@ -461,6 +372,9 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
   const Diffusion diffuse(operators, measured.half);
   if (!diffuse.ok()) return Error::RegionTooFine;
   fields.half = diffuse(measured.half);
+  fields.away = measured.away;
+  const bool plain = std::ranges::all_of(measured.factor, [](double factor) { return factor == 1; });
+  fields.factor = plain ? measured.factor : diffuse(measured.factor);
   g = diffuse(std::move(g));
   std::vector<char> fixed = fields.onBone, outlines(count, 0);
   std::fill_n(outlines.begin(), onRim, 1);
@@ -476,6 +390,15 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
   fields.s.resize(count);
   for (std::size_t i = 0; i < count; ++i) fields.s[i] = fields.onBone[i] ? 0 : std::sqrt(std::clamp(w[i], 0.0, 1.0));
   return fields;
+}
+
+LevelPoint lerp(const LevelPoint& a, const LevelPoint& b, double t) {
+  return {lerp(a.at, b.at, t), std::lerp(a.half, b.half, t), std::lerp(a.factor, b.factor, t),
+          std::lerp(a.away, b.away, t)};
+}
+
+LevelPoint levelPointOf(const Fields& fields, std::uint32_t p) {
+  return {fields.mesh.points()[p], fields.half[p], fields.factor[p], fields.away[p]};
 }
 
 std::vector<LevelLine> levelLines(const Fields& fields, double level) {
@@ -501,39 +424,12 @@ std::vector<LevelLine> levelLines(const Fields& fields, double level) {
       const std::uint32_t out = wayOut(t);
       const std::uint32_t low = mesh.triangles()[t][out % 3], up = mesh.triangles()[t][(out + 1) % 3];
       const double share = (level - fields.s[low]) / (fields.s[up] - fields.s[low]);
-      line.points.push_back(
-          {lerp(mesh.points()[low], mesh.points()[up], share), std::lerp(fields.half[low], fields.half[up], share)});
+      const auto at = [&](std::uint32_t p) { return levelPointOf(fields, p); };
+      line.points.push_back(lerp(at(low), at(up), share));
       t = mesh.twin(out) == kNone ? kNone : mesh.twin(out) / 3;
     }
   }
   return lines;
-}
-
-std::vector<std::vector<std::uint32_t>> walksRoundBones(const Fields& fields) {
-  const PlaneMesh& mesh = fields.mesh;
-  std::vector<std::vector<std::uint32_t>> walks(fields.sizes.size());
-  if (fields.bones.empty()) {
-    walks[0].push_back(static_cast<std::uint32_t>(std::ranges::find(fields.onBone, 1) - fields.onBone.begin()));
-    return walks;
-  }
-  std::unordered_set<std::uint64_t> bones;
-  for (const auto& [a, b] : fields.bones) bones.insert(edgeKey(a, b));
-  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
-  const auto from = [&](std::uint32_t h) { return mesh.triangles()[h / 3][h % 3]; };
-  const auto isBone = [&](std::uint32_t h) { return bones.contains(edgeKey(from(h), from(next(h)))); };
-  std::vector<char> begun(walks.size(), 0);
-  for (std::uint32_t h = 0; h < 3 * mesh.triangles().size(); ++h) {
-    const std::uint32_t side = fields.side[h / 3];
-    if (begun[side] || !isBone(h)) continue;
-    begun[side] = 1;
-    std::uint32_t at = h;
-    do {
-      walks[side].push_back(from(at));
-      at = next(at);
-      while (!isBone(at)) at = next(mesh.twin(at));  // an edge at the skeleton is never on the rim
-    } while (at != h && walks[side].size() <= 3 * mesh.triangles().size());
-  }
-  return walks;
 }
 
 }  // namespace spineloft::inflate

@@ -22,30 +22,32 @@ struct Fields {
   std::vector<char> onBone;                         ///< by point: on the skeleton
   std::vector<double> s;                            ///< 0 on the skeleton … 1 on the outline
   std::vector<double> half;                         ///< H, pixels
+  std::vector<double> factor;                       ///< of the thickness
+  std::vector<double> away;                         ///< distance to the skeleton, pixels
   std::vector<std::uint32_t> side;                  ///< by triangle: in the ring of which outline
   double spacing = 0;                               ///< of the points, pixels
 };
 
 /// s and H on about 1,000 points. s² has a Laplacian that is smoothed from that of d_S/(d_S + d_R), the distances to
 /// skeleton and outline, over 0.15 half widths, so that s is exact on discs, strips and rings, and s² has no crease
-/// elsewhere; H is the radius of the nearest point of the skeleton, smoothed in the same way. Ends of the skeleton
-/// nearer to the outline than 1.5 spacings are left out. Errors: RegionTooFine.
+/// elsewhere; H is the radius of the nearest point of the skeleton, and its factor, smoothed in the same way. Ends of
+/// the skeleton nearer to the outline than 1.5 spacings are left out. Errors: RegionTooFine.
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton);
 
 /// A place on a line of equal s.
 struct LevelPoint {
   SectionPoint at;
-  double half = 0;  ///< H there
+  double half = 0;    ///< H there
+  double factor = 1;  ///< of the thickness
+  double away = 0;    ///< from the skeleton
 };
+LevelPoint levelPointOf(const Fields& fields, std::uint32_t point);
+LevelPoint lerp(const LevelPoint& a, const LevelPoint& b, double t);
 struct LevelLine {
   std::uint32_t side = 0;          ///< the outline that it goes round with
   std::vector<LevelPoint> points;  ///< closed; the skeleton on its right, the outline on its left
 };
 /// All lines where s = `level`, 0 < level < 1: one an outline.
 std::vector<LevelLine> levelLines(const Fields& fields, double level);
-
-/// For each outline the closed walk along the skeleton that has its ring on the left: points of the mesh, as often as
-/// it passes them. One point where that is all.
-std::vector<std::vector<std::uint32_t>> walksRoundBones(const Fields& fields);
 
 }  // namespace spineloft::inflate

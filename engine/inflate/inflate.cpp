@@ -8,11 +8,11 @@
 #include "engine/geometry/pieces.h"
 #include "engine/geometry/refine.h"
 #include "engine/geometry/spread.h"
+#include "engine/inflate/bone_edits.h"
 #include "engine/inflate/fields.h"
 #include "engine/inflate/poisson_height.h"
 #include "engine/inflate/profile.h"
 #include "engine/inflate/rows.h"
-#include "engine/inflate/skeleton.h"
 #include "engine/mesh/two_sided.h"
 
 namespace spineloft::inflate {
@@ -204,9 +204,9 @@ Result<mesh::TriMesh> inflateAlong(const geometry::Contours& contours, image::Si
   RowParams rows{spacingFor(geometry::areaOf(contours), params.points, curves.value()), params.height,
                  params.profile.follow, 0, picture};
   for (const geometry::Contours& piece : pieces) {
-    const Result<Skeleton> skeleton = skeletonOf(piece);
-    if (!skeleton) return skeleton.failure();
-    Result<Fields> made = fieldsOf(piece, skeleton.value());
+    const Result<EditedSkeleton> bones = editedSkeleton(piece, params.bones);
+    if (!bones) return bones.failure();
+    Result<Fields> made = fieldsOf(piece, bones.value().skeleton);
     if (!made) return made.failure();
     rows.widest = std::max(rows.widest, std::ranges::max(made.value().half));
     fields.push_back(std::move(made).value());

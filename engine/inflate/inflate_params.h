@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/vec.h"
 #include "engine/sections/section.h"
 
 namespace spineloft::inflate {
@@ -30,23 +31,51 @@ struct ProfileParams {
   bool isSoft() const { return slices.empty(); }
 };
 
+/// The end or fork of the skeleton nearest to `from` goes to `to`, and what leads to it bends along.
+struct BoneMove {
+  PicturePoint from, to;
+  bool operator==(const BoneMove&) const = default;
+};
+/// What stands over the skeleton near `at` is `factor` times as thick, fading out along it.
+struct BoneHeight {
+  PicturePoint at;
+  double factor = 1;  ///< kLeastFactor … kMostFactor
+  bool operator==(const BoneHeight&) const = default;
+};
+/// What a person changes about the skeleton of a puff; see editSkeleton.
+struct BoneEdits {
+  double detail = 0.5;                         ///< 0: few branches … 1: many
+  std::vector<PicturePoint> drop;              ///< the branch nearest to each goes
+  std::vector<std::vector<PicturePoint>> add;  ///< lines from the skeleton to where it should reach, ≥ 2 points
+  std::vector<BoneMove> move;
+  std::vector<BoneHeight> heights;
+  bool operator==(const BoneEdits&) const = default;
+};
+
 struct InflateParams {
   double height = 1;  ///< 1: a circle becomes a ball; kLeastHeight … kMostHeight
   InflateSides sides = InflateSides::Both;
   int points = 2000;  ///< about so many corners of the mesh; kLeastPoints … kMostPoints
   ProfileParams profile = {};
+  BoneEdits bones = {};  ///< under a profile; a soft puff has no skeleton
   bool operator==(const InflateParams&) const = default;
 };
 
 inline constexpr double kLeastHeight = 0.05, kMostHeight = 4;
 inline constexpr int kLeastPoints = 200, kMostPoints = 16000;
 inline constexpr std::size_t kMostSlices = 1;
+inline constexpr std::size_t kMostBoneEdits = 64;        ///< of each kind
+inline constexpr std::size_t kMostBoneLinePoints = 256;  ///< of an added line
+inline constexpr double kLeastFactor = 0.1, kMostFactor = 4;
+
+/// Numbers in range and finite, no more edits than kMostBoneEdits of a kind.
+bool isValid(const BoneEdits& edits);
 
 /// Every number in range and finite; of the slices see checkProfile.
 inline bool isValid(const InflateParams& p) {
   return p.height >= kLeastHeight && p.height <= kMostHeight && p.sides < InflateSides::kCount &&
          p.points >= kLeastPoints && p.points <= kMostPoints && p.profile.slices.size() <= kMostSlices &&
-         p.profile.follow >= 0 && p.profile.follow <= 1;
+         p.profile.follow >= 0 && p.profile.follow <= 1 && isValid(p.bones);
 }
 
 }  // namespace spineloft::inflate

@@ -350,17 +350,6 @@ Skeleton skeletonFrom(const std::vector<MedialAxis::Way>& ways) {
   return skeleton;
 }
 
-void count(Skeleton& skeleton) {
-  std::vector<int> degree(skeleton.points.size(), 0);
-  std::size_t edges = 0;
-  for (const auto& branch : skeleton.branches) {
-    for (std::size_t i = 1; i < branch.size(); ++i, ++edges) ++degree[branch[i]], ++degree[branch[i - 1]];
-  }
-  skeleton.ends = static_cast<int>(std::ranges::count(degree, 1));
-  skeleton.forks = static_cast<int>(std::ranges::count_if(degree, [](int d) { return d > 2; }));
-  skeleton.rings = static_cast<int>(edges) - static_cast<int>(skeleton.points.size()) + 1;
-}
-
 }  // namespace
 
 Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma) {
@@ -375,8 +364,19 @@ Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma) {
   const geometry::PlaneRegion outlines = geometry::planeRegion(piece);
   const geometry::RimDistance rim(outlines.points, outlines.sizes);
   for (SkeletonPoint& p : skeleton.points) p.radius = rim.to(p.at);
-  count(skeleton);
+  countNodes(skeleton);
   return skeleton;
+}
+
+void countNodes(Skeleton& skeleton) {
+  std::vector<int> degree(skeleton.points.size(), 0);
+  std::size_t edges = 0;
+  for (const auto& branch : skeleton.branches) {
+    for (std::size_t i = 1; i < branch.size(); ++i, ++edges) ++degree[branch[i]], ++degree[branch[i - 1]];
+  }
+  skeleton.ends = static_cast<int>(std::ranges::count(degree, 1));
+  skeleton.forks = static_cast<int>(std::ranges::count_if(degree, [](int d) { return d > 2; }));
+  skeleton.rings = static_cast<int>(edges) - static_cast<int>(skeleton.points.size()) + 1;
 }
 
 double lengthOf(const Skeleton& skeleton) {

@@ -14,6 +14,7 @@ namespace spineloft::inflate {
 struct SkeletonPoint {
   SectionPoint at;  ///< pixels, x right, y up
   double radius = 0;
+  double factor = 1;  ///< of the thickness over it
   bool operator==(const SkeletonPoint&) const = default;
 };
 
@@ -38,6 +39,9 @@ inline constexpr double kScale = 1.5;
 /// it does not depend on size, place or sampling, and on tremor of a few hundredths of r hardly. Points lie within
 /// 0.15 r of each other, smoothed by Taubin's steps (1995). Same input, same result. Error: RegionTooFine.
 Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma = kScale);
+
+/// Counts ends, forks and rings anew.
+void countNodes(Skeleton& skeleton);
 
 /// Pixels.
 double lengthOf(const Skeleton& skeleton);

@@ -128,7 +128,7 @@ void members(V& v, T& value) {
 }
 template <class V, Is<inflate::InflateParams> T>
 void members(V& v, T& value) {
-  auto& [height, sides, points, profile] = value;  // the profile stands beside them in the recipe
+  auto& [height, sides, points, profile, bones] = value;  // profile and bones stand beside them in the recipe
   v("height", height);
   v("sides", sides);
   v("points", points);
@@ -144,6 +144,27 @@ void members(V& v, T& value) {
   v("slices", slices);
   v("follow", follow);
 }
+template <class V, Is<inflate::BoneMove> T>
+void members(V& v, T& value) {
+  auto& [from, to] = value;
+  v("from", from);
+  v("to", to);
+}
+template <class V, Is<inflate::BoneHeight> T>
+void members(V& v, T& value) {
+  auto& [at, factor] = value;
+  v("at", at);
+  v("factor", factor);
+}
+template <class V, Is<inflate::BoneEdits> T>
+void members(V& v, T& value) {
+  auto& [detail, drop, add, move, heights] = value;
+  v("detail", detail);
+  v("drop", drop);
+  v("add", add);
+  v("move", move);
+  v("heights", heights);
+}
 template <class V, Is<extrude::ExtrudeParams> T>
 void members(V& v, T& value) {
   auto& [thickness, edge, edgeSize, depth] = value;
@@ -158,6 +179,7 @@ void members(V& v, T& value) {
   v("region", region);
   v("puff", inflate);
   v("profile", inflate.profile);
+  v("bones", inflate.bones);
 }
 template <class V, Is<document::ExtrudeRecipe> T>
 void members(V& v, T& value) {

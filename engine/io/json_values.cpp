@@ -151,7 +151,7 @@ Json bonesJson(const std::vector<inflate::Skeleton>& skeletons) {
     for (const auto& branch : skeleton.branches) {
       Json line = Json::array();
       for (const std::uint32_t p : branch) {
-        const auto& [at, radius] = skeleton.points[p];
+        const auto& [at, radius, factor] = skeleton.points[p];
         for (const double number : {at.x, -at.y, radius}) line.push_back(number);
       }
       branches.push_back(std::move(line));
@@ -203,7 +203,10 @@ std::string writeReport(const LoftReport& report) {
                  {"volume", mesh.volume},
                  {"area", mesh.area}}},
                {"milliseconds", object(report.milliseconds)}};
-  if (report.bones) json["bones"] = bonesJson(*report.bones);
+  if (report.bones) {
+    json["bones"] = bonesJson(*report.bones);
+    json["bones"]["asleep"] = report.asleep;
+  }
   return textOf(json, 2);
 }
 

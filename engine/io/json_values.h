@@ -42,11 +42,13 @@ struct LoftReport {
   ribs::EnergyTerms energy;
   mesh::MeshReport mesh;                                ///< of the part in ModelSpace: volume in px³, area in px²
   std::optional<std::vector<inflate::Skeleton>> bones;  ///< of a puff, one a piece of its region
+  int asleep = 0;                                       ///< edits of its bones that find no place
   NamedNumbers milliseconds;                            ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
 /// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}; of a puff
-/// also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…]} in picture pixels, r the half width.
+/// also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…],"asleep"} in picture pixels, r the half
+/// width.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

@@ -127,6 +127,21 @@ void mix(Hasher& hasher, const inflate::ProfileParams& params) {
   hasher.number(follow);
 }
 
+void mix(Hasher& hasher, const inflate::BoneEdits& edits) {
+  const auto& [detail, drop, add, move, heights] = edits;
+  hasher.number(detail);
+  mix(hasher, drop);
+  hasher.number(add.size());
+  for (const auto& line : add) mix(hasher, line);
+  hasher.number(move.size());
+  for (const auto& [from, to] : move) mix(hasher, std::vector{from, to});
+  hasher.number(heights.size());
+  for (const auto& [at, factor] : heights) {
+    mix(hasher, std::vector{at});
+    hasher.number(factor);
+  }
+}
+
 /// A region's solid takes only its size from the picture, its texture the pixels.
 std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
   const auto& [picture, contours, ribbon, open] = region;
@@ -174,11 +189,12 @@ ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEnt
 
 ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [region, inflate] = recipe;
-  const auto& [height, sides, points, profile] = inflate;
+  const auto& [height, sides, points, profile, bones] = inflate;
   Hasher hasher;
   hasher.text("puff").number(regionKey(region, entry));
   mixAll(hasher, height, sides, points);
   mix(hasher, profile);
+  mix(hasher, bones);
   return ShapeKey{hasher.value()};
 }
 

@@ -256,6 +256,67 @@ void profileChoices(Env env, JsonWriter& json) {
   for (const auto& [key, label] : inflate::readyProfiles()) writeChoice(json, key, label, key == now);
 }
 
+/// Changes the bones of the puff that is meant. `edit` says what is missing, or changes them.
+template <class Edit>
+Outcome editBones(Env env, const Json& args, const Edit& edit) {
+  const document::Part* part = regionPart(env, args);
+  const document::InflateRecipe* puff = part ? document::inflateOf(*part) : nullptr;
+  if (puff == nullptr) return noRegion(env, args);
+  inflate::InflateParams params = puff->inflate;
+  if (const char* missed = edit(params.bones)) return missing(missed);
+  if (!inflate::isValid(params)) return refuse({Error::ValueOutOfRange, "bones"});
+  const Status status = env.studio.act({document::ShapeRegion{part->id, params}});
+  return status ? Outcome{} : refuse(status.failure());
+}
+Outcome dropBone(Env env, const Json& args) {
+  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
+    const std::optional<PicturePoint> at = pointOf(args, "at");
+    if (!at) return "a place on a bone: at, [x, y] in picture pixels";
+    bones.drop.push_back(*at);
+    return nullptr;
+  });
+}
+Outcome addBone(Env env, const Json& args) {
+  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
+    std::optional<std::vector<PicturePoint>> line = strokeOf(args, "line");
+    if (!line || line->size() < 2)
+      return "a line from a bone to where it should reach: a list of [x, y] picture pixels";
+    bones.add.push_back(std::move(*line));
+    return nullptr;
+  });
+}
+Outcome moveBone(Env env, const Json& args) {
+  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
+    const std::optional<PicturePoint> from = pointOf(args, "from"), to = pointOf(args, "to");
+    if (!from || !to) return "an end or fork and where it goes: from and to, [x, y] in picture pixels";
+    bones.move.push_back({*from, *to});
+    return nullptr;
+  });
+}
+Outcome raiseBone(Env env, const Json& args) {
+  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
+    const std::optional<PicturePoint> at = pointOf(args, "at");
+    const std::optional<double> factor = args.number("factor");
+    if (!at || !factor) return "a place on a bone and how many times as thick: at and factor";
+    bones.heights.push_back({*at, *factor});
+    return nullptr;
+  });
+}
+Outcome resetBones(Env env, const Json& args) {
+  return editBones(env, args, [](inflate::BoneEdits& bones) -> const char* {
+    bones = {};
+    return nullptr;
+  });
+}
+bool hasBoneEdits(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part && document::inflateOf(*part) && document::inflateOf(*part)->inflate.bones != inflate::BoneEdits{};
+}
+bool hasBones(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part && document::inflateOf(*part) && !document::inflateOf(*part)->inflate.profile.isSoft();
+}
+
 bool isInflated(Env env) {
   const document::Part* part = regionPart(env, {});
   return part != nullptr && document::inflateOf(*part) != nullptr;
@@ -291,7 +352,7 @@ constexpr double kNotch = 1.25;
 Outcome thicker(Env env, const Json& args) { return notch(env, args, kNotch); }
 Outcome thinner(Env env, const Json& args) { return notch(env, args, 1 / kNotch); }
 
-constexpr Argument kLine{"line"}, kPoint{"to"};
+constexpr Argument kLine{"line"}, kPoint{"to"}, kAt{"at"};
 using inflate::InflateSides, extrude::EdgeKind;
 
 // clang-format off
@@ -314,6 +375,19 @@ constexpr std::array kTable = {
     Command{.id = "puff-slice", .label = "Slice of the puff", .icon = "slice", .group = "part",
             .argument = {"slice", profileChoices}, .hint = "What a cut through the puff looks like",
             .enabled = hasPicture, .run = setProfileRow},
+    Command{.id = "drop-bone", .label = "Leave a bone out by numbers", .icon = "slice", .group = "part",
+            .argument = kAt, .hint = "The bone at a place goes, and what hangs on it", .enabled = hasBones,
+            .run = dropBone},
+    Command{.id = "add-bone", .label = "Add a bone by numbers", .icon = "slice", .group = "part", .argument = kLine,
+            .hint = "A line from a bone to where it should reach", .enabled = hasBones, .run = addBone},
+    Command{.id = "move-bone", .label = "Move a bone by numbers", .icon = "move", .group = "part", .argument = kPoint,
+            .hint = "An end of a bone and where it goes", .enabled = hasBones, .run = moveBone},
+    Command{.id = "bone-height", .label = "Thicker at a bone by numbers", .icon = "plus", .group = "part",
+            .argument = kAt, .hint = "A place on a bone and how many times as thick", .enabled = hasBones,
+            .run = raiseBone},
+    Command{.id = "reset-bones", .label = "Bones as found", .icon = "rotate-ccw", .group = "part",
+            .hint = "The bones of the puff are again those that were found", .enabled = hasBoneEdits,
+            .run = resetBones},
     Command{.id = "edge-sharp", .label = "Sharp edge", .icon = "square", .group = "part",
             .hint = "The flat piece has a sharp edge", .enabled = hasPicture, .toggled = hasEdge<EdgeKind::Sharp>,
             .run = setEdge<EdgeKind::Sharp>},
