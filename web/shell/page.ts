@@ -18,6 +18,7 @@ import { Keeper } from './keep/keeper.ts';
 import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
 import { Mirror } from './mirror.ts';
+import { photoCopies, photosIn } from './link_photos.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
@@ -104,7 +105,7 @@ export class Page {
       askAnimal,
       beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
-      showShare: () => this.showShare(engine),
+      showShare: () => void this.showShare(engine).catch((thrown: unknown) => this.complain(thrown)),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
     });
@@ -356,33 +357,40 @@ export class Page {
     const engine = this.engine,
       keeper = this.keeper;
     if (!engine || !keeper) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
-    const bytes = await blob.arrayBuffer().catch(() => {
+    const buffer = await blob.arrayBuffer().catch(() => {
       throw new Failure('FileUnreadable', engine.sentence('FileUnreadable'));
     });
-    await keeper.openProject(new Uint8Array(bytes));
+    const bytes = new Uint8Array(buffer);
+    await keeper.openProject(bytes, await photosIn(engine, bytes));
     this.guide.offer(null);
     this.sayUntilNext(t('{name} is open.', { name: engine.about().name }));
     this.refresh();
   }
 
-  private showShare(engine: Engine): void {
+  private async showShare(engine: Engine): Promise<void> {
     const host = {
       name: engine.about().name,
       still: (side: number) => stillOf(engine, side),
       picture: () => pngOf(engine),
       save: () => this.run('save-project'),
     };
+    const plain = this.linkOf(engine, {});
     showShare(
-      this.shareLink(),
+      { plain, withPhotos: plain.photosLeft > 0 ? await this.shareLink({ photos: true }) : null },
       host,
       storedSection(() => this.modelFile()),
     );
   }
 
-  /** The open model as a link that holds it. */
-  shareLink(): SharedLink {
-    if (!this.engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
-    return sharedLink(this.engine.shareText());
+  private linkOf(engine: Engine, copies: Record<string, string>): SharedLink {
+    return sharedLink(engine.shareText(copies));
+  }
+
+  /** The open model as a link that holds it; with `photos` with small copies of its photos. */
+  async shareLink({ photos = false } = {}): Promise<SharedLink> {
+    const engine = this.engine;
+    if (!engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    return this.linkOf(engine, photos ? await photoCopies(engine) : {});
   }
 
   /** The open model as a file with its photos, and its name. */
