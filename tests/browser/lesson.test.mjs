@@ -321,10 +321,15 @@ test('a short link opens the model with its photo in another browser until it is
   await withPhotos.uncheck();
   await button(maker.page, 'Make a short link').click();
   const url = await maker.page.getByRole('textbox', { name: 'Short link' }).inputValue();
+  assert.match(url, /view\.html#stored=/);
   assert.ok(url.length < 120, url);
-  const visitor = await open({}, url);
+  // It is looked at first, with its photo and its name; nothing of the visitor's own is touched.
+  const visitor = await openPage(kit.browser, url, { viewport: kWindow, deviceScaleFactor: 0.5 });
   t.after(visitor.close);
-  await visitor.page.waitForFunction(() => window.spineloft.state().documentName === 'A stored tube');
+  await visitor.page.locator('body[data-state=shown]').waitFor({ timeout: 60_000 });
+  assert.equal(await visitor.page.locator('#name').innerText(), 'A stored tube');
+  await visitor.page.getByRole('link', { name: 'Make it mine' }).click();
+  await visitor.page.waitForFunction(() => window.spineloft?.state().documentName === 'A stored tube');
   await idle(visitor.page);
   const { pictures, parts } = await state(visitor.page);
   assert.deepEqual([pictures, parts.length], [1, 1]);
