@@ -43,6 +43,8 @@ export class Page {
   private view: ShellView | null = null;
   private table: readonly Command[] = [];
   private keeper: Keeper | null = null;
+  /** The status line was set in this turn: nobody has heard it yet. */
+  private saysStep = false;
   private readOnly = false;
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
   private passing: string | null = null;
@@ -146,6 +148,8 @@ export class Page {
         this.refresh(event.view);
         break;
       case 'toast':
+        // What a command says of its step takes the place of what is said of every step.
+        if (event.level === 'info' && this.saysStep) this.say('');
         toast(event.text, event.level, event.offer && this.actionOf(event.offer));
         break;
       case 'file':
@@ -169,6 +173,10 @@ export class Page {
         break;
       case 'status':
         this.say(event.text);
+        this.saysStep = true;
+        queueMicrotask(() => {
+          this.saysStep = false;
+        });
         break;
       case 'show':
         this.show(event.dialog);

@@ -226,3 +226,23 @@ TEST_CASE("points of an outline and the depth of a bone are moved without a poin
   page.settle();
   for (const Control& one : page.app->ui().controls) CHECK_FALSE(one.words.starts_with("Depth of the bone"));
 }
+
+TEST_CASE("a point of a graph is held back without a pointer where a drag is: the part does not go through itself") {
+  Rig page;
+  page.openBar();
+  page.drawBar();
+  page.run("show-along", R"({"kind":"tilt"})");
+  page.run("set-along", R"({"kind":"tilt","points":[[0,0],[0.4,0],[0.5,0],[0.6,0],[1,0]]})");
+  page.settle();
+  const auto crossing = [&] { return (*page.state().find("parts")->array())[0].find("crossesAt")->array() != nullptr; };
+  bool said = false;
+  for (int point = 2; point <= 4; ++point) {
+    const std::string words = "Lean, point " + std::to_string(point) + " of 5: value";
+    const Control value = controlOf(page, words, Control::Kind::Slider);
+    work(page, value.id, point % 2 == 0 ? value.slide->high : value.slide->low);
+    page.settle();
+    CHECK_FALSE(crossing());
+    said = said || page.host.said("Any further, and it would go through itself");
+  }
+  CHECK(said);
+}
