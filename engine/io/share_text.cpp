@@ -8,6 +8,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <variant>
@@ -17,6 +18,7 @@
 #include "engine/geometry/polyline.h"
 #include "engine/io/document_json.h"
 #include "engine/io/packed_json.h"
+#include "engine/io/picture_file.h"
 #include "engine/ribs/base/spine.h"
 #include "engine/ribs/edit/places.h"
 
@@ -211,8 +213,15 @@ void findRibs(Json& at, const std::vector<double>& places) {
   if (rib >= 0 && rib < static_cast<double>(places.size())) at = toJson(places[static_cast<std::size_t>(rib)]);
 }
 
-/// The document's JSON with rounded numbers; of a photo only that there is one.
-Json keptJson(const Document& document) {
+/// The id of a picture of the document's JSON; none where it has no usable one.
+PictureId idOf(const Json& picture) {
+  PictureId id;
+  if (picture.is_object()) get(picture.value("id", Json()), id.value);
+  return id;
+}
+
+/// The document's JSON with rounded numbers; of a photo its copy, or that there is one.
+Json keptJson(const Document& document, const PhotoCopies& copies = {}) {
   Document rounded = document;
   std::map<std::uint32_t, Grid> grids;
   for (Box<document::PictureEntry>& box : rounded.pictures) {
@@ -234,35 +243,62 @@ Json keptJson(const Document& document) {
   roundNumbers(json);
   if (Json* pictures = listOf(json, kPicturesKey)) {
     for (Json& picture : *pictures) {
-      if (picture.contains(kPhotoKey)) picture[kPhotoKey] = true;
+      if (!picture.contains(kPhotoKey)) continue;
+      const auto copy = copies.find(idOf(picture));
+      picture[kPhotoKey] = copy == copies.end() ? Json(true) : Json(copy->second);
     }
   }
   return json;
 }
 
-/// White pictures in place of the photos.
-Result<Document> documentOf(Json json, ReadNotes* notes) {
-  std::map<std::uint64_t, std::shared_ptr<const image::Picture>> blanks;
+/// The photo as one of a picture of this size; null where it is of another shape.
+std::shared_ptr<const image::Picture> sizedPhoto(const CopiedPhotos& photos, PictureId id, image::Size size) {
+  const auto at = photos.find(id);
+  if (at == photos.end()) return nullptr;
+  image::Picture photo = *at->second;
+  const double off =
+      static_cast<double>(photo.working.width) * size.height - static_cast<double>(photo.working.height) * size.width;
+  if (std::abs(off) > std::max(size.width, size.height)) return nullptr;
+  photo.width = size.width;
+  photo.height = size.height;
+  return std::make_shared<const image::Picture>(std::move(photo));
+}
+
+/// The photos that are there, and white pictures in place of the others.
+Result<Document> documentOf(Json json, ReadNotes* notes, const CopiedPhotos& copied = {}) {
+  std::map<std::uint64_t, std::shared_ptr<const image::Picture>> shown;
+  std::set<PictureId> missing;
   if (Json* pictures = listOf(json, kPicturesKey)) {
     for (Json& picture : *pictures) {
       if (!picture.is_object() || !picture.contains(kPhotoKey)) continue;
       image::Size size;
       const auto at = picture.find("size");
       if (at == picture.end() || !get(*at, size) || size.width < 1 || size.height < 1) continue;
-      const auto blank = blankPicture(size);
-      const std::uint64_t hash = document::contentHash(*blank);
-      blanks[hash] = blank;
+      auto photo = sizedPhoto(copied, idOf(picture), size);
+      if (photo == nullptr) {
+        if (picture[kPhotoKey].is_string()) missing.insert(idOf(picture));
+        photo = blankPicture(size);
+      }
+      const std::uint64_t hash = document::contentHash(*photo);
       picture[kPhotoKey] = hashKey(hash);
+      shown[hash] = std::move(photo);
     }
   }
   forPlaces(json, findRibs);
   const PictureSource photos = [&](std::uint64_t hash) -> std::shared_ptr<const image::Picture> {
-    const auto found = blanks.find(hash);
-    return found == blanks.end() ? nullptr : found->second;
+    const auto found = shown.find(hash);
+    return found == shown.end() ? nullptr : found->second;
   };
   ReadNotes ours;
   Result<Document> read = documentFrom(std::move(json), {notes != nullptr ? *notes : ours, photos}, MissingPhoto::Drop);
-  if (read.ok()) makeRoomForIds(read.value(), notes != nullptr ? *notes : ours);
+  if (!read.ok()) return read;
+  for (Box<document::Part>& box : read.value().parts) {
+    if (!missing.contains(document::pictureOf(box.get()))) continue;
+    document::Part part = box.get();
+    part.look.textured = false;
+    box = std::move(part);
+  }
+  makeRoomForIds(read.value(), notes != nullptr ? *notes : ours);
   return read;
 }
 
@@ -325,7 +361,7 @@ std::optional<std::vector<std::uint8_t>> toBytes(std::string_view text) {
   return rest ? std::nullopt : std::optional(std::move(bytes));
 }
 
-Result<Document> readText(std::string_view text, ReadNotes* notes) {
+Result<Json> jsonOf(std::string_view text) {
   if (!isShareText(text)) return Error::LinkForeign;
   const int version = text.front() - '0';
   if (version > kShareVersion) return Error::ProjectTooNew;
@@ -341,9 +377,37 @@ Result<Document> readText(std::string_view text, ReadNotes* notes) {
   std::uint32_t sum = 0;
   for (const std::uint8_t byte : std::span(*bytes).last(kSumBytes)) sum = sum << 8 | byte;
   if (crc32(packed) != sum) return Error::LinkAltered;
-  Result<Json> json = unpackJson(packed, version);
+  return unpackJson(packed, version);
+}
+
+Result<Document> readText(std::string_view text, ReadNotes* notes, const CopiedPhotos& photos) {
+  Result<Json> json = jsonOf(text);
   if (!json.ok()) return json.failure();
-  return documentOf(std::move(json).value(), notes);
+  return documentOf(std::move(json).value(), notes, photos);
+}
+
+/// A picture file that anybody may decode: its header says that it is small.
+bool isSmallPhoto(const std::optional<std::vector<std::uint8_t>>& file) {
+  if (!file) return false;
+  const Result<PictureInfo> info = probePicture(*file);
+  if (!info.ok()) return false;
+  const auto [format, size, orientation] = info.value();
+  return (format == PictureFormat::Webp || format == PictureFormat::Jpeg) && std::min(size.width, size.height) > 0 &&
+         std::max(size.width, size.height) <= kMostSharedSide;
+}
+
+Result<PhotoCopies> copiesIn(std::string_view text) {
+  Result<Json> json = jsonOf(text);
+  if (!json.ok()) return json.failure();
+  PhotoCopies copies;
+  if (const Json* pictures = listOf(json.value(), kPicturesKey)) {
+    for (const Json& picture : *pictures) {
+      if (!picture.is_object() || !picture.contains(kPhotoKey) || !picture[kPhotoKey].is_string()) continue;
+      auto copy = picture[kPhotoKey].get<std::string>();
+      if (isSmallPhoto(toBytes(copy))) copies.emplace(idOf(picture), std::move(copy));
+    }
+  }
+  return copies;
 }
 
 }  // namespace
@@ -393,8 +457,8 @@ std::string sealShareText(std::vector<std::uint8_t> packed) {
   return text + body;
 }
 
-Result<std::string> writeShareText(const Document& document) {
-  Result<std::vector<std::uint8_t>> packed = packJson(keptJson(document));
+Result<std::string> writeShareText(const Document& document, const PhotoCopies& copies) {
+  Result<std::vector<std::uint8_t>> packed = packJson(keptJson(document, copies));
   if (!packed.ok()) return packed.failure();
   return sealShareText(std::move(packed).value());
 }
@@ -413,9 +477,17 @@ std::optional<std::string_view> textOfLink(std::string_view link) {
   return isShareText(link) ? std::optional(link) : std::nullopt;
 }
 
-Result<Document> readShareText(std::string_view text, ReadNotes* notes) {
+Result<Document> readShareText(std::string_view text, ReadNotes* notes, const CopiedPhotos& photos) {
   try {
-    return readText(text, notes);
+    return readText(text, notes, photos);
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
+}
+
+Result<PhotoCopies> photosInShareText(std::string_view text) {
+  try {
+    return copiesIn(text);
   } catch (const std::bad_alloc&) {
     return Error::OutOfMemory;
   }

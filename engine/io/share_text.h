@@ -1,9 +1,11 @@
-// A whole model as a short text, for links and QR codes. Pictures on paper go along as their strokes; of a photo only
-// its size does (publish/share_model.h says what stands for it).
+// A whole model as a text, for links and QR codes. Pictures on paper go along as their strokes. Of a photo its size
+// does, and where there is room a small copy (publish/share_model.h says what stands for it otherwise).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,9 +37,17 @@ std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image:
 /// About so many quarters of a bit a line takes in a text: few where its points are evenly spaced, or on a coarse grid.
 std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture);
 
-/// Only letters, digits, '-' and '_'. Equal documents give equal texts; reading gives shareable(document).
-/// Error: OutOfMemory (a document with millions of numbers).
-Result<std::string> writeShareText(const document::Document& document);
+/// Longest side of the copy of a photo in a text, pixels.
+inline constexpr int kMostSharedSide = 512;
+/// Copies of photos by their pictures: WebP or JPEG files of at most kMostSharedSide pixels a side, as base64url (RFC
+/// 4648, section 5) without padding.
+using PhotoCopies = std::map<PictureId, std::string>;
+/// What copies show.
+using CopiedPhotos = std::map<PictureId, std::shared_ptr<const image::Picture>>;
+
+/// Only letters, digits, '-' and '_'. Equal documents and copies give equal texts; reading gives shareable(document),
+/// with the photos that are given to it. Error: OutOfMemory (a document with millions of numbers).
+Result<std::string> writeShareText(const document::Document& document, const PhotoCopies& copies = {});
 /// The text of what packJson wrote: version, length, checksum.
 std::string sealShareText(std::vector<std::uint8_t> packed);
 
@@ -49,6 +59,11 @@ inline constexpr std::string_view kLinkMark = "#m=";
 std::optional<std::string_view> textOfLink(std::string_view link);
 /// Mended as by readDocument. Errors: LinkForeign, LinkCut (with how many characters are missing), LinkAltered,
 /// ProjectTooNew, OutOfMemory (longer than kMostShareText, or with more in it than kMostPacked).
-Result<document::Document> readShareText(std::string_view text, ReadNotes* notes = nullptr);
+/// A picture has the photo that `photos` has for it, if its sides are in the proportion of the picture's to within a
+/// pixel. Where a text has a copy and `photos` has none, the picture is white and the parts on it have their colours.
+Result<document::Document> readShareText(std::string_view text, ReadNotes* notes = nullptr,
+                                         const CopiedPhotos& photos = {});
+/// The copies in a text, whoever wrote it: what is no such file by its header is left out. Errors: as readShareText.
+Result<PhotoCopies> photosInShareText(std::string_view text);
 
 }  // namespace spineloft::io

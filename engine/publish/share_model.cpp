@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/io/share_text.h"
+#include "engine/publish/share_copies.h"
 #include "engine/publish/short_stroke.h"
 #include "engine/ribs/edit/places.h"
 
@@ -66,9 +66,9 @@ std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const i
   return mean;
 }
 
-}  // namespace
-
-document::Document withoutPhotos(const document::Document& document, const pipeline::Derived& derived) {
+/// withoutPhotos, but that parts go on to show photos of which there are copies.
+document::Document fixed(const document::Document& document, const pipeline::Derived& derived,
+                         const io::PhotoCopies& copies) {
   document::Document out = document;
   for (std::size_t i = 0; i < out.parts.size() && i < derived.parts.size(); ++i) {
     document::Part part = out.parts[i].get();
@@ -84,7 +84,7 @@ document::Document withoutPhotos(const document::Document& document, const pipel
       loft->stroke = std::move(shorter.stroke);
     }
     if (part.look.textured) {
-      part.look.textured = false;
+      part.look.textured = copies.contains(entry->id);
       part.look.paint = surface::Paint::Plain;
       part.look.colour = meanColour(*shape, entry->picture->working, part.look.colour);
     }
@@ -93,11 +93,23 @@ document::Document withoutPhotos(const document::Document& document, const pipel
   return out;
 }
 
+}  // namespace
+
+document::Document withoutPhotos(const document::Document& document, const pipeline::Derived& derived) {
+  return fixed(document, derived, {});
+}
+
 Result<SharedModel> shareModel(const document::Document& document, const pipeline::Derived& derived) {
-  Result<std::string> text = io::writeShareText(withoutPhotos(document, derived));
+  return shareModel(document, derived, {});
+}
+
+Result<SharedModel> shareModel(const document::Document& document, const pipeline::Derived& derived,
+                               const io::PhotoCopies& copies) {
+  Result<std::string> text = io::writeShareText(fixed(document, derived, copies), copies);
   if (!text.ok()) return text.failure();
   SharedModel shared{std::move(text).value()};
-  for (const document::PictureEntry& entry : document.pictures) shared.photosLeft += !entry.isSketch();
+  for (const document::PictureEntry& entry : document.pictures)
+    shared.photosLeft += !entry.isSketch() && !copies.contains(entry.id);
   return shared;
 }
 

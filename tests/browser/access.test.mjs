@@ -367,6 +367,27 @@ test('what happens is said in live regions: the picture, the parts, refusals', (
     assert.match(await toastText(page), /crosses itself/);
   }));
 
+test('what a command says of its step in a toast is not said in the status line as well', () =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await page.evaluate(() => {
+      window.said = [];
+      const watch = (id) =>
+        new MutationObserver(() => window.said.push(document.getElementById(id).innerText.trim())).observe(
+          document.getElementById(id),
+          { childList: true, characterData: true, subtree: true },
+        );
+      watch('status');
+      watch('toasts');
+    });
+    await run(page, 'remove-picture', { picture: 1 });
+    const said = (await page.evaluate(() => window.said)).filter((text) => text !== '');
+    assert.equal(said.length, 1, said.join(' | '));
+    assert.match(said[0], /^Removed .* and its part/);
+    await run(page, 'undo');
+    assert.match(await page.locator('#status').innerText(), /^Undone: /);
+  }));
+
 test('reduced motion: the ghost hand stands still and shows the whole line', () =>
   onPage(kit, { alone: true, reducedMotion: 'reduce' }, async (page) => {
     await page.locator('.sample .ghost-line').waitFor({ state: 'attached' });

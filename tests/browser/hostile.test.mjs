@@ -212,7 +212,10 @@ test('a link, a stored model and the answers of a server are text for who opens 
     }
     const stored = await page.evaluate(() => window.spineloft.shareLink({ stored: true }));
     await visit(stored.url, async (other) => {
-      await other.waitForFunction((wanted) => window.spineloft.state().documentName === wanted, name);
+      await other.locator('body[data-state=shown]').waitFor();
+      assert.equal(await other.locator('#name').innerText(), name);
+      await other.getByRole('link', { name: 'Make it mine' }).click();
+      await other.waitForFunction((wanted) => window.spineloft?.state().documentName === wanted, name);
       await idle(other);
       assert.equal((await state(other)).parts.length, 1);
     });

@@ -80,6 +80,27 @@ test('a phone: the page fits its width and every command is within reach', () =>
     await page.keyboard.press('Escape');
   }));
 
+test('a phone: what is said lies on the panel and leaves its tabs free, with a button as well', () =>
+  onPage(kit, kPhone, async (page) => {
+    await done(page, 'new-sketch');
+    const { width, height } = (await state(page)).picture;
+    await run(page, 'draw');
+    await drawWithFinger(page, line([width / 2, height * 0.35], [width / 2, height * 0.7]));
+    const toast = page.locator('.toast').last();
+    await toast.getByRole('button', { name: 'Try again' }).waitFor();
+    const tabs = (await state(page)).controls.filter(({ kind }) => kind === 'tab');
+    assert.ok(tabs.length > 2);
+    const canvas = await page.locator('#canvas').boundingBox();
+    const { y } = await toast.boundingBox();
+    for (const { words, at } of tabs) assert.ok(canvas.y + at[1] + at[3] <= y + 1, words);
+    // It goes when the hand goes on, once it could be read.
+    const [{ at }] = tabs;
+    const tap = () => page.touchscreen.tap(canvas.x + at[0] + at[2] / 2, canvas.y + at[1] + at[3] / 2);
+    await page.waitForTimeout(1600);
+    await tap();
+    await toast.waitFor({ state: 'detached', timeout: 1000 });
+  }));
+
 test('the smallest phone: one column of tools beside the picture, and a tap on the dots brings the others by their names', () =>
   withTube(kPhone, async (page) => {
     await page.setViewportSize({ width: 320, height: 568 });

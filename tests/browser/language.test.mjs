@@ -123,6 +123,29 @@ test('ids, states and files are the same in every language, and errors are sente
     assert.equal(message, german['That line is too short. Draw a longer line along the middle of the object.']);
   }));
 
+test('on a phone what comes next moves nothing, however long its words are in a language', () =>
+  onPage(kit, { ...kPhone, locale: 'de' }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const says = [...readFileSync(join(root, 'web/shell/tasks.ts'), 'utf8').matchAll(/say: '([^']+)'/g)];
+    assert.ok(says.length > 15);
+    const texts = says.flatMap(([, say]) => [say, ...['de', 'fr', 'es', 'ja', 'ar'].map((id) => words(id)[say])]);
+    const measured = await page.evaluate((all) => {
+      const line = document.getElementById('coach-words'),
+        box = () => document.querySelector('footer').getBoundingClientRect();
+      line.textContent = '…';
+      const before = box().height;
+      return all.map((text) => {
+        line.textContent = `${text} (3 / 5)`;
+        const at = line.getBoundingClientRect();
+        return { text, grown: box().height - before, fits: at.top >= box().top - 1 && at.bottom <= box().bottom + 1 };
+      });
+    }, texts);
+    assert.deepEqual(
+      measured.filter(({ grown, fits }) => grown !== 0 || !fits),
+      [],
+    );
+  }));
+
 test('Arabic is written from the right, with letters that its fonts have', () =>
   onPage(kit, { alone: true, ...kSizes.desktop }, async (page) => {
     await speak(page, 'ar');

@@ -308,15 +308,28 @@ test(
 test('a short link opens the model with its photo in another browser until it is taken back', async (t) => {
   const maker = await open();
   t.after(maker.close);
-  await make(maker.page, 'A stored tube');
+  const large = tubePicture();
+  await openWithPart(maker.page, large.png, large.middle);
+  await run(maker.page, 'rename-model', { name: 'A stored tube' });
+  await idle(maker.page);
   await button(maker.page, 'Save').click();
   await maker.page.getByRole('menuitem', { name: /^Share/ }).click();
+  // A link that is too long names the short one, where there is a server.
+  const withPhotos = maker.page.getByRole('checkbox', { name: 'With small copies of the photos' });
+  await withPhotos.check();
+  await maker.page.getByText('Make a short link below').waitFor();
+  await withPhotos.uncheck();
   await button(maker.page, 'Make a short link').click();
   const url = await maker.page.getByRole('textbox', { name: 'Short link' }).inputValue();
+  assert.match(url, /view\.html#stored=/);
   assert.ok(url.length < 120, url);
-  const visitor = await open({}, url);
+  // It is looked at first, with its photo and its name; nothing of the visitor's own is touched.
+  const visitor = await openPage(kit.browser, url, { viewport: kWindow, deviceScaleFactor: 0.5 });
   t.after(visitor.close);
-  await visitor.page.waitForFunction(() => window.spineloft.state().documentName === 'A stored tube');
+  await visitor.page.locator('body[data-state=shown]').waitFor({ timeout: 60_000 });
+  assert.equal(await visitor.page.locator('#name').innerText(), 'A stored tube');
+  await visitor.page.getByRole('link', { name: 'Make it mine' }).click();
+  await visitor.page.waitForFunction(() => window.spineloft?.state().documentName === 'A stored tube');
   await idle(visitor.page);
   const { pictures, parts } = await state(visitor.page);
   assert.deepEqual([pictures, parts.length], [1, 1]);
@@ -346,6 +359,9 @@ test('a site without a server offers neither classes nor short links, and says s
     await page.getByRole('menuitem', { name: /^Share/ }).click();
     await page.getByRole('dialog', { name: 'Share' }).getByText('The whole model is in this link').waitFor();
     assert.equal(await button(page, 'Make a short link').count(), 0);
+    // The small copy of a small picture fits: it goes along by itself, also in the QR code.
+    assert.ok(await page.getByRole('checkbox', { name: 'With small copies of the photos' }).isChecked());
+    assert.ok(await page.getByRole('img', { name: 'QR code of the link' }).isVisible());
     const code = await page.evaluate(() =>
       window.spineloft.shareLink({ stored: true }).then(
         () => null,

@@ -5,6 +5,7 @@ import test from 'node:test';
 import jsqr from 'jsqr';
 import { PNG } from 'pngjs';
 import {
+  difference,
   done,
   downloaded,
   dropFiles,
@@ -24,10 +25,11 @@ import { tubePicture } from './support/pictures.mjs';
 const kit = useSite();
 
 /** Opens the address `link` in a page of its own, as a visitor does, and makes the model hers. */
-async function visit(page, link, work) {
+async function visit(page, link, work, look = async () => undefined) {
   const other = await page.context().newPage();
   try {
     await other.goto(link);
+    await look(other);
     await other.getByRole('link', { name: 'Make it mine' }).click({ timeout: 120_000 });
     await other.waitForFunction(() => window.spineloft?.state().parts.length > 0, null, { timeout: 120_000 });
     await idle(other);
@@ -72,6 +74,103 @@ test('Share shows a link and a QR code; who opens the link gets the model as one
       await idle(other);
       assert.equal((await other.evaluate(() => window.spineloft.models())).length, 2);
     });
+  }));
+
+test('with small copies of its photos a link is long, and shows them: in the viewer, and to who makes it hers', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    const dialog = await openShare(page);
+    const field = dialog.getByRole('textbox', { name: 'Link' });
+    const code = dialog.getByRole('img', { name: 'QR code of the link' });
+    const short = await field.inputValue();
+    const choice = dialog.getByRole('checkbox', { name: 'With small copies of the photos' });
+    assert.equal(await choice.isChecked(), false);
+    await choice.check();
+    const long = await field.inputValue();
+    const asked = await page.evaluate(() => window.spineloft.shareLink({ photos: true }));
+    assert.deepEqual([asked.url, asked.photosLeft], [long, 0]);
+    assert.ok(asked.characters > 1900, `${asked.characters}`);
+    assert.ok(await code.isHidden());
+    assert.ok(await dialog.getByText('Photos stay here').isHidden());
+    const said = await dialog.locator('.share-long').innerText();
+    assert.match(said, /characters long, and some programs cut it off/);
+    assert.match(said, /Without the photos it is short/);
+    assert.match(said, /Or send the picture or the model file/);
+    await choice.uncheck();
+    assert.equal(await field.inputValue(), short);
+    assert.ok(await code.isVisible());
+    const before = await ends(page);
+    const picture = PNG.sync.read(await exported(page, 'png'));
+    // Both colours of the photo stand in the viewer, one in that of a link without it.
+    const bands = async (viewer) => {
+      await viewer.locator('body[data-state=shown]').waitFor({ timeout: 120_000 });
+      await viewer.waitForTimeout(1000); // its first frame
+      const { data } = PNG.sync.read(await viewer.locator('#canvas').screenshot());
+      let blue = 0,
+        green = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        blue += data[i + 2] > data[i + 1] + 30 ? 1 : 0;
+        green += data[i + 1] > data[i + 2] + 6 ? 1 : 0;
+      }
+      return Math.min(blue, green) / Math.max(blue, green, 1);
+    };
+    const shares = [];
+    for (const link of [long, short]) {
+      await visit(
+        page,
+        link,
+        async (other) => {
+          const { parts } = await state(other);
+          assert.equal(parts[0].textured, link === long);
+          const after = await ends(other);
+          const off = after.map(([x, y], i) => Math.hypot(x - before[i][0], y - before[i][1]));
+          assert.ok(Math.max(...off) < 1, `${off.map((d) => d.toFixed(1))}`);
+          shares.push(difference(picture, PNG.sync.read(await exported(other, 'png'))));
+        },
+        async (viewer) => shares.push(await bands(viewer)),
+      );
+    }
+    const [bandsLong, offLong, bandsShort, offShort] = shares;
+    assert.ok(bandsLong > 0.2 && bandsShort < 0.05, `${shares}`);
+    assert.ok(offLong < offShort / 4, `${shares}`);
+  }));
+
+test('Send hands link and picture to the system where it takes them; what it refuses is saved, and closing it is no error', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    // Headless browsers have no share sheet.
+    await page.evaluate(() => {
+      window.sent = [];
+      navigator.canShare = ({ files }) => files.length === 1;
+      navigator.share = async (data) => {
+        window.sent.push(data);
+        if (window.refusal) throw new DOMException('no', window.refusal);
+      };
+    });
+    const dialog = await openShare(page);
+    const { url } = await linkOf(page);
+    await dialog.getByRole('button', { name: 'Send' }).click();
+    assert.deepEqual(await page.evaluate(() => window.sent.pop()), { url });
+    const press = () => dialog.getByRole('button', { name: 'Picture' }).click();
+    const sentFile = async () => {
+      await page.waitForFunction(() => window.sent.length > 0);
+      return page.evaluate(async () => {
+        const { name, type, size } = window.sent.pop().files[0];
+        return { name, type, size };
+      });
+    };
+    await press();
+    const { name, type, size } = await sentFile();
+    assert.deepEqual([name, type, size], ['tube.png', 'image/png', (await exported(page, 'png')).length]);
+    let saved = 0;
+    page.on('download', () => (saved += 1));
+    await page.evaluate(() => (window.refusal = 'AbortError'));
+    await press();
+    await sentFile();
+    await dialog.getByRole('button', { name: 'Send' }).click();
+    assert.equal(saved, 0);
+    await page.evaluate(() => (window.refusal = 'NotAllowedError'));
+    const file = await downloaded(page, press);
+    assert.equal(file.bytes.length, size);
+    assert.equal(saved, 1);
   }));
 
 test('a text that is none opens nothing, and the model that is open stays', () =>
@@ -187,7 +286,7 @@ test('the HTML for another page has the viewer with its poster; a long link offe
     }
     await idle(page);
     await run(page, 'share-model');
-    assert.match(await dialog.innerText(), /characters long, and some programs cut it off/);
+    assert.match(await dialog.innerText(), /characters long, and some programs cut it off. Or send the picture/);
     assert.equal(await dialog.getByRole('img', { name: 'QR code of the link' }).count(), 0);
     assert.ok(await dialog.getByRole('button', { name: 'Save model' }).isVisible());
     assert.ok(await dialog.getByRole('button', { name: 'Picture' }).isVisible());

@@ -48,6 +48,18 @@ class Visitor {
   }
 
   async tap(x, y) {
+    // What is said may lie on it: that is closed first.
+    const covers = await this.page.evaluateHandle(
+      ([left, top]) => {
+        const there = document.elementFromPoint(left, top);
+        return there?.closest('button') ? null : (there?.closest('.toast')?.querySelector('.toast-close') ?? null);
+      },
+      [x, y],
+    );
+    if (covers.asElement()) {
+      this.actions += 1;
+      await covers.asElement().click();
+    }
     this.actions += 1;
     if (this.touch) await this.page.touchscreen.tap(x, y);
     else await this.page.mouse.click(x, y);

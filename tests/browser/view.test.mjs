@@ -53,6 +53,7 @@ async function visitEmbedded(address, work, options) {
         </script><iframe id="frame" width="640" height="480" src="${address}"></iframe>`,
       }),
     );
+    await page.waitForLoadState('networkidle'); // the icon comes after the page: leaving would cut it off
     await page.goto(`${site}host.html`);
     await work(page, page.frameLocator('#frame'));
     assert.deepEqual(opened.troubles, []);

@@ -109,3 +109,55 @@ test('a store of a later version is left alone, and that is said', async () => {
   await store.close();
   await assert.rejects(openStore(place), /later version/);
 });
+
+test('no answer sets a cookie, and an address is neither in the store nor in what is said', async () => {
+  const place = file('f.sqlite');
+  const share = await startServer(await openStore(place));
+  // Of the own machine, as 127.0.0.1 is; found by its text and by its bytes.
+  const address = '127.83.59.241';
+  const [model, room, secret, seat] = [id(), id(), id(), id()];
+  const ask = (method, path, body = Buffer.alloc(0)) =>
+    new Promise((resolve, reject) => {
+      const { headers } = putOptions(path, secret, body.length);
+      const options = { host: '127.0.0.1', port: share.port, localAddress: address, method, path, headers };
+      const sent = request(options, (response) => {
+        response.resume();
+        response.on('end', () => resolve({ status: response.statusCode, headers: response.headers }));
+      });
+      sent.on('error', reject);
+      sent.end(body);
+    });
+  const answers = [
+    await ask('PUT', `/share/v1/models/${model}`, randomBytes(3000)),
+    await ask('GET', `/share/v1/models/${model}`),
+    await ask('PUT', `/share/v1/rooms/${room}`),
+    await ask('PUT', `/share/v1/rooms/${room}/posts/${id()}`, randomBytes(3000)),
+    await ask('GET', `/share/v1/words/${id()}`),
+    await ask('GET', `/share/v1/models/${seat}`),
+    await ask('GET', '/share/healthz'),
+    await ask('DELETE', `/share/v1/models/${seat}`),
+    await ask('GET', '/share/nothing'),
+  ];
+  const statuses = answers.map(({ status }) => status);
+  assert.deepEqual(statuses.slice(0, 4), [201, 200, 201, 201]);
+  assert.ok(
+    statuses.slice(4).some((status) => status >= 400),
+    `${statuses}`,
+  );
+  for (const { headers } of answers) assert.equal(headers['set-cookie'], undefined);
+  const files = () =>
+    Buffer.concat(
+      ['', '-wal', '-shm']
+        .map((end) => place + end)
+        .filter(existsSync)
+        .map((name) => readFileSync(name)),
+    );
+  const kept = [files()];
+  await share.close();
+  kept.push(files(), Buffer.from(share.said.join('\n')));
+  assert.ok(kept[0].includes(Buffer.from(model)) || kept[1].includes(Buffer.from(model)), 'what is kept is looked at');
+  for (const bytes of kept) {
+    assert.ok(!bytes.includes(address));
+    assert.ok(!bytes.includes(Buffer.from(address.split('.').map(Number))));
+  }
+});

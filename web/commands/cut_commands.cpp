@@ -225,6 +225,7 @@ Outcome undoMark(Env env, const Json& args) {
   draft.undone.push_back(std::move(draft.hints.marks.back()));
   draft.hints.marks.pop_back();
   search(env);
+  sendStatus(env.host, words::tr("Undone: {what}.", {{"what", words::tr("Mark")}}));
   return {};
 }
 
@@ -233,6 +234,7 @@ Outcome redoMark(Env env, const Json&) {
   draft.hints.marks.push_back(std::move(draft.undone.back()));
   draft.undone.pop_back();
   search(env);
+  sendStatus(env.host, words::tr("Done again: {what}.", {{"what", words::tr("Mark")}}));
   return {};
 }
 bool canRedo(Env env) { return hasDraft(env) && !env.ui.cut->undone.empty(); }

@@ -128,11 +128,13 @@ Outcome leaveRow(Env env, const Json&) {
 Outcome takeBack(Env env, const Json&) {
   undoBoard(*boardOf(env));
   previewBoard(env.ui, env.studio.document());
+  sendStatus(env.host, words::tr("Undone: {what}.", {{"what", words::tr("Slice")}}));
   return {};
 }
 Outcome onceMore(Env env, const Json&) {
   redoBoard(*boardOf(env));
   previewBoard(env.ui, env.studio.document());
+  sendStatus(env.host, words::tr("Done again: {what}.", {{"what", words::tr("Slice")}}));
   return {};
 }
 

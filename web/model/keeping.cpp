@@ -51,10 +51,17 @@ Result<std::size_t> Keeping::restore(std::string_view base, std::span<const std:
   return read.value().dropped;
 }
 
-Result<std::string> Keeping::openProject(std::span<const std::uint8_t> file) {
+Result<std::string> Keeping::openProject(std::span<const std::uint8_t> file,
+                                         const std::map<PictureId, std::string>& photos) {
+  const auto laidBy = std::exchange(laidBy_, {});
+  io::CopiedPhotos copied;
+  for (const auto& [picture, hash] : photos) {
+    const auto at = laidBy.find(io::hashFromKey(hash).value_or(0));
+    if (at != laidBy.end()) copied.emplace(picture, at->second);
+  }
   io::ReadNotes notes;
   const auto link = io::textOfLink({reinterpret_cast<const char*>(file.data()), file.size()});
-  Result<document::Document> document = link ? io::readShareText(*link, &notes) : io::readProject(file, &notes);
+  Result<document::Document> document = link ? io::readShareText(*link, &notes, copied) : io::readProject(file, &notes);
   if (!document) return document.failure();
   studio_.open(io::DocumentHistory(std::move(document).value()));
   if (notes.clean()) return std::string();

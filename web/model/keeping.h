@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,16 +29,17 @@ class Keeping {
   /// A photo of the history; null when no step shows it.
   std::shared_ptr<const image::Picture> photo(std::string_view hash) const;
 
-  /// Lays a photo by for the next `restore`; its content hash.
+  /// Lays a photo by for the next `restore` or `openProject`; its content hash.
   std::string layBy(image::Picture photo);
   /// Replaces the history by what `base` and `records` say and photos laid by show; an empty base is a
   /// new, empty model. What was laid by is given back in any case. The number of records at the end
   /// that were damaged and are left out. Errors: those of io::readHistory; then nothing has changed.
   Result<std::size_t> restore(std::string_view base, std::span<const std::string> records);
   /// Replaces the history by one that begins with the document of a project file; the sentence says what
-  /// had to be mended and is empty when nothing had. Errors: those of io::readProject; then nothing has
-  /// changed.
-  Result<std::string> openProject(std::span<const std::uint8_t> file);
+  /// had to be mended and is empty when nothing had. A link may stand for the file; pictures of it show photos laid by
+  /// whose hashes `photos` names. What was laid by is given back in any case. Errors: those of io::readProject and
+  /// io::readShareText; then nothing has changed.
+  Result<std::string> openProject(std::span<const std::uint8_t> file, const std::map<PictureId, std::string>& photos);
 
  private:
   Studio& studio_;

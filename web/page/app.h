@@ -70,8 +70,9 @@ class App final : public platform::Page, Hand {
   std::shared_ptr<const image::Picture> photo(std::string_view hash) override;
   const std::string& layPhotoBy(image::Picture photo) override;
   const std::string& restore(std::string_view base, std::string_view recordsJson) override;
-  const std::string& shareText() override;
-  const std::string& openProject(std::span<const std::uint8_t> file) override;
+  const std::string& shareText(std::string_view copiesJson) override;
+  const std::string& photosOfLink(std::span<const std::uint8_t> file) override;
+  const std::string& openProject(std::span<const std::uint8_t> file, std::string_view photosJson) override;
   const image::Image& thumbnail(int width, int height) override;
   const image::Image& turntable(int width, int height, double turn) override;
 

@@ -1,8 +1,13 @@
 // App's answers to the shell about keeping models.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "engine/io/json_fields.h"
+#include "engine/io/share_text.h"
+#include "engine/publish/share_copies.h"
 #include "web/commands/command_actions.h"
 #include "web/model/messages.h"
 #include "web/page/app.h"
@@ -39,6 +44,27 @@ UiState thumbnailViews(const CommandEnv& env, int width, int height) {
   return small;
 }
 
+/// The members of a JSON object that are texts.
+std::map<std::string, std::string> textsOf(std::string_view json) {
+  std::map<std::string, std::string> texts;
+  const std::optional<Json> read = Json::parse(json);
+  if (!read || read->object() == nullptr) return texts;
+  for (const auto& [key, value] : *read->object()) {
+    if (const std::string* text = value.text()) texts.emplace(key, *text);
+  }
+  return texts;
+}
+
+/// Copies by the keys of the hashes of their photos as copies by pictures.
+io::PhotoCopies copiesOf(const document::Document& document, const std::map<std::string, std::string>& byHash) {
+  io::PhotoCopies copies;
+  for (const document::PictureEntry& entry : document.pictures) {
+    const auto copy = byHash.find(io::hashKey(entry.contentHash));
+    if (!entry.isSketch() && copy != byHash.end()) copies.emplace(entry.id, copy->second);
+  }
+  return copies;
+}
+
 }  // namespace
 
 const std::string& App::history() { return text_ = keeping_.history(); }
@@ -72,8 +98,10 @@ const std::string& App::restore(std::string_view base, std::string_view recordsJ
   return text_ = json_.json();
 }
 
-const std::string& App::shareText() {
-  const Result<publish::SharedModel> shared = studio_.shareNow();
+const std::string& App::shareText(std::string_view copiesJson) {
+  Result<publish::SharedModel> shared = studio_.shareNow();  // now all is made
+  const io::PhotoCopies copies = copiesOf(studio_.document(), textsOf(copiesJson));
+  if (shared && !copies.empty()) shared = publish::shareModel(studio_.document(), studio_.derived(), copies);
   if (!shared) return answerWith(refuse(shared.failure()));
   json_.clear();
   json_.beginObject().key("ok").flag(true).key("text").text(shared.value().text).key("photos");
@@ -81,8 +109,25 @@ const std::string& App::shareText() {
   return text_ = json_.json();
 }
 
-const std::string& App::openProject(std::span<const std::uint8_t> file) {
-  const Result<std::string> mended = keeping_.openProject(file);
+const std::string& App::photosOfLink(std::span<const std::uint8_t> file) {
+  const auto link = io::textOfLink({reinterpret_cast<const char*>(file.data()), file.size()});
+  const Result<io::PhotoCopies> copies = link ? io::photosInShareText(*link) : io::PhotoCopies();
+  if (!copies) return answerWith(refuse(copies.failure()));
+  json_.clear();
+  json_.beginObject().key("ok").flag(true).key("photos").beginObject();
+  for (const auto& [picture, copy] : copies.value()) json_.key(std::to_string(picture.value)).text(copy);
+  json_.endObject().endObject();
+  return text_ = json_.json();
+}
+
+const std::string& App::openProject(std::span<const std::uint8_t> file, std::string_view photosJson) {
+  std::map<PictureId, std::string> photos;
+  for (const auto& [picture, hash] : textsOf(photosJson)) {
+    PictureId id;
+    std::from_chars(picture.data(), picture.data() + picture.size(), id.value);
+    photos.emplace(id, hash);
+  }
+  const Result<std::string> mended = keeping_.openProject(file, photos);
   if (!mended) return answerWith(refuse(mended.failure()));
   showOtherModel();
   if (!mended.value().empty()) sendError(host_, mended.value());

@@ -23,4 +23,7 @@ struct CurveGraph {
 std::optional<geometry::AlongCurve> curveGraph(const PanelEnv& env, const CurveGraph& graph,
                                                const geometry::AlongCurve& curve);
 
+/// Whether a part with these numbers would go through itself, which it does not now: then that is said.
+bool holdsBack(const PanelEnv& env, const document::Part& part, loft::LoftParams params);
+
 }  // namespace spineloft::panels

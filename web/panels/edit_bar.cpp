@@ -254,8 +254,10 @@ void drawEditBar(const PanelEnv& env) {
   const bool covered = !places && env.ui().sections.board;
   if (items.empty() || covered || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
-  // On a phone the view's name gives way; a column of buttons does not.
-  const double chip = layout.stacked ? 0 : kChipRoom;
+  // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot.
+  const bool atFoot = env.ui().solids.hollow.has_value();
+  // The view's name is at the head, and gives way on a phone; a column of buttons does not.
+  const double chip = layout.stacked || atFoot ? 0 : kChipRoom;
   const double column = app::buttonsAtSide(view) ? kColumnRoom : 0;
   const double room = view.width - chip - column - 2 * (kMargin + kPadding);
   if (room < side) return;
@@ -270,8 +272,7 @@ void drawEditBar(const PanelEnv& env) {
   }
   const double width = widest + split.more(side) + 2 * kPadding;
   const double height = rows * (side + kGap) - kGap + 2 * kPadding;
-  // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot.
-  const double y = env.ui().solids.hollow ? view.bottom() - kMargin - height : view.y + kMargin;
+  const double y = atFoot ? view.bottom() - kMargin - height : view.y + kMargin;
   const app::Rect card{view.right() - column - kMargin - width, y, width, height};
   env.ui().overlays.push_back(card);
   if (layout.stacked && !places) env.ui().barHead = height + kMargin;

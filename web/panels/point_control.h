@@ -22,4 +22,7 @@ std::optional<double> pointSlider(const PanelEnv& env, const PointControl& what,
 /// Something that is done with it; true: now.
 bool pointButton(const PanelEnv& env, const PointControl& what);
 
+/// The handles that can be dragged in the views: points of an outline, the depth of a spine.
+void tellHandles(const PanelEnv& env);
+
 }  // namespace spineloft::panels

@@ -324,7 +324,11 @@ std::string_view hintOf(const app::SectionBoard& board) {
 void titleRow(const PanelEnv& env, float width) {
   const float height = buttonSide(env);
   ImGui::AlignTextToFramePadding();
+  // As wide as it is: what stands beside it begins at its end, also where lines begin at the right.
+  const float own = extentOf(env.fonts.bold, words::drawn(words::tr("Your slice"))).x;
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::ceil(own) + 1);
   label(env.fonts.bold, kInk, "Your slice");
+  ImGui::PopTextWrapPos();
   if (env.ui().layout.stacked) {
     for (const app::CommandId id : {app::CommandId("slice-undo"), app::CommandId("slice-redo")}) {
       ImGui::SameLine(0, 2);

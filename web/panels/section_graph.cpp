@@ -6,12 +6,16 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
+#include "engine/mesh/self_crossing.h"
 #include "web/commands/intents.h"
 #include "web/edit/graph_points.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
+#include "web/model/messages.h"
 #include "web/panels/curve_graph.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/point_control.h"
@@ -177,6 +181,15 @@ std::optional<geometry::AlongCurve> askedPoints(const PanelEnv& env, const Curve
   return asked;
 }
 
+/// The curve that was asked for without a pointer, as far as a drag would take it.
+void bend(const PanelEnv& env, const document::Part& part, const app::AlongInfo& info,
+          const geometry::AlongCurve& asked) {
+  loft::LoftParams params = document::loftIn(part).loft;
+  geometry::AlongCurve& curve = document::alongOf(params, info.kind) = asked;
+  for (geometry::AlongPoint& p : curve.points) p.value *= info.unit;
+  if (!holdsBack(env, part, std::move(params))) env.sink.run(app::setAlong, app::Parts{part.id}, info.kind, asked);
+}
+
 }  // namespace
 
 std::optional<geometry::AlongCurve> curveGraph(const PanelEnv& env, const CurveGraph& graph,
@@ -236,6 +249,17 @@ std::optional<geometry::AlongCurve> curveGraph(const PanelEnv& env, const CurveG
   return askedPoints(env, graph, curve, [&](const geometry::AlongPoint& p) { return ImVec2{x(p.at), y(p.value)}; });
 }
 
+bool holdsBack(const PanelEnv& env, const document::Part& part, loft::LoftParams params) {
+  const auto now = std::ranges::find(env.derived.parts, part.id, &pipeline::DerivedPart::id);
+  if (now == env.derived.parts.end() || !now->shape || mesh::selfCrossing(now->shape->mesh)) return false;
+  document::Recipe recipe = part.recipe;
+  std::get<document::LoftRecipe>(recipe).loft = std::move(params);
+  pipeline::PartShape shape;
+  if (!env.env.studio.preview(recipe, shape) || !mesh::selfCrossing(shape.mesh)) return false;
+  app::sendStatus(env.env.host, words::tr("Any further, and it would go through itself"));
+  return true;
+}
+
 void alongPanel(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
   if (part == nullptr) {
@@ -271,7 +295,7 @@ void alongPanel(const PanelEnv& env, float width) {
     graph.size = {width, 116};
     asked = curveGraph(env, graph, curve);
   }
-  if (asked) env.sink.run(app::setAlong, app::Parts{part->id}, info.kind, *asked);
+  if (asked) bend(env, *part, info, *asked);
   shapes(env, info, !document::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
 }
 

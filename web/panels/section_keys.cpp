@@ -117,7 +117,10 @@ void sectionKeyBar(const PanelEnv& env, float width) {
   graph.size = {width, 96};
   graph.name = words::tr("Change to the next one");
   if (const auto asked = curveGraph(env, graph, curve)) {
-    env.sink.run(app::setBlend, part.id, picked, sections::Blend{sections::BlendKind::Custom, *asked});
+    loft::LoftParams params = document::loftIn(part).loft;
+    const sections::Blend bent{sections::BlendKind::Custom, *asked};
+    params.sections[picked].blend = bent;
+    if (!holdsBack(env, part, std::move(params))) env.sink.run(app::setBlend, part.id, picked, bent);
   }
 }
 

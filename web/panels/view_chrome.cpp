@@ -13,6 +13,7 @@
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
+#include "web/panels/point_control.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 #include "web/ui/sizing.h"
@@ -367,6 +368,7 @@ void draw(const PanelEnv& env) {
   drawPictureStrip(env);
   drawSectionOverlay(env);
   drawSolidOverlay(env);
+  tellHandles(env);
   drawScale(env);
   drawFailureInSolid(env);
   drawHollowOverlay(env);

@@ -47,6 +47,15 @@ void rightToLeftLines(ImFont* font, std::string_view text, float room) {
   if (!line.empty()) put();
 }
 
+/// The colour as ink on a panel: a dark one half way to white where panels are dark.
+ImU32 asInk(ImU32 colour) {
+  const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour), ground = ImGui::ColorConvertU32ToFloat4(kSurface);
+  constexpr float kDarkest = 0.4f;
+  const float light = 0.3f * c.x + 0.6f * c.y + 0.1f * c.z;
+  if (ground.y > 0.5f || light > kDarkest) return colour;
+  return ImGui::ColorConvertFloat4ToU32({(1 + c.x) / 2, (1 + c.y) / 2, (1 + c.z) / 2, c.w});
+}
+
 /// The same colour as a pale ground.
 ImU32 softened(ImU32 colour) { return (colour & ~IM_COL32_A_MASK) | (28u << IM_COL32_A_SHIFT); }
 
@@ -239,7 +248,7 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   if (button.active || hovered || held) {
     list.AddRectFilled(at, end, button.active ? softened(own) : held ? kLine : kHover, 8);
   }
-  const ImU32 ink = button.active ? own : button.enabled ? kInk : faded(kMuted, 110);
+  const ImU32 ink = button.active ? asInk(own) : button.enabled ? kInk : faded(kMuted, 110);
   ImFont* font = env.fonts.icons;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
@@ -298,7 +307,7 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   if (active || hovered || held) {
     list.AddRectFilled(at, end, active ? softened(button.colour) : held ? kLine : kHover, 8);
   }
-  const ImU32 ink = active ? button.colour : can ? kInk : faded(kMuted, 110);
+  const ImU32 ink = active ? asInk(button.colour) : can ? kInk : faded(kMuted, 110);
   ImFont* icons = env.fonts.icons;
   const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
   const char* text = iconText(command.icon);

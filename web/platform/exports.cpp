@@ -205,11 +205,18 @@ EMSCRIPTEN_KEEPALIVE const char* spl_restore(const char* base, const char* recor
   return page() ? page()->restore(text(base), text(records)).c_str() : "";
 }
 
-EMSCRIPTEN_KEEPALIVE const char* spl_shareText() { return page() ? page()->shareText().c_str() : ""; }
+EMSCRIPTEN_KEEPALIVE const char* spl_shareText(const char* copies) {
+  return page() ? page()->shareText(text(copies)).c_str() : "";
+}
 
-EMSCRIPTEN_KEEPALIVE const char* spl_openProject(const std::uint8_t* bytes, std::uint32_t length) {
+EMSCRIPTEN_KEEPALIVE const char* spl_photosOfLink(const std::uint8_t* bytes, std::uint32_t length) {
   if (page() == nullptr || bytes == nullptr) return "";
-  return page()->openProject({bytes, length}).c_str();
+  return page()->photosOfLink({bytes, length}).c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE const char* spl_openProject(const std::uint8_t* bytes, std::uint32_t length, const char* photos) {
+  if (page() == nullptr || bytes == nullptr) return "";
+  return page()->openProject({bytes, length}, text(photos)).c_str();
 }
 
 /// RGBA pixels, valid until the next call; 0 while there is nothing to show.

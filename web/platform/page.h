@@ -107,16 +107,20 @@ class Page {
   virtual const std::string& photos() = 0;
   /// A photo of the history; null when no step shows it.
   virtual std::shared_ptr<const image::Picture> photo(std::string_view hash) = 0;
-  /// Lays a photo by for the next `restore`; its content hash.
+  /// Lays a photo by for the next `restore` or `openProject`; its content hash.
   virtual const std::string& layPhotoBy(image::Picture photo) = 0;
   /// Replaces the model by one that was kept, or with an empty `base` by an empty one:
   /// {ok:true, dropped} or as `run` answers.
   virtual const std::string& restore(std::string_view base, std::string_view recordsJson) = 0;
   /// The model as the text of a link: {ok:true, text, photos} with the number of photos that are not in it, or as `run`
-  /// answers.
-  virtual const std::string& shareText() = 0;
-  /// Replaces the model by the one in a project file, or in a link; as `run` answers.
-  virtual const std::string& openProject(std::span<const std::uint8_t> file) = 0;
+  /// answers. `copiesJson`: small copies of photos that go along, {content hash: file as base64url} (io::PhotoCopies).
+  virtual const std::string& shareText(std::string_view copiesJson) = 0;
+  /// The copies of photos in a link: {ok:true, photos: {picture: file as base64url}}, none in a project file; or as
+  /// `run` answers.
+  virtual const std::string& photosOfLink(std::span<const std::uint8_t> file) = 0;
+  /// Replaces the model by the one in a project file, or in a link; as `run` answers. `photosJson`: what was laid by
+  /// for pictures of the link, {picture: content hash}.
+  virtual const std::string& openProject(std::span<const std::uint8_t> file, std::string_view photosJson) = 0;
   /// A small picture of the model, RGBA; empty while there is nothing to show. Valid until the next
   /// call.
   virtual const image::Image& thumbnail(int width, int height) = 0;

@@ -392,7 +392,7 @@ export interface SharedLink {
   text: string;
   /** Length of the text. */
   characters: number;
-  /** Photos that are not in it: white paper stands for each, the ribs found in it are fixed, and parts have its mean colour. */
+  /** Photos that are not in it: white paper stands for each, and parts have its mean colour. The ribs found in a photo are fixed in any case. */
   photosLeft: number;
   /** True where the text is an id and a key of the server of this page's host, which keeps the model for some days. */
   stored: boolean;
@@ -409,8 +409,8 @@ export interface SpineLoftApi {
   openImage(blob: Blob, name?: string): Promise<void>;
   /** Opens a model file (.spineloft, a GLB of this page, or a PNG with a model inside) as a new model; the one that was open stays in the list. */
   openProject(blob: Blob): Promise<void>;
-  /** The model as a link that holds all of it but its photos; with `stored` as a short link with its photos, where the host has a share server. */
-  shareLink(options?: { stored?: boolean }): Promise<SharedLink>;
+  /** The model as a link that holds all of it but its photos; with `photos` also copies of them of at most 512 pixels a side, which make it long; with `stored` as a short link with its photos as they are, where the host has a share server. */
+  shareLink(options?: { stored?: boolean; photos?: boolean }): Promise<SharedLink>;
   /** Deletes what a stored link of this browser (its address or text) leads to. */
   takeBackLink(text: string): Promise<void>;
   /** Opens the model of such a link (stored or not), or of its text, as a new model; the one that was open stays in the list. */

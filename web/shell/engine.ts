@@ -104,8 +104,9 @@ interface Module {
   _spl_photo(hash: number, outSizes: number): number;
   _spl_layPhotoBy(rgba: number, width: number, height: number, originalWidth: number, originalHeight: number): number;
   _spl_restore(base: number, records: number): number;
-  _spl_shareText(): number;
-  _spl_openProject(bytes: number, length: number): number;
+  _spl_shareText(copies: number): number;
+  _spl_photosOfLink(bytes: number, length: number): number;
+  _spl_openProject(bytes: number, length: number, photos: number): number;
   _spl_thumbnail(width: number, height: number): number;
   _spl_turntable(width: number, height: number, turn: number): number;
 }
@@ -118,7 +119,7 @@ interface Outcome {
   sentence?: string;
   dropped?: number;
   text?: string;
-  photos?: number;
+  photos?: number | Record<string, string>;
 }
 
 /** True where worker threads can share memory and the address does not ask for the other build. */
@@ -342,12 +343,7 @@ export class Engine {
 
   /** What the engine says of a picture file before it is decoded. */
   probe(bytes: Uint8Array): Probe {
-    const at = this.put(bytes);
-    try {
-      return JSON.parse(this.text(this.module._spl_probe(at, bytes.length))) as Probe;
-    } finally {
-      this.module._free(at);
-    }
+    return JSON.parse(this.withBytes(bytes, (at) => this.text(this.module._spl_probe(at, bytes.length)))) as Probe;
   }
 
   /** What the DOM shows, as the engine told it last: what a call changes is told before the call returns. */
@@ -376,12 +372,9 @@ export class Engine {
 
   /** A PNG picture of the model with the model inside. */
   pictureWithModel(png: Uint8Array): Uint8Array {
-    const at = this.put(png);
-    try {
-      return this.file((outLength) => this.module._spl_pictureWithModel(at, png.length, outLength));
-    } finally {
-      this.module._free(at);
-    }
+    return this.withBytes(png, (at) =>
+      this.file((outLength) => this.module._spl_pictureWithModel(at, png.length, outLength)),
+    );
   }
 
   /** The bytes whose place `write` returns; it leaves their number at `outLength`. */
@@ -512,14 +505,10 @@ export class Engine {
 
   /** Lays a photo by for the next `restore`; its content hash. */
   layPhotoBy(photo: RawPhoto): string {
-    const pixels = this.put(photo.rgba);
-    try {
-      return this.text(
-        this.module._spl_layPhotoBy(pixels, photo.width, photo.height, photo.originalWidth, photo.originalHeight),
-      );
-    } finally {
-      this.module._free(pixels);
-    }
+    const { width, height, originalWidth, originalHeight } = photo;
+    return this.withBytes(photo.rgba, (pixels) =>
+      this.text(this.module._spl_layPhotoBy(pixels, width, height, originalWidth, originalHeight)),
+    );
   }
 
   /** Replaces the model by one that was kept; how many of its records were damaged. */
@@ -530,20 +519,27 @@ export class Engine {
     return this.check(answer).dropped ?? 0;
   }
 
-  /** The model as the text of a link, and how many photos are not in it. */
-  shareText(): { text: string; photos: number } {
-    const { text, photos } = this.check(this.text(this.module._spl_shareText()));
-    return { text: text ?? '', photos: photos ?? 0 };
+  /** The model as the text of a link with these copies of photos (base64url by content hash), and how many photos are not in it. */
+  shareText(copies: Record<string, string>): { text: string; photos: number } {
+    const { text, photos } = this.check(
+      this.withStrings([JSON.stringify(copies)], ([at]) => this.text(this.module._spl_shareText(at!))),
+    );
+    return { text: text ?? '', photos: (photos as number | undefined) ?? 0 };
   }
 
-  /** Replaces the model by the one in a project file or in a link. */
-  openProject(bytes: Uint8Array): void {
-    const at = this.put(bytes);
-    try {
-      this.check(this.text(this.module._spl_openProject(at, bytes.length)));
-    } finally {
-      this.module._free(at);
-    }
+  /** Copies of photos in a link, base64url by picture; none in a project file. */
+  photosOfLink(bytes: Uint8Array): Record<string, string> {
+    const answer = this.withBytes(bytes, (at) => this.text(this.module._spl_photosOfLink(at, bytes.length)));
+    return (this.check(answer).photos as Record<string, string> | undefined) ?? {};
+  }
+
+  /** Replaces the model by the one in a project file or in a link, whose pictures show these photos. */
+  openProject(bytes: Uint8Array, photos: Record<string, RawPhoto> = {}): void {
+    const hashes = Object.entries(photos).map(([picture, photo]) => [picture, this.layPhotoBy(photo)]);
+    const answer = this.withStrings([JSON.stringify(Object.fromEntries(hashes))], ([named]) =>
+      this.withBytes(bytes, (at) => this.text(this.module._spl_openProject(at, bytes.length, named!))),
+    );
+    this.check(answer);
   }
 
   /** RGBA pixels of a small picture of the model; null while there is nothing to show. */
@@ -574,6 +570,15 @@ export class Engine {
     if (at === 0) throw new Failure('OutOfMemory', this.sentence('OutOfMemory'));
     this.heap().set(bytes, at);
     return at;
+  }
+
+  private withBytes<T>(bytes: ArrayLike<number> & { length: number }, call: (at: number) => T): T {
+    const at = this.put(bytes);
+    try {
+      return call(at);
+    } finally {
+      this.module._free(at);
+    }
   }
 
   private withStrings<T>(strings: string[], call: (at: number[]) => T): T {

@@ -160,6 +160,8 @@ function main(): void {
   const openAddress = () => {
     const onServer = takeServerLink();
     if (onServer?.kind === 'stored') {
+      location.assign(serverLink(new URL('view.html', document.baseURI).href, onServer)); // a model is looked at first
+    } else if (onServer?.kind === 'own') {
       const address = serverLink('', onServer);
       whenReady(() => void page.openLink(address).catch((thrown: unknown) => page.complain(thrown)));
     } else if (onServer) {

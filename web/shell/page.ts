@@ -18,6 +18,7 @@ import { Keeper } from './keep/keeper.ts';
 import type { ModelInfo } from './keep/store.ts';
 import { ModelsView } from './keep/models_view.ts';
 import { Mirror } from './mirror.ts';
+import { photoCopies, photosIn } from './link_photos.ts';
 import { decodePicture } from './picture.ts';
 import { ProgressBar } from './progress.ts';
 import { commandsNow } from './shell_view.ts';
@@ -42,6 +43,8 @@ export class Page {
   private view: ShellView | null = null;
   private table: readonly Command[] = [];
   private keeper: Keeper | null = null;
+  /** The status line was set in this turn: nobody has heard it yet. */
+  private saysStep = false;
   private readOnly = false;
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
   private passing: string | null = null;
@@ -104,7 +107,7 @@ export class Page {
       askAnimal,
       beginAfresh: () => this.beginAfresh(),
       pickModelFile: () => pickModel(),
-      showShare: () => this.showShare(engine),
+      showShare: () => void this.showShare(engine).catch((thrown: unknown) => this.complain(thrown)),
       askName: (title, text, value) => askText(title, text, value),
       mayLose: () => this.mayLose(),
     });
@@ -145,6 +148,8 @@ export class Page {
         this.refresh(event.view);
         break;
       case 'toast':
+        // What a command says of its step takes the place of what is said of every step.
+        if (event.level === 'info' && this.saysStep) this.say('');
         toast(event.text, event.level, event.offer && this.actionOf(event.offer));
         break;
       case 'file':
@@ -168,6 +173,10 @@ export class Page {
         break;
       case 'status':
         this.say(event.text);
+        this.saysStep = true;
+        queueMicrotask(() => {
+          this.saysStep = false;
+        });
         break;
       case 'show':
         this.show(event.dialog);
@@ -356,33 +365,40 @@ export class Page {
     const engine = this.engine,
       keeper = this.keeper;
     if (!engine || !keeper) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
-    const bytes = await blob.arrayBuffer().catch(() => {
+    const buffer = await blob.arrayBuffer().catch(() => {
       throw new Failure('FileUnreadable', engine.sentence('FileUnreadable'));
     });
-    await keeper.openProject(new Uint8Array(bytes));
+    const bytes = new Uint8Array(buffer);
+    await keeper.openProject(bytes, await photosIn(engine, bytes));
     this.guide.offer(null);
     this.sayUntilNext(t('{name} is open.', { name: engine.about().name }));
     this.refresh();
   }
 
-  private showShare(engine: Engine): void {
+  private async showShare(engine: Engine): Promise<void> {
     const host = {
       name: engine.about().name,
       still: (side: number) => stillOf(engine, side),
       picture: () => pngOf(engine),
       save: () => this.run('save-project'),
     };
+    const plain = this.linkOf(engine, {});
     showShare(
-      this.shareLink(),
+      { plain, withPhotos: plain.photosLeft > 0 ? await this.shareLink({ photos: true }) : null },
       host,
       storedSection(() => this.modelFile()),
     );
   }
 
-  /** The open model as a link that holds it. */
-  shareLink(): SharedLink {
-    if (!this.engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
-    return sharedLink(this.engine.shareText());
+  private linkOf(engine: Engine, copies: Record<string, string>): SharedLink {
+    return sharedLink(engine.shareText(copies));
+  }
+
+  /** The open model as a link that holds it; with `photos` with small copies of its photos. */
+  async shareLink({ photos = false } = {}): Promise<SharedLink> {
+    const engine = this.engine;
+    if (!engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
+    return this.linkOf(engine, photos ? await photoCopies(engine) : {});
   }
 
   /** The open model as a file with its photos, and its name. */

@@ -20,7 +20,7 @@ export interface ApiPage {
     openImage(blob: Blob, name: string): Promise<void>;
     /** The same of a model file. */
     openProject(blob: Blob): Promise<void>;
-    shareLink(): SharedLink;
+    shareLink(options: { photos: boolean }): Promise<SharedLink>;
     storeLink(): Promise<SharedLink>;
     takeBackLink(text: string): Promise<void>;
     openLink(link: string): Promise<void>;
@@ -141,11 +141,11 @@ export function installApi(api: ApiPage): void {
       await running();
       await page.openProject(blob);
     },
-    async shareLink({ stored = false } = {}) {
+    async shareLink({ stored = false, photos = false } = {}) {
       await running();
       // What is still searched for is found first: the ribs in a photo are fixed as they are.
       await installed.idle();
-      return stored ? page.storeLink() : page.shareLink();
+      return stored ? page.storeLink() : page.shareLink({ photos });
     },
     async takeBackLink(text) {
       await page.takeBackLink(text);

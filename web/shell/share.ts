@@ -1,7 +1,7 @@
 // The dialog Share: the model as a link and a QR code, as a picture, on stickers, and on another page.
 import type { SharedLink } from './api.ts';
 import { openDialog } from './dialogs.ts';
-import { make } from './dom.ts';
+import { asIs, make } from './dom.ts';
 import { sentenceOf } from './failure.ts';
 import { download } from './files.ts';
 import { icon } from './icons.ts';
@@ -108,25 +108,42 @@ function onAPage(url: string, host: ShareHost): HTMLElement {
   return fold;
 }
 
-/** The dialog with the link of the model; `more` comes below it, where there is something. */
-export function showShare(
-  { url, characters, photosLeft }: SharedLink,
-  host: ShareHost,
-  more: Promise<HTMLElement | null>,
-): void {
+/** The links of a model. */
+export interface ModelLinks {
+  plain: SharedLink;
+  /** With small copies of its photos; null where it has none. */
+  withPhotos: SharedLink | null;
+}
+
+const isLong = ({ characters }: SharedLink) => characters > kMostCharacters;
+
+/** What else to send in place of a link that is too long: a short link where the host keeps models, else the rest. */
+function instead({ plain }: ModelLinks, link: SharedLink, hasServer: boolean): HTMLElement {
+  const said = [t('This link is {n} characters long, and some programs cut it off.', { n: link.characters })];
+  if (!isLong(plain)) said.push(t('Without the photos it is short, and there is a QR code of it.'));
+  said.push(
+    hasServer
+      ? t('Make a short link below, or send the picture or the model file: the whole model is in each of them.')
+      : t('Or send the picture or the model file: the whole model is in both.'),
+  );
+  return make('p', { class: 'share-long' }, asIs(said.join(' ')));
+}
+
+/** Link, QR code and what is made of the link. */
+function linkPart(links: ModelLinks, link: SharedLink, host: ShareHost, hasServer: boolean): Node[] {
+  const { url } = link;
   const field = make('input', { type: 'text', id: 'share-link', readonly: '', value: url });
   selectWhole(field);
-  const isLong = characters > kMostCharacters;
+  const long = isLong(link);
   const buttons = make('div', { class: 'dialog-buttons' });
   if (typeof navigator.share === 'function')
     buttons.append(button('send', 'Send', () => void navigator.share({ url }).catch(() => undefined)));
-  buttons.append(
-    button('copy', 'Copy link', () => void copyField(field, 'The link is copied.'), isLong ? '' : 'button-primary'),
-  );
+  const copy = () => void copyField(field, 'The link is copied.');
+  buttons.append(button('copy', 'Copy link', copy, long ? '' : 'button-primary'));
   const send = () => void sendPicture(host).catch((thrown: unknown) => toast(sentenceOf(thrown), 'error'));
   const others = make('div', { class: 'share-others' });
-  others.append(button('image-down', 'Picture', send, isLong ? 'button-primary' : ''));
-  if (isLong) others.append(button('save', 'Save model', () => host.save()));
+  others.append(button('image-down', 'Picture', send, long ? 'button-primary' : ''));
+  if (long) others.append(button('save', 'Save model', () => host.save()));
   else {
     const print = () => {
       const src = host.still(kStickerSide)?.toDataURL();
@@ -135,31 +152,49 @@ export function showShare(
     };
     others.append(button('qr-code', 'Stickers', print));
   }
-  const body: Node[] = [
-    make('p', {}, 'The whole model is in this link. Who opens it sees it and can have a copy; yours stays as it is.'),
-    ...(photosLeft > 0 ? [make('p', {}, 'Photos stay here: the parts keep their shape and get one colour each.')] : []),
+  const pictureHasAll =
+    'The picture has the model inside, with its photos: who drops it on this page can go on with it.';
+  return [
     make('label', { for: 'share-link' }, 'Link'),
     field,
     buttons,
-    isLong
-      ? make(
-          'p',
-          {},
-          t(
-            'This link is {n} characters long, and some programs cut it off. Send the picture or the model file instead: the whole model is in both.',
-            { n: characters },
-          ),
-        )
-      : qrCode(url).svg,
-    make(
-      'p',
-      { class: 'share-more' },
-      'The picture has the model inside, with its photos: who drops it on this page can go on with it.',
-    ),
+    long ? instead(links, link, hasServer) : qrCode(url).svg,
+    make('p', { class: 'share-more' }, pictureHasAll),
     others,
     onAPage(url, host),
   ];
+}
+
+/** The dialog with the link of the model; `more` comes below it, where the host has a server. */
+export function showShare(links: ModelLinks, host: ShareHost, more: Promise<HTMLElement | null>): void {
+  const { plain, withPhotos } = links;
+  const part = make('div', {});
+  const photos = make('input', { type: 'checkbox', id: 'share-photos' });
+  // A photo goes along by itself where the link stays short.
+  photos.checked = withPhotos !== null && !isLong(withPhotos);
+  const left = make('p', { class: 'share-more' });
+  let hasServer = false;
+  const draw = () => {
+    const link = photos.checked && withPhotos ? withPhotos : plain;
+    part.replaceChildren(...linkPart(links, link, host, hasServer));
+    left.textContent =
+      link.photosLeft > 0 ? t('Photos stay here: the parts keep their shape and get one colour each.') : '';
+  };
+  photos.addEventListener('change', draw);
+  const choice = make('label', { class: 'share-photos', for: 'share-photos' }, photos, ' ');
+  choice.append(make('span', {}, 'With small copies of the photos'));
+  draw();
+  const body: Node[] = [
+    make('p', {}, 'The whole model is in this link. Who opens it sees it and can have a copy; yours stays as it is.'),
+    ...(withPhotos ? [choice, left] : []),
+    part,
+  ];
   const dialog = openDialog('Share', body, 'dialog share');
-  void more.then((section) => section && dialog.append(section));
-  field.select();
+  void more.then((section) => {
+    if (!section) return;
+    hasServer = true;
+    dialog.append(section);
+    dialog.querySelector('.share-long')?.replaceWith(instead(links, photos.checked ? withPhotos! : plain, true));
+  });
+  part.querySelector('input')!.select();
 }

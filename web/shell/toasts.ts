@@ -18,6 +18,9 @@ const kMsPerLetter = 70,
   kFirstMs = 1500;
 const kMost = 4;
 
+/** On screens as small as this toasts lie on the panel (styles/popups.css). */
+const kOverPanel = '(max-width: 999px)';
+
 /** A button of a toast. */
 export interface ToastAction {
   label: string;
@@ -66,6 +69,14 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
     );
   };
   close.addEventListener('click', () => element.remove());
+  // What is in the way goes when the hand goes on, once it could be read.
+  const made = performance.now();
+  const goOn = (event: PointerEvent) => {
+    if (!element.isConnected) return document.removeEventListener('pointerdown', goOn, true);
+    const isOld = performance.now() - made > kFirstMs;
+    if (isOld && matchMedia(kOverPanel).matches && !element.contains(event.target as Node)) element.remove();
+  };
+  document.addEventListener('pointerdown', goOn, true);
   // Reading takes the time it takes: the clock stands still under the pointer and while focused.
   element.addEventListener('pointerenter', stop);
   element.addEventListener('pointerleave', start);

@@ -7,8 +7,10 @@
 
 #include "engine/base/rng.h"
 #include "engine/document/update.h"
+#include "engine/io/picture_file.h"
 #include "engine/io/share_text.h"
 #include "tests/support/complete_document.h"
+#include "tests/support/photo_copies.h"
 #include "tests/support/random_documents.h"
 #include "tests/support/rounds.h"
 #include "tests/support/sessions.h"
@@ -147,4 +149,60 @@ TEST_CASE("a photo comes back as a white picture of its size, with the parts tha
   CHECK(std::ranges::all_of(blank.picture->working.pixels, [](std::uint8_t v) { return v == 255; }));
   REQUIRE(read.parts.size() == 1);
   CHECK(pictureOf(read.parts[0].get()) == blank.id);
+}
+
+TEST_CASE(
+    "a text may carry small copies of photos: they come back byte for byte, and only small WebP and JPEG files do") {
+  Document document = update({}, AddPicture{"cat", ellipsePicture(1000, 700)}).value();
+  document = update(document, AddPicture{"dog", ellipsePicture(96, 72)}).value();
+  const auto carried = [&](const PhotoCopies& copies) {
+    const auto text = writeShareText(document, copies);
+    REQUIRE(text.ok());
+    const auto read = photosInShareText(text.value());
+    REQUIRE(read.ok());
+    CHECK(readShareText(text.value()).ok());
+    return read.value();
+  };
+  const PhotoCopies both = {{PictureId{1}, jpegCopy(512, 358)}, {PictureId{2}, jpegCopy(96, 72)}};
+  CHECK(carried(both) == both);
+  CHECK(carried({}).empty());
+  // 10 × 20 by its header, which is all that is looked at; the second is as large as a browser decodes.
+  const auto webp = [](int width, int height) {
+    std::string file = "RIFF????WEBPVP8X";
+    file += std::string("\x0a\0\0\0\0\0\0\0", 8);
+    for (const int side : {width - 1, height - 1}) {
+      for (int shift = 0; shift < 24; shift += 8) file += static_cast<char>(side >> shift & 255);
+    }
+    file.resize(64);
+    return base64url(Bytes(file.begin(), file.end()));
+  };
+  CHECK(carried({{PictureId{1}, webp(10, 20)}}).size() == 1);
+  const image::Image small = ellipsePicture(40, 30)->working;
+  for (const std::string& other : {webp(16383, 16383), jpegCopy(513, 300), base64url(encodePng(small).value()),
+                                   std::string("no base64 !"), std::string(), std::string("AAAA")}) {
+    CHECK_MESSAGE(carried({{PictureId{1}, other}}).empty(), other.substr(0, 20));
+  }
+  CHECK(photosInShareText("hello").error() == Error::LinkForeign);
+  const std::string text = writeShareText(document, both).value();
+  CHECK(photosInShareText(std::string_view(text).substr(0, text.size() - 9)).error() == Error::LinkCut);
+}
+
+TEST_CASE(
+    "a picture shows the photo that was made of its copy, if it has its shape; without one its parts have one colour") {
+  Document document = update({}, AddPicture{"cat", ellipsePicture(1000, 700)}).value();
+  document = update(document, DrawSpine{PictureId{1}, {{200, 350}, {500, 360}, {800, 350}}}).value();
+  const std::string text = writeShareText(document, {{PictureId{1}, jpegCopy(512, 358)}}).value();
+  const auto photoOf = [&](int width, int height) {
+    return readShareText(text, nullptr, {{PictureId{1}, ellipsePicture(width, height)}}).value();
+  };
+  const Document with = photoOf(512, 358);
+  CHECK(with.pictures[0]->size == image::Size{1000, 700});
+  CHECK(with.pictures[0]->picture->width == 1000);
+  CHECK(with.pictures[0]->picture->working == ellipsePicture(512, 358)->working);
+  CHECK(with.parts[0]->look.textured);
+  for (const Document& without : {readShareText(text).value(), photoOf(358, 512)}) {
+    CHECK(without.pictures[0]->size == image::Size{1000, 700});
+    CHECK_FALSE(without.parts[0]->look.textured);
+    CHECK(std::ranges::all_of(without.pictures[0]->picture->working.pixels, [](std::uint8_t v) { return v == 255; }));
+  }
 }

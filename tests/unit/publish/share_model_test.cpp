@@ -7,8 +7,10 @@
 
 #include "engine/document/update.h"
 #include "engine/io/share_text.h"
+#include "engine/publish/share_copies.h"
 #include "engine/publish/share_model.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/photo_copies.h"
 #include "tests/support/random_documents.h"
 
 using namespace spineloft;
@@ -154,4 +156,26 @@ TEST_CASE("a model without photos is shared as it is") {
   const pipeline::Derived derived = derivedOf(document);
   CHECK(withoutPhotos(document, derived) == document);
   CHECK(shareModel(document, derived).value().photosLeft == 0);
+}
+
+TEST_CASE("with a copy of its photo a model keeps its ribs and goes on to show the photo") {
+  const Document document = onPhoto(40);
+  const pipeline::Derived before = derivedOf(document);
+  const io::PhotoCopies copies = {{PictureId{1}, testing::jpegCopy(512, 358)}};
+  const auto shared = shareModel(document, before, copies);
+  REQUIRE(shared.ok());
+  CHECK(shared.value().photosLeft == 0);
+  const std::string& text = shared.value().text;
+  // The copy costs its own characters; up to a tenth more for how letters are coded.
+  const std::size_t plain = shareModel(document, before).value().text.size();
+  const std::size_t copy = copies.begin()->second.size();
+  CHECK(text.size() <= plain + copy + copy / 10);
+  CHECK(io::photosInShareText(text).value() == copies);
+  const Document read = io::readShareText(text, nullptr, {{PictureId{1}, ellipsePicture(512, 358)}}).value();
+  CHECK(read.parts[0]->look.textured);
+  const pipeline::Derived after = derivedOf(read);
+  CHECK(worstEnd(before, after) <= 0.25 * std::sqrt(2.0) + 1e-6);
+  // Who cannot decode the copy sees the mean colour, as without it.
+  const Look blind = io::readShareText(text).value().parts[0]->look;
+  CHECK(blind == io::readShareText(shareModel(document, before).value().text).value().parts[0]->look);
 }

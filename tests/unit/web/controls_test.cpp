@@ -190,3 +190,59 @@ TEST_CASE("slices along a bone and the points of a drawn slice are moved without
   work(page, point->id, to);
   CHECK(controlOf(page, words, Control::Kind::Slider).slide->value == doctest::Approx(to).epsilon(1e-3));
 }
+
+TEST_CASE("points of an outline and the depth of a bone are moved without a pointer, one step each") {
+  Rig page;
+  page.openBar();
+  page.run("draw-puff", R"({"line": [[60,60],[140,60],[140,140],[60,140],[60,60]]})");
+  page.run("puff");
+  page.run("next-outline-point");
+  page.settle();
+  const std::string words = "Point 1 of ";
+  const auto wanted = [&](const Control& one) {
+    return one.words.starts_with(words) && one.words.ends_with("from the left");
+  };
+  const auto point = std::ranges::find_if(page.app->ui().controls, wanted);
+  REQUIRE(point != page.app->ui().controls.end());
+  const Control before = *point;
+  double undo = *page.state().number("undo");
+  work(page, before.id, before.slide->value - 10);
+  CHECK(page.state().number("undo") == undo + 1);
+  CHECK(controlOf(page, before.words, Control::Kind::Slider).slide->value == doctest::Approx(before.slide->value - 10));
+  page.run("draw");
+  page.drawBar();
+  page.run("bone");
+  page.settle();
+  undo = *page.state().number("undo");
+  const Control depth = controlOf(page, "Depth of the bone, 1 of 7", Control::Kind::Slider);
+  CHECK(depth.slide->value == 0);
+  CHECK(depth.slide->text == "0 mm");
+  work(page, depth.id, 12.5);
+  CHECK(page.state().number("undo") == undo + 1);
+  const Control after = controlOf(page, "Depth of the bone, 1 of 7", Control::Kind::Slider);
+  // The model is as high as before: what was set is measured anew.
+  CHECK(after.slide->value > 6);
+  page.run("draw");
+  page.settle();
+  for (const Control& one : page.app->ui().controls) CHECK_FALSE(one.words.starts_with("Depth of the bone"));
+}
+
+TEST_CASE("a point of a graph is held back without a pointer where a drag is: the part does not go through itself") {
+  Rig page;
+  page.openBar();
+  page.drawBar();
+  page.run("show-along", R"({"kind":"tilt"})");
+  page.run("set-along", R"({"kind":"tilt","points":[[0,0],[0.4,0],[0.5,0],[0.6,0],[1,0]]})");
+  page.settle();
+  const auto crossing = [&] { return (*page.state().find("parts")->array())[0].find("crossesAt")->array() != nullptr; };
+  bool said = false;
+  for (int point = 2; point <= 4; ++point) {
+    const std::string words = "Lean, point " + std::to_string(point) + " of 5: value";
+    const Control value = controlOf(page, words, Control::Kind::Slider);
+    work(page, value.id, point % 2 == 0 ? value.slide->high : value.slide->low);
+    page.settle();
+    CHECK_FALSE(crossing());
+    said = said || page.host.said("Any further, and it would go through itself");
+  }
+  CHECK(said);
+}

@@ -6,6 +6,7 @@
 
 #include "engine/io/journal.h"
 #include "rig.h"
+#include "tests/support/photo_copies.h"
 
 using namespace spineloft;
 
@@ -256,19 +257,59 @@ TEST_CASE("a project file opens as a model of its own, and any other file leaves
   const std::string before = rig.app->history();
   std::vector<std::uint8_t> cut(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(file.size() / 2));
   for (const std::vector<std::uint8_t>& bad : {cut, std::vector<std::uint8_t>{1, 2, 3}}) {
-    const app::Json refused = *app::Json::parse(rig.app->openProject(bad));
+    const app::Json refused = *app::Json::parse(rig.app->openProject(bad, "{}"));
     CHECK(refused.flag("ok") == false);
     CHECK(!refused.text("sentence")->empty());
     CHECK(rig.app->history() == before);
   }
-  CHECK(*app::Json::parse(rig.app->openProject(cut))->text("error") == "ProjectInvalid");
-  CHECK(app::Json::parse(rig.app->openProject(file))->flag("ok") == true);
+  CHECK(*app::Json::parse(rig.app->openProject(cut, "{}"))->text("error") == "ProjectInvalid");
+  CHECK(app::Json::parse(rig.app->openProject(file, "{}"))->flag("ok") == true);
   rig.settle();
   CHECK(rig.parts() == 1);
   CHECK(*rig.state().text("documentName") == "Swan");
   CHECK(rig.state().number("undo") == 0);
   CHECK(rig.state().flag("unsaved") == false);
   CHECK(!rig.state().find("parts")->array()->front().find("ribs")->array()->empty());
+}
+
+TEST_CASE("a link with copies of its photos opens with what was laid by for them, and without them in one colour") {
+  image::Picture photo;
+  std::vector<std::uint8_t> bytes;
+  std::string picture;
+  {
+    test::Rig rig;
+    rig.openBar();
+    rig.drawBar();
+    const std::string hash = *app::Json::parse(rig.app->photos())->array()->front().text();
+    photo = *rig.app->photo(hash);
+    const std::string copy = testing::base64url(io::encodeJpeg(photo.working, 60).value());
+    const app::Json shared = *app::Json::parse(rig.app->shareText(R"({")" + hash + R"(":")" + copy + R"("})"));
+    REQUIRE(shared.flag("ok") == true);
+    CHECK(shared.number("photos") == 0);
+    CHECK(app::Json::parse(rig.app->shareText("{}"))->number("photos") == 1);
+    const std::string link = "#m=" + *shared.text("text");
+    bytes.assign(link.begin(), link.end());
+    const app::Json inside = *app::Json::parse(rig.app->photosOfLink(bytes));
+    REQUIRE(inside.find("photos")->object()->size() == 1);
+    picture = inside.find("photos")->object()->front().first;
+    CHECK(*inside.find("photos")->object()->front().second.text() == copy);
+    const std::vector<std::uint8_t> none{1, 2, 3};
+    CHECK(app::Json::parse(rig.app->photosOfLink(none))->find("photos")->object()->empty());
+  }
+  test::Rig rig;
+  const std::string laid = R"({")" + picture + R"(":")" + rig.app->layPhotoBy(photo) + R"("})";
+  const auto isTextured = [&] {
+    REQUIRE(app::Json::parse(rig.app->openProject(bytes, laid))->flag("ok") == true);
+    rig.settle();
+    const app::Json state = rig.state();
+    return *state.find("parts")->array()->front().flag("textured");
+  };
+  CHECK(isTextured());
+  const app::Json photos = *app::Json::parse(rig.app->photos());
+  REQUIRE(photos.array()->size() == 1);
+  CHECK(rig.app->photo(*photos.array()->front().text())->working == photo.working);
+  // It was given back: nothing is laid by any more.
+  CHECK_FALSE(isTextured());
 }
 
 TEST_CASE("Save model writes a project file, also of a board without parts, and of a new name where one is given") {

@@ -49,7 +49,7 @@ std::string askedAfresh(std::span<const std::uint8_t> file) {
   std::string asked;
   {
     TwoBars other;
-    REQUIRE(Json::parse(other.app->openProject(file))->flag("ok") == true);
+    REQUIRE(Json::parse(other.app->openProject(file, "{}"))->flag("ok") == true);
     other.settle();
     other.state();
     asked = meaning(other.lastAsked());

@@ -104,3 +104,23 @@ TEST_CASE("a step is named after what it changed and of which part") {
     CHECK(said(rig, from) == sentence);
   }
 }
+
+TEST_CASE("undo and redo on the board of a slice and in a cut-out are said, too") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const auto saidOf = [&](const char* id) {
+    const std::size_t from = rig.host.sent.size();
+    REQUIRE_MESSAGE(rig.run(id).flag("ok") == true, id);
+    return said(rig, from);
+  };
+  REQUIRE(rig.run("edit-slice").flag("ok") == true);
+  REQUIRE(rig.run("slice-start-from", R"({"section":"star"})").flag("ok") == true);
+  CHECK(saidOf("undo") == "Undone: Slice.");
+  CHECK(saidOf("redo") == "Done again: Slice.");
+  rig.run("slice-cancel");
+  REQUIRE(rig.run("cut-start", R"({"at":[100,100]})").flag("ok") == true);
+  REQUIRE(rig.run("cut-mark", R"({"line":[[90,90],[100,100]]})").flag("ok") == true);
+  CHECK(saidOf("undo") == "Undone: Mark.");
+  CHECK(saidOf("redo") == "Done again: Mark.");
+}

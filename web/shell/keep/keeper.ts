@@ -23,7 +23,7 @@ export interface KeptEngine extends HistorySource {
   layPhotoBy(photo: RawPhoto): string;
   /** Replaces the model; an empty base is an empty one. How many records were damaged. Throws a Failure, and then nothing has changed. */
   restore(base: string, records: string[]): number;
-  openProject(bytes: Uint8Array): void;
+  openProject(bytes: Uint8Array, photos: Record<string, RawPhoto>): void;
   run(id: string, args?: Record<string, unknown>): void;
   thumbnail(width: number, height: number): Uint8ClampedArray | null;
 }
@@ -182,11 +182,11 @@ export class Keeper {
     });
   }
 
-  /** Opens a project file as a new model. Rejects with the engine's Failure, and then nothing has changed. */
-  openProject(bytes: Uint8Array): Promise<void> {
+  /** Opens a project file, or a link with these photos, as a new model. Rejects with the engine's Failure, and then nothing has changed. */
+  openProject(bytes: Uint8Array, photos: Record<string, RawPhoto>): Promise<void> {
     return this.change(async () => {
       if (!(await this.finishCurrent())) return;
-      this.engine.openProject(bytes);
+      this.engine.openProject(bytes, photos);
       this.settleOn(null);
       this.writer.rewrite();
     });

@@ -1,13 +1,13 @@
 // Links that need the server: a stored model and a class. What stands behind '#' is sent to no server: id and key.
 
 export interface ServerLink {
-  /** 'wall': a screen that shows the class without taking part. */
-  kind: 'stored' | 'class' | 'wall';
+  /** 'stored': a model to look at; 'own': the same, to be opened for editing; 'wall': a screen that shows the class without taking part. */
+  kind: 'stored' | 'own' | 'class' | 'wall';
   id: string;
   key: string;
 }
 
-const kMark = /^#(stored|class|wall)=([A-Za-z0-9_-]{22})\.([A-Za-z0-9_-]{43})$/;
+const kMark = /^#(stored|own|class|wall)=([A-Za-z0-9_-]{22})\.([A-Za-z0-9_-]{43})$/;
 
 export function readServerLink(hash: string): ServerLink | null {
   const [, kind, id, key] = kMark.exec(hash) ?? [];
@@ -18,7 +18,7 @@ export function readServerLink(hash: string): ServerLink | null {
 export function serverLinkIn(text: string): ServerLink | null {
   const at = text.indexOf('#');
   const link = readServerLink(at < 0 ? `#stored=${text}` : text.slice(at));
-  return link?.kind === 'stored' ? link : null;
+  return link?.kind === 'stored' || link?.kind === 'own' ? link : null;
 }
 
 /** The one in the page's address, which is taken out of it. */

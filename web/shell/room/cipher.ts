@@ -4,14 +4,9 @@
 import { gcm } from '@noble/ciphers/aes.js';
 import { scrypt } from '@noble/hashes/scrypt.js';
 import { wordlist } from '@scure/bip39/wordlists/english.js';
+import { base64url, fromBase64url } from '../base64.ts';
 
 const kNonceBytes = 12;
-
-const base64url = (bytes: Uint8Array): string =>
-  btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''))
-    .replaceAll('+', '-')
-    .replaceAll('/', '_')
-    .replaceAll('=', '');
 
 const random = (count: number): Uint8Array => crypto.getRandomValues(new Uint8Array(count));
 
@@ -24,8 +19,7 @@ export const newKey = (): string => base64url(random(32));
 /** Bytes of an id or a key; null when the text is none. */
 export function bytesOfKey(text: string): Uint8Array | null {
   if (!/^[A-Za-z0-9_-]{43}$/.test(text)) return null;
-  const binary = atob(`${text.replaceAll('-', '+').replaceAll('_', '/')}=`);
-  return Uint8Array.from(binary, (c) => c.charCodeAt(0));
+  return fromBase64url(text);
 }
 
 function keyOf(text: string): Uint8Array {

@@ -1,4 +1,5 @@
 // What a pupil hands in: the model as files, and its pictures all the way round for the wall.
+import { canvasFile } from '../canvas_file.ts';
 import type { Engine } from '../engine.ts';
 import { Failure } from '../failure.ts';
 import { pngOf } from '../turntable.ts';
@@ -34,15 +35,7 @@ async function picturesOf(engine: Engine): Promise<Uint8Array> {
     if (!rgba) throw nothingYet();
     context.putImageData(new ImageData(new Uint8ClampedArray(rgba), kFrameSide, kFrameSide), i * kFrameSide, 0);
   }
-  const write = (type: string) => new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, type, kQuality));
-  let blob = await write('image/webp');
-  if (blob?.type !== 'image/webp') {
-    context.globalCompositeOperation = 'destination-over';
-    context.fillStyle = '#fff';
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    blob = await write('image/jpeg');
-  }
-  return new Uint8Array(await blob!.arrayBuffer());
+  return canvasFile(canvas, kQuality);
 }
 
 const nothingYet = () =>
@@ -69,7 +62,7 @@ export async function handInOf(engine: Engine): Promise<HandIn> {
     throw new Failure('TooLarge', 'This model is too large to hand in. Save a file, and give that.');
   let text = '';
   try {
-    text = engine.shareText().text;
+    text = engine.shareText({}).text;
   } catch {
     // It has no link then.
   }

@@ -1,5 +1,6 @@
 // Whether this host has a share server: share.json beside the page names it. A static host sends the file as it was built,
 // which names none.
+import { Failure } from '../failure.ts';
 
 export interface HostInfo {
   /** Address of the server, ending with 'v1/'; null: there is none. */
@@ -40,6 +41,15 @@ export function serverSide(): Promise<ServerSide> {
       throw thrown;
     },
   ));
+}
+
+/** The server of this host. Rejects with a Failure where it has none. */
+export async function connected(): Promise<{ server: InstanceType<ServerSide['ShareServer']> }> {
+  const { server } = await hostInfo();
+  if (!server)
+    throw new Failure('NoServer', 'There is no server here that keeps models. Share the long link or a file.');
+  const { ShareServer } = await serverSide();
+  return { server: new ShareServer(server) };
 }
 
 /** The address of this page that others can reach: on this machine's own name it is that of its network. */

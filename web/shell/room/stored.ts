@@ -9,7 +9,7 @@ import { toast } from '../toasts.ts';
 import { language, t } from '../words/words.ts';
 import { serverLink } from './address.ts';
 import { iconButton } from './faces.ts';
-import { hostInfo, reachableAddress, serverSide } from './host.ts';
+import { connected, hostInfo, reachableAddress } from './host.ts';
 import { keepLinks, madeLinks } from './made_links.ts';
 import type { MadeLink } from './made_links.ts';
 
@@ -18,21 +18,13 @@ const kDayMs = 86_400_000;
 /** The server takes 8 MB, and encryption adds a little. */
 const kMostBytes = 8_000_000;
 
-async function connected() {
-  const { server } = await hostInfo();
-  if (!server)
-    throw new Failure('NoServer', 'There is no server here that keeps models. Share the long link or a file.');
-  const side = await serverSide();
-  return { side, server: new side.ShareServer(server) };
-}
-
 /** Stores a model file under a short link for so many days. */
 export async function storeModel(name: string, bytes: Uint8Array, days = kDays[0]!): Promise<MadeLink> {
   if (bytes.length > kMostBytes)
     throw new Failure('TooLarge', 'This model is too large for a short link. Save a file, and send that.');
   const { server } = await connected();
   const stored = await server.storeModel(bytes, days);
-  const url = serverLink(await reachableAddress(), { kind: 'stored', ...stored });
+  const url = serverLink(new URL('view.html', await reachableAddress()).href, { kind: 'stored', ...stored });
   const link = { ...stored, name, url, until: Date.now() + days * kDayMs };
   keepLinks([...madeLinks(), link]);
   return link;

@@ -1,6 +1,7 @@
 // From a share text to what is shown: the page's own engine derives the model. A module of its own, loaded when a text
 // is to be shown; a viewer of a GLB never loads it.
 import type { Engine } from '../engine.ts';
+import { photosIn } from '../link_photos.ts';
 import { kLinkMark } from '../links.ts';
 import { startEngine } from '../start_engine.ts';
 
@@ -29,7 +30,8 @@ export async function derived(text: string): Promise<{ glb: Uint8Array; name: st
     starting = null; // another try may do better
     throw thrown;
   });
-  engine.openProject(new TextEncoder().encode(kLinkMark + text));
+  const link = new TextEncoder().encode(kLinkMark + text);
+  engine.openProject(link, await photosIn(engine, link));
   const { name } = engine.about();
   await idle(engine);
   engine.finishParts();

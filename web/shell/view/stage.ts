@@ -17,6 +17,7 @@ import type { Material, Object3D } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { Failure } from '../failure.ts';
 
 /** What is shown: of the whole scene, metres. */
 export interface Facts {
@@ -42,6 +43,13 @@ function ownFileOnly(): LoadingManager {
   const manager = new LoadingManager();
   manager.setURLModifier((url) => (/^(blob|data):/.test(url) ? url : 'data:,'));
   return manager;
+}
+
+/** The name of the model in a GLB of ours; empty for others. */
+function titleOf(json: unknown): string {
+  const { extensions } = json as { extensions?: { SPINELOFT_project?: { document?: { name?: unknown } } } };
+  const name = extensions?.SPINELOFT_project?.document?.name;
+  return typeof name === 'string' ? name : '';
 }
 
 function trianglesOf(object: Object3D): number {
@@ -110,16 +118,17 @@ export class Stage {
   }
 
   /** Shows the model of a GLB in place of the one before. Rejects when it is none; then the one before stays. */
-  async show(glb: ArrayBuffer): Promise<Facts> {
+  async show(glb: ArrayBuffer): Promise<Facts & { title: string }> {
     const loader = new GLTFLoader(ownFileOnly());
     // Pictures as elements: a page without the right to fetch its own blobs shows them, too.
     loader.register((parser) => {
       parser.textureLoader = new TextureLoader(ownFileOnly());
       return { name: 'pictures' };
     });
-    const { scene } = await loader.parseAsync(glb, '');
+    const { scene, parser } = await loader.parseAsync(glb, '');
     const box = new Box3().setFromObject(scene, true);
-    if (box.isEmpty()) throw new Error('nothing is in it');
+    if (box.isEmpty())
+      throw new Failure('NothingToExport', 'There is nothing to show yet. Draw a line through something first.');
     if (this.model) {
       this.scene.remove(this.model);
       dispose(this.model);
@@ -128,7 +137,7 @@ export class Stage {
     this.scene.add(scene);
     box.getBoundingSphere(this.ball);
     this.home();
-    return { triangles: trianglesOf(scene), size: box.getSize(new Vector3()).toArray() };
+    return { triangles: trianglesOf(scene), size: box.getSize(new Vector3()).toArray(), title: titleOf(parser.json) };
   }
 
   /** The first view: a little from the right and from above. */

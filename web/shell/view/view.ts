@@ -3,6 +3,9 @@ import './view.css';
 import { adoptWords, byId, setAttribute, translatePage } from '../dom.ts';
 import { Failure, isFailure, sentenceOf } from '../failure.ts';
 import { ownAddress, wantedOf } from '../links.ts';
+import { readServerLink, serverLink } from '../room/address.ts';
+import type { ServerLink } from '../room/address.ts';
+import { connected } from '../room/host.ts';
 import { language, onLanguage, preferredLanguage, speak, t } from '../words/words.ts';
 import { wishOf } from './messages.ts';
 import type { News } from './messages.ts';
@@ -40,6 +43,15 @@ class Viewer {
     return this.show('', ownAddress(text), async () => {
       const { derived } = await moduleAt<typeof import('./derive.ts')>(SPINELOFT_SITE.viewer.derive);
       return derived(text);
+    });
+  }
+
+  /** A model that the server of this host keeps: as it was stored, with its photos. */
+  showStored(link: ServerLink): Promise<void> {
+    const own = serverLink(new URL('./', document.baseURI).href, { ...link, kind: 'own' });
+    return this.show('', own, async () => {
+      const { server } = await connected();
+      return { glb: await server.storedModel(link), name: '' };
     });
   }
 
@@ -101,15 +113,18 @@ class Viewer {
       const model = await load();
       if (asked !== this.asked) return;
       const glb = new Uint8Array(model.glb);
-      const facts = await this.onStage().show(glb.buffer);
+      const { title, ...facts } = await this.onStage().show(glb.buffer);
       if (asked !== this.asked) return;
       this.glb = glb;
-      this.shown(model.name || name, own);
-      tell({ type: 'spineloft:shown', name: model.name || name, ...facts });
+      const called = model.name || name || title;
+      this.shown(called, own);
+      tell({ type: 'spineloft:shown', name: called, ...facts });
     } catch (thrown) {
       if (asked !== this.asked) return;
       const sentence = sentenceOf(thrown);
       say('failed', sentence);
+      // What has no solid yet can be gone on with.
+      if (own !== null && isFailure(thrown) && thrown.code === 'NothingToExport') this.offer(own);
       tell({ type: 'spineloft:failed', code: isFailure(thrown) ? thrown.code : 'Unknown', sentence });
     }
   }
@@ -127,13 +142,18 @@ class Viewer {
     return this.stage;
   }
 
+  /** Lets the visitor have a copy; null: there is none. */
+  private offer(own: string | null): void {
+    byId('foot').hidden = own === null;
+    if (own !== null) byId<HTMLAnchorElement>('mine').href = own;
+  }
+
   private shown(name: string, own: string | null): void {
     document.body.dataset.state = 'shown';
     byId('name').textContent = name;
     if (name) document.title = `${name} · SpineLoft`;
     byId('tools').hidden = false;
-    byId('foot').hidden = own === null;
-    if (own !== null) byId<HTMLAnchorElement>('mine').href = own;
+    this.offer(own);
     if (!likesCalm) this.stage?.spin(true);
     canvas.focus({ preventScroll: true, ...({ focusVisible: false } as FocusOptions) });
   }
@@ -173,10 +193,12 @@ function connect(viewer: Viewer): void {
 /** Shows what the address asks for; inside another page a text waits for a press, since the engine is large. */
 function begin(viewer: Viewer): void {
   const { text, glb, poster } = wantedOf(location.hash);
+  const stored = readServerLink(location.hash);
   const picture = byId<HTMLImageElement>('poster');
   if (poster) picture.src = poster;
   else picture.dataset.mark = '';
-  if (text !== null && isEmbedded) {
+  if (stored?.kind === 'stored') void viewer.showStored(stored);
+  else if (text !== null && isEmbedded) {
     say('poster', '');
     byId('show').onclick = () => void viewer.showText(text);
   } else if (text !== null) void viewer.showText(text);
