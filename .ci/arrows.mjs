@@ -28,6 +28,7 @@ const kArrows = {
   'engine/extrude': ['engine/mesh', 'engine/image'],
   'engine/lathe': ['engine/mesh', 'engine/image'],
   'engine/stack': ['engine/sections', 'engine/image'],
+  'engine/descriptive': ['engine/inflate'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
