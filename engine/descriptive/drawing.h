@@ -83,7 +83,7 @@ struct Drawing {
 };
 
 inline constexpr double kLeastStiffness = 0.1, kMostStiffness = 1000;
-inline constexpr double kLeastFront = 0.02, kMostFront = 4;
+inline constexpr double kLeastFront = -2, kMostFront = 4;
 inline constexpr double kThickness = 0.02;  ///< of a flat piece, as a share of the drawing's size
 inline constexpr std::size_t kMostLines = 500, kMostPieces = 200, kMostLinePoints = 100000;
 

@@ -93,8 +93,8 @@ void Overlaps::connect() {
       labels_[keyOf(pair[0], pair[1], start)] = label;
       for (std::size_t i = 0; i < overlap.cells.size(); ++i) {
         const int x = static_cast<int>(overlap.cells[i] % across_), y = static_cast<int>(overlap.cells[i] / across_);
-        for (int k = 0; k < 9; ++k) {
-          const int nx = x + k % 3 - 1, ny = y + k / 3 - 1;
+        for (int k = 0; k < 25; ++k) {
+          const int nx = x + k % 5 - 2, ny = y + k / 5 - 2;
           if (nx < 0 || ny < 0 || nx >= static_cast<int>(across_) || ny >= static_cast<int>(down_)) continue;
           const std::uint32_t next = static_cast<std::uint32_t>(ny) * across_ + static_cast<std::uint32_t>(nx);
           const auto found = labels_.find(keyOf(pair[0], pair[1], next));

@@ -22,7 +22,7 @@ struct Sheet {
 /// geometry::cleanRegion.
 Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, image::Size board);
 
-/// A connected place where two pieces overlap.
+/// A place where two pieces overlap: cells at most one other cell away from each other.
 struct Overlap {
   std::uint32_t a = 0, b = 0;        ///< pieces, a < b
   PicturePoint at;                   ///< its cell that is nearest to the middle of all its cells

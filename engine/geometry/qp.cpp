@@ -15,8 +15,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
 
-/// Shares of a row's own compliance below which it depends on the active ones.
-constexpr double kDependent = 1e-12;
+/// A row depends on the active ones when less of it is left than this share of what its compliance is summed up from.
+constexpr double kDependent = 1e-13;
 
 double along(const QpRow& row, const Vector& z) {
   double sum = 0;
@@ -76,6 +76,10 @@ class ActiveSet {
     multipliers_.erase(multipliers_.begin() + at);
     for (Eigen::Index i = at; i + 1 < n; ++i) appendFactor(i);
   }
+  /// What the compliance left of a row is rounded with: √(own · G_kk) bounds each product of two rows.
+  double roundingScale(double own, const Vector& rate) const {
+    return own + rate.cwiseAbs().dot((own * gram_.diagonal().head(rate.size())).cwiseSqrt());
+  }
   /// z₀ + Σ multiplier · H⁻¹ row.
   Vector point(const Vector& z0) {
     Vector z = z0;
@@ -132,10 +136,12 @@ class DualMethod {
     for (Eigen::Index k = 0; k < against.size(); ++k) missing -= against[k] * active_.multipliers()[at(k)];
     if (!one.equal && missing <= tolerance_) return std::nullopt;
     double multiplier = 0;
+    ++steps_;
     for (;;) {
       const Vector rate = active_.solve(against);
       const double free = own - against.dot(rate);
-      const double whole = free > kDependent * own ? missing / free : std::numeric_limits<double>::infinity();
+      const double scale = active_.roundingScale(own, rate);
+      const double whole = free > kDependent * scale ? missing / free : std::numeric_limits<double>::infinity();
       const auto [step, leaving] = longestStep(rate);
       if (std::isinf(whole) && (one.equal || leaving < 0)) {
         if (std::abs(missing) <= tolerance_) return std::nullopt;
@@ -167,11 +173,10 @@ class DualMethod {
     }
     const Vector change = active_.solve(off);
     for (std::size_t k = 0; k < members.size(); ++k) {
-      double& multiplier = active_.multipliers()[k];
-      multiplier += change[static_cast<Eigen::Index>(k)];
-      if (!rows_[members[k]].equal) multiplier = std::max(multiplier, 0.0);
+      active_.multipliers()[k] += change[static_cast<Eigen::Index>(k)];
     }
   }
+  std::size_t steps() const { return steps_; }  ///< rows for which something was done
   const std::vector<std::uint32_t>& members() const { return active_.members(); }
   const std::vector<double>& multipliers() { return active_.multipliers(); }
 
@@ -195,11 +200,12 @@ class DualMethod {
   std::map<std::uint32_t, double> contradiction(std::uint32_t row, const Vector& rate) {
     std::map<std::uint32_t, double> share;
     if (!rows_[row].equal) share[rows_[row].group] = 1;
-    double sum = 1;
+    double sum = rows_[row].equal ? 0 : 1;
     for (Eigen::Index k = 0; k < rate.size(); ++k) {
       const QpRow& other = rows_[active_.members()[at(k)]];
+      if (other.equal) continue;
       sum += std::abs(rate[k]);
-      if (!other.equal) share[other.group] += std::abs(rate[k]);
+      share[other.group] += std::abs(rate[k]);
     }
     std::erase_if(share, [&](const auto& one) { return one.second <= kNamedShare * sum; });
     return share;
@@ -209,6 +215,7 @@ class DualMethod {
   double tolerance_;
   ActiveSet active_;
   Vector z0_;
+  std::size_t steps_ = 0;
 };
 
 bool isSound(const Qp& program, const QpRow& row) {
@@ -226,11 +233,14 @@ struct Outcome {
   std::map<std::uint32_t, double> conflict;
 };
 
-/// The worst broken row of every group, worst first.
-std::vector<std::uint32_t> worstRows(const std::vector<QpRow>& rows, const Vector& z, double tolerance) {
+/// The worst broken row of every group, worst first. What those that bind are off by is rounding.
+std::vector<std::uint32_t> worstRows(const std::vector<QpRow>& rows, const std::vector<std::uint32_t>& binding,
+                                     const Vector& z, double tolerance) {
   std::map<std::uint32_t, std::pair<double, std::uint32_t>> worst;
+  std::vector<bool> skipped(rows.size(), false);
+  for (const std::uint32_t row : binding) skipped[row] = true;
   for (std::uint32_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].equal) continue;
+    if (rows[i].equal || skipped[i]) continue;
     const double missing = rows[i].least - along(rows[i], z);
     if (!(missing > tolerance)) continue;
     const auto [at, isNew] = worst.try_emplace(rows[i].group, missing, i);
@@ -267,7 +277,8 @@ Result<Outcome> run(const Qp& program, std::vector<QpRow> given, const QpOptions
     if (row < method.rows().size() && !method.rows()[row].equal) first.push_back(row);
   }
   Outcome outcome;
-  for (int round = 0; round < kMostQpRounds; ++round) {
+  std::size_t steps = 0;
+  for (int round = 0;; ++round) {
     for (const std::uint32_t row : first) {
       if (auto conflict = method.hold(row)) {
         outcome.conflict = std::move(*conflict);
@@ -279,7 +290,7 @@ Result<Outcome> run(const Qp& program, std::vector<QpRow> given, const QpOptions
     const Vector z = method.point();
     if (!z.allFinite()) return Error::ValueOutOfRange;
     outcome.solution.rounds = round + 1;
-    first = worstRows(method.rows(), z, options.tolerance);
+    first = worstRows(method.rows(), method.members(), z, options.tolerance);
     if (first.empty() && program.more) {
       for (QpRow& row : program.more({z.data(), program.unknowns})) {
         if (!isSound(program, row)) return Error::ValueOutOfRange;
@@ -287,14 +298,19 @@ Result<Outcome> run(const Qp& program, std::vector<QpRow> given, const QpOptions
         method.rows().push_back(std::move(row));
       }
     }
-    if (!first.empty()) continue;
+    // Where nothing was done for rows that seem broken, they are so by rounding.
+    const bool stuck = (round > 0 && steps == method.steps()) || round + 1 == kMostQpRounds;
+    steps = method.steps();
+    if (!first.empty() && !stuck) continue;
+    for (const QpRow& row : method.rows()) {
+      outcome.solution.broken = std::max(outcome.solution.broken, row.least - along(row, z));
+    }
     outcome.solution.z.assign(z.data(), z.data() + n);
     outcome.solution.active = method.members();
     outcome.solution.multipliers = method.multipliers();
     outcome.solution.rows = std::move(method.rows());
     return outcome;
   }
-  return Error::ValueOutOfRange;
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ struct QpSolution {
   std::vector<double> multipliers;    ///< of the active ones: Hz + h = Σ multiplier · row; ≥ 0 but for equal rows
   /// Groups that cannot all hold, growing; each got a slack, so that its rows hold but for that.
   std::vector<std::uint32_t> conflict;
-  int rounds = 0;  ///< times that all rows were looked at
+  int rounds = 0;     ///< times that all rows were looked at
+  double broken = 0;  ///< by how much a known row is broken, the most: rounding, or what kMostQpRounds left
 };
 
 /// The optimum, by the dual method of Goldfarb and Idnani (1983) on a sparse factor of H: from the minimum without
@@ -65,11 +66,11 @@ struct QpSolution {
 /// than kNamedShare of Σy get one slack each, and the program is solved again. Only equal rows that contradict each
 /// other have no solution.
 ///
-/// Errors: ValueOutOfRange for H that is not positive definite, values that are not finite, indices out of range,
-/// equal rows that cannot hold, or more than kMostQpRounds rounds.
+/// Errors: ValueOutOfRange for H that is not positive definite, values that are not finite, indices out of range, or
+/// equal rows that cannot hold.
 Result<QpSolution> solveQp(const Qp& program, const QpOptions& options = {});
 
 inline constexpr double kNamedShare = 0.01;
-inline constexpr int kMostQpRounds = 2000;
+inline constexpr int kMostQpRounds = 500;
 
 }  // namespace spineloft::geometry

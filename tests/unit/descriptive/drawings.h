@@ -1,12 +1,15 @@
 // Drawings of known orders for tests.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
+#include "engine/base/rng.h"
 #include "engine/descriptive/drawing.h"
 #include "engine/descriptive/overlaps.h"
+#include "engine/geometry/polygon.h"
 #include "tests/support/outlines.h"
 
 namespace spineloft::testing {
@@ -94,6 +97,63 @@ inline std::vector<descriptive::Sheet> sheetsOf(const descriptive::Drawing& draw
     sheets.push_back(descriptive::sheetOf(lines.value(), piece, drawing.size).value());
   }
   return sheets;
+}
+
+/// Random discs whose overlaps have orders of their own, without a cycle in one place.
+struct Discs {
+  std::vector<Outline> outlines;
+  descriptive::Overlaps overlaps;
+  std::vector<bool> aIsOver;  ///< by overlap
+};
+
+inline bool hasCycle(const Discs& discs) {
+  for (std::uint32_t cell = 0; cell < discs.overlaps.cells(); ++cell) {
+    const auto in = discs.overlaps.in(cell);
+    const auto over = [&](std::size_t i, std::size_t k) {
+      const auto overlap = *discs.overlaps.at(in[i], in[k], discs.overlaps.middle(cell), 0);
+      return bool(discs.aIsOver[overlap]) == (in[i] < in[k]);
+    };
+    for (std::size_t a = 0; a < in.size(); ++a) {
+      for (std::size_t b = a + 1; b < in.size(); ++b) {
+        for (std::size_t c = b + 1; c < in.size(); ++c) {
+          if (over(a, b) == over(b, c) && over(b, c) == over(c, a)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+inline Discs randomDiscs(std::uint64_t seed) {
+  Rng rng(seed);
+  Discs discs;
+  descriptive::Drawing plain;
+  plain.size = {1000, 1000};
+  const std::uint32_t count = 3 + rng.below(4);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    discs.outlines.push_back(
+        ellipse({rng.uniform(250, 750), rng.uniform(250, 750)}, rng.uniform(60, 200), rng.uniform(60, 200), 120));
+    plain.lines.push_back({discs.outlines[i], {}, true});
+    plain.pieces.push_back({"", descriptive::PieceKind::Round, {{{i, 0, 1}}}, 1, 1, 1, 0});
+  }
+  discs.overlaps = descriptive::Overlaps(sheetsOf(plain), descriptive::sizeOf(plain.lines));
+  discs.aIsOver.assign(discs.overlaps.all().size(), true);
+  for (int k = 0; k < 20 && !discs.aIsOver.empty(); ++k) {
+    const std::size_t flip = rng.below(static_cast<std::uint32_t>(discs.aIsOver.size()));
+    discs.aIsOver[flip] = !discs.aIsOver[flip];
+    if (hasCycle(discs)) discs.aIsOver[flip] = !discs.aIsOver[flip];
+  }
+  return discs;
+}
+
+inline descriptive::Drawing drawingOf(const Discs& discs) {
+  return drawn(
+      discs.outlines,
+      [&](std::uint32_t upper, std::uint32_t lower, PicturePoint p) {
+        const auto overlap = discs.overlaps.at(upper, lower, p, 3);
+        return overlap && bool(discs.aIsOver[*overlap]) == (upper < lower);
+      },
+      descriptive::PieceKind::Round);
 }
 
 }  // namespace spineloft::testing
