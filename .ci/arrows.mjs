@@ -39,7 +39,7 @@ const kArrows = {
     'engine/surface',
   ],
   'engine/printing': ['engine/mesh'],
-  'engine/io': ['engine/document'],
+  'engine/io': ['engine/document', 'engine/descriptive'],
   'engine/pipeline': ['engine/ribs/search', 'engine/document', 'engine/vision', 'engine/surface'],
   'engine/publish': ['engine/pipeline', 'engine/io', 'engine/printing'],
   'engine/cli': ['engine/publish'],

@@ -12,6 +12,8 @@ namespace {
 
 /// Places at which two pieces with a common run are tied.
 constexpr int kTiesOfRun = 12;
+/// Pieces that overlap so few cells away do not lie side by side.
+constexpr int kApartCells = 3;
 
 bool isSound(const Drawing& drawing, std::size_t pieces) {
   const auto isPlace = [&](const Place& place) {
@@ -157,6 +159,7 @@ class Maker {
       for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
         for (std::uint32_t b = 0; b < pieces_.size(); ++b) {
           if (a == b || !holdsPlace(pieces_[a], node.places[0]) || !holdsPlace(pieces_[b], node.places[1])) continue;
+          if (model_.orders.overlaps.at(a, b, node.at, kApartCells)) continue;  // they touch from inside
           ties_.push_back({rimAt(a, node.at), rimAt(b, node.at), 1});
         }
       }
