@@ -118,6 +118,11 @@ std::optional<std::uint32_t> Overlaps::at(std::uint32_t one, std::uint32_t other
   const int x = static_cast<int>(std::floor((p.x - low_.x) / step_));
   const int y = static_cast<int>(std::floor((p.y - low_.y) / step_));
   std::optional<std::uint32_t> found;
+  // The middle of its own cell is the nearest.
+  if (x >= 0 && y >= 0 && x < static_cast<int>(across_) && y < static_cast<int>(down_)) {
+    const std::uint32_t own = static_cast<std::uint32_t>(y) * across_ + static_cast<std::uint32_t>(x);
+    if (const auto label = labels_.find(keyOf(one, other, own)); label != labels_.end()) return label->second;
+  }
   double nearest = std::numeric_limits<double>::infinity();
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {

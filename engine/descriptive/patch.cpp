@@ -62,11 +62,61 @@ geometry::Contours withPlaces(geometry::Contours contours, const Patch::Kept& ke
   return geometry::areSimple(region.points, region.sizes) ? with : contours;
 }
 
+/// The triangles of a mesh by the cells of a grid: says quickly that a point is in none.
+class TriangleGrid {
+ public:
+  explicit TriangleGrid(const geometry::PlaneMesh& mesh) {
+    if (mesh.empty()) return;
+    SectionPoint high = low_ = mesh.points()[0];
+    for (std::size_t i = 0; i < mesh.rim(); ++i) {
+      const SectionPoint p = mesh.points()[i];
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const double longer = std::max(high.x - low_.x, high.y - low_.y);
+    cell_ = longer / std::ceil(std::sqrt(static_cast<double>(mesh.triangles().size())));
+    across_ = static_cast<int>((high.x - low_.x) / cell_) + 1;
+    down_ = static_cast<int>((high.y - low_.y) / cell_) + 1;
+    lists_.resize(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_));
+    for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+      const auto [a, b, c] = mesh.triangles()[t];
+      const SectionPoint p = mesh.points()[a], q = mesh.points()[b], r = mesh.points()[c];
+      const int right = column(std::max({p.x, q.x, r.x})), up = row(std::max({p.y, q.y, r.y}));
+      for (int y = row(std::min({p.y, q.y, r.y})); y <= up; ++y) {
+        for (int x = column(std::min({p.x, q.x, r.x})); x <= right; ++x) lists_[at(x, y)].push_back(t);
+      }
+    }
+  }
+  std::optional<MeshPlace> find(const geometry::PlaneMesh& mesh, SectionPoint p) const {
+    if (lists_.empty() || !(p.x >= low_.x && p.y >= low_.y)) return std::nullopt;
+    if (p.x > low_.x + across_ * cell_ || p.y > low_.y + down_ * cell_) return std::nullopt;
+    for (const std::uint32_t t : lists_[at(column(p.x), row(p.y))]) {
+      const auto [i, j, k] = mesh.triangles()[t];
+      const SectionPoint a = mesh.points()[i], b = mesh.points()[j], c = mesh.points()[k];
+      const double one = cross(b - p, c - p), other = cross(c - p, a - p), last = cross(a - p, b - p);
+      if (one < 0 || other < 0 || last < 0) continue;
+      const double whole = one + other + last;
+      return MeshPlace{{i, j, k}, {one / whole, other / whole, last / whole}};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  int column(double x) const { return std::clamp(static_cast<int>((x - low_.x) / cell_), 0, across_ - 1); }
+  int row(double y) const { return std::clamp(static_cast<int>((y - low_.y) / cell_), 0, down_ - 1); }
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * across_ + x); }
+
+  SectionPoint low_{};
+  double cell_ = 1;
+  int across_ = 0, down_ = 0;
+  std::vector<std::vector<std::uint32_t>> lists_;
+};
+
 }  // namespace
 
 struct Patch::Parts {
   Parts(geometry::PlaneMesh plane, std::vector<std::size_t> sizes, std::vector<double> solution)
-      : mesh(std::move(plane)), rims(std::move(sizes)), poisson(std::move(solution)) {}
+      : mesh(std::move(plane)), grid(mesh), rims(std::move(sizes)), poisson(std::move(solution)) {}
 
   /// A corner of the rim between two control points.
   struct Between {
@@ -74,6 +124,7 @@ struct Patch::Parts {
     double share = 0;  ///< of the other
   };
   geometry::PlaneMesh mesh;
+  TriangleGrid grid;
   std::vector<std::size_t> rims;
   std::vector<double> poisson;
   std::vector<geometry::QpEntry> energy;
@@ -322,16 +373,7 @@ std::vector<double> Patch::slopesOf(std::span<const double> depths) const {
   return slope;
 }
 
-std::optional<MeshPlace> Patch::find(SectionPoint p) const {
-  const auto triangle = parts_->mesh.find(p);
-  if (!triangle) return std::nullopt;
-  MeshPlace place{parts_->mesh.triangles()[*triangle], {}};
-  const auto& points = parts_->mesh.points();
-  const SectionPoint a = points[place.points[0]], b = points[place.points[1]], c = points[place.points[2]];
-  const double whole = cross(b - a, c - a);
-  place.weights = {cross(b - p, c - p) / whole, cross(c - p, a - p) / whole, cross(a - p, b - p) / whole};
-  return place;
-}
+std::optional<MeshPlace> Patch::find(SectionPoint p) const { return parts_->grid.find(parts_->mesh, p); }
 
 std::uint32_t Patch::nearestRim(SectionPoint p) const {
   std::uint32_t best = 0;
