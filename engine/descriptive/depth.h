@@ -18,7 +18,7 @@ struct PiecePlace {
 /// Two pieces that are together at a place: shared lines and touches.
 struct Tie {
   PiecePlace one, other;
-  double weight = 1;  ///< ties of one line sum to 1
+  double weight = 1;  ///< ties of one shared run sum to 1
 };
 /// The depth of a place, as a share of the size.
 struct DepthPin {
@@ -68,6 +68,8 @@ struct Depths {
 Result<Depths> solveDepths(const DepthInput& input);
 
 inline constexpr double kGap = 0.0015, kPull = 1e-3, kTieWeight = 1e3;
+/// Of the tie of a touch: 10⁻⁷ in all, far weaker than what holds pieces upright, since lines touch by chance too.
+inline constexpr double kTouchWeight = 1e-10;
 inline constexpr double kMostTilt = 3;        ///< thickness along z grows by no more
 inline constexpr double kLeastThick = 0.002;  ///< front + back at inner points, as a share of the size
 

@@ -1,6 +1,7 @@
 #include "engine/descriptive/depth_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -102,6 +103,38 @@ void forCrossings(const geometry::PlaneMesh& one, const std::vector<MeshEdge>& o
   }
 }
 
+/// Cells at most a reach away from those of an overlap.
+class Nearby {
+ public:
+  Nearby(const Overlaps& overlaps, const std::vector<std::uint32_t>& cells, int reach) : overlaps_(overlaps) {
+    for (const std::uint32_t cell : cells) {
+      const auto [x, y] = overlaps.placeOf(overlaps.middle(cell));
+      low_ = {std::min(low_[0], x - reach), std::min(low_[1], y - reach)};
+      high_ = {std::max(high_[0], x + reach), std::max(high_[1], y + reach)};
+    }
+    is_.resize(static_cast<std::size_t>(high_[0] - low_[0] + 1) * static_cast<std::size_t>(high_[1] - low_[1] + 1));
+    for (const std::uint32_t cell : cells) {
+      const auto [x, y] = overlaps.placeOf(overlaps.middle(cell));
+      for (int row = y - reach; row <= y + reach; ++row) {
+        std::fill_n(is_.begin() + static_cast<std::ptrdiff_t>(at(x - reach, row)), 2 * reach + 1, char{1});
+      }
+    }
+  }
+  bool has(PicturePoint p) const {
+    const auto [x, y] = overlaps_.placeOf(p);
+    return x >= low_[0] && y >= low_[1] && x <= high_[0] && y <= high_[1] && is_[at(x, y)] != 0;
+  }
+
+ private:
+  std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y - low_[1]) * static_cast<std::size_t>(high_[0] - low_[0] + 1) +
+           static_cast<std::size_t>(x - low_[0]);
+  }
+  const Overlaps& overlaps_;
+  std::array<int, 2> low_{1 << 30, 1 << 30}, high_{-(1 << 30), -(1 << 30)};
+  std::vector<char> is_;
+};
+
 class Rows {
  public:
   explicit Rows(const DepthInput& input) : input_(input) {
@@ -113,6 +146,11 @@ class Rows {
     for (std::uint32_t k = 0; k < overlaps.size(); ++k) {
       const Order& order = input_.orders.orders[k];
       const double reach = (kReach + 1) * input_.orders.overlaps.step();
+      const Nearby nearby(input_.orders.overlaps, overlaps[k].cells, kReach);
+      nearby_ = &nearby;
+      isAlone_ = std::ranges::count_if(overlaps, [&](const Overlap& one) {
+                   return one.a == overlaps[k].a && one.b == overlaps[k].b;
+                 }) == 1;
       Box2 box;
       for (const std::uint32_t cell : overlaps[k].cells) {
         const PicturePoint p = input_.orders.overlaps.middle(cell);
@@ -132,7 +170,8 @@ class Rows {
   static constexpr int kReach = 4;
 
   bool isIn(std::uint32_t overlap, const Order& order, PicturePoint p) const {
-    return input_.orders.overlaps.at(order.over, order.under, p, kReach) == overlap;
+    if (!nearby_->has(p)) return false;
+    return isAlone_ || input_.orders.overlaps.at(order.over, order.under, p, kReach) == overlap;
   }
   /// Points of the mesh of `own` that are in the overlap with `other`.
   void addPoints(std::uint32_t overlap, std::uint32_t own, std::uint32_t other, const Order& order, const Box2& box) {
@@ -177,6 +216,8 @@ class Rows {
 
   const DepthInput& input_;
   std::vector<std::vector<MeshEdge>> edges_;  ///< by piece
+  const Nearby* nearby_ = nullptr;            ///< of the overlap that is looked at
+  bool isAlone_ = false;                      ///< its pieces overlap nowhere else
   std::vector<OrderRow> rows_;
 };
 

@@ -160,7 +160,7 @@ class Maker {
         for (std::uint32_t b = 0; b < pieces_.size(); ++b) {
           if (a == b || !holdsPlace(pieces_[a], node.places[0]) || !holdsPlace(pieces_[b], node.places[1])) continue;
           if (model_.orders.overlaps.at(a, b, node.at, kApartCells)) continue;  // they touch from inside
-          ties_.push_back({rimAt(a, node.at), rimAt(b, node.at), 1});
+          ties_.push_back({rimAt(a, node.at), rimAt(b, node.at), kTouchWeight});
         }
       }
     }

@@ -115,8 +115,7 @@ void Overlaps::connect() {
 
 std::optional<std::uint32_t> Overlaps::at(std::uint32_t one, std::uint32_t other, PicturePoint p, int reach) const {
   if (one > other) std::swap(one, other);
-  const int x = static_cast<int>(std::floor((p.x - low_.x) / step_));
-  const int y = static_cast<int>(std::floor((p.y - low_.y) / step_));
+  const auto [x, y] = placeOf(p);
   std::optional<std::uint32_t> found;
   // The middle of its own cell is the nearest.
   if (x >= 0 && y >= 0 && x < static_cast<int>(across_) && y < static_cast<int>(down_)) {

@@ -1,6 +1,8 @@
 // Where pieces of a drawing lie over each other in the picture.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -51,6 +53,10 @@ class Overlaps {
     return {low_.x + (cell % across_ + 0.5) * step_, low_.y + (cell / across_ + 0.5) * step_};
   }
   double step() const { return step_; }
+  /// Column and row of the cell of a place, also outside of the grid.
+  std::array<int, 2> placeOf(PicturePoint p) const {
+    return {static_cast<int>(std::floor((p.x - low_.x) / step_)), static_cast<int>(std::floor((p.y - low_.y) / step_))};
+  }
 
  private:
   void fill(std::span<const Sheet> sheets);

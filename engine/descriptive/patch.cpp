@@ -234,8 +234,8 @@ void Patch::Parts::addControls(std::span<const PicturePoint> folds, double alpha
 }
 
 bool Patch::Parts::factorise() {
-  const auto corners = static_cast<Eigen::Index>(mesh.rim());
-  const auto inner = static_cast<Eigen::Index>(mesh.points().size()) - corners;
+  const auto corners = static_cast<std::uint32_t>(mesh.rim());
+  const auto inner = static_cast<Eigen::Index>(mesh.points().size() - mesh.rim());
   std::vector<Eigen::Triplet<double, int>> own, other;
   for (const auto& t : mesh.triangles()) {
     const inflate::Element element = inflate::elementOf(mesh, t);

@@ -80,6 +80,6 @@ class Patch {
 inline constexpr std::size_t kControls = 48;
 /// So much of the square of an unknown is added, so that there is one optimum: where nothing else says it, a piece lies
 /// at depth 0 and, which counts more, faces the viewer, and what a plane can do is no bend.
-inline constexpr double kDepthGauge = 1e-8, kTurnGauge = 1e-6, kControlGauge = 1e-5;
+inline constexpr double kDepthGauge = 1e-8, kTurnGauge = 1e-5, kControlGauge = 1e-5;
 
 }  // namespace spineloft::descriptive

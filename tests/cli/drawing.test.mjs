@@ -146,6 +146,9 @@ for (const [name, isOver] of Object.entries(kOrders)) {
     assert.equal(issues.numErrors + issues.numWarnings, 0, JSON.stringify(issues.messages));
     works('loft', '--recipe', recipe(name), '--out', folder.path('model.obj'));
     const meshes = [...objects(folder.path('model.obj')).values()];
+    // Nothing stands farther into the depth than the drawing is large.
+    const span = (k) => Math.max(...meshes.flat(2).map((p) => p[k])) - Math.min(...meshes.flat(2).map((p) => p[k]));
+    assert.ok(span(2) < Math.max(span(0), span(1)), `${span(2)} deep`);
     const { drawing } = readJson(recipe(name));
     const map = toFile(drawing, meshes);
     const outlines = drawing.lines.map(cornersOf);
