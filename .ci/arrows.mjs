@@ -28,6 +28,7 @@ const kArrows = {
   'engine/extrude': ['engine/mesh', 'engine/image'],
   'engine/lathe': ['engine/mesh', 'engine/image'],
   'engine/stack': ['engine/sections', 'engine/image'],
+  'engine/descriptive': ['engine/inflate'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
@@ -38,7 +39,7 @@ const kArrows = {
     'engine/surface',
   ],
   'engine/printing': ['engine/mesh'],
-  'engine/io': ['engine/document'],
+  'engine/io': ['engine/document', 'engine/descriptive'],
   'engine/pipeline': ['engine/ribs/search', 'engine/document', 'engine/vision', 'engine/surface'],
   'engine/publish': ['engine/pipeline', 'engine/io', 'engine/printing'],
   'engine/cli': ['engine/publish'],

@@ -151,9 +151,11 @@ void CommandLine::addLoft(CLI::App& app) {
       "--caps", [this](const std::string& key) { loft_.caps = *sections::capFromKey(key); },
       listOf(keysOf(sections::capNames())));
   caps_->check(oneOf(keysOf(sections::capNames())))->option_text("NAME");
-  app.add_option("--recipe", loft_.recipe,
-                 "instead of --section and --caps: JSON of a part or of a whole document, as projects hold it; then "
-                 "IMAGE and --stroke are only needed where the recipe has no picture or no stroke of its own")
+  app.add_option(
+         "--recipe", loft_.recipe,
+         "instead of --section and --caps: JSON of a part or of a whole document, as projects hold it, or of a "
+         "drawing of lines; then IMAGE and --stroke are only needed where the recipe has no picture or no stroke "
+         "of its own")
       ->option_text("FILE");
   std::ostringstream height;
   height << "height of the model in GLB and STL (default " << document::Document{}.height.value << ")";

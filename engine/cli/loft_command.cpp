@@ -9,6 +9,7 @@
 #include "engine/document/update.h"
 #include "engine/geometry/pieces.h"
 #include "engine/inflate/bone_edits.h"
+#include "engine/io/drawing_file.h"
 #include "engine/io/json_values.h"
 #include "engine/io/obj.h"
 #include "engine/io/picture_file.h"
@@ -209,6 +210,10 @@ std::string reportOf(const Model& model) {
 }  // namespace
 
 Status runLoft(const LoftArguments& arguments, Console console) {
+  if (!arguments.recipe.empty()) {
+    const Result<std::string> text = readText(arguments.recipe);
+    if (text.ok() && io::isDrawing(text.value())) return runDrawing(arguments, text.value(), console);
+  }
   Result<Model> made = makeModel(arguments);
   if (!made.ok()) return made.failure();
   Model& model = made.value();

@@ -39,6 +39,8 @@ void reportCrossingParts(const document::Document& document, const pipeline::Der
 double nowMs();
 
 Status runLoft(const LoftArguments& arguments, Console console);
+/// The same for a recipe that is a bare drawing (io/drawing_file.h), whose text this is.
+Status runDrawing(const LoftArguments& arguments, const std::string& text, Console console);
 Status runOpen(const OpenArguments& arguments, Console console);
 Status runShare(const ShareArguments& arguments, Console console);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);

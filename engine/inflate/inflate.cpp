@@ -7,8 +7,8 @@
 
 #include "engine/geometry/pieces.h"
 #include "engine/geometry/refine.h"
-#include "engine/geometry/spread.h"
 #include "engine/inflate/bone_edits.h"
+#include "engine/inflate/cushion.h"
 #include "engine/inflate/fields.h"
 #include "engine/inflate/poisson_height.h"
 #include "engine/inflate/profile.h"
@@ -18,59 +18,8 @@
 namespace spineloft::inflate {
 namespace {
 
-/// The first, coarse solution has this much of the spacing.
-constexpr double kCoarse = 1.8;
-/// A ball has four times the area of its disc; most regions have less, which only makes them finer.
-constexpr double kAreaOfBall = 4;
-/// Rows follow the rim until the surface leans by so much, radians.
-constexpr double kSteep = 0.95;
-constexpr std::size_t kMostRows = 64;
 /// Heights below this share of the spacing would make both sides touch.
 constexpr double kLeastHeightShare = 1e-3;
-
-/// A mesh with its heights, and what is needed to go on with it.
-struct Cushion {
-  geometry::PlaneMesh mesh;
-  std::vector<double> u;
-};
-
-double spacingFor(double area, int points) { return std::sqrt(kAreaOfBall * area / (std::sqrt(0.75) * points)); }
-
-/// A triangulation of even spacing with its solution; empty when it cannot be made.
-Cushion evenMargin(const geometry::PlaneRegion& region, double spacing) {
-  Cushion cushion{geometry::PlaneMesh(region.points, region.sizes), {}};
-  if (cushion.mesh.empty()) return cushion;
-  geometry::spreadPoints(cushion.mesh, region.sizes, {spacing, spacing},
-                         {[](std::size_t) { return std::vector<double>{}; }, [](SectionPoint) { return 0.0; }});
-  cushion.u = poissonHeight(cushion.mesh);
-  return cushion;
-}
-
-/// Distances at which h = height · √(ρ² − (ρ − d)²) has gone on by one spacing along its arc, and so on.
-std::vector<double> rowsFor(double radius, double height, double spacing) {
-  std::vector<double> rows;
-  const double round = radius * height * height;
-  if (!(round > 0)) return rows;
-  const double step = spacing / round;
-  for (std::size_t k = 1; k <= kMostRows && static_cast<double>(k) * step < kSteep; ++k) {
-    const double away = round * (1 - std::cos(static_cast<double>(k) * step));
-    if (away > 0.8 * radius) break;
-    rows.push_back(away);
-  }
-  return rows;
-}
-
-/// Points as dense as the surface over the coarse solution wants them, and the solution there.
-Cushion fineCushion(const geometry::PlaneRegion& region, const Cushion& coarse, double height, double spacing) {
-  Cushion cushion{geometry::PlaneMesh(region.points, region.sizes), {}};
-  const std::vector<double> radii = rimRadii(coarse.mesh, coarse.u);
-  const geometry::SurfaceOver surface{
-      [&](std::size_t corner) { return rowsFor(radii[corner], height, spacing); },
-      [&](SectionPoint p) { return height * std::sqrt(std::max(0.0, valueAt(coarse.mesh, coarse.u, p))); }};
-  geometry::spreadPoints(cushion.mesh, region.sizes, {spacing, spacing}, surface);
-  cushion.u = poissonHeight(cushion.mesh);
-  return cushion;
-}
 
 std::vector<double> heightsOf(const std::vector<double>& u, std::size_t rim, double height, double least) {
   std::vector<double> heights(u.size(), 0.0);
@@ -155,9 +104,9 @@ void relax(Cushion& cushion, double height, double least) {
 Result<mesh::TriMesh> inflateSoftly(const geometry::Contours& contours, image::Size picture,
                                     const InflateParams& params) {
   const double area = geometry::areaOf(contours);
-  const double spacing = spacingFor(area, params.points);
+  const double spacing = cushionSpacing(area, params.points);
   const geometry::PlaneRegion region = geometry::planeRegion(geometry::sampleRegion(contours, spacing));
-  const Cushion coarse = evenMargin(region, kCoarse * spacing);
+  const Cushion coarse = evenCushion(region, kCoarse * spacing);
   if (coarse.u.empty()) return Error::RegionTooFine;
   Cushion fine = fineCushion(region, coarse, params.height, spacing);
   if (fine.u.empty()) return Error::RegionTooFine;

@@ -21,6 +21,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
 #include "engine/vision/edges.h"
+#include "tests/bench/drawing_stages.h"
 #include "tests/bench/pen_stages.h"
 #include "tests/bench/report.h"
 #include "tests/bench/rib_stages.h"
@@ -148,6 +149,7 @@ void printStageTimes() {
     if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);
   });
   reportRegionStages(report);
+  bench::reportDrawingStages(report);
   bench::reportPenStages(picture, edges, report);
   timeRibDrag(report, picture, edges, recipe.stroke);
   bench::reportTwoWorkers(picture, report);
@@ -166,13 +168,16 @@ int main(int count, char** words) {
     const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
     bench::Report report;
     bench::reportPenStages(picture, edges, report);
+  } else if (count == 2 && std::string(words[1]) == "--drawings") {
+    bench::Report report;
+    bench::reportDrawingStages(report);
   } else if (count == 2 && std::string(words[1]) == "--workers") {
     bench::Report report;
     bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report);
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr << "spineloft_bench: no words, --pen, --photo, --workers, or --ribs and a case folder\n";
+    std::cerr << "spineloft_bench: no words, --pen, --photo, --drawings, --workers, or --ribs and a case folder\n";
     return 2;
   }
   return 0;

@@ -1,0 +1,239 @@
+#include "engine/descriptive/model.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/descriptive/solids.h"
+
+namespace spineloft::descriptive {
+namespace {
+
+/// Places at which two pieces with a common run are tied.
+constexpr int kTiesOfRun = 12;
+/// Pieces that overlap so few cells away do not lie side by side.
+constexpr int kApartCells = 3;
+
+bool isSound(const Drawing& drawing, std::size_t pieces) {
+  const auto isPlace = [&](const Place& place) {
+    return place.line < drawing.lines.size() && place.share >= 0 && place.share <= 1;
+  };
+  for (const Piece& piece : drawing.pieces) {
+    const bool inRange = piece.stiffness >= kLeastStiffness && piece.stiffness <= kMostStiffness &&
+                         piece.front >= kLeastFront && piece.front <= kMostFront && piece.back >= kLeastFront &&
+                         piece.back <= kMostFront && piece.thickness >= 0 && std::isfinite(piece.thickness) &&
+                         piece.kind < PieceKind::kCount;
+    if (!inRange) return false;
+  }
+  for (const Pin& pin : drawing.pins) {
+    if (!isPlace(pin.at) || !std::isfinite(pin.z)) return false;
+  }
+  for (const GivenOrder& one : drawing.orders) {
+    if (one.over >= pieces || one.under >= pieces || one.over == one.under || !isFinite(one.at)) return false;
+  }
+  return std::ranges::all_of(drawing.folds, isPlace) && drawing.size.width > 0 && drawing.size.height > 0;
+}
+
+bool holdsPlace(const Piece& piece, const Place& place) {
+  for (const Outline& outline : piece.outlines) {
+    for (const Run& run : outline) {
+      if (run.line != place.line) continue;
+      if (place.share >= std::min(run.from, run.to) && place.share <= std::max(run.from, run.to)) return true;
+    }
+  }
+  return false;
+}
+
+/// Makes a model, step by step.
+class Maker {
+ public:
+  Maker(const Drawing& drawing, const ModelOptions& options) : drawing_(drawing), options_(options) {}
+
+  Result<Model> make() {
+    Result<std::vector<MeasuredLine>> lines = meetingLines(drawing_.lines);
+    if (!lines) return lines.failure();
+    lines_ = std::move(lines).value();
+    model_.size = sizeOf(drawing_.lines);
+    model_.nodes = nodesOf(lines_, model_.size);
+    if (Status status = choosePieces(); !status) return status.failure();
+    findOpenLines();
+    makePatches();
+    if (patches_.empty()) return model_.lost.empty() ? Failure{Error::RegionEmpty, {}} : model_.lost[0].failure;
+    std::vector<GivenOrder> given;
+    for (GivenOrder one : drawing_.orders) {
+      const auto over = std::ranges::find(made_, one.over), under = std::ranges::find(made_, one.under);
+      if (over == made_.end() || under == made_.end()) continue;
+      one.over = static_cast<std::uint32_t>(over - made_.begin());
+      one.under = static_cast<std::uint32_t>(under - made_.begin());
+      given.push_back(one);
+    }
+    model_.orders = ordersOf(sheets_, given, model_.size);
+    tie();
+    pin();
+    const DepthInput input{sheets_, pieces_, patches_, model_.orders, ties_, pins_, scale_};
+    const Result<Depths> depths = solveDepths(input);
+    if (!depths) return depths.failure();
+    finish(depths.value());
+    return std::move(model_);
+  }
+
+ private:
+  Status choosePieces() {
+    model_.pieces = drawing_.pieces;
+    if (model_.pieces.empty()) {
+      for (Outline& outline : proposeOutlines(lines_, model_.nodes)) {
+        Piece piece;
+        piece.outlines = {std::move(outline)};
+        model_.pieces.push_back(std::move(piece));
+      }
+    }
+    if (model_.pieces.size() > kMostPieces || !isSound(drawing_, model_.pieces.size())) return Error::ValueOutOfRange;
+    for (std::size_t i = 0; i < model_.pieces.size(); ++i) {
+      if (model_.pieces[i].name.empty()) model_.pieces[i].name = "Piece " + std::to_string(i + 1);
+    }
+    if (model_.pieces.empty()) return Error::RegionEmpty;
+    return Done{};
+  }
+  void findOpenLines() {
+    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+      const bool used = std::ranges::any_of(model_.pieces, [&](const Piece& piece) {
+        return std::ranges::any_of(piece.outlines, [&](const Outline& outline) {
+          return std::ranges::any_of(outline, [&](const Run& run) { return run.line == i; });
+        });
+      });
+      if (!used) model_.openLines.push_back(i);
+    }
+  }
+  void makePatches() {
+    PicturePoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    for (const MeasuredLine& line : lines_) {
+      for (const PicturePoint p : line.points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    }
+    scale_ = {(low + high) / 2, model_.size};
+    for (std::uint32_t i = 0; i < model_.pieces.size(); ++i) {
+      Result<Sheet> sheet = sheetOf(lines_, model_.pieces[i], drawing_.size);
+      if (!sheet) {
+        model_.lost.push_back({i, sheet.failure()});
+        continue;
+      }
+      Patch::Kept kept;
+      for (const Place& fold : drawing_.folds) {
+        if (holdsPlace(model_.pieces[i], fold)) kept.folds.push_back(lines_[fold.line].at(fold.share));
+      }
+      for (const Pin& pin : drawing_.pins) {
+        if (holdsPlace(model_.pieces[i], pin.at)) kept.others.push_back(lines_[pin.at.line].at(pin.at.share));
+      }
+      Result<Patch> patch = Patch::make(sheet.value(), model_.pieces[i], kept, scale_, options_.points);
+      if (!patch) {
+        model_.lost.push_back({i, patch.failure()});
+        continue;
+      }
+      made_.push_back(i);
+      pieces_.push_back(model_.pieces[i]);
+      sheets_.push_back(std::move(sheet).value());
+      patches_.push_back(std::move(patch).value());
+    }
+  }
+  /// The corner of a piece's rim that is nearest to a place.
+  PiecePlace rimAt(std::uint32_t piece, PicturePoint p) const {
+    const std::uint32_t corner = patches_[piece].nearestRim({p.x, -p.y});
+    return {piece, {{corner, corner, corner}, {1, 0, 0}}};
+  }
+  /// Runs of one line that two pieces share, and touches.
+  void tie() {
+    for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < pieces_.size(); ++b) {
+        forRuns(pieces_[a], [&](const Run& one) {
+          forRuns(pieces_[b], [&](const Run& other) {
+            if (one.line == other.line) tieRun(a, b, one, other);
+          });
+        });
+      }
+    }
+    for (const Node& node : model_.nodes) {
+      if (node.kind != NodeKind::Touch) continue;
+      for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
+        for (std::uint32_t b = 0; b < pieces_.size(); ++b) {
+          if (a == b || !holdsPlace(pieces_[a], node.places[0]) || !holdsPlace(pieces_[b], node.places[1])) continue;
+          if (model_.orders.overlaps.at(a, b, node.at, kApartCells)) continue;  // they touch from inside
+          ties_.push_back({rimAt(a, node.at), rimAt(b, node.at), kTouchWeight});
+        }
+      }
+    }
+  }
+  template <class Do>
+  static void forRuns(const Piece& piece, const Do& each) {
+    for (const Outline& outline : piece.outlines) {
+      for (const Run& run : outline) each(run);
+    }
+  }
+  void tieRun(std::uint32_t a, std::uint32_t b, const Run& one, const Run& other) {
+    const double from = std::max(std::min(one.from, one.to), std::min(other.from, other.to));
+    const double to = std::min(std::max(one.from, one.to), std::max(other.from, other.to));
+    if (!(to > from)) return;
+    for (int i = 0; i < kTiesOfRun; ++i) {
+      const PicturePoint p = lines_[one.line].at(from + (to - from) * i / (kTiesOfRun - 1));
+      ties_.push_back({rimAt(a, p), rimAt(b, p), 1.0 / kTiesOfRun});
+    }
+  }
+  /// A later pin at the same corner wins.
+  void pin() {
+    for (const Pin& pin : drawing_.pins) {
+      for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+        if (!holdsPlace(pieces_[i], pin.at)) continue;
+        const PiecePlace place = rimAt(i, lines_[pin.at.line].at(pin.at.share));
+        std::erase_if(
+            pins_, [&](const DepthPin& other) { return other.at.piece == i && other.at.at.points == place.at.points; });
+        pins_.push_back({place, pin.z / scale_.size});
+      }
+    }
+  }
+  void finish(const Depths& depths) {
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      model_.solids.push_back({made_[i], solidOf(patches_[i], pieces_[i], depths.pieces[i], scale_, drawing_.size),
+                               offPlane(patches_[i], depths.pieces[i])});
+    }
+    for (const std::uint32_t overlap : depths.conflict) {
+      const Order& order = model_.orders.orders[overlap];
+      model_.conflicts.push_back({order.over, order.under});
+    }
+    model_.depth = depths.stats;
+  }
+  double offPlane(const Patch& patch, const PieceDepth& depth) const {
+    const auto n = static_cast<Eigen::Index>(patch.mesh().rim());
+    Eigen::MatrixXd plane(n, 3);
+    Eigen::VectorXd z(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const SectionPoint at = patch.mesh().points()[static_cast<std::size_t>(i)], p = scale_.of({at.x, -at.y});
+      plane.row(i) << p.x, p.y, 1;
+      z[i] = depth.middle[static_cast<std::size_t>(i)];
+    }
+    const Eigen::Vector3d fit = plane.colPivHouseholderQr().solve(z);
+    return (plane * fit - z).cwiseAbs().maxCoeff() / std::sqrt(1 + fit[0] * fit[0] + fit[1] * fit[1]);
+  }
+
+  const Drawing& drawing_;
+  ModelOptions options_;
+  Model model_;
+  std::vector<MeasuredLine> lines_;
+  DepthScale scale_;
+  std::vector<std::uint32_t> made_;  ///< pieces with a patch
+  std::vector<Piece> pieces_;        ///< those, and what belongs to them
+  std::vector<Sheet> sheets_;
+  std::vector<Patch> patches_;
+  std::vector<Tie> ties_;
+  std::vector<DepthPin> pins_;
+};
+
+}  // namespace
+
+Result<Model> modelOf(const Drawing& drawing, const ModelOptions& options) {
+  if (options.points < 200 || options.points > 16000) return Error::ValueOutOfRange;
+  return Maker(drawing, options).make();
+}
+
+}  // namespace spineloft::descriptive

@@ -1,0 +1,203 @@
+#include "engine/descriptive/outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace spineloft::descriptive {
+namespace {
+
+/// An end of an open line: 2 · line, + 1 at its last point.
+using EndId = std::uint32_t;
+constexpr EndId kNoEnd = 0xffffffffu;
+
+EndId endAt(const Place& place) { return 2 * place.line + (place.share > 0.5 ? 1 : 0); }
+
+/// The direction in which a line leaves its end: to the place 2 % of its length away.
+PicturePoint leaving(const MeasuredLine& line, bool last) {
+  constexpr double kLook = 0.02;
+  return normalized(last ? line.at(1 - kLook) - line.points.back() : line.at(kLook) - line.points.front());
+}
+
+/// The turn of someone who comes in along one end and leaves along the other, squared; 0 straight on.
+double turnOf(PicturePoint one, PicturePoint other) {
+  const double turn = std::atan2(std::abs(cross(-one, other)), dot(-one, other));
+  return turn * turn;
+}
+
+/// Pairs of directions with the least sum of squared turns; with an odd number one stays alone.
+class Pairing {
+ public:
+  explicit Pairing(std::span<const PicturePoint> directions) : directions_(directions) {
+    best_.assign(directions.size(), -1);
+    std::vector<int> partner(directions.size(), -1);
+    search(partner, 0, 0, directions.size() % 2 == 1);
+  }
+  const std::vector<int>& partners() const { return best_; }
+
+ private:
+  void search(std::vector<int>& partner, std::size_t first, double cost, bool mayLeave) {
+    if (cost >= cost_) return;
+    while (first < partner.size() && partner[first] != -1) ++first;
+    if (first == partner.size()) {
+      cost_ = cost;
+      best_ = partner;
+      return;
+    }
+    for (std::size_t k = first + 1; k < partner.size(); ++k) {
+      if (partner[k] != -1) continue;
+      partner[first] = static_cast<int>(k);
+      partner[k] = static_cast<int>(first);
+      search(partner, first + 1, cost + turnOf(directions_[first], directions_[k]), mayLeave);
+      partner[first] = partner[k] = -1;
+    }
+    if (!mayLeave) return;
+    partner[first] = kAlone;
+    search(partner, first + 1, cost, false);
+    partner[first] = -1;
+  }
+  static constexpr int kAlone = -2;
+  std::span<const PicturePoint> directions_;
+  std::vector<int> best_;
+  double cost_ = std::numeric_limits<double>::infinity();
+};
+
+/// For every end the end with which it goes on.
+std::vector<EndId> partnersOf(std::span<const MeasuredLine> lines, std::span<const Node> nodes) {
+  std::vector<EndId> partner(2 * lines.size(), kNoEnd);
+  for (const Node& node : nodes) {
+    if (node.kind != NodeKind::Corner) continue;
+    std::vector<PicturePoint> directions;
+    for (std::size_t i = 0; i < std::min(node.places.size(), kMostPaired); ++i) {
+      const Place& place = node.places[i];
+      directions.push_back(leaving(lines[place.line], place.share > 0.5));
+    }
+    const Pairing pairing(directions);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (const int other = pairing.partners()[i]; other >= 0) {
+        partner[endAt(node.places[i])] = endAt(node.places[static_cast<std::size_t>(other)]);
+      }
+    }
+  }
+  return partner;
+}
+
+Run runFrom(EndId start) { return start % 2 == 0 ? Run{start / 2, 0, 1} : Run{start / 2, 1, 0}; }
+
+/// The closed line and the place on which an end lies.
+std::optional<Place> closedUnder(std::span<const MeasuredLine> lines, std::span<const Node> nodes, EndId end) {
+  for (const Node& node : nodes) {
+    if (node.kind != NodeKind::Branch || node.places[0].line != end / 2) continue;
+    if (endAt(node.places[0]) != end || (node.places[0].share > 0 && node.places[0].share < 1)) continue;
+    for (std::size_t k = 1; k < node.places.size(); ++k) {
+      if (lines[node.places[k].line].closed) return node.places[k];
+    }
+  }
+  return std::nullopt;
+}
+
+/// The shorter way from one share of a closed line to another.
+Outline shorterWay(Place from, Place to) {
+  const double ahead = to.share - from.share;
+  if (std::abs(ahead) <= 0.5) return {{from.line, from.share, to.share}};
+  if (ahead > 0) return {{from.line, from.share, 0}, {from.line, 1, to.share}};
+  return {{from.line, from.share, 1}, {from.line, 0, to.share}};
+}
+
+/// The chain through an open line, as far as it goes both ways: its first end, and its runs.
+struct Chain {
+  Outline runs;
+  EndId first = kNoEnd, last = kNoEnd;
+  bool closed = false;
+};
+Chain chainThrough(const std::vector<EndId>& partner, std::uint32_t line, std::size_t lines) {
+  EndId start = 2 * line;
+  // Back to where it begins.
+  for (std::size_t k = 0; k <= lines && partner[start] != kNoEnd; ++k) {
+    const EndId before = partner[start] ^ 1u;
+    if (before == 2 * line) break;  // round
+    start = before;
+  }
+  Chain chain;
+  chain.first = start;
+  EndId here = start;
+  for (std::size_t k = 0; k <= lines; ++k) {
+    chain.runs.push_back(runFrom(here));
+    chain.last = here ^ 1u;
+    if (partner[chain.last] == kNoEnd) return chain;
+    here = partner[chain.last];
+    if (here == start) break;
+  }
+  chain.closed = true;
+  return chain;
+}
+
+}  // namespace
+
+std::vector<Outline> proposeOutlines(std::span<const MeasuredLine> lines, std::span<const Node> nodes) {
+  const std::vector<EndId> partner = partnersOf(lines, nodes);
+  std::vector<Outline> out;
+  std::vector<bool> used(lines.size(), false);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (used[i]) continue;
+    if (lines[i].closed) {
+      out.push_back({{i, 0, 1}});
+      continue;
+    }
+    Chain chain = chainThrough(partner, i, lines.size());
+    for (const Run& run : chain.runs) used[run.line] = true;
+    if (!chain.closed) {
+      const auto from = closedUnder(lines, nodes, chain.last), to = closedUnder(lines, nodes, chain.first);
+      if (!from || !to || from->line != to->line) continue;
+      for (const Run& run : shorterWay(*from, *to)) chain.runs.push_back(run);
+    }
+    out.push_back(std::move(chain.runs));
+  }
+  return out;
+}
+
+namespace {
+
+/// Adds the points of a run but its last.
+void addRun(const MeasuredLine& line, const Run& run, OutlinePath& path) {
+  std::vector<double> shares{run.from, run.to};
+  const double low = std::min(run.from, run.to), high = std::max(run.from, run.to);
+  for (const double s : line.s) shares.push_back(s / line.length());
+  for (const Stretch& stretch : line.hidden) shares.insert(shares.end(), {stretch.from, stretch.to});
+  std::erase_if(shares, [&](double share) { return share < low || share > high; });
+  std::ranges::sort(shares);
+  const double least = 1e-9;
+  shares.erase(std::ranges::unique(shares, [&](double a, double b) { return b - a < least; }).begin(), shares.end());
+  if (run.from > run.to) std::ranges::reverse(shares);
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+    path.points.push_back(line.at(shares[i]));
+    path.places.push_back({run.line, shares[i]});
+    path.hidden.push_back(line.isHidden((shares[i] + shares[i + 1]) / 2));
+  }
+}
+
+}  // namespace
+
+Result<OutlinePath> pathOf(std::span<const MeasuredLine> lines, const Outline& outline) {
+  OutlinePath path;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Run& run = outline[i];
+    const bool inside = run.from >= 0 && run.from <= 1 && run.to >= 0 && run.to <= 1 && run.from != run.to;
+    if (run.line >= lines.size() || !inside) return Error::ValueOutOfRange;
+    addRun(lines[run.line], run, path);
+    const Run& next = outline[(i + 1) % outline.size()];
+    if (next.line >= lines.size()) return Error::ValueOutOfRange;
+    // A gap to the next run closes straight, and is seen.
+    const PicturePoint end = lines[run.line].at(run.to);
+    if (distance(end, lines[next.line].at(next.from)) > 1e-6) {
+      path.points.push_back(end);
+      path.places.push_back({run.line, run.to});
+      path.hidden.push_back(false);
+    }
+  }
+  if (path.points.size() < 3) return Error::RegionEmpty;
+  return path;
+}
+
+}  // namespace spineloft::descriptive

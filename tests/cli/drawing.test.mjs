@@ -1,0 +1,231 @@
+// spineloft loft --recipe with a bare drawing: seen and hidden lines become solids in the drawn order.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import validator from 'gltf-validator';
+import { fails, glbJson, readJson, stlBounds, works, workFolder } from '../support/cli.mjs';
+
+const recipes = fileURLToPath(new URL('../../assets/docs/recipes/', import.meta.url));
+const recipe = (name) => join(recipes, `${name}.json`);
+
+function write(folder, json) {
+  writeFileSync(folder.path('drawing.json'), JSON.stringify(json));
+  return folder.path('drawing.json');
+}
+function reportOf(folder, file) {
+  works('loft', '--recipe', file, '--report', folder.path('report.json'));
+  return readJson(folder.path('report.json')).drawing;
+}
+
+/** The objects of an OBJ by name, each a list of triangles of points. */
+function objects(path) {
+  const vertices = [];
+  const all = new Map();
+  let triangles;
+  for (const line of readFileSync(path, 'utf8').split('\n')) {
+    const [kind, ...rest] = line.trim().split(/\s+/);
+    if (kind === 'o') all.set(rest.join(' '), (triangles = []));
+    if (kind === 'v') vertices.push(rest.slice(0, 3).map(Number));
+    if (kind === 'f') triangles.push(rest.map((corner) => vertices[parseInt(corner, 10) - 1]));
+  }
+  return all;
+}
+
+const boundsOf = (points) =>
+  [0, 1].map((k) => [Math.min(...points.map((p) => p[k])), Math.max(...points.map((p) => p[k]))]);
+
+/** Corners of a line in the picture, y up. */
+function cornersOf({ points }) {
+  const corners = [];
+  for (let i = 0; i < points.length; i += 2) corners.push([points[i], -points[i + 1]]);
+  return corners;
+}
+
+/** From the picture to the file: the rim of a round piece is its outline; flat ones are shifted a little where they lean. */
+function toFile(drawing, meshes) {
+  const flat = (i) => drawing.pieces !== 'auto' && drawing.pieces[i].kind === 'flat';
+  const chosen = [...meshes.keys()].filter((i) => !flat(i));
+  const used = chosen.length ? chosen : [...meshes.keys()];
+  const from = boundsOf(used.flatMap((i) => cornersOf(drawing.lines[i])));
+  const to = boundsOf(used.flatMap((i) => meshes[i].flat()));
+  return (p) =>
+    p.map((value, k) => to[k][0] + ((value - from[k][0]) / (from[k][1] - from[k][0])) * (to[k][1] - to[k][0]));
+}
+
+function holds(polygon, [x, y]) {
+  let inside = false;
+  for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i++) {
+    const [[ax, ay], [bx, by]] = [polygon[i], polygon[j]];
+    if (ay > y !== by > y && x < ((bx - ax) * (y - ay)) / (by - ay) + ax) inside = !inside;
+  }
+  return inside;
+}
+
+/** Where a ray along z enters and leaves a mesh; nothing where it misses it. */
+function through(triangles, [x, y]) {
+  let hit;
+  for (const [a, b, c] of triangles) {
+    const whole = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if (whole === 0) continue;
+    const u = ((b[0] - x) * (c[1] - y) - (b[1] - y) * (c[0] - x)) / whole;
+    const v = ((c[0] - x) * (a[1] - y) - (c[1] - y) * (a[0] - x)) / whole;
+    if (u < 0 || v < 0 || u + v > 1) continue;
+    const z = u * a[2] + v * b[2] + (1 - u - v) * c[2];
+    hit = hit ? [Math.max(hit[0], z), Math.min(hit[1], z)] : [z, z];
+  }
+  return hit;
+}
+
+/** The triangles over each of `n` columns between two places. */
+function columnsOf(triangles, from, to, n) {
+  const columns = Array.from({ length: n }, () => []);
+  const column = (x) => Math.min(n, Math.max(-1, Math.floor(((x - from) / (to - from)) * n)));
+  for (const triangle of triangles) {
+    const xs = triangle.map((p) => p[0]);
+    for (let i = Math.max(0, column(Math.min(...xs))); i <= Math.min(n - 1, column(Math.max(...xs))); i++) {
+      columns[i].push(triangle);
+    }
+  }
+  return columns;
+}
+
+/** Rays over all that two outlines both enclose: how many, and how many in the wrong order. */
+function lookAt([over, under], [near, far], map) {
+  const n = 60;
+  const boxes = [over, under].map(boundsOf);
+  const low = [0, 1].map((k) => Math.max(boxes[0][k][0], boxes[1][k][0]));
+  const high = [0, 1].map((k) => Math.min(boxes[0][k][1], boxes[1][k][1]));
+  const [from, to] = [map(low)[0], map(high)[0]];
+  const [nearColumns, farColumns] = [near, far].map((mesh) => columnsOf(mesh, from, to, n));
+  let all = 0;
+  let wrong = 0;
+  for (let i = 0; i < n * n && high[0] > low[0] && high[1] > low[1]; i++) {
+    const share = [(i % n) + 0.5, Math.floor(i / n) + 0.5].map((value) => value / n);
+    const p = share.map((value, k) => low[k] + (high[k] - low[k]) * value);
+    if (!holds(over, p) || !holds(under, p)) continue;
+    const [one, other] = [through(nearColumns[i % n], map(p)), through(farColumns[i % n], map(p))];
+    if (!one || !other) continue;
+    all += 1;
+    if (!(one[0] > other[0] && one[1] > other[1])) wrong += 1;
+  }
+  return { all, wrong };
+}
+
+/** Of each recipe: who is drawn in front of whom wherever two pieces overlap, by their places in the list. */
+const kOrders = {
+  'bars-in-a-cycle': (a, b) => (a + 1) % 3 === b,
+  'woven-mat': (a, b) => a < 4 !== b < 4 && ((Math.min(a, b) + Math.max(a, b)) % 2 === 0) === a < b,
+  table: (a) => a === 0,
+  // Body, neck, tail, near legs, far legs.
+  dinosaur: (a, b) => [3, 5, 2, 6, 7, 1, 0][a] > [3, 5, 2, 6, 7, 1, 0][b],
+};
+
+for (const [name, isOver] of Object.entries(kOrders)) {
+  test(`${name}: one lawful solid and one node a piece, in the drawn order at every ray`, async (t) => {
+    const folder = workFolder(t);
+    const report = reportOf(folder, recipe(name));
+    assert.deepEqual([report.contradictions, report.lost, report.openLines], [[], [], []]);
+    for (const { mesh, name: piece } of report.pieces) {
+      assert.ok(mesh.closed && mesh.lawful && mesh.genus === 0 && mesh.shells === 1 && mesh.volume > 0, piece);
+    }
+    const names = report.pieces.map((piece) => piece.name);
+    for (const { over, under, from, kind } of report.orders) {
+      assert.ok(isOver(names.indexOf(over), names.indexOf(under)) && kind === 'over' && from !== 'guessed', over);
+    }
+    works('loft', '--recipe', recipe(name), '--out', folder.path('model.glb'));
+    const glb = readFileSync(folder.path('model.glb'));
+    assert.deepEqual(
+      glbJson(glb)
+        .nodes.filter((node) => 'mesh' in node)
+        .map((node) => node.name),
+      names,
+    );
+    const { issues } = await validator.validateBytes(new Uint8Array(glb));
+    assert.equal(issues.numErrors + issues.numWarnings, 0, JSON.stringify(issues.messages));
+    works('loft', '--recipe', recipe(name), '--out', folder.path('model.obj'));
+    const meshes = [...objects(folder.path('model.obj')).values()];
+    // Nothing stands farther into the depth than the drawing is large.
+    const span = (k) => Math.max(...meshes.flat(2).map((p) => p[k])) - Math.min(...meshes.flat(2).map((p) => p[k]));
+    assert.ok(span(2) < Math.max(span(0), span(1)), `${span(2)} deep`);
+    const { drawing } = readJson(recipe(name));
+    const map = toFile(drawing, meshes);
+    const outlines = drawing.lines.map(cornersOf);
+    assert.equal(meshes.length, names.length);
+    let seen = 0;
+    for (let a = 0; a < meshes.length; a++) {
+      for (let b = 0; b < meshes.length; b++) {
+        if (a === b || !isOver(a, b)) continue;
+        const { all, wrong } = lookAt([outlines[a], outlines[b]], [meshes[a], meshes[b]], map);
+        assert.equal(wrong, 0, `${names[a]} over ${names[b]}: ${wrong} of ${all} rays`);
+        seen += all;
+      }
+    }
+    assert.ok(seen > 60 * report.orders.length, `${seen} rays`);
+  });
+}
+
+test('bars in a cycle are flat to a millionth, and the rods of the mat bend by at most 7 %', (t) => {
+  const folder = workFolder(t);
+  for (const piece of reportOf(folder, recipe('bars-in-a-cycle')).pieces) assert.ok(piece.planarity < 1e-6);
+  const mat = reportOf(folder, recipe('woven-mat'));
+  for (const piece of mat.pieces) assert.ok(piece.planarity > 0.01 && piece.planarity < 0.07, piece.name);
+  assert.equal(mat.nodes.crossing, 64);
+});
+
+test('the pins of the table hold in the file', (t) => {
+  const folder = workFolder(t);
+  works('loft', '--recipe', recipe('table'), '--out', folder.path('table.obj'), '--height-mm', '500');
+  const table = readJson(recipe('table')).drawing;
+  const [left, back, front] = table.pins.map((pin) => pin.z);
+  const corners = objects(folder.path('table.obj')).get('Top').flat();
+  const at = (k, pick) => corners.reduce((best, p) => (pick(p[k], best[k]) ? p : best));
+  const less = (a, b) => a < b;
+  const more = (a, b) => a > b;
+  // Corners of the top: the leftmost, the highest, the lowest; their depths differ as the pins do.
+  const [l, b, f] = [at(0, less), at(1, more), at(1, less)];
+  const share = (f[2] - l[2]) / (l[2] - b[2]);
+  assert.ok(Math.abs(share / ((front - left) / (left - back)) - 1) < 0.12, share);
+});
+
+test('a drawing without pieces gets one for every closed outline, also from strokes', (t) => {
+  const folder = workFolder(t);
+  const box = { points: [100, 100, 300, 100, 300, 300, 100, 300], closed: true };
+  const strokes = [{ points: [400, 100, 600, 100, 600, 300] }, { points: [601, 301, 400, 300, 401, 101] }];
+  const file = write(folder, {
+    drawing: { size: [700, 400], lines: [box, ...strokes, { points: [20, 20, 60, 350] }] },
+  });
+  const report = reportOf(folder, file);
+  assert.equal(report.pieces.length, 2);
+  assert.deepEqual(report.openLines, [3]);
+  assert.ok(Math.abs(report.pieces[0].mesh.volume / report.pieces[1].mesh.volume - 1) < 0.02);
+  works('loft', '--recipe', file, '--out', folder.path('model.stl'), '--height-mm', '40');
+  const { low, high } = stlBounds(readFileSync(folder.path('model.stl')));
+  assert.ok(Math.abs(high[2] - low[2] - 40) < 1e-3);
+});
+
+test('what is wrong with a drawing is said with its key', (t) => {
+  const folder = workFolder(t);
+  const refused = (drawing, what, ...rest) => {
+    const file = write(folder, drawing);
+    assert.match(fails(3, 'loft', '--recipe', file, '--out', folder.path('x.glb'), ...rest), what);
+  };
+  const line = { points: [0, 0, 50, 0, 50, 50], closed: true };
+  refused({ drawing: { lines: [line] } }, /drawing\.size/);
+  refused({ drawing: { size: [99, 99], lines: [{ points: [1, 2, 3] }] } }, /drawing\.lines\[0\]\.points/);
+  refused(
+    { drawing: { size: [99, 99], lines: [{ ...line, dashed: true }] } },
+    /nothing named drawing\.lines\[0\]\.dashed/,
+  );
+  refused({ drawing: { size: [99, 99], lines: [{ ...line, hidden: [[1]] }] } }, /hidden\[0\] is not \[from, to\]/);
+  refused(
+    { drawing: { size: [99, 99], lines: [line], pieces: [{ kind: 'cube', outlines: [] }] } },
+    /pieces\[0\]\.kind/,
+  );
+  refused({ drawing: { size: [99, 99], lines: [line], pins: [{ line: -1, z: 3 }] } }, /pins\[0\]\.line/);
+  refused({ drawing: { size: [99, 99], lines: [line] }, parts: [] }, /nothing named recipe\.parts/);
+  refused({ drawing: { size: [99, 99], lines: [] } }, /./);
+  refused({ drawing: { size: [99, 99], lines: [line] } }, /needs no picture/, '--mask', folder.path('mask.png'));
+  assert.deepEqual(folder.list(), ['drawing.json']);
+});
