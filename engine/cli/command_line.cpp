@@ -15,11 +15,21 @@
 namespace spineloft::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> kCommands{"loft", "open", "share", "edges", "bench"};
+constexpr std::array<std::string_view, 6> kCommands{"loft", "open", "share", "edges", "bench", "ode"};
 constexpr const char* kModelFile =
     ".glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and the last "
     "can "
     "be opened again and edited";
+
+/// "loft, open or share", with `word` before the last.
+std::string commandList(const std::string& word) {
+  std::string list;
+  for (const std::string_view& command : kCommands) {
+    if (!list.empty()) list += &command == &kCommands.back() ? " " + word + " " : ", ";
+    list += command;
+  }
+  return list;
+}
 
 bool isHelp(std::string_view word) { return word == "--help" || word == "-h"; }
 
@@ -110,6 +120,7 @@ class CommandLine {
     addShare(*app_.add_subcommand("share", "prints a saved model as a short text, which a link or a QR code holds"));
     addEdges(*app_.add_subcommand("edges", "the edges that were found, as large as the picture"));
     addBench(*app_.add_subcommand("bench", "accuracy and stage times of every case below a data folder"));
+    addOde(*app_.add_subcommand("ode", "the curves that shapes are made with, beside finite differences of them"));
   }
 
   std::string help() const { return app_.help("", CLI::AppFormatMode::All); }
@@ -122,6 +133,7 @@ class CommandLine {
   void addShare(CLI::App& app);
   void addEdges(CLI::App& app);
   void addBench(CLI::App& app);
+  void addOde(CLI::App& app);
   std::optional<UsageProblem> problemOfLoft() const;
 
   CLI::App app_;
@@ -130,6 +142,7 @@ class CommandLine {
   ShareArguments share_;
   EdgesArguments edges_;
   BenchArguments bench_;
+  OdeArguments ode_;
   CLI::Option *section_ = nullptr, *caps_ = nullptr, *objSpace_ = nullptr;
 };
 
@@ -204,6 +217,14 @@ void CommandLine::addBench(CLI::App& app) {
   app.add_option("--overlays", bench_.overlays, "a folder for pictures of what was found")->option_text("DIR");
 }
 
+void CommandLine::addOde(CLI::App& app) {
+  app.add_option("--case", ode_.file,
+                 "JSON: {\"ends\": [a, b], \"slopes\": [m, n], \"lambda\": L, \"n\": N} of an interval, or {\"ring\": "
+                 "[[place, value], ...], \"lambda\": L, \"n\": N} with places that are multiples of 1 / N")
+      ->required()
+      ->option_text("FILE.json");
+}
+
 /// Outputs must not fall on one another or on an input; empty names are none.
 std::optional<UsageProblem> clash(std::span<const std::string> inputs, std::span<const std::string> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -265,13 +286,14 @@ Arguments CommandLine::parse(std::span<const std::string_view> words) {
     if (const auto problem = clash({&edges_.image, 1}, {&edges_.out, 1})) return *problem;
     return edges_;
   }
+  if (app_.got_subcommand("ode")) return ode_;
   return bench_;
 }
 
 }  // namespace
 
 Arguments parseArguments(std::span<const std::string_view> words) {
-  if (words.empty()) return UsageProblem{"Say what to do: loft, open, share, edges or bench."};
+  if (words.empty()) return UsageProblem{"Say what to do: " + commandList("or") + "."};
   const auto files = std::find(words.begin(), words.end(), "--");
   if (std::any_of(words.begin(), files, isHelp)) return HelpArguments{};
   if (words[0] == "--version") {
@@ -279,8 +301,7 @@ Arguments parseArguments(std::span<const std::string_view> words) {
     return VersionArguments{};
   }
   if (std::ranges::find(kCommands, words[0]) == kCommands.end())
-    return UsageProblem{"There is no command " + std::string(words[0]) +
-                        "; there are loft, open, share, edges and bench."};
+    return UsageProblem{"There is no command " + std::string(words[0]) + "; there are " + commandList("and") + "."};
   return CommandLine().parse(words);
 }
 

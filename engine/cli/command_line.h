@@ -46,6 +46,10 @@ struct ShareArguments {
   std::string file;  ///< as OpenArguments::file
 };
 
+struct OdeArguments {
+  std::string file;
+};
+
 struct BenchArguments {
   std::string folder;
   std::string json, overlays;  ///< empty where not wanted
@@ -58,7 +62,7 @@ struct UsageProblem {
 };
 
 using Arguments = std::variant<HelpArguments, VersionArguments, LoftArguments, EdgesArguments, OpenArguments,
-                               ShareArguments, BenchArguments, UsageProblem>;
+                               ShareArguments, BenchArguments, OdeArguments, UsageProblem>;
 
 /// `words` without the program's name. Options may stand anywhere, as `--name value` or
 /// `--name=value`, each at most once; after `--` everything is a file name.

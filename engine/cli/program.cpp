@@ -45,6 +45,9 @@ int runCommand(const Arguments& arguments, Console console) {
   if (const auto* bench = std::get_if<BenchArguments>(&arguments)) {
     return finish(runBench(*bench, console.out), console.err);
   }
+  if (const auto* ode = std::get_if<OdeArguments>(&arguments)) {
+    return finish(runOde(*ode, console.out), console.err);
+  }
   std::string sentence = std::get<UsageProblem>(arguments).sentence;
   sentence.pop_back();  // the full stop moves behind the hint
   console.err << "spineloft: " << sentence << " (spineloft --help shows how).\n";

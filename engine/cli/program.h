@@ -43,5 +43,7 @@ Status runOpen(const OpenArguments& arguments, Console console);
 Status runShare(const ShareArguments& arguments, Console console);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);
 Status runBench(const BenchArguments& arguments, std::ostream& out);
+/// Prints {"closed": […], "differences": […], "largest": …} of the case. Error: JsonInvalid with what is wrong.
+Status runOde(const OdeArguments& arguments, std::ostream& out);
 
 }  // namespace spineloft::cli
