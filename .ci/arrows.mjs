@@ -28,6 +28,7 @@ const kArrows = {
   'engine/extrude': ['engine/mesh', 'engine/image'],
   'engine/lathe': ['engine/mesh', 'engine/image'],
   'engine/stack': ['engine/sections', 'engine/image'],
+  'engine/shape': ['engine/loft'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
@@ -35,6 +36,7 @@ const kArrows = {
     'engine/extrude',
     'engine/lathe',
     'engine/stack',
+    'engine/shape',
     'engine/surface',
   ],
   'engine/printing': ['engine/mesh'],

@@ -15,7 +15,7 @@
 namespace spineloft::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> kCommands{"loft", "open", "share", "edges", "bench", "ode"};
+constexpr std::array<std::string_view, 7> kCommands{"loft", "make", "open", "share", "edges", "bench", "ode"};
 constexpr const char* kModelFile =
     ".glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and the last "
     "can "
@@ -116,6 +116,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer("Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n");
     addLoft(*app_.add_subcommand("loft", "a picture and a stroke become a part"));
+    addMake(*app_.add_subcommand("make", "a recipe with any number of pictures becomes a model"));
     addOpen(*app_.add_subcommand("open", "derives a saved model again and writes it in any of the forms of loft"));
     addShare(*app_.add_subcommand("share", "prints a saved model as a short text, which a link or a QR code holds"));
     addEdges(*app_.add_subcommand("edges", "the edges that were found, as large as the picture"));
@@ -129,15 +130,18 @@ class CommandLine {
 
  private:
   void addLoft(CLI::App& app);
+  void addMake(CLI::App& app);
   void addOpen(CLI::App& app);
   void addShare(CLI::App& app);
   void addEdges(CLI::App& app);
   void addBench(CLI::App& app);
   void addOde(CLI::App& app);
   std::optional<UsageProblem> problemOfLoft() const;
+  std::optional<UsageProblem> problemOfMake() const;
 
   CLI::App app_;
   LoftArguments loft_;
+  MakeArguments make_;
   OpenArguments open_;
   ShareArguments share_;
   EdgesArguments edges_;
@@ -186,6 +190,39 @@ void CommandLine::addLoft(CLI::App& app) {
       ->check(endsInIfAtAll("json"))
       ->option_text("FILE.json");
   app.add_option("--report", loft_.report, "sizes, energy, mesh measures and times")
+      ->check(endsInIfAtAll("json"))
+      ->option_text("FILE.json");
+}
+
+/// "ID=FILE".
+std::optional<std::pair<PictureId, std::string>> pictureOf(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto id = numberOf(text.substr(0, equals));
+  if (equals == std::string::npos || equals + 1 == text.size() || !id || !(*id >= 1 && *id <= 1e6)) return std::nullopt;
+  if (*id != std::floor(*id)) return std::nullopt;
+  return std::pair(PictureId{static_cast<std::uint32_t>(*id)}, text.substr(equals + 1));
+}
+
+void CommandLine::addMake(CLI::App& app) {
+  const CLI::Validator named(
+      [](const std::string& text) { return pictureOf(text) ? "" : "ID=FILE is wanted, not " + text; }, "");
+  app.add_option("--recipe", make_.recipe, "JSON of a part or of a whole document, as projects hold it")
+      ->required()
+      ->option_text("FILE.json");
+  app.add_option_function<std::vector<std::string>>(
+         "--picture",
+         [this](const std::vector<std::string>& all) {
+           for (const std::string& text : all) make_.pictures.push_back(*pictureOf(text));
+         },
+         "the photo of a picture of the recipe; once for each")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(named)
+      ->option_text("ID=FILE");
+  app.add_option("--out", make_.out, kModelFile)->check(modelFile())->option_text("FILE");
+  app.add_option("--silhouettes", make_.silhouettes, "a folder for the silhouettes from front, side and top")
+      ->option_text("DIR");
+  app.add_option("--report", make_.report, "mesh measures, times, and how well silhouettes are the drawn outlines")
       ->check(endsInIfAtAll("json"))
       ->option_text("FILE.json");
 }
@@ -254,6 +291,16 @@ std::optional<UsageProblem> CommandLine::problemOfLoft() const {
                std::array{loft_.out, loft_.mask, loft_.ribs, loft_.report});
 }
 
+std::optional<UsageProblem> CommandLine::problemOfMake() const {
+  std::vector<std::string> inputs{make_.recipe};
+  for (const auto& [id, file] : make_.pictures) {
+    inputs.push_back(file);
+    if (std::ranges::count(make_.pictures, id, &std::pair<PictureId, std::string>::first) > 1)
+      return UsageProblem{"Picture " + std::to_string(id.value) + " is named twice."};
+  }
+  return clash(inputs, std::array{make_.out, make_.report});
+}
+
 /// What CLI11 says, as one sentence.
 UsageProblem problemOf(const CLI::ParseError& problem) {
   std::string words = problem.what();
@@ -274,6 +321,11 @@ Arguments CommandLine::parse(std::span<const std::string_view> words) {
     if (const auto problem = problemOfLoft()) return *problem;
     loft_.format = publish::formatFromKey(lowerExtension(loft_.out)).value_or(loft_.format);
     return loft_;
+  }
+  if (app_.got_subcommand("make")) {
+    if (const auto problem = problemOfMake()) return *problem;
+    make_.format = publish::formatFromKey(lowerExtension(make_.out)).value_or(make_.format);
+    return make_;
   }
   if (app_.got_subcommand("open")) {
     if (const auto problem = clash({&open_.file, 1}, std::array{open_.out, open_.document, open_.report}))

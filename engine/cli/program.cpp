@@ -33,6 +33,9 @@ int runCommand(const Arguments& arguments, Console console) {
   if (const auto* loft = std::get_if<LoftArguments>(&arguments)) {
     return finish(runLoft(*loft, console), console.err);
   }
+  if (const auto* make = std::get_if<MakeArguments>(&arguments)) {
+    return finish(runMake(*make, console), console.err);
+  }
   if (const auto* open = std::get_if<OpenArguments>(&arguments)) {
     return finish(runOpen(*open, console), console.err);
   }

@@ -39,6 +39,7 @@ void reportCrossingParts(const document::Document& document, const pipeline::Der
 double nowMs();
 
 Status runLoft(const LoftArguments& arguments, Console console);
+Status runMake(const MakeArguments& arguments, Console console);
 Status runOpen(const OpenArguments& arguments, Console console);
 Status runShare(const ShareArguments& arguments, Console console);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);

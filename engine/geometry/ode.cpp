@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace spineloft::geometry {
@@ -112,6 +113,13 @@ void RingCardinals::at(double u, std::span<double> weights) const {
                        slopes_[to * count + k] * length};
     weights[k] = OdeCurve(ends, tightness_ * length).value(t);
   }
+}
+
+double aroundFour(const std::array<double, 4>& values, double x, double y) {
+  const double turned = std::atan2(y, x) * 2 / std::numbers::pi + 4, whole = std::floor(turned), t = turned - whole;
+  const auto quarter = static_cast<std::size_t>(whole);
+  const double a = values[quarter % 4], b = values[(quarter + 1) % 4];
+  return a + (b - a) * t * t * (3 - 2 * t);
 }
 
 }  // namespace spineloft::geometry

@@ -55,4 +55,9 @@ class RingCardinals {
   std::vector<double> slopes_;  ///< of w_k at node i, by u: i × size + k
 };
 
+/// The closed curve round a centre through four values, those in the directions x, y, −x and −y, quarter by quarter by
+/// the functions of two opposite nodes, a + (b − a)(3t² − 2t³) with t the share of the angle: level at each of the
+/// four. In the direction (x, y), which is not 0.
+double aroundFour(const std::array<double, 4>& values, double x, double y);
+
 }  // namespace spineloft::geometry

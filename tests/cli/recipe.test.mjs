@@ -24,6 +24,7 @@ function reports(folder, file, ...rest) {
 test('every recipe of the guide makes closed solids and a GLB without a fault that can be edited again', async (t) => {
   const names = readdirSync(recipes).map((file) => file.replace(/\.json$/, ''));
   assert.deepEqual(names.sort(), [
+    'ball-from-two-circles',
     'hand',
     'helix',
     'ring',
