@@ -29,6 +29,7 @@ const kArrows = {
   'engine/lathe': ['engine/mesh', 'engine/image'],
   'engine/stack': ['engine/sections', 'engine/image'],
   'engine/descriptive': ['engine/inflate'],
+  'engine/shape': ['engine/loft'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
@@ -36,6 +37,7 @@ const kArrows = {
     'engine/extrude',
     'engine/lathe',
     'engine/stack',
+    'engine/shape',
     'engine/surface',
   ],
   'engine/printing': ['engine/mesh'],

@@ -36,9 +36,12 @@ enum class Error {
   NotABone,         ///< only for parts that were lofted along a spine
   NotARegion,       ///< only for parts that are made of a region
   NotAStack,        ///< only for parts that are drawn slice by slice
+  NotAShape,        ///< only for parts that are shapes
   TooFewRibs,       ///< a loft needs at least 2 ribs
   SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
   StackInvalid,     ///< planes or curves of a stack that make no solid
+  ShapeInvalid,     ///< outlines of a shape that make no solid
+  ViewInvalid,      ///< a picture as the side of one that is none it can be the side of
   MeshInvalid,      ///< a mesh given for export breaks a mesh law
   NothingToExport,  ///< no part to write
   // document

@@ -15,11 +15,21 @@
 namespace spineloft::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> kCommands{"loft", "open", "share", "edges", "bench"};
+constexpr std::array<std::string_view, 7> kCommands{"loft", "make", "open", "share", "edges", "bench", "ode"};
 constexpr const char* kModelFile =
     ".glb (metres), .obj, .zip (OBJ with its picture), .stl, .3mf (millimetres) or .spineloft; the first and the last "
     "can "
     "be opened again and edited";
+
+/// "loft, open or share", with `word` before the last.
+std::string commandList(const std::string& word) {
+  std::string list;
+  for (const std::string_view& command : kCommands) {
+    if (!list.empty()) list += &command == &kCommands.back() ? " " + word + " " : ", ";
+    list += command;
+  }
+  return list;
+}
 
 bool isHelp(std::string_view word) { return word == "--help" || word == "-h"; }
 
@@ -106,10 +116,12 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer("Exit code: 0 success, 2 wrong usage, 3 bad input or output.\n");
     addLoft(*app_.add_subcommand("loft", "a picture and a stroke become a part"));
+    addMake(*app_.add_subcommand("make", "a recipe with any number of pictures becomes a model"));
     addOpen(*app_.add_subcommand("open", "derives a saved model again and writes it in any of the forms of loft"));
     addShare(*app_.add_subcommand("share", "prints a saved model as a short text, which a link or a QR code holds"));
     addEdges(*app_.add_subcommand("edges", "the edges that were found, as large as the picture"));
     addBench(*app_.add_subcommand("bench", "accuracy and stage times of every case below a data folder"));
+    addOde(*app_.add_subcommand("ode", "the curves that shapes are made with, beside finite differences of them"));
   }
 
   std::string help() const { return app_.help("", CLI::AppFormatMode::All); }
@@ -118,18 +130,23 @@ class CommandLine {
 
  private:
   void addLoft(CLI::App& app);
+  void addMake(CLI::App& app);
   void addOpen(CLI::App& app);
   void addShare(CLI::App& app);
   void addEdges(CLI::App& app);
   void addBench(CLI::App& app);
+  void addOde(CLI::App& app);
   std::optional<UsageProblem> problemOfLoft() const;
+  std::optional<UsageProblem> problemOfMake() const;
 
   CLI::App app_;
   LoftArguments loft_;
+  MakeArguments make_;
   OpenArguments open_;
   ShareArguments share_;
   EdgesArguments edges_;
   BenchArguments bench_;
+  OdeArguments ode_;
   CLI::Option *section_ = nullptr, *caps_ = nullptr, *objSpace_ = nullptr;
 };
 
@@ -179,6 +196,39 @@ void CommandLine::addLoft(CLI::App& app) {
       ->option_text("FILE.json");
 }
 
+/// "ID=FILE".
+std::optional<std::pair<PictureId, std::string>> pictureOf(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto id = numberOf(text.substr(0, equals));
+  if (equals == std::string::npos || equals + 1 == text.size() || !id || !(*id >= 1 && *id <= 1e6)) return std::nullopt;
+  if (*id != std::floor(*id)) return std::nullopt;
+  return std::pair(PictureId{static_cast<std::uint32_t>(*id)}, text.substr(equals + 1));
+}
+
+void CommandLine::addMake(CLI::App& app) {
+  const CLI::Validator named(
+      [](const std::string& text) { return pictureOf(text) ? "" : "ID=FILE is wanted, not " + text; }, "");
+  app.add_option("--recipe", make_.recipe, "JSON of a part or of a whole document, as projects hold it")
+      ->required()
+      ->option_text("FILE.json");
+  app.add_option_function<std::vector<std::string>>(
+         "--picture",
+         [this](const std::vector<std::string>& all) {
+           for (const std::string& text : all) make_.pictures.push_back(*pictureOf(text));
+         },
+         "the photo of a picture of the recipe; once for each")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(named)
+      ->option_text("ID=FILE");
+  app.add_option("--out", make_.out, kModelFile)->check(modelFile())->option_text("FILE");
+  app.add_option("--silhouettes", make_.silhouettes, "a folder for the silhouettes from front, side and top")
+      ->option_text("DIR");
+  app.add_option("--report", make_.report, "mesh measures, times, and how well silhouettes are the drawn outlines")
+      ->check(endsInIfAtAll("json"))
+      ->option_text("FILE.json");
+}
+
 void CommandLine::addOpen(CLI::App& app) {
   app.add_option("FILE", open_.file, "the project to open, .spineloft or .glb, or a link with a model, or its text")
       ->required()
@@ -204,6 +254,14 @@ void CommandLine::addBench(CLI::App& app) {
   app.add_option("--json", bench_.json, "the report")->check(endsInIfAtAll("json"))->option_text("FILE.json");
   app.add_option("--jobs", bench_.jobs, "cases at a time (default 1)")->check(inRange(1, 64, true))->option_text("N");
   app.add_option("--overlays", bench_.overlays, "a folder for pictures of what was found")->option_text("DIR");
+}
+
+void CommandLine::addOde(CLI::App& app) {
+  app.add_option("--case", ode_.file,
+                 "JSON: {\"ends\": [a, b], \"slopes\": [m, n], \"lambda\": L, \"n\": N} of an interval, or {\"ring\": "
+                 "[[place, value], ...], \"lambda\": L, \"n\": N} with places that are multiples of 1 / N")
+      ->required()
+      ->option_text("FILE.json");
 }
 
 /// Outputs must not fall on one another or on an input; empty names are none.
@@ -235,6 +293,16 @@ std::optional<UsageProblem> CommandLine::problemOfLoft() const {
                std::array{loft_.out, loft_.mask, loft_.ribs, loft_.report});
 }
 
+std::optional<UsageProblem> CommandLine::problemOfMake() const {
+  std::vector<std::string> inputs{make_.recipe};
+  for (const auto& [id, file] : make_.pictures) {
+    inputs.push_back(file);
+    if (std::ranges::count(make_.pictures, id, &std::pair<PictureId, std::string>::first) > 1)
+      return UsageProblem{"Picture " + std::to_string(id.value) + " is named twice."};
+  }
+  return clash(inputs, std::array{make_.out, make_.report});
+}
+
 /// What CLI11 says, as one sentence.
 UsageProblem problemOf(const CLI::ParseError& problem) {
   std::string words = problem.what();
@@ -256,6 +324,11 @@ Arguments CommandLine::parse(std::span<const std::string_view> words) {
     loft_.format = publish::formatFromKey(lowerExtension(loft_.out)).value_or(loft_.format);
     return loft_;
   }
+  if (app_.got_subcommand("make")) {
+    if (const auto problem = problemOfMake()) return *problem;
+    make_.format = publish::formatFromKey(lowerExtension(make_.out)).value_or(make_.format);
+    return make_;
+  }
   if (app_.got_subcommand("open")) {
     if (const auto problem = clash({&open_.file, 1}, std::array{open_.out, open_.document, open_.report}))
       return *problem;
@@ -267,13 +340,14 @@ Arguments CommandLine::parse(std::span<const std::string_view> words) {
     if (const auto problem = clash({&edges_.image, 1}, {&edges_.out, 1})) return *problem;
     return edges_;
   }
+  if (app_.got_subcommand("ode")) return ode_;
   return bench_;
 }
 
 }  // namespace
 
 Arguments parseArguments(std::span<const std::string_view> words) {
-  if (words.empty()) return UsageProblem{"Say what to do: loft, open, share, edges or bench."};
+  if (words.empty()) return UsageProblem{"Say what to do: " + commandList("or") + "."};
   const auto files = std::find(words.begin(), words.end(), "--");
   if (std::any_of(words.begin(), files, isHelp)) return HelpArguments{};
   if (words[0] == "--version") {
@@ -281,8 +355,7 @@ Arguments parseArguments(std::span<const std::string_view> words) {
     return VersionArguments{};
   }
   if (std::ranges::find(kCommands, words[0]) == kCommands.end())
-    return UsageProblem{"There is no command " + std::string(words[0]) +
-                        "; there are loft, open, share, edges and bench."};
+    return UsageProblem{"There is no command " + std::string(words[0]) + "; there are " + commandList("and") + "."};
   return CommandLine().parse(words);
 }
 

@@ -5,8 +5,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
+#include <vector>
 
+#include "engine/base/ids.h"
 #include "engine/loft/loft.h"
 #include "engine/publish/publish.h"
 #include "engine/sections/section.h"
@@ -46,6 +49,18 @@ struct ShareArguments {
   std::string file;  ///< as OpenArguments::file
 };
 
+struct OdeArguments {
+  std::string file;
+};
+
+struct MakeArguments {
+  std::string recipe;
+  std::vector<std::pair<PictureId, std::string>> pictures;  ///< photos of its pictures
+  /// Empty where the output is not wanted; `silhouettes` is a folder.
+  std::string out, silhouettes, report;
+  publish::Format format = publish::Format::Glb;  ///< of `out`
+};
+
 struct BenchArguments {
   std::string folder;
   std::string json, overlays;  ///< empty where not wanted
@@ -58,7 +73,7 @@ struct UsageProblem {
 };
 
 using Arguments = std::variant<HelpArguments, VersionArguments, LoftArguments, EdgesArguments, OpenArguments,
-                               ShareArguments, BenchArguments, UsageProblem>;
+                               ShareArguments, BenchArguments, OdeArguments, MakeArguments, UsageProblem>;
 
 /// `words` without the program's name. Options may stand anywhere, as `--name value` or
 /// `--name=value`, each at most once; after `--` everything is a file name.

@@ -33,6 +33,9 @@ int runCommand(const Arguments& arguments, Console console) {
   if (const auto* loft = std::get_if<LoftArguments>(&arguments)) {
     return finish(runLoft(*loft, console), console.err);
   }
+  if (const auto* make = std::get_if<MakeArguments>(&arguments)) {
+    return finish(runMake(*make, console), console.err);
+  }
   if (const auto* open = std::get_if<OpenArguments>(&arguments)) {
     return finish(runOpen(*open, console), console.err);
   }
@@ -44,6 +47,9 @@ int runCommand(const Arguments& arguments, Console console) {
   }
   if (const auto* bench = std::get_if<BenchArguments>(&arguments)) {
     return finish(runBench(*bench, console.out), console.err);
+  }
+  if (const auto* ode = std::get_if<OdeArguments>(&arguments)) {
+    return finish(runOde(*ode, console.out), console.err);
   }
   std::string sentence = std::get<UsageProblem>(arguments).sentence;
   sentence.pop_back();  // the full stop moves behind the hint

@@ -41,9 +41,12 @@ double nowMs();
 Status runLoft(const LoftArguments& arguments, Console console);
 /// The same for a recipe that is a bare drawing (io/drawing_file.h), whose text this is.
 Status runDrawing(const LoftArguments& arguments, const std::string& text, Console console);
+Status runMake(const MakeArguments& arguments, Console console);
 Status runOpen(const OpenArguments& arguments, Console console);
 Status runShare(const ShareArguments& arguments, Console console);
 Status runEdges(const EdgesArguments& arguments, std::ostream& out);
 Status runBench(const BenchArguments& arguments, std::ostream& out);
+/// Prints {"closed": […], "differences": […], "largest": …} of the case. Error: JsonInvalid with what is wrong.
+Status runOde(const OdeArguments& arguments, std::ostream& out);
 
 }  // namespace spineloft::cli

@@ -119,6 +119,28 @@ struct ShapeStack {
   PartId part;
   stack::StackParams stack;
 };
+/// A new shape, reshaped by outlines where there are any.
+struct DrawShape {
+  PictureId picture;
+  shape::ShapeParams shape = {};
+  std::vector<Outline> outlines = {};
+  Look look = {};
+};
+/// How a shape is made, but for its outlines.
+struct SetShape {
+  PartId part;
+  shape::ShapeParams shape;
+};
+/// The outlines of a shape, as a whole.
+struct SetOutlines {
+  PartId part;
+  std::vector<Outline> outlines;
+};
+/// A picture becomes the side of another one, or of none; outlines that thereby are in no view of their part go.
+struct SetView {
+  PictureId picture;
+  std::optional<PictureView> view;
+};
 /// One section for the whole part.
 struct SetSection {
   PartId part;
@@ -253,6 +275,6 @@ using Action =
                  IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
-                 DrawStack, SetPlanes, SetRail, ShapeStack>;
+                 DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView>;
 
 }  // namespace spineloft::document

@@ -88,6 +88,61 @@ Status checkStack(const Document& document, const StackRecipe& recipe) {
   return stack::checkPlanes(recipe.planes, recipe.rail);
 }
 
+namespace {
+
+Status checkOutline(const Document& document, PictureId front, const Outline& outline) {
+  if (const auto view = viewOn(document, outline.picture, front); !view.ok()) return view.failure();
+  if (outline.lines.empty() || outline.lines.size() > 2) {
+    return {Error::ShapeInvalid, "an outline is one closed line or two open ones"};
+  }
+  const PictureEntry* entry = findPicture(document, outline.picture);
+  std::size_t points = 0;
+  bool onPicture = false;
+  for (const auto& line : outline.lines) {
+    if (line.size() < 2) return Error::RegionEmpty;
+    points += line.size();
+    for (const PicturePoint p : line) {
+      if (!isFinite(p) || std::abs(p.x) > kFarthest || std::abs(p.y) > kFarthest) return Error::StrokeNotFinite;
+      onPicture = onPicture ||
+                  (p.x >= -0.5 && p.y >= -0.5 && p.x <= entry->size.width - 0.5 && p.y <= entry->size.height - 0.5);
+    }
+  }
+  if (points > kMostOutlinePoints) return {Error::ValueOutOfRange, "too many points"};
+  return onPicture ? Status(Done{}) : Status(Error::RegionOutside);
+}
+
+}  // namespace
+
+Status checkView(const Document& document, PictureId picture, const PictureView& view) {
+  const PictureEntry* front = findPicture(document, view.of);
+  if (front == nullptr || findPicture(document, picture) == nullptr) return Error::NoSuchPicture;
+  const bool ofSide = front->view || std::ranges::any_of(document.pictures, [&](const PictureEntry& entry) {
+                        return entry.view && entry.view->of == picture;
+                      });
+  if (view.of == picture || ofSide) return Error::ViewInvalid;
+  return geometry::isValid(view.view) ? Status(Done{}) : Status(Error::ValueOutOfRange, "view");
+}
+
+Status checkShape(const Document& document, const ShapeRecipe& recipe) {
+  if (findPicture(document, recipe.picture) == nullptr) return Error::NoSuchPicture;
+  if (!shape::isValid(recipe.shape)) return {Error::ValueOutOfRange, "shape"};
+  if (recipe.outlines.size() > kMostOutlines) return {Error::ValueOutOfRange, "too many outlines"};
+  for (const Outline& outline : recipe.outlines) {
+    if (Status drawn = checkOutline(document, recipe.picture, outline); !drawn) return drawn;
+    if (std::ranges::count(recipe.outlines, outline.picture, &Outline::picture) > 1) {
+      return {Error::ShapeInvalid, "two outlines in one picture"};
+    }
+  }
+  return Done{};
+}
+
+std::size_t dropUnseen(const Document& document, Recipe& recipe) {
+  auto* shape = std::get_if<ShapeRecipe>(&recipe);
+  if (shape == nullptr) return 0;
+  return std::erase_if(shape->outlines,
+                       [&](const Outline& outline) { return !viewOn(document, outline.picture, shape->picture).ok(); });
+}
+
 Status checkSolid(const RegionSolid& solid) {
   if (!std::visit([](const auto& params) { return isValid(params); }, solid)) return Error::ValueOutOfRange;
   const auto* puff = std::get_if<inflate::InflateParams>(&solid);
@@ -98,6 +153,7 @@ Status checkSolid(const RegionSolid& solid) {
 
 Status checkDrawn(const Document& document, const Recipe& recipe) {
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return checkStack(document, *stack);
+  if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return checkShape(document, *shape);
   if (const Region* region = regionOf(recipe)) return checkRegion(document, *region);
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);

@@ -37,10 +37,22 @@ Status checkRegion(const Document& document, const Region& region);
 /// Whether a stack has something to stand on and curves in range. Errors: NoSuchPicture, ValueOutOfRange, StackInvalid.
 Status checkStack(const Document& document, const StackRecipe& recipe);
 
+/// Whether a picture may show that: the other one is there, is not itself, and is no side; numbers in range. Errors:
+/// NoSuchPicture, ViewInvalid, ValueOutOfRange.
+Status checkView(const Document& document, PictureId picture, const PictureView& view);
+
+/// Whether a shape's numbers are in range and its outlines are drawn in views of its picture. Errors: NoSuchPicture,
+/// ValueOutOfRange (with what), ViewInvalid, StrokeNotFinite, RegionEmpty (a line of less than two points),
+/// RegionOutside, ShapeInvalid. Whether the outlines make a shape is only known when it is made.
+Status checkShape(const Document& document, const ShapeRecipe& recipe);
+
+/// Takes out outlines whose picture is no view of the part's; how many.
+std::size_t dropUnseen(const Document& document, Recipe& recipe);
+
 /// What a region is made into. Errors: ValueOutOfRange; SectionInvalid for a slice that is no profile of a puff.
 Status checkSolid(const RegionSolid& solid);
 
-/// What was drawn for a part: that of the three above for its kind.
+/// What was drawn for a part: that of the above for its kind.
 Status checkDrawn(const Document& document, const Recipe& recipe);
 
 /// Whether somebody drew anything: a part, a stroke on paper, a scribble over edges. Pictures alone are no work.

@@ -71,6 +71,15 @@ std::size_t heldBy(const InflateRecipe& recipe) {
   for (const auto& line : bones.add) bytes += bytesOf(line);
   return bytes;
 }
+std::size_t heldBy(const ShapeRecipe& recipe) {
+  std::size_t bytes = bytesOf(recipe.outlines);
+  for (const Outline& outline : recipe.outlines) {
+    for (const auto& line : outline.lines) bytes += sizeof(line) + bytesOf(line);
+  }
+  if (!recipe.shape.section) return bytes;
+  for (const auto& contour : recipe.shape.section->contours) bytes += sizeof(contour) + bytesOf(contour);
+  return bytes;
+}
 template <OfRegion Recipe>
 std::size_t heldBy(const Recipe& recipe) {
   return bytesOf(recipe.region);
@@ -96,8 +105,8 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
   return bytes;
 }
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {"loft", "puff", "sheet",
-                                                                                                "lathe", "stack"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {
+    "loft", "puff", "sheet", "lathe", "stack", "shape"};
 
 }  // namespace
 
@@ -120,6 +129,8 @@ Recipe emptyRecipe(PartKind kind) {
       return LatheRecipe{};
     case PartKind::Stack:
       return StackRecipe{};
+    case PartKind::Shape:
+      return ShapeRecipe{};
     case PartKind::Loft:
     case PartKind::kCount:
       break;
@@ -148,6 +159,7 @@ Region* regionOf(Recipe& recipe) {
 PictureId pictureOf(const Recipe& recipe) {
   if (const Region* region = regionOf(recipe)) return region->picture;
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return stack->picture;
+  if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return shape->picture;
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? loft->picture : PictureId{};
 }
@@ -155,6 +167,7 @@ void setPicture(Recipe& recipe, PictureId picture) {
   if (Region* region = regionOf(recipe)) region->picture = picture;
   if (auto* loft = std::get_if<LoftRecipe>(&recipe)) loft->picture = picture;
   if (auto* stack = std::get_if<StackRecipe>(&recipe)) stack->picture = picture;
+  if (auto* shape = std::get_if<ShapeRecipe>(&recipe)) shape->picture = picture;
 }
 
 const PictureEntry* findPicture(const Document& document, PictureId id) {
@@ -200,6 +213,13 @@ std::size_t bytesBeyond(const Document& base, const Document& next) {
     bytes += bytesBeyond(before == nullptr ? nullptr : &before->get(), *entry);
   }
   return bytes;
+}
+
+Result<std::optional<geometry::View>> viewOn(const Document& document, PictureId picture, PictureId front) {
+  if (picture == front) return std::optional<geometry::View>();
+  const PictureEntry* entry = findPicture(document, picture);
+  if (entry == nullptr || !entry->view || entry->view->of != front) return Error::ViewInvalid;
+  return std::optional(entry->view->view);
 }
 
 std::uint64_t contentHash(const image::Picture& picture) {

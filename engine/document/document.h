@@ -13,12 +13,14 @@
 
 #include "engine/base/box.h"
 #include "engine/base/ids.h"
+#include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
 #include "engine/document/look.h"
 #include "engine/document/placement.h"
 #include "engine/document/step.h"
 #include "engine/extrude/extrude_params.h"
+#include "engine/geometry/view.h"
 #include "engine/image/image.h"
 #include "engine/image/sketch.h"
 #include "engine/inflate/inflate_params.h"
@@ -28,9 +30,17 @@
 #include "engine/ribs/base/rib_params.h"
 #include "engine/ribs/base/rib_set.h"
 #include "engine/ribs/edit/edits.h"
+#include "engine/shape/shape_params.h"
 #include "engine/stack/stack_params.h"
 
 namespace spineloft::document {
+
+/// What a picture shows that is a side of another one.
+struct PictureView {
+  PictureId of;  ///< the one from the front, which is no side itself
+  geometry::View view;
+  bool operator==(const PictureView&) const = default;
+};
 
 /// A picture on the board: a photo whose pixels are immutable and shared by every document that shows
 /// it, or a sketch that is drawn on blank paper (its pixels are derived, see pipeline::Derived). Two
@@ -43,11 +53,13 @@ struct PictureEntry {
   std::vector<Box<image::SketchStroke>> sketch;   ///< of a sketch, in order
   std::uint64_t contentHash = 0;
   std::vector<ribs::IgnoreMark> ignored;  ///< edges that count for no part
+  std::optional<PictureView> view;        ///< none: it is the side of no other
   std::string extra;                      ///< what a file said beyond all this, as JSON; written back as it came
   bool isSketch() const { return picture == nullptr; }
   bool operator==(const PictureEntry& other) const {
     return id == other.id && name == other.name && size == other.size && contentHash == other.contentHash &&
-           isSketch() == other.isSketch() && sketch == other.sketch && ignored == other.ignored && extra == other.extra;
+           isSketch() == other.isSketch() && sketch == other.sketch && ignored == other.ignored && view == other.view &&
+           extra == other.extra;
   }
 };
 
@@ -105,9 +117,24 @@ struct StackRecipe {
   bool operator==(const StackRecipe&) const = default;
 };
 
+/// The outline of a part as a picture shows it: one closed line, or two open ones (the two sides of a limb).
+struct Outline {
+  PictureId picture;                             ///< the part's own, or one that is a side of it
+  std::vector<std::vector<PicturePoint>> lines;  ///< as drawn, pixels of that picture
+  bool operator==(const Outline&) const = default;
+};
+
+/// Recipe of a shape: a primitive, and the outlines that reshape it.
+struct ShapeRecipe {
+  PictureId picture;  ///< from the front; in whose space it stands, and which colours it
+  shape::ShapeParams shape;
+  std::vector<Outline> outlines;  ///< at most one a picture, kMostOutlines
+  bool operator==(const ShapeRecipe&) const = default;
+};
+
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe>;
-enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, kCount };
+using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe>;
+enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, kCount };
 static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
 
 struct Part {
@@ -145,7 +172,7 @@ struct Document {
 
 inline PartKind kindOf(const Recipe& recipe) { return static_cast<PartKind>(recipe.index()); }
 inline PartKind kindOf(const Part& part) { return kindOf(part.recipe); }
-/// "loft", "puff", "sheet", "lathe", "stack": in files and in the API.
+/// "loft", "puff", "sheet", "lathe", "stack", "shape": in files and in the API.
 std::string_view kindKey(PartKind kind);
 /// Error: none of them: kCount.
 PartKind kindFromKey(std::string_view key);
@@ -162,6 +189,8 @@ inline ExtrudeRecipe* extrudeOf(Part& part) { return std::get_if<ExtrudeRecipe>(
 inline const LatheRecipe* latheOf(const Part& part) { return std::get_if<LatheRecipe>(&part.recipe); }
 inline const StackRecipe* stackOf(const Part& part) { return std::get_if<StackRecipe>(&part.recipe); }
 inline StackRecipe* stackOf(Part& part) { return std::get_if<StackRecipe>(&part.recipe); }
+inline const ShapeRecipe* shapeOf(const Part& part) { return std::get_if<ShapeRecipe>(&part.recipe); }
+inline ShapeRecipe* shapeOf(Part& part) { return std::get_if<ShapeRecipe>(&part.recipe); }
 /// The loft that a part is, or an empty one for other kinds: for what is only looked at.
 const LoftRecipe& loftIn(const Part& part);
 /// The region of what is made of one, or null.
@@ -174,7 +203,8 @@ inline PictureId pictureOf(const Part& part) { return pictureOf(part.recipe); }
 void setPicture(Recipe& recipe, PictureId picture);
 
 inline constexpr std::size_t kMostContours = 500, kMostRegionPoints = 100000;
-inline constexpr double kLeastRibbon = 0.5, kMostRibbon = 2000;  ///< picture pixels
+inline constexpr std::size_t kMostOutlines = 4, kMostOutlinePoints = 20000;  ///< of a part; of one outline
+inline constexpr double kLeastRibbon = 0.5, kMostRibbon = 2000;              ///< picture pixels
 
 inline constexpr std::size_t kMaxNameBytes = 200;
 inline constexpr std::size_t kMostParts = 5000, kMostPictures = 500;
@@ -190,6 +220,10 @@ std::vector<PartId> partsOfGroup(const Document& document, GroupId id);
 /// Bytes of memory that `next` holds and `base` does not: values in boxes that both share, and photos
 /// that both show, cost nothing. What a step of undo costs (History).
 std::size_t bytesBeyond(const Document& base, const Document& next);
+
+/// How a picture shows what stands on another one: none where they are the same, and from the front. Error: ViewInvalid
+/// (it is no side of the other one).
+Result<std::optional<geometry::View>> viewOn(const Document& document, PictureId picture, PictureId front);
 
 /// Hash of a picture's pixels and sizes, as PictureEntry::contentHash holds it.
 std::uint64_t contentHash(const image::Picture& picture);

@@ -108,6 +108,23 @@ std::span<const ParamInfo> stackTable() {
   return kTable;
 }
 
+std::span<const ParamInfo> shapeTable() {
+  using shape::ShapeParams;
+  constexpr auto kShape = &ShapeRecipe::shape;
+  static const std::array kTable = {
+      ParamInfo{"depth", "Depth", "times", shape::kLeastRatio, shape::kMostRatio, 0.05, Measure::Percent, false,
+                nullptr, [](const Recipe& recipe) { return std::get<ShapeRecipe>(recipe).shape.depth.ratio; },
+                [](Recipe& recipe, double value) { std::get<ShapeRecipe>(recipe).shape.depth.ratio = value; }},
+      entry<ShapeRecipe, kShape, &ShapeParams::levels>(
+          {"levels", "Levels", "", shape::kLeastLevels, shape::kMostLevels, 1, Measure::Plain, true}),
+      entry<ShapeRecipe, kShape, &ShapeParams::sides>(
+          {"sides", "Corners around", "", shape::kLeastSides, shape::kMostSides, 4, Measure::Plain, true}),
+      entry<ShapeRecipe, kShape, &ShapeParams::capRings>(
+          {"cap-rings", "Rings of round ends", "", 1, shape::kMostCapRings, 1, Measure::Plain, true}),
+  };
+  return kTable;
+}
+
 }  // namespace
 
 std::span<const ParamInfo> paramTable(PartKind kind) {
@@ -120,6 +137,8 @@ std::span<const ParamInfo> paramTable(PartKind kind) {
       return latheTable();
     case PartKind::Stack:
       return stackTable();
+    case PartKind::Shape:
+      return shapeTable();
     case PartKind::Loft:
     case PartKind::kCount:
       break;

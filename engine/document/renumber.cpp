@@ -45,13 +45,19 @@ void renumber(Document& document) {
   const NewIds<PartId> parts(document.parts);
   const NewIds<StepId> steps(document.steps);
   const NewIds<GroupId> groups(document.groups);
-  changeAll(document.pictures, [&](PictureEntry& entry) { pictures.to(entry.id); });
+  changeAll(document.pictures, [&](PictureEntry& entry) {
+    pictures.to(entry.id);
+    if (entry.view) pictures.to(entry.view->of);
+  });
   changeAll(document.parts, [&](Part& part) {
     parts.to(part.id);
     groups.to(part.group);
     PictureId picture = pictureOf(part);
     pictures.to(picture);
     setPicture(part.recipe, picture);
+    if (ShapeRecipe* shape = shapeOf(part)) {
+      for (Outline& outline : shape->outlines) pictures.to(outline.picture);
+    }
   });
   changeAll(document.steps, [&](Step& step) {
     steps.to(step.id);

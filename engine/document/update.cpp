@@ -75,6 +75,20 @@ struct Apply {
     std::erase_if(document.parts, [&](const Part& p) { return p.id == id; });
   }
 
+  /// Views of what is gone, and outlines in no view of their part, go.
+  void forgetUnseen() const {
+    for (Box<PictureEntry>& box : document.pictures) {
+      if (!box->view || findPicture(document, box->view->of) != nullptr) continue;
+      PictureEntry entry = box;
+      entry.view.reset();
+      box = std::move(entry);
+    }
+    for (Box<Part>& box : document.parts) {
+      Part part = box;
+      if (dropUnseen(document, part.recipe) > 0) box = std::move(part);
+    }
+  }
+
   Status operator()(const AddPicture& a) const {
     if (!a.picture || a.picture->working.empty()) return Error::PictureEmpty;
     if (Status room = roomForPicture(); !room) return room;
@@ -132,6 +146,7 @@ struct Apply {
     }
     for (const PartId id : gone) erasePart(id);
     std::erase_if(document.pictures, [&](const PictureEntry& p) { return p.id == a.picture; });
+    forgetUnseen();
     return Done{};
   }
   Status operator()(const DrawSpine& a) const {
@@ -207,6 +222,40 @@ struct Apply {
   Status operator()(const ShapeStack& a) const {
     if (!isValid(a.stack)) return Error::ValueOutOfRange;
     return editStack(a.part, [&](StackRecipe& stack) { stack.stack = a.stack; });
+  }
+  Status operator()(const DrawShape& a) const {
+    if (Status room = roomForPart(); !room) return room;
+    ShapeRecipe recipe{a.picture, a.shape, a.outlines};
+    if (Status drawn = checkShape(document, recipe); !drawn) return drawn;
+    addPart(std::move(recipe), a.look);
+    return Done{};
+  }
+  /// Changes what only a shape has. Error: NotAShape.
+  template <class Change>
+  Status editShape(PartId id, const Change& change) const {
+    return editPart(id, [&](Part& part) -> Status {
+      ShapeRecipe* shape = shapeOf(part);
+      if (shape == nullptr) return Error::NotAShape;
+      change(*shape);
+      return checkShape(document, *shape);
+    });
+  }
+  Status operator()(const SetShape& a) const {
+    return editShape(a.part, [&](ShapeRecipe& shape) { shape.shape = a.shape; });
+  }
+  Status operator()(const SetOutlines& a) const {
+    return editShape(a.part, [&](ShapeRecipe& shape) { shape.outlines = a.outlines; });
+  }
+  Status operator()(const SetView& a) const {
+    if (a.view) {
+      if (Status view = checkView(document, a.picture, *a.view); !view) return view;
+    }
+    const Status set = editPicture(a.picture, [&](PictureEntry& entry) -> Status {
+      entry.view = a.view;
+      return Done{};
+    });
+    if (set) forgetUnseen();
+    return set;
   }
   Status operator()(const RedrawSpine& a) const {
     return editLoft(a.part, [&](LoftRecipe& loft) -> Status {

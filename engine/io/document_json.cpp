@@ -119,6 +119,13 @@ void mendRecipe(document::StackRecipe& recipe, ReadNotes& notes) {
   weed(recipe.planes, stack::kMostPlanes, [](const stack::Plane& plane) { return isValid(plane); }, notes);
 }
 
+void mendRecipe(document::ShapeRecipe& recipe, ReadNotes& notes) {
+  std::optional<sections::SectionShape>& section = recipe.shape.section;
+  mend(!section || sections::checkShape(*section).ok(), section, {}, notes);
+  mend(recipe.outlines.size() <= document::kMostOutlines, recipe.outlines, {}, notes);
+  mend(isValid(recipe.shape), recipe.shape, {}, notes);
+}
+
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   const document::PartKind kind = document::kindOf(recipe);
   const document::Recipe standard = document::emptyRecipe(kind);
@@ -161,6 +168,17 @@ void mendIds(std::vector<Box<T>>& boxes, std::uint32_t& last, ReadNotes& notes) 
     value.id.value = next;
     last = std::max(last, next);
     *box = std::move(value);
+    ++notes.repaired;
+  }
+}
+
+/// A view of what cannot be seen from a side goes.
+void mendViews(Document& document, ReadNotes& notes) {
+  for (Box<PictureEntry>& box : document.pictures) {
+    if (!box->view || document::checkView(document, box->id, *box->view).ok()) continue;
+    PictureEntry entry = box;
+    entry.view.reset();
+    box = std::move(entry);
     ++notes.repaired;
   }
 }
@@ -294,6 +312,7 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   const ReadNotes before = reading.notes;
   mendName(part.name, document::fallbackName(part), reading.notes);
   mendRecipe(part.recipe, reading.notes);
+  reading.notes.repaired += document::dropUnseen(document, part.recipe);
   mend(document::isValid(part.placement), part.placement, {}, reading.notes);
   mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
   if (reading.notes != before) settleExtra(part, toJson(part), reading);
@@ -342,6 +361,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     }
   }
   mendIds(document.pictures, document.lastPictureId, reading.notes);
+  mendViews(document, reading.notes);
   for (Json& element : parts) {
     if (document.parts.size() >= document::kMostParts) {
       ++reading.notes.dropped;

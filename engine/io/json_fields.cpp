@@ -107,6 +107,21 @@ bool fromKeys(std::string_view key, T& value) {
 
 }  // namespace
 
+std::string_view keyOf(shape::Primitive value) {
+  const auto names = shape::primitiveNames();
+  const auto at = std::ranges::find(names, value, &shape::PrimitiveName::primitive);
+  return at == names.end() ? std::string_view() : at->key;
+}
+std::string_view keyOf(shape::DepthMode value) { return value == shape::DepthMode::Kept ? "kept" : "round"; }
+std::string_view keyOf(geometry::ViewFrom value) {
+  static constexpr std::array<std::string_view, static_cast<std::size_t>(geometry::ViewFrom::kCount)> kKeys = {
+      "right", "left", "back", "top"};
+  const auto at = static_cast<std::size_t>(value);
+  return at < kKeys.size() ? kKeys[at] : std::string_view();
+}
+bool fromKey(std::string_view key, shape::Primitive& value) { return fromKeys(key, value); }
+bool fromKey(std::string_view key, shape::DepthMode& value) { return fromKeys(key, value); }
+bool fromKey(std::string_view key, geometry::ViewFrom& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::StepKind& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::OpeningSide& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, sections::SectionPreset& value) {
@@ -181,6 +196,11 @@ Json toJson(const std::optional<document::MirrorPlane>& plane) {
 Json toJson(const stack::Corners& corners) {
   const auto& [all, at] = corners;
   return all ? Json("all") : Json(at);
+}
+
+Json toJson(const shape::Axis& axis) {
+  const auto& [start, end] = axis;
+  return Json::array({toJson(start), toJson(end)});
 }
 
 Json toJson(const image::SketchStroke& stroke) {
@@ -285,6 +305,13 @@ bool get(const Json& from, geometry::AlongCurve& to) {
   }
   to = std::move(curve);
   return true;
+}
+
+bool get(const Json& from, shape::Axis& to) {
+  shape::Axis axis;
+  const bool two = from.is_array() && from.size() == 2 && get(from[0], axis.from) && get(from[1], axis.to);
+  if (two) to = axis;
+  return two;
 }
 
 bool get(const Json& from, ribs::EndEdit& to) {

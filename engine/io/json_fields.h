@@ -42,6 +42,9 @@ std::string_view keyOf(document::OpeningSide value);
 std::string_view keyOf(inflate::InflateSides value);
 std::string_view keyOf(extrude::EdgeKind value);
 std::string_view keyOf(surface::Paint value);
+std::string_view keyOf(shape::Primitive value);
+std::string_view keyOf(shape::DepthMode value);
+std::string_view keyOf(geometry::ViewFrom value);
 bool fromKey(std::string_view key, sections::SectionPreset& value);
 bool fromKey(std::string_view key, sections::CapStyle& value);
 bool fromKey(std::string_view key, sections::BlendKind& value);
@@ -51,6 +54,9 @@ bool fromKey(std::string_view key, document::OpeningSide& value);
 bool fromKey(std::string_view key, inflate::InflateSides& value);
 bool fromKey(std::string_view key, extrude::EdgeKind& value);
 bool fromKey(std::string_view key, surface::Paint& value);
+bool fromKey(std::string_view key, shape::Primitive& value);
+bool fromKey(std::string_view key, shape::DepthMode& value);
+bool fromKey(std::string_view key, geometry::ViewFrom& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
 
@@ -82,8 +88,13 @@ Json toJson(const geometry::Turn& turn);                         ///< [w, x, y, 
 Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or point and normal in one list
 Json toJson(const image::SketchStroke& stroke);                  ///< [radius, erase, colour, [x, y, …], [pressure, …]]
 Json toJson(const stack::Corners& corners);                      ///< "all", or the indices
+Json toJson(const shape::Axis& axis);                            ///< [[x, y], [x, y]]
 template <Struct T>
 Json toJson(const T& value);
+template <Struct T>
+Json toJson(const std::optional<T>& value) {  // or null
+  return value ? toJson(*value) : Json();
+}
 template <class Space>
 Json toJson(Vec3<Space> p) {
   return Json::array({toJson(p.x), toJson(p.y), toJson(p.z)});
@@ -211,6 +222,7 @@ bool get(const Json& from, geometry::Turn& to);
 bool get(const Json& from, std::optional<document::MirrorPlane>& to);
 bool get(const Json& from, image::SketchStroke& to);
 bool get(const Json& from, stack::Corners& to);
+bool get(const Json& from, shape::Axis& to);
 template <class Space>
 bool get(const Json& from, Vec2<Space>& to) {
   Vec2<Space> p;
@@ -273,6 +285,11 @@ void read(Json& from, T& to, const Reading& reading) {
 }
 template <Struct T>
 void read(Json& from, T& to, const Reading& reading);
+template <Struct T>
+void read(Json& from, std::optional<T>& to, const Reading& reading) {
+  to.reset();
+  if (!from.is_null()) read(from, to.emplace(), reading);
+}
 /// A line is one value.
 template <class Space>
 void read(Json& from, std::vector<Vec2<Space>>& to, const Reading& reading) {

@@ -240,6 +240,50 @@ void members(V& v, T& value) {
   v("rail", rail);
   v("stack", stack);
 }
+template <class V, Is<shape::Depth> T>
+void members(V& v, T& value) {
+  auto& [mode, ratio] = value;
+  v("mode", mode);
+  v("ratio", ratio);
+}
+template <class V, Is<shape::Caps> T>
+void members(V& v, T& value) {
+  auto& [start, end] = value;
+  v("start", start);
+  v("end", end);
+}
+template <class V, Is<document::Outline> T>
+void members(V& v, T& value) {
+  auto& [picture, lines] = value;
+  v("picture", picture);
+  v("lines", lines);
+}
+template <class V, Is<document::ShapeRecipe> T>
+void members(V& v, T& value) {
+  auto& [picture, shape, outlines] = value;
+  auto& [primitive, axis, width, depth, section, caps, levels, sides, capRings] = shape;
+  v("picture", picture);
+  v("primitive", primitive);
+  v("axis", axis);
+  v("width", width);
+  v("depth", depth);
+  v("section", section);
+  v("caps", caps);
+  v("levels", levels);
+  v("sides", sides);
+  v("capRings", capRings);
+  v("outlines", outlines);
+}
+template <class V, Is<document::PictureView> T>
+void members(V& v, T& value) {
+  auto& [of, view] = value;
+  auto& [from, middle, scale, shift] = view;
+  v("of", of);
+  v("from", from);
+  v("middle", middle);
+  v("scale", scale);
+  v("shift", shift);
+}
 template <class V, Is<document::Look> T>
 void members(V& v, T& value) {
   auto& [textured, colour, paint, second, faceted, inked] = value;
@@ -307,13 +351,14 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::PictureEntry> T>
 void members(V& v, T& value) {
-  auto& [id, name, size, picture, sketch, contentHash, ignored, extra] = value;
+  auto& [id, name, size, picture, sketch, contentHash, ignored, view, extra] = value;
   v("id", id);
   v.always("name", name);
   v("size", size);
   v.photo("photo", picture, contentHash);
   v("sketch", sketch);
   v("ignored", ignored);
+  v("view", view);
   v.beyond(extra);
 }
 template <class V, Is<document::Document> T>

@@ -153,6 +153,22 @@ Status checkSlices(const Document& board, Json& recipe) {
   return notes.clean() ? document::checkStack(board, stack) : Status(Done{});
 }
 
+/// The outlines of a shape, all in its own picture; what is no number is said later, with its key.
+Status checkOutlines(const Document& board, Json& recipe) {
+  recipe["picture"] = 1;
+  if (const auto outlines = recipe.find("outlines"); outlines != recipe.end() && outlines->is_array()) {
+    for (Json& outline : *outlines) {
+      if (outline.is_object()) outline["picture"] = 1;
+    }
+  }
+  document::ShapeRecipe shape;
+  Json copy = recipe;
+  ReadNotes notes;
+  const PictureSource none;
+  read(copy, shape, Reading{notes, none});
+  return notes.clean() ? document::checkShape(board, shape) : Status(Done{});
+}
+
 /// The line of a part: what is wrong with it is said as of a drawn one.
 Status checkLine(const Document& board, const Json& recipe) {
   document::LoftRecipe line;
@@ -168,9 +184,10 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
   if (!json.contains("recipe")) json = Json{{"recipe", std::move(json)}};
   const auto kind = json.find("kind");
   const auto is = [&](document::PartKind one) { return kind != json.end() && *kind == document::kindKey(one); };
-  const bool isStack = is(document::PartKind::Stack);  // which stands in space and needs no photo
-  const bool isRegion = kind != json.end() && !isStack && !is(document::PartKind::Loft);
-  if (Status photo = checkPhoto(input, true); !photo && !isStack) return photo.failure();
+  const bool isStack = is(document::PartKind::Stack), isShape = is(document::PartKind::Shape);
+  const bool isRegion = kind != json.end() && !isStack && !isShape && !is(document::PartKind::Loft);
+  // What says all about itself needs no photo.
+  if (Status photo = checkPhoto(input, true); !photo && !isStack && !isShape) return photo.failure();
   Json& recipe = json["recipe"];
   if (!recipe.is_object()) return {Error::JsonInvalid, "recipe is no object"};
   json["id"] = 1;
@@ -178,6 +195,8 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
   Document document = boardOf(input);
   if (isStack) {
     if (Status slices = checkSlices(document, recipe); !slices) return slices.failure();
+  } else if (isShape) {
+    if (Status outlines = checkOutlines(document, recipe); !outlines) return outlines.failure();
   } else if (isRegion) {
     if (Status outline = checkOutline(document, recipe); !outline) return outline.failure();
   } else {
@@ -204,12 +223,29 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
   return document;
 }
 
-/// Puts the photo in the place of the ones that the pictures name. Error: JsonInvalid.
+/// Gives a picture its photo, and its size where it says none.
+void putPhoto(const image::Picture& photo, Json& picture) {
+  picture["photo"] = hashKey(document::contentHash(photo));
+  if (!picture.contains("size")) picture["size"] = toJson(image::Size{photo.width, photo.height});
+}
+
+/// Puts photos in the place of the ones that the pictures name. Error: JsonInvalid.
 Status takePhoto(Json& pictures, const RecipeInput& input) {
   std::vector<Json*> photos;
+  std::size_t taken = 0;
   for (Json& picture : pictures) {
-    if (picture.is_object() && picture.contains("photo")) photos.push_back(&picture);
+    if (!picture.is_object()) continue;
+    PictureId id;
+    const bool known = picture.contains("id") && get(picture["id"], id);
+    const auto own = std::ranges::find_if(input.pictures, [&](const auto& one) { return known && one.first == id; });
+    if (own != input.pictures.end()) {
+      putPhoto(*own->second, picture);
+      ++taken;
+    } else if (picture.contains("photo")) {
+      photos.push_back(&picture);
+    }
   }
+  if (taken < input.pictures.size()) return {Error::JsonInvalid, "a photo was given for a picture that it has not"};
   if (Status photo = checkPhoto(input, !photos.empty()); !photo) return photo;
   for (Json* picture : photos) {
     const Json hash = hashKey(document::contentHash(*input.photo));
@@ -217,10 +253,7 @@ Status takePhoto(Json& pictures, const RecipeInput& input) {
     if (photos.size() > 1 && named != hash) {
       return {Error::JsonInvalid, "it stands on several photos; save it as a .spineloft file"};
     }
-    named = hash;
-    if (!picture->contains("size")) {
-      (*picture)["size"] = toJson(image::Size{input.photo->width, input.photo->height});
-    }
+    putPhoto(*input.photo, *picture);
   }
   return Done{};
 }
@@ -248,7 +281,11 @@ Result<Document> wholeDocument(Json json, const RecipeInput& input) {
   if (Status photo = takePhoto(pictures, input); !photo) return photo.failure();
   completeList(json, "pictures", "lastPictureId");
   completeList(json, "parts", "lastPartId");
-  const PictureSource source = [&](std::uint64_t) { return input.photo; };
+  const PictureSource source = [&](std::uint64_t hash) {
+    const auto own = std::ranges::find_if(input.pictures,
+                                          [&](const auto& one) { return document::contentHash(*one.second) == hash; });
+    return own != input.pictures.end() ? own->second : input.photo;
+  };
   ReadNotes notes;
   Result<Document> document = documentFrom(json, {notes, source}, MissingPhoto::Drop);
   if (!document) {

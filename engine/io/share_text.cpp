@@ -125,6 +125,13 @@ void keep(document::StackRecipe& recipe, const Grid& grid) {
   }
   for (ModelPoint& p : recipe.rail.points) rounded(p);
 }
+/// Outlines are on grids of their own pictures.
+void keep(document::ShapeRecipe& recipe, const Grid& grid) {
+  document::ShapeRecipe kept = recipe;
+  kept.shape.axis = {grid(recipe.shape.axis.from), grid(recipe.shape.axis.to)};
+  kept.shape.width = grid(recipe.shape.width);
+  if (isValid(kept.shape)) recipe = std::move(kept);
+}
 void keep(document::LatheRecipe& recipe, const Grid& grid) {
   keepRegion(recipe.region, grid);
   recipe.lathe.axisFrom = grid(recipe.lathe.axisFrom);
@@ -236,6 +243,13 @@ Json keptJson(const Document& document, const PhotoCopies& copies = {}) {
     const auto grid = grids.find(document::pictureOf(part).value);
     if (grid == grids.end()) continue;
     std::visit([&](auto& recipe) { keep(recipe, grid->second); }, part.recipe);
+    if (document::ShapeRecipe* shape = document::shapeOf(part)) {
+      for (document::Outline& outline : shape->outlines) {
+        const auto own = grids.find(outline.picture.value);
+        if (own == grids.end()) continue;
+        for (auto& line : outline.lines) line = own->second(line);
+      }
+    }
     box = std::move(part);
   }
   Json json = documentJson(rounded);

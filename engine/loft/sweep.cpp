@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/geometry/bend.h"
+#include "engine/geometry/ode.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulate.h"
 #include "engine/loft/bands.h"
@@ -20,6 +21,9 @@ Station between(const Station& a, const Station& b, double t, Sweep& sweep) {
   station.centre = lerp(a.centre, b.centre, t);
   station.across = lerp(a.across, b.across, t);
   station.depth = lerp(a.depth, b.depth, t);
+  station.rise = lerp(a.rise, b.rise, t);
+  for (std::size_t i = 0; i < station.heights.size(); ++i)
+    station.heights[i] = std::lerp(a.heights[i], b.heights[i], t);
   station.middle = lerp(a.middle, b.middle, t);
   station.half = lerp(a.half, b.half, t);
   if (a.shape != b.shape) {
@@ -187,7 +191,13 @@ class Builder {
   void place(const Station& station, const PaintedPoint& p, std::uint32_t at) {
     ModelPoint off = station.across * p.at.x + station.depth * p.at.y;
     if (station.bend != ModelPoint{}) off += geometry::heldBack(off, station.bend);
-    vertex(station.centre + off, station.middle + station.half * p.paint, at);
+    PicturePoint paint = station.middle + station.half * p.paint;
+    if (station.rise != ModelPoint{}) {
+      const ModelPoint up = station.rise * geometry::aroundFour(station.heights, p.at.x, p.at.y);
+      off += up;
+      paint += PicturePoint{up.x, -up.y};
+    }
+    vertex(station.centre + off, paint, at);
   }
 
   /// Which point of its rib colours a point of a section, −1 … 1. The front shows the picture as it is seen. The back

@@ -19,6 +19,10 @@ struct Station {
   /// Towards the centre of the bend here, 1 over its radius: what would reach beyond that centre is
   /// held back, so that a bend tighter than the part is thick does not fold. 0: nothing is.
   ModelPoint bend;
+  /// A section that is no plane: its points rise by this times what geometry::aroundFour has in their direction between
+  /// the heights at x = 1, y = 1, x = −1, y = −1. 0: it is one.
+  ModelPoint rise;
+  std::array<double, 4> heights{};
   PicturePoint middle, half;  ///< the same in the picture: x = 0 and x = 1 take their colour there
   std::size_t shape = 0;      ///< which of Sweep::shapes
 };

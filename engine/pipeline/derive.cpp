@@ -73,14 +73,24 @@ Status loftShape(const document::LoftRecipe& recipe, const document::PictureEntr
 
 bool needsEdges(const document::Recipe& recipe) { return document::kindOf(recipe) == document::PartKind::Loft; }
 
+// What a shape is made from: a recipe, its own picture, and the document with the others.
+struct Made {
+  const document::Recipe& recipe;
+  const document::PictureEntry& entry;
+  const document::Document& document;
+};
+
 // In place of what `shape` held, which a failure leaves as it was.
-Status shapeOf(const document::Recipe& recipe, const document::PictureEntry& entry, Cache& cache, Purpose purpose,
-               PartShape& shape, const Clock& clock) {
-  if (const auto* loft = std::get_if<document::LoftRecipe>(&recipe)) {
-    return loftShape(*loft, entry, cache, purpose, shape, clock);
+Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
+  if (const auto* loft = std::get_if<document::LoftRecipe>(&from.recipe)) {
+    return loftShape(*loft, from.entry, cache, purpose, shape, clock);
   }
-  const auto* stack = std::get_if<document::StackRecipe>(&recipe);
-  Result<PartShape> made = stack ? stackStage(*stack, entry.size, clock) : regionStage(recipe, entry.size, clock);
+  const image::Size size = from.entry.size;
+  const auto* stack = std::get_if<document::StackRecipe>(&from.recipe);
+  const auto* outlined = std::get_if<document::ShapeRecipe>(&from.recipe);
+  Result<PartShape> made = stack      ? stackStage(*stack, size, clock)
+                           : outlined ? outlineStage(*outlined, from.document, size, clock)
+                                      : regionStage(from.recipe, size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};
@@ -158,16 +168,16 @@ std::shared_ptr<TextureJob> makeTexture(const document::Document& document, cons
 
 namespace {
 
-DerivedPart derivePart(const document::Part& part, const document::PictureEntry& entry, Cache& cache,
-                       const Clock& clock) {
+DerivedPart derivePart(const document::Document& document, const document::Part& part,
+                       const document::PictureEntry& entry, Cache& cache, const Clock& clock) {
   DerivedPart result{part.id, nullptr, std::nullopt, false};
-  const ShapeKey key = shapeKey(part, entry);
+  const ShapeKey key = shapeKey(part, entry, document);
   const bool known = !needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr;
   result.shape = cache.shape(key);
   if (!result.shape && !known) result.waiting = true;
   if (!result.shape && known) {
     PartShape shape;
-    const Status made = shapeOf(part.recipe, entry, cache, Purpose::Part, shape, clock);
+    const Status made = shapeOf({part.recipe, entry, document}, cache, Purpose::Part, shape, clock);
     if (made.ok()) {
       shape.key = key;
       result.shape = std::make_shared<const PartShape>(std::move(shape));
@@ -192,7 +202,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
   }
   for (const document::Part& part : document.parts) {
     const document::PictureEntry* entry = findPicture(document, pictureOf(part));
-    derived.parts.push_back(entry ? derivePart(part, *entry, cache, clock)
+    derived.parts.push_back(entry ? derivePart(document, part, *entry, cache, clock)
                                   : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false});
     assignTextures(document, derived.parts.size() - 1, cache, finish, derived);
   }
@@ -206,7 +216,7 @@ Status shapeFor(Purpose purpose, const document::Document& document, const docum
                 PartShape& shape, const Clock& clock) {
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf(recipe, *entry, cache, purpose, shape, clock);
+  return shapeOf({recipe, *entry, document}, cache, purpose, shape, clock);
 }
 
 }  // namespace

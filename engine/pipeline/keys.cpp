@@ -229,14 +229,45 @@ ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEn
   return ShapeKey{hasher.value()};
 }
 
-ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry) {
-  return std::visit([&](const auto& one) { return shapeKey(one, entry); }, recipe);
+ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document) {
+  const auto& [picture, shape, outlines] = recipe;
+  const auto& [primitive, axis, width, depth, section, caps, levels, sides, capRings] = shape;
+  Hasher hasher;
+  hasher.text("shape").number(entry.contentHash).number(entry.size.width).number(entry.size.height);
+  mix(hasher, coversOf(entry));
+  mixAll(hasher, primitive, axis.from.x, axis.from.y, axis.to.x, axis.to.y, width, depth.mode, depth.ratio);
+  hasher.number(section.has_value());
+  if (section) mix(hasher, *section);
+  mixAll(hasher, caps.start, caps.end, levels, sides, capRings, outlines.size());
+  for (const document::Outline& outline : outlines) {
+    const auto& [seenIn, lines] = outline;
+    const auto view = viewOn(document, seenIn, picture);
+    mixAll(hasher, view.ok(), view.ok() && view.value(), lines.size());
+    if (view.ok() && view.value()) {
+      const auto& [from, middle, scale, shift] = *view.value();
+      mixAll(hasher, from, middle, scale, shift);
+    }
+    for (const auto& line : lines) mix(hasher, line);
+  }
+  return ShapeKey{hasher.value()};
 }
 
-ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry) {
+ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document) {
+  if (const auto* shape = std::get_if<document::ShapeRecipe>(&recipe)) return shapeKey(*shape, entry, document);
+  return std::visit(
+      [&](const auto& one) {
+        if constexpr (requires { shapeKey(one, entry); }) return shapeKey(one, entry);
+        return ShapeKey{};
+      },
+      recipe);
+}
+
+ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document) {
   // How the texture is shown is no part of it.
   const auto& [textured, colour, paint, second, faceted, inked] = part.look;
-  const ShapeKey key = shapeKey(part.recipe, entry);
+  const ShapeKey key = shapeKey(part.recipe, entry, document);
   return inked && entry.isSketch() ? ShapeKey{Hasher().text("inked").number(key.hash).value()} : key;
 }
 

@@ -16,8 +16,10 @@ IgnoredKey ignoredKey(const document::LoftRecipe& recipe, const document::Pictur
 TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of a whole shape of any kind, with its texture.
-ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry);
-ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry);
+/// `entry`: the part's own picture, one of the document's, which says how others look at it.
+ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document);
+ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document);
 
 /// Of a lofted one: the trace's, the edits, the pose and the loft.
 ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
@@ -29,5 +31,9 @@ ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEn
 
 /// Of a stack: the picture, the planes, the rail and how it is finished.
 ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry);
+
+/// Of a shape: the picture, the primitive, the outlines and the views that they are drawn in.
+ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document);
 
 }  // namespace spineloft::pipeline

@@ -119,6 +119,11 @@ Result<PartShape> regionStage(const document::Recipe& recipe, image::Size pictur
 /// Slice by slice. `key` of the result is 0; the time stands in `ms.loft`. Errors: those of stackPlanes, OutOfMemory.
 Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock = {});
 
+/// A shape from its outlines, whose pictures are in the document. `key` of the result is 0; the time stands in
+/// `ms.loft`. Errors: ViewInvalid, those of shape::makeShape, OutOfMemory.
+Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const document::Document& document,
+                               image::Size picture, const Clock& clock = {});
+
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,
                             const Progress& progress, const Clock& clock = {});

@@ -1,4 +1,4 @@
-// What is made of a region (puffs, flat pieces, spun parts), and what is drawn slice by slice.
+// What is made of a region (puffs, flat pieces, spun parts), what is drawn slice by slice, and shapes.
 #include <new>
 #include <utility>
 #include <variant>
@@ -8,6 +8,7 @@
 #include "engine/inflate/inflate.h"
 #include "engine/lathe/lathe.h"
 #include "engine/pipeline/part_shape.h"
+#include "engine/shape/shape.h"
 #include "engine/stack/stack.h"
 
 namespace spineloft::pipeline {
@@ -31,6 +32,7 @@ struct Make {
   }
   Result<PartShape> operator()(const document::LoftRecipe&) const { return Error::NotARegion; }
   Result<PartShape> operator()(const document::StackRecipe&) const { return Error::NotARegion; }
+  Result<PartShape> operator()(const document::ShapeRecipe&) const { return Error::NotARegion; }
   Result<PartShape> operator()(const document::InflateRecipe& recipe) const {
     Result<geometry::Contours> contours = clean(recipe.region);
     if (!contours) return contours.failure();
@@ -73,6 +75,21 @@ Result<PartShape> regionStage(const document::Recipe& recipe, image::Size pictur
 Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock) {
   return timed(clock, [&] {
     return shapeOf(geometry::Contours{}, stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, picture));
+  });
+}
+
+Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const document::Document& document,
+                               image::Size picture, const Clock& clock) {
+  return timed(clock, [&]() -> Result<PartShape> {
+    std::vector<shape::SeenOutline> outlines;
+    for (const document::Outline& outline : recipe.outlines) {
+      const auto view = viewOn(document, outline.picture, recipe.picture);
+      if (!view) return view.failure();
+      outlines.push_back({view.value(), outline.lines});
+    }
+    Result<shape::Shaped> made = shape::makeShape(recipe.shape, outlines, picture);
+    if (!made) return made.failure();
+    return shapeOf(std::move(made.value().silhouette), std::move(made.value().mesh));
   });
 }
 

@@ -54,7 +54,7 @@ test('wrong usage ends with 2 and says what is wrong', (t) => {
   const picture = folder.path('bar.png');
   const stroke = ['--stroke', folder.path('stroke.json')];
   const wrong = [
-    [[], /loft, open, share, edges or bench/],
+    [[], /loft, make, open, share, edges, bench or ode/],
     [['carve'], /carve/],
     [['--version', 'loft'], /--version/],
     [['loft'], /picture/],

@@ -26,6 +26,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
   const all = readdirSync(recipes).map((file) => file.replace(/\.json$/, ''));
   const names = all.filter((name) => !('drawing' in readJson(recipe(name))));
   assert.deepEqual(names.sort(), [
+    'ball-from-two-circles',
     'hand',
     'helix',
     'ring',

@@ -420,6 +420,59 @@ struct Make<ShapeStack> {
   static ShapeStack from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyStackParams(rng)}; }
 };
 
+std::vector<Outline> anyOutlines(Rng& rng, const Document& d) {
+  std::vector<Outline> outlines(rng.below(3));
+  for (Outline& outline : outlines) {
+    outline.picture = anyPicture(rng, d);
+    const double x = rng.uniform(30, 60), y = rng.uniform(30, 40), size = rng.uniform(5, 25);
+    for (std::uint32_t line = 1 + rng.below(2); line > 0; --line) {
+      std::vector<PicturePoint>& points = outline.lines.emplace_back();
+      for (const SectionPoint p : anyContour(rng)) points.push_back({x + size * p.x, y - size * p.y});
+    }
+    if (rng.below(30) == 0) outline.lines.back().front().x = std::numeric_limits<double>::quiet_NaN();
+  }
+  return outlines;
+}
+shape::ShapeParams anyShape(Rng& rng) {
+  shape::ShapeParams params;
+  params.primitive = static_cast<shape::Primitive>(rng.below(static_cast<std::uint32_t>(shape::Primitive::kCount)));
+  params.axis = {{rng.uniform(0, kWidth), rng.uniform(0, kHeight)}, {rng.uniform(0, kWidth), rng.uniform(0, kHeight)}};
+  params.width = rng.uniform(0, 60);
+  params.depth = {static_cast<shape::DepthMode>(rng.below(2)), rng.uniform(0.02, 3)};
+  if (rng.below(3) == 0) params.section = anySection(rng);
+  params.caps = {anyCap(rng), anyCap(rng)};
+  params.levels = 8 + static_cast<int>(rng.below(30));
+  params.sides = 12 + static_cast<int>(rng.below(40));
+  params.capRings = static_cast<int>(rng.below(8));
+  return params;
+}
+template <>
+struct Make<DrawShape> {
+  static DrawShape from(Rng& rng, const Document& d) {
+    const PictureId picture = anyPicture(rng, d);
+    std::vector<Outline> outlines = anyOutlines(rng, d);
+    if (!outlines.empty()) outlines.front().picture = picture;
+    return {picture, anyShape(rng), std::move(outlines), {}};
+  }
+};
+template <>
+struct Make<SetShape> {
+  static SetShape from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyShape(rng)}; }
+};
+template <>
+struct Make<SetOutlines> {
+  static SetOutlines from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyOutlines(rng, d)}; }
+};
+template <>
+struct Make<SetView> {
+  static SetView from(Rng& rng, const Document& d) {
+    if (rng.below(4) == 0) return {anyPicture(rng, d), std::nullopt};
+    const auto from = static_cast<geometry::ViewFrom>(rng.below(5));
+    return {anyPicture(rng, d),
+            PictureView{anyPicture(rng, d), {from, rng.uniform(0, 90), rng.uniform(-0.2, 3), rng.uniform(-50, 50)}}};
+  }
+};
+
 std::vector<PartId> anyParts(Rng& rng, const Document& d) {
   std::vector<PartId> parts(rng.below(4));
   for (PartId& part : parts) part = anyPart(rng, d);

@@ -316,6 +316,7 @@ ToolKind toolFor(document::PartKind kind) {
       return ToolKind::Spin;
     case document::PartKind::Loft:
     case document::PartKind::Stack:
+    case document::PartKind::Shape:
     case document::PartKind::kCount:
       break;
   }
@@ -325,7 +326,7 @@ ToolKind toolFor(document::PartKind kind) {
 Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  if (document::stackOf(*part)) return refuse({Error::NotABone, {}});
+  if (document::stackOf(*part) || document::shapeOf(*part)) return refuse({Error::NotABone, {}});
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   env.ui.pointsOf = {};
   if (!env.ui.redraw) return {};

@@ -110,6 +110,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
       return kEdges;
     case document::PartKind::Lathe:
     case document::PartKind::Stack:
+    case document::PartKind::Shape:
     case document::PartKind::Loft:
     case document::PartKind::kCount:
       break;

@@ -67,6 +67,7 @@ const document::Part* selectedRegion(const PanelEnv& env) {
 const char* titleOf(const document::Part& region) {
   if (document::latheOf(region)) return "Spin";
   if (document::stackOf(region)) return "Slice by slice";
+  if (document::shapeOf(region)) return "Shape";
   return document::inflateOf(region) ? "Puff" : "Flat piece";
 }
 

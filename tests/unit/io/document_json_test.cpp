@@ -55,6 +55,7 @@ bool couldBeMade(const Document& document) {
       return false;
     }
     if (tidyName(entry.name, "x") != entry.name) return false;
+    if (entry.view && !checkView(document, entry.id, *entry.view)) return false;
   }
   for (const Part& part : document.parts) {
     if (!checkDrawn(document, part.recipe)) return false;
@@ -67,6 +68,7 @@ bool couldBeMade(const Document& document) {
     if (inflateOf(part) && !isValid(inflateOf(part)->inflate)) return false;
     if (extrudeOf(part) && !isValid(extrudeOf(part)->extrude)) return false;
     if (stackOf(part) && !isValid(stackOf(part)->stack)) return false;
+    if (shapeOf(part) && !isValid(shapeOf(part)->shape)) return false;
     for (const ParamInfo& info : paramTable(kindOf(part))) {
       if (info.get(part.recipe) < info.low || info.get(part.recipe) > info.high) return false;
     }
@@ -235,11 +237,17 @@ TEST_CASE("a document whose ids leave no room for more is numbered anew, with al
         box = std::move(value);
       }
     };
-    each(large.pictures, [&](PictureEntry& entry) { lift(entry.id); });
+    each(large.pictures, [&](PictureEntry& entry) {
+      lift(entry.id);
+      if (entry.view) lift(entry.view->of);
+    });
     each(large.parts, [&](Part& part) {
       lift(part.id);
       lift(part.group);
       setPicture(part.recipe, PictureId{pictureOf(part).value + kMostOpenedId});
+      if (ShapeRecipe* shape = shapeOf(part)) {
+        for (Outline& outline : shape->outlines) lift(outline.picture);
+      }
     });
     each(large.steps, [&](Step& step) {
       lift(step.id);

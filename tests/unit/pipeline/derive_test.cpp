@@ -5,6 +5,7 @@
 #include "engine/document/update.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
+#include "engine/shape/shape.h"
 #include "engine/stack/stack.h"
 #include "engine/vision/edges.h"
 #include "tests/support/mesh_laws.h"
@@ -123,6 +124,59 @@ TEST_CASE("every authored value of a recipe and its picture is part of the shape
   CHECK(changes([](LoftRecipe& r) { r.loft.sections[0].shape.contours = {{{1, 0}}}; }));
 }
 
+TEST_CASE("the key of a shape follows everything that it is made of, and its shape comes from its outlines and views") {
+  const Outline front{PictureId{1}, {{{96, 20}, {140, 80}, {96, 130}, {50, 80}}}};
+  const Outline seen{PictureId{2}, {{{96, 20}, {120, 80}, {96, 130}, {70, 80}}}};
+  const PictureView right{PictureId{1}, {geometry::ViewFrom::Right, 96, 1, 0}};
+  const auto with = [&](const PictureView& view, const ShapeRecipe& recipe) {
+    Document document = update(ellipseDocument(), AddSketch{"side", {192, 144}}).value();
+    document = update(document, SetView{PictureId{2}, view}).value();
+    return update(document, DrawShape{recipe.picture, recipe.shape, recipe.outlines}).value();
+  };
+  const auto keyOf = [](const Document& document) {
+    return shapeKey(*document.parts.back(), *document.pictures.front(), document);
+  };
+  const ShapeRecipe recipe{PictureId{1}, {}, {front, seen}};
+  const Document document = with(right, recipe);
+  const ShapeKey key = keyOf(document);
+  CHECK(keyOf(with(right, recipe)) == key);
+  const auto changes = [&](void (*change)(ShapeRecipe&)) {
+    ShapeRecipe other = recipe;
+    change(other);
+    return keyOf(with(right, other)) != key;
+  };
+  CHECK(changes([](ShapeRecipe& r) { r.shape.primitive = shape::Primitive::Box; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.axis.to.x += 1; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.width += 1; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.depth.mode = shape::DepthMode::Kept; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.depth.ratio = 2; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.section = sections::SectionPreset::Star; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.caps.start = sections::CapStyle::Round; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.caps.end = sections::CapStyle::Round; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.levels = 32; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.sides = 32; }));
+  CHECK(changes([](ShapeRecipe& r) { r.shape.capRings = 3; }));
+  CHECK(changes([](ShapeRecipe& r) { r.outlines.pop_back(); }));
+  CHECK(changes([](ShapeRecipe& r) { r.outlines[1].lines[0][1].x += 1e-9; }));
+  for (double geometry::View::* member : {&geometry::View::middle, &geometry::View::scale, &geometry::View::shift}) {
+    PictureView other = right;
+    other.view.*member += 0.5;
+    CHECK(keyOf(with(other, recipe)) != key);
+  }
+  PictureView left = right;
+  left.view.from = geometry::ViewFrom::Left;
+  CHECK(keyOf(with(left, recipe)) != key);
+
+  Cache cache;
+  const auto derived = deriveWithEdges(document, cache, Progress());
+  REQUIRE(derived.ok());
+  const auto& shaped = derived.value().parts.back().shape;
+  REQUIRE(shaped != nullptr);
+  testing::requireLawful(shaped->mesh);
+  const std::vector<shape::SeenOutline> outlines{{std::nullopt, front.lines}, {right.view, seen.lines}};
+  CHECK(shaped->mesh == shape::makeShape({}, outlines, {192, 144}).value().mesh);
+}
+
 TEST_CASE("the key of a stack follows everything that it is made of, and its shape comes from the planes alone") {
   stack::Plane foot;
   foot.curves = {{{{20, 0}, {0, 20}, {-20, 0}, {0, -20}}, {}}};
@@ -132,7 +186,7 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   const Document document = update(ellipseDocument(), DrawStack{PictureId{1}, recipe.planes, recipe.rail}).value();
   const PictureEntry& entry = document.pictures[0];
   const ShapeKey key = shapeKey(recipe, entry);
-  CHECK(shapeKey(document.parts.back()->recipe, entry) == key);
+  CHECK(shapeKey(document.parts.back()->recipe, entry, document) == key);
   const auto changes = [&](void (*change)(StackRecipe&)) {
     StackRecipe other = recipe;
     change(other);
