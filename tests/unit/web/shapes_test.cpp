@@ -13,7 +13,7 @@ namespace {
 
 /// The document, from the text of a link.
 document::Document shown(Rig& rig) {
-  const app::Json answer = *app::Json::parse(rig.app->shareText());
+  const app::Json answer = *app::Json::parse(rig.app->shareText("{}"));
   REQUIRE(answer.text("text") != nullptr);
   const auto read = io::readShareText(*answer.text("text"));
   REQUIRE(read.ok());
