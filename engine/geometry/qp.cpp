@@ -78,6 +78,7 @@ class ActiveSet {
   }
   /// What the compliance left of a row is rounded with: √(own · G_kk) bounds each product of two rows.
   double roundingScale(double own, const Vector& rate) const {
+    if (rate.size() == 0) return own;
     return own + rate.cwiseAbs().dot((own * gram_.diagonal().head(rate.size())).cwiseSqrt());
   }
   /// z₀ + Σ multiplier · H⁻¹ row.

@@ -29,7 +29,10 @@ export interface ToastAction {
   run(): void;
 }
 
-/** Shows a toast; the same text again only restarts its time. */
+/**
+ * Shows a toast; the same text again only restarts its time. What is to be done stands after what is only told: where there
+ * is room for one, the last is shown.
+ */
 export function toast(text: string, level: ToastLevel = 'info', action?: ToastAction): void {
   const stack = byId('toasts');
   for (const old of [...stack.children]) {
@@ -58,7 +61,8 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   }
   element.append(close);
   element.dataset.text = text;
-  stack.append(element);
+  const told = element.getAttribute('role') === 'status';
+  stack.insertBefore(element, told ? stack.querySelector('[role=alert]') : null);
   let timer = 0;
   const stop = () => clearTimeout(timer);
   const start = () => {

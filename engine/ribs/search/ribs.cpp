@@ -36,7 +36,7 @@ void chooseLevels(const image::EdgeMap& edges, image::Size picture, Search& s) {
   makeLevels(params.levels, step, farthest, field.length(), s.levels);
 }
 
-// Costs without a picture: they grow with the distance from the default half width.
+// Costs without a picture, or where it shows nothing: they grow with the distance from the default half width.
 void defaultCosts(Search& s) {
   s.costs.resize(s.curves.x.size());
   s.boundary.support.assign(s.costs.size(), 0.f);
@@ -54,6 +54,7 @@ double shareOfRib(const Search& s) { return kReferenceRibs / s.curves.layout.rib
 
 void findEvidence(Search& s) {
   findBoundary(s.curves, s.strip, builtInNetwork(), s.params.evidence, s.boundary);
+  if (std::ranges::all_of(s.boundary.seen, [](auto seen) { return seen == 0; })) return defaultCosts(s);
   const auto weight = static_cast<float>(s.params.evidence.weight * shareOfRib(s));
   s.costs.resize(s.boundary.costs.size());
   for (std::size_t i = 0; i < s.costs.size(); ++i) s.costs[i] = weight * s.boundary.costs[i];

@@ -124,15 +124,17 @@ TEST_CASE("a piece of outline that is missing is bridged") {
   for (const Rib& rib : inner(set)) CHECK(std::abs(rib.left.y - 120) < 4);
 }
 
-TEST_CASE("without a picture every end is guessed, at the same sensible width on both sides") {
-  const RibSet set = trace({{75, 150}, {325, 150}}, {});
-  const double left = distance(set.ribs[30].center, set.ribs[30].left);
-  CHECK(left > 5);
-  CHECK(left < 120);
-  for (const Rib& rib : set.ribs) {
-    CHECK(rib.leftState == RibState::Guessed);
-    CHECK(rib.rightState == RibState::Guessed);
-    CHECK(distance(rib.center, rib.left) == doctest::Approx(distance(rib.center, rib.right)).epsilon(0.02));
+TEST_CASE("without a picture, and on blank paper, every end is guessed, a tenth of the length away on both sides") {
+  const Points stroke{{75, 150}, {325, 150}};
+  constexpr double half = 25;
+  for (const image::EdgeMap& map : {image::EdgeMap{}, fixtures::mapOf(kPicture, [](PicturePoint) { return false; })}) {
+    const RibSet set = trace(stroke, map);
+    for (const Rib& rib : inner(set)) CHECK(distance(rib.center, rib.left) == doctest::Approx(half).epsilon(0.1));
+    for (const Rib& rib : set.ribs) {
+      CHECK(rib.leftState == RibState::Guessed);
+      CHECK(rib.rightState == RibState::Guessed);
+      CHECK(distance(rib.center, rib.left) == doctest::Approx(distance(rib.center, rib.right)).epsilon(0.02));
+    }
   }
 }
 

@@ -80,19 +80,17 @@ class Rig {
   Rig& operator=(const Rig&) = delete;
 
   /// Gives the page frames and wakes until it asks for no more. False when it does not rest within `most` turns of
-  /// 16 ms of its own time, as while a solid waits for a solver, or two minutes of waiting for a worker.
+  /// 16 ms of its own time, as while a solid waits for a solver; with workers within two minutes, because how many
+  /// frames it draws until they are done is up to the machine.
   bool settle(int most = 1500) {
     const auto start = std::chrono::steady_clock::now();
-    for (int turns = 0; turns < most;) {
+    for (int turns = 0; threads_ > 0 || turns < most; ++turns) {
       host.clockMs += 16;
       if (std::exchange(host.wakesAsked, 0) > 0) app->wake();
       const bool drawn = std::exchange(host.frameAsked, false);
       if (drawn) app->frame();
       if (!drawn && app->idle() && host.wakesAsked == 0) return true;
-      if (drawn || threads_ == 0) {
-        ++turns;
-        continue;
-      }
+      if (threads_ == 0 || (drawn && turns < most)) continue;
       if (std::chrono::steady_clock::now() - start > std::chrono::minutes(2)) return false;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));  // a worker has it
     }
