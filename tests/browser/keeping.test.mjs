@@ -17,13 +17,13 @@ import {
   useSite,
 } from './support/page.mjs';
 import {
-  asksBeforeLeaving,
   banner,
   drawPart,
   emptyDevice,
   history,
   inStore,
   models,
+  onceKept,
   smallTube as tube,
 } from './support/keeping.mjs';
 
@@ -46,7 +46,7 @@ test('a reload brings back the model with undo and redo, and says so', () =>
     await done(page, 'undo');
     const before = await history(page),
       looks = (await state(page)).parts;
-    assert.equal(await asksBeforeLeaving(page), false);
+    await onceKept(page);
     await reload(page);
     assert.match(await toastText(page, 'status'), /Welcome back\. tube/);
     assert.equal(await history(page), before);
@@ -56,6 +56,7 @@ test('a reload brings back the model with undo and redo, and says so', () =>
     for (let i = 0; i < 4; ++i) await run(page, 'undo');
     assert.equal((await state(page)).picture, null);
     await done(page, 'redo');
+    await onceKept(page);
     await reload(page);
     assert.equal((await state(page)).redo, 3);
   }));
@@ -71,6 +72,7 @@ test('what is not finished yet, a stroke in hand, is all that a reload loses', (
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
     await page.mouse.move(to.x, to.y);
+    await onceKept(page);
     await reload(page);
     assert.equal(await history(page), before);
   }));
@@ -79,6 +81,7 @@ test('starting a new one leaves the old one in the list, from where it is opened
   onEmptyDevice(async (page) => {
     await drawPart(page);
     const first = await history(page);
+    await onceKept(page);
     await reload(page);
     await page.getByRole('button', { name: 'Start a new one' }).click();
     await idle(page);
@@ -86,6 +89,7 @@ test('starting a new one leaves the old one in the list, from where it is opened
     assert.equal(await page.locator('#models-cards .model-name').innerText(), 'tube');
     assert.match(await page.locator('#models-cards .model-detail').innerText(), /1 part · today/);
     await page.locator('#models-cards img').waitFor();
+    await onceKept(page);
     await reload(page);
     assert.equal(await page.locator('#start').isVisible(), true, 'a new one stays a new one');
     await page.locator('#models-cards .model-open').click();
@@ -145,6 +149,7 @@ test('the next pupil begins with an empty page and few tools; the models stay, u
     await page.locator('#models-cards img').waitFor();
     assert.equal(await page.locator('#models-next').isVisible(), false, 'nothing is nobody’s');
     await drawPart(page);
+    await onceKept(page);
     await reload(page);
     await done(page, 'new-model');
     await page.locator('#models-next').click();
@@ -168,8 +173,10 @@ test('without an answer nobody is sent away', () =>
 test('a duplicate of the open model is worked on, and the original stays as it was', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);
+    await onceKept(page);
     await done(page, 'duplicate-model');
     await done(page, 'set-section', { section: 'star' });
+    await onceKept(page);
     assert.equal((await state(page)).documentName, 'tube copy');
     const original = (await models(page)).find((model) => model.name === 'tube');
     await done(page, 'open-model', { id: original.id });
@@ -180,6 +187,7 @@ test('an emptied board can be undone from the start page', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);
     await done(page, 'clear');
+    await onceKept(page);
     await reload(page);
     await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
     await idle(page);
@@ -275,6 +283,7 @@ test('Ctrl+S saves a project file; dropped on the page it opens as a model of it
     assert.equal((await state(page)).documentName, 'Swan neck');
     assert.equal((await models(page)).length, 2);
     assert.equal((await inStore(page, 'photos')).length, 1, 'the file brings the same photo');
+    await onceKept(page);
     await reload(page);
     assert.equal((await state(page)).parts[0].section, 'circle');
   }));

@@ -19,13 +19,18 @@ export const emptyDevice =
 export const drawPart = (page) => openWithPart(page, smallTube.png, smallTube.middle);
 export const banner = (page) => page.locator('#banners .banner');
 
-/** Whether the page holds up who leaves it. */
-export const asksBeforeLeaving = (page) =>
-  page.evaluate(() => {
-    const event = new Event('beforeunload', { cancelable: true });
-    window.dispatchEvent(event);
-    return event.defaultPrevented;
-  });
+/** In the page: whether it holds up who leaves it. */
+function holdsUp() {
+  const event = new Event('beforeunload', { cancelable: true });
+  window.dispatchEvent(event);
+  return event.defaultPrevented;
+}
+export const asksBeforeLeaving = (page) => page.evaluate(holdsUp);
+
+/** Until every step is on the disk: a browser that is short of everything may take longer than the page waits. */
+export async function onceKept(page) {
+  while (await asksBeforeLeaving(page)) await page.waitForTimeout(50);
+}
 
 export const history = (page) => page.evaluate(() => window.spineloft.history());
 export const models = (page) => page.evaluate(() => window.spineloft.models());
