@@ -50,6 +50,8 @@ class Program {
     pull();
   }
 
+  bool pinsHold() const { return !pinsGiveWay_; }
+
   /// One solution for these distances of the surfaces from the middles.
   Result<geometry::QpSolution> solve(std::span<const PieceDepth> depths) {
     geometry::Qp program = qp_;
@@ -206,7 +208,8 @@ Result<Depths> solveDepths(const DepthInput& input) {
     const Result<geometry::QpSolution> solved = program.solve(out.pieces);
     if (!solved) return solved.failure();
     const geometry::QpSolution& solution = solved.value();
-    out.stats = {solution.z.size(), solution.rows.size(), solution.active.size(), out.stats.rounds + solution.rounds};
+    out.stats = {solution.z.size(), solution.rows.size(), solution.active.size(), out.stats.rounds + solution.rounds,
+                 solution.broken,   program.pinsHold()};
     out.conflict = solution.conflict;
     for (std::size_t i = 0; i < input.patches.size(); ++i) {
       PieceDepth& depth = out.pieces[i];

@@ -46,6 +46,8 @@ struct PieceDepth {
 struct DepthStats {
   std::size_t unknowns = 0, rows = 0, active = 0;
   int rounds = 0;
+  double broken = 0;     ///< see geometry::QpSolution, shares of the size; more than rounding: the rounds ran out
+  bool pinsHold = true;  ///< exactly; else they contradict each other and hold as well as they can
 };
 
 struct Depths {

@@ -257,10 +257,9 @@ class Writer {
     json["orders"] = orders();
     json["indices"] = indices();
     json["contradictions"] = contradictions();
-    json["qp"] = {{"unknowns", model_.depth.unknowns},
-                  {"rows", model_.depth.rows},
-                  {"active", model_.depth.active},
-                  {"rounds", model_.depth.rounds}};
+    json["qp"] = {{"unknowns", model_.depth.unknowns}, {"rows", model_.depth.rows},
+                  {"active", model_.depth.active},     {"rounds", model_.depth.rounds},
+                  {"broken", model_.depth.broken},     {"pinsHold", model_.depth.pinsHold}};
     return json;
   }
 

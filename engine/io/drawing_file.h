@@ -24,8 +24,8 @@ Result<descriptive::Drawing> readDrawing(std::string_view json);
 /// "outlines", "planarity", "mesh"}], "lost": [{"name", "words"}], "openLines", "orders": [{"over", "under", "at",
 /// "kind": "over" | "inside", "from": "drawn" | "deduced" | "guessed" | "user"}], "indices": [{"piece", "outline",
 /// "from", "to", "hidden", "index"}], "contradictions": [{"pieces", "at", "words"}], "qp": {"unknowns", "rows",
-/// "active", "rounds"}}, "milliseconds"}. Pieces are named; places and lengths along outlines are picture pixels,
-/// planarity a share of "size".
+/// "active", "rounds", "broken", "pinsHold"}}, "milliseconds"}. Pieces are named; places and lengths along outlines are
+/// picture pixels, planarity a share of "size".
 std::string writeDrawingReport(const descriptive::Model& model, const NamedNumbers& milliseconds);
 
 }  // namespace spineloft::io

@@ -255,11 +255,13 @@ ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEn
 
 ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,
                   const document::Document& document) {
-  if (const auto* shape = std::get_if<document::ShapeRecipe>(&recipe)) return shapeKey(*shape, entry, document);
   return std::visit(
       [&](const auto& one) {
-        if constexpr (requires { shapeKey(one, entry); }) return shapeKey(one, entry);
-        return ShapeKey{};
+        if constexpr (requires { shapeKey(one, entry); }) {
+          return shapeKey(one, entry);
+        } else {
+          return shapeKey(one, entry, document);
+        }
       },
       recipe);
 }

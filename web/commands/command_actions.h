@@ -83,10 +83,9 @@ struct Standing {
 /// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other parts of its
 /// picture, or beside what is there (pipeline::standBeside). With `lie`, what others would hide comes to lie on them.
 Standing standingActions(const CommandEnv& env, document::Action draw, const document::Recipe& recipe, bool lie);
-/// Says that the newest part is made, and how many of its ends are guesses.
-void tellMade(const CommandEnv& env);
-/// The newest part stands so: for as long as it is new it can be told otherwise.
-void tellStanding(const CommandEnv& env, const Standing& standing);
+/// The newest part is taken in hand and into view: says that it is made, and how many of its ends are guesses. It
+/// stands so; for as long as it is new it can be told otherwise.
+void takeMade(const CommandEnv& env, const Standing& standing);
 /// The selected part is new, and was drawn over others.
 bool partIsNew(const CommandEnv& env);
 /// The parts of `args.parts`, the one of `args.part`, or all in hand with their groups. Empty when there is none, or

@@ -81,21 +81,22 @@ Standing standingActions(Env env, document::Action draw, const document::Recipe&
   return out;
 }
 
-void tellStanding(Env env, const Standing& standing) {
-  env.ui.newPart.reset();
-  if (!standing.lie) return;
-  env.ui.newPart = NewPart{env.ui.selection, *standing.lie, env.studio.undoSteps()};
-  if (*standing.lie == Lie::InFront) sendStatus(env.host, "It lies on what it was drawn over.");
-}
-
-void tellMade(Env env) {
+void takeMade(Env env, const Standing& standing) {
   const document::Part& part = *env.studio.document().parts.back();
+  env.ui.selection = part.id;
+  env.ui.alsoSelected.clear();
+  env.ui.redraw = {};
+  env.ui.framePending = true;
   const pipeline::DerivedPart& derived = env.studio.derived().parts.back();
   const std::size_t guesses = derived.shape ? guessedEnds(derived.shape->generated) : 0;
   const std::string_view sentence = guesses == 0   ? "{name} is made."
                                     : guesses == 1 ? "{name} is made. One end is a guess."
                                                    : "{name} is made. {n} ends are guesses.";
   sendStatus(env.host, words::tr(sentence, {{"name", words::nameOf(part.name)}, {"n", guesses}}));
+  env.ui.newPart.reset();
+  if (!standing.lie) return;
+  env.ui.newPart = NewPart{part.id, *standing.lie, env.studio.undoSteps()};
+  if (*standing.lie == Lie::InFront) sendStatus(env.host, "It lies on what it was drawn over.");
 }
 
 bool partIsNew(Env env) {
@@ -242,12 +243,7 @@ Outcome drawSpine(Env env, const DrawSpineIntent& intent) {
   const Standing standing = standingActions(env, std::move(draw), recipe, intent.lie);
   const Status status = env.studio.act(standing.actions);
   if (!status) return refusedLine(env, intent, status.failure());
-  env.ui.selection = env.studio.document().parts.back()->id;
-  env.ui.alsoSelected.clear();
-  env.ui.redraw = {};
-  env.ui.framePending = true;
-  tellMade(env);
-  tellStanding(env, standing);
+  takeMade(env, standing);
   shorter ? sendHint(env.host, kCutSentence) : tellGuesses(env);
   return {};
 }

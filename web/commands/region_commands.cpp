@@ -450,12 +450,7 @@ Outcome drawRegion(Env env, const document::Region& region, const document::Regi
     env.ui.lathe.axisTo = spun->axisTo;
     env.ui.axisOf = region.picture;
   }
-  env.ui.selection = env.studio.document().parts.back()->id;
-  env.ui.alsoSelected.clear();
-  env.ui.redraw = {};
-  env.ui.framePending = true;
-  tellMade(env);
-  tellStanding(env, standing);
+  takeMade(env, standing);
   return {};
 }
 

@@ -90,12 +90,7 @@ Outcome drawShape(Env env, const Json& args) {
   const document::DrawShape draw{recipe.picture, recipe.shape, recipe.outlines, env.ui.look};
   const Standing standing = standingActions(env, draw, recipe, args.flag("lie").value_or(false));
   if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
-  env.ui.selection = env.studio.document().parts.back()->id;
-  env.ui.alsoSelected.clear();
-  env.ui.redraw = {};
-  env.ui.framePending = true;
-  tellMade(env);
-  tellStanding(env, standing);
+  takeMade(env, standing);
   return {};
 }
 
