@@ -17,7 +17,7 @@ import strokes
 from colours import colour, lab_shift
 from solids import Solid, room
 
-VERSION = 3
+VERSION = 4
 FIRST_TRAINING_SEED = 10_000
 NO_EDGE = (50, 120)  # Canny thresholds of "no edge nearby"
 
@@ -548,6 +548,66 @@ def _drawing(r, seed, size, side, thing, profile):
     return scene
 
 
+BLANK_SHARE = 0.04  # of all scenes
+BLANK_HALF = 0.1  # half width of a part where the picture shows nothing, as a share of the stroke's length
+
+
+def _clear_of(solid, other, size):
+    """Whether `other` keeps at least half a width away from the solid."""
+    return not (np.minimum(solid.coverage(size, solid.half.max()), other.coverage(size)) > 0).any()
+
+
+def _blank(r, seed, size, side, spine):
+    """A line where the picture shows nothing: empty paper or a plain ground, other things far off. What the part is
+    then is a rule of the product, not a truth of the picture: the stroke with one width."""
+    drawn = r.random() < 0.7
+    ground = grounds.paper if drawn else grounds.MADE[r.choice(["studio", "wall"])]
+    picture = np.ascontiguousarray(ground(r, size), np.float32)
+    for _ in range(40):
+        unit = spines.points_of(spines.FAMILIES[spine](r), r)
+        line = spines.resampled(unit @ _rotation(r.uniform(0, 2 * np.pi)).T, UNIT_STEPS)
+        span = np.ptp(line, axis=0)
+        line *= r.uniform(0.12, 0.8) * min(size[0] / span[0], size[1] / span[1])
+        line += r.uniform(0.1, 0.9, 2) * (np.array(size) - np.ptp(line, axis=0)) - line.min(0)
+        length = np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+        half = np.full(len(line), BLANK_HALF * length)
+        if length > 40 and room(line, half, half):
+            break
+        spine = "straight"
+    way = [line[0] - line[4], line[-1] - line[-5]]
+    tips = [end + w / np.linalg.norm(w) * half[0] for end, w in zip((line[0], line[-1]), way)]
+    axis = spines.resampled(np.concatenate([tips[:1], line, tips[1:]]), UNIT_STEPS)
+    place = np.arange(UNIT_STEPS) * 1.2 * length / (UNIT_STEPS - 1)
+    from_tip = np.minimum(place, place[::-1]) / half
+    half = np.maximum(0.3, half * np.sqrt(np.clip(1 - (1 - np.minimum(from_tip, 1)) ** 2, 0, 1)))
+    solid = Solid(axis, half, half)
+    ink, pen = np.zeros(size[::-1], np.uint8), drawings.Pen(r, picture)
+    for _ in range(r.choice([0, 1, 2, 4])):
+        other = make_solid(r, size, *families.pick(r, side)[:2], r.uniform(0.08, 0.6))
+        if not _clear_of(solid, other, size):
+            continue
+        if drawn:
+            drawings.outline(r, pen, ink, other, r.choice([0.0, 0.3]))
+        else:
+            lay(r, picture, other, r.choice(["matte", "plain", "gloss"]), side)
+    if drawn:
+        drawings.ink_on(r, picture, ink, pen)
+    scene = Scene(seed)
+    scene.picture, sigma = damage.camera(r, picture)
+    scene.said = {
+        "category": "blank",
+        "background": "paper" if drawn else ground.__name__,
+        "missing": 100.0,
+        "noise": sigma,
+        "tags": ["blank"],
+        "look": "blank",
+        "profile": "even",
+    }
+    finish(scene, solid, solid.coverage(size), None, None)
+    scene.strokes = {"careful": line[:: max(1, len(line) // 80)]}
+    return scene
+
+
 def finish(scene, solid, cover, care, hidden):
     """Masks of the part, whole and visible."""
     scene.solid = solid
@@ -570,10 +630,13 @@ def make(seed):
     thing = unit_thing(r, spine, profile)
     size = _size(r, *extent(thing))
     scene = _cut_out(r, seed, size, side) if kind > 0.93 else None
-    if drawn:
+    if kind < BLANK_SHARE:
+        scene = _blank(r, seed, size, side, spine)
+    elif drawn:
         scene = _drawing(r, seed, size, side, thing, profile)
     elif scene is None:
         scene = _photo_like(r, seed, size, side, thing, profile, material)
     scene.said = {"spine": spine, "profile": profile, "side": side, "quality": int(r.integers(45, 98))} | scene.said
-    scene.strokes = strokes.strokes_of(r, scene.solid.axis(), size)
+    if not scene.strokes:
+        scene.strokes = strokes.strokes_of(r, scene.solid.axis(), size)
     return scene

@@ -87,15 +87,12 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
                   const EvidenceParams& params, Boundary& b) {
   const bool learned = network && params.learnedWeight > 0;
   sortColours(curves, strip, b.scratch.colours);
-  b.chance.assign(curves.x.size(), 0.f);
+  b.clear(curves.x.size());
   if (learned) learnedScores(*network, curves, strip, b.scratch, b.chance);
   const auto ofNetwork = static_cast<float>(params.learnedWeight), doubt = static_cast<float>(params.doubt);
   const float near = learned ? static_cast<float>(params.proximityWeight) : kNearnessAlone;
   const float even = kEvenShare * static_cast<float>(strip.levels);
   const std::size_t close = index((strip.levels + kCloseLabels / 2) / kCloseLabels);
-  b.support.assign(b.chance.size(), 0.f);
-  b.seen.assign(b.chance.size(), 0);
-  b.costs.assign(b.chance.size(), 0.f);
   for (int c = 0; c < strip.curves; ++c) {
     const std::size_t row = curves.at(c, 0);
     const auto reached = index(curves.reached[index(c)]);
@@ -114,6 +111,26 @@ void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, con
       const std::size_t first = k - std::min(k, close), last = std::min(reached - 1, k + close);
       support[k] = std::clamp(sum, 0.f, 1.f);
       b.seen[row + k] = !strip.isIgnored(row + k) && showsEdge(proximity, first, last + 1 - first);
+    }
+  }
+}
+
+double shownShare(const Boundary& b) {
+  double shown = 0, all = 0;
+  for (std::size_t i = 0; i < b.chance.size(); ++i) {
+    all += static_cast<double>(b.chance[i]);
+    if (b.seen[i] != 0) shown += static_cast<double>(b.chance[i]);
+  }
+  return all > 0 ? shown / all : 0;
+}
+
+void mixPrior(const GradientCurves& curves, std::span<const float> prior, double share, const EvidenceParams& params,
+              Boundary& b) {
+  const float even = kEvenShare * static_cast<float>(curves.levels), doubt = static_cast<float>(params.doubt);
+  const auto ofPrior = static_cast<float>(share), ofPicture = 1 - ofPrior;
+  for (std::size_t row = 0; row < b.chance.size(); row += prior.size()) {
+    for (std::size_t k = 0; k < prior.size(); ++k) {
+      b.costs[row + k] = -quickLog((ofPicture * b.chance[row + k] + ofPrior * prior[k]) * even + doubt);
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/ribs/base/rib_params.h"
@@ -29,6 +30,13 @@ struct Boundary {
   std::vector<float> costs;  ///< −log(chance + doubt), relative to an even spread over three sixteenths of the labels
   BoundaryScratch scratch;
 
+  /// Nothing is known of any of `count` entries.
+  void clear(std::size_t count) {
+    chance.assign(count, 0.f);
+    support.assign(count, 0.f);
+    seen.assign(count, 0);
+    costs.assign(count, 0.f);
+  }
   /// Whether an end at the entry stands on an edge of the picture: one is seen, and it is more likely the part's than
   /// not.
   [[nodiscard]] bool isOnEdge(std::size_t at) const { return seen[at] != 0 && support[at] >= 0.5f; }
@@ -42,5 +50,13 @@ void learnedScores(const RibNetwork& network, const GradientCurves& curves, cons
 /// Fills `boundary` from a strip sampled along `curves`. Without a network nearness to an edge has to do.
 void findBoundary(const GradientCurves& curves, const UnwrappedImage& strip, const RibNetwork* network,
                   const EvidenceParams& params, Boundary& boundary);
+
+/// The share of the probability that lies where the picture shows an edge, 0…1.
+double shownShare(const Boundary& boundary);
+
+/// Costs as if `share` of the probability of every curve were `prior`, a probability of each level. The others of
+/// `boundary` stay.
+void mixPrior(const GradientCurves& curves, std::span<const float> prior, double share, const EvidenceParams& params,
+              Boundary& boundary);
 
 }  // namespace spineloft::ribs

@@ -29,6 +29,7 @@ struct RibWorkspace::Search {
   GradientCurves curves;
   UnwrappedImage strip;
   Boundary boundary;
+  std::vector<float> prior;  // of every level: what is likely without a picture
   std::vector<float> costs;  // of every curve and level: those of `boundary`, weighed
   LengthProblem problem;
   LengthWorkspace workspace;
@@ -48,7 +49,8 @@ using Search = RibWorkspace::Search;
 /// Field, levels and curves.
 /// Errors: those of traceRibs.
 Status beginSearch(const Spine& spine, const PictureEvidence& picture, const RibParams& params, Search& s);
-/// After the unwrapped image was sampled: what the network says of every label, and its costs.
+/// After the unwrapped image was sampled: what the network says of every label, and its costs. As far as the likely
+/// ends are on no edge of the picture, a usual width for the length of the stroke counts instead.
 void findEvidence(Search& s);
 /// Fills the chain to be solved from `s.costs`.
 void fillProblem(Search& s);

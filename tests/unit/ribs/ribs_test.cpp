@@ -143,6 +143,23 @@ TEST_CASE("without a picture, and on blank paper, every end is guessed, a tenth 
   }
 }
 
+TEST_CASE("a little ink far from a line on paper does not say how wide the part is") {
+  constexpr double half = 25;
+  for (const PicturePoint ink : {PicturePoint{200, 50}, {90, 255}, {320, 60}, {30, 40}}) {
+    CAPTURE(ink.x);
+    const image::EdgeMap map = fixtures::mapOf(
+        kPicture, [&](PicturePoint p) { return std::max(std::abs(p.x - ink.x), std::abs(p.y - ink.y)) < 7; });
+    const RibSet set = trace({{75, 150}, {325, 150}}, map);
+    std::vector<double> wide;
+    for (const Rib& rib : inner(set)) {
+      for (const PicturePoint end : {rib.left, rib.right}) wide.push_back(distance(rib.center, end));
+    }
+    std::ranges::sort(wide);
+    CHECK(wide[wide.size() / 2] == doctest::Approx(half).epsilon(0.1));
+    CHECK(wide.back() < 2 * half);
+  }
+}
+
 TEST_CASE("the end fan goes round from the left rib to the right one, about half a width out") {
   const RibSet set = trace({{75, 150}, {325, 150}}, barMap());
   REQUIRE(set.endFan.points.size() >= 3);
