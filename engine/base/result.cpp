@@ -41,7 +41,7 @@ constexpr std::array kTexts = {
     ErrorText{Error::NotABone, "NotABone", "This part has no bone and no ribs. Choose one that was drawn with a line."},
     ErrorText{Error::NotARegion, "NotARegion",
               "This part was drawn with a bone. Choose a puff, a flat piece or a spun part."},
-    ErrorText{Error::NotAStack, "NotAStack", "This part was not drawn slice by slice. Choose one that was."},
+    ErrorText{Error::NotAStack, "NotAStack", "This part has no layers. Choose one that was drawn with Layers."},
     ErrorText{Error::NotAShape, "NotAShape", "This part is no shape. Choose a ball, a box or another shape."},
     ErrorText{Error::TooFewRibs, "TooFewRibs",
               "The part has fewer than two ribs. Draw a longer line through the object."},

@@ -34,7 +34,9 @@ void reverse(sections::Contour& contour) {
   std::reverse(contour.knot.begin(), contour.knot.end());
 }
 
-/// The curve as a polygon; it is drawn larger, for outlines of sections are coarser than solids of true size want them.
+}  // namespace
+
+// It is drawn larger, for outlines of sections are coarser than solids of true size want them.
 sections::Contour polygonOf(const Curve& curve) {
   constexpr double kEnlarged = 32;  // section units: the outline is within a ten-thousandth of half the size
   Box2 box;
@@ -54,6 +56,8 @@ sections::Contour polygonOf(const Curve& curve) {
   }
   return contour;
 }
+
+namespace {
 
 /// With fewer points where there are very many; corners stay.
 void simplify(sections::Contour& contour, double size) {
@@ -133,24 +137,6 @@ Result<std::vector<sections::SectionPiece>> readCurves(const Plane& plane, std::
   }
   sections::nest(pieces);
   return pieces;
-}
-
-Stand standOf(const Plane& plane, const std::optional<RailLine>& rail) {
-  Stand stand{{}, {1, 0, 0}, {0, 1, 0}};
-  if (plane.origin) {
-    stand.origin = *plane.origin;
-    stand.x = geometry::turned(plane.turn, stand.x);
-    stand.y = geometry::turned(plane.turn, stand.y);
-    return stand;
-  }
-  const geometry::Frame frame = rail->at(plane.at);
-  const auto inFrame = [&](ModelPoint v) {
-    return frame.across * v.x + frame.depth * v.y + cross(frame.across, frame.depth) * v.z;
-  };
-  stand.origin = frame.at;
-  stand.x = inFrame(geometry::turned(plane.turn, stand.x));
-  stand.y = inFrame(geometry::turned(plane.turn, stand.y));
-  return stand;
 }
 
 /// Middle of the curves of a sheet, by their areas.

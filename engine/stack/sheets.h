@@ -9,16 +9,9 @@
 #include "engine/sections/contour.h"
 #include "engine/stack/rail_line.h"
 #include "engine/stack/stack_params.h"
+#include "engine/stack/stand.h"
 
 namespace spineloft::stack {
-
-/// A place in space with two unit directions in a plane, square to each other.
-struct Stand {
-  ModelPoint origin, x, y;
-  ModelPoint normal() const { return cross(x, y); }
-  ModelPoint at(SectionPoint p) const { return origin + x * p.x + y * p.y; }
-  SectionPoint in(ModelPoint p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
-};
 
 /// One plane with curves. Its normal points along the way through the stack.
 struct Sheet {
@@ -37,6 +30,11 @@ struct Sheets {
   bool alongRail = false;
   bool closed() const { return alongRail && rail->closed(); }
 };
+
+/// Where a plane stands. Planes on the rail need one.
+Stand standOf(const Plane& plane, const std::optional<RailLine>& rail);
+/// A valid curve as a polygon; corners are its knots.
+sections::Contour polygonOf(const Curve& curve);
 
 /// Errors: StackInvalid, which names sheet and curve.
 Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail);

@@ -136,6 +136,8 @@ std::optional<std::vector<PartId>> meantParts(const CommandEnv& env, const Json&
 document::Look lookMeant(const CommandEnv& env, const std::vector<PartId>& parts);
 /// The look of the selected part, or of the next part when none is selected.
 document::Look currentLook(const CommandEnv& env);
+/// The camera goes there, at once where the visitor wants less motion.
+void fly(const CommandEnv& env, const Camera& to);
 /// Turns the camera so that it sees every part, from home or from where it looks.
 void flyTo(const CommandEnv& env, bool home);
 

@@ -11,6 +11,7 @@ std::span<const Command> generalCommands();       ///< board, parts, views: comm
 std::span<const Command> ribCommands();           ///< editing ribs, ignoring edges: rib_commands.cpp
 std::span<const Command> regionCommands();        ///< puffs and flat pieces: region_commands.cpp
 std::span<const Command> latheCommands();         ///< spun parts: lathe_commands.cpp
+std::span<const Command> layerCommands();         ///< parts drawn layer by layer: layer_commands.cpp
 std::span<const Command> shapeCommands();         ///< shapes, pictures that are sides: shape_commands.cpp
 std::span<const Command> cutCommands();           ///< cutting out of the picture: cut_commands.cpp
 std::span<const Command> outlineCommands();       ///< points of outlines by keys: outline_commands.cpp

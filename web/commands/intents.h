@@ -100,6 +100,23 @@ Outcome startCutOut(const CommandEnv& env, const vision::CutHints& hints, PartId
 /// Corrects what is being cut out.
 Outcome markCutOut(const CommandEnv& env, const std::vector<PicturePoint>& line, double radius);
 
+// ---- Layers ------------------------------------------------------------------------------------------------------
+
+/// Closed curves on the sheet at a place of a part made of layers, or, without one, of a new part on the picture in
+/// view: see web/edit/layers.h.
+struct DrawLayerIntent {
+  PartId part;
+  double at = 0;
+  std::vector<stack::Curve> curves;
+};
+Outcome drawLayer(const CommandEnv& env, const DrawLayerIntent& intent);
+/// The same of a freehand line.
+Outcome drawOnSheet(const CommandEnv& env, PartId part, double at, const std::vector<SectionPoint>& line);
+/// The sheet that is seen to a place.
+Outcome moveSheet(const CommandEnv& env, double at);
+/// The layer on the sheet that is seen to another place of the rail.
+Outcome moveLayer(const CommandEnv& env, double at);
+
 // ---- Paper and pictures ------------------------------------------------------------------------------------------
 
 Outcome drawOnSketch(const CommandEnv& env, const image::SketchStroke& stroke);

@@ -413,19 +413,24 @@ Outcome showPart(Env env, PartId id, bool visible) {
 
 Outcome setCaps(Env env, const Parts& parts, std::optional<sections::CapStyle> start,
                 std::optional<sections::CapStyle> end) {
-  const auto isLoft = [&](PartId id) {
+  const auto capsOfPart = [&](PartId id) {
     const document::Part* part = document::findPart(env.studio.document(), id);
-    return part != nullptr && document::loftOf(*part) != nullptr;
+    return part ? capsOf(*part) : std::nullopt;
   };
-  const auto lead = std::ranges::find_if(parts, isLoft);
+  const auto lead = std::ranges::find_if(parts, [&](PartId id) { return capsOfPart(id).has_value(); });
   if (lead == parts.end() && !parts.empty()) return noSpine(document::findPart(env.studio.document(), parts.front()));
-  const document::Part* part = lead == parts.end() ? nullptr : document::findPart(env.studio.document(), *lead);
-  env.ui.startCap = start.value_or(part ? document::loftIn(*part).loft.startCap : env.ui.startCap);
-  env.ui.endCap = end.value_or(part ? document::loftIn(*part).loft.endCap : env.ui.endCap);
+  const EndCaps now = lead == parts.end() ? EndCaps{env.ui.startCap, env.ui.endCap} : *capsOfPart(*lead);
+  env.ui.startCap = start.value_or(now.start);
+  env.ui.endCap = end.value_or(now.end);
   return setOnAll(env, parts, [&](const document::Part& each) -> std::optional<document::Action> {
-    const document::LoftRecipe* loft = document::loftOf(each);
-    if (loft == nullptr) return std::nullopt;
-    return document::SetCaps{each.id, start.value_or(loft->loft.startCap), end.value_or(loft->loft.endCap)};
+    const std::optional<EndCaps> own = capsOf(each);
+    if (!own) return std::nullopt;
+    const EndCaps caps{start.value_or(own->start), end.value_or(own->end)};
+    if (document::loftOf(each) != nullptr) return document::SetCaps{each.id, caps.start, caps.end};
+    stack::StackParams params = document::stackOf(each)->stack;
+    params.startCap = caps.start;
+    params.endCap = caps.end;
+    return document::ShapeStack{each.id, params};
   });
 }
 

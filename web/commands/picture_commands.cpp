@@ -60,9 +60,13 @@ Outcome nudge(Env env, ClientPoint by) {
 }  // namespace
 
 void flyTo(const CommandEnv& env, bool home) {
-  UiState& ui = env.ui;
   Camera to = cameraFor(env, boundsFor(env, nullptr), home);
-  if (ui.beside) to = cameraFor(env, boundsFor(env, &to), home);
+  if (env.ui.beside) to = cameraFor(env, boundsFor(env, &to), home);
+  fly(env, to);
+}
+
+void fly(const CommandEnv& env, const Camera& to) {
+  UiState& ui = env.ui;
   if (env.host.reducedMotion() || ui.layout.solid.width < 1) {
     ui.camera = to;
     ui.flight.reset();

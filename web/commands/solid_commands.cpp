@@ -465,12 +465,7 @@ Outcome showFailure(Env env, StepId id) {
   Camera to = env.ui.camera;
   to.target = *at->at;
   env.ui.cameraTouched = true;
-  if (env.host.reducedMotion()) {
-    env.ui.camera = to;
-    env.ui.flight.reset();
-  } else {
-    env.ui.flight = CameraFlight{env.ui.camera, to, env.host.nowMs()};
-  }
+  fly(env, to);
   return {};
 }
 

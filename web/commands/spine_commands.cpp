@@ -202,12 +202,7 @@ Outcome sideView(Env env, const Json& args) {
   ui.tool = ToolKind::Spine;
   ui.selection = subject.part->id;
   ui.cameraTouched = true;
-  if (env.host.reducedMotion()) {
-    ui.camera = to;
-    ui.flight.reset();
-  } else {
-    ui.flight = CameraFlight{ui.camera, to, env.host.nowMs()};
-  }
+  fly(env, to);
   return {};
 }
 

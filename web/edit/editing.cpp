@@ -191,4 +191,11 @@ int markAt(const Marks& marks, PicturePoint p, double reach) {
   return -1;
 }
 
+std::optional<EndCaps> capsOf(const document::Part& part) {
+  if (const auto* loft = document::loftOf(part)) return EndCaps{loft->loft.startCap, loft->loft.endCap};
+  const auto* layers = document::stackOf(part);
+  if (layers == nullptr || layers->rail.closed) return std::nullopt;
+  return EndCaps{layers->stack.startCap, layers->stack.endCap};
+}
+
 }  // namespace spineloft::app

@@ -69,4 +69,10 @@ Marks marksOf(const document::Document& document, PictureId picture, PartId part
 /// The scribble under a point, the last one first; −1 elsewhere.
 int markAt(const Marks& marks, PicturePoint p, double reach);
 
+/// How the ends of a part are finished, where it has ends: a loft, or layers on a rail that is open or on none.
+struct EndCaps {
+  sections::CapStyle start = sections::CapStyle::Flat, end = sections::CapStyle::Flat;
+};
+std::optional<EndCaps> capsOf(const document::Part& part);
+
 }  // namespace spineloft::app

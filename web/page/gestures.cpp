@@ -7,6 +7,7 @@
 #include "web/tools/pick.h"
 #include "web/tools/pinch.h"
 #include "web/tools/section_tools.h"
+#include "web/tools/sheet_tool.h"
 #include "web/tools/tools.h"
 #include "web/tools/turn_solid.h"
 
@@ -223,6 +224,7 @@ void Gestures::wheel(const platform::WheelEvent& event, const tools::ToolEnv& en
     again(env);
     return;
   }
+  if (place == Place::Solid && !pinch && !sideways && !shift && tools::wheelSheet(env, at, event.deltaY)) return;
   if (place == Place::Picture) {
     if (shift || sideways) {
       app::panPicture(env.ui.pictureView, tools::shownPicture(env), env.ui.layout.picture, by);

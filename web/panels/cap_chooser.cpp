@@ -4,8 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "engine/loft/loft.h"
+#include "engine/sections/ends.h"
 #include "web/commands/intents.h"
+#include "web/edit/editing.h"
 #include "web/edit/placing.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -81,8 +82,8 @@ void row(const PanelEnv& env, bool atStart, sections::CapStyle chosen, float wid
 
 void capChooser(const PanelEnv& env, float width) {
   const document::Part* part = env.selected();
-  const sections::CapStyle start = part ? document::loftIn(*part).loft.startCap : env.ui().startCap;
-  const sections::CapStyle end = part ? document::loftIn(*part).loft.endCap : env.ui().endCap;
+  const auto own = part ? app::capsOf(*part) : std::nullopt;
+  const auto [start, end] = own.value_or(app::EndCaps{env.ui().startCap, env.ui().endCap});
   if (env.ui().layout.strip) {
     const float half = (width - 24) / 2;
     if (half < 240) {

@@ -56,6 +56,9 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
                                     {"edge-sharp", true},
                                     {"edge-bevel", true},
                                     {"edge-round", true}};
+  static constexpr Item kLayers[] = {{"layer-up", true},     {"layer-down", true}, {"layer-circle", true},
+                                     {"layer-square", true}, {"layer-copy", true}, {"layer-face"},
+                                     {"layer-remove"}};
   static constexpr Item kHollow[] = {{"hollow-use", true}, {"hollow-cancel", true}, {"hollow-next", true}};
   static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
   static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
@@ -69,6 +72,8 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
       return ui.cut ? std::span<const Item>(kCut) : kSheet;
     case app::ToolKind::Place:
       return kPlace;
+    case app::ToolKind::Layers:
+      return kLayers;
     case app::ToolKind::Ribs:
       return kRibs;
     case app::ToolKind::Shape:
@@ -246,7 +251,7 @@ void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, co
 void drawEditBar(const PanelEnv& env) {
   const std::span<const Item> items = itemsOf(env);
   // What works in the solid view.
-  const bool places = env.ui().tool == app::ToolKind::Place || env.ui().solids.hollow;
+  const bool places = app::worksInSolid(env.ui().tool) || env.ui().solids.hollow;
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = places ? layout.solid : layout.picture;
   env.ui().barHead = 0;
@@ -281,6 +286,7 @@ void drawEditBar(const PanelEnv& env) {
   barMenu(env, app::BarMenu::Edit, split.bar, card, colour);
   coilCard(env, card);
   sidesCard(env, card);
+  sheetCard(env, card);
 }
 
 }  // namespace spineloft::panels

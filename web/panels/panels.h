@@ -28,9 +28,11 @@ struct PanelEnv {
 void draw(const PanelEnv& env);
 
 // Its pieces.
-void drawPictureOverlay(const PanelEnv& env);    ///< spines, ribs, outlines
-void drawSolidOverlay(const PanelEnv& env);      ///< the spine with the handles of its depth
-void drawFailureInPicture(const PanelEnv& env);  ///< where a solid could not be made
+void drawPictureOverlay(const PanelEnv& env);  ///< spines, ribs, outlines
+void drawSolidOverlay(const PanelEnv& env);    ///< the spine with the handles of its depth, the sheet for layers
+void drawSheet(const PanelEnv& env);           ///< the sheet, with the curves of the layers
+void sheetCard(const PanelEnv& env, const app::Rect& above);  ///< where the sheet is, as sliders, below the edit bar
+void drawFailureInPicture(const PanelEnv& env);               ///< where a solid could not be made
 void drawFailureInSolid(const PanelEnv& env);
 void drawHollowOverlay(const PanelEnv& env);   ///< where what is scooped out would open
 void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand

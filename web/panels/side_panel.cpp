@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "web/edit/editing.h"
 #include "web/edit/placing.h"
 #include "web/panels/short_list.h"
 #include "web/panels/theme.h"
@@ -66,7 +67,7 @@ const document::Part* selectedRegion(const PanelEnv& env) {
 
 const char* titleOf(const document::Part& region) {
   if (document::latheOf(region)) return "Spin";
-  if (document::stackOf(region)) return "Slice by slice";
+  if (document::stackOf(region)) return "Layers";
   if (document::shapeOf(region)) return "Shape";
   return document::inflateOf(region) ? "Puff" : "Flat piece";
 }
@@ -77,12 +78,13 @@ bool isOffered(const PanelEnv& env, app::PanelTab tab) {
   return !env.document().parts.empty() && tab != app::PanelTab::Along && tab != app::PanelTab::Place;
 }
 
-/// A part without a spine has nothing along it and no ends.
+/// A part without a spine has nothing along it, and mostly no ends.
 ShortList<Tab> tabsFor(const PanelEnv& env, const document::Part* region) {
   ShortList<Tab> shown;
   for (Tab tab : kTabs) {
     if (!isOffered(env, tab.tab)) continue;
-    if (region && (tab.tab == app::PanelTab::Along || tab.tab == app::PanelTab::Ends)) continue;
+    if (region && tab.tab == app::PanelTab::Along) continue;
+    if (region && tab.tab == app::PanelTab::Ends && !app::capsOf(*region)) continue;
     if (region && tab.tab == app::PanelTab::Section) tab.label = titleOf(*region);
     shown.push_back(tab);
   }
@@ -103,6 +105,9 @@ void column(const PanelEnv& env) {
   if (const document::Part* region = selectedRegion(env)) {
     if (section(env, app::PanelTab::Section, "slice", forParts(env, titleOf(*region))))
       regionPanel(env, *region, width);
+    if (app::capsOf(*region) && section(env, app::PanelTab::Ends, "ends", forParts(env, "Ends"))) {
+      capChooser(env, width);
+    }
   } else {
     const Text title = env.selected() ? forParts(env, "Slice") : "Slice of the next part";
     if (section(env, app::PanelTab::Section, "slice", title)) {
@@ -159,7 +164,8 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   ImGui::BeginChild("content", {width, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
   const float inside = ImGui::GetContentRegionAvail().x;  // a scroll bar takes some
   const document::Part* region = selectedRegion(env);
-  const bool boneOnly = env.ui().tab == app::PanelTab::Along || env.ui().tab == app::PanelTab::Ends;
+  const bool ends = env.ui().tab == app::PanelTab::Ends && (!region || app::capsOf(*region));
+  const bool boneOnly = env.ui().tab == app::PanelTab::Along || (env.ui().tab == app::PanelTab::Ends && !ends);
   const app::PanelTab wanted = region && boneOnly ? app::PanelTab::Section : env.ui().tab;
   const bool there = isOffered(env, wanted);
   const app::PanelTab first = isOffered(env, app::PanelTab::Section) ? app::PanelTab::Section : app::PanelTab::Parts;

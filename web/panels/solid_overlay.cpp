@@ -1,4 +1,4 @@
-// What is drawn over the solid: the spine of the selected part with the handles of its depth.
+// What is drawn over the solid: the spine of the selected part with the handles of its depth, and the sheet for layers.
 #include <imgui.h>
 
 #include <vector>
@@ -48,6 +48,7 @@ void drawHandle(ImDrawList& list, ImVec2 at, bool hot, bool chosen) {
 
 void drawSolidOverlay(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
+  drawSheet(env);
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);
   if (ui.tool != app::ToolKind::Spine || !subject || !subject.part->visible) return;
   const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(*subject.part));

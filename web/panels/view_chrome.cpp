@@ -265,8 +265,13 @@ void drawHints(const PanelEnv& env) {
     pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
          {"Tap where it is to open", kAccent, kOnAccent});
   }
+  const bool layers = env.ui().tool == app::ToolKind::Layers;
+  if (layers && !layout.stacked && env.document().parts.empty() && !drawing) {
+    pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
+         {"Draw a closed line on the sheet", kAccent, kOnAccent});
+  }
   // What is to come, while there is nothing to see yet.
-  if (env.document().parts.empty() && !drawing) {
+  if (env.document().parts.empty() && !drawing && !layers) {
     pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot,
          {"Your solid appears here", faded(kSurface, 0), kMuted});
   }
@@ -282,12 +287,12 @@ void drawViewChrome(const PanelEnv& env) {
   splitter(layout);
   const bool onPicture = env.ui().focus == app::Focus::Picture;
   const app::ToolKind tool = env.ui().tool;
-  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand || tool == app::ToolKind::Place;
+  const bool plain = tool == app::ToolKind::Draw || tool == app::ToolKind::Hand || app::worksInSolid(tool);
   const double shift = env.ui().barLeft;
   const app::Rect beside{layout.picture.x + shift, layout.picture.y, layout.picture.width - shift,
                          layout.picture.height};
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
-  const bool barInSolid = tool == app::ToolKind::Place && !env.ui().solids.hollow;
+  const bool barInSolid = app::worksInSolid(tool) && !env.ui().solids.hollow;
   if (!barInSolid || !layout.stacked) {
     const std::string size = app::roundLength(env.document().height.value);
     const Text solid = env.document().parts.empty() || barInSolid  // which shares the row
@@ -296,12 +301,12 @@ void drawViewChrome(const PanelEnv& env) {
     chip(env, layout.solid, solid, !onPicture);
   }
   // The most used first. Fingers pinch: they need no zoom buttons.
-  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "spin", "hand", "fit"};
+  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "spin", "layers", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
-  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs", "bone",         "sheet",
-                                            "shape", "spin", "hand", "ignore-edges", "fit"};
-  constexpr app::CommandId kPictureAll[] = {"draw",  "puff", "sheet",        "spin", "hand",     "ribs",
+  constexpr app::CommandId kPictureFew[] = {"draw", "puff",   "ribs", "bone",         "sheet", "shape",
+                                            "spin", "layers", "hand", "ignore-edges", "fit"};
+  constexpr app::CommandId kPictureAll[] = {"draw",  "puff", "sheet",        "spin", "layers",   "hand",   "ribs",
                                             "shape", "bone", "ignore-edges", "fit",  "zoom-out", "zoom-in"};
   constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
   constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};

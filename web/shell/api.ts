@@ -234,10 +234,22 @@ export interface State {
   selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin' */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers' */
   tool: string;
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
+  /**
+   * The sheet of the tool 'layers': its place (a share of the rail; without a rail the number of a layer), half its side in picture pixels, the layer that it lies on, the layers of its part, and where its corners ([-half, -half] first) and its knob
+   * are on the canvas, CSS pixels.
+   */
+  sheet: {
+    at: number;
+    half: number;
+    layer: number | null;
+    layers: { at: number; curves: number }[];
+    corners: ([number, number] | null)[];
+    knob: [number, number] | null;
+  } | null;
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */

@@ -11,6 +11,7 @@
 #include "web/edit/region_editing.h"
 #include "web/edit/section_editing.h"
 #include "web/edit/spinning.h"
+#include "web/tools/sheet_tool.h"
 
 namespace spineloft::tools {
 namespace {
@@ -141,6 +142,7 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   if (const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document, env.derived, ui)) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
   }
+  hover.sheet = holdAt(env, event);
   const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
   hover.part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   return hover;
@@ -151,6 +153,8 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
   const app::Hover& hover = ui.hover;
   if (view == app::Focus::Solid) {
     if (ui.solids.pointing || ui.solids.hollow) return hover.part ? "crosshair" : "grab";
+    if (hover.sheet == app::SheetHold::Knob) return "ns-resize";
+    if (hover.sheet == app::SheetHold::Sheet) return "crosshair";
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.depth >= 0) return "ns-resize";
     return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";

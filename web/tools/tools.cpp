@@ -8,6 +8,7 @@
 #include "web/tools/region_tool.h"
 #include "web/tools/rib_tool.h"
 #include "web/tools/shape_tool.h"
+#include "web/tools/sheet_tool.h"
 #include "web/tools/sketch_pen.h"
 #include "web/tools/spine_tool.h"
 #include "web/tools/turn_solid.h"
@@ -35,7 +36,8 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
     case ToolKind::Eraser:
       return std::make_unique<SketchPen>(kind == ToolKind::Eraser);
     case ToolKind::Hand:
-    case ToolKind::Place:  // which works in the solid view
+    case ToolKind::Place:  // which work in the solid view
+    case ToolKind::Layers:
     case ToolKind::kCount:
       break;
   }
@@ -46,6 +48,7 @@ std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInSolid(env, event);
   if (under.depth >= 0) return std::make_unique<DepthTool>();
   if (env.ui.solids.pointing || env.ui.solids.hollow) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
+  if (under.sheet != SheetHold::Nothing) return std::make_unique<SheetTool>();
   const bool held = under.gizmo != app::GizmoHandle::None || under.part;
   if (env.ui.tool == app::ToolKind::Place && held) return std::make_unique<PlaceTool>();
   return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);

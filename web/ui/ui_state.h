@@ -44,14 +44,18 @@ enum class ToolKind : std::uint8_t {
   Eraser,   ///< paper again
   Place,    ///< moves, turns and scales parts in the solid view
   Spin,     ///< a line beside an axis: it is turned about it
+  Layers,   ///< closed lines on a sheet in the solid view, one above the other
   kCount
 };
-/// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin".
+/// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin",
+/// "layers".
 std::string_view toolKey(ToolKind tool);
 /// What it draws is a part that is made of a region.
 constexpr bool drawsRegions(ToolKind tool) {
   return tool == ToolKind::Inflate || tool == ToolKind::Extrude || tool == ToolKind::Spin;
 }
+/// It is used in the solid view.
+constexpr bool worksInSolid(ToolKind tool) { return tool == ToolKind::Place || tool == ToolKind::Layers; }
 /// It can cut a thing out of the picture.
 constexpr bool cutsOut(ToolKind tool) { return tool == ToolKind::Inflate || tool == ToolKind::Extrude; }
 enum class Focus : std::uint8_t { Picture, Solid };
@@ -146,6 +150,9 @@ enum class GizmoHandle : std::uint8_t {
   Scale,
 };
 
+/// What is under the pointer of the sheet for layers.
+enum class SheetHold : std::uint8_t { Nothing, Knob, Sheet };
+
 /// What lies under the pointer: lit in the views, and what a press would act on.
 struct Hover {
   PartId part;                      ///< in either view
@@ -157,9 +164,10 @@ struct Hover {
   int mark = -1;                    ///< a scribble (see marksOf)
   GizmoHandle gizmo = GizmoHandle::None;
   std::optional<OutlinePoint> outline;  ///< of the selected part that is made of a region
-  int axis = -1;                        ///< an end of the axis that is shown, 0 or 1
-  std::optional<double> along;          ///< a place of the selected part's spine: at it, or in a graph
-  std::optional<ClientPoint> brush;     ///< where an eraser or a scribble would begin
+  SheetHold sheet = SheetHold::Nothing;
+  int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
+  std::optional<double> along;       ///< a place of the selected part's spine: at it, or in a graph
+  std::optional<ClientPoint> brush;  ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
 };
 
@@ -246,6 +254,14 @@ struct Flash {
   std::optional<double> sinceMs = {};  ///< none: it is not there yet
 };
 
+/// Where the sheet of the tool Layers is (see web/edit/layers.h), and what a hand does with it.
+struct LayerUi {
+  PartId part;                          ///< whose sheet it is; none: of the next part
+  std::optional<double> at = {};        ///< none: where sheets begin
+  std::vector<SectionPoint> line = {};  ///< that is being drawn on it
+  bool held = false;                    ///< by its knob
+};
+
 /// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.
 struct SolidUi {
   StepId step;            ///< the chosen solid
@@ -322,6 +338,7 @@ struct UiState {
   std::uint64_t previewShapes = 0;  ///< counts the shapes of all previews
   SectionUi sections;
   SolidUi solids;
+  LayerUi layers;
   std::optional<NewPart> newPart;  ///< where it was drawn over others
   bool allTools = true;            ///< else the views have those of a first visit
   bool moreNumbers = false;        ///< panels show the numbers that few need

@@ -73,7 +73,7 @@ struct Desk {
     ui.selection = chance() ? PartId{} : anyPart(rng);
     ui.focus = chance() ? app::Focus::Solid : app::Focus::Picture;
     using enum app::ToolKind;
-    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen}[rng.below(6)];
+    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers}[rng.below(7)];
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;

@@ -1,0 +1,40 @@
+#include "engine/stack/stand.h"
+
+#include "engine/stack/rail_line.h"
+#include "engine/stack/sheets.h"
+
+namespace spineloft::stack {
+
+Stand standOf(const Plane& plane, const std::optional<RailLine>& rail) {
+  Stand stand{{}, {1, 0, 0}, {0, 1, 0}};
+  if (plane.origin) {
+    stand.origin = *plane.origin;
+    stand.x = geometry::turned(plane.turn, stand.x);
+    stand.y = geometry::turned(plane.turn, stand.y);
+    return stand;
+  }
+  const geometry::Frame frame = rail->at(plane.at);
+  const auto inFrame = [&](ModelPoint v) {
+    return frame.across * v.x + frame.depth * v.y + cross(frame.across, frame.depth) * v.z;
+  };
+  stand.origin = frame.at;
+  stand.x = inFrame(geometry::turned(plane.turn, stand.x));
+  stand.y = inFrame(geometry::turned(plane.turn, stand.y));
+  return stand;
+}
+
+Result<Stand> standOf(const Plane& plane, const Rail& rail) {
+  if (plane.origin) return standOf(plane, std::optional<RailLine>());
+  const Result<RailLine> line = RailLine::of(rail);
+  if (!line) return line.failure();
+  return standOf(plane, std::optional(line.value()));
+}
+
+double lengthOf(const Rail& rail) {
+  const Result<RailLine> line = RailLine::of(rail);
+  return line ? line.value().length() : 0;
+}
+
+std::vector<SectionPoint> outlineOf(const Curve& curve) { return polygonOf(curve).points; }
+
+}  // namespace spineloft::stack

@@ -1,0 +1,110 @@
+// Parts drawn layer by layer, by real pointers. What else the tool does is said by tests/unit/web/layers_test.cpp.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { onCanvas, strokeAlong } from './support/hands.mjs';
+import { exported, idle, kPhone, onPage, run, state, useSite } from './support/page.mjs';
+
+const kit = useSite();
+
+async function paper(page) {
+  await page.getByRole('button', { name: 'Draw on paper' }).click();
+  await idle(page);
+  await run(page, 'more-tools', { on: true });
+  await run(page, 'layers');
+  await idle(page);
+}
+
+/** Client positions of points of the sheet, of which [-1, -1] … [1, 1] are its corners: their images are projective. */
+async function onSheet(page, points) {
+  const { corners } = (await state(page)).sheet;
+  const [a, b, c, d] = await onCanvas(page, ...corners);
+  const minus = (p, q) => ({ x: p.x - q.x, y: p.y - q.y });
+  const [e, f, g] = [minus({ x: a.x + c.x, y: a.y + c.y }, { x: b.x + d.x, y: b.y + d.y }), minus(b, c), minus(d, c)];
+  const det = f.x * g.y - g.x * f.y;
+  const [p, q] = [(e.x * g.y - g.x * e.y) / det, (f.x * e.y - e.x * f.y) / det];
+  return points.map(([x, y]) => {
+    const [u, v] = [(x + 1) / 2, (y + 1) / 2];
+    const w = p * u + q * v + 1;
+    const along = (k) => (a[k] + (b[k] * (1 + p) - a[k]) * u + (d[k] * (1 + q) - a[k]) * v) / w;
+    return { x: along('x'), y: along('y') };
+  });
+}
+
+const circle = (x, y, radius, count = 16) =>
+  Array.from({ length: count + 1 }, (_, i) => {
+    const angle = (2 * Math.PI * i) / count;
+    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+  });
+
+const draw = async (page, device, points) => strokeAlong(page, device, await onSheet(page, points));
+
+/** Drags the sheet's knob up by CSS pixels. */
+async function lift(page, device, by) {
+  const [knob] = await onCanvas(page, (await state(page)).sheet.knob);
+  const path = [0, 0.3, 0.7, 1].map((t) => ({ x: knob.x, y: knob.y - t * by }));
+  await strokeAlong(page, device, path);
+}
+
+for (const device of ['mouse', 'finger', 'pen']) {
+  test(`a branch that forks takes four gestures: by ${device}`, () =>
+    onPage(kit, { hasTouch: true }, async (page) => {
+      await paper(page);
+      await draw(page, device, circle(0, 0, 0.4));
+      let now = await state(page);
+      assert.equal(now.parts.length, 1);
+      assert.equal(now.parts[0].kind, 'stack');
+      await lift(page, device, 170);
+      now = await state(page);
+      assert.ok(now.sheet.at > 0.3, `${now.sheet.at}`);
+      await draw(page, device, circle(-0.5, 0, 0.3));
+      await draw(page, device, circle(0.5, 0, 0.3));
+      now = await state(page);
+      assert.deepEqual(
+        now.sheet.layers.map((layer) => layer.curves),
+        [1, 2],
+      );
+      assert.equal(now.parts[0].failure, null);
+      assert.equal(now.undo, 4); // the paper, and three lines
+      assert.ok((await exported(page, 'stl')).length > 50000);
+    }));
+}
+
+test('a hand on a phone takes twelve gestures', () =>
+  onPage(kit, kPhone, async (page) => {
+    await paper(page);
+    await run(page, 'focus-solid');
+    await draw(page, 'finger', circle(0, 0, 0.35));
+    await lift(page, 'finger', 60);
+    await draw(page, 'finger', circle(0, 0, 0.62));
+    await lift(page, 'finger', 60);
+    for (let i = 0; i < 4; ++i) await draw(page, 'finger', circle(-0.6 + 0.4 * i, 0, 0.15, 8));
+    const now = await state(page);
+    assert.deepEqual(
+      now.sheet.layers.map((layer) => layer.curves),
+      [1, 1, 4],
+    );
+    assert.equal(now.parts[0].failure, null);
+  }));
+
+test('by keyboard alone: the tool, a circle, the sheet up, another circle', () =>
+  onPage(kit, {}, async (page) => {
+    await paper(page);
+    await run(page, 'draw');
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('q');
+    await idle(page);
+    assert.ok((await state(page)).sheet);
+    const search = async (words) => {
+      await page.keyboard.press('/');
+      await page.keyboard.type(words);
+      await page.keyboard.press('Enter');
+      await idle(page);
+    };
+    await search('Circle on the sheet');
+    await page.locator('#canvas').focus();
+    for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowUp');
+    await search('Square on the sheet');
+    const now = await state(page);
+    assert.equal(now.sheet.layers.length, 2);
+    assert.equal(now.parts[0].failure, null);
+  }));

@@ -1,0 +1,251 @@
+// The tool Layers: a sheet in the solid view, and parts drawn on it layer by layer.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "engine/geometry/polygon.h"
+#include "engine/io/share_text.h"
+#include "engine/mesh/laws.h"
+#include "tests/unit/web/rig.h"
+#include "web/edit/layers.h"
+
+using namespace spineloft;
+using test::Rig;
+
+namespace {
+
+bool works(Rig& rig, std::string_view id, const std::string& args = {}) {
+  const bool ok = rig.run(id, args).flag("ok") == true;
+  rig.settle();
+  return ok;
+}
+
+/// The document, from the text of a link.
+document::Document shown(Rig& rig) {
+  const app::Json answer = *app::Json::parse(rig.app->shareText("{}"));
+  REQUIRE(answer.text("text") != nullptr);
+  return io::readShareText(*answer.text("text")).value();
+}
+document::StackRecipe layersOf(Rig& rig) {
+  const document::Document document = shown(rig);
+  REQUIRE_FALSE(document.parts.empty());
+  REQUIRE(document::stackOf(*document.parts.back()) != nullptr);
+  return *document::stackOf(*document.parts.back());
+}
+
+/// A page with a sheet of paper and the tool in hand.
+struct Paper : Rig {
+  explicit Paper(platform::CanvasSize size = {1200, 700, 1}) : Rig(size) {
+    REQUIRE(works(*this, "new-sketch", R"({"width": 400, "height": 300})"));
+    REQUIRE(works(*this, "layers"));
+  }
+
+  app::Json sheet() { return *state().find("sheet"); }
+  /// A point of the sheet on the canvas, from what state() says of it.
+  app::ClientPoint onCanvas(double x, double y) {
+    const app::Json now = sheet();
+    const auto corner = [&](std::size_t i) {
+      const app::Json::Array& p = *(*now.find("corners")->array())[i].array();
+      return app::ClientPoint{*p[0].number(), *p[1].number()};
+    };
+    // Projective: the sheet's corners are the images of those of the square [-1, 1]².
+    const app::ClientPoint a = corner(0), b = corner(1), c = corner(2), d = corner(3);
+    const app::ClientPoint e = a - b + c - d, f = b - c, g = d - c;
+    const double det = f.x * g.y - g.x * f.y;
+    const double p = (e.x * g.y - g.x * e.y) / det, q = (f.x * e.y - e.x * f.y) / det;
+    const double u = (x + 1) / 2, v = (y + 1) / 2, w = p * u + q * v + 1;
+    return (a + (b - a + b * p) * u + (d - a + d * q) * v) / w;
+  }
+  /// A round line on the sheet, in shares of its half side.
+  void circle(double x, double y, double radius, platform::Device device = {}) {
+    using platform::PointerKind;
+    for (int i = 0; i <= 60; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 60;
+      const app::ClientPoint at = onCanvas(x + radius * std::cos(angle), y + radius * std::sin(angle));
+      pointer(i == 0 ? PointerKind::Down : PointerKind::Move, at.x, at.y, device);
+      lastX = at.x;
+      lastY = at.y;
+      if (i % 20 == 1) settle();  // frames are drawn meanwhile
+    }
+    lift(device);
+    settle();
+  }
+  double sheetAt() { return *sheet().number("at"); }
+};
+
+}  // namespace
+
+TEST_CASE("one closed line on the sheet is a solid along the whole rail, of the size that was drawn") {
+  Paper rig;
+  rig.circle(0, 0, 0.5);
+  REQUIRE(rig.parts() == 1);
+  const document::StackRecipe recipe = layersOf(rig);
+  REQUIRE(recipe.planes.size() == 1);
+  CHECK(recipe.planes[0].at == 0);
+  const double half = *rig.sheet().number("half");
+  const auto outline = stack::outlineOf(recipe.planes[0].curves.at(0));
+  for (const SectionPoint p : outline) CHECK(norm(p) == doctest::Approx(half / 2).epsilon(0.04));
+  REQUIRE(works(rig, "undo"));
+  CHECK(rig.parts() == 0);
+  REQUIRE(works(rig, "redo"));
+  CHECK(layersOf(rig) == recipe);
+}
+
+TEST_CASE("a Y takes four gestures: a circle, the sheet lifted, two circles beside each other") {
+  for (const auto device : {platform::Device::Mouse, platform::Device::Touch, platform::Device::Pen}) {
+    Paper rig;
+    rig.circle(0, 0, 0.4, device);
+    REQUIRE(rig.parts() == 1);
+    const app::Json::Array knob = *rig.sheet().find("knob")->array();
+    const double x = *knob[0].number(), y = *knob[1].number();
+    rig.pointer(platform::PointerKind::Down, x, y, device);
+    for (int i = 1; i <= 10; ++i) rig.pointer(platform::PointerKind::Move, x, y - 16 * i, device);
+    rig.pointer(platform::PointerKind::Up, x, y - 160, device);
+    rig.settle();
+    CHECK(rig.sheetAt() > 0.3);
+    CHECK(layersOf(rig).planes.size() == 1);  // the sheet is no layer
+    rig.circle(-0.5, 0, 0.25, device);
+    rig.circle(0.5, 0, 0.25, device);
+    const document::StackRecipe recipe = layersOf(rig);
+    REQUIRE(recipe.planes.size() == 2);
+    CHECK(recipe.planes[1].curves.size() == 2);
+    CHECK(rig.parts() == 1);
+    const auto made = pipeline::stackStage(recipe, {400, 300});
+    REQUIRE(made.ok());
+    CHECK(mesh::inspect(made.value().mesh).valid());
+  }
+}
+
+TEST_CASE("the wheel above the sheet moves it, beside the sheet it zooms; a drag beside it turns the view") {
+  Paper rig;
+  rig.circle(0, 0, 0.5);
+  const app::ClientPoint middle = rig.onCanvas(0, 0);
+  const double before = rig.sheetAt();
+  rig.app->wheel({middle.x, middle.y, 0, -300, 0});
+  rig.settle();
+  CHECK(rig.sheetAt() > before + 0.05);
+  // In the corner of the solid view, above its buttons.
+  const double x = rig.onCanvas(0, 0).x, y = 690;
+  const double at = rig.sheetAt();
+  rig.app->wheel({x, y, 0, -300, 0});
+  rig.settle();
+  CHECK(rig.sheetAt() == at);
+  CHECK(layersOf(rig).planes.size() == 1);
+}
+
+TEST_CASE("by keys and buttons alone: a circle, the sheet up, a square, a copy above it, and one layer less") {
+  Paper rig;
+  REQUIRE(works(rig, "layer-circle"));
+  for (int i = 0; i < 5; ++i) REQUIRE(rig.key("ArrowUp", "ArrowUp"));
+  CHECK(rig.sheetAt() == doctest::Approx(0.5));
+  REQUIRE(rig.key("ArrowDown", "ArrowDown", platform::kShift));
+  CHECK(rig.sheetAt() == doctest::Approx(0.48));
+  REQUIRE(works(rig, "layer-square"));
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 1})"));
+  REQUIRE(works(rig, "layer-copy"));
+  document::StackRecipe recipe = layersOf(rig);
+  REQUIRE(recipe.planes.size() == 3);
+  CHECK(recipe.planes[2].curves == recipe.planes[1].curves);
+  CHECK(recipe.planes[1].curves[0].corners.all);
+  // A circle and a square hold the same.
+  const auto area = [](const stack::Curve& curve) {
+    const auto outline = stack::outlineOf(curve);
+    return std::abs(geometry::signedArea(std::span<const SectionPoint>(outline)));
+  };
+  CHECK(area(recipe.planes[1].curves[0]) == doctest::Approx(area(recipe.planes[0].curves[0])).epsilon(0.01));
+  REQUIRE(works(rig, "layer-remove"));
+  recipe = layersOf(rig);
+  CHECK(recipe.planes.size() == 2);
+  // With its last layer the part goes.
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0})"));
+  REQUIRE(works(rig, "layer-remove"));
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.48})"));
+  REQUIRE(works(rig, "layer-remove"));
+  CHECK(rig.parts() == 0);
+}
+
+TEST_CASE("a line that crosses a curve of its layer takes its place; one within it is a hole, one beside it a branch") {
+  Paper rig;
+  rig.circle(0, 0, 0.5);
+  rig.circle(0.1, 0, 0.5);
+  CHECK(layersOf(rig).planes[0].curves.size() == 1);
+  rig.circle(0.1, 0, 0.2);
+  CHECK(layersOf(rig).planes[0].curves.size() == 2);
+  rig.circle(-0.75, -0.75, 0.15);
+  CHECK(layersOf(rig).planes[0].curves.size() == 3);
+}
+
+TEST_CASE("a sheet beyond the end makes the rail longer, and layers stay where they are") {
+  Paper rig;
+  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.5})"));
+  REQUIRE(works(rig, "layer-circle"));
+  const stack::Rail before = layersOf(rig).rail;
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 1.6})"));
+  REQUIRE(works(rig, "layer-circle"));
+  const document::StackRecipe after = layersOf(rig);
+  CHECK(stack::lengthOf(after.rail) == doctest::Approx(1.6 * stack::lengthOf(before)));
+  REQUIRE(after.planes.size() == 3);
+  CHECK(after.planes[1].at * stack::lengthOf(after.rail) ==
+        doctest::Approx(0.5 * stack::lengthOf(before)).epsilon(1e-3));
+  CHECK(after.planes[2].at == 1);
+  CHECK(rig.sheetAt() == 1);
+}
+
+TEST_CASE("a layer is moved between its neighbours and never beyond them") {
+  Paper rig;
+  for (const char* at : {"0", "0.5", "1"}) {
+    REQUIRE(works(rig, "layer-sheet", std::string(R"({"at": )") + at + "}"));
+    REQUIRE(works(rig, "layer-circle"));
+  }
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.5})"));
+  REQUIRE(works(rig, "layer-move", R"({"to": 0.7})"));
+  CHECK(layersOf(rig).planes[1].at == doctest::Approx(0.7).epsilon(1e-3));
+  CHECK(rig.sheetAt() == doctest::Approx(0.7).epsilon(1e-3));
+  REQUIRE(works(rig, "layer-move", R"({"to": 5})"));
+  CHECK(layersOf(rig).planes[1].at < 1);
+  CHECK(layersOf(rig).planes[2].at == 1);
+}
+
+TEST_CASE("ends of layers are finished as those of bones") {
+  Paper rig;
+  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(works(rig, "set-caps", R"({"end": "round"})"));
+  CHECK(layersOf(rig).stack.endCap == sections::CapStyle::Round);
+  CHECK(layersOf(rig).stack.startCap == sections::CapStyle::Flat);
+  REQUIRE(works(rig, "undo"));
+  CHECK(layersOf(rig).stack.endCap == sections::CapStyle::Flat);
+}
+
+TEST_CASE("what makes no layer is refused with a sentence and changes nothing") {
+  Paper rig;
+  REQUIRE(works(rig, "layer-circle"));
+  const std::string before = rig.app->history();
+  CHECK_FALSE(works(rig, "draw-layer", R"({"line": [[0, 0], [1, 1]]})"));
+  CHECK_FALSE(works(rig, "draw-layer", R"({"through": [[0, 0], [1, 1]]})"));
+  CHECK_FALSE(works(rig, "draw-layer", R"({"part": 9, "line": [[0, 0], [9, 0], [9, 9]]})"));
+  CHECK_FALSE(works(rig, "draw-layer", R"({"line": "round"})"));
+  CHECK_FALSE(works(rig, "layer-sheet", R"({"at": "up"})"));
+  // A figure of eight.
+  CHECK_FALSE(works(rig, "draw-layer",
+                    R"({"at": 0.5, "through": [[-40, -30], [40, 30], [40, -30], [-40, 30]], "corners": true})"));
+  CHECK(rig.app->history() == before);
+}
+
+TEST_CASE("without the tool there is no sheet; a gesture that is cancelled leaves nothing") {
+  Paper rig;
+  const app::ClientPoint at = rig.onCanvas(0.4, 0), to = rig.onCanvas(0, 0.4);
+  rig.pointer(platform::PointerKind::Down, at.x, at.y);
+  for (int i = 1; i <= 10; ++i) {
+    rig.pointer(platform::PointerKind::Move, at.x + (to.x - at.x) * i / 10, at.y + (to.y - at.y) * i / 10);
+  }
+  REQUIRE(rig.key("Escape", "Escape"));
+  rig.pointer(platform::PointerKind::Up, to.x, to.y);
+  rig.settle();
+  CHECK(rig.parts() == 0);
+  REQUIRE(works(rig, "draw"));
+  CHECK(rig.sheet().isNull());
+  CHECK_FALSE(works(rig, "layer-circle"));
+}

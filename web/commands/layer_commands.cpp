@@ -1,0 +1,243 @@
+// Commands about parts drawn layer by layer, and the sheet that layers are drawn on.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/commands/modes.h"
+#include "web/commands/section_json.h"
+#include "web/edit/layers.h"
+#include "web/model/messages.h"
+#include "web/words/words.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+
+constexpr double kStep = 0.1, kFineStep = 0.02;  // of the rail
+constexpr double kFlat = 0.5;                    // sine of the angle from which a sheet is seen well enough to draw
+
+std::optional<Sheet> sheetOf(Env env) { return shownSheet(env.studio.document(), env.ui); }
+bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
+bool sheetIsShown(Env env) { return sheetOf(env).has_value(); }
+bool onLayer(Env env) {
+  const auto sheet = sheetOf(env);
+  return sheet && sheet->layer;
+}
+bool canCopy(Env env) {
+  const auto sheet = sheetOf(env);
+  return sheet && traceOf(*sheet) != nullptr;
+}
+bool layerTool(Env env) { return env.ui.tool == ToolKind::Layers; }
+
+/// Looks square at the sheet, from the side that is seen.
+void face(Env env, const Sheet& sheet) {
+  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, sheet);
+  WorldPoint normal = normalized(toWorld.along(sheet.stand.normal()));
+  if (dot(normal, env.ui.camera.back()) < 0) normal = normal * -1;
+  std::optional<publish::WorldBounds> bounds;
+  for (const ModelPoint corner : cornersOf(sheet)) pipeline::include(bounds, toWorld(corner));
+  Camera to = env.ui.camera;
+  to.pitch = std::clamp(std::asin(std::clamp(normal.y, -1.0, 1.0)), -kMaxPitch, kMaxPitch);
+  if (std::hypot(normal.x, normal.z) > 1e-3) to.yaw = std::atan2(normal.x, normal.z);
+  if (bounds) to = framed(to, *bounds, env.ui.layout.solid);
+  env.ui.cameraTouched = true;
+  fly(env, to);
+}
+
+/// The camera rises where the sheet is seen too flat to draw on, or is not in sight.
+void showSheet(Env env) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return;
+  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, *sheet);
+  auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
+  for (const ModelPoint corner : cornersOf(*sheet)) pipeline::include(bounds, toWorld(corner));
+  const double lean = std::abs(dot(normalized(toWorld.along(sheet->stand.normal())), env.ui.camera.back()));
+  if (lean >= kFlat && isInSight(env.ui.camera, env.ui.layout.solid, *bounds)) return;
+  Camera to = env.ui.camera;
+  constexpr double kHigh = 0.75;  // radians
+  if (lean < kFlat) to.pitch = kHigh;
+  env.ui.cameraTouched = true;
+  fly(env, framed(to, *bounds, env.ui.layout.solid));
+}
+
+Outcome useLayers(Env env, const Json&) {
+  env.ui.tool = ToolKind::Layers;
+  env.ui.redraw = env.ui.pointsOf = {};
+  env.ui.focus = Focus::Solid;
+  env.ui.layers = {};
+  showSheet(env);
+  sendStatus(env.host, "Draw a closed line on the sheet. Then lift the sheet and draw the next layer.");
+  return {};
+}
+
+/// Why planes make no solid, so that they are refused before they are kept.
+Status checkMade(Env env, const document::StackRecipe& recipe) {
+  const document::PictureEntry* entry = document::findPicture(env.studio.document(), recipe.picture);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  const auto made = pipeline::stackStage(recipe, entry->size);
+  return made ? Status(Done{}) : Status(made.failure());
+}
+
+/// The part has this recipe now; without a part a new one. The sheet lies on the layer at `at`.
+Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double at) {
+  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
+  if (part) {
+    const std::array<document::Action, 2> actions{document::SetRail{part, recipe.rail},
+                                                  document::SetPlanes{part, recipe.planes}};
+    const bool sameRail = document::stackOf(*document::findPart(env.studio.document(), part))->rail == recipe.rail;
+    const Status status = env.studio.act(std::span(actions).subspan(sameRail ? 1 : 0));
+    if (!status) return refuse(status.failure());
+    env.ui.selection = part;
+  } else {
+    const document::DrawStack draw{recipe.picture, recipe.planes, recipe.rail, recipe.stack, layerLook(env.ui)};
+    const Standing standing = standingActions(env, draw, recipe, false);
+    if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
+    takeMade(env, standing);
+  }
+  env.ui.layers = {env.ui.selection, at};
+  return {};
+}
+
+Outcome noSheet() { return refuse({Error::NotAStack, {}}); }
+
+Outcome put(Env env, stack::Curve (*curveOn)(const Sheet&)) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  return drawLayer(env, {sheet->part, sheet->at, {curveOn(*sheet)}});
+}
+Outcome circle(Env env, const Json&) { return put(env, circleOn); }
+Outcome square(Env env, const Json&) { return put(env, squareOn); }
+
+Outcome copy(Env env, const Json&) {
+  const auto sheet = sheetOf(env);
+  const stack::Plane* trace = sheet ? traceOf(*sheet) : nullptr;
+  if (trace == nullptr) return noSheet();
+  return drawLayer(env, {sheet->part, sheet->at, trace->curves});
+}
+
+Outcome remove(Env env, const Json&) {
+  const auto sheet = sheetOf(env);
+  if (!sheet || !sheet->layer) return noSheet();
+  if (sheet->recipe.planes.size() == 1) return deletePart(env, sheet->part);
+  return keep(env, sheet->part, withoutLayer(*sheet), sheet->at);
+}
+
+/// By a step along the rail; with `far` as keys say it by a small one. Without a rail to the next layer.
+Outcome lift(Env env, const Json& args, double way) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  const double step = !sheet->onRail() ? 1 : args.flag("far").value_or(false) ? kFineStep : kStep;
+  return moveSheet(env, sheet->at + way * step);
+}
+Outcome up(Env env, const Json& args) { return lift(env, args, 1); }
+Outcome down(Env env, const Json& args) { return lift(env, args, -1); }
+
+Outcome faceRow(Env env, const Json&) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  face(env, *sheet);
+  return {};
+}
+
+Outcome sheetRow(Env env, const Json& args) {
+  const auto at = args.number("at");
+  return at && std::isfinite(*at) ? moveSheet(env, *at) : missing("a place: a share of the rail");
+}
+Outcome moveRow(Env env, const Json& args) {
+  const auto to = args.number("to");
+  return to && std::isfinite(*to) ? moveLayer(env, *to) : missing("where to: a share of the rail");
+}
+
+/// `line` as a hand draws it, or `through` with `corners`: an exact curve.
+Outcome drawRow(Env env, const Json& args) {
+  const document::Part* part = namesPart(args) ? partOf(env, args) : nullptr;
+  if (namesPart(args) && part == nullptr) return noPart();
+  const auto shown = sheetOf(env);
+  const PartId id = part ? part->id : shown ? shown->part : PartId{};
+  std::optional<double> at = args.number("at");
+  if (!at && shown && shown->part == id) at = shown->at;
+  const auto sheet = sheetFor(env.studio.document(), id, env.ui.picture, at);
+  if (!sheet) return noSheet();
+  if (const auto through = pointsFrom(args.find("through"))) {
+    const stack::Curve curve{*through, {args.flag("corners").value_or(false), {}}};
+    if (!stack::isValid(curve)) return refuse({Error::ValueOutOfRange, "through"});
+    return drawLayer(env, {id, sheet->at, {curve}});
+  }
+  if (const auto line = pointsFrom(args.find("line"))) return drawOnSheet(env, id, sheet->at, *line);
+  return missing("a line: a list of [x, y] on the sheet, in picture pixels (or through: points of a curve)");
+}
+
+constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"};
+constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy};
+
+// clang-format off
+constexpr std::array kTable = {
+    Command{.id = "layers", .label = "Layers", .icon = "layers", .shortcut = "Q", .group = "tool",
+            .hint = "Draw a shape, lift the sheet, draw the next: layer by layer", .enabled = hasPicture,
+            .toggled = layerTool, .run = useLayers},
+    Command{.id = "layer-circle", .label = "Circle", .icon = "circle", .group = "part",
+            .hint = "A circle on the sheet", .enabled = kHasSheet, .run = circle},
+    Command{.id = "layer-square", .label = "Square", .icon = "square", .group = "part",
+            .hint = "A square on the sheet", .enabled = kHasSheet, .run = square},
+    Command{.id = "layer-copy", .label = "Same again", .icon = "copy", .group = "part",
+            .hint = "Copies the layer before to the sheet", .enabled = kCanCopy, .run = copy},
+    Command{.id = "layer-down", .label = "Sheet down", .icon = "chevron-down",
+            .shortcut = "ArrowDown, Shift+ArrowDown", .group = "part",
+            .hint = "The sheet goes back along its rail", .enabled = kHasSheet, .run = down, .mode = &kLayerMode},
+    Command{.id = "layer-up", .label = "Sheet up", .icon = "chevron-up", .shortcut = "ArrowUp, Shift+ArrowUp",
+            .group = "part", .hint = "The sheet goes on along its rail", .enabled = kHasSheet, .run = up,
+            .mode = &kLayerMode},
+    Command{.id = "layer-face", .label = "Look straight at it", .icon = "eye", .group = "part",
+            .hint = "Turns the view square to the sheet", .enabled = kHasSheet, .run = faceRow},
+    Command{.id = "layer-remove", .label = "Remove layer", .icon = "trash-2", .group = "part",
+            .hint = "Takes the layer on the sheet away", .enabled = kOnLayer, .run = remove},
+    Command{.id = "layer-sheet", .label = "Sheet by numbers", .icon = "move", .group = "part", .argument = kAt,
+            .hint = "Where the sheet stands, a share of the rail", .enabled = kHasSheet, .run = sheetRow},
+    Command{.id = "layer-move", .label = "Move layer by numbers", .icon = "move", .group = "part", .argument = kTo,
+            .hint = "Another place for the layer on the sheet", .enabled = kOnLayer, .run = moveRow},
+    Command{.id = "draw-layer", .label = "Layer by numbers", .icon = "layers", .group = "part", .argument = kLine,
+            .hint = "A closed line on a sheet, in picture pixels", .enabled = hasPicture, .run = drawRow},
+};
+// clang-format on
+
+}  // namespace
+
+Outcome drawLayer(Env env, const DrawLayerIntent& intent) {
+  const auto sheet = sheetFor(env.studio.document(), intent.part, env.ui.picture, intent.at);
+  if (!sheet) return noSheet();
+  return keep(env, intent.part, withCurves(*sheet, intent.curves),
+              sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at);
+}
+
+Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPoint>& line) {
+  const auto sheet = sheetFor(env.studio.document(), part, env.ui.picture, at);
+  if (!sheet) return noSheet();
+  auto curves = curvesOf(*sheet, line);
+  if (!curves) return refuse(curves.failure());
+  return drawLayer(env, {part, at, std::move(curves).value()});
+}
+
+Outcome moveSheet(Env env, double at) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  env.ui.layers = {sheet->part, std::clamp(at, 0.0, mostAt(*sheet))};
+  return {};
+}
+
+Outcome moveLayer(Env env, double at) {
+  const auto sheet = sheetOf(env);
+  if (!sheet || !sheet->layer) return noSheet();
+  const document::StackRecipe moved = withMovedLayer(*sheet, at);
+  return keep(env, sheet->part, moved, moved.planes[*sheet->layer].at);
+}
+
+std::span<const Command> layerCommands() { return kTable; }
+
+constinit const Mode kLayerMode{"layers", sheetIsShown};
+
+}  // namespace spineloft::app

@@ -1,0 +1,262 @@
+#include "web/edit/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/geometry/polygon.h"
+#include "engine/sections/drawing.h"
+#include "web/edit/placing.h"
+
+namespace spineloft::app {
+namespace {
+
+using document::StackRecipe;
+using Points = std::vector<SectionPoint>;
+
+constexpr double kNewLength = 0.5, kNewHalf = 0.32;  // of the picture's shorter side
+constexpr double kNewCurve = 0.5;                    // of the sheet's half side
+constexpr double kMargin = 1.2;                      // of the sheet about its curves
+constexpr double kSame = 0.006;                      // of the rail: a sheet so near to a layer lies on it
+constexpr double kApart = 0.01;                      // of the rail: no layer is moved nearer to another
+
+/// Upright in the middle of the picture.
+stack::Rail railOn(image::Size picture) {
+  const double length = kNewLength * std::min(picture.width, picture.height);
+  const double x = (picture.width - 1) / 2.0, y = -(picture.height - 1) / 2.0;
+  return {{{x, y - length / 2, 0}, {x, y + length / 2, 0}}, false};
+}
+
+bool isStraight(const stack::Rail& rail) { return rail.points.size() == 2 && !rail.closed; }
+
+bool isOn(const Sheet& sheet, const stack::Plane& plane) {
+  return !plane.origin && std::abs(plane.at - sheet.at) <= kSame;
+}
+
+double reachOf(const stack::Plane& plane) {
+  double reach = 0;
+  for (const stack::Curve& curve : plane.curves) {
+    for (const SectionPoint p : curve.through) reach = std::max({reach, std::abs(p.x), std::abs(p.y)});
+  }
+  return reach;
+}
+
+/// Stands the sheet where `at` says, or on the nearest layer.
+bool stand(Sheet& sheet) {
+  const std::vector<stack::Plane>& planes = sheet.recipe.planes;
+  stack::Plane plane;
+  if (sheet.onRail()) {
+    sheet.at = std::clamp(sheet.at, 0.0, mostAt(sheet));
+    plane.at = std::min(sheet.at, 1.0);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (isOn(sheet, planes[i])) sheet.layer = i;
+    }
+  } else {
+    if (planes.empty()) return false;
+    const double most = static_cast<double>(planes.size() - 1);
+    sheet.layer = static_cast<std::size_t>(std::lround(std::clamp(sheet.at, 0.0, most)));
+    sheet.at = static_cast<double>(*sheet.layer);
+  }
+  if (sheet.layer) plane = planes[*sheet.layer];
+  const Result<stack::Stand> stood = stack::standOf(plane, sheet.recipe.rail);
+  if (!stood) return false;
+  sheet.stand = stood.value();
+  const std::vector<ModelPoint>& rail = sheet.recipe.rail.points;
+  if (sheet.at > 1 && sheet.onRail()) sheet.stand.origin = rail[0] + (rail[1] - rail[0]) * sheet.at;
+  return true;
+}
+
+SectionPoint middleOf(const Points& outline) { return geometry::centroid(std::span<const SectionPoint>(outline)); }
+
+/// Middle and mean radius of the largest curve of the trace.
+struct Round {
+  SectionPoint middle;
+  double radius = 0;
+};
+Round roundOn(const Sheet& sheet) {
+  Round round{{}, kNewCurve * sheet.half};
+  const stack::Plane* trace = sheet.layer ? &sheet.recipe.planes[*sheet.layer] : traceOf(sheet);
+  double most = 0;
+  for (const stack::Curve& curve : trace ? trace->curves : std::vector<stack::Curve>()) {
+    const Points outline = stack::outlineOf(curve);
+    const double area = std::abs(geometry::signedArea(std::span<const SectionPoint>(outline)));
+    if (area <= most) continue;
+    most = area;
+    round = {middleOf(outline), std::sqrt(area / 3.14159265358979323846)};
+  }
+  return round;
+}
+
+}  // namespace
+
+double mostAt(const Sheet& sheet) {
+  if (!sheet.onRail()) return sheet.recipe.planes.empty() ? 0 : static_cast<double>(sheet.recipe.planes.size() - 1);
+  return isStraight(sheet.recipe.rail) ? kMostGrowth : 1;
+}
+
+std::optional<Sheet> sheetFor(const document::Document& document, PartId id, PictureId picture,
+                              std::optional<double> at) {
+  const document::Part* part = document::findPart(document, id);
+  if (id && (part == nullptr || document::stackOf(*part) == nullptr)) return std::nullopt;
+  const document::PictureEntry* entry = document::findPicture(document, part ? document::pictureOf(*part) : picture);
+  if (entry == nullptr) return std::nullopt;
+  Sheet sheet;
+  sheet.recipe.picture = entry->id;
+  sheet.recipe.rail = railOn(entry->size);
+  if (part != nullptr) {
+    sheet.part = part->id;
+    sheet.recipe = *document::stackOf(*part);
+    if (!sheet.recipe.planes.empty()) sheet.at = sheet.onRail() ? sheet.recipe.planes.back().at : mostAt(sheet);
+  }
+  if (at) sheet.at = *at;
+  if (!stand(sheet)) return std::nullopt;
+  sheet.half = kNewHalf * std::min(entry->size.width, entry->size.height);
+  for (std::size_t i = 0; i < sheet.recipe.planes.size(); ++i) {
+    if (sheet.onRail() || i == sheet.layer) {
+      sheet.half = std::max(sheet.half, kMargin * reachOf(sheet.recipe.planes[i]));
+    }
+  }
+  return sheet;
+}
+
+std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui) {
+  if (ui.tool != ToolKind::Layers) return std::nullopt;
+  const document::Part* part = document::findPart(document, ui.selection);
+  const bool ours = part != nullptr && document::stackOf(*part) != nullptr;
+  if (ours && !part->visible) return std::nullopt;
+  const PartId id = ours ? part->id : PartId{};
+  const bool placed = ui.layers.part == id && ui.layers.at;
+  return sheetFor(document, id, ui.picture, placed ? ui.layers.at : std::nullopt);
+}
+
+pipeline::ToWorld sheetInWorld(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
+                               const Sheet& sheet) {
+  const document::PictureEntry* entry = document::findPicture(document, sheet.recipe.picture);
+  const image::Size size = entry ? entry->size : image::Size{1, 1};
+  const document::Part* part = document::findPart(document, sheet.part);
+  if (part != nullptr) return *shownCopies(ui, *part, size).begin();
+  return *previewCopies(document, derived, ui, size).begin();
+}
+
+std::optional<SectionPoint> onSheet(const Sheet& sheet, const pipeline::ToWorld& toWorld, const UiState& ui,
+                                    ClientPoint at) {
+  const ModelPoint eye = toWorld.toModel(ui.camera.eye());
+  const ModelPoint way = toWorld.alongInModel(rayThrough(ui.camera, ui.layout.solid, at));
+  const double towards = dot(way, sheet.stand.normal());
+  constexpr double kFlat = 0.02;  // seen from so flat, a pixel is too long on the sheet to draw
+  if (!(std::abs(towards) > kFlat * norm(way))) return std::nullopt;
+  const double far = dot(sheet.stand.origin - eye, sheet.stand.normal()) / towards;
+  if (!(far > 0)) return std::nullopt;
+  return sheet.stand.in(eye + way * far);
+}
+
+bool isOnSheet(const Sheet& sheet, SectionPoint p) { return std::max(std::abs(p.x), std::abs(p.y)) <= sheet.half; }
+
+std::vector<ModelPoint> cornersOf(const Sheet& sheet) {
+  const double h = sheet.half;
+  std::vector<ModelPoint> corners;
+  for (const SectionPoint p : {SectionPoint{-h, -h}, {h, -h}, {h, h}, {-h, h}}) corners.push_back(sheet.stand.at(p));
+  return corners;
+}
+
+ModelPoint knobOf(const Sheet& sheet) { return sheet.stand.at({sheet.half, 0}); }
+
+Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line) {
+  Points small;
+  for (const SectionPoint p : line) small.push_back(p / sheet.half);
+  const Result<sections::Drawing> drawing = sections::drawFreehand(small, {});
+  if (!drawing) return drawing.failure();
+  std::vector<stack::Curve> curves;
+  for (const sections::DrawnCurve& drawn : drawing.value()) {
+    stack::Curve curve;
+    for (const sections::DrawnPoint& point : drawn.points) {
+      if (point.corner) curve.corners.at.push_back(static_cast<std::uint32_t>(curve.through.size()));
+      curve.through.push_back(point.at * sheet.half);
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+stack::Curve circleOn(const Sheet& sheet) {
+  const auto [m, r] = roundOn(sheet);
+  return {{{m.x + r, m.y}, {m.x, m.y + r}, {m.x - r, m.y}, {m.x, m.y - r}}, {}};
+}
+
+stack::Curve squareOn(const Sheet& sheet) {
+  const auto [m, radius] = roundOn(sheet);
+  const double r = radius * std::sqrt(3.14159265358979323846) / 2;
+  return {{{m.x + r, m.y + r}, {m.x - r, m.y + r}, {m.x - r, m.y - r}, {m.x + r, m.y - r}}, {true, {}}};
+}
+
+const stack::Plane* traceOf(const Sheet& sheet) {
+  const std::vector<stack::Plane>& planes = sheet.recipe.planes;
+  const stack::Plane *before = nullptr, *after = nullptr;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (i == sheet.layer) continue;
+    const double at = sheet.onRail() ? planes[i].at : static_cast<double>(i);
+    if (at < sheet.at) before = &planes[i];
+    if (at > sheet.at && after == nullptr) after = &planes[i];
+  }
+  return before ? before : after;
+}
+
+StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
+  StackRecipe recipe = sheet.recipe;
+  double at = sheet.at;
+  if (sheet.onRail() && at > 1) {
+    std::vector<ModelPoint>& rail = recipe.rail.points;
+    rail[1] = rail[0] + (rail[1] - rail[0]) * at;
+    for (stack::Plane& plane : recipe.planes) plane.at /= at;
+    at = 1;
+  }
+  std::size_t own = 0;
+  if (sheet.layer) {
+    own = *sheet.layer;
+  } else {
+    stack::Plane plane;
+    plane.at = at;
+    const auto place = std::ranges::upper_bound(recipe.planes, at, {}, &stack::Plane::at);
+    own = static_cast<std::size_t>(place - recipe.planes.begin());
+    recipe.planes.insert(place, plane);
+  }
+  std::vector<Points> outlines;
+  for (const stack::Curve& curve : curves) outlines.push_back(stack::outlineOf(curve));
+  std::vector<stack::Curve>& kept = recipe.planes[own].curves;
+  std::erase_if(kept, [&](const stack::Curve& old) {
+    const Points outline = stack::outlineOf(old);
+    return std::ranges::any_of(outlines, [&](const Points& drawn) { return sections::outlinesMeet(outline, drawn); });
+  });
+  for (stack::Curve& curve : curves) kept.push_back(std::move(curve));
+  return recipe;
+}
+
+StackRecipe withMovedLayer(const Sheet& sheet, double to) {
+  StackRecipe recipe = sheet.recipe;
+  if (!sheet.layer || !sheet.onRail()) return recipe;
+  const std::size_t i = *sheet.layer, last = recipe.planes.size() - 1;
+  const double low = i > 0 ? recipe.planes[i - 1].at + kApart : 0;
+  const double high = i < last ? recipe.planes[i + 1].at - kApart : mostAt(sheet);
+  if (low > high) return recipe;
+  const double at = std::clamp(to, low, high);
+  recipe.planes[i].at = std::min(at, 1.0);
+  if (at <= 1) return recipe;
+  std::vector<ModelPoint>& rail = recipe.rail.points;
+  rail[1] = rail[0] + (rail[1] - rail[0]) * at;
+  for (std::size_t k = 0; k < i; ++k) recipe.planes[k].at /= at;
+  return recipe;
+}
+
+document::Look layerLook(const UiState& ui) {
+  document::Look look = ui.look;
+  look.textured = false;
+  return look;
+}
+
+StackRecipe withoutLayer(const Sheet& sheet) {
+  StackRecipe recipe = sheet.recipe;
+  if (sheet.layer) recipe.planes.erase(recipe.planes.begin() + static_cast<std::ptrdiff_t>(*sheet.layer));
+  return recipe;
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,73 @@
+// The sheet on which the tool Layers draws: where it stands, and what becomes of the lines on it. The tool previews and
+// commands act through the same functions.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/pipeline/world.h"
+#include "engine/stack/stand.h"
+#include "web/ui/ui_state.h"
+
+namespace spineloft::app {
+
+/// A sheet of the part made of layers that is in hand, else of the next part.
+struct Sheet {
+  PartId part;                       ///< none: the next part
+  document::StackRecipe recipe;      ///< of the part; of the next one its rail alone
+  double at = 0;                     ///< share of the rail; without a rail the number of a layer
+  std::optional<std::size_t> layer;  ///< the one that it lies on
+  stack::Stand stand;
+  double half = 0;  ///< of its side, picture pixels
+
+  bool onRail() const { return !recipe.rail.points.empty(); }
+};
+/// A sheet at a place of the part, or, without one, of a next part on the picture; without a place at the last layer.
+/// None for a part that is not made of layers, and without a picture.
+std::optional<Sheet> sheetFor(const document::Document& document, PartId part, PictureId picture,
+                              std::optional<double> at);
+/// The one that is seen: none without the tool, or for a part that is hidden.
+std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui);
+/// The farthest place: straight rails of new layers grow with the sheet to kMostGrowth times their length.
+double mostAt(const Sheet& sheet);
+inline constexpr double kMostGrowth = 2;
+
+/// From the sheet's part to the world as it is shown.
+pipeline::ToWorld sheetInWorld(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
+                               const Sheet& sheet);
+
+/// Where a point of the canvas is on the sheet's plane; none beside it in the sky.
+std::optional<SectionPoint> onSheet(const Sheet& sheet, const pipeline::ToWorld& toWorld, const UiState& ui,
+                                    ClientPoint at);
+/// Within its edges.
+bool isOnSheet(const Sheet& sheet, SectionPoint p);
+/// Its corners, in order.
+std::vector<ModelPoint> cornersOf(const Sheet& sheet);
+/// The knob at its edge that takes it along the rail.
+ModelPoint knobOf(const Sheet& sheet);
+
+/// A freehand line on the sheet as curves. Errors: those of sections::drawFreehand.
+Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line);
+/// A circle or square as large and where the curves of the nearest layer are, else in the middle.
+stack::Curve circleOn(const Sheet& sheet);
+stack::Curve squareOn(const Sheet& sheet);
+/// The layer whose curves lie pale on the sheet and are copied to it: the one before it, else the one after; none of
+/// the sheet's own.
+const stack::Plane* traceOf(const Sheet& sheet);
+
+/// The recipe with these curves on the sheet. Curves that they cross give way; others stay: a curve in another is a
+/// hole, one beside it a branch. A sheet beyond the end of a straight rail makes that longer.
+document::StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves);
+/// The layer on the sheet elsewhere on the rail: between its neighbours, or, the last one, farther out. Nothing without
+/// one.
+document::StackRecipe withMovedLayer(const Sheet& sheet, double to);
+/// How a new part of layers looks: no picture shows it.
+document::Look layerLook(const UiState& ui);
+
+/// Without the layer on the sheet.
+document::StackRecipe withoutLayer(const Sheet& sheet);
+
+}  // namespace spineloft::app

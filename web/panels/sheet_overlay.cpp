@@ -1,0 +1,210 @@
+// The sheet for layers: in the solid view with the curves of all layers, and its place as sliders.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "web/commands/intents.h"
+#include "web/edit/layers.h"
+#include "web/edit/placing.h"
+#include "web/edit/preview.h"
+#include "web/panels/number_text.h"
+#include "web/panels/panels.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+constexpr int kGrid = 8;  // squares along the sheet's side
+
+/// Draws lines of the sheet's part into the solid view.
+class SheetPainter {
+ public:
+  SheetPainter(const PanelEnv& env, const pipeline::ToWorld& toWorld)
+      : ui_(env.ui()), toWorld_(toWorld), list_(*ImGui::GetBackgroundDrawList()) {}
+
+  std::optional<ImVec2> at(ModelPoint p) const {
+    const auto c = app::pointOnCanvas(ui_.camera, ui_.layout.solid, toWorld_(p));
+    if (!c) return std::nullopt;
+    return ImVec2{static_cast<float>(c->x), static_cast<float>(c->y)};
+  }
+
+  struct Pen {
+    ImU32 colour;
+    float width;
+    bool closed = true;
+  };
+  /// Nothing when any of it is behind the eye.
+  void line(const stack::Stand& stand, const std::vector<SectionPoint>& points, const Pen& pen) {
+    if (!path(stand, points)) return;
+    list_.PathStroke(pen.colour, pen.closed ? ImDrawFlags_Closed : 0, pen.width);
+  }
+  void fill(const stack::Stand& stand, const std::vector<SectionPoint>& points, ImU32 colour) {
+    if (path(stand, points)) list_.PathFillConvex(colour);
+  }
+
+  ImDrawList& list() { return list_; }
+
+ private:
+  bool path(const stack::Stand& stand, const std::vector<SectionPoint>& points) {
+    list_.PathClear();
+    for (const SectionPoint p : points) {
+      const auto c = at(stand.at(p));
+      if (!c) return list_.PathClear(), false;
+      list_.PathLineTo(*c);
+    }
+    return true;
+  }
+
+  const app::UiState& ui_;
+  const pipeline::ToWorld& toWorld_;
+  ImDrawList& list_;
+};
+
+void paintGround(SheetPainter& paint, const app::Sheet& sheet) {
+  const double h = sheet.half;
+  const std::vector<SectionPoint> edge{{-h, -h}, {h, -h}, {h, h}, {-h, h}};
+  const ImU32 colour = toolColour(app::ToolKind::Layers);
+  paint.fill(sheet.stand, edge, faded(colour, 34));
+  for (int i = 1; i < kGrid; ++i) {
+    const double t = h * (2.0 * i / kGrid - 1);
+    paint.line(sheet.stand, {{-h, t}, {h, t}}, {faded(colour, 46), 1, false});
+    paint.line(sheet.stand, {{t, -h}, {t, h}}, {faded(colour, 46), 1, false});
+  }
+  paint.line(sheet.stand, edge, {faded(colour, 210), 2});
+}
+
+/// Curves of the other layers thin, those on the sheet thick, and pale what would be copied to it.
+void paintLayers(SheetPainter& paint, const app::Sheet& sheet, const document::StackRecipe& shown) {
+  const ImU32 colour = toolColour(app::ToolKind::Layers);
+  for (std::size_t i = 0; i < shown.planes.size(); ++i) {
+    const stack::Plane& plane = shown.planes[i];
+    const Result<stack::Stand> stand = stack::standOf(plane, shown.rail);
+    if (!stand) continue;
+    const bool own = sheet.layer == i && &shown == &sheet.recipe;
+    for (const stack::Curve& curve : plane.curves) {
+      const std::vector<SectionPoint> outline = stack::outlineOf(curve);
+      if (own) paint.line(stand.value(), outline, {faded(kHalo, 220), 6});
+      paint.line(stand.value(), outline, {faded(colour, own ? 255 : 150), own ? 3.f : 1.5f});
+    }
+  }
+  if (sheet.layer) return;
+  if (const stack::Plane* trace = app::traceOf(sheet)) {
+    for (const stack::Curve& curve : trace->curves) {
+      paint.line(sheet.stand, stack::outlineOf(curve), {faded(colour, 90), 1.5f});
+    }
+  }
+}
+
+void paintKnob(SheetPainter& paint, const app::Sheet& sheet, bool hot) {
+  const auto at = paint.at(app::knobOf(sheet));
+  if (!at || !sheet.onRail()) return;
+  const ImU32 colour = toolColour(app::ToolKind::Layers);
+  ImDrawList& list = paint.list();
+  const float radius = hot ? 13.f : 11.f;
+  list.AddCircleFilled(*at, radius + 2, kHalo, 24);
+  list.AddCircleFilled(*at, radius, colour, 24);
+  for (const float way : {-1.f, 1.f}) {
+    const float tip = at->y + way * 7, foot = tip - way * 5;
+    list.AddTriangleFilled({at->x, tip}, {at->x - 4.5f, foot}, {at->x + 4.5f, foot}, kOnAccent);
+  }
+}
+
+/// Millimetres that the whole rail is long as the part stands; 0: there is nothing to measure by.
+double railInMm(const PanelEnv& env, const app::Sheet& sheet) {
+  const pipeline::ToWorld toWorld = app::sheetInWorld(env.document(), env.derived, env.ui(), sheet);
+  return stack::lengthOf(sheet.recipe.rail) * toWorld.scale * app::mmPerUnit(env.document(), env.derived);
+}
+
+SliderTurn placeSlider(const PanelEnv& env, const app::Sheet& sheet, bool ofLayer, float width, float& value) {
+  const double mm = railInMm(env, sheet);
+  const double number = static_cast<double>(value) * (mm > 0 ? mm : 100);
+  const char* text =
+      mm > 0 ? (ofLayer ? "Layer to {n} mm" : "Sheet at {n} mm") : (ofLayer ? "Layer to {n} %" : "Sheet at {n} %");
+  const std::string shown = numberText(text, number, mm > 0 ? 1 : 0);
+  ImGui::SetNextItemWidth(width);
+  const float most = static_cast<float>(app::mostAt(sheet));
+  return ofLayer ? slider(env, {"##layer", "Layer", 0, most, shown.c_str()}, value)
+                 : slider(env, {"##sheet", "Sheet", 0, most, shown.c_str()}, value);
+}
+
+void sheetSlider(const PanelEnv& env, const app::Sheet& sheet, float width) {
+  auto at = static_cast<float>(sheet.at);
+  if (!placeSlider(env, sheet, false, width, at).changed) return;
+  env.ui().layers.part = sheet.part;
+  env.ui().layers.at = std::clamp(static_cast<double>(at), 0.0, app::mostAt(sheet));
+}
+
+/// Shows what it would do and does it when it is let go.
+void layerSlider(const PanelEnv& env, const app::Sheet& sheet, float width) {
+  const document::Part* part = document::findPart(env.document(), sheet.part);
+  if (part == nullptr || !sheet.layer) return;
+  const app::Preview* held = env.ui().preview && env.ui().preview->part == part->id ? &*env.ui().preview : nullptr;
+  const auto* moved = held ? std::get_if<document::StackRecipe>(&held->recipe) : nullptr;
+  const bool same = moved != nullptr && *sheet.layer < moved->planes.size();
+  auto at = static_cast<float>(same ? moved->planes[*sheet.layer].at : sheet.at);
+  const SliderTurn turn = placeSlider(env, sheet, true, width, at);
+  if (turn.changed) {
+    app::Preview& preview = app::previewPart(env.ui(), *part);
+    preview.recipe = app::withMovedLayer(sheet, static_cast<double>(at));
+    preview.fresh = false;
+  }
+  if (!turn.done) return;
+  env.ui().preview.reset();
+  env.sink.run(app::moveLayer, static_cast<double>(at));
+}
+
+}  // namespace
+
+void drawSheet(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const auto sheet = app::shownSheet(env.document(), ui);
+  if (!sheet) return;
+  const pipeline::ToWorld toWorld = app::sheetInWorld(env.document(), env.derived, ui, *sheet);
+  const app::Rect& view = ui.layout.solid;
+  SheetPainter paint(env, toWorld);
+  paint.list().PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
+                            {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  paintGround(paint, *sheet);
+  const auto* moved = ui.preview ? std::get_if<document::StackRecipe>(&ui.preview->recipe) : nullptr;
+  paintLayers(paint, *sheet, moved ? *moved : sheet->recipe);
+  const ImU32 colour = toolColour(app::ToolKind::Layers);
+  if (ui.layers.line.size() > 1) {
+    paint.line(sheet->stand, ui.layers.line, {faded(kHalo, 220), 6, false});
+    paint.line(sheet->stand, ui.layers.line, {colour, 3, false});
+  }
+  paintKnob(paint, *sheet, ui.layers.held || ui.hover.sheet == app::SheetHold::Knob);
+  paint.list().PopClipRect();
+}
+
+void sheetCard(const PanelEnv& env, const app::Rect& above) {
+  const auto sheet = app::shownSheet(env.document(), env.ui());
+  if (!sheet || !sheet->onRail()) return;
+  // On a phone it is at the foot, beside the buttons of the view: the sheet needs the room below the bar.
+  constexpr double kMargin = 8, kHeight = 44, kButtons = 138;
+  const app::Rect& view = env.ui().layout.solid;
+  const bool atFoot = env.ui().layout.stacked;
+  const double room = view.width - 2 * kMargin - (atFoot ? kButtons : 0);
+  const double width = std::min(sheet->layer ? 420.0 : 230.0, room);
+  const app::Rect card = atFoot ? app::Rect{view.x + kMargin, view.bottom() - kMargin - kHeight, width, kHeight}
+                                : app::Rect{above.right() - width, above.bottom() + 6, width, kHeight};
+  env.ui().overlays.push_back(card);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8, 6});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushFont(env.fonts.small);
+  beginFixed("sheet", card);
+  const float inside = static_cast<float>(width) - 16;
+  sheetSlider(env, *sheet, sheet->layer ? (inside - 6) / 2 : inside);
+  if (sheet->layer) {
+    ImGui::SameLine();
+    layerSlider(env, *sheet, (inside - 6) / 2);
+  }
+  ImGui::End();
+  ImGui::PopFont();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace spineloft::panels

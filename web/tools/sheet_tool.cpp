@@ -1,0 +1,124 @@
+#include "web/tools/sheet_tool.h"
+
+#include <cmath>
+#include <utility>
+
+#include "web/commands/intents.h"
+#include "web/edit/preview.h"
+
+namespace spineloft::tools {
+namespace {
+
+constexpr double kSpacing = 1.5;     // CSS pixels between the points of a line
+constexpr double kLeastUnit = 60.0;  // CSS pixels that a rail has at least, however it is seen
+
+std::optional<app::ClientPoint> onCanvas(const ToolEnv& env, const pipeline::ToWorld& toWorld, ModelPoint p) {
+  return app::pointOnCanvas(env.ui.camera, env.ui.layout.solid, toWorld(p));
+}
+
+/// The way on the canvas that the rail's length takes where the sheet is.
+app::ClientPoint railOnCanvas(const ToolEnv& env, const app::Sheet& sheet, const pipeline::ToWorld& toWorld) {
+  const ModelPoint at = app::knobOf(sheet);
+  const double length = sheet.onRail() ? stack::lengthOf(sheet.recipe.rail) : 1;
+  stack::Plane ahead;
+  ahead.at = std::min(sheet.at, 0.98) + 0.02;
+  const auto further = stack::standOf(ahead, sheet.recipe.rail);
+  ahead.at -= 0.02;
+  const auto here = stack::standOf(ahead, sheet.recipe.rail);
+  if (!further || !here) return {0, -kLeastUnit};
+  const ModelPoint way = normalized(further.value().origin - here.value().origin) * length;
+  const auto a = onCanvas(env, toWorld, at), b = onCanvas(env, toWorld, at + way * 0.1);
+  if (!a || !b) return {0, -kLeastUnit};
+  const app::ClientPoint unit = (*b - *a) * 10;
+  return norm(unit) < kLeastUnit ? app::ClientPoint{0, -kLeastUnit} : unit;
+}
+
+}  // namespace
+
+SheetHold holdAt(const ToolEnv& env, const ToolEvent& event) {
+  const auto sheet = app::shownSheet(env.document, env.ui);
+  if (!sheet) return SheetHold::Nothing;
+  const pipeline::ToWorld toWorld = app::sheetInWorld(env.document, env.derived, env.ui, *sheet);
+  const auto knob = onCanvas(env, toWorld, app::knobOf(*sheet));
+  if (knob && sheet->onRail() && distance(*knob, event.at) <= (event.touch() ? kTouchReach : 1.6 * kMouseReach)) {
+    return SheetHold::Knob;
+  }
+  const auto at = app::onSheet(*sheet, toWorld, env.ui, event.at);
+  return at && app::isOnSheet(*sheet, *at) ? SheetHold::Sheet : SheetHold::Nothing;
+}
+
+bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by) {
+  if (holdAt(env, {at}) == SheetHold::Nothing) return false;
+  constexpr double kPerPixel = 0.0004;  // of the rail: a notch of a wheel is 0.04 of it
+  const auto sheet = app::shownSheet(env.document, env.ui);
+  const double way = sheet->onRail() ? -by * kPerPixel : by < 0 ? 1 : -1;
+  env.ui.layers.part = sheet->part;
+  env.ui.layers.at = std::clamp(sheet->at + way, 0.0, app::mostAt(*sheet));
+  return true;
+}
+
+void SheetTool::begin(const ToolEnv& env, const ToolEvent& event) {
+  watch_.begin(event);
+  const auto sheet = app::shownSheet(env.document, env.ui);
+  if (!sheet) return;
+  hold_ = holdAt(env, event);
+  sheet_ = *sheet;
+  toWorld_ = app::sheetInWorld(env.document, env.derived, env.ui, sheet_);
+  before_ = sheet_.at;
+  unit_ = railOnCanvas(env, sheet_, toWorld_);
+  env.ui.layers.part = sheet_.part;
+  env.ui.layers.at = before_;
+  env.ui.layers.held = hold_ == SheetHold::Knob;
+}
+
+void SheetTool::move(const ToolEnv& env, const ToolEvent& event) {
+  watch_.move(event);
+  if (!watch_.moved()) return;
+  if (hold_ == SheetHold::Knob) lift(env, event);
+  if (hold_ == SheetHold::Sheet) draw(env, event);
+}
+
+void SheetTool::lift(const ToolEnv& env, const ToolEvent& event) {
+  const double by = dot(event.at - watch_.start(), unit_) / dot(unit_, unit_);
+  env.ui.layers.at = std::clamp(before_ + by, 0.0, app::mostAt(sheet_));
+}
+
+void SheetTool::draw(const ToolEnv& env, const ToolEvent& event) {
+  std::vector<SectionPoint>& line = env.ui.layers.line;
+  if (line.empty()) {
+    if (const auto first = app::onSheet(sheet_, toWorld_, env.ui, watch_.start())) line.push_back(*first);
+    last_ = watch_.start();
+    const document::Part* part = document::findPart(env.document, sheet_.part);
+    if (part != nullptr) {
+      app::previewPart(env.ui, *part);
+    } else {
+      app::Preview& preview = app::beginPreview(env.ui);
+      preview.look = app::layerLook(env.ui);
+      preview.recipe = sheet_.recipe;
+    }
+  }
+  const auto at = app::onSheet(sheet_, toWorld_, env.ui, event.at);
+  if (!at || distance(event.at, last_) < kSpacing || !env.ui.preview) return;
+  line.push_back(*at);
+  last_ = event.at;
+  auto curves = app::curvesOf(sheet_, line);
+  if (!curves) return;
+  env.ui.preview->recipe = app::withCurves(sheet_, std::move(curves).value());
+  env.ui.preview->fresh = false;
+}
+
+void SheetTool::commit(const ToolEnv& env) {
+  const std::vector<SectionPoint> line = std::exchange(env.ui.layers.line, {});
+  env.ui.layers.held = false;
+  env.ui.preview.reset();
+  if (line.size() > 1) env.sink.run(app::drawOnSheet, sheet_.part, sheet_.at, line);
+}
+
+void SheetTool::cancel(const ToolEnv& env) {
+  if (hold_ == SheetHold::Knob) env.ui.layers.at = before_;
+  env.ui.layers.line.clear();
+  env.ui.layers.held = false;
+  env.ui.preview.reset();
+}
+
+}  // namespace spineloft::tools

@@ -1,0 +1,37 @@
+// On the sheet of the tool Layers, in the solid view: a line draws a layer, the knob at its edge takes it along the
+// rail.
+#pragma once
+
+#include "web/edit/layers.h"
+#include "web/tools/pick.h"
+
+namespace spineloft::tools {
+
+using app::SheetHold;
+/// What a press there is for.
+SheetHold holdAt(const ToolEnv& env, const ToolEvent& event);
+/// The wheel above the sheet takes it along its rail; false elsewhere. `by` in CSS pixels of the wheel, down is
+/// positive.
+bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by);
+
+class SheetTool final : public Tool {
+ public:
+  void begin(const ToolEnv& env, const ToolEvent& event) override;
+  void move(const ToolEnv& env, const ToolEvent& event) override;
+  void commit(const ToolEnv& env) override;
+  void cancel(const ToolEnv& env) override;
+
+ private:
+  void lift(const ToolEnv& env, const ToolEvent& event);
+  void draw(const ToolEnv& env, const ToolEvent& event);
+
+  DragWatch watch_;
+  SheetHold hold_ = SheetHold::Nothing;
+  app::Sheet sheet_;           ///< as the press found it
+  pipeline::ToWorld toWorld_;  ///< the same
+  app::ClientPoint last_;      ///< of the line
+  app::ClientPoint unit_;      ///< a whole rail on the canvas, CSS pixels
+  double before_ = 0;          ///< where the sheet was
+};
+
+}  // namespace spineloft::tools
