@@ -46,13 +46,13 @@ std::int32_t logOdds(std::uint32_t chance) {
 
 }  // namespace
 
-void Chance::learn(bool bit) {
+void Chance::learn(bool bit, std::uint32_t first) {
   constexpr std::uint32_t kLeast = 64, kMost = 65536 - kLeast;
-  const std::uint32_t weight = seen_ + 2U;
+  const std::uint32_t weight = 4U * seen_ + first;
   const std::uint32_t now = zero_;
-  const std::uint32_t next = bit ? now - now / weight : now + (65536 - now) / weight;
+  const std::uint32_t next = bit ? now - 4 * now / weight : now + 4 * (65536 - now) / weight;
   zero_ = static_cast<std::uint16_t>(next < kLeast ? kLeast : next > kMost ? kMost : next);
-  if (weight < kSlowest) ++seen_;
+  if (weight < 4 * kSlowest) ++seen_;
 }
 
 BitCoder::Mixed::Mixed(std::initializer_list<std::uint64_t> contexts) : count_(contexts.size()) {
@@ -73,7 +73,7 @@ bool BitCoder::bit(const Mixed& mixed, bool value) {
   if (contexts.size() == 1) {
     Chance& chance = chances_.of[contexts[0]];
     const bool coded = code(chance.ofZero(), value);
-    chance.learn(coded);
+    chance.learn(coded, chances_.firstWeight);
     return coded;
   }
   constexpr std::int32_t kFirstWeight = 65536 * 4 / 10;
@@ -90,7 +90,7 @@ bool BitCoder::bit(const Mixed& mixed, bool value) {
   const std::int32_t error = (coded ? 0 : 4096) - ofZero;
   for (std::size_t i = 0; i < contexts.size(); ++i) {
     weights[i] = std::clamp(weights[i] + odds[i] * error / kSlowness, -kMostWeight, kMostWeight);
-    chances_.of[contexts[i]].learn(coded);
+    chances_.of[contexts[i]].learn(coded, chances_.firstWeight);
   }
   return coded;
 }

@@ -13,13 +13,14 @@
 
 namespace spineloft::io {
 
-/// How likely the next bit of a context is 0, from the bits seen there: after n bits a new one weighs 1 / (n + 2), and
-/// never less than 1 / kSlowest.
+/// How likely the next bit of a context is 0, from the bits seen there: after n bits a new one weighs 1 / (n + first),
+/// and never less than 1 / kSlowest.
 class Chance {
  public:
   /// Of a zero, in 1/65536, away from certainty.
   std::uint32_t ofZero() const { return zero_; }
-  void learn(bool bit);
+  /// `first` > 1 in quarters.
+  void learn(bool bit, std::uint32_t first);
 
  private:
   static constexpr std::uint32_t kSlowest = 32;
@@ -35,6 +36,7 @@ using Weights = std::array<std::int32_t, kMostMixed>;
 struct Chances {
   std::unordered_map<std::uint64_t, Chance> of;
   std::unordered_map<std::uint64_t, Weights> weights;
+  std::uint32_t firstWeight = 8;  ///< Chance::learn: the less, the more a first bit tells
 };
 
 /// Writes or reads the same calls in the same order: `bit` returns the bit that was handed in, or the one that was
@@ -87,6 +89,9 @@ class BitCoder {
 
 /// Only learns.
 class BitLearner final : public BitCoder {
+ public:
+  using BitCoder::BitCoder;
+
  protected:
   bool code(std::uint32_t, bool value) override { return value; }
 };

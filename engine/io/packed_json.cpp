@@ -13,8 +13,10 @@
 
 #include "engine/base/text.h"
 #include "engine/io/bit_coder.h"
+#include "engine/io/foretold.h"
 #include "engine/io/packed_example.h"
 #include "engine/io/packed_parts.h"
+#include "engine/io/packed_traces.h"
 
 namespace spineloft::io {
 namespace {
@@ -54,46 +56,30 @@ constexpr double kMostWhole = 1125899906842624;  // 2⁵⁰
 /// Largest power of two that numbers of a list are known to be multiples of.
 constexpr std::uint64_t kMostSpread = 50;
 
-/// How a list of numbers is foretold, from numbers that are `stride` places apart: none, the one before, or the line
-/// through two of them that are `reach` steps apart (rounding shakes a long line less). With `halves` the second half
-/// of the list is foretold by the steps of the first one.
-struct Mode {
-  std::size_t order = 0, stride = 1, reach = 1;
-  bool halves = false;
-};
-constexpr std::array<Mode, 8> kModes{{{0, 1}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {2, 1, 4}, {2, 2, 4}, {2, 1, 1, true}}};
-constexpr int kModeBits = 3;
-
-/// The number behind `before`, of `count` in all.
-std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before, std::size_t count) {
-  const std::size_t i = before.size(), s = mode.stride;
-  if (mode.halves && i >= count - count / 2) {
-    const std::size_t like = i - (count - count / 2);
-    return like == 0 ? before[0] : before[i - 1] + before[like] - before[like - 1];
-  }
-  if (mode.order == 0 || i < s) return 0;
-  if (mode.order == 1 || i < 2 * s) return before[i - s];
-  const auto reach = static_cast<std::int64_t>(std::min(mode.reach, i / s - 1));
-  const std::int64_t last = before[i - s], change = last - before[i - s - static_cast<std::size_t>(reach) * s];
-  return last + (2 * change + (change < 0 ? -reach : reach)) / (2 * reach);  // rounded
-}
-
 /// What the versions of the text differ in.
 struct Dialect {
   std::size_t modes;  ///< so many of kModes
+  int modeBits;       ///< of the number of a mode
   int divisorBits;    ///< of the number of a divisor
   /// kOther, Kind::Colour, a bit for what is as in the row above, lists of multiples of a power of two, words that were
   /// spelled before, and a difference is coded after what the two before tell.
   bool later;
+  bool near;                                 ///< and after how far the two numbers before are from the expected one
+  std::uint32_t firstWeight;                 ///< Chances::firstWeight
   std::array<std::string_view, 8> examples;  ///< what both sides know beforehand, what is most usual last
+  bool traced;                               ///< and then tracedModels(), whose words are spelled
 };
-constexpr std::array<Dialect, 2> kDialects{{
-    {5, 5, false, {kPackedExample}},
+constexpr std::array<Dialect, 3> kDialects{{
+    {5, 3, 5, false, false, 8, {kPackedExample}, false},
     {8,
+     3,
      6,
      true,
-     {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3, kPackedPart4, kPackedPart5, kPackedPart6,
-      kPackedPart7}},
+     false,
+     8,
+     {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3, kPackedPart4, kPackedPart5, kPackedPart6, kPackedPart7},
+     false},
+    {9, 4, 6, true, true, 5, {kPackedExample}, true},
 }};
 
 constexpr std::string_view kHexDigits = "0123456789abcdef";
@@ -212,11 +198,14 @@ const Example& exampleOnce() {
       collectWords(out.documents.back(), words);
     }
     out.words.assign(words.begin(), words.end());
+    if (kDialects[version - 1].traced) std::ranges::move(tracedModels(), std::back_inserter(out.documents));
     return out;
   }();
   return made;
 }
-const Example& exampleOf(int version) { return version == 1 ? exampleOnce<1>() : exampleOnce<2>(); }
+const Example& exampleOf(int version) {
+  return version == 1 ? exampleOnce<1>() : version == 2 ? exampleOnce<2>() : exampleOnce<3>();
+}
 constexpr int kWordBits = 9;
 constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
 
@@ -241,6 +230,7 @@ class Packer {
     std::uint64_t key;
     std::uint32_t mode;
     std::size_t at, count;
+    std::array<std::int64_t, 2> away;  ///< the numbers one and two strides before, from the expected one
     std::size_t fromEnd() const { return std::min({at, count - 1 - at, std::size_t{4}}); }
   };
   static std::uint64_t context(std::uint64_t key, Place place, std::uint64_t more = 0) {
@@ -261,8 +251,8 @@ class Packer {
   double raw(double in) { return std::bit_cast<double>(coder_.plain(64, std::bit_cast<std::uint64_t>(in))); }
   /// What these numbers are divided by; 0: nothing makes them whole.
   std::int64_t divisor(std::span<const double> in, std::uint64_t context);
-  static BitCoder::Mixed signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot);
-  static BitCoder::Mixed sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot);
+  BitCoder::Mixed signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) const;
+  BitCoder::Mixed sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) const;
   double fraction(double in, std::uint64_t key);
   std::vector<double> numbers(std::span<const double> in, std::size_t count, std::uint64_t key);
   Json list(const Json& in, std::uint64_t key, int depth);
@@ -344,23 +334,6 @@ double Packer::fraction(double in, std::uint64_t key) {
   return static_cast<double>(coder_.integer(context(key, Place::First), whole)) / static_cast<double>(by);
 }
 
-std::uint32_t bestMode(std::span<const std::int64_t> values, std::size_t modes) {
-  std::uint32_t best = 0;
-  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-  for (std::uint32_t m = 0; m < modes; ++m) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::int64_t off = values[i] - foretold(kModes[m], values.first(i), values.size());
-      bits += 2 * static_cast<std::uint64_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
-    }
-    if (bits < least) {
-      least = bits;
-      best = m;
-    }
-  }
-  return best;
-}
-
 int Packer::spread(std::span<const std::int64_t> in, std::uint64_t context) {
   if (!dialect_.later) return 0;
   std::uint64_t all = 0;
@@ -379,19 +352,24 @@ std::uint64_t sizeOf(const std::array<std::int64_t, 2>& before) {
 }
 
 /// What is known of a sign from the two differences before: what was rounded up is rounded down next.
-BitCoder::Mixed Packer::signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) {
+BitCoder::Mixed Packer::signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) const {
   const auto within = [](std::int64_t value, std::int64_t most) {
     return static_cast<std::uint64_t>(std::clamp(value, -most, most) + most);
   };
+  const std::uint64_t here =
+      dialect_.near ? 320 + within(spot.away[0], 3) * 7 + within(spot.away[1], 3) : 144 + spot.mode;
   return {context(0, Place::Rest, 128 + within(before[0], 2) * 3 + within(before[1], 1)),
-          context(spot.key, Place::Rest, 144 + spot.mode),
+          context(spot.key, Place::Rest, here),
           context(0, Place::Rest, 160 + within(before[0], 1) * 8 + spot.fromEnd())};
 }
 
 /// And of a size.
-BitCoder::Mixed Packer::sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) {
+BitCoder::Mixed Packer::sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) const {
   const Mode& mode = kModes[spot.mode];
-  BitCoder::Mixed sizes = {context(0, Place::Rest, (mode.halves ? 3 : mode.order) * 8 + sizeOf(before)),
+  const std::uint64_t near =
+      context(spot.key, Place::Rest, 256 + sizeOf({spot.away[0], 0}) * 8 + sizeOf({spot.away[1], 0}));
+  const std::uint64_t after = context(0, Place::Rest, (mode.halves ? 3 : mode.order) * 8 + sizeOf(before));
+  BitCoder::Mixed sizes = {dialect_.near ? near : after,
                            context(spot.key, Place::Rest, 32 + spot.mode * 2 + spot.at % mode.stride),
                            context(0, Place::Rest, 64 + spot.fromEnd() * 8 + sizeOf({before[0], 0}))};
   sizes.weights = 1;
@@ -410,7 +388,7 @@ std::vector<double> Packer::numbers(std::span<const double> in, std::size_t coun
   const std::int64_t unit = std::int64_t{1} << spread(whole, context(key, Place::Divisor, 2));
   for (std::int64_t& value : whole) value /= unit;
   const std::uint32_t coded =
-      coder_.symbol(context(key, Place::Mode), kModeBits, reads_ ? 0 : bestMode(whole, dialect_.modes));
+      coder_.symbol(context(key, Place::Mode), dialect_.modeBits, reads_ ? 0 : bestMode(whole, dialect_.modes));
   if (coded >= dialect_.modes) {
     failed_ = true;
     return {};
@@ -422,7 +400,8 @@ std::vector<double> Packer::numbers(std::span<const double> in, std::size_t coun
     const std::int64_t guess = foretold(mode, known, count);
     const bool first = mode.order > 0 && i < mode.stride;
     const std::int64_t difference = reads_ ? 0 : whole[i] - guess;
-    const Spot spot{key, coded, i, count};
+    const auto awayBy = [&](std::size_t back) { return i < back ? 0 : known[i - back] - guess; };
+    const Spot spot{key, coded, i, count, {awayBy(mode.stride), awayBy(2 * mode.stride)}};
     std::int64_t off = 0;
     if (first) {
       off = coder_.integer(context(key, Place::First, 1 + i), difference);
@@ -550,7 +529,7 @@ Json Packer::value(const Json& in, std::uint64_t key, int depth) {
 template <int version>
 const Chances& learnedOnce() {
   static const Chances made = [] {
-    BitLearner learner;
+    BitLearner learner(Chances{{}, {}, kDialects[version - 1].firstWeight});
     if (kDialects[version - 1].later) {
       Packer packer(learner, Packer::Direction::Writes, version);
       for (const std::string& word : exampleOf(version).words) packer.letters(word);
@@ -562,7 +541,9 @@ const Chances& learnedOnce() {
   }();
   return made;
 }
-const Chances& learned(int version) { return version == 1 ? learnedOnce<1>() : learnedOnce<2>(); }
+const Chances& learned(int version) {
+  return version == 1 ? learnedOnce<1>() : version == 2 ? learnedOnce<2>() : learnedOnce<3>();
+}
 
 }  // namespace
 

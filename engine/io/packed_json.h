@@ -2,8 +2,9 @@
 //
 // Keys, words and numbers are coded with what was seen at the same key before (bit_coder.h). A list of numbers is
 // coded as differences, to the number before or to the line through the two before, one or two places back (so that
-// x, y, x, y … works as well as a plain list); a list of lists of equal length is coded column by column. What both
-// sides know beforehand is an example of a document, which is coded first and thrown away.
+// x, y, x, y … works as well as a plain list), or by the turn of a line of points (foretold.h); a list of lists of
+// equal length is coded column by column. What both sides know beforehand is an example of a document, which is coded
+// first and thrown away.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ inline constexpr std::size_t kMostPacked = std::size_t{1} << 21;
 inline constexpr int kMostPackedDepth = 32;
 
 /// What packJson writes; 1 … this are read.
-inline constexpr int kPackedVersion = 2;
+inline constexpr int kPackedVersion = 3;
 
 /// Numbers that are not finite become null. Errors: OutOfMemory (more than kMostPacked, or nested deeper).
 Result<std::vector<std::uint8_t>> packJson(const nlohmann::json& value);

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -17,9 +18,11 @@
 #include "engine/base/crc32.h"
 #include "engine/geometry/polyline.h"
 #include "engine/io/document_json.h"
+#include "engine/io/foretold.h"
 #include "engine/io/packed_json.h"
 #include "engine/io/picture_file.h"
 #include "engine/ribs/base/spine.h"
+#include "engine/ribs/edit/end_curves.h"
 #include "engine/ribs/edit/places.h"
 
 namespace spineloft::io {
@@ -37,6 +40,8 @@ constexpr int kBlankSide = 64;
 constexpr float kPressures = 32;
 /// Places along a spine are multiples of 1 / this.
 constexpr double kPlaces = 4096;
+/// The version from which on ends at ribs are told beside their curves, and the text is the shorter by its zeros.
+constexpr int kFirstOnCurves = 3;
 
 /// Rounds places on one picture.
 class Grid {
@@ -57,7 +62,8 @@ class Grid {
   }
   double tolerance() const { return step_ / 2; }
   /// For what is not simplified besides.
-  double alone(double value) const { return std::round(value / (2 * step_)) * (2 * step_); }
+  double alone() const { return 2 * step_; }
+  double alone(double value) const { return std::round(value / alone()) * alone(); }
 
  private:
   std::size_t bits(const std::vector<PicturePoint>& line) const { return lineCost(line, size_); }
@@ -85,33 +91,69 @@ void keepMarks(std::vector<ribs::IgnoreMark>& marks, const Grid& grid) {
 void keepRegion(document::Region& region, const Grid& grid) {
   for (std::vector<PicturePoint>& contour : region.contours) contour = grid(contour);
 }
-/// The places of the spine's points, which the ribs stand on; none where the stroke gives no spine.
-std::vector<double> ribPlaces(const document::LoftRecipe& recipe, image::Size picture) {
-  std::vector<double> places;
-  const auto spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
-  if (!spine) return places;
-  const ribs::Ruler ruler(spine.value().points);
-  for (std::size_t i = 0; i < spine.value().points.size(); ++i) places.push_back(ruler.placeOfPoint(i));
-  return places;
-}
+/// In a text the place of the i-th rib is this and i: the spine tells where it is.
+constexpr double kFirstRib = 2;
 
-/// The place at a rib that is close by, else one of a grid.
-double keptPlace(double at, const std::vector<double>& ribs) {
-  const auto above = std::ranges::lower_bound(ribs, at - 0.5 / kPlaces);
-  if (above != ribs.end() && *above <= at + 0.5 / kPlaces) return *above;
-  return std::round(at * kPlaces) / kPlaces;
-}
+/// Ends of so many ribs in a text are told beside curves, those of the first parts; others in the frame of the spine.
+/// This bounds the time that a text takes, whoever wrote it.
+struct TracedRibs {
+  std::size_t left = 20000;
+};
 
-void keep(document::LoftRecipe& recipe, const Grid& grid) {
-  recipe.stroke = grid(recipe.stroke);
-  const std::vector<double> places = recipe.edits.ends.empty() ? std::vector<double>() : ribPlaces(recipe, grid.size());
-  for (ribs::EndEdit& end : recipe.edits.ends) {
-    end.at = keptPlace(end.at, places);
-    end.reach = std::round(end.reach * kPlaces) / kPlaces;
+/// What the ends of a part's ribs are told by; without ribs where the stroke gives no spine.
+class RibsOfText {
+ public:
+  RibsOfText(const document::LoftRecipe& recipe, image::Size picture, TracedRibs& traced) {
+    const auto spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
+    if (!spine) return;
+    const ribs::Ruler ruler(spine.value().points);
+    for (std::size_t i = 0; i < spine.value().points.size(); ++i) places_.push_back(ruler.placeOfPoint(i));
+    if (places_.size() > traced.left) return;
+    traced.left -= places_.size();
+    curves_.emplace(spine.value(), picture);
+  }
+  /// As a text says it: with a place of a grid, or at the rib that is the nearest to this, beside its curve.
+  void tell(ribs::EndEdit& end, const Grid& grid) const {
+    end.at = std::round(end.at * kPlaces) / kPlaces;
+    const auto above = std::ranges::lower_bound(places_, end.at - 0.5 / kPlaces);
+    if (above != places_.end() && *above <= end.at + 0.5 / kPlaces) {
+      const auto rib = static_cast<std::size_t>(above - places_.begin());
+      end.at = kFirstRib + static_cast<double>(rib);
+      if (curves_) {
+        const ribs::EndOnCurve told = curves_->tell(rib, end, grid.alone());
+        end.along = told.beside;
+        end.out = told.length;
+      }
+    }
     end.along = grid.alone(end.along);
     end.out = grid.alone(end.out);
   }
+  /// The end that a text of this version says.
+  void find(ribs::EndEdit& end, int version) const {
+    const double rib = end.at - kFirstRib;
+    if (!(rib >= 0 && rib < static_cast<double>(places_.size()))) return;
+    const auto i = static_cast<std::size_t>(rib);
+    end.at = places_[i];
+    if (curves_ && version >= kFirstOnCurves) curves_->put(i, {end.along, end.out}, end);
+  }
+
+ private:
+  std::vector<double> places_;
+  std::optional<ribs::EndCurves> curves_;
+};
+
+void keep(document::LoftRecipe& recipe, const Grid& grid) {
+  recipe.stroke = grid(recipe.stroke);
   keepMarks(recipe.ignored, grid);
+}
+/// As a text says the ends of a kept recipe.
+void tellEnds(document::LoftRecipe& recipe, const Grid& grid, TracedRibs& traced) {
+  if (recipe.edits.ends.empty()) return;
+  const RibsOfText row(recipe, grid.size(), traced);
+  for (ribs::EndEdit& end : recipe.edits.ends) {
+    end.reach = std::round(end.reach * kPlaces) / kPlaces;
+    row.tell(end, grid);
+  }
 }
 void keep(document::InflateRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
 void keep(document::ExtrudeRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
@@ -177,16 +219,12 @@ Json* listOf(Json& json, const char* key) {
   return at != json.end() && at->is_array() ? &*at : nullptr;
 }
 
-/// In a text the place of the i-th rib is this and i: the spine tells where it is.
-constexpr double kFirstRib = 2;
-
-/// Calls `change(place, places of the ribs)` for the place of every rib end of the document's JSON that was put
-/// somewhere.
-template <class Change>
-void forPlaces(Json& json, Change change) {
+/// Rib ends at a rib come to where the text says that they are.
+void findEnds(Json& json, int version) {
   Json* parts = listOf(json, "parts");
   const Json* pictures = listOf(json, kPicturesKey);
   if (parts == nullptr || pictures == nullptr) return;
+  TracedRibs traced;
   for (Json& part : *parts) {
     const auto recipe = part.is_object() ? part.find("recipe") : part.end();
     if (recipe == part.end() || !recipe->is_object()) continue;
@@ -204,20 +242,14 @@ void forPlaces(Json& json, Change change) {
       const bool ours = picture.is_object() && get(picture.value("id", Json()), id) && id == loft.picture.value;
       if (ours) get(picture.value("size", Json()), size);
     }
-    const std::vector<double> places = ribPlaces(loft, size);
+    const RibsOfText row(loft, size, traced);
     for (Json& end : *ends) {
-      if (end.is_array() && end.size() > 1 && end[1].is_number()) change(end[1], places);
+      ribs::EndEdit edit;
+      if (!get(end, edit)) continue;
+      row.find(edit, version);
+      end = toJson(edit);
     }
   }
-}
-
-void nameRibs(Json& at, const std::vector<double>& places) {
-  const auto found = std::ranges::find(places, at.get<double>());
-  if (found != places.end()) at = toJson(kFirstRib + static_cast<double>(found - places.begin()));
-}
-void findRibs(Json& at, const std::vector<double>& places) {
-  const double rib = at.get<double>() - kFirstRib;
-  if (rib >= 0 && rib < static_cast<double>(places.size())) at = toJson(places[static_cast<std::size_t>(rib)]);
 }
 
 /// The id of a picture of the document's JSON; none where it has no usable one.
@@ -230,6 +262,7 @@ PictureId idOf(const Json& picture) {
 /// The document's JSON with rounded numbers; of a photo its copy, or that there is one.
 Json keptJson(const Document& document, const PhotoCopies& copies = {}) {
   Document rounded = document;
+  TracedRibs traced;
   std::map<std::uint32_t, Grid> grids;
   for (Box<document::PictureEntry>& box : rounded.pictures) {
     document::PictureEntry entry = box.get();
@@ -243,6 +276,7 @@ Json keptJson(const Document& document, const PhotoCopies& copies = {}) {
     const auto grid = grids.find(document::pictureOf(part).value);
     if (grid == grids.end()) continue;
     std::visit([&](auto& recipe) { keep(recipe, grid->second); }, part.recipe);
+    if (document::LoftRecipe* loft = document::loftOf(part)) tellEnds(*loft, grid->second, traced);
     if (document::ShapeRecipe* shape = document::shapeOf(part)) {
       for (document::Outline& outline : shape->outlines) {
         const auto own = grids.find(outline.picture.value);
@@ -253,7 +287,6 @@ Json keptJson(const Document& document, const PhotoCopies& copies = {}) {
     box = std::move(part);
   }
   Json json = documentJson(rounded);
-  forPlaces(json, nameRibs);
   roundNumbers(json);
   if (Json* pictures = listOf(json, kPicturesKey)) {
     for (Json& picture : *pictures) {
@@ -279,7 +312,7 @@ std::shared_ptr<const image::Picture> sizedPhoto(const CopiedPhotos& photos, Pic
 }
 
 /// The photos that are there, and white pictures in place of the others.
-Result<Document> documentOf(Json json, ReadNotes* notes, const CopiedPhotos& copied = {}) {
+Result<Document> documentOf(Json json, int version, ReadNotes* notes, const CopiedPhotos& copied = {}) {
   std::map<std::uint64_t, std::shared_ptr<const image::Picture>> shown;
   std::set<PictureId> missing;
   if (Json* pictures = listOf(json, kPicturesKey)) {
@@ -298,7 +331,7 @@ Result<Document> documentOf(Json json, ReadNotes* notes, const CopiedPhotos& cop
       shown[hash] = std::move(photo);
     }
   }
-  forPlaces(json, findRibs);
+  findEnds(json, version);
   const PictureSource photos = [&](std::uint64_t hash) -> std::shared_ptr<const image::Picture> {
     const auto found = shown.find(hash);
     return found == shown.end() ? nullptr : found->second;
@@ -318,8 +351,11 @@ Result<Document> documentOf(Json json, ReadNotes* notes, const CopiedPhotos& cop
 
 // ---- the text -----------------------------------------------------------------------------------
 
+/// Bytes of the checksum: of crc32 the last ones. A text changed by chance passes once in 16 million times.
+constexpr std::size_t kSumBytes = 3;
+constexpr std::uint32_t kSumMask = 0xFFFFFF;
+
 constexpr std::string_view kDigits64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::size_t kSumBytes = 4;
 
 int digitOf(char c) {
   const std::size_t at = kDigits64.find(c);
@@ -375,9 +411,40 @@ std::optional<std::vector<std::uint8_t>> toBytes(std::string_view text) {
   return rest ? std::nullopt : std::optional(std::move(bytes));
 }
 
+int versionOf(std::string_view text) { return text.front() - '0'; }
+
+std::uint32_t takeSum(std::span<const std::uint8_t> bytes) {
+  std::uint32_t sum = 0;
+  for (const std::uint8_t byte : bytes) sum = sum << 8 | byte;
+  return sum;
+}
+
+/// Three bytes of the checksum, then what packJson wrote, without the zeros at its end.
+std::optional<std::vector<std::uint8_t>> packedIn(std::string_view body) {
+  if (body.ends_with(kDigits64[0])) return std::nullopt;
+  std::string whole(body);
+  while (whole.size() % 4 != 0 || whole.size() < 4 * kSumBytes) whole += kDigits64[0];
+  auto bytes = toBytes(whole);
+  if (!bytes) return std::nullopt;
+  const std::uint32_t sum = takeSum(std::span(*bytes).first(kSumBytes));
+  bytes->erase(bytes->begin(), bytes->begin() + kSumBytes);
+  while (!bytes->empty() && bytes->back() == 0) bytes->pop_back();
+  return (crc32(*bytes) & kSumMask) == sum ? bytes : std::nullopt;
+}
+
+/// Of versions 1 and 2: all of what packJson wrote, then four bytes.
+std::optional<std::vector<std::uint8_t>> packedFirst(std::string_view body) {
+  constexpr std::size_t kSum = 4;
+  auto bytes = toBytes(body);
+  if (!bytes || bytes->size() < kSum) return std::nullopt;
+  const std::uint32_t sum = takeSum(std::span(*bytes).last(kSum));
+  bytes->resize(bytes->size() - kSum);
+  return crc32(*bytes) == sum ? bytes : std::nullopt;
+}
+
 Result<Json> jsonOf(std::string_view text) {
   if (!isShareText(text)) return Error::LinkForeign;
-  const int version = text.front() - '0';
+  const int version = versionOf(text);
   if (version > kShareVersion) return Error::ProjectTooNew;
   if (text.size() > kMostShareText) return Error::OutOfMemory;
   text.remove_prefix(1);
@@ -385,19 +452,16 @@ Result<Json> jsonOf(std::string_view text) {
   if (!length) return text.empty() ? Error::LinkCut : Error::LinkAltered;
   if (text.size() < *length && *length <= kMostShareText)
     return {Error::LinkCut, std::to_string(*length - text.size()) + " characters are missing"};
-  const auto bytes = toBytes(text);
-  if (text.size() != *length || !bytes || bytes->size() < kSumBytes) return Error::LinkAltered;
-  const std::span<const std::uint8_t> packed = std::span(*bytes).first(bytes->size() - kSumBytes);
-  std::uint32_t sum = 0;
-  for (const std::uint8_t byte : std::span(*bytes).last(kSumBytes)) sum = sum << 8 | byte;
-  if (crc32(packed) != sum) return Error::LinkAltered;
-  return unpackJson(packed, version);
+  if (text.size() != *length) return Error::LinkAltered;
+  const auto packed = version < kFirstOnCurves ? packedFirst(text) : packedIn(text);
+  if (!packed) return Error::LinkAltered;
+  return unpackJson(*packed, version);
 }
 
 Result<Document> readText(std::string_view text, ReadNotes* notes, const CopiedPhotos& photos) {
   Result<Json> json = jsonOf(text);
   if (!json.ok()) return json.failure();
-  return documentOf(std::move(json).value(), notes, photos);
+  return documentOf(std::move(json).value(), versionOf(text), notes, photos);
 }
 
 /// A picture file that anybody may decode: its header says that it is small.
@@ -424,6 +488,26 @@ Result<PhotoCopies> copiesIn(std::string_view text) {
   return copies;
 }
 
+/// About so many quarters of a bit numbers of the grid take, from the third one on.
+std::size_t listCost(std::span<const double> numbers, double step) {
+  std::vector<std::int64_t> whole;
+  for (const double number : numbers) whole.push_back(std::llround(std::clamp(number / step, -1e15, 1e15)));
+  std::uint64_t all = 0;
+  for (const std::int64_t number : whole) all |= static_cast<std::uint64_t>(number);
+  const int zeros = all == 0 ? 0 : std::countr_zero(all);
+  for (std::int64_t& number : whole) number /= std::int64_t{1} << zeros;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const Mode& mode : kModes) {
+    std::size_t sum = 0;
+    for (std::size_t i = 2; i < whole.size(); ++i) {
+      const std::int64_t off = whole[i] - foretold(mode, std::span(whole).first(i), whole.size());
+      sum += off == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
+    }
+    least = std::min(least, sum);
+  }
+  return least;
+}
+
 }  // namespace
 
 double shareStep(image::Size picture) {
@@ -432,25 +516,22 @@ double shareStep(image::Size picture) {
 }
 
 std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture) {
-  double step = shareStep(picture);
-  const auto isOn = [&](PicturePoint p) { return std::fmod(p.x, step) == 0 && std::fmod(p.y, step) == 0; };
-  for (int doublings = 0; doublings < 8; ++doublings) {
-    step *= 2;
-    if (std::ranges::all_of(line, isOn)) continue;
-    step /= 2;
-    break;
+  std::vector<double> numbers;
+  for (const PicturePoint p : line) numbers.insert(numbers.end(), {p.x, p.y});
+  return listCost(numbers, shareStep(picture));
+}
+
+std::size_t endsCost(const document::LoftRecipe& recipe, image::Size picture) {
+  const Grid grid(picture);
+  document::LoftRecipe told = recipe;
+  TracedRibs traced;
+  tellEnds(told, grid, traced);
+  std::vector<double> along, out;
+  for (const ribs::EndEdit& end : told.edits.ends) {
+    along.push_back(end.along);
+    out.push_back(end.out);
   }
-  const auto size = [&](double change) -> std::size_t {
-    const auto steps = static_cast<std::uint64_t>(std::min(std::abs(change) / step, 1e15));
-    return steps == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(steps));
-  };
-  std::size_t sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const PicturePoint before = i == 1 ? PicturePoint{} : line[i - 1] - line[i - 2];
-    const PicturePoint change = line[i] - line[i - 1] - before;
-    sum += size(change.x) + size(change.y);
-  }
-  return sum;
+  return listCost(along, grid.alone()) + listCost(out, grid.alone());
 }
 
 std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture) {
@@ -458,14 +539,17 @@ std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image:
 }
 
 document::Document shareable(const Document& document) {
-  Result<Document> read = documentOf(keptJson(document), nullptr);
+  Result<Document> read = documentOf(keptJson(document), kShareVersion, nullptr);
   return read.ok() ? std::move(read).value() : Document{};
 }
 
 std::string sealShareText(std::vector<std::uint8_t> packed) {
+  while (!packed.empty() && packed.back() == 0) packed.pop_back();
   const std::uint32_t sum = crc32(packed);
-  for (int shift = 24; shift >= 0; shift -= 8) packed.push_back(static_cast<std::uint8_t>(sum >> shift));
-  const std::string body = toText(packed);
+  for (std::size_t shift = 0; shift < 8 * kSumBytes; shift += 8)
+    packed.insert(packed.begin(), static_cast<std::uint8_t>(sum >> shift));
+  std::string body = toText(packed);
+  while (body.ends_with(kDigits64[0])) body.pop_back();
   std::string text(1, static_cast<char>('0' + kShareVersion));
   appendNumber(text, body.size());
   return text + body;

@@ -18,15 +18,16 @@
 namespace spineloft::io {
 
 /// What texts are written as; 1 … this are read.
-inline constexpr int kShareVersion = 2;
+inline constexpr int kShareVersion = 3;
 /// Longest text that is read, characters.
 inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
 
 /// What a text keeps of a document: places on pictures as multiples of ¼ pixel of a picture of 1024 pixels (2ⁿ/4 of
 /// larger ones), strokes without the points that lie on the line between others to within half of that; rib ends that
-/// were put somewhere as multiples of ½ pixel in the frame of their spine. So nothing is off by more than ¼ pixel of a
-/// picture of 1024 pixels in either direction. Places along a spine that are within 1/8192 of a rib are at the rib,
-/// others on multiples of 1/4096; other numbers have 7 digits. A photo is a white picture of its size.
+/// were put somewhere as multiples of ½ pixel: at a rib along its curve and beside it (ribs/edit/end_curves.h), else
+/// (and behind the first 20,000 ribs) in the frame of the spine. So nothing is off by more than ¼ pixel of a picture of
+/// 1024 pixels in either direction. Places along a spine are multiples of 1/4096, or at the rib that is within half of
+/// that of one; other numbers have 7 digits. A photo is a white picture of its size.
 document::Document shareable(const document::Document& document);
 
 /// The grid of places on a picture of this size, picture pixels.
@@ -34,8 +35,11 @@ double shareStep(image::Size picture);
 /// An open line on a picture as a text keeps it; kept again it stays as it is.
 std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture);
 
-/// About so many quarters of a bit a line takes in a text: few where its points are evenly spaced, or on a coarse grid.
+/// About so many quarters of a bit a line takes in a text: few where its points are evenly spaced and turn evenly, or
+/// are on a coarse grid.
 std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture);
+/// And the rib ends of a part.
+std::size_t endsCost(const document::LoftRecipe& recipe, image::Size picture);
 
 /// Longest side of the copy of a photo in a text, pixels.
 inline constexpr int kMostSharedSide = 512;

@@ -37,16 +37,6 @@ ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::Spine& sp
   return fixed;
 }
 
-/// What rib ends cost in a text, as io::lineCost says it.
-std::size_t costOf(const ribs::RibEdits& edits, image::Size picture) {
-  const double step = 2 * io::shareStep(picture);
-  std::vector<PicturePoint> line;
-  for (const ribs::EndEdit& end : edits.ends) {
-    line.push_back({std::round(end.along / step) * step, std::round(end.out / step) * step});
-  }
-  return io::lineCost(line, picture);
-}
-
 /// Of the places of the photo at the part's vertices; the look's own colour where there are none.
 std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const image::Image& photo,
                                        std::array<std::uint8_t, 3> otherwise) {
@@ -76,8 +66,11 @@ document::Document fixed(const document::Document& document, const pipeline::Der
     const auto& shape = derived.parts[i].shape;
     if (entry == nullptr || entry->isSketch() || !shape) continue;
     if (document::LoftRecipe* loft = document::loftOf(part)) {
-      const auto besides = [&](const ribs::Spine& spine) {
-        return costOf(fixedEnds(*shape, spine, loft->edits), entry->size);
+      const auto besides = [&](const StrokeAndSpine& line) {
+        document::LoftRecipe on = *loft;
+        on.stroke = line.stroke;
+        on.edits = fixedEnds(*shape, line.spine, loft->edits);
+        return io::endsCost(on, entry->size);
       };
       StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine, besides);
       loft->edits = fixedEnds(*shape, shorter.spine, loft->edits);

@@ -12,9 +12,11 @@ namespace spineloft::publish {
 namespace {
 
 /// Numbers of points that are tried, fewest first.
-constexpr std::array<std::size_t, 14> kCounts = {2, 3, 4, 5, 6, 8, 10, 12, 15, 19, 24, 30, 38, 48};
+constexpr std::array<std::size_t, 19> kCounts = {2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 19, 22, 26, 31, 37, 44, 53};
 /// Grids that are tried, in steps of the text's own.
-constexpr std::array<double, 3> kGrids = {8, 4, 1};
+constexpr std::array<double, 4> kGrids = {8, 4, 2, 1};
+/// What stands besides is not asked for where even so many tenths of the best one so far would be too much.
+constexpr std::size_t kSparedBesides = 8;
 /// One pixel of a picture of 1024 pixels, in steps of the text's grid.
 constexpr double kMostOff = 4;
 /// Cleaning rounds bends; so often the points are moved against it.
@@ -58,20 +60,23 @@ std::optional<StrokeAndSpine> strokeOn(double step, std::size_t count, const rib
 }  // namespace
 
 StrokeAndSpine shortStroke(const StrokeAndSpine& given, image::Size picture, const ribs::SpineParams& params,
-                           const CostOfSpine& besides) {
+                           const CostBesides& besides) {
   const ribs::Spine& wanted = given.spine;
   std::vector<PicturePoint> whole = io::keptLine(given.stroke, picture);
   std::optional<StrokeAndSpine> best;
-  std::size_t least = 0;
+  std::size_t least = 0, leastBesides = 0;
   for (const std::size_t count : kCounts) {
     if (wanted.points.size() < 2) break;
     for (const double steps : kGrids) {
       auto found = strokeOn(steps * io::shareStep(picture), count, wanted, picture, params);
       if (!found) continue;
-      const std::size_t cost = io::lineCost(found->stroke, picture) + besides(found->spine);
-      if (best && cost >= least) continue;
+      const std::size_t line = io::lineCost(found->stroke, picture);
+      if (best && line + leastBesides * kSparedBesides / 10 >= least) continue;
+      const std::size_t other = besides(*found);
+      if (best && line + other >= least) continue;
       best = std::move(found);
-      least = cost;
+      least = line + other;
+      leastBesides = other;
     }
   }
   if (best) return *std::move(best);

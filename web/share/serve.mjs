@@ -1,4 +1,4 @@
-// The share server by itself: `npm run serve:share`, or `node web/share/serve.mjs` where the packages are installed.
+// The share server by itself: what `npm run serve:share` starts.
 import { createServer } from 'node:http';
 import { homedir } from 'node:os';
 import { join } from 'node:path';

@@ -115,7 +115,7 @@ TEST_CASE("links are short, and every rib end is at most a quarter of a pixel of
     std::size_t characters;
   };
   // An even shape, and limbs whose outlines go in and out.
-  for (const auto& [document, characters] : {Case{onPhoto(40), 150}, Case{ofLimbs(1, 40), 150},
+  for (const auto& [document, characters] : {Case{onPhoto(40), 125}, Case{ofLimbs(1, 40), 125},
                                              Case{ofLimbs(7, 40), 1000}, Case{ofLimbs(12, 60), kMostLinkText}}) {
     const pipeline::Derived before = derivedOf(document);
     const auto shared = shareModel(document, before);

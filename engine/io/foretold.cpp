@@ -1,0 +1,80 @@
+#include "engine/io/foretold.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+namespace spineloft::io {
+namespace {
+
+/// Steps up to here have exact products in double precision.
+constexpr std::int64_t kMostTurned = 1 << 16;
+
+struct Pair {
+  std::int64_t x, y;
+};
+
+/// The step that comes after `earlier` and `last`. With both as complex numbers that is last² · conj(earlier), as long
+/// as the last one. None where a step is 0 or too long.
+std::optional<Pair> turned(Pair earlier, Pair last) {
+  const auto most = std::max({std::abs(earlier.x), std::abs(earlier.y), std::abs(last.x), std::abs(last.y)});
+  if (most > kMostTurned) return std::nullopt;
+  const std::int64_t a = last.x * last.x + last.y * last.y;
+  const std::int64_t b = earlier.x * earlier.x + earlier.y * earlier.y;
+  if (a == 0 || b == 0) return std::nullopt;
+  const Pair square{last.x * last.x - last.y * last.y, 2 * last.x * last.y};
+  const std::int64_t x = square.x * earlier.x + square.y * earlier.y;
+  const std::int64_t y = square.y * earlier.x - square.x * earlier.y;
+  const double lengths = std::sqrt(static_cast<double>(a) * static_cast<double>(b));
+  return Pair{std::llround(static_cast<double>(x) / lengths), std::llround(static_cast<double>(y) / lengths)};
+}
+
+/// By the turn of the line of points; none before its third step.
+std::optional<std::int64_t> byTurn(std::span<const std::int64_t> before) {
+  const std::size_t i = before.size(), point = i - i % 2;
+  if (point < 6) return std::nullopt;
+  const auto step = [&](std::size_t to) { return Pair{before[to] - before[to - 2], before[to + 1] - before[to - 1]}; };
+  const auto next = turned(step(point - 4), step(point - 2));
+  if (!next) return std::nullopt;
+  return before[i - 2] + (i % 2 == 0 ? next->x : next->y);
+}
+
+}  // namespace
+
+std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before, std::size_t count) {
+  const std::size_t i = before.size(), s = mode.stride;
+  if (mode.halves && i >= count - count / 2) {
+    const std::size_t like = i - (count - count / 2);
+    return like == 0 ? before[0] : before[i - 1] + before[like] - before[like - 1];
+  }
+  if (mode.order == 0 || i < s) return 0;
+  if (mode.order == 1 || i < 2 * s) return before[i - s];
+  if (mode.turns) {
+    if (const auto next = byTurn(before)) return *next;
+  }
+  const auto reach = static_cast<std::int64_t>(std::min(mode.reach, i / s - 1));
+  const std::int64_t last = before[i - s], change = last - before[i - s - static_cast<std::size_t>(reach) * s];
+  return last + (2 * change + (change < 0 ? -reach : reach)) / (2 * reach);  // rounded
+}
+
+std::uint32_t bestMode(std::span<const std::int64_t> values, std::size_t modes) {
+  std::uint32_t best = 0;
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  for (std::uint32_t m = 0; m < modes; ++m) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::int64_t off = values[i] - foretold(kModes[m], values.first(i), values.size());
+      bits += 2 * static_cast<std::uint64_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
+    }
+    if (bits < least) {
+      least = bits;
+      best = m;
+    }
+  }
+  return best;
+}
+
+}  // namespace spineloft::io

@@ -1,0 +1,61 @@
+#include "engine/io/foretold.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/support/rounds.h"
+
+using namespace spineloft;
+using namespace spineloft::io;
+using namespace spineloft::testing;
+
+namespace {
+
+constexpr std::uint32_t kTurns = kModes.size() - 1;
+static_assert(kModes[kTurns].turns);
+
+/// Points of a line of even steps that turns evenly.
+std::vector<std::int64_t> arc(double step, double turn, int points) {
+  std::vector<std::int64_t> numbers;
+  double x = 0, y = 0;
+  for (int i = 0; i < points; ++i) {
+    numbers.push_back(std::llround(x));
+    numbers.push_back(std::llround(y));
+    x += step * std::cos(turn * i);
+    y += step * std::sin(turn * i);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("points on circles are foretold by their turn to within what rounding does to three steps") {
+  for (const double degrees : {0.0, 5.0, 30.0, 90.0, -60.0}) {
+    const auto numbers = arc(200, degrees * std::numbers::pi / 180, 20);
+    for (std::size_t i = 6; i < numbers.size(); ++i) {
+      const std::int64_t next = foretold(kModes[kTurns], std::span(numbers).first(i), numbers.size());
+      CHECK(std::abs(next - numbers[i]) <= 4);
+    }
+    if (std::abs(degrees) >= 5) CHECK(bestMode(numbers, kModes.size()) == kTurns);
+  }
+}
+
+TEST_CASE(
+    "what has no turn is foretold as a line: repeated points, steps too long for exact products, a list's begin") {
+  const Mode line{.order = 2, .stride = 2};
+  const std::int64_t far = std::int64_t{1} << 50;
+  for (const std::vector<std::int64_t>& numbers : {std::vector<std::int64_t>{},
+                                                   {3},
+                                                   {3, 4},
+                                                   {3, 4, 5, 7, 9},
+                                                   {3, 4, 3, 4, 3, 4, 3},
+                                                   {0, 0, far, -far, -far, far, far}}) {
+    for (std::size_t i = 0; i <= numbers.size(); ++i) {
+      const auto before = std::span(numbers).first(i);
+      CHECK(foretold(kModes[kTurns], before, 40) == foretold(line, before, 40));
+    }
+  }
+}
