@@ -139,4 +139,7 @@ document::Look currentLook(const CommandEnv& env);
 /// Turns the camera so that it sees every part, from home or from where it looks.
 void flyTo(const CommandEnv& env, bool home);
 
+/// Says so where the solid of parts that were stuck together is there and in several pieces.
+void tellLoosePieces(const CommandEnv& env, StepId step);
+
 }  // namespace spineloft::app

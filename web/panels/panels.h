@@ -47,7 +47,7 @@ void drawActivity(const PanelEnv& env);        ///< progress of long work
 void drawSectionOverlay(const PanelEnv& env);  ///< sections on the spine, a section on its way
 void drawSectionBoard(const PanelEnv& env);    ///< the board on which a section is drawn
 
-void partList(const PanelEnv& env);
+void partList(const PanelEnv& env, bool tiles);  ///< with `tiles`, what can be made of the parts is below them
 void sectionChooser(const PanelEnv& env, float width);
 void regionPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a puff or flat piece
 void sectionKeyBar(const PanelEnv& env, float width);  ///< sections along the selected part's spine
