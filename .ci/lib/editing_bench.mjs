@@ -1,5 +1,6 @@
 // How long editing takes on the page in headless Chromium: from a pointer event to the new solid on the screen, with
-// 8 parts of 60 ribs on the board, and what a move of the mouse costs that only lights something.
+// 8 parts of 60 ribs on the board, what a move of the mouse costs that only lights something, and the tasks beyond 50 ms
+// that hold the page up meanwhile: node .ci/lib/editing_bench.mjs, as a part of npm run bench.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { openPage, startBrowser, startSite } from './browser.mjs';
@@ -34,6 +35,48 @@ async function fill(page) {
     },
     [bytes, sample.spine, kParts, kRibs],
   );
+}
+
+/** What the page's own thread, and the process that draws, have taken of the processor so far, ms. */
+async function processorMs({ page, whole }) {
+  const { metrics } = await page.send('Performance.getMetrics');
+  const { processInfo } = await whole.send('SystemInfo.getProcessInfo');
+  return {
+    thread: 1000 * metrics.find(({ name }) => name === 'TaskDuration').value,
+    drawing: 1000 * processInfo.find(({ type }) => type === 'GPU').cpuTime,
+  };
+}
+
+/**
+ * Work that times itself, what a move of it takes of the processor on the page's own thread and in the process that draws,
+ * which other programs on the machine do not lengthen, and the tasks beyond 50 ms while it went on: how many, and the
+ * longest.
+ */
+async function watched(page, work, argument) {
+  const sessions = {
+    page: await page.context().newCDPSession(page),
+    whole: await page.context().browser().newBrowserCDPSession(),
+  };
+  await sessions.page.send('Performance.enable', { timeDomain: 'threadTicks' });
+  await page.evaluate(() => {
+    window.longTasks = [];
+    window.longTaskWatch ??= new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) window.longTasks.push(duration);
+    });
+    window.longTaskWatch.observe({ type: 'longtask' });
+  });
+  const before = await processorMs(sessions);
+  const times = await page.evaluate(work, argument);
+  const after = await processorMs(sessions);
+  for (const session of Object.values(sessions)) await session.detach();
+  const thread_ms = (after.thread - before.thread) / times.length,
+    drawing_ms = (after.drawing - before.drawing) / times.length;
+  const long = await page.evaluate(() => {
+    window.longTasks.push(...window.longTaskWatch.takeRecords().map(({ duration }) => duration));
+    window.longTaskWatch.disconnect();
+    return window.longTasks;
+  });
+  return { ...summary(times), thread_ms, drawing_ms, long_tasks: long.length, longest_ms: Math.max(0, ...long) };
 }
 
 /** Drags a rib end (or a bone point) and times each move until a frame shows its shape. Runs in the page. */
@@ -175,13 +218,14 @@ export async function editingTimes() {
     const { page } = await openPage(browser, site.url, { viewport: { width: 1440, height: 900 } });
     await fill(page);
     const result = { parts: kParts, ribs: kRibs };
-    result['drag a rib end'] = summary(await page.evaluate(dragTimes, ['ribs', kMoves]));
+    const timed = (work, ...argument) => watched(page, work, argument);
+    result['drag a rib end'] = await timed(dragTimes, 'ribs', kMoves);
     await page.evaluate(() => window.spineloft.run('keep-ribs'));
-    result['bend the bone, ribs kept'] = summary(await page.evaluate(dragTimes, ['bone', kMoves]));
+    result['bend the bone, ribs kept'] = await timed(dragTimes, 'bone', kMoves);
     await page.evaluate(() => window.spineloft.run('find-edges'));
-    result['bend the bone, edges found again'] = summary(await page.evaluate(dragTimes, ['bone', kMoves]));
-    result['hover over the picture'] = summary(await page.evaluate(hoverTimes, ['picture', kMoves]));
-    result['hover over the solid'] = summary(await page.evaluate(hoverTimes, ['solid', kMoves]));
+    result['bend the bone, edges found again'] = await timed(dragTimes, 'bone', kMoves);
+    result['hover over the picture'] = await timed(hoverTimes, 'picture', kMoves);
+    result['hover over the solid'] = await timed(hoverTimes, 'solid', kMoves);
     await page.close();
     return { ...result, ...(await firstSolids(browser, site)) };
   } finally {
@@ -189,3 +233,6 @@ export async function editingTimes() {
     await site.close();
   }
 }
+
+if (process.argv[1] === import.meta.filename)
+  process.stdout.write(`${JSON.stringify(await editingTimes(), null, 2)}\n`);

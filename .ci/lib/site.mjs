@@ -121,6 +121,32 @@ const smallFonts = {
   },
 };
 
+/** CSS pixels of text at the usual size; web/shell/text_size.ts is the same for the canvas. */
+const kUsualText = 16;
+
+/**
+ * A style sheet whose pixels are those at the usual size of text: they become shares of the size that the browser asks for,
+ * and the widths at which the page is laid out differently follow it, so that large text is like a zoomed page.
+ */
+export function followingText(css) {
+  const shares = (text, unit) =>
+    text.replace(/(?<![\w#.])(\d*\.?\d+)px\b/g, (whole, pixels) => `${Number(pixels) / kUsualText}${unit}`);
+  return css
+    .split(/(@media[^{]*)/)
+    .map((piece) => shares(piece, piece.startsWith('@media') ? 'em' : 'rem'))
+    .join('');
+}
+
+const sheetsThatFollow = {
+  name: 'sheets-that-follow-text',
+  setup(build) {
+    build.onLoad({ filter: /web[\\/]shell[\\/].*\.css$/ }, ({ path }) => ({
+      contents: followingText(readFileSync(path, 'utf8')),
+      loader: 'css',
+    }));
+  },
+};
+
 /** The engine's test for meshes that go through themselves, which the worker of solids loads. */
 export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
 
@@ -155,7 +181,7 @@ async function bundle(folder, read, entryPoints, define, place = { outdir: 'asse
       alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
-      plugins: [smallFonts],
+      plugins: [smallFonts, sheetsThatFollow],
     })
     .catch((error) => {
       const lines = (error.errors ?? []).map((e) => `${e.location?.file}:${e.location?.line}: ${e.text}`);

@@ -429,3 +429,50 @@ test('at 200 % zoom nothing is cut off and everything can be reached', () =>
     const menu = await page.getByRole('menu').boundingBox();
     assert.ok(menu.y + menu.height <= 400, 'the menu scrolls inside the window');
   }));
+
+/** In the page, before its own scripts: the browser's text is twice as large; nothing is zoomed. */
+const withLargeText = () =>
+  new MutationObserver((_, seen) => {
+    if (!document.head) return; // an element before that is not the page's own
+    document.documentElement.style.fontSize = '200%';
+    seen.disconnect();
+  }).observe(document, { childList: true, subtree: true });
+
+test('with text of twice the size and no zoom the page is laid out as at 200 %: words on the canvas are as large, hands meet what they see, and dialogs stay within the window', () =>
+  onPage(kit, { alone: true, viewport: { width: 1280, height: 800 }, scripts: [withLargeText] }, async (page) => {
+    const within = async (selector) => {
+      const { x, y, width, height } = await page.locator(selector).boundingBox();
+      assert.ok(
+        x >= 0 && y >= 0 && x + width <= 1280.5 && y + height <= 800.5,
+        `${selector}: ${[x, y, width, height]}`,
+      );
+    };
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+    assert.equal(await page.locator('.lead').evaluate((lead) => getComputedStyle(lead).fontSize), '34px');
+    await openPicture(page, tube.png, 'tube.png');
+    for (const id of ['#bar-more', '#bar-help', '#bar-save', '#home']) await within(id);
+    // A line along the middle is found where the hand drew it.
+    await drawWithMouse(page, tube.middle);
+    const [part] = (await state(page)).parts;
+    const [first, last] = [part.bone[0], part.bone.at(-1)];
+    assert.ok(Math.hypot(first[0] - tube.middle[0][0], first[1] - tube.middle[0][1]) < 30, `${first}`);
+    assert.ok(Math.hypot(last[0] - tube.middle.at(-1)[0], last[1] - tube.middle.at(-1)[1]) < 30, `${last}`);
+    // What is pressed is where the mirror says that it is.
+    const home = page.locator('#mirror [data-command=move]');
+    await home.waitFor({ state: 'attached' });
+    const box = await home.boundingBox();
+    assert.ok(box.width >= 60, `${box.width} pixels: as large as the text`);
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await idle(page);
+    assert.equal((await state(page)).tool, 'move');
+    await page.locator('#bar-more').click();
+    await within('.menu');
+    await page.keyboard.press('Escape');
+    for (const command of ['help', 'share-model', 'find-command']) {
+      await run(page, command);
+      await page.locator('dialog').waitFor();
+      await within('dialog');
+      await page.keyboard.press('Escape');
+      await page.locator('dialog').waitFor({ state: 'detached' });
+    }
+  }));

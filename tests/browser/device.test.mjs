@@ -4,23 +4,11 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { distDir } from '../../.ci/lib/paths.mjs';
-import { idle, kEngines, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
+import { idle, kEngines, onPage, openWithPart, run, state, useSite, watchPrograms } from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
-
-/** In the page, before its scripts: how WebAssembly programs are made, and how large they are. */
-function watchPrograms() {
-  window.programs = [];
-  for (const name of ['compileStreaming', 'instantiateStreaming', 'compile', 'instantiate']) {
-    const real = WebAssembly[name].bind(WebAssembly);
-    WebAssembly[name] = (source, ...rest) => {
-      if (!(source instanceof WebAssembly.Module)) window.programs.push(name);
-      return real(source, ...rest);
-    };
-  }
-}
 
 for (const { name, isolated } of kEngines) {
   test(`the engine is compiled once, while it comes (${name})`, () =>

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { control, handOf, placeOf, press } from './support/hands.mjs';
+import { control, findControl, handOf, placeOf, press, strokeAlong } from './support/hands.mjs';
 import { measure, parseStl } from './support/model_files.mjs';
 import { done, exported, framed, idle, kPhone, onPage, openWithPart, run, state, useSite } from './support/page.mjs';
 import { paintedPng } from './support/pictures.mjs';
@@ -50,6 +50,8 @@ async function dragRow(page, name, where, other, { touch = false, midway } = {})
   if (!touch) await page.mouse.move(from.x, from.y);
   await framed(page);
   await hand.down(from);
+  // Before a finger has stayed it scrolls the list.
+  if (touch) await page.waitForTimeout(600);
   for (let i = 1; i <= 5; i += 1) {
     await hand.move({ x: from.x, y: from.y + ((to.y - from.y) * i) / 5 });
     await framed(page);
@@ -109,4 +111,48 @@ test('a row that a finger on a phone drags up past another brings its part befor
     assert.deepEqual([joined.open, joined.unsound, joined.pieces], [0, 0, 1]);
     assert.ok(joined.volume < apart.volume, 'what both held is there once');
     await look(page, 'stuck');
+  }));
+
+/** A page with five parts that cross one another, on a phone with its list open. */
+const withFive = (work) =>
+  onPage(kit, kPhone, async (page) => {
+    await openWithPart(page, crossing, across, 'crossing.png');
+    for (let i = 0; i < 4; i += 1) {
+      await run(page, 'new-part');
+      await done(page, 'draw-spine', { stroke: upright.map(([x, y]) => [x + 2 * i, y]) });
+    }
+    await press(page, 'Parts', { kind: 'tab', touch: true });
+    assert.equal((await state(page)).parts.length, 5);
+    await work(page);
+  });
+
+test('on a phone what can be made of five parts is in sight beside their list, and one tap without ticks makes one piece of all', () =>
+  withFive(async (page) => {
+    for (const words of ['Stick together', 'Cut out', 'Overlap', 'Scoop out']) {
+      assert.equal((await findControl(page, words)).inSight, true, words);
+    }
+    await press(page, 'Stick together', { touch: true });
+    const { steps } = await state(page);
+    assert.deepEqual(
+      steps.map(({ kind, status, operands }) => [kind, status, operands.length]),
+      [['join', 'ready', 5]],
+    );
+  }));
+
+test('a finger that goes up or down over the small pictures of the list scrolls it and moves no part; a tap chooses', () =>
+  withFive(async (page) => {
+    const { undo } = await state(page);
+    const names = (await state(page)).parts.map(({ name }) => name);
+    const before = (await findControl(page, names[1], { kind: 'grip' })).at;
+    const from = await placeOf(page, names[1], { kind: 'grip' });
+    await strokeAlong(page, 'finger', [from, { x: from.x, y: from.y - 20 }, { x: from.x, y: from.y - 45 }]);
+    await framed(page);
+    const after = (await findControl(page, names[1], { kind: 'grip' })).at;
+    assert.ok(after[1] < before[1] - 25, `${before[1]} to ${after[1]}`);
+    assert.deepEqual(await order(page), [1, 2, 3, 4, 5]);
+    const third = await placeOf(page, names[2], { kind: 'grip' });
+    await page.touchscreen.tap(third.x, third.y);
+    await idle(page);
+    assert.equal((await state(page)).selection, 3);
+    assert.equal((await state(page)).undo, undo);
   }));

@@ -19,6 +19,7 @@ import {
   state,
   toastText,
   useSite,
+  watchPrograms,
 } from './support/page.mjs';
 import { samples, tubePicture } from './support/pictures.mjs';
 
@@ -89,8 +90,14 @@ test('after one visit the page opens without a network: a sample becomes a part,
   const site = await ownSite(t);
   const { page } = await visit(t, site);
   await site.close();
+  await page.addInitScript(watchPrograms);
   await page.reload();
   await page.evaluate(() => window.spineloft.ready);
+  assert.deepEqual(
+    await page.evaluate(() => window.programs),
+    ['compileStreaming'],
+    'what is stored comes as a stream',
+  );
   await page.locator('.sample-open').first().click();
   await page.waitForFunction(() => window.spineloft.state().picture !== null);
   await idle(page);

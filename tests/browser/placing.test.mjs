@@ -7,6 +7,7 @@ import {
   done,
   exported,
   idle,
+  kPhone,
   kTablet,
   onPage,
   openPicture,
@@ -139,3 +140,30 @@ test('with Snap on, a part that is dragged over another one comes to lie on its 
     }
     await page.keyboard.press('Shift+S');
   }));
+
+for (const [name, context] of Object.entries({
+  phone: kPhone,
+  'phone on its side': { ...kPhone, viewport: { width: 844, height: 390 } },
+})) {
+  test(`one row of buttons lies over the solid while parts are placed, below all handles of the gizmo (${name})`, () =>
+    onPage(kit, context, async (page) => {
+      await openWithPart(page, lemur.bytes, lemur.spine, 'lemur');
+      await page.touchscreen.tap(context.viewport.width - 20, 20); // fingers are used, and nothing is there
+      await page.keyboard.press('Escape');
+      await done(page, 'move');
+      const { controls, gizmo } = await state(page);
+      const at = (words) => controls.find((one) => one.words === words && one.kind === 'button').at;
+      const [, top, , height] = at('Home view');
+      for (const words of ['Duplicate', 'Move']) {
+        const [, y, , tall] = at(words);
+        assert.ok(y < top + height && y + tall > top, `${words} is in the row of Home view`);
+      }
+      for (const {
+        handle,
+        at: [, y],
+      } of gizmo.knobs)
+        assert.ok(y + 16 < top, `${handle} is above the row`);
+      const across = (handle) => gizmo.knobs.find((one) => one.handle === handle).at[0];
+      assert.ok(across('scale') - across('depth') > 110, 'fingers tell the handles apart');
+    }));
+}

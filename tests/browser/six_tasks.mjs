@@ -292,19 +292,17 @@ const kTasks = {
         [0.75, 0.45],
       ],
       [
-        [0.44, 0.65],
-        [0.44, 0.9],
+        [0.49, 0.6],
+        [0.42, 0.9],
       ],
       [
-        [0.56, 0.65],
-        [0.56, 0.9],
+        [0.51, 0.6],
+        [0.58, 0.9],
       ],
     ]) {
       await me.press('New part', kParts);
       await me.draw(open(limb));
     }
-    const { parts } = await state(me.page);
-    for (const { name } of parts) await me.press('Tick it, to put it together with others', { row: name, ...kParts });
     await me.press('Stick together', kParts);
     await me.pressDom('#bar-more');
     await me.pressDom('.menu [data-command=check-print]');

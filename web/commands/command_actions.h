@@ -141,4 +141,7 @@ void fly(const CommandEnv& env, const Camera& to);
 /// Turns the camera so that it sees every part, from home or from where it looks.
 void flyTo(const CommandEnv& env, bool home);
 
+/// Says so where the solid of parts that were stuck together is there and in several pieces.
+void tellLoosePieces(const CommandEnv& env, StepId step);
+
 }  // namespace spineloft::app

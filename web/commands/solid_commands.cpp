@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/printing/pieces.h"
 #include "engine/publish/solid_plan.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
@@ -66,14 +67,28 @@ std::vector<Operand> rootsInHand(Env env) {
   return roots;
 }
 
+/// All that stand alone and are shown.
+std::vector<Operand> shownRoots(const document::Document& document) {
+  std::vector<Operand> roots = rootsOf(document);
+  std::erase_if(roots, [&](const Operand& root) {
+    const Step* step = document::findStep(document, root.step);
+    return step ? !step->visible : !document::findPart(document, root.part)->visible;
+  });
+  return roots;
+}
+
 /// What the page means: what is ticked; else several that are in hand; else, of two things that stand alone, both, the
-/// selected one last.
-std::optional<std::vector<Operand>> meant(Env env, const Json& args) {
+/// selected one last. Of more, all that are shown become one piece; what is cut has to be said.
+std::optional<std::vector<Operand>> meant(Env env, const Json& args, StepKind kind) {
   if (auto named = operandsOf(args, "operands")) return named;
   if (auto named = operandsOf(args, "parts")) return named;
   if (env.ui.solids.picked.size() >= 2) return env.ui.solids.picked;
   if (std::vector<Operand> held = rootsInHand(env); held.size() >= 2) return held;
   std::vector<Operand> roots = rootsOf(env.studio.document());
+  if (roots.size() > 2 && kind == StepKind::Join && env.ui.solids.picked.empty()) {
+    roots = shownRoots(env.studio.document());
+    return roots.size() >= 2 ? std::optional(std::move(roots)) : std::nullopt;
+  }
   if (roots.size() != 2) return std::nullopt;
   const Step* root = rootOf(env.studio.document(), {env.ui.selection, {}});
   const bool first =
@@ -143,7 +158,7 @@ Outcome choose(Env env, const Status& status) {
 }
 
 Outcome combine(Env env, const Json& args, StepKind kind) {
-  auto operands = meant(env, args);
+  auto operands = meant(env, args, kind);
   if (!operands) {
     return Refusal{"ArgumentMissing",
                    "Tick the parts that this is about in the list first, the main one before the others."};
@@ -322,7 +337,7 @@ void openings(Env env, JsonWriter& json) {
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "stick-together", .label = "Stick together", .icon = "squares-unite", .group = "part",
-            .hint = "Make one solid of the ticked parts", .menu = "Together", .enabled = severalRoots, .run = stickTogether},
+            .hint = "Make one solid of the ticked parts, or of all", .menu = "Together", .enabled = severalRoots, .run = stickTogether},
     Command{.id = "cut", .label = "Cut out", .icon = "squares-subtract", .group = "part",
             .hint = "Cut the other ticked parts out of the first", .menu = "Together", .enabled = severalRoots, .run = cut},
     Command{.id = "keep-common", .label = "Overlap", .icon = "squares-intersect", .group = "part",
@@ -467,6 +482,22 @@ Outcome showFailure(Env env, StepId id) {
   env.ui.cameraTouched = true;
   fly(env, to);
   return {};
+}
+
+void tellLoosePieces(Env env, StepId id) {
+  const Step* step = findStep(env.studio.document(), id);
+  const auto& steps = env.studio.derived().steps;
+  const auto at = std::ranges::find(steps, id, &pipeline::DerivedStep::id);
+  if (step == nullptr || step->kind != StepKind::Join || at == steps.end() || !at->solid) return;
+  mesh::TriMesh mm{at->solid->mesh.positions, {}, at->solid->mesh.triangles};
+  const auto scale = static_cast<float>(millimetresPerUnit(env));
+  for (auto& place : mm.positions) {
+    for (float& x : place) x *= scale;
+  }
+  const std::size_t pieces = printing::countPieces({&mm, 1});
+  if (pieces < 2) return;
+  sendHint(env.host, words::tr("{solid} is in {n} pieces that do not touch. Move them together.",
+                               {{"solid", words::nameOf(step->name)}, {"n", pieces}}));
 }
 
 bool stepIsChosen(const CommandEnv& env) { return chosenStep(env) != nullptr; }

@@ -89,7 +89,7 @@ void App::layout() {
   if (!ui_.sections.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   if (entry != nullptr && ui_.pictureView.fitted) {
-    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead, ui_.barLeft);
+    ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead, ui_.barLeft, ui_.barFoot);
   }
 }
 
@@ -226,7 +226,10 @@ void App::fadeFlash() {
   const auto at = std::ranges::find(steps, flash->step, &pipeline::DerivedStep::id);
   if (at == steps.end() || at->failure) return flash.reset();
   if (at->waiting || !at->solid) return;
-  if (!flash->sinceMs) flash->sinceMs = host_.nowMs();
+  if (!flash->sinceMs) {
+    flash->sinceMs = host_.nowMs();
+    tellLoosePieces(env(), flash->step);
+  }
   const double past = (host_.nowMs() - *flash->sinceMs) / kFlashMs;
   if (past >= 1) return flash.reset();
   flash->light = host_.reducedMotion() ? 1 : 1 - past;

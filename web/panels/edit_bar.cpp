@@ -23,6 +23,7 @@ namespace {
 constexpr double kMargin = 8, kGap = 2, kPadding = 4;
 constexpr double kChipRoom = 84;    // of the view's name at its left
 constexpr double kColumnRoom = 58;  // of the buttons at the side of a low view
+constexpr double kLowSolid = 380;   // in which two rows of buttons leave no room for a solid
 constexpr float kMostTurns = 8;
 
 struct Item {
@@ -195,12 +196,15 @@ void coilCard(const PanelEnv& env, const app::Rect& above) {
   ImGui::PopStyleVar(2);
 }
 
-/// The ways in which the parts in hand have another side, as small pictures: below the buttons, while they have one.
-void sidesCard(const PanelEnv& env, const app::Rect& above) {
+/// The ways in which the parts in hand have another side, as small pictures: below the buttons, or above those at the
+/// foot, while they have one.
+void sidesCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   const document::Part* part = env.selected();
   if (part == nullptr || !part->mirror || env.ui().tool != app::ToolKind::Place) return;
   const double width = std::min(300.0, env.ui().layout.solid.width - 2 * kMargin);
-  const app::Rect card{above.right() - width, above.bottom() + 6, width, 66};
+  constexpr double kHeight = 66, kApart = 6;
+  const double y = atFoot ? bar.y - kApart - kHeight : bar.bottom() + kApart;
+  const app::Rect card{bar.right() - width, y, width, kHeight};
   env.ui().overlays.push_back(card);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
@@ -259,14 +263,18 @@ void drawEditBar(const PanelEnv& env) {
   const bool covered = !places && env.ui().sections.board;
   if (items.empty() || covered || env.document().pictures.empty()) return;
   const float side = buttonSide(env);
-  // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot.
-  const bool atFoot = env.ui().solids.hollow.has_value();
+  // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot. On a phone, upright or on
+  // its side, all that works in the solid view is there, beside the view's buttons: one row lies over the solid.
+  const bool small = places && (layout.stacked || view.height < kLowSolid);
+  const bool atFoot = env.ui().solids.hollow || small;
   // The view's name is at the head, and gives way on a phone; a column of buttons does not.
   const double chip = layout.stacked || atFoot ? 0 : kChipRoom;
-  const double column = app::buttonsAtSide(view) ? kColumnRoom : 0;
+  const app::Rect& beside = env.ui().solidButtons;
+  const bool sharesFoot = small && beside.width > 0;
+  const double column = app::buttonsAtSide(view) ? kColumnRoom : sharesFoot ? view.right() - beside.x : 0;
   const double room = view.width - chip - column - 2 * (kMargin + kPadding);
   if (room < side) return;
-  const Split split = fold(env, items, layout.stacked || column > 0, room, side);
+  const Split split = fold(env, items, layout.stacked || small || column > 0, room, side);
   const Cells cells = arrange(env, split.shown, room - split.more(side), side);
   const int rows = cells.empty() ? 1 : cells.back().row + 1;
   double widest = 0;
@@ -285,8 +293,8 @@ void drawEditBar(const PanelEnv& env) {
   paintBar(env, card, cells, split, colour);
   barMenu(env, app::BarMenu::Edit, split.bar, card, colour);
   coilCard(env, card);
-  sidesCard(env, card);
-  sheetCard(env, card);
+  sidesCard(env, card, atFoot);
+  sheetCard(env, card, atFoot);
 }
 
 }  // namespace spineloft::panels

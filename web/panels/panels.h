@@ -31,8 +31,9 @@ void draw(const PanelEnv& env);
 void drawPictureOverlay(const PanelEnv& env);  ///< spines, ribs, outlines
 void drawSolidOverlay(const PanelEnv& env);    ///< the spine with the handles of its depth, the sheet for layers
 void drawSheet(const PanelEnv& env);           ///< the sheet, with the curves of the layers
-void sheetCard(const PanelEnv& env, const app::Rect& above);  ///< where the sheet is, as sliders, below the edit bar
-void drawFailureInPicture(const PanelEnv& env);               ///< where a solid could not be made
+/// Where the sheet is, as sliders, below the edit bar or, where that is at the foot, above it.
+void sheetCard(const PanelEnv& env, const app::Rect& bar, bool atFoot);
+void drawFailureInPicture(const PanelEnv& env);  ///< where a solid could not be made
 void drawFailureInSolid(const PanelEnv& env);
 void drawHollowOverlay(const PanelEnv& env);   ///< where what is scooped out would open
 void drawPlaceOverlay(const PanelEnv& env);    ///< the gizmo of the parts in hand
@@ -49,7 +50,7 @@ void drawActivity(const PanelEnv& env);        ///< progress of long work
 void drawSectionOverlay(const PanelEnv& env);  ///< sections on the spine, a section on its way
 void drawSectionBoard(const PanelEnv& env);    ///< the board on which a section is drawn
 
-void partList(const PanelEnv& env);
+void partList(const PanelEnv& env, bool tiles);  ///< with `tiles`, what can be made of the parts is below them
 void sectionChooser(const PanelEnv& env, float width);
 void regionPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a puff or flat piece
 void sectionKeyBar(const PanelEnv& env, float width);  ///< sections along the selected part's spine

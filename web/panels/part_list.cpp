@@ -68,9 +68,9 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (inHand) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
-  grip(env, {part.id, {}}, {grips, height}, part.name);
+  const bool tapped = grip(env, {part.id, {}}, {grips, height}, part.name);
   ImGui::SameLine(0, 0);
-  const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height});
+  const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height}) || tapped;
   registerControl(env, app::Control::Kind::Row, part.name, true, inHand);
   if (!inHand && ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
@@ -122,9 +122,9 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   ImGui::PushID(static_cast<int>(group.id.value));
   ImGui::PushID("group");
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  grip(env, place.row, {24, height}, group.name);
+  const bool tapped = grip(env, place.row, {24, height}, group.name);
   ImGui::SameLine(0, 0);
-  const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height});
+  const bool pressed = ImGui::InvisibleButton("row", {width - 24 - height, height}) || tapped;
   registerControl(env, app::Control::Kind::Row, group.name);
   showRow(env, place.row, at.x + 24);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -146,7 +146,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   ImGui::PopID();
 }
 
-/// A row that is dragged: a line where it would go, and the move when it is let go.
+/// A row that is dragged has a frame; a line where it would go, and the move when it is let go.
 void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width) {
   const std::optional<app::ListRow> dragged = env.ui().listDrag;
   if (!dragged) return;
@@ -155,10 +155,11 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
   const float y = ImGui::GetIO().MousePos.y;
   const auto next =
       std::ranges::find_if(places, [&](const Place& place) { return y < (place.top + place.bottom) / 2; });
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMin().x;
+  if (own != places.end()) list.AddRect({x, own->top}, {x + width, own->bottom}, kAccent, 8, 0, 2);
   if (moved && own != places.end()) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = next == places.end() ? places.back().bottom : next->top - 1;
-    const float x = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMin().x;
     list.AddRectFilled({x, line - 1.5f}, {x + width, line + 1.5f}, kAccent, 1.5f);
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
@@ -177,7 +178,7 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
 
 }  // namespace
 
-void partList(const PanelEnv& env) {
+void partList(const PanelEnv& env, bool tiles) {
   const auto& parts = env.document().parts;
   const float width = ImGui::GetContentRegionAvail().x;
   if (parts.empty()) {
@@ -217,7 +218,7 @@ void partList(const PanelEnv& env) {
     row(env, part, 0, width - indent);
     if (indent > 0) ImGui::Unindent(indent);
   }
-  solidPanel(env, width);
+  solidPanel(env, width, tiles);
   ImGui::PopStyleVar();
   dragRows(env, places, width);
 }

@@ -122,7 +122,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
 
 void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   constexpr float kGap = 6;
-  const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 44.f : 54.f;
+  const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 50.f : 54.f;
   const std::span<const app::CommandId> tiles = tilesFor(document::kindOf(part));
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, kGap);

@@ -180,17 +180,13 @@ void drawSheet(const PanelEnv& env) {
   paint.list().PopClipRect();
 }
 
-void sheetCard(const PanelEnv& env, const app::Rect& above) {
+void sheetCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   const auto sheet = app::shownSheet(env.document(), env.ui());
   if (!sheet || !sheet->onRail()) return;
-  // On a phone it is at the foot, beside the buttons of the view: the sheet needs the room below the bar.
-  constexpr double kMargin = 8, kHeight = 44, kButtons = 138;
-  const app::Rect& view = env.ui().layout.solid;
-  const bool atFoot = env.ui().layout.stacked;
-  const double room = view.width - 2 * kMargin - (atFoot ? kButtons : 0);
-  const double width = std::min(sheet->layer ? 420.0 : 230.0, room);
-  const app::Rect card = atFoot ? app::Rect{view.x + kMargin, view.bottom() - kMargin - kHeight, width, kHeight}
-                                : app::Rect{above.right() - width, above.bottom() + 6, width, kHeight};
+  constexpr double kMargin = 8, kHeight = 44, kGap = 6;
+  const double width = std::min(sheet->layer ? 420.0 : 230.0, env.ui().layout.solid.width - 2 * kMargin);
+  const double left = std::max(env.ui().layout.solid.x + kMargin, bar.right() - width);
+  const app::Rect card{left, atFoot ? bar.y - kGap - kHeight : bar.bottom() + kGap, width, kHeight};
   env.ui().overlays.push_back(card);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8, 6});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);

@@ -9,6 +9,7 @@
 #include "web/edit/editing.h"
 #include "web/edit/placing.h"
 #include "web/panels/short_list.h"
+#include "web/panels/solid_list.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
 
@@ -93,14 +94,15 @@ ShortList<Tab> tabsFor(const PanelEnv& env, const document::Part* region) {
 
 void column(const PanelEnv& env) {
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::AlignTextToFramePadding();
-  const float side = env.ui().touch ? 44.f : 32.f;
+  const float side = env.ui().touch ? 44.f : 32.f, top = ImGui::GetCursorPosY();
+  ImGui::SetCursorPosY(top + (side - ImGui::GetTextLineHeight()) / 2);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - side);
   label(env.fonts.bold, kInk, "Parts");
   ImGui::PopTextWrapPos();
   ImGui::SameLine(width - side + 8);
+  ImGui::SetCursorPosY(top);
   commandButton(env, "new-part", side);
-  partList(env);
+  partList(env, true);
   if (!isOffered(env, app::PanelTab::Section)) return;
   if (const document::Part* region = selectedRegion(env)) {
     if (section(env, app::PanelTab::Section, "slice", forParts(env, titleOf(*region))))
@@ -150,6 +152,23 @@ void tabs(const PanelEnv& env, float width) {
   ImGui::PopStyleVar();
 }
 
+/// A list in a strip is scrolled: what can be made of its parts stays in sight beside it.
+void partsInStrip(const PanelEnv& env, float width) {
+  constexpr float kCell = 54, kGap = 8;
+  if (!hasSolidTiles(env)) return partList(env, false);
+  const int columns = width < static_cast<float>(app::kFlatStripFrom) ? 2 : 4;
+  const float tiles = static_cast<float>(columns) * (kCell + 4) - 4;
+  ImGui::BeginChild("list", {width - tiles - kGap, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  partList(env, false);
+  if (!env.ui().listDrag) dragScroll();
+  ImGui::EndChild();
+  ImGui::SameLine(0, kGap);
+  ImGui::BeginChild("tiles", {tiles, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  solidTiles(env, tiles, columns);
+  dragScroll();
+  ImGui::EndChild();
+}
+
 void strip(const PanelEnv& env, const app::Rect& at) {
   const float width = static_cast<float>(at.width) - 20;
   ImGui::SetCursorPos({10, 0});
@@ -171,7 +190,7 @@ void strip(const PanelEnv& env, const app::Rect& at) {
   const app::PanelTab first = isOffered(env, app::PanelTab::Section) ? app::PanelTab::Section : app::PanelTab::Parts;
   switch (there ? wanted : first) {
     case app::PanelTab::Parts:
-      partList(env);
+      partsInStrip(env, inside);
       break;
     case app::PanelTab::Section:
       region ? regionPanel(env, *region, inside) : sectionChooser(env, inside);

@@ -108,14 +108,20 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
 
 }  // namespace
 
-void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name) {
+bool grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("grip", size);
+  const bool pressed = ImGui::InvisibleButton("grip", size);
   registerControl(env, app::Control::Kind::Grip, name);
-  if (ImGui::IsItemActivated()) env.ui().listDrag = row;
-  if (!ImGui::IsItemHovered() || env.ui().touch) return;
+  std::optional<app::ListRow>& dragged = env.ui().listDrag;
+  if (env.ui().touch) {
+    if (!dragged && ImGui::IsItemActive() && ImGui::GetIO().MouseDownDuration[0] >= kLongPress) dragged = row;
+    return pressed && !dragged;
+  }
+  if (ImGui::IsItemActivated()) dragged = row;
+  if (!ImGui::IsItemHovered()) return false;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const float dy : {-5.f, 0.f, 5.f}) list.AddCircleFilled({at.x + 3, at.y + size.y / 2 + dy}, 1.4f, kMuted, 8);
+  return false;
 }
 
 void showRow(const PanelEnv& env, const app::ListRow& row, float left) {
@@ -163,11 +169,12 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float row = std::max(40.f, width - indent - buttons);
   const float grips = root ? 26 : 0;  // solids within solids stay where they are
+  bool tapped = false;
   if (root) {
-    grip(env, {{}, {}, step.id}, {grips, height}, step.name);
+    tapped = grip(env, {{}, {}, step.id}, {grips, height}, step.name);
     ImGui::SameLine(0, 0);
   }
-  const bool pressed = ImGui::InvisibleButton("row", {row - grips, height});
+  const bool pressed = ImGui::InvisibleButton("row", {row - grips, height}) || tapped;
   registerControl(env, app::Control::Kind::Row, step.name, true, selected);
   showRow(env, {{}, {}, step.id}, at.x + 26);
   const std::optional<app::Flash>& flash = env.ui().solids.flash;
@@ -210,11 +217,35 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   return open;
 }
 
-void solidPanel(const PanelEnv& env, float width) {
+bool hasSolidTiles(const PanelEnv& env) {
+  if (env.ui().solids.hollow) return false;  // which says what it does in their place
+  return app::hasSeveralRoots(env.document()) || app::chosenStep(env.env) != nullptr || env.selected() != nullptr;
+}
+
+void solidTiles(const PanelEnv& env, float width, int columns) {
   const document::Step* step = app::chosenStep(env.env);
-  const bool several = app::hasSeveralRoots(env.document());
-  if (!several && step == nullptr && env.selected() == nullptr) return;
-  const float side = buttonSide(env);
+  constexpr float kGap = 4;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
+  const float each = std::min(74.f, (width - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+  int tiles = 0;
+  const auto tile = [&](app::CommandId id) {
+    if (tiles++ % columns != 0) ImGui::SameLine();
+    commandTile(env, id, {each, 50});
+  };
+  if (app::hasSeveralRoots(env.document())) {
+    for (const app::CommandId id : std::initializer_list<app::CommandId>{"stick-together", "cut", "keep-common"})
+      tile(id);
+  }
+  if (step == nullptr || step->kind != StepKind::Hollow) tile("hollow-show");
+  if (step != nullptr) tile("release");
+  // A bin beside one of its parts would take that part alone.
+  if (holdsWhole(env)) tile("delete-step");
+  ImGui::PopStyleVar();
+}
+
+void solidPanel(const PanelEnv& env, float width, bool tiles) {
+  const document::Step* step = app::chosenStep(env.env);
+  if (!env.ui().solids.hollow && !hasSolidTiles(env)) return;
   ImGui::Dummy({0, 4});
   for (const document::Step& each : env.document().steps) {
     const std::string trouble = app::stepFailureWords(env.env, each);
@@ -225,7 +256,7 @@ void solidPanel(const PanelEnv& env, float width) {
     ImGui::PushID(static_cast<int>(each.id.value));
     const float half = std::min((width - 4) / 2, 110.f);
     if (app::hasPlace(env.env, each) &&
-        textButton(env, {"where", app::commandOf("show-trouble").label, false, true, side, half})) {
+        textButton(env, {"where", app::commandOf("show-trouble").label, false, true, buttonSide(env), half})) {
       env.sink.run(app::showFailure, each.id);
     }
     if (app::hasPlace(env.env, each)) ImGui::SameLine(0, 4);
@@ -233,22 +264,7 @@ void solidPanel(const PanelEnv& env, float width) {
     ImGui::PopID();
   }
   if (env.ui().solids.hollow) return shownHollow(env, *env.ui().solids.hollow, width);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 4});
-  const float each = std::min(74.f, (width - 12) / 4);
-  int tiles = 0;
-  const auto tile = [&](app::CommandId id) {
-    if (tiles++ % 4 != 0) ImGui::SameLine();
-    commandTile(env, id, {each, 52});
-  };
-  if (several) {
-    for (const app::CommandId id : std::initializer_list<app::CommandId>{"stick-together", "cut", "keep-common"})
-      tile(id);
-  }
-  if (step == nullptr || step->kind != StepKind::Hollow) tile("hollow-show");
-  if (step != nullptr) tile("release");
-  // A bin beside one of its parts would take that part alone.
-  if (holdsWhole(env)) tile("delete-step");
-  ImGui::PopStyleVar();
+  if (tiles) solidTiles(env, width, 4);
   if (step != nullptr) chosenSolid(env, *step, width);
 }
 

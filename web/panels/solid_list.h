@@ -7,8 +7,9 @@
 
 namespace spineloft::panels {
 
-/// The drawing at the left of a row is what it is dragged by.
-void grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name);
+/// The drawing at the left of a row is what it is dragged by: at once by a mouse, by a finger after it has stayed,
+/// since before that it scrolls the list. True when a finger tapped it.
+bool grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string_view name);
 
 /// A solid that stands alone, with what it is made of below it; `partRow(part, indent)` draws a part's row.
 template <class PartRow>
@@ -22,8 +23,11 @@ void tickButton(const PanelEnv& env, document::Operand operand, float size);
 bool holdsWhole(const PanelEnv& env);
 /// Whether there is more than one thing to put together.
 bool canTick(const PanelEnv& env, document::Operand operand);
-/// Below the list: what can be made of the ticked parts, and the measures of the chosen solid.
-void solidPanel(const PanelEnv& env, float width);
+/// Below the list: what went wrong, and the measures of the chosen solid; with `tiles`, solidTiles() before them.
+void solidPanel(const PanelEnv& env, float width, bool tiles);
+/// What can be made of the ticked parts, `columns` side by side. False where there is nothing to show.
+bool hasSolidTiles(const PanelEnv& env);
+void solidTiles(const PanelEnv& env, float width, int columns);
 
 template <class PartRow>
 void solidRows(const PanelEnv& env, const document::Step& step, float width, const PartRow& partRow) {

@@ -293,13 +293,12 @@ void drawViewChrome(const PanelEnv& env) {
                          layout.picture.height};
   if (plain || !layout.stacked) chip(env, beside, "Picture", onPicture);
   const bool barInSolid = app::worksInSolid(tool) && !env.ui().solids.hollow;
-  if (!barInSolid || !layout.stacked) {
-    const std::string size = app::roundLength(env.document().height.value);
-    const Text solid = env.document().parts.empty() || barInSolid  // which shares the row
-                           ? Text("Solid")
-                           : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
-    chip(env, layout.solid, solid, !onPicture);
-  }
+  const std::string size = app::roundLength(env.document().height.value);
+  const bool sharesRow = barInSolid && !layout.stacked;
+  const Text solid = env.document().parts.empty() || sharesRow
+                         ? Text("Solid")
+                         : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
+  chip(env, layout.solid, solid, !onPicture);
   // The most used first. Fingers pinch: they need no zoom buttons.
   constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "spin", "layers", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
@@ -323,12 +322,15 @@ void drawViewChrome(const PanelEnv& env) {
   const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;
   const app::Rect bar =
       buttons(env, {app::BarMenu::Picture, "picture buttons", layout.picture, ids, app::Focus::Picture, taken});
+  constexpr double kGap = 8;  // between a picture and its buttons
+  env.ui().barFoot = bar.width > 0 && !app::buttonsAtSide(layout.picture) ? layout.picture.bottom() - bar.y + kGap : 0;
   legend(env, layout.picture, bar);
   const bool fewSolid =
       layout.stacked || env.ui().touch || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
+  env.ui().solidButtons = {};
   if (env.ui().solids.hollow) return;  // its bar is in their place
-  buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, fewSolid ? Ids(kSolidFew) : Ids(kSolidAll),
-                app::Focus::Solid});
+  env.ui().solidButtons = buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid,
+                                        fewSolid ? Ids(kSolidFew) : Ids(kSolidAll), app::Focus::Solid});
 }
 
 void drawActivity(const PanelEnv& env) {

@@ -191,7 +191,7 @@ export interface Step {
 export interface Control {
   kind: 'button' | 'row' | 'grip' | 'field' | 'slider' | 'section' | 'tab' | 'words' | 'rib';
   words: string;
-  /** CSS pixels of the canvas. */
+  /** CSS pixels of the canvas at the usual size of text (1rem is 16 of them). */
   at: [x: number, y: number, width: number, height: number];
   /** False: its panel has to be scrolled first, or it is for screen readers alone, as the points of graphs are. */
   inSight: boolean;

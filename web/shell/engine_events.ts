@@ -1,6 +1,6 @@
 // What the engine tells the shell.
 import type { Control } from './api.ts';
-import type { Place } from './in_place.ts';
+import type { Place } from './text_size.ts';
 import type { JournalEvent } from './keep/journal_writer.ts';
 import type { KeepEvent } from './keep/keeper.ts';
 import type { ShellView } from './shell_view.ts';

@@ -3,9 +3,10 @@ import { byId } from './dom.ts';
 import { ghostHand } from './ghost_hand.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Sample } from './start_page.ts';
+import { canvasLength, canvasUnit, putOver } from './text_size.ts';
 import { t } from './words/words.ts';
 
-/** CSS pixels: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
+/** Units of the canvas: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
 const kGap = 12,
   kTitleRoom = 72,
   kToolsRoom = 56,
@@ -60,18 +61,21 @@ export class Guide {
 
   private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): void {
     const box = byId('canvas');
-    const compact = box.clientWidth < kCompactWidth;
+    const unit = canvasUnit();
+    const width = box.clientWidth / unit;
+    const compact = width < kCompactWidth;
     const left = compact ? kTitleRoom : kGap,
-      right = box.clientWidth - kGap;
-    this.hint.style.maxWidth = `${right - left}px`;
-    const { offsetWidth, offsetHeight } = this.hint;
+      right = width - kGap;
+    this.hint.style.maxWidth = canvasLength(right - left);
+    const offsetWidth = this.hint.offsetWidth / unit,
+      offsetHeight = this.hint.offsetHeight / unit;
     const middle = (topLeft.x + bottomRight.x) / 2 - offsetWidth / 2;
     const x = Math.max(left, Math.min(middle, right - offsetWidth));
     // Under the picture where nothing else is, otherwise beside the view's title.
     const below = bottomRight.y + kGap;
-    const fitsBelow = !compact && below + offsetHeight + kToolsRoom <= box.clientHeight;
+    const fitsBelow = !compact && below + offsetHeight + kToolsRoom <= box.clientHeight / unit;
     const y = fitsBelow ? below : kGap + strip;
-    this.hint.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+    this.hint.style.transform = `translate(${canvasLength(Math.round(x))}, ${canvasLength(Math.round(y))})`;
   }
 
   private placeGhost(sample: Sample, topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {
@@ -80,10 +84,7 @@ export class Guide {
     const ghost = isNew ? ghostHand(sample, sample.width / Math.max(1, width)) : null;
     this.ghost ??= ghost!.element;
     if (isNew) this.layer.append(this.ghost);
-    this.ghost.style.left = `${topLeft.x}px`;
-    this.ghost.style.top = `${topLeft.y}px`;
-    this.ghost.style.width = `${width}px`;
-    this.ghost.style.height = `${bottomRight.y - topLeft.y}px`;
+    putOver(this.ghost, [topLeft.x, topLeft.y, width, bottomRight.y - topLeft.y]);
     ghost?.play();
   }
 }

@@ -1,8 +1,6 @@
 // A text field over a row of the canvas: a name is changed where it stands.
 import { byId, make } from './dom.ts';
-
-/** Left, top, width and height, CSS pixels of the canvas. */
-export type Place = [x: number, y: number, width: number, height: number];
+import { putOver, type Place } from './text_size.ts';
 
 /** Asks for a line of text in place; null when it was left by Escape or without a change. */
 export function askInPlace(at: Place, text: string, value: string): Promise<string | null> {
@@ -14,8 +12,7 @@ export function askInPlace(at: Place, text: string, value: string): Promise<stri
     autocomplete: 'off',
     maxlength: '200',
   });
-  const [x, y, width, height] = at;
-  Object.assign(input.style, { left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px` });
+  putOver(input, at);
   const canvas = byId('canvas');
   byId('stage').append(input);
   input.focus({ preventScroll: true });

@@ -3,6 +3,8 @@
 import { byId } from './dom.ts';
 import { kDevice, kPointerKind } from './engine.ts';
 import type { Engine } from './engine.ts';
+import { sizeOf } from './surface.ts';
+import { canvasLength } from './text_size.ts';
 
 const kStep = 10,
   kLongStep = 40;
@@ -79,10 +81,10 @@ export class KeyboardPen {
 
   private move(dx: number, dy: number): boolean {
     const from = this.at!;
-    const { clientWidth, clientHeight } = this.page.canvas;
+    const { width, height } = sizeOf(this.page.canvas);
     const to = {
-      x: Math.max(0, Math.min(from.x + dx, clientWidth)),
-      y: Math.max(0, Math.min(from.y + dy, clientHeight)),
+      x: Math.max(0, Math.min(from.x + dx, width)),
+      y: Math.max(0, Math.min(from.y + dy, height)),
     };
     const steps = Math.max(1, Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / kTrail));
     for (let i = 1; i <= steps; ++i) {
@@ -105,7 +107,7 @@ export class KeyboardPen {
   private show(): void {
     this.cross.hidden = false;
     this.cross.classList.toggle('pen-down', this.isDown);
-    this.cross.style.transform = `translate(${this.at!.x}px, ${this.at!.y}px)`;
+    this.cross.style.transform = `translate(${canvasLength(this.at!.x)}, ${canvasLength(this.at!.y)})`;
   }
 
   private send(kind: number): void {

@@ -69,7 +69,7 @@ function connect(page: Page, engine: Engine): void {
 function connectLanguage(page: Page): void {
   const button = byId('language');
   const show = () => {
-    button.replaceChildren(icon('languages'), asIs(language().name));
+    button.replaceChildren(icon('languages'), make('span', {}, asIs(language().name)));
     button.setAttribute('aria-label', `${t('Language')}: ${language().name}`);
   };
   button.addEventListener('click', () => openLanguages(button, (id) => void page.speak(id)));

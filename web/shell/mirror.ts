@@ -2,6 +2,7 @@
 // all of it. Each element lies where its control is; one of them is in the order of Tab, arrows go to the others.
 import type { Control } from './api.ts';
 import { byId, make, setAttribute } from './dom.ts';
+import { putOver } from './text_size.ts';
 import { t } from './words/words.ts';
 
 export interface MirroredPanels {
@@ -114,8 +115,7 @@ export class Mirror {
   /** Name, value, state and place. */
   private tell(element: HTMLElement, control: Control): void {
     const { kind, words, on, enabled, command, slide } = control;
-    const [x, y, width, height] = control.at;
-    Object.assign(element.style, { left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px` });
+    putOver(element, control.at);
     if (kind === 'words') {
       const text = said(words);
       if (element.textContent !== text) element.textContent = text;

@@ -353,7 +353,7 @@ export class Page {
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
       engine.addPicture(picture, name);
       await Promise.resolve(); // what the engine says of the step comes first
-      this.sayUntilNext(t('{name} is open.', { name: t(name) }));
+      this.sayUntilNext(t('{name} is open.', { name }));
     } finally {
       this.opening.delete(aborter);
       this.refresh();
@@ -447,7 +447,7 @@ export class Page {
       const response = await fetch(address);
       if (!response.ok)
         throw new Failure('FileUnreadable', 'The sample picture did not load. Check the connection and try again.');
-      await this.openImage(await response.blob(), sample.title);
+      await this.openImage(await response.blob(), t(sample.title));
       this.guide.offer(withGhost ? sample : null);
       this.canvas.focus({ preventScroll: true });
       this.refresh();
@@ -523,7 +523,10 @@ export class Page {
     if (this.passing !== null && this.passing !== placeOf(view)) this.say('');
     const hasPicture = view.picture !== null;
     document.body.dataset.stage = hasPicture ? 'work' : 'start';
-    byId('start').hidden = hasPicture;
+    const start = byId('start');
+    const comesBack = start.hidden && !hasPicture;
+    start.hidden = hasPicture;
+    if (comesBack) start.scrollTop = 0;
     // A board that was emptied can still be undone.
     byId('bar').hidden = !hasPicture && view.undo + view.redo === 0;
     this.home.disabled = !hasPicture;

@@ -4,6 +4,7 @@ import type { Engine, PointerSample } from './engine.ts';
 import { modifiersOf } from './keyboard.ts';
 import { PalmFilter } from './palm.ts';
 import { TapFinder } from './taps.ts';
+import { canvasUnit } from './text_size.ts';
 
 export interface PointerPage {
   canvas: HTMLCanvasElement;
@@ -19,7 +20,7 @@ function deviceOf(event: PointerEvent): number {
   return event.pointerType === 'touch' ? kDevice.touch : kDevice.mouse;
 }
 
-/** Wheel travel in CSS pixels, whatever unit the browser counts in. */
+/** Wheel travel in pixels, whatever unit the browser counts in. */
 export function wheelPixels(delta: number, mode: number, pagePixels: number): number {
   if (mode === 1) return delta * kLinePixels;
   return mode === 2 ? delta * pagePixels : delta;
@@ -29,14 +30,27 @@ class PointerBridge {
   private readonly palms = new PalmFilter();
   private readonly taps = new TapFinder();
   private box: DOMRect;
+  private unit: number;
 
   constructor(private readonly page: PointerPage) {
     this.box = page.canvas.getBoundingClientRect();
+    this.unit = canvasUnit();
+  }
+
+  /** Looks where the canvas is now. */
+  private look(): void {
+    this.box = this.page.canvas.getBoundingClientRect();
+    this.unit = canvasUnit();
+  }
+
+  /** Where the pointer is on the canvas, in its units. */
+  private placeOf(event: MouseEvent): { x: number; y: number } {
+    return { x: (event.clientX - this.box.left) / this.unit, y: (event.clientY - this.box.top) / this.unit };
   }
 
   down(event: PointerEvent): void {
     const { canvas } = this.page;
-    this.box = canvas.getBoundingClientRect();
+    this.look();
     event.preventDefault(); // no compatibility mouse events
     canvas.focus({ preventScroll: true });
     const device = deviceOf(event);
@@ -53,7 +67,7 @@ class PointerBridge {
   }
 
   move(event: PointerEvent): void {
-    this.box = this.page.canvas.getBoundingClientRect();
+    this.look();
     const device = deviceOf(event);
     if (device === kDevice.touch) {
       if (!this.palms.isUsed(event.pointerId)) return;
@@ -95,15 +109,10 @@ class PointerBridge {
 
   wheel(event: WheelEvent): void {
     event.preventDefault(); // the page itself never scrolls or zooms under the drawing
-    this.box = this.page.canvas.getBoundingClientRect();
-    const pixels = (delta: number) => wheelPixels(delta, event.deltaMode, this.box.height);
-    this.page.engine.wheel(
-      event.clientX - this.box.left,
-      event.clientY - this.box.top,
-      pixels(event.deltaX),
-      pixels(event.deltaY),
-      modifiersOf(event),
-    );
+    this.look();
+    const pixels = (delta: number) => wheelPixels(delta, event.deltaMode, this.box.height) / this.unit;
+    const { x, y } = this.placeOf(event);
+    this.page.engine.wheel(x, y, pixels(event.deltaX), pixels(event.deltaY), modifiersOf(event));
   }
 
   private capture(id: number): void {
@@ -136,8 +145,7 @@ class PointerBridge {
       device: deviceOf(event),
       button: event.button,
       buttons: event.buttons,
-      x: event.clientX - this.box.left,
-      y: event.clientY - this.box.top,
+      ...this.placeOf(event),
       pressure: event.pressure,
       timeMs: event.timeStamp,
       modifiers: modifiersOf(event),

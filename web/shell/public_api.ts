@@ -3,6 +3,7 @@ import type { Command, ExportFormat, KeptModelInfo, SharedLink, SpineLoftApi, St
 import type { Engine } from './engine.ts';
 import { Failure } from './failure.ts';
 import type { ModelInfo } from './keep/store.ts';
+import { canvasUnit } from './text_size.ts';
 import { pngOf } from './turntable.ts';
 
 const kPollMs = 12;
@@ -161,7 +162,8 @@ export function installApi(api: ApiPage): void {
     imageToClient(x, y) {
       const box = api.canvas.getBoundingClientRect();
       const at = api.engine()?.imageToCanvas(x, y) ?? { x: 0, y: 0 };
-      return { x: at.x + box.left, y: at.y + box.top };
+      const unit = canvasUnit();
+      return { x: at.x * unit + box.left, y: at.y * unit + box.top };
     },
     memory: () => api.engine()?.memory() ?? { engine: 0, solver: 0 },
     history: () => api.engine()?.history() ?? '',

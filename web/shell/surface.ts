@@ -1,15 +1,17 @@
-// The canvas as a surface: its size in CSS pixels, the device pixel ratio, and the WebGL context's life.
+// The canvas as a surface: its size in its own units, device pixels in a unit, and the WebGL context's life.
 import { hideBanner, showBanner } from './banner.ts';
 import type { Engine, Size } from './engine.ts';
+import { canvasUnit } from './text_size.ts';
 
 /** Browsers on tablets refuse canvases beyond this many pixels. */
 const kMostPixels = 16_000_000;
 
 /** Size of the canvas now; the ratio is lowered where the backing store would be too large. */
 export function sizeOf(canvas: HTMLCanvasElement): Size {
-  const width = Math.max(1, canvas.clientWidth);
-  const height = Math.max(1, canvas.clientHeight);
-  const dpr = Math.min(window.devicePixelRatio || 1, Math.sqrt(kMostPixels / (width * height)));
+  const unit = canvasUnit();
+  const width = Math.max(1, canvas.clientWidth / unit);
+  const height = Math.max(1, canvas.clientHeight / unit);
+  const dpr = Math.min((window.devicePixelRatio || 1) * unit, Math.sqrt(kMostPixels / (width * height)));
   return { width, height, dpr };
 }
 

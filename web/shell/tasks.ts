@@ -32,6 +32,7 @@ const mirrored: Done = (now, start) => now.mirrored > start.mirrored;
 const otherShape: Done = (now) => now.shaped > 0;
 const outlined: Done = (now) => now.parts > 0 || now.picture?.finished === true;
 
+const stick: TaskStep = { say: 'Press Stick under the list: the parts become one', done: joined };
 const save: TaskStep = { say: 'Press Save to keep it as a file', done: saved };
 const turn: TaskStep = { say: 'Drag in the other view to turn it round', done: turned };
 const outline = (say: string): TaskStep => ({ say, done: outlined });
@@ -41,7 +42,7 @@ export const kFirstVisit: TaskStep[] = [
   turn,
   { say: 'Choose another slice: a star, a square …', done: otherShape },
   { say: 'Draw another line: it makes a second part', done: parts(2) },
-  { say: 'Press Stick under the list: the parts become one', done: joined },
+  stick,
   save,
 ];
 
@@ -107,7 +108,7 @@ export const kTasks: Task[] = [
       { say: 'Take Puff, tap the bird and press Use this: it swells', done: parts(1) },
       { say: 'With Puff, draw a line round a wing on it', done: parts(2) },
       { say: 'Choose Symmetry: the wing comes on the other side, too', done: mirrored },
-      { say: 'Tick both in the list and press Stick', done: joined },
+      stick,
       save,
     ],
   },
@@ -121,7 +122,7 @@ export const kTasks: Task[] = [
       { say: 'Draw a line for the body', done: parts(1) },
       { say: 'Choose the square as its slice', done: otherShape },
       { say: 'Draw lines for head, arms and legs', done: parts(4) },
-      { say: 'Tick them all and press Stick', done: joined },
+      stick,
       { say: 'Choose Check for printing in More', done: (now) => now.checked },
       save,
     ],

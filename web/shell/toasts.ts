@@ -19,7 +19,7 @@ const kMsPerLetter = 70,
 const kMost = 4;
 
 /** On screens as small as this toasts lie on the panel (styles/popups.css). */
-const kOverPanel = '(max-width: 999px)';
+const kOverPanel = '(max-width: 62.4375em)';
 
 /** A button of a toast. */
 export interface ToastAction {
@@ -78,7 +78,8 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   const goOn = (event: PointerEvent) => {
     if (!element.isConnected) return document.removeEventListener('pointerdown', goOn, true);
     const isOld = performance.now() - made > kFirstMs;
-    if (isOld && matchMedia(kOverPanel).matches && !element.contains(event.target as Node)) element.remove();
+    const isPressed = (event.target as Element).closest('.toast button') !== null;
+    if (isOld && matchMedia(kOverPanel).matches && !isPressed) element.remove();
   };
   document.addEventListener('pointerdown', goOn, true);
   // Reading takes the time it takes: the clock stands still under the pointer and while focused.

@@ -304,6 +304,8 @@ struct UiState {
   BarMenu barMenu = BarMenu::None;
   double barHead = 0;  ///< CSS pixels that a bar takes at the head of the picture view on a phone
   double barLeft = 0;  ///< CSS pixels that a column takes at the left of a low picture view
+  double barFoot = 0;  ///< CSS pixels that a row of buttons takes at the foot of the picture view
+  Rect solidButtons;   ///< the row or column of buttons in the solid view; empty: it is not shown
   Rect solidRoom;      ///< of the solid view, what no bar covers, as of the last frame; empty: not known yet
   Camera camera;
   std::optional<CameraFlight> flight;

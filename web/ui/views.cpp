@@ -28,20 +28,21 @@ double distanceFor(double radius, const Rect& view) {
 
 bool buttonsAtSide(const Rect& view) { return view.height < kLowView && view.width > 1.1 * view.height; }
 
-PictureView fitPicture(image::Size picture, const Rect& view, double head, double left) {
+PictureView fitPicture(image::Size picture, const Rect& view, double head, double left, double foot) {
   PictureView out;
   out.centre = {(picture.width - 1) / 2.0, (picture.height - 1) / 2.0};
   const double margin = std::min(kFitMargin, 0.045 * std::min(view.width, view.height));
   Rect inner = view.inset(margin);
   // The options of the tools stand at the head of a tall view.
   head = std::max(view.height >= kTallView ? kTopRoom - margin : 0.0, head);
-  double foot = 0;
+  const double row = std::max(kButtonRoom, foot) - margin;
+  foot = 0;
   if (buttonsAtSide(view)) {
     left = std::clamp(left - margin, 0.0, inner.width / 3);
     inner.x += left;
     inner.width = std::max(0.0, inner.width - left - (kButtonRoom - margin));
   } else if (inner.height > 2 * kButtonRoom) {
-    foot += kButtonRoom - margin;
+    foot = row;
   }
   const double most = std::max(0.0, inner.height - view.height / 3);
   if (head + foot > most) {

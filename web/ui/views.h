@@ -33,8 +33,9 @@ struct PictureView {
 bool buttonsAtSide(const Rect& view);
 
 /// The whole picture in the middle of the view with a small margin, clear of the buttons and of a bar that
-/// takes `head` CSS pixels at the head (but never smaller than a third of the view for their sake).
-PictureView fitPicture(image::Size picture, const Rect& view, double head = 0, double left = 0);
+/// takes `head` CSS pixels at the head, and of a row that takes `foot` (but never smaller than a third of the view for
+/// their sake).
+PictureView fitPicture(image::Size picture, const Rect& view, double head = 0, double left = 0, double foot = 0);
 /// Where the picture's outer edge lies.
 Rect pictureRect(const PictureView& view, image::Size picture, const Rect& at);
 /// Scales by `factor` (clamped to sensible zooms) so that what lies under `anchor` stays there.

@@ -32,6 +32,18 @@ export const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
  */
 export const asWarm = () => performance.mark('spineloft-warm');
 
+/** In the page, before its scripts: how WebAssembly programs are made, and how large they are. */
+export function watchPrograms() {
+  window.programs = [];
+  for (const name of ['compileStreaming', 'instantiateStreaming', 'compile', 'instantiate']) {
+    const real = WebAssembly[name].bind(WebAssembly);
+    WebAssembly[name] = (source, ...rest) => {
+      if (!(source instanceof WebAssembly.Module)) window.programs.push(name);
+      return real(source, ...rest);
+    };
+  }
+}
+
 /** In the page: an empty board, no models, nothing said; true when that is so. */
 async function beginAnew() {
   const api = window.spineloft;

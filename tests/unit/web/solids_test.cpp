@@ -98,6 +98,19 @@ TEST_CASE("a part that is deleted while it is put together leaves the other one,
   CHECK(rig.state().find("steps")->array()->size() == 1);
 }
 
+TEST_CASE("of parts that were stuck together and do not touch it is said that they do not, once; of others nothing") {
+  for (const std::uint32_t apart : {1u, 3u}) {
+    TwoBars rig;
+    rig.stick(R"({"parts": [1, 2]})");
+    rig.answer(rig.lastAsked(), 1, false, apart);
+    rig.settle();
+    CHECK(rig.host.said("Solid 1 is in 3 pieces that do not touch.") == (apart == 3));
+    rig.host.sent.clear();
+    rig.settle();
+    CHECK_FALSE(rig.host.said("pieces that do not touch"));
+  }
+}
+
 TEST_CASE("of a deleted part it is said what becomes of its solid, unless all of the solid goes") {
   TwoBars rig;
   rig.run("draw-spine", R"({"stroke": [[60, 50], [62, 100], [60, 150]]})");
@@ -461,8 +474,8 @@ TEST_CASE("a part of a solid shows and hides with it, in one step that is seen; 
 }
 
 TEST_CASE(
-    "what is in hand is what is put together, the first taken first; ticks go before it, and of one in hand the other "
-    "is meant") {
+    "what is in hand is what is put together, the first taken first; ticks go before it, of one in hand the other is "
+    "meant, and of nothing that is said all that is shown is stuck together") {
   const auto operands = [](TwoBars& rig) {
     std::vector<double> ids;
     const Json step = rig.step();
@@ -473,7 +486,21 @@ TEST_CASE(
   rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
   rig.settle();
   rig.run("select-part", R"({"id": 3})");
+  CHECK(rig.run("cut").text("error") != nullptr);
+  rig.run("stick-together");
+  CHECK(operands(rig) == std::vector<double>{1, 2, 3});
+  rig.run("undo");
+  rig.run("select-part", R"({"id": 3})");
+  rig.run("show-part", R"({"part": 2, "visible": false})");
+  rig.run("stick-together");
+  CHECK(operands(rig) == std::vector<double>{1, 3});
+  rig.run("undo");
+  rig.run("undo");
+  rig.run("select-part", R"({"id": 3})");
+  rig.tick(2);
   CHECK(rig.run("stick-together").text("error") != nullptr);
+  rig.tick(2, false);
+  rig.run("select-part", R"({"id": 3})");
   rig.run("select-part", R"({"id": 1, "add": true})");
   rig.run("cut");
   REQUIRE(rig.state().find("steps")->array()->size() == 1);

@@ -59,20 +59,31 @@ struct TwoBars : Rig {
     app->solved(json.json(), bytes);
   }
   /// A tetrahedron, whatever was asked for; half of it from each part, or all from the first.
-  void answer(const app::Json& request, float size = 1, bool isOfOne = false) {
-    const std::array<float, 12> positions{0, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size};
-    const std::array<float, 8> uv{};
-    const std::array<std::uint32_t, 12> corners{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
-    std::vector<std::uint8_t> bytes(sizeof positions + sizeof uv + sizeof corners);
-    std::memcpy(bytes.data(), positions.data(), sizeof positions);
-    std::memcpy(bytes.data() + sizeof positions, uv.data(), sizeof uv);
-    std::memcpy(bytes.data() + sizeof positions + sizeof uv, corners.data(), sizeof corners);
-    const std::string runs = isOfOne ? R"({"part":1,"first":0,"count":4})"
-                                     : R"({"part":1,"first":0,"count":2},{"part":2,"first":2,"count":2})";
-    const app::Json mesh =
-        *app::Json::parse(R"({"vertices":4,"triangles":4,"merges":0,"volume":0.1,"area":2,"genus":0,)"
-                          R"("runs":[)" +
-                          runs + "]}");
+  void answer(const app::Json& request, float size = 1, bool isOfOne = false, std::uint32_t apart = 1) {
+    std::vector<float> positions;
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t i = 0; i < apart; ++i) {
+      const float left = 3 * size * static_cast<float>(i);
+      for (const float x : {left, 0.f, 0.f, left + size, 0.f, 0.f, left, size, 0.f, left, 0.f, size})
+        positions.push_back(x);
+      for (const std::uint32_t corner : {0u, 2u, 1u, 0u, 1u, 3u, 1u, 2u, 3u, 0u, 3u, 2u})
+        corners.push_back(4 * i + corner);
+    }
+    const std::vector<float> uv(2 * positions.size() / 3);
+    std::vector<std::uint8_t> bytes;
+    const auto add = [&](const auto& values) {
+      const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());
+      bytes.insert(bytes.end(), first, first + values.size() * sizeof values[0]);
+    };
+    add(positions);
+    add(uv);
+    add(corners);
+    const std::string count = std::to_string(4 * apart), half = std::to_string(2 * apart);
+    const std::string runs = isOfOne ? R"({"part":1,"first":0,"count":)" + count + "}"
+                                     : R"({"part":1,"first":0,"count":)" + half + R"(},{"part":2,"first":)" + half +
+                                           R"(,"count":)" + half + "}";
+    const app::Json mesh = *app::Json::parse(R"({"vertices":)" + count + R"(,"triangles":)" + count +
+                                             R"(,"merges":0,"volume":0.1,"area":2,"genus":0,"runs":[)" + runs + "]}");
     say(ofSolid(request, "mesh", mesh), bytes);
     done(request);
   }

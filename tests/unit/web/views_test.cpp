@@ -113,14 +113,18 @@ TEST_CASE(
   CHECK(shown.y >= phone.y + head);
   CHECK(shown.bottom() <= phone.bottom() - row);
   CHECK(shown.centre().x == doctest::Approx(phone.centre().x));
+  const double words = 76;  // buttons with words below their icons
+  const Rect less = pictureRect(fitPicture({1024, 683}, phone, head, 0, words), {1024, 683}, phone);
+  CHECK(less.y >= phone.y + head);
+  CHECK(less.bottom() <= phone.bottom() - words);
 }
 
 TEST_CASE("bars never take more than two thirds of a view from its picture") {
   Rng rng(61);
   for (int round = 0; round < 300; ++round) {
     const Rect at = randomRect(rng);
-    const image::Size size{100, 16 + static_cast<int>(rng.below(6000))};
-    const Rect shown = pictureRect(fitPicture(size, at, rng.uniform(0, 600)), size, at);
+    const image::Size size{100, 16 + static_cast<int>(rng.below(3900))};  // at the least zoom a third of a view
+    const Rect shown = pictureRect(fitPicture(size, at, rng.uniform(0, 600), 0, rng.uniform(0, 600)), size, at);
     CHECK(shown.y >= at.y - 1e-6);
     CHECK(shown.bottom() <= at.bottom() + 1e-6);
     const bool fullHeight = shown.width < 0.3 * at.width;

@@ -138,7 +138,7 @@ export class ModelsView {
       'button',
       { type: 'button', class: 'model-open', 'data-command': 'open-model' },
       frame,
-      make('span', { class: 'model-name' }, asIs(model.name)),
+      make('span', { class: 'model-name', dir: 'auto' }, asIs(model.name)),
       make('span', { class: 'model-detail' }, detail),
     );
     button.addEventListener('click', () => {
