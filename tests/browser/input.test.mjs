@@ -122,7 +122,7 @@ test('the smallest phone: one column of tools beside the picture, and a tap on t
     assert.ok(difference(closed, await pixels(page)) > 0.05, 'the menu opens');
     await page.touchscreen.tap(column - 60, canvas.y + 10 + 5 * 46 + 22);
     await idle(page);
-    assert.equal((await state(page)).tool, 'hand');
+    assert.equal((await state(page)).tool, 'layers');
     await page.setViewportSize(kPhone.viewport);
   }));
 

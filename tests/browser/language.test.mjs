@@ -211,7 +211,9 @@ for (const [size, context] of Object.entries(kSizes)) {
           const out = [];
           const shown = [...document.body.querySelectorAll('*')].filter(
             (element) =>
-              element.checkVisibility({ opacityProperty: true }) && !element.closest('svg, .visually-hidden'),
+              element.checkVisibility({ opacityProperty: true }) &&
+              !element.closest('svg, .visually-hidden') &&
+              getComputedStyle(element).clipPath !== 'inset(50%)', // only heard
           );
           const own = (element) => [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
           const nameOf = (element) => `${element.id || element.className || element.tagName}: ${element.innerText}`;

@@ -182,6 +182,14 @@ test('five pages play a lesson from the words to the end of the class', async (t
     assert.equal(await cards(desk).count(), 3);
   });
 
+  await t.test('a screen that comes late shows all that was handed in', async () => {
+    const late = await open({}, (await linkOf(desk)).replace('#class=', '#wall='));
+    await cards(late.page).getByText('Better tube').waitFor();
+    assert.equal(await cards(late.page).count(), 3);
+    await wall(late.page).getByText('3 animals are here').waitFor();
+    await late.context.close();
+  });
+
   await t.test("hidden: on nobody's wall but the teacher's. Shown to all: large", async () => {
     await cards(desk).getByText('Late one').click();
     await button(desk, 'Hide').click();

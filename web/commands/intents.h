@@ -112,6 +112,8 @@ struct DrawLayerIntent {
 Outcome drawLayer(const CommandEnv& env, const DrawLayerIntent& intent);
 /// The same of a freehand line.
 Outcome drawOnSheet(const CommandEnv& env, PartId part, double at, const std::vector<SectionPoint>& line);
+/// The camera moves where the sheet is seen too flat to draw on, or is out of sight or behind bars.
+Outcome seeSheet(const CommandEnv& env);
 /// The sheet that is seen to a place.
 Outcome moveSheet(const CommandEnv& env, double at);
 /// The layer on the sheet that is seen to another place of the rail.

@@ -34,35 +34,42 @@ bool canCopy(Env env) {
 }
 bool layerTool(Env env) { return env.ui.tool == ToolKind::Layers; }
 
+/// All of the bounds, within what no bar covers of the view.
+Camera framedInRoom(Env env, const Camera& from, const publish::WorldBounds& bounds) {
+  const Rect& view = env.ui.layout.solid;
+  const Rect& free = env.ui.solidRoom;
+  const Rect& room = free.width > 0 && free.height > 0 ? free : view;
+  Camera to = framed(from, bounds, view);
+  to.distance *= std::max(view.width / room.width, view.height / room.height);
+  panCamera(to, view, room.centre() - view.centre());
+  return to;
+}
+
+/// The sheet, with the part that it is of.
+std::optional<publish::WorldBounds> boundsWith(Env env, const Sheet& sheet, bool part) {
+  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, sheet);
+  std::optional<publish::WorldBounds> bounds;
+  if (part && sheet.part) {
+    bounds = pipeline::boundsOf(env.studio.document(), env.studio.derived(), std::array{sheet.part});
+  }
+  for (const ModelPoint corner : cornersOf(sheet)) pipeline::include(bounds, toWorld(corner));
+  return bounds;
+}
+
+WorldPoint normalOf(Env env, const Sheet& sheet) {
+  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, sheet);
+  return normalized(toWorld.along(sheet.stand.normal()));
+}
+
 /// Looks square at the sheet, from the side that is seen.
 void face(Env env, const Sheet& sheet) {
-  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, sheet);
-  WorldPoint normal = normalized(toWorld.along(sheet.stand.normal()));
+  WorldPoint normal = normalOf(env, sheet);
   if (dot(normal, env.ui.camera.back()) < 0) normal = normal * -1;
-  std::optional<publish::WorldBounds> bounds;
-  for (const ModelPoint corner : cornersOf(sheet)) pipeline::include(bounds, toWorld(corner));
   Camera to = env.ui.camera;
   to.pitch = std::clamp(std::asin(std::clamp(normal.y, -1.0, 1.0)), -kMaxPitch, kMaxPitch);
   if (std::hypot(normal.x, normal.z) > 1e-3) to.yaw = std::atan2(normal.x, normal.z);
-  if (bounds) to = framed(to, *bounds, env.ui.layout.solid);
   env.ui.cameraTouched = true;
-  fly(env, to);
-}
-
-/// The camera rises where the sheet is seen too flat to draw on, or is not in sight.
-void showSheet(Env env) {
-  const auto sheet = sheetOf(env);
-  if (!sheet) return;
-  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, *sheet);
-  auto bounds = publish::worldBounds(env.studio.document(), env.studio.derived());
-  for (const ModelPoint corner : cornersOf(*sheet)) pipeline::include(bounds, toWorld(corner));
-  const double lean = std::abs(dot(normalized(toWorld.along(sheet->stand.normal())), env.ui.camera.back()));
-  if (lean >= kFlat && isInSight(env.ui.camera, env.ui.layout.solid, *bounds)) return;
-  Camera to = env.ui.camera;
-  constexpr double kHigh = 0.75;  // radians
-  if (lean < kFlat) to.pitch = kHigh;
-  env.ui.cameraTouched = true;
-  fly(env, framed(to, *bounds, env.ui.layout.solid));
+  fly(env, framedInRoom(env, to, *boundsWith(env, sheet, false)));
 }
 
 Outcome useLayers(Env env, const Json&) {
@@ -70,7 +77,6 @@ Outcome useLayers(Env env, const Json&) {
   env.ui.redraw = env.ui.pointsOf = {};
   env.ui.focus = Focus::Solid;
   env.ui.layers = {};
-  showSheet(env);
   sendStatus(env.host, "Draw a closed line on the sheet. Then lift the sheet and draw the next layer.");
   return {};
 }
@@ -98,6 +104,7 @@ Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double a
     const Standing standing = standingActions(env, draw, recipe, false);
     if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
     takeMade(env, standing);
+    env.ui.framePending = false;  // the sheet stays as it is seen
   }
   env.ui.layers = {env.ui.selection, at};
   return {};
@@ -132,7 +139,8 @@ Outcome lift(Env env, const Json& args, double way) {
   const auto sheet = sheetOf(env);
   if (!sheet) return noSheet();
   const double step = !sheet->onRail() ? 1 : args.flag("far").value_or(false) ? kFineStep : kStep;
-  return moveSheet(env, sheet->at + way * step);
+  const Outcome moved = moveSheet(env, sheet->at + way * step);
+  return moved ? seeSheet(env) : moved;
 }
 Outcome up(Env env, const Json& args) { return lift(env, args, 1); }
 Outcome down(Env env, const Json& args) { return lift(env, args, -1); }
@@ -220,6 +228,28 @@ Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPo
   auto curves = curvesOf(*sheet, line);
   if (!curves) return refuse(curves.failure());
   return drawLayer(env, {part, at, std::move(curves).value()});
+}
+
+Outcome seeSheet(Env env) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  env.ui.layers.part = sheet->part;
+  env.ui.layers.at = sheet->at;
+  const double lean = std::abs(dot(normalOf(env, *sheet), env.ui.camera.back()));
+  const Rect& view = env.ui.layout.solid;
+  const Rect& room = env.ui.solidRoom.width > 0 ? env.ui.solidRoom : view;
+  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, *sheet);
+  const bool seen = std::ranges::all_of(cornersOf(*sheet), [&](ModelPoint p) {
+    const auto at = pointOnCanvas(env.ui.camera, view, toWorld(p));
+    return at && room.contains(*at);
+  });
+  if (seen && lean >= kFlat) return {};
+  Camera to = env.ui.camera;
+  constexpr double kHigh = 0.75;  // radians
+  if (lean < kFlat) to.pitch = kHigh;
+  env.ui.cameraTouched = true;
+  fly(env, framedInRoom(env, to, *boundsWith(env, *sheet, true)));
+  return {};
 }
 
 Outcome moveSheet(Env env, double at) {

@@ -185,6 +185,7 @@ void sheetCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   if (!sheet || !sheet->onRail()) return;
   constexpr double kMargin = 8, kHeight = 44, kGap = 6;
   const double width = std::min(sheet->layer ? 420.0 : 230.0, env.ui().layout.solid.width - 2 * kMargin);
+  if (!env.ui().layers.at && env.ui().solidRoom.width > 0) env.sink.run(app::seeSheet);  // the first time
   const double left = std::max(env.ui().layout.solid.x + kMargin, bar.right() - width);
   const app::Rect card{left, atFoot ? bar.y - kGap - kHeight : bar.bottom() + kGap, width, kHeight};
   env.ui().overlays.push_back(card);

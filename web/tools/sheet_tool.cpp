@@ -111,7 +111,11 @@ void SheetTool::commit(const ToolEnv& env) {
   const std::vector<SectionPoint> line = std::exchange(env.ui.layers.line, {});
   env.ui.layers.held = false;
   env.ui.preview.reset();
-  if (line.size() > 1) env.sink.run(app::drawOnSheet, sheet_.part, sheet_.at, line);
+  if (line.size() > 1) {
+    env.sink.run(app::drawOnSheet, sheet_.part, sheet_.at, line);
+  } else if (hold_ == SheetHold::Knob) {
+    env.sink.run(app::seeSheet);
+  }
 }
 
 void SheetTool::cancel(const ToolEnv& env) {
