@@ -17,6 +17,7 @@ using Points = std::vector<SectionPoint>;
 constexpr double kNewLength = 0.5, kNewHalf = 0.32;  // of the picture's shorter side
 constexpr double kNewCurve = 0.5;                    // of the sheet's half side
 constexpr double kMargin = 1.2;                      // of the sheet about its curves
+constexpr double kKnob = 1.12;                       // of the half side, from the middle
 constexpr double kSame = 0.006;                      // of the rail: a sheet so near to a layer lies on it
 constexpr double kApart = 0.01;                      // of the rail: no layer is moved nearer to another
 
@@ -159,7 +160,7 @@ std::vector<ModelPoint> cornersOf(const Sheet& sheet) {
   return corners;
 }
 
-ModelPoint knobOf(const Sheet& sheet) { return sheet.stand.at({sheet.half, 0}); }
+ModelPoint knobOf(const Sheet& sheet) { return sheet.stand.at({kKnob * sheet.half, 0}); }
 
 Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line) {
   Points small;

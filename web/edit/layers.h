@@ -46,7 +46,7 @@ std::optional<SectionPoint> onSheet(const Sheet& sheet, const pipeline::ToWorld&
 bool isOnSheet(const Sheet& sheet, SectionPoint p);
 /// Its corners, in order.
 std::vector<ModelPoint> cornersOf(const Sheet& sheet);
-/// The knob at its edge that takes it along the rail.
+/// The knob beside its edge that takes it along the rail.
 ModelPoint knobOf(const Sheet& sheet);
 
 /// A freehand line on the sheet as curves. Errors: those of sections::drawFreehand.

@@ -40,11 +40,12 @@ SheetHold holdAt(const ToolEnv& env, const ToolEvent& event) {
   if (!sheet) return SheetHold::Nothing;
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document, env.derived, env.ui, *sheet);
   const auto knob = onCanvas(env, toWorld, app::knobOf(*sheet));
-  if (knob && sheet->onRail() && distance(*knob, event.at) <= (event.touch() ? kTouchReach : 1.6 * kMouseReach)) {
-    return SheetHold::Knob;
-  }
   const auto at = app::onSheet(*sheet, toWorld, env.ui, event.at);
-  return at && app::isOnSheet(*sheet, *at) ? SheetHold::Sheet : SheetHold::Nothing;
+  const bool inside = at && app::isOnSheet(*sheet, *at);
+  // A line may begin near the knob.
+  const double reach = inside ? kMouseReach : event.touch() ? kTouchReach : 1.6 * kMouseReach;
+  if (knob && sheet->onRail() && distance(*knob, event.at) <= reach) return SheetHold::Knob;
+  return inside ? SheetHold::Sheet : SheetHold::Nothing;
 }
 
 bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by) {
