@@ -65,6 +65,7 @@ const kBeforeReady: State = {
   selection: null,
   tool: 'draw',
   axis: null,
+  sheet: null,
   undo: 0,
   redo: 0,
   history: { bytes: 0, budget: 0 },
