@@ -30,6 +30,7 @@ import projecting  # noqa: E402
 import scene as scenes  # noqa: E402
 import spines  # noqa: E402
 import strokes  # noqa: E402
+import things  # noqa: E402
 from colours import colour, near  # noqa: E402
 
 STREAM = 7  # keeps these seeds apart from make_scenes' generator
@@ -140,7 +141,7 @@ def turned_thing(r, side, kind, profile):
 
 
 def swept_thing(r, side, kind, spine, profile):
-    unit, left, right, shape = scenes.unit_thing(r, spine, profile)
+    unit, left, right, shape = things.unit_thing(r, spine, profile)
     unit = unit - (unit.min(0) + unit.max(0)) / 2
     tangent, normal = spines.frame(unit)
     height = r.uniform(0.45, 1.1)

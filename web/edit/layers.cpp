@@ -54,8 +54,7 @@ bool stand(Sheet& sheet) {
     }
   } else {
     if (planes.empty()) return false;
-    const double most = static_cast<double>(planes.size() - 1);
-    sheet.layer = static_cast<std::size_t>(std::lround(std::clamp(sheet.at, 0.0, most)));
+    sheet.layer = static_cast<std::size_t>(std::lround(std::clamp(sheet.at, 0.0, mostAt(sheet))));
     sheet.at = static_cast<double>(*sheet.layer);
   }
   if (sheet.layer) plane = planes[*sheet.layer];

@@ -18,18 +18,18 @@ std::optional<app::ClientPoint> onCanvas(const ToolEnv& env, const pipeline::ToW
 
 /// The way on the canvas that the rail's length takes where the sheet is.
 app::ClientPoint railOnCanvas(const ToolEnv& env, const app::Sheet& sheet, const pipeline::ToWorld& toWorld) {
-  const ModelPoint at = app::knobOf(sheet);
-  const double length = sheet.onRail() ? stack::lengthOf(sheet.recipe.rail) : 1;
-  stack::Plane ahead;
-  ahead.at = std::min(sheet.at, 0.98) + 0.02;
-  const auto further = stack::standOf(ahead, sheet.recipe.rail);
-  ahead.at -= 0.02;
-  const auto here = stack::standOf(ahead, sheet.recipe.rail);
-  if (!further || !here) return {0, -kLeastUnit};
-  const ModelPoint way = normalized(further.value().origin - here.value().origin) * length;
-  const auto a = onCanvas(env, toWorld, at), b = onCanvas(env, toWorld, at + way * 0.1);
+  constexpr double kStep = 0.02;  // of the rail
+  stack::Plane here;
+  here.at = std::min(sheet.at, 1 - kStep);
+  stack::Plane ahead = here;
+  ahead.at += kStep;
+  const auto from = stack::standOf(here, sheet.recipe.rail), to = stack::standOf(ahead, sheet.recipe.rail);
+  if (!from || !to) return {0, -kLeastUnit};
+  const ModelPoint knob = app::knobOf(sheet);
+  const auto a = onCanvas(env, toWorld, knob);
+  const auto b = onCanvas(env, toWorld, knob + to.value().origin - from.value().origin);
   if (!a || !b) return {0, -kLeastUnit};
-  const app::ClientPoint unit = (*b - *a) * 10;
+  const app::ClientPoint unit = (*b - *a) / kStep;
   return norm(unit) < kLeastUnit ? app::ClientPoint{0, -kLeastUnit} : unit;
 }
 

@@ -20,6 +20,9 @@ struct EndOnCurve {
 /// The curves of both sides of a spine, in the frames of its points (EndEdit::along, EndEdit::out), as far as they lead
 /// outwards; from there on, and behind the spine, they go straight. So each place in a frame is told by one pair of
 /// numbers. A difference of either number moves an end by at most as much. Cost: one tracing of the curves.
+///
+/// Share texts of version 3 are told by these curves: whoever changes cleanSpine, the field or the tracing changes what
+/// they say (tests/golden/share-v3), and has to keep the curves of today for them.
 class EndCurves {
  public:
   /// A spine that cleanSpine made in a picture of this size.

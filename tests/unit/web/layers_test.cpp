@@ -93,6 +93,22 @@ TEST_CASE("one closed line on the sheet is a solid along the whole rail, of the 
   CHECK(layersOf(rig) == recipe);
 }
 
+TEST_CASE("the solid follows the pen, and no step is kept until it lifts") {
+  Paper rig;
+  const double steps = *rig.state().number("undo");
+  std::vector<double> triangles;
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = 1.8 * std::numbers::pi * i / 40;
+    const app::ClientPoint at = rig.onCanvas(0.5 * std::cos(angle), 0.5 * std::sin(angle));
+    rig.pointer(i == 0 ? platform::PointerKind::Down : platform::PointerKind::Move, at.x, at.y);
+    rig.settle();
+    if (i == 20 || i == 40) triangles.push_back(rig.state().find("preview")->number("triangles").value_or(0));
+    CHECK(*rig.state().number("undo") == steps);
+  }
+  for (const double count : triangles) CHECK(count > 100);
+  CHECK(rig.parts() == 0);
+}
+
 TEST_CASE("a Y takes four gestures: a circle, the sheet lifted, two circles beside each other") {
   for (const auto device : {platform::Device::Mouse, platform::Device::Touch, platform::Device::Pen}) {
     Paper rig;
