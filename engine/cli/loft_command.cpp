@@ -10,6 +10,7 @@
 #include "engine/document/update.h"
 #include "engine/geometry/pieces.h"
 #include "engine/inflate/bone_edits.h"
+#include "engine/inflate/profile.h"
 #include "engine/io/drawing_file.h"
 #include "engine/io/json_values.h"
 #include "engine/io/obj.h"
@@ -116,13 +117,24 @@ Result<Bytes> modelFile(const LoftArguments& arguments, const Model& model) {
 }
 
 /// The skeletons of the pieces of a puff, as edited.
-std::vector<inflate::EditedSkeleton> bonesOf(const pipeline::PartShape& shape, const inflate::BoneEdits& edits) {
+std::vector<inflate::EditedSkeleton> bonesOf(const pipeline::PartShape& shape, const inflate::InflateParams& puff) {
+  if (!puff.profile.isSoft()) return shape.bones;
   std::vector<inflate::EditedSkeleton> bones;
   for (const geometry::Contours& piece : geometry::piecesOf(shape.contours)) {
-    Result<inflate::EditedSkeleton> skeleton = inflate::editedSkeleton(piece, edits);
+    Result<inflate::EditedSkeleton> skeleton = inflate::editedSkeleton(piece, puff.bones);
     if (skeleton.ok()) bones.push_back(std::move(skeleton).value());
   }
   return bones;
+}
+
+/// What the slices of a puff are made of; none of a soft one.
+std::optional<io::LoftReport::Profile> profileOf(const inflate::InflateParams& puff) {
+  const auto curves = inflate::matchedCurves(puff.profile.slices, puff.sides);
+  if (puff.profile.isSoft() || !curves.ok()) return std::nullopt;
+  io::LoftReport::Profile out{static_cast<int>(puff.profile.slices.size()), 0, 0};
+  for (const std::vector<inflate::ProfileCurve>& curve : curves.value())
+    ++(curve.front().closed ? out.offAxis : out.middle);
+  return out;
 }
 
 /// Of one part an object, of several a list of them; the times are those of all.
@@ -138,10 +150,11 @@ std::string reportOf(const Model& model) {
     report.energy = shape.ribs.energy;
     report.mesh = mesh::inspect(shape.mesh);
     if (const document::InflateRecipe* puff = document::inflateOf(*model.document.parts[i])) {
-      const std::vector<inflate::EditedSkeleton> bones = bonesOf(shape, puff->inflate.bones);
+      const std::vector<inflate::EditedSkeleton> bones = bonesOf(shape, puff->inflate);
       report.bones.emplace();
       for (const inflate::EditedSkeleton& piece : bones) report.bones->push_back(piece.skeleton);
-      report.asleep = inflate::asleep(bones, puff->inflate.bones);
+      report.asleep = inflate::asleep(bones);
+      report.profile = profileOf(puff->inflate);
     }
     report.milliseconds = model.milliseconds;
     text += (text.empty() ? "" : ",\n") + io::writeReport(report);

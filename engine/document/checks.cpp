@@ -147,7 +147,7 @@ Status checkSolid(const RegionSolid& solid) {
   if (!std::visit([](const auto& params) { return isValid(params); }, solid)) return Error::ValueOutOfRange;
   const auto* puff = std::get_if<inflate::InflateParams>(&solid);
   if (puff == nullptr || puff->profile.isSoft()) return Done{};
-  const auto curves = inflate::profileCurves(puff->profile.slices.front().shape, puff->sides);
+  const auto curves = inflate::matchedCurves(puff->profile.slices, puff->sides);
   return curves ? Status(Done{}) : Status(curves.failure());
 }
 

@@ -47,6 +47,10 @@ std::span<const ParamInfo> loftTable() {
 std::span<const ParamInfo> inflateTable() {
   using inflate::InflateParams;
   constexpr auto kPuff = &InflateRecipe::inflate;
+  constexpr auto hasEdge = [](const Recipe& recipe) {
+    const inflate::ProfileParams& profile = std::get<InflateRecipe>(recipe).inflate.profile;
+    return !profile.isSoft() && profile.across == inflate::Across::Length;
+  };
   constexpr auto hasProfile = [](const Recipe& recipe) {
     return !std::get<InflateRecipe>(recipe).inflate.profile.isSoft();
   };
@@ -58,6 +62,9 @@ std::span<const ParamInfo> inflateTable() {
       ParamInfo{"bone-detail", "Few or many bones", "", 0, 1, 0.05, Measure::Percent, false, hasProfile,
                 [](const Recipe& recipe) { return std::get<InflateRecipe>(recipe).inflate.bones.detail; },
                 [](Recipe& recipe, double value) { std::get<InflateRecipe>(recipe).inflate.bones.detail = value; }},
+      ParamInfo{"reach", "Width of the edge", "of the picture", inflate::kLeastReach, 0.5, 0.005, Measure::Length, false, hasEdge,
+                [](const Recipe& recipe) { return std::get<InflateRecipe>(recipe).inflate.profile.reach; },
+                [](Recipe& recipe, double value) { std::get<InflateRecipe>(recipe).inflate.profile.reach = value; }},
       ParamInfo{"follow", "Thick where it is wide", "", 0, 1, 0.01, Measure::Percent, false, hasProfile,
                 [](const Recipe& recipe) { return std::get<InflateRecipe>(recipe).inflate.profile.follow; },
                 [](Recipe& recipe, double value) { std::get<InflateRecipe>(recipe).inflate.profile.follow = value; }},

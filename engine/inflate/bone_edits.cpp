@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/spread.h"
+#include "engine/inflate/crossing.h"
 
 namespace spineloft::inflate {
 namespace {
@@ -19,24 +21,11 @@ constexpr double kFewest = 3, kMost = 1.1;  ///< scales of detail 0 and 1
 constexpr double kStep = 0.15;              ///< of the half width, between points of an added branch
 constexpr double kLeastLength = 0.15;       ///< of the half width where it begins: a shorter one is a slip
 constexpr double kAtRim = 0.02;             ///< of the half width where it begins: nearer to the outline it ends
-constexpr double kFade = 2;                 ///< half widths along the skeleton in which a height fades by e
+constexpr double kFade = 2;                 ///< half widths along the skeleton in which what is held fades by e
 
 using Branch = std::vector<std::uint32_t>;
 
 SectionPoint up(PicturePoint p) { return {p.x, -p.y}; }
-
-/// Where on a, b it meets c, d inside of both: the share of a, b.
-std::optional<double> crossing(SectionPoint a, SectionPoint b, SectionPoint c, SectionPoint d) {
-  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
-      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
-    return std::nullopt;
-  const double turn = cross(b - a, d - c);
-  if (turn == 0) return std::nullopt;
-  const double t = cross(c - a, d - c) / turn, u = cross(c - a, b - a) / turn;
-  constexpr double kEnd = 1e-9;
-  if (t < kEnd || t > 1 - kEnd || u < kEnd || u > 1 - kEnd) return std::nullopt;
-  return t;
-}
 
 /// The skeleton of a piece while it is changed.
 class Editor {
@@ -46,7 +35,7 @@ class Editor {
         outlines_(geometry::planeRegion(piece)),
         rim_(outlines_.points, outlines_.sizes) {}
 
-  bool drop(SectionPoint p) {
+  bool drop(SectionPoint p, std::size_t edit) {
     const auto place = placeOf(p);
     if (!place) return false;
     const Branch gone = skeleton_.branches[place->branch];
@@ -56,7 +45,12 @@ class Editor {
     if (gone.size() < 2 || a.points == b.points || (a.rings > 0 && b.rings > 0)) return false;
     const bool first = a.rings != b.rings ? a.rings > b.rings : a.largest >= b.largest;
     const Component& kept = first ? a : b;
-    std::erase_if(rest, [&](const Branch& branch) { return !std::ranges::binary_search(kept.points, branch.front()); });
+    leaveOut(gone, edit);
+    std::erase_if(rest, [&](const Branch& branch) {
+      const bool goes = !std::ranges::binary_search(kept.points, branch.front());
+      if (goes) leaveOut(branch, edit);
+      return goes;
+    });
     if (rest.empty()) {  // nothing but that branch: its largest disc stays
       rest.push_back({*std::ranges::max_element(gone, {}, [&](auto i) { return skeleton_.points[i].radius; })});
     }
@@ -66,6 +60,7 @@ class Editor {
   }
 
   bool add(const std::vector<PicturePoint>& drawn) {
+    reached_.push_back(kNoPoint);
     if (drawn.size() < 2) return false;
     const auto place = placeOf(up(drawn.front()));
     if (!place) return false;
@@ -78,8 +73,12 @@ class Editor {
     if (branch.size() < 2) return restore(before);
     skeleton_.branches.push_back(branch);
     splitAt(start);
+    const std::vector<std::uint32_t> reached = reached_;
+    reached_.back() = branch.back();
     tidy();
-    return isPlanar() || restore(before);
+    if (isPlanar()) return true;
+    reached_ = reached;
+    return restore(before);
   }
 
   bool move(SectionPoint from, SectionPoint to) {
@@ -104,9 +103,10 @@ class Editor {
     return isPlanar() || restore(before);
   }
 
-  /// Factors at places, elsewhere those of the least change that fades to 1 over kFade half widths.
-  void raise(const std::vector<std::pair<std::uint32_t, double>>& heights) {
-    if (heights.empty()) return;
+  /// What is held at points of the skeleton, and elsewhere changes as little as it can; `fades` to 0 over kFade half
+  /// widths.
+  using Held = std::vector<std::pair<std::uint32_t, double>>;
+  std::vector<double> spread(const Held& held, bool fades) const {
     const auto n = static_cast<Eigen::Index>(skeleton_.points.size());
     std::vector<Eigen::Triplet<double, int>> triplets;
     Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
@@ -115,23 +115,49 @@ class Editor {
         const auto a = static_cast<int>(branch[i - 1]), b = static_cast<int>(branch[i]);
         const SkeletonPoint &p = skeleton_.points[branch[i - 1]], &q = skeleton_.points[branch[i]];
         const double length = std::max(1e-9, distance(p.at, q.at)), width = kFade * (p.radius + q.radius) / 2;
-        for (const int i2 : {a, b}) triplets.emplace_back(i2, i2, 1 / length + length / (2 * width * width));
+        const double fade = fades ? length / (2 * width * width) : 0;
+        for (const int end : {a, b}) triplets.emplace_back(end, end, 1 / length + fade);
         triplets.emplace_back(a, b, -1 / length);
         triplets.emplace_back(b, a, -1 / length);
       }
     }
     constexpr double kHold = 1e9;  // of the stiffness of a pixel
     for (int i = 0; i < static_cast<int>(n); ++i) triplets.emplace_back(i, i, 1e-12);
-    for (const auto& [at, factor] : heights) {
+    for (const auto& [at, value] : held) {
       triplets.emplace_back(static_cast<int>(at), static_cast<int>(at), kHold);
-      load[static_cast<Eigen::Index>(at)] += kHold * (factor - 1);
+      load[static_cast<Eigen::Index>(at)] += kHold * value;
     }
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(triplets.begin(), triplets.end());
-    const Eigen::VectorXd over = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(load);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      skeleton_.points[static_cast<std::size_t>(i)].factor = std::clamp(1 + over[i], kLeastFactor, kMostFactor);
+    const Eigen::VectorXd values = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(load);
+    return {values.begin(), values.end()};
+  }
+
+  void raise(const Held& heights) {
+    if (heights.empty()) return;
+    const std::vector<double> over = spread(heights, true);
+    for (std::size_t i = 0; i < over.size(); ++i)
+      skeleton_.points[i].over.factor = std::clamp(1 + over[i], kLeastFactor, kMostFactor);
+  }
+
+  /// The shares of slices that are held at points; those that are not have none, or what others leave, for one that is
+  /// everywhere.
+  void share(const std::vector<std::optional<std::uint32_t>>& places, std::optional<std::size_t> everywhere) {
+    Held none;
+    for (const auto& place : places) {
+      if (place) none.push_back({*place, 0});
     }
+    if (none.empty()) return rest(everywhere.value_or(0));
+    for (SkeletonPoint& point : skeleton_.points) point.over.share = {};
+    for (std::size_t k = 0, which = 0; k < places.size(); ++k) {
+      if (!places[k]) continue;
+      Held held = none;
+      held[which++].second = 1;
+      const std::vector<double> values = spread(held, everywhere.has_value());
+      for (std::size_t i = 0; i < values.size(); ++i)
+        skeleton_.points[i].over.share[k] = std::clamp(values[i], 0.0, 1.0);
+    }
+    if (everywhere) rest(*everywhere);
   }
 
   struct Place {
@@ -158,14 +184,27 @@ class Editor {
     return best;
   }
 
-  Skeleton take() && {
+  EditedSkeleton take(AwakeEdits awake) && {
     countNodes(skeleton_);
-    return std::move(skeleton_);
+    return {std::move(skeleton_), std::move(awake), std::move(gone_), std::move(reached_)};
   }
 
  private:
+  /// One slice has what the others leave.
+  void rest(std::size_t slice) {
+    for (SkeletonPoint& point : skeleton_.points) {
+      auto& share = point.over.share;
+      share[slice] = 0;
+      share[slice] = std::max(0.0, 1 - std::accumulate(share.begin(), share.end(), 0.0));
+    }
+  }
   double away(std::uint32_t point, SectionPoint p) const { return distance(skeleton_.points[point].at, p); }
   SkeletonPoint discAt(SectionPoint p) const { return {p, rim_.to(p)}; }
+  void leaveOut(const Branch& branch, std::size_t edit) {
+    GoneBranch& gone = gone_.emplace_back();
+    gone.drop = edit;
+    for (const std::uint32_t p : branch) gone.line.push_back(skeleton_.points[p].at);
+  }
   bool restore(const Skeleton& before) {
     skeleton_ = before;
     return false;
@@ -297,11 +336,11 @@ class Editor {
   /// Branches that meet with nothing else between them become one; points of no branch go.
   void tidy() {
     for (bool joined = true; joined;) joined = joinOne();
-    std::vector<std::uint32_t> index(skeleton_.points.size(), kNone);
+    std::vector<std::uint32_t> index(skeleton_.points.size(), kNoPoint);
     std::vector<SkeletonPoint> points;
     for (Branch& branch : skeleton_.branches) {
       for (std::uint32_t& p : branch) {
-        if (index[p] == kNone) {
+        if (index[p] == kNoPoint) {
           index[p] = static_cast<std::uint32_t>(points.size());
           points.push_back(skeleton_.points[p]);
         }
@@ -309,8 +348,8 @@ class Editor {
       }
     }
     skeleton_.points = std::move(points);
+    for (std::uint32_t& p : reached_) p = p == kNoPoint ? kNoPoint : index[p];
   }
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   bool joinOne() {
     const std::vector<int> degree = degrees();
@@ -351,6 +390,8 @@ class Editor {
   }
 
   Skeleton skeleton_;
+  std::vector<GoneBranch> gone_;
+  std::vector<std::uint32_t> reached_;
   geometry::PlaneRegion outlines_;
   geometry::RimDistance rim_;
 };
@@ -376,35 +417,48 @@ double scaleFor(double detail) {
   return from * std::pow(to / from, few ? 2 * detail : 2 * detail - 1);
 }
 
-Result<EditedSkeleton> editedSkeleton(const geometry::Contours& piece, const BoneEdits& edits) {
+Result<EditedSkeleton> editedSkeleton(const geometry::Contours& piece, const BoneEdits& edits,
+                                      std::span<const ProfileSlice> slices) {
   Result<Skeleton> found = skeletonOf(piece, scaleFor(edits.detail));
   if (!found) return found.failure();
   Editor editor(piece, std::move(found).value());
   AwakeEdits awake;
-  for (const PicturePoint p : edits.drop) awake.drop.push_back(editor.drop(up(p)));
+  for (std::size_t i = 0; i < edits.drop.size(); ++i) awake.drop.push_back(editor.drop(up(edits.drop[i]), i));
   for (const auto& line : edits.add) awake.add.push_back(editor.add(line));
   for (const BoneMove& move : edits.move) awake.move.push_back(editor.move(up(move.from), up(move.to)));
   std::vector<std::pair<std::uint32_t, double>> heights;
   for (const BoneHeight& height : edits.heights) {
     const auto place = editor.placeOf(up(height.at));
     awake.heights.push_back(place.has_value());
-    if (place) heights.push_back({place->point, height.factor});
+    if (place) heights.push_back({place->point, height.factor - 1});
   }
   editor.raise(heights);
-  return EditedSkeleton{std::move(editor).take(), std::move(awake)};
+  std::vector<std::optional<std::uint32_t>> places;
+  std::optional<std::size_t> everywhere;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const auto place = slices[k].at ? editor.placeOf(up(*slices[k].at)) : std::nullopt;
+    places.push_back(place ? std::optional(place->point) : std::nullopt);
+    awake.slices.push_back(!slices[k].at || place);
+    if (!slices[k].at && !everywhere) everywhere = k;
+  }
+  editor.share(places, everywhere);
+  return std::move(editor).take(std::move(awake));
 }
 
-int asleep(const std::vector<EditedSkeleton>& pieces, const BoneEdits& edits) {
+bool isAwake(std::span<const EditedSkeleton> pieces, std::vector<char> AwakeEdits::* kind, std::size_t number) {
+  return std::ranges::any_of(pieces, [&](const EditedSkeleton& piece) {
+    const std::vector<char>& awake = piece.awake.*kind;
+    return number < awake.size() && awake[number] != 0;
+  });
+}
+
+int asleep(std::span<const EditedSkeleton> pieces) {
   int out = 0;
-  const auto count = [&](std::size_t of, std::vector<char> AwakeEdits::* kind) {
-    for (std::size_t i = 0; i < of; ++i) {
-      out += std::ranges::none_of(pieces, [&](const EditedSkeleton& piece) { return (piece.awake.*kind)[i] != 0; });
-    }
-  };
-  count(edits.drop.size(), &AwakeEdits::drop);
-  count(edits.add.size(), &AwakeEdits::add);
-  count(edits.move.size(), &AwakeEdits::move);
-  count(edits.heights.size(), &AwakeEdits::heights);
+  if (pieces.empty()) return out;
+  for (const auto kind :
+       {&AwakeEdits::drop, &AwakeEdits::add, &AwakeEdits::move, &AwakeEdits::heights, &AwakeEdits::slices}) {
+    for (std::size_t i = 0; i < (pieces.front().awake.*kind).size(); ++i) out += !isAwake(pieces, kind, i);
+  }
   return out;
 }
 

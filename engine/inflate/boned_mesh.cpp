@@ -50,7 +50,7 @@ bool conform(Boned& boned, bool splitChords) {
       if (!middle || *middle == a || *middle == b) return false;
       boned.width.resize(boned.mesh.points().size());
       const Boned::Width one = boned.width[a], other = boned.width[b];
-      boned.width[*middle] = {(one.radius + other.radius) / 2, (one.factor + other.factor) / 2};
+      boned.width[*middle] = {(one.radius + other.radius) / 2, lerp(one.over, other.over, 0.5)};
       next.push_back({a, *middle});
       next.push_back({*middle, b});
     }
@@ -91,7 +91,7 @@ std::optional<Boned> bonedMesh(const geometry::PlaneRegion& rim, const Bones& bo
   }
   boned.width.assign(boned.mesh.points().size(), {});
   for (std::size_t i = 0; i < index.size(); ++i)
-    boned.width[index[i]] = {bones.points[i].radius, bones.points[i].factor};
+    boned.width[index[i]] = {bones.points[i].radius, bones.points[i].over};
   for (const auto& [a, b] : bones.edges) {
     if (index[a] != index[b]) boned.edges.push_back({index[a], index[b]});
   }

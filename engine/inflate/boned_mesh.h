@@ -22,7 +22,8 @@ struct Boned {
   geometry::PlaneMesh mesh;
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< of the skeleton, between points of the mesh
   struct Width {
-    double radius = 0, factor = 1;
+    double radius = 0;
+    Over over = {};
   };
   std::vector<Width> width;  ///< by point of the mesh; radius 0 off the skeleton
 };

@@ -108,7 +108,7 @@ class BoneMaker {
       const double span = s[i] - s[i - 1], share = span > 0 ? std::clamp((at - s[i - 1]) / span, 0.0, 1.0) : 0;
       const SkeletonPoint &p = skeleton_.points[branch[i - 1]], &q = skeleton_.points[branch[i]];
       const SkeletonPoint between{lerp(p.at, q.at, share), std::lerp(p.radius, q.radius, share),
-                                  std::lerp(p.factor, q.factor, share)};
+                                  lerp(p.over, q.over, share)};
       const std::uint32_t next = k == steps ? node(branch.back()) : add(between);
       bones_.edges.push_back({last, next});
       last = next;
@@ -264,9 +264,10 @@ std::vector<std::vector<std::uint32_t>> neighboursOf(const PlaneMesh& mesh) {
   return out;
 }
 
-/// s, the distance to the skeleton, and half width and factor at its nearest place.
+/// s, the distance to the skeleton, and what it has at its nearest place.
 struct Measured {
-  std::vector<double> s, away, half, factor;
+  std::vector<double> s, away, half, toRim;
+  std::vector<Over> over;
 };
 Measured measure(const Fields& fields, const std::vector<Boned::Width>& width) {
   const auto& points = fields.mesh.points();
@@ -282,7 +283,8 @@ Measured measure(const Fields& fields, const std::vector<Boned::Width>& width) {
   const geometry::RimDistance toBone(ends, sizes);
   const geometry::RimDistance toRim(std::span<const SectionPoint>(points).first(fields.mesh.rim()), fields.sizes);
   const std::size_t count = points.size();
-  Measured out{std::vector(count, 1.0), std::vector(count, 0.0), std::vector(count, 0.0), std::vector(count, 1.0)};
+  Measured out{std::vector(count, 1.0), std::vector(count, 0.0), std::vector(count, 0.0), std::vector(count, 0.0),
+               std::vector(count, Over{})};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [away, edge] = toBone.nearest(points[i]);
     const std::uint32_t a = of[edge], b = of[sizes[0] == 2 ? edge ^ 1u : edge];
@@ -291,13 +293,10 @@ Measured measure(const Fields& fields, const std::vector<Boned::Width>& width) {
     const double share = squared > 0 ? std::clamp(dot(points[i] - points[a], along) / squared, 0.0, 1.0) : 0;
     out.away[i] = away;
     out.half[i] = std::lerp(width[a].radius, width[b].radius, share);
-    out.factor[i] = std::lerp(width[a].factor, width[b].factor, share);
-    if (fields.onBone[i]) {
-      out.s[i] = 0;
-    } else if (i >= fields.mesh.rim()) {
-      const double rim = toRim.to(points[i]);
-      out.s[i] = away / std::max(1e-12, away + rim);
-    }
+    out.over[i] = lerp(width[a].over, width[b].over, share);
+    if (i < fields.mesh.rim()) continue;
+    out.toRim[i] = toRim.to(points[i]);
+    out.s[i] = fields.onBone[i] ? 0 : away / std::max(1e-12, away + out.toRim[i]);
   }
   return out;
 }
@@ -336,7 +335,43 @@ bool findSides(Fields& fields) {
   return std::ranges::find(fields.side, kNone) == fields.side.end();
 }
 
+/// Smooths one number of Over, where it is not the same everywhere.
+template <class Number>
+void carry(const Diffusion& diffuse, const Number& number, std::vector<Over>& over) {
+  const double first = number(over.front());
+  if (std::ranges::all_of(over, [&](Over& one) { return number(one) == first; })) return;
+  std::vector<double> values;
+  for (Over& one : over) values.push_back(number(one));
+  values = diffuse(std::move(values));
+  for (std::size_t i = 0; i < over.size(); ++i) number(over[i]) = values[i];
+}
+
 }  // namespace
+
+Fields withReach(Fields fields, double reach) {
+  fields.reach = reach;
+  std::vector<char> outlines(fields.s.size(), 0);
+  std::fill_n(outlines.begin(), fields.mesh.rim(), 1);
+  for (std::size_t i = 0; i < fields.s.size(); ++i) fields.s[i] = std::min(fields.s[i], 1 - fields.toRim[i] / reach);
+  const auto neighbours = neighboursOf(fields.mesh);
+  for (int round = 0; round < kRounds; ++round) {
+    const bool up = flood(neighbours, fields.onBone, 1, fields.s), down = flood(neighbours, outlines, -1, fields.s);
+    if (!up && !down) break;
+  }
+  return fields;
+}
+
+Over lerp(const Over& a, const Over& b, double t) {
+  Over out{std::lerp(a.factor, b.factor, t), {}};
+  for (std::size_t k = 0; k < kMostSlices; ++k) out.share[k] = std::lerp(a.share[k], b.share[k], t);
+  return out;
+}
+
+std::size_t bytesOf(const Fields& fields) {
+  const std::size_t points = fields.mesh.points().size(), triangles = fields.mesh.triangles().size();
+  constexpr std::size_t kOfPoint = sizeof(SectionPoint) + 4 * sizeof(double) + sizeof(Over) + 1, kOfTriangle = 32;
+  return points * kOfPoint + triangles * kOfTriangle;
+}
 
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton) {
   const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints));
@@ -345,7 +380,7 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
   const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, spacing));
   std::optional<Boned> boned = bonedMesh(rim, BoneMaker(skeleton, spacing).run(), spacing);
   if (!boned) return Error::RegionTooFine;
-  Fields fields{std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, {}, {}, spacing};
+  Fields fields{std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, {}, {}, {}, spacing, 0};
   const std::size_t count = fields.mesh.points().size(), onRim = fields.mesh.rim();
   fields.onBone.assign(count, 0);
   for (std::size_t i = 0; i < count; ++i) fields.onBone[i] = boned->width[i].radius > 0;
@@ -373,8 +408,12 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
   if (!diffuse.ok()) return Error::RegionTooFine;
   fields.half = diffuse(measured.half);
   fields.away = measured.away;
-  const bool plain = std::ranges::all_of(measured.factor, [](double factor) { return factor == 1; });
-  fields.factor = plain ? measured.factor : diffuse(measured.factor);
+  fields.toRim = measured.toRim;
+  fields.over = measured.over;
+  carry(diffuse, [](Over& over) -> double& { return over.factor; }, fields.over);
+  for (std::size_t k = 0; k < kMostSlices; ++k) {
+    carry(diffuse, [k](Over& over) -> double& { return over.share[k]; }, fields.over);
+  }
   g = diffuse(std::move(g));
   std::vector<char> fixed = fields.onBone, outlines(count, 0);
   std::fill_n(outlines.begin(), onRim, 1);
@@ -393,18 +432,24 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
 }
 
 LevelPoint lerp(const LevelPoint& a, const LevelPoint& b, double t) {
-  return {lerp(a.at, b.at, t), std::lerp(a.half, b.half, t), std::lerp(a.factor, b.factor, t),
-          std::lerp(a.away, b.away, t)};
+  return {lerp(a.at, b.at, t), std::lerp(a.half, b.half, t), lerp(a.over, b.over, t), std::lerp(a.away, b.away, t)};
 }
 
 LevelPoint levelPointOf(const Fields& fields, std::uint32_t p) {
-  return {fields.mesh.points()[p], fields.half[p], fields.factor[p], fields.away[p]};
+  return {fields.mesh.points()[p], fields.half[p], fields.over[p], fields.away[p]};
 }
 
-std::vector<LevelLine> levelLines(const Fields& fields, double level) {
+std::vector<LevelLine> levelLines(const Fields& fields, std::span<const double> levels) {
   const PlaneMesh& mesh = fields.mesh;
   const auto triangles = static_cast<std::uint32_t>(mesh.triangles().size());
-  const auto high = [&](std::uint32_t p) { return fields.s[p] >= level; };
+  constexpr double kMostLevel = 1 - 1e-9;  // the outline is above all lines
+  std::vector<double> above;               // s over the level
+  for (std::size_t p = 0; p < fields.s.size(); ++p) {
+    double level = 0;
+    for (std::size_t k = 0; k < levels.size(); ++k) level += fields.over[p].share[k] * levels[k];
+    above.push_back(fields.s[p] - std::min(level, kMostLevel));
+  }
+  const auto high = [&](std::uint32_t p) { return above[p] >= 0; };
   // The line leaves a triangle where an edge rises, with what is higher on its left.
   const auto wayOut = [&](std::uint32_t t) {
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -423,7 +468,7 @@ std::vector<LevelLine> levelLines(const Fields& fields, double level) {
       passed[t] = 1;
       const std::uint32_t out = wayOut(t);
       const std::uint32_t low = mesh.triangles()[t][out % 3], up = mesh.triangles()[t][(out + 1) % 3];
-      const double share = (level - fields.s[low]) / (fields.s[up] - fields.s[low]);
+      const double share = above[low] / (above[low] - above[up]);
       const auto at = [&](std::uint32_t p) { return levelPointOf(fields, p); };
       line.points.push_back(lerp(at(low), at(up), share));
       t = mesh.twin(out) == kNone ? kNone : mesh.twin(out) / 3;

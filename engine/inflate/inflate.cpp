@@ -5,19 +5,19 @@
 #include <span>
 #include <utility>
 
-#include "engine/geometry/pieces.h"
 #include "engine/geometry/refine.h"
-#include "engine/inflate/bone_edits.h"
 #include "engine/inflate/cushion.h"
-#include "engine/inflate/fields.h"
 #include "engine/inflate/poisson_height.h"
 #include "engine/inflate/profile.h"
 #include "engine/inflate/rows.h"
+#include "engine/mesh/thin_triangles.h"
 #include "engine/mesh/two_sided.h"
 
 namespace spineloft::inflate {
 namespace {
 
+/// Of the spacing: how far a point may come to lie off the surface where thin triangles go.
+constexpr double kMostOff = 0.01;
 /// Heights below this share of the spacing would make both sides touch.
 constexpr double kLeastHeightShare = 1e-3;
 
@@ -132,50 +132,59 @@ Result<mesh::TriMesh> inflateSoftly(const geometry::Contours& contours, image::S
 }
 
 /// How far points are apart when the curves of a profile, lengths in half widths, stand over a region: the surface has
-/// about the area of the region times their length.
-double spacingFor(double area, int points, std::span<const ProfileCurve> curves) {
+/// about the area of the region times their length. Of several slices it is that of the longest.
+double spacingFor(double area, int points, const MatchedCurves& curves) {
   double length = 0;
-  for (const ProfileCurve& curve : curves) {
-    const std::size_t n = curve.points.size();
-    for (std::size_t i = curve.closed ? 0 : 1; i < n; ++i) {
-      length += distance(curve.points[i], curve.points[(i + n - 1) % n]);
+  for (const std::vector<ProfileCurve>& curve : curves) {
+    double longest = 0;
+    for (const auto& [line, closed] : curve) {
+      const std::size_t n = line.size();
+      double own = 0;
+      for (std::size_t i = closed ? 0 : 1; i < n; ++i) own += distance(line[i], line[(i + n - 1) % n]);
+      longest = std::max(longest, own);
     }
+    length += longest;
   }
   return std::sqrt(length * area / (std::sqrt(0.75) * points));
 }
 
-Result<mesh::TriMesh> inflateAlong(const geometry::Contours& contours, image::Size picture,
-                                   const InflateParams& params) {
-  const Result<std::vector<ProfileCurve>> curves = profileCurves(params.profile.slices[0].shape, params.sides);
+}  // namespace
+
+Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture, const InflateParams& params) {
+  if (!isValid(params) || params.profile.isSoft()) return Error::ValueOutOfRange;
+  const Result<MatchedCurves> curves = matchedCurves(params.profile.slices, params.sides);
   if (!curves) return curves.failure();
-  const std::vector<geometry::Contours> pieces = geometry::piecesOf(contours);
-  std::vector<Fields> fields;
-  RowParams rows{spacingFor(geometry::areaOf(contours), params.points, curves.value()), params.height,
-                 params.profile.follow, 0, picture};
-  for (const geometry::Contours& piece : pieces) {
-    const Result<EditedSkeleton> bones = editedSkeleton(piece, params.bones);
-    if (!bones) return bones.failure();
-    Result<Fields> made = fieldsOf(piece, bones.value().skeleton);
-    if (!made) return made.failure();
-    rows.widest = std::max(rows.widest, std::ranges::max(made.value().half));
-    fields.push_back(std::move(made).value());
+  const bool rim = params.profile.across == Across::Length;
+  const double reach = rim ? params.profile.reach * std::max(picture.width, picture.height) : 0;
+  RowParams rows{1, params.height, params.profile.follow, 0, picture};
+  double area = 0;
+  for (std::size_t i = 0; i < interior.pieces.size(); ++i) {
+    area += geometry::areaOf(interior.pieces[i]);
+    rows.widest = std::max(rows.widest, std::ranges::max(interior.fields[i].half));
   }
+  if (rim) rows.widest = std::min(rows.widest, reach);
+  rows.spacing = spacingFor(area, params.points, curves.value());
   mesh::TriMesh mesh;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (Status status = addRows(fields[i], pieces[i], curves.value(), rows, mesh); !status) {
-      return status.failure();
-    }
+  for (std::size_t i = 0; i < interior.pieces.size(); ++i) {
+    const geometry::Contours& piece = interior.pieces[i];
+    const Status status = rim ? addRows(withReach(interior.fields[i], reach), piece, curves.value(), rows, mesh)
+                              : addRows(interior.fields[i], piece, curves.value(), rows, mesh);
+    if (!status) return status.failure();
   }
+  mesh::ThinLimits limits;
+  limits.off = kMostOff * rows.spacing;
+  mesh::removeThinTriangles(mesh, limits);
   return mesh;
 }
-
-}  // namespace
 
 Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
                                     const InflateParams& params) {
   if (!isValid(params)) return Error::ValueOutOfRange;
   if (!(geometry::areaOf(contours) > 0)) return Error::RegionEmpty;
-  return params.profile.isSoft() ? inflateSoftly(contours, picture, params) : inflateAlong(contours, picture, params);
+  if (params.profile.isSoft()) return inflateSoftly(contours, picture, params);
+  const Result<Interior> interior = interiorOf(contours, params.bones, params.profile.slices);
+  if (!interior) return interior.failure();
+  return inflateAlong(interior.value(), picture, params);
 }
 
 }  // namespace spineloft::inflate

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -20,13 +21,25 @@ enum class InflateSides : std::uint8_t {
 /// A slice of a puff, mirror-symmetric in x: from the bone at x = 0 to the outline at x = ±1.
 struct ProfileSlice {
   sections::SectionShape shape;
+  /// The place of the skeleton where the puff has it; from there it passes into the next one along the skeleton. None:
+  /// where no other one is near.
+  std::optional<PicturePoint> at = std::nullopt;
   bool operator==(const ProfileSlice&) const = default;
+};
+
+/// What the width of a slice is, from the bone (x = 0) to the outline.
+enum class Across : std::uint8_t {
+  Share,   ///< the way there: wide where the place is wide
+  Length,  ///< `reach`: an edge of the same width all round, flat within it; no more than the way there
+  kCount
 };
 
 /// What stands over every place of a region.
 struct ProfileParams {
-  std::vector<ProfileSlice> slices;  ///< none: soft, the solution of a Poisson equation; else one
+  std::vector<ProfileSlice> slices;  ///< none: soft, the solution of a Poisson equation; up to kMostSlices
   double follow = 1;                 ///< 1: as thick as the place is wide … 0: as thick as the widest everywhere
+  Across across = Across::Share;
+  double reach = 0.1;  ///< share of the picture's longer side; kLeastReach … kMostReach
   bool operator==(const ProfileParams&) const = default;
   bool isSoft() const { return slices.empty(); }
 };
@@ -63,19 +76,24 @@ struct InflateParams {
 
 inline constexpr double kLeastHeight = 0.05, kMostHeight = 4;
 inline constexpr int kLeastPoints = 200, kMostPoints = 16000;
-inline constexpr std::size_t kMostSlices = 1;
+inline constexpr std::size_t kMostSlices = 8;
 inline constexpr std::size_t kMostBoneEdits = 64;        ///< of each kind
 inline constexpr std::size_t kMostBoneLinePoints = 256;  ///< of an added line
+inline constexpr double kLeastReach = 0.002, kMostReach = 1;
 inline constexpr double kLeastFactor = 0.1, kMostFactor = 4;
 
 /// Numbers in range and finite, no more edits than kMostBoneEdits of a kind.
 bool isValid(const BoneEdits& edits);
 
-/// Every number in range and finite; of the slices see checkProfile.
+/// Every number in range and finite; of the slices see matchedCurves.
 inline bool isValid(const InflateParams& p) {
+  for (const ProfileSlice& slice : p.profile.slices) {
+    if (slice.at && !isFinite(*slice.at)) return false;
+  }
   return p.height >= kLeastHeight && p.height <= kMostHeight && p.sides < InflateSides::kCount &&
          p.points >= kLeastPoints && p.points <= kMostPoints && p.profile.slices.size() <= kMostSlices &&
-         p.profile.follow >= 0 && p.profile.follow <= 1 && isValid(p.bones);
+         p.profile.follow >= 0 && p.profile.follow <= 1 && p.profile.across < Across::kCount && p.profile.reach >= kLeastReach &&
+         p.profile.reach <= kMostReach && isValid(p.bones);
 }
 
 }  // namespace spineloft::inflate

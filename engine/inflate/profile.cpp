@@ -1,13 +1,16 @@
 #include "engine/inflate/profile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "engine/geometry/axis_clip.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
+#include "engine/inflate/crossing.h"
 #include "engine/sections/section.h"
 
 namespace spineloft::inflate {
@@ -117,6 +120,121 @@ bool isCorner(SectionPoint before, SectionPoint at, SectionPoint after) {
   return std::abs(std::atan2(cross(in, out), dot(in, out))) > kCorner;
 }
 
+/// What a curve must have in common with one of another slice: whether it is beside the axis, and whether what it
+/// bounds is solid.
+std::pair<bool, bool> kindOf(const ProfileCurve& curve) {
+  const auto& points = curve.points;
+  const bool solid = curve.closed ? geometry::signedArea(std::span<const SectionPoint>(points)) > 0
+                                  : points.front().y < points.back().y;
+  return {curve.closed, !solid};
+}
+/// Orders the curves of a slice: by kind, those on the axis from below, others from the axis outwards.
+std::tuple<bool, bool, double> rankOf(const ProfileCurve& curve) {
+  const auto [closed, hole] = kindOf(curve);
+  double middle = 0;
+  for (const SectionPoint p : curve.points) middle += p.x / static_cast<double>(curve.points.size());
+  return {closed, hole, closed ? middle : curve.points.front().y};
+}
+/// A closed curve begins at its lowest place nearest to the outline.
+void beginOutside(ProfileCurve& curve) {
+  if (!curve.closed) return;
+  const auto first = std::ranges::max_element(curve.points, {}, [](SectionPoint p) { return std::pair(p.x, -p.y); });
+  std::ranges::rotate(curve.points, first);
+}
+
+/// A curve as a line from its beginning to its end, and where its corners are along it: both ends are.
+struct Ruled {
+  Curve line;
+  std::vector<double> s, corners;
+  /// After k of so many steps from a corner to the next one.
+  SectionPoint at(std::size_t corner, int k, int steps) const {
+    const double from = corners[corner], to = corners[corner + 1];
+    return geometry::pointAt(std::span<const SectionPoint>(line), std::span<const double>(s),
+                             from + (to - from) * k / steps);
+  }
+};
+/// A closed curve begins at its first corner, or where it `begins`.
+Ruled ruled(const ProfileCurve& curve, bool begins) {
+  Ruled out{curve.points, {}, {}};
+  Curve& line = out.line;
+  const std::size_t n = line.size();
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool end = curve.closed ? begins && i == 0 : i == 0 || i + 1 == n;
+    if (end || isCorner(line[(i + n - 1) % n], line[i], line[(i + 1) % n])) corners.push_back(i);
+  }
+  if (corners.empty()) corners.push_back(0);
+  if (curve.closed) {
+    const std::size_t first = corners[0];
+    std::ranges::rotate(line, line.begin() + static_cast<std::ptrdiff_t>(first));
+    for (std::size_t& corner : corners) corner -= first;
+    line.push_back(line.front());
+    corners.push_back(n);
+  }
+  out.s = geometry::arcLengths(std::span<const SectionPoint>(line));
+  for (const std::size_t corner : corners) out.corners.push_back(out.s[corner]);
+  return out;
+}
+
+/// Gives all slices as many corners: those of the same order are one where their numbers agree; else each slice gets a
+/// place at the same share of its length for the corners of others.
+void alignCorners(std::vector<Ruled>& slices) {
+  const auto count = [](const Ruled& slice) { return slice.corners.size(); };
+  if (std::ranges::all_of(slices, [&](const Ruled& slice) { return count(slice) == count(slices.front()); })) return;
+  constexpr double kSameCorner = 0.02;  // of the length
+  struct Corner {
+    double share;
+    std::size_t slice;
+    double at;
+  };
+  std::vector<Corner> all;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    for (const double at : slices[k].corners) all.push_back({at / slices[k].s.back(), k, at});
+  }
+  std::ranges::stable_sort(all, {}, &Corner::share);
+  std::vector<std::vector<double>> corners(slices.size());
+  for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
+    std::vector<char> has(slices.size(), 0);
+    double sum = 0;
+    while (to < all.size() && all[to].share <= all[from].share + kSameCorner && !has[all[to].slice]) {
+      has[all[to].slice] = 1;
+      sum += all[to++].share;
+    }
+    const double share = sum / static_cast<double>(to - from);
+    for (std::size_t k = 0; k < slices.size(); ++k) {
+      if (!has[k]) corners[k].push_back(share * slices[k].s.back());
+    }
+    for (std::size_t i = from; i < to; ++i) corners[all[i].slice].push_back(all[i].at);
+  }
+  for (std::size_t k = 0; k < slices.size(); ++k) slices[k].corners = std::move(corners[k]);
+}
+
+/// Whether no two curves of a profile half, a quarter or three quarters on the way from one slice to another cross.
+bool blendsAreSimple(const MatchedCurves& matched) {
+  constexpr double kStep = 0.06;
+  const std::size_t slices = matched.front().size();
+  for (std::size_t k = 0; k < slices; ++k) {
+    for (std::size_t other = k + 1; other < slices; ++other) {
+      for (const double share : {0.25, 0.5, 0.75}) {
+        std::vector<std::array<SectionPoint, 2>> edges;
+        for (const std::vector<ProfileCurve>& curve : matched) {
+          Curve line;
+          for (const ProfileRow& row : rowsOf(std::array{curve[k], curve[other]}, kStep))
+            line.push_back(lerp(row[0], row[1], share));
+          for (std::size_t i = curve[k].closed ? 0 : 1; i < line.size(); ++i)
+            edges.push_back({line[(i + line.size() - 1) % line.size()], line[i]});
+        }
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+          for (std::size_t j = 0; j < i; ++j) {
+            if (crossing(edges[i][0], edges[i][1], edges[j][0], edges[j][1])) return false;
+          }
+        }
+      }
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<std::vector<ProfileCurve>> profileCurves(const sections::SectionShape& shape, InflateSides sides) {
@@ -149,46 +267,62 @@ Result<std::vector<ProfileCurve>> profileCurves(const sections::SectionShape& sh
   return out;
 }
 
+Result<MatchedCurves> matchedCurves(std::span<const ProfileSlice> slices, InflateSides sides) {
+  const auto everywhere = [](const ProfileSlice& slice) { return !slice.at; };
+  if (std::ranges::count_if(slices, everywhere) > 1) return refused("more than one slice of the puff has no place");
+  MatchedCurves matched;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    Result<std::vector<ProfileCurve>> read = profileCurves(slices[k].shape, sides);
+    if (!read) return read.failure();
+    std::vector<ProfileCurve> curves = std::move(read).value();
+    if (slices.size() > 1) std::ranges::stable_sort(curves, {}, rankOf);
+    if (k == 0) matched.resize(curves.size());
+    bool same = curves.size() == matched.size();
+    for (std::size_t c = 0; c < curves.size() && same; ++c) {
+      same = k == 0 || kindOf(curves[c]) == kindOf(matched[c].front());
+      matched[c].push_back(std::move(curves[c]));
+    }
+    if (!same) return refused("the slices of a puff need as many bodies, rings and holes each");
+  }
+  if (slices.size() < 2) return matched;
+  for (std::vector<ProfileCurve>& curve : matched) std::ranges::for_each(curve, beginOutside);
+  if (!blendsAreSimple(matched)) return refused("on the way from one slice to another they would cross themselves");
+  return matched;
+}
+
 Topology topologyOf(const std::vector<ProfileCurve>& curves, int holes) {
   const auto beside = static_cast<int>(std::ranges::count_if(curves, &ProfileCurve::closed));
   const int middle = static_cast<int>(curves.size()) - beside;
   return {middle + beside * (holes + 1), middle * holes + beside * (holes + 1)};
 }
 
-ProfileCurve withRows(const ProfileCurve& curve, double step) {
-  std::vector<SectionPoint> line = curve.points;
-  const std::size_t n = line.size();
-  std::vector<std::size_t> corners;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool end = !curve.closed && (i == 0 || i + 1 == n);
-    if (end || isCorner(line[(i + n - 1) % n], line[i], line[(i + 1) % n])) corners.push_back(i);
-  }
-  if (corners.empty()) corners.push_back(0);
-  if (curve.closed) {
-    const std::size_t first = corners[0];
-    std::ranges::rotate(line, line.begin() + static_cast<std::ptrdiff_t>(first));
-    for (std::size_t& corner : corners) corner -= first;
-    line.push_back(line.front());
-    corners.push_back(n);
-  }
-  ProfileCurve out{{}, curve.closed};
-  const std::vector<double> s = geometry::arcLengths(std::span<const SectionPoint>(line));
+std::vector<ProfileRow> rowsOf(std::span<const ProfileCurve> curve, double step) {
+  std::vector<Ruled> slices;
+  for (const ProfileCurve& one : curve) slices.push_back(ruled(one, curve.size() > 1));
+  alignCorners(slices);
+  const bool closed = curve.front().closed;
+  std::vector<ProfileRow> rows;
+  const auto put = [&](std::size_t corner, int k, int steps) {
+    ProfileRow& row = rows.emplace_back();
+    for (const Ruled& slice : slices) row.push_back(slice.at(corner, k, steps));
+  };
   constexpr double kLeastSteps = 6;  // of a whole curve
-  step = std::min(step, s.back() / kLeastSteps);
-  for (std::size_t c = 0; c + 1 < corners.size(); ++c) {
-    const double from = s[corners[c]], to = s[corners[c + 1]];
-    const int steps = std::max(1, static_cast<int>(std::lround((to - from) / step)));
-    for (int k = 0; k < steps; ++k) {
-      out.points.push_back(geometry::pointAt(std::span<const SectionPoint>(line), std::span<const double>(s),
-                                             from + (to - from) * k / steps));
-    }
+  double longest = 0;
+  for (const Ruled& slice : slices) longest = std::max(longest, slice.s.back());
+  step = std::min(step, longest / kLeastSteps);
+  const std::size_t stretches = slices.front().corners.size() - 1;
+  for (std::size_t c = 0; c < stretches; ++c) {
+    double length = 0;
+    for (const Ruled& slice : slices) length = std::max(length, slice.corners[c + 1] - slice.corners[c]);
+    const int steps = std::max(1, static_cast<int>(std::lround(length / step)));
+    for (int k = 0; k < steps; ++k) put(c, k, steps);
   }
-  if (!curve.closed) out.points.push_back(line.back());
-  for (std::size_t i = 0; i < out.points.size(); ++i) {
-    const bool onAxis = !curve.closed && (i == 0 || i + 1 == out.points.size());
-    if (!onAxis) out.points[i].x = std::max(out.points[i].x, kNearAxis);
+  if (!closed) put(stretches - 1, 1, 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool onAxis = !closed && (i == 0 || i + 1 == rows.size());
+    for (SectionPoint& p : rows[i]) p.x = onAxis ? 0 : std::max(p.x, kNearAxis);
   }
-  return out;
+  return rows;
 }
 
 }  // namespace spineloft::inflate

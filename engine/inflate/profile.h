@@ -1,6 +1,7 @@
 // The profile of a puff: one half of a slice, from the bone to the outline.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -21,6 +22,12 @@ struct ProfileCurve {
 /// those of checkShape; lopsided; beyond the outline; only touching the axis; nothing on the side that is asked for.
 Result<std::vector<ProfileCurve>> profileCurves(const sections::SectionShape& shape, InflateSides sides);
 
+/// The curves of all slices: by curve the same one in each slice. Every slice has as many bodies, rings and holes as the
+/// first. Errors: those of profileCurves; SectionInvalid for slices that do not match, that would cross themselves on the
+/// way from one to another, or more than one of which has no place.
+using MatchedCurves = std::vector<std::vector<ProfileCurve>>;
+Result<MatchedCurves> matchedCurves(std::span<const ProfileSlice> slices, InflateSides sides);
+
 /// Shells and handles of what a profile makes of one piece of a region with `holes` holes: every curve from axis to
 /// axis is a body with as many handles, every other one a ring along each outline.
 struct Topology {
@@ -28,9 +35,11 @@ struct Topology {
 };
 Topology topologyOf(const std::vector<ProfileCurve>& curves, int holes);
 
-/// The curve with points about `step` apart (half widths), corners kept, none nearer to the axis than kNearAxis but on
-/// it.
-ProfileCurve withRows(const ProfileCurve& curve, double step);
+/// A row: its place (s, z) in each slice.
+using ProfileRow = std::vector<SectionPoint>;
+/// Rows of one curve, given as it is in each slice: about `step` apart (half widths) in the slice where it is longest,
+/// corners kept, none nearer to the axis than kNearAxis but on it.
+std::vector<ProfileRow> rowsOf(std::span<const ProfileCurve> curve, double step);
 inline constexpr double kNearAxis = 0.02;
 
 }  // namespace spineloft::inflate

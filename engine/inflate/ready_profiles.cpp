@@ -81,7 +81,12 @@ std::optional<ProfileParams> readyProfile(std::string_view key) {
 
 std::string_view profileKey(const ProfileParams& profile) {
   for (const ReadyProfile& name : kNames) {
-    if (readyProfile(name.key)->slices == profile.slices) return name.key;
+    const auto ready = readyProfile(name.key)->slices;
+    if (ready.empty() || profile.isSoft()) {
+      if (ready.empty() && profile.isSoft()) return name.key;
+    } else if (ready.front().shape == profile.slices.front().shape) {
+      return name.key;
+    }
   }
   return "own";
 }

@@ -67,23 +67,27 @@ Row resampled(const Row& line, double spacing) {
   return out;
 }
 
-/// The rows of one piece: for each outline the line of a level, once for each level.
+/// The rows of one piece: for each outline the line of a level, once for each level, which every slice has its own of.
 class RowTable {
  public:
   RowTable(const Fields& fields, const geometry::Contours& piece, double spacing)
       : fields_(fields), piece_(piece), spacing_(spacing) {}
 
   /// One row an outline; empty where the level has not one line an outline.
-  const std::vector<Row>& at(double level) {
-    const auto found = rows_.find(level);
+  const std::vector<Row>& at(const ProfileRow& row) {
+    std::vector<double> levels;
+    for (const SectionPoint p : row) levels.push_back(p.x);
+    const auto found = rows_.find(levels);
     if (found != rows_.end()) return found->second;
-    return rows_[level] = level >= kOutline ? outlines() : traced(level);
+    const bool outline = std::ranges::all_of(levels, [](double level) { return level >= kOutline; });
+    std::vector<Row> made = outline ? outlines() : traced(levels);
+    return rows_[std::move(levels)] = std::move(made);
   }
 
  private:
-  std::vector<Row> traced(double level) const {
+  std::vector<Row> traced(std::span<const double> levels) const {
     std::vector<Row> rows(fields_.sizes.size());
-    for (LevelLine& line : levelLines(fields_, level)) {
+    for (LevelLine& line : levelLines(fields_, levels)) {
       if (!rows[line.side].empty()) return {};
       rows[line.side] = resampled(line.points, spacing_);
     }
@@ -121,7 +125,7 @@ class RowTable {
   const Fields& fields_;
   const geometry::Contours& piece_;
   double spacing_;
-  std::map<double, std::vector<Row>> rows_;
+  std::map<std::vector<double>, std::vector<Row>> rows_;
 };
 
 /// A closed row from a place of it on round to that again.
@@ -185,20 +189,24 @@ class Joining {
 class Builder {
  public:
   Builder(const Fields& fields, const RowParams& params, mesh::TriMesh& mesh)
-      : bones_(bonesOf(fields)), params_(params), mesh_(mesh), first_(mesh.positions.size()) {}
+      : fields_(fields),
+        bones_(bonesOf(fields)), params_(params), mesh_(mesh), first_(mesh.positions.size()) {}
 
-  std::uint32_t add(const LevelPoint& p, double z) {
-    const double thick = std::pow(p.half, params_.follow) * std::pow(params_.widest, 1 - params_.follow);
-    const ModelPoint at{p.at.x, p.at.y, z * thick * p.factor * params_.height};
+  /// A point of a row, its z in each slice.
+  std::uint32_t add(const LevelPoint& p, const ProfileRow& row) {
+    double z = 0;
+    for (std::size_t k = 0; k < row.size(); ++k) z += p.over.share[k] * row[k].y;
+    const double thick = std::pow(fields_.widthOf(p.half), params_.follow) * std::pow(params_.widest, 1 - params_.follow);
+    const ModelPoint at{p.at.x, p.at.y, z * thick * p.over.factor * params_.height};
     points_.push_back(at);
     mesh_.positions.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
     const double u = (p.at.x + 0.5) / params_.picture.width, v = (0.5 - p.at.y) / params_.picture.height;
     mesh_.uv.push_back({static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
-  Ids add(const Row& row, double z) {
+  Ids add(const Row& line, const ProfileRow& row) {
     Ids ids;
-    for (const LevelPoint& p : row) ids.push_back(add(p, z));
+    for (const LevelPoint& p : line) ids.push_back(add(p, row));
     return ids;
   }
   /// Triangles between two closed rows that run the same way, outside on the right of the way from a to b.
@@ -215,8 +223,8 @@ class Builder {
     });
   }
 
-  /// Triangles from the rows of one level, one an outline, to the skeleton at the height z; they face up or down.
-  bool close(const std::vector<Row>& lines, const std::vector<Ids>& ids, double z, bool up) {
+  /// Triangles from the rows of one level, one an outline, to the row on the axis; they face up or down.
+  bool close(const std::vector<Row>& lines, const std::vector<Ids>& ids, const ProfileRow& axis, bool up) {
     geometry::PlaneRegion rim;
     Ids corners;
     for (std::size_t o = 0; o < lines.size(); ++o) {  // rows have the region on their right
@@ -224,11 +232,11 @@ class Builder {
       corners.insert(corners.end(), ids[o].rbegin(), ids[o].rend());
       rim.sizes.push_back(lines[o].size());
     }
-    const std::optional<Boned> boned = bonedMesh(rim, bones_, 0);
+    const bool wide = fields_.reach > 0;  // a plain within the edge has points of its own
+    const std::optional<Boned> boned = bonedMesh(rim, bones_, wide ? params_.spacing : 0);
     if (!boned) return false;
     for (std::size_t i = boned->mesh.rim(); i < boned->mesh.points().size(); ++i) {
-      const auto& [radius, factor] = boned->width[i];
-      corners.push_back(add({boned->mesh.points()[i], radius, factor, 0}, z));
+      corners.push_back(add(within(boned->mesh.points()[i], boned->width[i]), axis));
     }
     for (const auto& [a, b, c] : boned->mesh.triangles()) {
       mesh_.triangles.push_back({corners[a], corners[up ? b : c], corners[up ? c : b]});
@@ -244,10 +252,27 @@ class Builder {
     for (std::uint32_t i = 0; i < index.size(); ++i) {
       if (!fields.onBone[i]) continue;
       index[i] = static_cast<std::uint32_t>(bones.points.size());
-      bones.points.push_back({fields.mesh.points()[i], fields.half[i], fields.factor[i]});
+      bones.points.push_back({fields.mesh.points()[i], fields.half[i], fields.over[i]});
     }
     for (const auto& [a, b] : fields.bones) bones.edges.push_back({index[a], index[b]});
     return bones;
+  }
+  /// A point between the first rows and the skeleton: of the skeleton, or with what the fields have there.
+  LevelPoint within(SectionPoint p, const Boned::Width& width) const {
+    if (width.radius > 0) return {p, width.radius, width.over, 0};
+    const auto found = fields_.mesh.find(p);
+    if (!found) return {p, fields_.reach, {}, 0};
+    const auto& [a, b, c] = fields_.mesh.triangles()[*found];
+    const auto& points = fields_.mesh.points();
+    const double area = cross(points[b] - points[a], points[c] - points[a]);
+    const double atC = cross(points[b] - points[a], p - points[a]) / area;
+    const double atB = cross(p - points[a], points[c] - points[a]) / area;
+    const LevelPoint one = levelPointOf(fields_, a);
+    const double away = atB + atC;
+    LevelPoint out = one;
+    if (away > 0) out = lerp(one, lerp(levelPointOf(fields_, b), levelPointOf(fields_, c), atC / away), away);
+    out.at = p;
+    return out;
   }
   const ModelPoint& at(std::uint32_t id) const { return points_[id - first_]; }
   Ring ring(const Ids& row, std::size_t start) const {
@@ -264,6 +289,7 @@ class Builder {
     return {0, static_cast<std::size_t>(std::ranges::min_element(b, {}, off) - b.begin())};
   }
 
+  const Fields& fields_;
   const Bones bones_;
   const RowParams& params_;
   mesh::TriMesh& mesh_;
@@ -276,7 +302,7 @@ double meanHalf(const Fields& fields) {
   const auto& points = fields.mesh.points();
   for (const auto& [a, b, c] : fields.mesh.triangles()) {
     const double own = cross(points[b] - points[a], points[c] - points[a]);
-    sum += own * (fields.half[a] + fields.half[b] + fields.half[c]) / 3;
+    sum += own * (fields.widthOf(fields.half[a]) + fields.widthOf(fields.half[b]) + fields.widthOf(fields.half[c])) / 3;
     area += own;
   }
   return sum / area;
@@ -284,30 +310,30 @@ double meanHalf(const Fields& fields) {
 
 }  // namespace
 
-Status addRows(const Fields& fields, const geometry::Contours& piece, std::span<const ProfileCurve> curves,
+Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
                const RowParams& params, mesh::TriMesh& mesh) {
   constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
   const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest);
   RowTable table(fields, piece, params.spacing);
   Builder builder(fields, params, mesh);
   const std::size_t outlines = fields.sizes.size();
-  for (const ProfileCurve& curve : curves) {
-    const std::vector<SectionPoint> levels = withRows(curve, step).points;  // (s, z)
-    std::vector<std::vector<Ids>> ids(levels.size());                       // by row and outline
-    for (std::size_t j = 0; j < levels.size(); ++j) {
-      if (levels[j].x == 0) continue;
-      const std::vector<Row>& lines = table.at(levels[j].x);
+  const auto onAxis = [](const ProfileRow& row) { return row.front().x == 0; };
+  for (const std::vector<ProfileCurve>& curve : curves) {
+    const std::vector<ProfileRow> rows = rowsOf(curve, step);
+    std::vector<std::vector<Ids>> ids(rows.size());  // by row and outline
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      if (onAxis(rows[j])) continue;
+      const std::vector<Row>& lines = table.at(rows[j]);
       if (lines.size() != outlines) return Error::RegionTooFine;
-      for (const Row& line : lines) ids[j].push_back(builder.add(line, levels[j].y));
+      for (const Row& line : lines) ids[j].push_back(builder.add(line, rows[j]));
     }
-    const std::size_t strips = levels.size() - (curve.closed ? 0 : 1);
+    const std::size_t strips = rows.size() - (curve.front().closed ? 0 : 1);
     for (std::size_t j = 0; j < strips; ++j) {
-      const std::size_t next = (j + 1) % levels.size();
-      const bool begins = levels[j].x == 0, ends = levels[next].x == 0;
+      const std::size_t next = (j + 1) % rows.size();
+      const bool begins = onAxis(rows[j]), ends = onAxis(rows[next]);
       if (begins || ends) {
         const std::size_t row = begins ? next : j;
-        if (!builder.close(table.at(levels[row].x), ids[row], levels[begins ? j : next].y, ends))
-          return Error::RegionTooFine;
+        if (!builder.close(table.at(rows[row]), ids[row], rows[begins ? j : next], ends)) return Error::RegionTooFine;
         continue;
       }
       for (std::size_t o = 0; o < outlines; ++o) builder.join(ids[j][o], ids[next][o]);

@@ -1,20 +1,30 @@
 // The skeleton of a region: the lines in its middle, without those that only corners and tremor make.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
 #include "engine/geometry/region.h"
+#include "engine/inflate/inflate_params.h"
 
 namespace spineloft::inflate {
+
+/// What a person wants of the solid over a place of the skeleton; the fields carry it into the region.
+struct Over {
+  double factor = 1;                          ///< of the thickness
+  std::array<double, kMostSlices> share{1};  ///< of each slice, of 1 in all
+  bool operator==(const Over&) const = default;
+};
+Over lerp(const Over& a, const Over& b, double t);
 
 /// A place of the skeleton and its distance to the outline: the radius of the largest disc there that fits.
 struct SkeletonPoint {
   SectionPoint at;  ///< pixels, x right, y up
   double radius = 0;
-  double factor = 1;  ///< of the thickness over it
+  Over over = {};
   bool operator==(const SkeletonPoint&) const = default;
 };
 

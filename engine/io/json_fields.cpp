@@ -112,6 +112,7 @@ std::string_view keyOf(shape::Primitive value) {
   const auto at = std::ranges::find(names, value, &shape::PrimitiveName::primitive);
   return at == names.end() ? std::string_view() : at->key;
 }
+std::string_view keyOf(inflate::Across value) { return value == inflate::Across::Length ? "length" : "share"; }
 std::string_view keyOf(shape::DepthMode value) { return value == shape::DepthMode::Kept ? "kept" : "round"; }
 std::string_view keyOf(geometry::ViewFrom value) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(geometry::ViewFrom::kCount)> kKeys = {
@@ -120,6 +121,7 @@ std::string_view keyOf(geometry::ViewFrom value) {
   return at < kKeys.size() ? kKeys[at] : std::string_view();
 }
 bool fromKey(std::string_view key, shape::Primitive& value) { return fromKeys(key, value); }
+bool fromKey(std::string_view key, inflate::Across& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::DepthMode& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, geometry::ViewFrom& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::StepKind& value) { return fromKeys(key, value); }

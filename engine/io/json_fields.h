@@ -40,6 +40,7 @@ std::string_view keyOf(ribs::Side value);
 std::string_view keyOf(document::StepKind value);
 std::string_view keyOf(document::OpeningSide value);
 std::string_view keyOf(inflate::InflateSides value);
+std::string_view keyOf(inflate::Across value);
 std::string_view keyOf(extrude::EdgeKind value);
 std::string_view keyOf(surface::Paint value);
 std::string_view keyOf(shape::Primitive value);
@@ -52,6 +53,7 @@ bool fromKey(std::string_view key, ribs::Side& value);
 bool fromKey(std::string_view key, document::StepKind& value);
 bool fromKey(std::string_view key, document::OpeningSide& value);
 bool fromKey(std::string_view key, inflate::InflateSides& value);
+bool fromKey(std::string_view key, inflate::Across& value);
 bool fromKey(std::string_view key, extrude::EdgeKind& value);
 bool fromKey(std::string_view key, surface::Paint& value);
 bool fromKey(std::string_view key, shape::Primitive& value);
@@ -114,6 +116,10 @@ Json toJson(const std::vector<Vec3<Space>>& points) {  // [x, y, z, x, y, z, …
 template <class Space>
 Json toJson(Vec2<Space> p) {
   return Json::array({toJson(p.x), toJson(p.y)});
+}
+template <class Space>
+Json toJson(const std::optional<Vec2<Space>>& p) {  // or null
+  return p ? toJson(*p) : Json();
 }
 template <class Space>
 Json toJson(const std::vector<Vec2<Space>>& points) {  // [x, y, x, y, …]
@@ -229,6 +235,13 @@ bool get(const Json& from, Vec2<Space>& to) {
   const bool two = from.is_array() && from.size() == 2 && get(from[0], p.x) && get(from[1], p.y);
   if (two) to = p;
   return two;
+}
+template <class Space>
+bool get(const Json& from, std::optional<Vec2<Space>>& to) {
+  Vec2<Space> p;
+  if (!from.is_null() && !get(from, p)) return false;
+  to = from.is_null() ? std::nullopt : std::optional(p);
+  return true;
 }
 template <class Space>
 bool get(const Json& from, Vec3<Space>& to) {

@@ -135,12 +135,15 @@ void members(V& v, T& value) {
 }
 template <class V, Is<inflate::ProfileSlice> T>
 void members(V& v, T& value) {
-  auto& [shape] = value;
+  auto& [shape, at] = value;
   v("shape", shape);
+  v("at", at);
 }
 template <class V, Is<inflate::ProfileParams> T>
 void members(V& v, T& value) {
-  auto& [slices, follow] = value;
+  auto& [slices, follow, across, reach] = value;
+  v("across", across);
+  v("reach", reach);
   v("slices", slices);
   v("follow", follow);
 }

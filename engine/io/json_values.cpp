@@ -207,6 +207,10 @@ std::string writeReport(const LoftReport& report) {
     json["bones"] = bonesJson(*report.bones);
     json["bones"]["asleep"] = report.asleep;
   }
+  if (report.profile) {
+    const auto& [slices, middle, offAxis] = *report.profile;
+    json["profile"] = {{"slices", slices}, {"middle", middle}, {"offAxis", offAxis}};
+  }
   return textOf(json, 2);
 }
 

@@ -42,13 +42,17 @@ struct LoftReport {
   ribs::EnergyTerms energy;
   mesh::MeshReport mesh;                                ///< of the part in ModelSpace: volume in px³, area in px²
   std::optional<std::vector<inflate::Skeleton>> bones;  ///< of a puff, one a piece of its region
-  int asleep = 0;                                       ///< edits of its bones that find no place
+  int asleep = 0;                                       ///< edits of its bones, and slices, that find no place
+  struct Profile {
+    int slices = 0, middle = 0, offAxis = 0;  ///< slices; curves from axis to axis and beside it of each
+  };
+  std::optional<Profile> profile;  ///< of a puff with a slice
   NamedNumbers milliseconds;                            ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
 /// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}; of a puff
 /// also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…],"asleep"} in picture pixels, r the half
-/// width.
+/// width, and with a slice "profile":{"slices","middle","offAxis"}.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

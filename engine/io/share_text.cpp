@@ -155,7 +155,12 @@ void tellEnds(document::LoftRecipe& recipe, const Grid& grid, TracedRibs& traced
     row.tell(end, grid);
   }
 }
-void keep(document::InflateRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
+void keep(document::InflateRecipe& recipe, const Grid& grid) {
+  keepRegion(recipe.region, grid);
+  for (inflate::ProfileSlice& slice : recipe.inflate.profile.slices) {
+    if (slice.at) slice.at = grid(*slice.at);
+  }
+}
 void keep(document::ExtrudeRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
 void keep(document::StackRecipe& recipe, const Grid& grid) {
   const auto rounded = [&](ModelPoint& p) { p = {grid(p.x), grid(p.y), grid(p.z)}; };

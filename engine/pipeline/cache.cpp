@@ -29,6 +29,11 @@ void Cache::keepTraced(TraceKey key, std::shared_ptr<const TracedRibs> traced, b
   (isPreview ? previews_ : traced_).keep(key, std::move(traced), bytes);
 }
 
+void Cache::keepInterior(InteriorKey key, KnownInterior interior) {
+  const std::size_t bytes = inflate::bytesOf(*interior);
+  interiors_.keep(key, std::move(interior), bytes);
+}
+
 std::shared_ptr<const PartShape> Cache::shape(ShapeKey key) {
   for (ShapeSlot& slot : shapes_) {
     if (slot.shape->key == key) {
@@ -105,7 +110,7 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 }
 
 std::size_t Cache::bytes() const {
-  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes();
+  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes() + interiors_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

@@ -66,6 +66,9 @@ class Cache {
   /// drawn must not evict the parts of the document.
   std::shared_ptr<const TracedRibs> traced(TraceKey key);
   void keepTraced(TraceKey key, std::shared_ptr<const TracedRibs> traced, bool isPreview);
+  /// By interiorKey. Null when not (or no longer) known.
+  KnownInterior interior(InteriorKey key) { return interiors_.find(key); }
+  void keepInterior(InteriorKey key, KnownInterior interior);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(ShapeKey key);
   void keepShape(std::shared_ptr<const PartShape> shape);
@@ -94,9 +97,9 @@ class Cache {
   /// A step of undo has up to three rounds: its shapes, their ribs, their textures.
   static constexpr std::uint64_t kKeptRounds = 96;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those
-  /// shown; the marks of 4 pictures.
+  /// shown; the marks of 4 pictures; 20 puffs with a slice.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20, kShapeBytes = 64u << 20,
-                               kIgnoredBytes = 16u << 20;
+                               kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 
@@ -118,6 +121,7 @@ class Cache {
   std::vector<EdgeSlot> edges_;
   LruCache<IgnoredKey, ribs::IgnoredEdges> ignored_{kIgnoredBytes};
   LruCache<TraceKey, TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
+  LruCache<InteriorKey, inflate::Interior> interiors_{kInteriorBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

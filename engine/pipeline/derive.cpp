@@ -86,6 +86,17 @@ Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape
     return loftShape(*loft, from.entry, cache, purpose, shape, clock);
   }
   const image::Size size = from.entry.size;
+  const auto* puff = std::get_if<document::InflateRecipe>(&from.recipe);
+  if (puff != nullptr && !puff->inflate.profile.isSoft()) {
+    const InteriorKey key = interiorKey(*puff, from.entry);
+    const KnownInterior known = cache.interior(key);
+    KnownInterior interior = known;
+    Result<PartShape> made = regionStage(from.recipe, size, interior, clock);
+    if (interior && !known) cache.keepInterior(key, interior);
+    if (!made) return made.failure();
+    shape = std::move(made).value();
+    return Done{};
+  }
   const auto* stack = std::get_if<document::StackRecipe>(&from.recipe);
   const auto* outlined = std::get_if<document::ShapeRecipe>(&from.recipe);
   Result<PartShape> made = stack      ? stackStage(*stack, size, clock)

@@ -1,5 +1,6 @@
 #include "engine/pipeline/keys.h"
 
+#include <optional>
 #include <vector>
 
 #include "engine/base/hash.h"
@@ -120,11 +121,20 @@ std::vector<ribs::IgnoreMark> coversOf(const document::PictureEntry& entry) {
   return covers;
 }
 
+void mixPlace(Hasher& hasher, const std::optional<PicturePoint>& at) {
+  hasher.number(at.has_value());
+  if (at) mixAll(hasher, at->x, at->y);
+}
+
 void mix(Hasher& hasher, const inflate::ProfileParams& params) {
-  const auto& [slices, follow] = params;
+  const auto& [slices, follow, across, reach] = params;
   hasher.number(slices.size());
-  for (const auto& [shape] : slices) mix(hasher, shape);
-  hasher.number(follow);
+  for (const auto& [shape, at] : slices) {
+    mix(hasher, shape);
+    mixPlace(hasher, at);
+  }
+  hasher.number(follow).number(across);
+  if (across == inflate::Across::Length) hasher.number(reach);
 }
 
 void mix(Hasher& hasher, const inflate::BoneEdits& edits) {
@@ -142,14 +152,18 @@ void mix(Hasher& hasher, const inflate::BoneEdits& edits) {
   }
 }
 
-/// A region's solid takes only its size from the picture, its texture the pixels.
-std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
+void mix(Hasher& hasher, const document::Region& region) {
   const auto& [picture, contours, ribbon, open] = region;
-  Hasher hasher;
-  hasher.number(entry.contentHash).number(entry.size.width).number(entry.size.height);
   hasher.number(contours.size());
   for (const auto& contour : contours) mix(hasher, contour);
   hasher.number(ribbon).number(open);
+}
+
+/// A region's solid takes only its size from the picture, its texture the pixels.
+std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
+  Hasher hasher;
+  hasher.number(entry.contentHash).number(entry.size.width).number(entry.size.height);
+  mix(hasher, region);
   for (const ribs::IgnoreMark& mark : entry.ignored) {
     if (mark.covers) mix(hasher, std::vector{mark});
   }
@@ -196,6 +210,17 @@ ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::Picture
   mix(hasher, profile);
   mix(hasher, bones);
   return ShapeKey{hasher.value()};
+}
+
+InteriorKey interiorKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
+  Hasher hasher;
+  hasher.text("interior").number(entry.size.width).number(entry.size.height);
+  const auto& [region, inflate] = recipe;
+  const auto& [height, sides, points, profile, bones] = inflate;
+  mix(hasher, region);
+  mix(hasher, bones);
+  for (const auto& [shape, at] : profile.slices) mixPlace(hasher, at);
+  return InteriorKey{hasher.value()};
 }
 
 ShapeKey shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry) {

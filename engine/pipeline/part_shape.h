@@ -14,6 +14,7 @@
 #include "engine/base/vec.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
+#include "engine/inflate/interior.h"
 #include "engine/loft/posed.h"
 #include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
@@ -45,7 +46,7 @@ struct TracedRibs {
 };
 
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
-/// what is made of a region; for others they are empty.
+/// what is made of a region, bones only of puffs with a slice; for others they are empty.
 struct PartShape {
   ribs::Spine spine;                                ///< as traced
   ribs::RibSet generated;                           ///< what the search found
@@ -53,6 +54,7 @@ struct PartShape {
   ribs::RibSet shown;                               ///< in the pose, seen from the front; equal to `ribs` at rest
   std::vector<ModelPoint> centreLine;               ///< the spine in the pose, ≥ 2 points, one a generated rib
   std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned or turned, closed
+  std::vector<inflate::EditedSkeleton> bones;       ///< one a piece of the region
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
@@ -113,7 +115,11 @@ Status shapeStage(const document::LoftRecipe& recipe, const TracedRibs& traced, 
                   ShapeMemory& memory, PartShape& shape, const Clock& clock = {});
 
 /// Of a region: clean → inflate, clean → give thickness, or turn about the axis. `key` of the result is 0; the times
-/// stand in `ms.loft`. Errors: NotARegion (others), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
+/// stand in `ms.loft`. `interior`: of a puff with a slice, by interiorKey; where it is null it is made, and then there.
+/// Errors: NotARegion (others), those of inflateRegion, extrudeRegion and spinRegion, OutOfMemory.
+using KnownInterior = std::shared_ptr<const inflate::Interior>;
+Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, KnownInterior& interior,
+                              const Clock& clock = {});
 Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock = {});
 
 /// Slice by slice. `key` of the result is 0; the time stands in `ms.loft`. Errors: those of stackPlanes, OutOfMemory.

@@ -25,6 +25,7 @@ Result<PartShape> shapeOf(Result<geometry::Contours> contours, Result<mesh::TriM
 /// Makes the shape of one kind of recipe.
 struct Make {
   image::Size picture;
+  KnownInterior& interior;
 
   Result<geometry::Contours> clean(const document::Region& region) const {
     return geometry::cleanRegion(region.contours, region.ribbon,
@@ -36,8 +37,21 @@ struct Make {
   Result<PartShape> operator()(const document::InflateRecipe& recipe) const {
     Result<geometry::Contours> contours = clean(recipe.region);
     if (!contours) return contours.failure();
-    Result<mesh::TriMesh> mesh = inflate::inflateRegion(contours.value(), picture, recipe.inflate);
-    return shapeOf(std::move(contours), std::move(mesh));
+    const inflate::InflateParams& params = recipe.inflate;
+    if (params.profile.isSoft()) {
+      Result<mesh::TriMesh> mesh = inflate::inflateRegion(contours.value(), picture, params);
+      return shapeOf(std::move(contours), std::move(mesh));
+    }
+    if (!inflate::isValid(params)) return Error::ValueOutOfRange;
+    if (!interior) {
+      Result<inflate::Interior> made = inflate::interiorOf(contours.value(), params.bones, params.profile.slices);
+      if (!made) return made.failure();
+      interior = std::make_shared<const inflate::Interior>(std::move(made).value());
+    }
+    Result<mesh::TriMesh> mesh = inflate::inflateAlong(*interior, picture, params);
+    Result<PartShape> shape = shapeOf(std::move(contours), std::move(mesh));
+    if (shape) shape.value().bones = interior->bones;
+    return shape;
   }
   Result<PartShape> operator()(const document::ExtrudeRecipe& recipe) const {
     Result<geometry::Contours> contours = clean(recipe.region);
@@ -68,8 +82,13 @@ Result<PartShape> timed(const Clock& clock, const Make& make) {
 
 }  // namespace
 
+Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, KnownInterior& interior,
+                              const Clock& clock) {
+  return timed(clock, [&] { return std::visit(Make{picture, interior}, recipe); });
+}
 Result<PartShape> regionStage(const document::Recipe& recipe, image::Size picture, const Clock& clock) {
-  return timed(clock, [&] { return std::visit(Make{picture}, recipe); });
+  KnownInterior made;
+  return regionStage(recipe, picture, made, clock);
 }
 
 Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock) {

@@ -40,7 +40,7 @@ void Report::begin(const std::string& name) {
   first_ = false;
 }
 
-void Report::stage(const std::string& name, int runs, const std::function<void(int)>& work) {
+double Report::stage(const std::string& name, int runs, const std::function<void(int)>& work) {
   std::vector<double> times, ofProcessor;
   for (int i = -2; i < runs; ++i) {
     const double started = nowMs(), used = processorMs();
@@ -59,6 +59,7 @@ void Report::stage(const std::string& name, int runs, const std::function<void(i
             << ", \"p99_ms\": " << at(times, 0.99) << ", \"min_ms\": " << times.front()
             << ", \"cpu_ms\": " << at(ofProcessor, 0.5) << ", \"cpu_p99_ms\": " << at(ofProcessor, 0.99)
             << ", \"runs\": " << runs << "}" << std::flush;
+  return at(times, 0.5);
 }
 
 void Report::value(const std::string& name, double number) {

@@ -102,10 +102,24 @@ void reportRegionStages(bench::Report& report) {
   round.inflate.profile.slices = movingRound.inflate.profile.slices = {{sections::SectionPreset::Circle}};
   const document::ExtrudeRecipe extrude{region, {}};
   const document::LatheRecipe spun{region, {{40, 0}, {40, 499}}};
-  report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::regionStage(inflate, {500, 500})); });
-  report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::regionStage(moving, {500, 500})); });
-  report.stage("puff with a slice, 4000 points", 21, [&](int) { must(pipeline::regionStage(round, {500, 500})); });
-  report.stage("puff with a slice, 900 points", 51, [&](int) { must(pipeline::regionStage(movingRound, {500, 500})); });
+  const double soft = report.stage("puff of 400 px, 4000 points", 21,
+                                   [&](int) { must(pipeline::regionStage(inflate, {500, 500})); });
+  const double softMoving = report.stage("puff under the pen, 900 points", 51,
+                                         [&](int) { must(pipeline::regionStage(moving, {500, 500})); });
+  const auto ratio = [&](const char* name, int runs, double of, const std::function<void(int)>& work) {
+    report.value(std::string(name) + ", ratio to a soft puff", report.stage(name, runs, work) / of);
+  };
+  ratio("puff with a slice, 4000 points", 21, soft, [&](int) { must(pipeline::regionStage(round, {500, 500})); });
+  ratio("puff with a slice, 900 points", 51, softMoving,
+        [&](int) { must(pipeline::regionStage(movingRound, {500, 500})); });
+  pipeline::KnownInterior interior;
+  must(pipeline::regionStage(round, {500, 500}, interior));
+  ratio("slice of a puff dragged, 4000 points", 21, soft,
+        [&](int) { must(pipeline::regionStage(round, {500, 500}, interior)); });
+  ratio("slice of a puff dragged, 900 points", 51, softMoving,
+        [&](int) { must(pipeline::regionStage(movingRound, {500, 500}, interior)); });
+  const geometry::Contours clean = must(geometry::cleanRegion(region.contours, 0, {500, 500}));
+  ratio("bones of a puff", 51, soft, [&](int) { must(inflate::editedSkeleton(clean, {})); });
   report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::regionStage(extrude, {500, 500})); });
   report.stage("spun ring of 400 px", 51, [&](int) { must(pipeline::regionStage(spun, {500, 500})); });
 }

@@ -114,7 +114,13 @@ RegionSolid anySolid(Rng& rng) {
   if (rng.below(2) == 0) {
     inflate::InflateParams puff{
         rng.uniform(0, 3), static_cast<inflate::InflateSides>(rng.below(4)), static_cast<int>(rng.below(900)), {}};
-    if (rng.below(3) == 0) puff.profile = {{{anySection(rng)}}, rng.uniform(-0.1, 1.1)};
+    if (rng.below(3) == 0) {
+      puff.profile = {{{anySection(rng)}}, rng.uniform(-0.1, 1.1)};
+      while (rng.below(3) == 0) {
+        const PicturePoint at{rng.uniform(0, kWidth), rng.uniform(0, kHeight)};
+        puff.profile.slices.push_back({rng.below(2) == 0 ? puff.profile.slices[0].shape : anySection(rng), at});
+      }
+    }
     if (rng.below(3) == 0) puff.bones = anyBones(rng);
     return puff;
   }

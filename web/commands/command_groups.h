@@ -10,6 +10,7 @@ namespace spineloft::app {
 std::span<const Command> generalCommands();       ///< board, parts, views: command_table.cpp
 std::span<const Command> ribCommands();           ///< editing ribs, ignoring edges: rib_commands.cpp
 std::span<const Command> regionCommands();        ///< puffs and flat pieces: region_commands.cpp
+std::span<const Command> puffBoneCommands();      ///< bones of puffs: puff_bone_commands.cpp
 std::span<const Command> latheCommands();         ///< spun parts: lathe_commands.cpp
 std::span<const Command> layerCommands();         ///< parts drawn layer by layer: layer_commands.cpp
 std::span<const Command> shapeCommands();         ///< shapes, pictures that are sides: shape_commands.cpp

@@ -16,7 +16,7 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands,      ribCommands,    regionCommands,  latheCommands, layerCommands,
+constexpr std::array kGroups = {generalCommands,      ribCommands,    regionCommands,  puffBoneCommands, latheCommands, layerCommands,
                                 shapeCommands,        cutCommands,    outlineCommands, spineCommands, sectionCommands,
                                 sectionBoardCommands, sketchCommands, placeCommands,   lookCommands,  sizeCommands,
                                 solidCommands,        hollowCommands, keepCommands};

@@ -13,6 +13,7 @@
 #include "engine/vision/cut_out.h"
 #include "web/commands/commands.h"
 #include "web/edit/placing.h"
+#include "web/edit/puff_bones.h"
 
 namespace spineloft::app {
 
@@ -92,6 +93,20 @@ Outcome drawRegion(const CommandEnv& env, const document::Region& region, const 
 Outcome redrawRegion(const CommandEnv& env, PartId part, const document::Region& region);
 /// What stands over the puffs among the parts; for none of them: over the next one.
 Outcome setProfile(const CommandEnv& env, const Parts& parts, const inflate::ProfileParams& profile);
+/// Of a puff with a slice: the one that it has at a place, new or in place of that there.
+Outcome setSliceAt(const CommandEnv& env, PartId part, PicturePoint at, const sections::SectionShape& shape);
+/// Another shape for one of its slices.
+Outcome setPuffSlice(const CommandEnv& env, PartId part, std::size_t slice, const sections::SectionShape& shape);
+/// Its bones and the places of its slices; only edits that find their place come here.
+Outcome setBones(const CommandEnv& env, PartId part, const inflate::InflateParams& params);
+/// By its number in boneHandles: a bone is left out or taken back, a knob or a slice taken away.
+Outcome toggleBone(const CommandEnv& env, PartId part, int handle);
+/// A handle to a place of the picture, a knob to a thickness.
+Outcome dragBone(const CommandEnv& env, PartId part, const BoneHandle& handle, PicturePoint to);
+Outcome setThickness(const CommandEnv& env, PartId part, const BoneHandle& handle, double factor);
+Outcome chooseBone(const CommandEnv& env, int handle);
+/// Says why a drag came to nothing: of a point, or of a new bone.
+Outcome refuseBone(const CommandEnv& env, bool point);
 Outcome moveOutlinePoint(const CommandEnv& env, PartId part, OutlinePoint at, PicturePoint to);
 /// The axis of a spun part, or of the next one. Picture pixels.
 Outcome setAxis(const CommandEnv& env, PartId part, PicturePoint from, PicturePoint to);

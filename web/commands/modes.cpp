@@ -36,7 +36,7 @@ constexpr Mode
 
 constexpr std::array kModes = {
     &kGesture, &kMenu, &kBoardMode, &kCutMode, &kPlaceSection, &kPointOpening, &kHollowMode, &kPreview, &kRedraw, &kWork,
-    &kOutlinePointMode, &kRibMode, &kPointMode, &kChosen, &kOutlineMode, &kLayerMode, &kPartsMode, &kTool, &kModel};
+    &kOutlinePointMode, &kBoneMode, &kRibMode, &kPointMode, &kChosen, &kBonesMode, &kOutlineMode, &kLayerMode, &kPartsMode, &kTool, &kModel};
 // clang-format on
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/section_json.h"
 #include "web/edit/preview.h"
+#include "web/edit/puff_bones.h"
 #include "web/edit/region_editing.h"
 #include "web/model/messages.h"
 
@@ -224,6 +225,20 @@ bool hasSides(Env env) {
   if (part != nullptr) return document::inflateOf(*part) && document::inflateOf(*part)->inflate.sides == kSides;
   return env.ui.inflate.sides == kSides;
 }
+template <inflate::Across kAcross>
+Outcome setAcross(Env env, const Json& args) {
+  const document::Part* part = regionPart(env, args);
+  if (part == nullptr || document::inflateOf(*part) == nullptr) return noRegion(env, args);
+  return shapeInflate(env, args, [&](inflate::InflateParams& params) {
+    params.profile.across = kAcross;
+    params.profile.reach = args.number("reach").value_or(params.profile.reach);
+  });
+}
+template <inflate::Across kAcross>
+bool hasAcross(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part && document::inflateOf(*part) && document::inflateOf(*part)->inflate.profile.across == kAcross;
+}
 template <extrude::EdgeKind kEdge>
 Outcome setEdge(Env env, const Json& args) {
   return shapeExtrude(env, args, [](extrude::ExtrudeParams& params) { params.edge = kEdge; });
@@ -235,86 +250,32 @@ bool hasEdge(Env env) {
   return env.ui.extrude.edge == kEdge;
 }
 
-/// {slice: "roof"}, or a slice as shapeFrom reads it.
+/// {slice: "roof"}, or a slice as shapeFrom reads it; with `at` of one place.
 Outcome setProfileRow(Env env, const Json& args) {
+  inflate::ProfileParams profile;
   if (const std::string* key = args.text("slice")) {
     const std::optional<inflate::ProfileParams> ready = inflate::readyProfile(*key);
-    return ready ? setProfile(env, partsFrom(env, args), *ready) : refuse({Error::ValueOutOfRange, *key});
+    if (!ready) return refuse({Error::ValueOutOfRange, *key});
+    profile = *ready;
+  } else {
+    const Result<std::optional<sections::SectionShape>> shape = shapeFrom(args, env.ui.sections);
+    if (!shape) return refuse(shape.failure());
+    if (!shape.value()) return missing("a slice: soft, round, roof, block, step, bowl, ring or two-rings");
+    profile.slices = {{*shape.value()}};
+    profile.follow = args.number("follow").value_or(profile.follow);
   }
-  const Result<std::optional<sections::SectionShape>> shape = shapeFrom(args, env.ui.sections);
-  if (!shape) return refuse(shape.failure());
-  if (!shape.value()) return missing("a slice: soft, round, roof, block, step, bowl, ring or two-rings");
-  inflate::ProfileParams profile;
-  profile.slices = {{*shape.value()}};
-  profile.follow = args.number("follow").value_or(profile.follow);
-  return setProfile(env, partsFrom(env, args), profile);
+  if (args.find("at") == nullptr) return setProfile(env, partsFrom(env, args), profile);
+  const document::Part* part = regionPart(env, args);
+  const std::optional<PicturePoint> at = pointOf(args, "at");
+  if (!at) return missing("a place on a bone: at, [x, y] in picture pixels");
+  if (profile.isSoft()) return refuse({Error::ValueOutOfRange, "soft"});
+  return part ? setSliceAt(env, part->id, *at, profile.slices.front().shape) : noRegion(env, args);
 }
 void profileChoices(Env env, JsonWriter& json) {
   const document::Part* part = regionPart(env, {});
   const document::InflateRecipe* puff = part ? document::inflateOf(*part) : nullptr;
   const std::string_view now = inflate::profileKey((puff ? puff->inflate : env.ui.inflate).profile);
   for (const auto& [key, label] : inflate::readyProfiles()) writeChoice(json, key, label, key == now);
-}
-
-/// Changes the bones of the puff that is meant. `edit` says what is missing, or changes them.
-template <class Edit>
-Outcome editBones(Env env, const Json& args, const Edit& edit) {
-  const document::Part* part = regionPart(env, args);
-  const document::InflateRecipe* puff = part ? document::inflateOf(*part) : nullptr;
-  if (puff == nullptr) return noRegion(env, args);
-  inflate::InflateParams params = puff->inflate;
-  if (const char* missed = edit(params.bones)) return missing(missed);
-  if (!inflate::isValid(params)) return refuse({Error::ValueOutOfRange, "bones"});
-  const Status status = env.studio.act({document::ShapeRegion{part->id, params}});
-  return status ? Outcome{} : refuse(status.failure());
-}
-Outcome dropBone(Env env, const Json& args) {
-  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
-    const std::optional<PicturePoint> at = pointOf(args, "at");
-    if (!at) return "a place on a bone: at, [x, y] in picture pixels";
-    bones.drop.push_back(*at);
-    return nullptr;
-  });
-}
-Outcome addBone(Env env, const Json& args) {
-  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
-    std::optional<std::vector<PicturePoint>> line = strokeOf(args, "line");
-    if (!line || line->size() < 2)
-      return "a line from a bone to where it should reach: a list of [x, y] picture pixels";
-    bones.add.push_back(std::move(*line));
-    return nullptr;
-  });
-}
-Outcome moveBone(Env env, const Json& args) {
-  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
-    const std::optional<PicturePoint> from = pointOf(args, "from"), to = pointOf(args, "to");
-    if (!from || !to) return "an end or fork and where it goes: from and to, [x, y] in picture pixels";
-    bones.move.push_back({*from, *to});
-    return nullptr;
-  });
-}
-Outcome raiseBone(Env env, const Json& args) {
-  return editBones(env, args, [&](inflate::BoneEdits& bones) -> const char* {
-    const std::optional<PicturePoint> at = pointOf(args, "at");
-    const std::optional<double> factor = args.number("factor");
-    if (!at || !factor) return "a place on a bone and how many times as thick: at and factor";
-    bones.heights.push_back({*at, *factor});
-    return nullptr;
-  });
-}
-Outcome resetBones(Env env, const Json& args) {
-  return editBones(env, args, [](inflate::BoneEdits& bones) -> const char* {
-    bones = {};
-    return nullptr;
-  });
-}
-bool hasBoneEdits(Env env) {
-  const document::Part* part = regionPart(env, {});
-  return part && document::inflateOf(*part) && document::inflateOf(*part)->inflate.bones != inflate::BoneEdits{};
-}
-bool hasBones(Env env) {
-  const document::Part* part = regionPart(env, {});
-  return part && document::inflateOf(*part) && !document::inflateOf(*part)->inflate.profile.isSoft();
 }
 
 bool isInflated(Env env) {
@@ -352,7 +313,13 @@ constexpr double kNotch = 1.25;
 Outcome thicker(Env env, const Json& args) { return notch(env, args, kNotch); }
 Outcome thinner(Env env, const Json& args) { return notch(env, args, 1 / kNotch); }
 
-constexpr Argument kLine{"line"}, kPoint{"to"}, kAt{"at"};
+bool sliceIsSelected(Env env) {
+  const document::Part* part = regionPart(env, {});
+  return part && document::inflateOf(*part) && !document::inflateOf(*part)->inflate.profile.isSoft();
+}
+constexpr Condition hasSlice{sliceIsSelected, Condition::Part};
+
+constexpr Argument kLine{"line"}, kPoint{"to"};
 using inflate::InflateSides, extrude::EdgeKind;
 
 // clang-format off
@@ -375,19 +342,12 @@ constexpr std::array kTable = {
     Command{.id = "puff-slice", .label = "Slice of the puff", .icon = "slice", .group = "part",
             .argument = {"slice", profileChoices}, .hint = "What a cut through the puff looks like",
             .enabled = hasPicture, .run = setProfileRow},
-    Command{.id = "drop-bone", .label = "Leave a bone out by numbers", .icon = "slice", .group = "part",
-            .argument = kAt, .hint = "The bone at a place goes, and what hangs on it", .enabled = hasBones,
-            .run = dropBone},
-    Command{.id = "add-bone", .label = "Add a bone by numbers", .icon = "slice", .group = "part", .argument = kLine,
-            .hint = "A line from a bone to where it should reach", .enabled = hasBones, .run = addBone},
-    Command{.id = "move-bone", .label = "Move a bone by numbers", .icon = "move", .group = "part", .argument = kPoint,
-            .hint = "An end of a bone and where it goes", .enabled = hasBones, .run = moveBone},
-    Command{.id = "bone-height", .label = "Thicker at a bone by numbers", .icon = "plus", .group = "part",
-            .argument = kAt, .hint = "A place on a bone and how many times as thick", .enabled = hasBones,
-            .run = raiseBone},
-    Command{.id = "reset-bones", .label = "Bones as found", .icon = "rotate-ccw", .group = "part",
-            .hint = "The bones of the puff are again those that were found", .enabled = hasBoneEdits,
-            .run = resetBones},
+    Command{.id = "slice-whole", .label = "Whole width", .icon = "unfold-vertical", .group = "part",
+            .hint = "The slice of the puff goes from the bone to the outline", .enabled = hasSlice,
+            .toggled = hasAcross<inflate::Across::Share>, .run = setAcross<inflate::Across::Share>},
+    Command{.id = "slice-edge", .label = "Same edge", .icon = "circle-dot", .group = "part",
+            .hint = "The slice of the puff is an edge of the same width all round, flat within", .enabled = hasSlice,
+            .toggled = hasAcross<inflate::Across::Length>, .run = setAcross<inflate::Across::Length>},
     Command{.id = "edge-sharp", .label = "Sharp edge", .icon = "square", .group = "part",
             .hint = "The flat piece has a sharp edge", .enabled = hasPicture, .toggled = hasEdge<EdgeKind::Sharp>,
             .run = setEdge<EdgeKind::Sharp>},
@@ -464,7 +424,7 @@ Outcome setProfile(Env env, const Parts& parts, const inflate::ProfileParams& pr
     const document::InflateRecipe* own = document::inflateOf(part);
     if (own == nullptr) return std::nullopt;
     inflate::InflateParams params = own->inflate;
-    params.profile = profile;
+    params.profile = withBase(params.profile, profile);
     return document::ShapeRegion{part.id, params};
   });
 }

@@ -9,6 +9,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
+#include "web/edit/puff_bones.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
 #include "web/words/words.h"
@@ -60,9 +61,10 @@ const document::Part* puffOf(Env env, const Json& args) {
 
 Outcome editProfile(Env env, const document::Part& part, const Json& args) {
   const inflate::ProfileParams& profile = document::inflateOf(part)->inflate.profile;
-  const sections::SectionShape shape = profile.isSoft() ? sections::SectionShape() : profile.slices.front().shape;
+  const std::size_t key = pickedSlice(bonedPuff(env.studio.document(), env.studio.derived(), part.id), env.ui);
+  const sections::SectionShape shape = profile.isSoft() ? sections::SectionShape() : profile.slices[key].shape;
   env.ui.selection = part.id;
-  openBoard(env.ui, {&part, 0, args.flag("empty").value_or(!shape.drawn()), true}, shape);
+  openBoard(env.ui, {&part, key, args.flag("empty").value_or(!shape.drawn()), true}, shape);
   sendStatus(env.host, "Draw one half of the slice, from the middle of the puff to its rim. Enter when it is done.");
   return {};
 }
@@ -100,7 +102,9 @@ Outcome done(Env env, const Json&) {
   const document::Part* part = document::findPart(env.studio.document(), board.part);
   if (part && board.profile) {
     inflate::InflateParams params = document::inflateOf(*part)->inflate;
-    params.profile.slices = {{shape}};
+    auto& slices = params.profile.slices;
+    if (slices.empty()) slices.resize(1);
+    slices[std::min(board.key, slices.size() - 1)].shape = shape;
     const Status status = env.studio.act(document::ShapeRegion{part->id, params});
     if (!status) return refuse(status.failure());
   } else if (part) {

@@ -54,6 +54,14 @@ Outcome useSpineTool(Env env, const Json&) {
   env.ui.tool = ToolKind::Spine;
   env.ui.redraw = {};
   if (hasSpine(env)) return {};
+  const document::Part* part = partOf(env, Json());
+  if (part != nullptr && document::inflateOf(*part) != nullptr) {
+    env.ui.focus = Focus::Picture;
+    sendStatus(env.host, document::inflateOf(*part)->inflate.profile.isSoft()
+                             ? "A soft puff has no bones. Choose another slice for it."
+                             : "Tap a bone: it goes. Drag an end. Draw from a bone. Pull a knob: thicker or thinner.");
+    return {};
+  }
   for (const document::Part& part : env.studio.document().parts) {
     const bool fits = document::pictureOf(part) == env.ui.picture && document::loftOf(part) != nullptr;
     if (fits && pipeline::isVisible(env.studio.document(), part)) env.ui.selection = part.id;
@@ -255,7 +263,7 @@ constexpr std::string_view kArrows =
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "bone", .label = "Bone", .icon = "bone", .shortcut = "7, M", .group = "tool",
-            .hint = "Bend, move, lengthen or pose the bone", .enabled = hasParts, .toggled = spineTool,
+            .hint = "Bend, move, lengthen or pose the bone; change the bones of a puff", .enabled = hasParts, .toggled = spineTool,
             .run = useSpineTool},
     Command{.id = "find-edges", .label = "Find edges again", .icon = "scan-search", .group = "bone",
             .hint = "A changed bone looks for its ribs in the picture again", .enabled = hasParts,

@@ -11,6 +11,7 @@
 #include "web/edit/gizmo.h"
 #include "web/edit/layers.h"
 #include "web/edit/placing.h"
+#include "web/edit/puff_bones.h"
 #include "web/model/colour_text.h"
 
 #include "web/commands/modes.h"
@@ -71,7 +72,7 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("mark").number(ui.hover.mark).endObject();
   json.key("chosen").beginObject();
   writeEnd(json, "end", ui.chosen.end);
-  json.key("handle").number(ui.chosen.handle).key("outline");
+  json.key("handle").number(ui.chosen.handle).key("boneHandle").number(ui.chosen.bone).key("outline");
   if (ui.chosen.outline) {
     json.beginArray().number(static_cast<double>(ui.chosen.outline->contour));
     json.number(static_cast<double>(ui.chosen.outline->point)).endArray();
@@ -137,18 +138,74 @@ void writeRegion(JsonWriter& json, const document::Part& part, const pipeline::P
   }
 }
 
+void writeNumbers(JsonWriter& json, std::string_view key, std::initializer_list<double> values) {
+  json.key(key).beginArray();
+  for (const double value : values) json.number(value);
+  json.endArray();
+}
+
+/// The bones of a puff with a slice, in picture pixels, and where its other slices are.
+void writeBones(JsonWriter& json, const BonedPuff& puff) {
+  json.key("bones");
+  if (!puff) {
+    json.null();
+    return;
+  }
+  int ends = 0, forks = 0, rings = 0;
+  double length = 0;
+  for (const inflate::EditedSkeleton& piece : puff.shape->bones) {
+    ends += piece.skeleton.ends;
+    forks += piece.skeleton.forks;
+    rings += piece.skeleton.rings;
+    length += inflate::lengthOf(piece.skeleton);
+  }
+  json.beginObject().key("ends").number(ends).key("forks").number(forks).key("rings").number(rings);
+  json.key("length").number(length).key("asleep").number(inflate::asleep(puff.shape->bones));
+  const std::vector<BoneHandle> handles = boneHandles(puff);
+  for (const auto& [key, hold] : {std::pair{"branches", BoneHold::Bone}, {"gone", BoneHold::Gone}}) {
+    json.key(key).beginArray();
+    for (const BoneHandle& handle : handles) {
+      if (handle.hold == hold) writeLine(json, handle.line);
+    }
+    json.endArray();
+  }
+  json.key("knobs").beginArray();
+  for (const BoneHandle& handle : handles) {
+    if (handle.hold != BoneHold::Knob) continue;
+    json.beginArray().number(handle.at.x).number(handle.at.y).number(handle.factor).endArray();
+  }
+  json.endArray().key("slices").beginArray();
+  for (const inflate::ProfileSlice& slice : puff.params->profile.slices) {
+    json.beginObject().key("slice").text(inflate::profileKey({{{slice.shape}}})).key("at");
+    if (slice.at) {
+      json.beginArray().number(slice.at->x).number(slice.at->y).endArray();
+    } else {
+      json.null();
+    }
+    json.endObject();
+  }
+  json.endArray().endObject();
+}
+
+/// Where the bones of the puff in hand are held on the canvas.
+void writeBoneHandles(JsonWriter& json, const CommandEnv& env) {
+  json.key("boneHandles").beginArray();
+  const BonedPuff puff = bonesInHand(env.studio.document(), env.studio.derived(), env.ui);
+  for (const BoneHandle& handle : boneHandles(puff)) {
+    json.beginObject().key("hold").text(holdKey(handle.hold));
+    const ClientPoint at = holdOnCanvas(handle, env.ui);
+    writeNumbers(json, "at", {at.x, at.y});
+    json.endObject();
+  }
+  json.endArray();
+}
+
 void writeParameters(JsonWriter& json, const document::Part& part) {
   json.key("parameters").beginObject();
   for (const document::ParamInfo& info : document::paramTable(document::kindOf(part))) {
     json.key(info.key).number(info.get(part.recipe));
   }
   json.endObject();
-}
-
-void writeNumbers(JsonWriter& json, std::string_view key, std::initializer_list<double> values) {
-  json.key(key).beginArray();
-  for (const double value : values) json.number(value);
-  json.endArray();
 }
 
 /// Where a part stands: in the world, and in the numbers that are shown.
@@ -275,6 +332,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
       json, "bone",
       derived.shape && document::loftOf(part) ? spineHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
   writeRegion(json, part, derived.shape.get());
+  writeBones(json, bonedPuff(part, derived.shape.get()));
   writeParameters(json, part);
   json.key("triangles");
   json.number(derived.shape ? static_cast<double>(derived.shape->mesh.triangles.size()) : 0);
@@ -436,6 +494,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   const std::optional<ShownAxis> axis = shownAxis(document, ui);
   axis ? writeLine(json, std::array{axis->from, axis->to}) : static_cast<void>(json.null());
   writeSheet(json, env);
+  writeBoneHandles(json, env);
   json.key("modes").beginArray();
   for (const Mode* mode : modes()) {
     if (mode->open(env)) json.text(mode->name);

@@ -7,6 +7,9 @@
 
 namespace spineloft::app {
 
+/// Of a puff under the pen, at most.
+inline constexpr int kPreviewPoints = 900;
+
 /// A preview of nothing yet, in place of another one.
 Preview& beginPreview(UiState& ui);
 /// A preview of this part, starting from its recipe; a preview of something else is dropped.

@@ -152,7 +152,9 @@ void previewBoard(UiState& ui, const document::Document& document) {
   }
   if (board.profile) {
     document::InflateRecipe puff = *document::inflateOf(*part);
-    puff.inflate.profile.slices = {{std::move(shape).value()}};
+    auto& slices = puff.inflate.profile.slices;
+    if (slices.empty()) slices.resize(1);
+    slices[std::min(board.key, slices.size() - 1)].shape = std::move(shape).value();
     if (!document::checkSolid(puff.inflate)) return;
     Preview& preview = previewPart(ui, *part);
     if (preview.recipe == document::Recipe(puff)) return;

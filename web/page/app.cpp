@@ -12,6 +12,7 @@
 #include "web/commands/state_json.h"
 #include "web/edit/editing.h"
 #include "web/edit/preview.h"
+#include "web/edit/puff_bones.h"
 #include "web/edit/section_editing.h"
 #include "web/edit/solid_editing.h"
 #include "web/model/messages.h"
@@ -141,6 +142,11 @@ void App::settleChosen() {
   };
   if (ui_.chosen.outline && !there(*ui_.chosen.outline)) ui_.chosen.outline.reset();
   if (ui_.hover.outline && !there(*ui_.hover.outline)) ui_.hover.outline.reset();
+  if (ui_.chosen.bone >= 0 || ui_.hover.bone >= 0) {
+    const auto count = static_cast<int>(boneHandles(bonesInHand(studio_.document(), studio_.derived(), ui_)).size());
+    if (ui_.chosen.bone >= count) ui_.chosen.bone = -1;
+    if (ui_.hover.bone >= count) ui_.hover.bone = -1;
+  }
   if (!ui_.chosen.end && !ui_.hover.end) return;
   const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);
   const std::size_t count = subject ? subject.shape->ribs.ribs.size() : 0;

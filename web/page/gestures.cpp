@@ -145,7 +145,7 @@ std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place 
     return std::make_unique<tools::TurnSolid>(tools::TurnSolid::Mode::Pan);
   }
   const bool finger = event.device == Device::Touch && ui.penSeen;
-  return tools::pictureTool(plain && !finger ? ui.tool : ToolKind::Hand);
+  return tools::pictureTool(env, plain && !finger ? ui.tool : ToolKind::Hand);
 }
 
 void Gestures::startPinch(const tools::ToolEnv& env) {

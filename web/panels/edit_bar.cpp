@@ -11,6 +11,7 @@
 #include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
+#include "web/edit/puff_bones.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/number_text.h"
 #include "web/panels/theme.h"
@@ -39,6 +40,7 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
   static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
   static constexpr Item kSpineLine[] = {{"find-edges", true}, {"keep-ribs", true},  {"side-view", true}, {"coil", true},
                                         {"join-ends", true},  {"reset-pose", true}, {"make-round", true}};
+  static constexpr Item kBones[] = {{"slice-here", true}, {"toggle-bone", true}, {"reset-bones", true}};
   static constexpr Item kIgnore[] = {{"brush-smaller"},
                                      {"brush-larger"},
                                      {"paint-over", true},
@@ -80,7 +82,7 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
     case app::ToolKind::Shape:
       return kShape;
     case app::ToolKind::Spine:
-      return kSpineLine;
+      return app::bonesInHand(env.document(), env.derived, ui) ? std::span<const Item>(kBones) : kSpineLine;
     case app::ToolKind::Ignore:
       return kIgnore;
     case app::ToolKind::Draw:

@@ -29,6 +29,8 @@ void draw(const PanelEnv& env);
 
 // Its pieces.
 void drawPictureOverlay(const PanelEnv& env);  ///< spines, ribs, outlines
+void drawBones(const PanelEnv& env);           ///< of a puff, over the picture
+void drawSlicesInSolid(const PanelEnv& env);   ///< lines across it where slices are
 void drawSolidOverlay(const PanelEnv& env);    ///< the spine with the handles of its depth, the sheet for layers
 void drawSheet(const PanelEnv& env);           ///< the sheet, with the curves of the layers
 /// Where the sheet is, as sliders, below the edit bar or, where that is at the foot, above it.

@@ -399,6 +399,7 @@ void drawPictureOverlay(const PanelEnv& env) {
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
   if (env.ui().tool == app::ToolKind::Ignore) drawMarks(list, env);
   drawParts(list, env);
+  drawBones(env);
   drawAxis(list, env);
   drawPreview(list, env.ui());
   drawCut(list, env.ui());

@@ -12,6 +12,7 @@
 #include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
+#include "web/edit/puff_bones.h"
 #include "web/panels/number_text.h"
 #include "web/panels/section_paint.h"
 #include "web/panels/theme.h"
@@ -79,7 +80,12 @@ void profileTiles(const PanelEnv& env, const document::InflateRecipe& puff, floa
   const int columns = env.ui().layout.strip && width > app::kFlatStripFrom ? 9 : 3;
   const float each = (width - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   const ImVec2 size{each, env.ui().layout.strip ? 50.f : 58.f};
-  const std::string_view now = inflate::profileKey(puff.inflate.profile);
+  const app::BonedPuff boned = app::bonedPuff(env.document(), env.derived, env.ui().selection);
+  const std::size_t picked = app::pickedSlice(boned, env.ui());
+  const bool local = boned && picked < puff.inflate.profile.slices.size() && puff.inflate.profile.slices[picked].at;
+  inflate::ProfileParams shown = puff.inflate.profile;
+  if (local) shown.slices = {shown.slices[picked]};
+  const std::string_view now = inflate::profileKey(shown);
   label(env.fonts.small, kMuted, "Slice");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
   int count = 0;
@@ -92,10 +98,20 @@ void profileTiles(const PanelEnv& env, const document::InflateRecipe& puff, floa
                               [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
                                 paintSection(list, {centre, radius}, shape, {ink, 0, 1.8f});
                               });
-    if (pressed) env.sink.run(app::setProfile, app::selectedParts(env.document(), env.ui()), ready);
+    if (pressed && local && !ready.isSoft()) {
+      env.sink.run(app::setPuffSlice, boned.part->id, picked, shape);
+    } else if (pressed) {
+      env.sink.run(app::setProfile, app::selectedParts(env.document(), env.ui()), ready);
+    }
   }
   if (count % columns != 0) ImGui::SameLine();
   commandTile(env, "edit-slice", size);
+  if (!puff.inflate.profile.isSoft()) {
+    const ImVec2 half{(width - kGap) / 2, size.y};
+    commandTile(env, "slice-whole", half);
+    ImGui::SameLine();
+    commandTile(env, "slice-edge", half);
+  }
   ImGui::PopStyleVar();
 }
 

@@ -49,6 +49,7 @@ void drawHandle(ImDrawList& list, ImVec2 at, bool hot, bool chosen) {
 void drawSolidOverlay(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   drawSheet(env);
+  drawSlicesInSolid(env);
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);
   if (ui.tool != app::ToolKind::Spine || !subject || !subject.part->visible) return;
   const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(*subject.part));

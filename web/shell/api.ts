@@ -76,6 +76,24 @@ export interface Placement {
   degrees: [number, number, number];
 }
 
+/** The bones found in the outline of a puff with a slice, as changed by hand; picture pixels. */
+export interface PuffBones {
+  ends: number;
+  forks: number;
+  /** Bones that close round a hole. */
+  rings: number;
+  length: number;
+  /** Changes by hand that find no place in this outline; they are kept. */
+  asleep: number;
+  branches: PicturePoint[][];
+  /** Bones that are left out. */
+  gone: PicturePoint[][];
+  /** Places with a knob, and how many times as thick the puff is there. */
+  knobs: [x: number, y: number, factor: number][];
+  /** Its slices; the one without a place is wherever no other is near. */
+  slices: { slice: string; at: PicturePoint | null }[];
+}
+
 export interface Part {
   id: number;
   name: string;
@@ -98,6 +116,8 @@ export interface Part {
   pose: Pose;
   /** The handles of its bone, from start to end. */
   bone: PicturePoint[];
+  /** Of a puff with a slice. */
+  bones: PuffBones | null;
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */
@@ -250,6 +270,8 @@ export interface State {
     corners: ([number, number] | null)[];
     knob: [number, number] | null;
   } | null;
+  /** What the tool 'bone' can take hold of on a puff with a slice, in CSS pixels of the canvas: ends and forks, knobs for its thickness, places of slices, bones, and those left out. */
+  boneHandles: { hold: 'node' | 'knob' | 'slice' | 'bone' | 'gone'; at: [number, number] }[];
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */
@@ -287,7 +309,7 @@ export interface State {
     mark: number;
   };
   /** What the arrow keys move. */
-  chosen: { end: RibEnd | null; handle: number; outline: [number, number] | null };
+  chosen: { end: RibEnd | null; handle: number; boneHandle: number; outline: [number, number] | null };
   /** Rib ends that the line in hand moves. */
   touched: RibEnd[];
   /** How the tools work; reaches are shares of the bone's length, the brush is in CSS pixels. */

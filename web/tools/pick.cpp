@@ -8,6 +8,7 @@
 #include "web/edit/outline.h"
 #include "web/edit/picker.h"
 #include "web/edit/placing.h"
+#include "web/edit/puff_bones.h"
 #include "web/edit/region_editing.h"
 #include "web/edit/section_editing.h"
 #include "web/edit/spinning.h"
@@ -102,7 +103,10 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   app::Hover hover;
   hover.part = app::partAt(env.document, env.derived, ui.picture, p, kLineReach * scale);
   const app::Subject subject = editedPart(env);
-  if (ui.tool == ToolKind::Ignore) {
+  if (const app::BonedPuff puff = app::bonesInHand(env.document, env.derived, ui)) {
+    const double lineReach = std::max(kLineReach, reachOf(event) * 0.7);
+    hover.bone = app::boneAt(app::boneHandles(puff), ui, event.at, reachOf(event), lineReach);
+  } else if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
   } else if (app::drawsRegions(ui.tool)) {
     const document::Part* part = app::partWithPoints(env.document, ui);
@@ -143,6 +147,9 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
   }
   hover.sheet = holdAt(env, event);
+  if (const app::BonedPuff puff = app::bonesInHand(env.document, env.derived, ui)) {
+    hover.bone = app::sliceInSolid(puff, ui, event.at, reachOf(event));
+  }
   const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
   hover.part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   return hover;
@@ -156,6 +163,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     if (hover.sheet == app::SheetHold::Knob) return "ns-resize";
     if (hover.sheet == app::SheetHold::Sheet) return "crosshair";
     const bool body = ui.tool == ToolKind::Place && hover.part;
+    if (hover.bone >= 0) return "grab";
     if (hover.depth >= 0) return "ns-resize";
     return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";
   }
@@ -167,7 +175,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
       if (hover.end) return "grab";
       return hover.part ? "pointer" : "default";
     case ToolKind::Spine:
-      if (hover.handle >= 0) return "grab";
+      if (hover.handle >= 0 || hover.bone >= 0) return "grab";
       return hover.spine ? "move" : "crosshair";
     case ToolKind::Inflate:
     case ToolKind::Extrude:

@@ -10,7 +10,6 @@
 namespace spineloft::tools {
 namespace {
 
-constexpr int kPreviewPoints = 900;      // of a puff under the pen
 constexpr std::size_t kHintPoints = 48;  // of a scribble: each is looked round for its colour
 
 /// As many points of a stroke, evenly, with both its ends.
@@ -123,7 +122,7 @@ void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
   if (entry == nullptr) return;
   Drawn drawn = drawnBy(env, *entry, hand.stroke);
   if (auto* inflate = std::get_if<inflate::InflateParams>(&drawn.solid)) {
-    inflate->points = std::min(inflate->points, kPreviewPoints);
+    inflate->points = std::min(inflate->points, app::kPreviewPoints);
   }
   env.ui.preview->recipe = document::recipeOf(drawn.region, drawn.solid);
   env.ui.preview->fresh = false;

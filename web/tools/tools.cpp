@@ -1,5 +1,6 @@
 #include "web/tools/tools.h"
 
+#include "web/tools/bone_tool.h"
 #include "web/tools/depth_tool.h"
 #include "web/tools/draw_spine.h"
 #include "web/tools/ignore_tool.h"
@@ -15,7 +16,7 @@
 
 namespace spineloft::tools {
 
-std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
+std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
   using app::ToolKind;
   switch (kind) {
     case ToolKind::Draw:
@@ -25,6 +26,7 @@ std::unique_ptr<Tool> pictureTool(app::ToolKind kind) {
     case ToolKind::Shape:
       return std::make_unique<ShapeTool>();
     case ToolKind::Spine:
+      if (app::bonesInHand(env.document, env.derived, env.ui)) return std::make_unique<BoneTool>();
       return std::make_unique<SpineTool>();
     case ToolKind::Ignore:
       return std::make_unique<IgnoreTool>();
@@ -48,6 +50,7 @@ std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInSolid(env, event);
   if (under.depth >= 0) return std::make_unique<DepthTool>();
   if (env.ui.solids.pointing || env.ui.solids.hollow) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
+  if (under.bone >= 0) return std::make_unique<BoneTool>(app::Focus::Solid);
   if (under.sheet != SheetHold::Nothing) return std::make_unique<SheetTool>();
   const bool held = under.gizmo != app::GizmoHandle::None || under.part;
   if (env.ui.tool == app::ToolKind::Place && held) return std::make_unique<PlaceTool>();

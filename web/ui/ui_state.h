@@ -36,7 +36,7 @@ enum class ToolKind : std::uint8_t {
   Hand,     ///< moves the picture
   Ribs,     ///< drags rib ends, adds, deletes, locks ribs
   Shape,    ///< a line that nearby rib ends grow or shrink to
-  Spine,    ///< moves, bends and extends the spine; a new stroke reposes
+  Spine,    ///< moves, bends and extends the spine; a new stroke reposes; of a puff it edits the bones
   Ignore,   ///< scribbles over edges that do not count
   Inflate,  ///< a line round a thing: it swells
   Extrude,  ///< the same: a flat piece
@@ -165,6 +165,7 @@ struct Hover {
   GizmoHandle gizmo = GizmoHandle::None;
   std::optional<OutlinePoint> outline;  ///< of the selected part that is made of a region
   SheetHold sheet = SheetHold::Nothing;
+  int bone = -1;                     ///< of boneHandles of the selected puff
   int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
   std::optional<double> along;       ///< a place of the selected part's spine: at it, or in a graph
   std::optional<ClientPoint> brush;  ///< where an eraser or a scribble would begin
@@ -176,6 +177,7 @@ struct Chosen {
   std::optional<ribs::EndRef> end;
   int handle = -1;
   std::optional<OutlinePoint> outline = {};  ///< of what is made of a region
+  int bone = -1;                             ///< of boneHandles of a puff
   bool operator==(const Chosen&) const = default;
 };
 

@@ -162,8 +162,8 @@ TEST_CASE("a height is its factor at its place and fades along the skeleton") {
   edits.heights = {{{200, 200}, 2}};
   const Skeleton stadium = edited("stadium", edits).skeleton;
   double most = 0, atEnds = 0;
-  for (const SkeletonPoint& p : stadium.points) most = std::max(most, p.factor);
-  for (const std::uint32_t end : endsOf(stadium)) atEnds = std::max(atEnds, stadium.points[end].factor);
+  for (const SkeletonPoint& p : stadium.points) most = std::max(most, p.over.factor);
+  for (const std::uint32_t end : endsOf(stadium)) atEnds = std::max(atEnds, stadium.points[end].over.factor);
   CHECK(most == doctest::Approx(2).epsilon(0.01));
   CHECK(atEnds > 1);
   CHECK(atEnds < 1.7);
@@ -188,7 +188,7 @@ TEST_CASE("edits that find no place sleep and change nothing") {
     CAPTURE(shape.name);
     std::vector<EditedSkeleton> pieces{edited(shape.name, edits)};
     CHECK(pieces[0].skeleton == skeletonOf(shape.contours).value());
-    CHECK(asleep(pieces, edits) == 6);
+    CHECK(asleep(pieces) == 6);
   }
 }
 

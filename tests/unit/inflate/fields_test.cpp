@@ -36,7 +36,8 @@ int wrongLevels(const Fields& fields) {
   int wrong = 0;
   for (int k = 1; k < 20; ++k) {
     std::vector<int> lines(fields.sizes.size(), 0);
-    for (const LevelLine& line : levelLines(fields, k / 20.0)) ++lines[line.side];
+    const double level[] = {k / 20.0};
+    for (const LevelLine& line : levelLines(fields, level)) ++lines[line.side];
     wrong += std::ranges::any_of(lines, [](int count) { return count != 1; });
   }
   return wrong;

@@ -190,6 +190,16 @@ TEST_CASE("the golden document with bones changed by hand reads as what was writ
   CHECK(read.parts[0]->recipe == document::Recipe(hand));
 }
 
+TEST_CASE("the golden document with slices at places reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-slices.json");
+  document::InflateRecipe leaf{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0}, {}};
+  sections::SectionShape roof;
+  roof.contours = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  leaf.inflate.profile.slices = {{sections::SectionPreset::Circle}, {roof, PicturePoint{30, 40.5}}};
+  REQUIRE(read.parts.size() == 1);
+  CHECK(read.parts[0]->recipe == document::Recipe(leaf));
+}
+
 TEST_CASE("the golden document with spun parts reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-spun.json");
   const document::LatheRecipe glass{{PictureId{1}, {{{60, 70}, {90.5, 70}, {80, 20}}}, 0, true},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/document/update.h"
+#include "engine/inflate/inflate.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
 #include "engine/shape/shape.h"
@@ -211,6 +212,44 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   const auto shape = derive(document, cache).parts.back().shape;
   REQUIRE(shape);
   CHECK(shape->mesh == stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, entry.size).value());
+}
+
+TEST_CASE("while the slice of a puff is dragged its skeleton and fields are those that are known") {
+  Document document = ellipseDocument();
+  const Region region{PictureId{1}, {{{40, 40}, {150, 40}, {150, 100}, {40, 100}}}, 0};
+  InflateRecipe puff{region, {}};
+  puff.inflate.points = 600;
+  sections::SectionShape slice;
+  slice.contours = {{{-1, 0}, {0, -0.6}, {1, 0}, {0, 0.6}}};
+  puff.inflate.profile.slices = {{slice}, {slice, PicturePoint{60, 70}}};
+  const PictureEntry& entry = document.pictures[0];
+  const InteriorKey key = interiorKey(puff, entry);
+  const auto changes = [&](void (*change)(InflateRecipe&)) {
+    InflateRecipe other = puff;
+    change(other);
+    return interiorKey(other, entry) != key;
+  };
+  CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.profile.slices[0].shape.contours[0][1].y = -0.3; }));
+  CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.profile.slices[1].shape = sections::SectionPreset::Circle; }));
+  CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.profile.follow = 0; }));
+  CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.height = 2; }));
+  CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.sides = inflate::InflateSides::Front; }));
+  CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.points = 4000; }));
+  CHECK(changes([](InflateRecipe& r) { r.inflate.profile.slices[1].at->x += 1; }));
+  CHECK(changes([](InflateRecipe& r) { r.inflate.profile.slices.pop_back(); }));
+  CHECK(changes([](InflateRecipe& r) { r.inflate.bones.detail = 0.7; }));
+  CHECK(changes([](InflateRecipe& r) { r.inflate.bones.heights = {{{60, 70}, 2}}; }));
+  CHECK(changes([](InflateRecipe& r) { r.region.contours[0][0].x += 1; }));
+  Cache cache;
+  REQUIRE(previewShape(document, puff, cache).ok());
+  const KnownInterior known = cache.interior(key);
+  REQUIRE(known);
+  puff.inflate.profile.slices[0].shape.contours[0][1].y = -0.3;
+  const auto dragged = previewShape(document, puff, cache);
+  REQUIRE(dragged.ok());
+  CHECK(cache.interior(key) == known);
+  CHECK(dragged.value().mesh == inflate::inflateAlong(*known, entry.size, puff.inflate).value());
+  CHECK(dragged.value().bones.size() == 1);
 }
 
 namespace {
