@@ -30,8 +30,8 @@ struct Fields {
   std::vector<std::uint32_t> side;                  ///< by triangle: in the ring of which outline
   double spacing = 0;                               ///< of the points, pixels
   double reach = 0;                                 ///< pixels; 0: none, see withReach
-  /// What is one half width of a slice where H is `half`.
-  double widthOf(double half) const { return reach > 0 ? std::min(half, reach) : half; }
+  /// What is one half width of a slice where H is h.
+  double widthOf(double h) const { return reach > 0 ? std::min(h, reach) : h; }
 };
 
 /// s and H on about 1,000 points. s² has a Laplacian that is smoothed from that of d_S/(d_S + d_R), the distances to

@@ -7,6 +7,7 @@
 
 #include "engine/geometry/refine.h"
 #include "engine/inflate/cushion.h"
+#include "engine/inflate/interior.h"
 #include "engine/inflate/poisson_height.h"
 #include "engine/inflate/profile.h"
 #include "engine/inflate/rows.h"
@@ -17,7 +18,7 @@ namespace spineloft::inflate {
 namespace {
 
 /// Of the spacing: how far a point may come to lie off the surface where thin triangles go.
-constexpr double kMostOff = 0.01;
+constexpr double kMostOff = 0.05;
 /// Heights below this share of the spacing would make both sides touch.
 constexpr double kLeastHeightShare = 1e-3;
 
@@ -172,7 +173,7 @@ Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture
     if (!status) return status.failure();
   }
   mesh::ThinLimits limits;
-  limits.off = kMostOff * rows.spacing;
+  limits.off = kMostOff * (rim ? std::min(rows.spacing, reach) : rows.spacing);
   mesh::removeThinTriangles(mesh, limits);
   return mesh;
 }

@@ -5,10 +5,11 @@
 #include "engine/geometry/region.h"
 #include "engine/image/image.h"
 #include "engine/inflate/inflate_params.h"
-#include "engine/inflate/interior.h"
 #include "engine/mesh/tri_mesh.h"
 
 namespace spineloft::inflate {
+
+struct Interior;
 
 /// The solid between the region's rim in the picture's plane and h = height · √u to the viewer, away from
 /// them, or both, where −Δu = 4 in the region and u = 0 on its rim (a circle becomes a ball). ModelSpace;

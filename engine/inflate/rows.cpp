@@ -232,8 +232,9 @@ class Builder {
       corners.insert(corners.end(), ids[o].rbegin(), ids[o].rend());
       rim.sizes.push_back(lines[o].size());
     }
-    const bool wide = fields_.reach > 0;  // a plain within the edge has points of its own
-    const std::optional<Boned> boned = bonedMesh(rim, bones_, wide ? params_.spacing : 0);
+    std::optional<Boned> boned;
+    if (fields_.reach > 0) boned = bonedMesh(rim, bones_, params_.spacing);  // a plain has points of its own
+    if (!boned) boned = bonedMesh(rim, bones_, 0);  // where nothing lies between rows and skeleton
     if (!boned) return false;
     for (std::size_t i = boned->mesh.rim(); i < boned->mesh.points().size(); ++i) {
       corners.push_back(add(within(boned->mesh.points()[i], boned->width[i]), axis));
@@ -314,7 +315,10 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
                const RowParams& params, mesh::TriMesh& mesh) {
   constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
   const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest);
-  RowTable table(fields, piece, params.spacing);
+  // Rows of a narrow edge lie near each other: long chords would cut into their neighbours.
+  constexpr double kOfEdge = 0.5;  // of its width
+  const double edge = fields.reach > 0 ? kOfEdge * fields.reach : params.spacing;
+  RowTable table(fields, piece, std::min(edge, params.spacing));
   Builder builder(fields, params, mesh);
   const std::size_t outlines = fields.sizes.size();
   const auto onAxis = [](const ProfileRow& row) { return row.front().x == 0; };

@@ -31,7 +31,7 @@ class Remover {
   }
 
   void run() {
-    constexpr int kPasses = 4;
+    constexpr int kPasses = 8;
     for (int pass = 0; pass < kPasses; ++pass) {
       bool changed = false;
       for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -112,8 +112,9 @@ class Remover {
     const Triangle own = mesh_.triangles[t];
     const std::size_t tip = cornerBy(own, std::less<>());
     const std::uint32_t a = own[(tip + 1) % 3], b = own[(tip + 2) % 3];
-    const double before = sineOf(own), ab = worstWithout(a, b), ba = worstWithout(b, a);
-    if (std::max(ab, ba) <= before || !hasOneSeam(a, b)) return false;
+    const double ab = worstWithout(a, b), ba = worstWithout(b, a);
+    constexpr double kWorse = 0.75;  // what is round it may become so much thinner, if fewer triangles are thin
+    if (std::max(ab, ba) < kWorse * sineOf(own) || !hasOneSeam(a, b)) return false;
     if (ab >= ba) {
       join(a, b);
     } else {
@@ -122,21 +123,26 @@ class Remover {
     return true;
   }
 
-  /// The sine of the smallest angle round `goes` once it lies in `stays`; −1 where that changes the surface.
+  /// The sine of the smallest angle round `goes` once it lies in `stays`; −1 where that changes the surface, or leaves
+  /// as many thin triangles as there were.
   double worstWithout(std::uint32_t goes, std::uint32_t stays) const {
     double worst = 1;
+    int thin = 0;
     const ModelPoint way = at(goes) - at(stays);
     for (const std::uint32_t t : fans_[goes]) {
       const Triangle before = mesh_.triangles[t];
+      thin -= sineOf(before) < least_;
       if (std::ranges::count(before, stays) > 0) continue;
       Triangle after = before;
       std::ranges::replace(after, goes, stays);
       if (!keepsWay(before, after)) return -1;
       const ModelPoint normal = normalOf(after);
       if (std::abs(dot(normal, way)) > off_ * norm(normal)) return -1;
-      worst = std::min(worst, sineOf(after));
+      const double sine = sineOf(after);
+      thin += sine < least_;
+      worst = std::min(worst, sine);
     }
-    return worst;
+    return thin < 0 ? worst : -1;
   }
 
   /// Whether a and b have no neighbours in common but the tips of the two triangles at their edge: else the surface

@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "engine/inflate/interior.h"
 #include "engine/loft/loft.h"
 
 namespace spineloft::pipeline {

@@ -14,7 +14,7 @@
 #include "engine/base/vec.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
-#include "engine/inflate/interior.h"
+#include "engine/inflate/bone_edits.h"
 #include "engine/loft/posed.h"
 #include "engine/loft/workspace.h"
 #include "engine/mesh/tri_mesh.h"
@@ -23,6 +23,10 @@
 #include "engine/ribs/search/live_trace.h"
 #include "engine/ribs/search/ribs.h"
 #include "engine/surface/part_texture.h"
+
+namespace spineloft::inflate {
+struct Interior;
+}
 
 namespace spineloft::pipeline {
 

@@ -6,6 +6,7 @@
 #include "engine/extrude/extrude.h"
 #include "engine/geometry/region.h"
 #include "engine/inflate/inflate.h"
+#include "engine/inflate/interior.h"
 #include "engine/lathe/lathe.h"
 #include "engine/pipeline/part_shape.h"
 #include "engine/shape/shape.h"

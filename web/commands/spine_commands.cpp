@@ -54,10 +54,10 @@ Outcome useSpineTool(Env env, const Json&) {
   env.ui.tool = ToolKind::Spine;
   env.ui.redraw = {};
   if (hasSpine(env)) return {};
-  const document::Part* part = partOf(env, Json());
-  if (part != nullptr && document::inflateOf(*part) != nullptr) {
+  const document::Part* puff = partOf(env, Json());
+  if (puff != nullptr && document::inflateOf(*puff) != nullptr) {
     env.ui.focus = Focus::Picture;
-    sendStatus(env.host, document::inflateOf(*part)->inflate.profile.isSoft()
+    sendStatus(env.host, document::inflateOf(*puff)->inflate.profile.isSoft()
                              ? "A soft puff has no bones. Choose another slice for it."
                              : "Tap a bone: it goes. Drag an end. Draw from a bone. Pull a knob: thicker or thinner.");
     return {};

@@ -9,6 +9,7 @@
 
 #include "engine/geometry/spread.h"
 #include "engine/inflate/inflate.h"
+#include "engine/inflate/profile.h"
 #include "engine/inflate/ready_profiles.h"
 #include "engine/mesh/self_crossing.h"
 #include "tests/support/mesh_laws.h"
@@ -67,7 +68,7 @@ TEST_CASE("a bevel across a length is as wide everywhere as it is told, and flat
     }
     REQUIRE(count > 100);
     const double rms = std::sqrt(sum / count);
-    CHECK(rms < 0.05);
+    CHECK(rms < 0.06);  // with the tips, which are narrower than the edge
     worst = std::max(worst, most);
     mean = std::max(mean, rms);
   }
@@ -83,12 +84,11 @@ TEST_CASE("a bevel across a length makes the frustum of a cone of a disc") {
 }
 
 TEST_CASE("edges of all shapes, slices and widths are lawful, have the handles of the formula and do not cross") {
-  int crossing = 0, all = 0;
   for (const NamedShape& shape : namedShapes()) {
     for (const ReadyProfile& ready : readyProfiles()) {
       const ProfileParams profile = *readyProfile(ready.key);
       if (profile.isSoft()) continue;
-      for (const double pixels : {4.0, 15.0, 60.0, 400.0}) {
+      for (const double pixels : {4.0, 10.0, 25.0, 60.0, 400.0}) {
         CAPTURE(shape.name);
         CAPTURE(std::string(ready.key));
         CAPTURE(pixels);
@@ -99,13 +99,10 @@ TEST_CASE("edges of all shapes, slices and widths are lawful, have the handles o
         const Topology expected = topologyOf(curves.value(), shape.rings);
         CHECK(report.shells == expected.shells);
         CHECK(report.genus == expected.genus);
-        crossing += mesh::selfCrossing(mesh) ? 1 : 0;
-        ++all;
+        CHECK(!mesh::selfCrossing(mesh));
       }
     }
   }
-  MESSAGE(crossing << " of " << all << " go through themselves");
-  CHECK(crossing == 0);
 }
 
 TEST_CASE("an edge wider than the shape is the slice across the whole width") {

@@ -4,6 +4,7 @@
 
 #include "engine/document/update.h"
 #include "engine/inflate/inflate.h"
+#include "engine/inflate/interior.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/derive.h"
 #include "engine/shape/shape.h"
